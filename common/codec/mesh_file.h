@@ -1,0 +1,71 @@
+// Mesh files: PLY, OBJ and OFF, read at full precision and written back with every original byte that matters.
+//
+// Guarantees
+//  - Positions are read at the file's own precision (float32, float64 or decimal text, correctly rounded to double).
+//  - WriteFilled keeps every original vertex, face, property, material, texture coordinate and comment: binary PLY
+//    records and OBJ/ASCII lines are copied byte for byte, the patch is appended.
+//  - A reader never crashes, hangs or takes memory out of proportion to the file on malformed input; it returns
+//    kInvalidArgument with path, place (line or byte offset) and what was expected.
+#ifndef TILEMEND_COMMON_CODEC_MESH_FILE_H_
+#define TILEMEND_COMMON_CODEC_MESH_FILE_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+enum class MeshFormat { kPly, kObj, kOff };
+
+// What the file can hold in a coordinate; new vertices are rounded to it before they are written.
+enum class NumberType { kFloat32, kFloat64 };
+
+struct MeshFile {
+  MeshFormat format = MeshFormat::kPly;
+  NumberType number_type = NumberType::kFloat64;  // of the positions; text formats are kFloat64
+  TriMesh mesh;                                   // polygons appear as triangle fans
+  int64_t polygon_count = 0;                      // faces with more than three corners
+  int64_t file_bytes = 0;
+};
+
+// New geometry for one file. Index i in a triangle is vertex i of the file when i < MeshFile::mesh.points.size(), and
+// new_points[i - MeshFile::mesh.points.size()] otherwise. like[k] is the file's vertex whose further properties (colour,
+// normal, ...) new vertex k takes, or -1 for zeros; `like` has one entry per new point.
+struct FilePatch {
+  std::vector<Point3> new_points;
+  std::vector<int32_t> like;
+  std::vector<Triangle> triangles;
+};
+
+// The format by the extension (.ply, .obj, .off, any case). kInvalidArgument naming the format and the accepted ones
+// for anything else (.stl, .glb, .osgb, .b3dm, .gltf, .las ... are refused by name).
+absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
+
+// Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an index
+// out of range, NaN or infinite coordinates, |coordinate| > 1e9 m, a size in the header that the file cannot hold,
+// no vertices at all). Time and memory linear in the file.
+absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path);
+
+// Parses `bytes` as `format`; `name` stands in messages. What ReadMeshFile does after reading the bytes.
+absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, const std::string& name);
+
+// The bytes of the file `original_bytes` with `patch` appended.
+//   PLY: same encoding and properties; faces get a last property `uchar tilemend_filled` (0 original, 1 filled).
+//   OBJ: every original line kept byte for byte; then `v` lines with 17 digits where needed (shortest that round-trip),
+//        `g tilemend_filled`, `usemtl tilemend_filled`, `f` lines.
+//   OFF: counts in the header updated, vertices inserted after the originals, faces appended.
+// New coordinates are rounded to the file's number type.
+absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view original_bytes, const FilePatch& patch,
+                                        const std::string& name);
+
+// A whole file for a cell that had none: binary little-endian PLY of `number_type`, every face marked as filled.
+std::string NewPlyFile(const FilePatch& patch, NumberType number_type);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_CODEC_MESH_FILE_H_

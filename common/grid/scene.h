@@ -1,0 +1,62 @@
+// Scenes: all tiles, the grid, the reconstruction area.
+#ifndef TILEMEND_COMMON_GRID_SCENE_H_
+#define TILEMEND_COMMON_GRID_SCENE_H_
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// Column (x, east) and row (y, north) of a cell. Also names the squares outside the area, which have no cell.
+struct CellId {
+  int32_t col = 0;
+  int32_t row = 0;
+  auto operator<=>(const CellId&) const = default;
+};
+
+// "+003_+001", as in tile names.
+std::string ToString(CellId id);
+
+// The regular grid. Cell (c, r) is [c, c+1) x [r, r+1) times cell_size, from corner, in metres relative to the origin.
+struct Grid {
+  Point2 corner{0, 0};
+  Point2 cell_size{0, 0};  // both > 0
+};
+
+struct SceneTile {
+  CellId cell;
+  std::string path;  // relative to the scene's folder; empty: the cell has no surface
+};
+
+struct Scene {
+  std::string root;           // folder that tile paths are relative to
+  std::string crs;            // as given, may be empty
+  Point3 origin{0, 0, 0};
+  Grid grid;
+  int32_t cols = 0, rows = 0;
+  bool area_known = false;    // false: found by file names only, so the rim of the area stays open
+  std::vector<SceneTile> tiles;  // every cell of the area once, sorted by (row, col)
+  std::vector<std::string> warnings;
+};
+
+// Reads `path`: a folder with scene.json (or the scene.json itself), or a folder of tiles found by name:
+//   *_+CCC_+RRR.ply|obj directly or under tiles/, or the photogrammetry layout Data/Tile_+CCC_+RRR/Tile_+CCC_+RRR*.obj|ply
+//   with metadata.xml (SRS, SRSOrigin).
+// For a scene found by name the grid is worked out from the tiles' bounds and indices (all tiles must agree).
+// Errors (kNotFound, kInvalidArgument) name the file and the place: bad JSON, cell_size <= 0 or not finite, a tile listed
+// twice or two tiles for one cell, a path that leaves the folder, a missing tile file, a format that is not read.
+// Reads no mesh except, without scene.json, to find the bounds.
+absl::StatusOr<Scene> LoadScene(const std::string& path);
+
+// scene.json text for `scene`; LoadScene reads it back.
+std::string SceneJson(const Scene& scene);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_GRID_SCENE_H_
