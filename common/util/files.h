@@ -1,0 +1,24 @@
+// Files: whole reads, and writes that appear at once or not at all.
+#ifndef TILEMEND_COMMON_UTIL_FILES_H_
+#define TILEMEND_COMMON_UTIL_FILES_H_
+
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace tilemend {
+
+// The whole content of a regular file. kNotFound, kPermissionDenied, kInvalidArgument (a folder, a device), kInternal;
+// the message names the path.
+absl::StatusOr<std::string> ReadFile(const std::string& path);
+
+// Writes `content` beside `path` under a temporary name, syncs it and renames it into place: a reader sees the old file or
+// the whole new one. Creates missing parent folders. kPermissionDenied, kResourceExhausted (disk full), kInternal; after
+// an error nothing is left behind.
+absl::Status WriteFileAtomically(const std::string& path, std::string_view content);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_UTIL_FILES_H_
