@@ -34,8 +34,8 @@ struct MeshFile {
 };
 
 // New geometry for one file. Index i in a triangle is vertex i of the file when i < MeshFile::mesh.points.size(), and
-// new_points[i - MeshFile::mesh.points.size()] otherwise. like[k] is the file's vertex whose further properties (colour,
-// normal, ...) new vertex k takes, or -1 for zeros; `like` has one entry per new point.
+// new_points[i - MeshFile::mesh.points.size()] otherwise. like[k] is the file's vertex whose further properties
+// (colour, normal, ...) new vertex k takes, or -1 for zeros; `like` has one entry per new point.
 struct FilePatch {
   std::vector<Point3> new_points;
   std::vector<int32_t> like;
@@ -46,9 +46,9 @@ struct FilePatch {
 // for anything else (.stl, .glb, .osgb, .b3dm, .gltf, .las ... are refused by name).
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
 
-// Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an index
-// out of range, NaN or infinite coordinates, |coordinate| > 1e9 m, a size in the header that the file cannot hold,
-// no vertices at all). Time and memory linear in the file.
+// Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an
+// index out of range, NaN or infinite coordinates, |coordinate| > 1e9 m, a size in the header that the file cannot
+// hold, no vertices at all). Time and memory linear in the file.
 absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path);
 
 // Parses `bytes` as `format`; `name` stands in messages. What ReadMeshFile does after reading the bytes.

@@ -1,0 +1,318 @@
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/ply.h"
+#include "common/codec/ply_source.h"
+#include "common/codec/polygons.h"
+#include "common/codec/text.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+// Appends a value as binary, converted to `type`.
+template <class Value>
+void AppendBinary(Value value, PlyType type, bool swap, std::string& out) {
+  WithPlyType(type, [&](auto sample) {
+    char bytes[sizeof(sample)];
+    StoreValue(static_cast<decltype(sample)>(value), swap, bytes);
+    out.append(bytes, sizeof(bytes));
+  });
+}
+
+int64_t LargestIndexOf(PlyType type) {
+  switch (type) {
+    case PlyType::kInt8:
+      return std::numeric_limits<int8_t>::max();
+    case PlyType::kUint8:
+      return std::numeric_limits<uint8_t>::max();
+    case PlyType::kInt16:
+      return std::numeric_limits<int16_t>::max();
+    case PlyType::kUint16:
+      return std::numeric_limits<uint16_t>::max();
+    default:
+      return std::numeric_limits<int32_t>::max();
+  }
+}
+
+// Writes the records of a patch and copies those of the file: what text and binary bodies have in common.
+class PlyAppender {
+ public:
+  PlyAppender(std::string_view bytes, const PlyHeader& header, const PlyRecords& records, const FilePatch& patch)
+      : bytes_(bytes),
+        header_(header),
+        records_(records),
+        patch_(patch),
+        vertex_(header.elements[header.vertex]),
+        face_(header.elements[header.face]),
+        ascii_(header.encoding == PlyEncoding::kAscii),
+        swap_(NeedsSwap(header.encoding)) {
+    const auto is_mark = [](const PlyProperty& property) { return property.name == kFilledProperty; };
+    add_mark_ = std::none_of(face_.properties.begin(), face_.properties.end(), is_mark);
+    const int64_t vertices = vertex_.count + static_cast<int64_t>(patch.new_points.size());
+    widen_ = vertices - 1 > LargestIndexOf(Corners().type);
+    index_type_ = widen_ ? PlyType::kInt32 : Corners().type;
+  }
+
+  std::string Write() {
+    constexpr size_t kBytesPerRecord = 64;  // a usual new record, to reserve for
+    const size_t marks = 2 * static_cast<size_t>(face_.count);
+    const size_t wider = widen_ ? 3 * bytes_.size() : 0;
+    out_.reserve(bytes_.size() + marks + wider +
+                 kBytesPerRecord * (patch_.new_points.size() + patch_.triangles.size() + 2));
+    WriteHeader();
+    body_begin_ = out_.size();
+    size_t begin = header_.body_begin;
+    for (size_t i = 0; i < header_.elements.size(); ++i) {
+      const size_t end = records_.element_ends[i];
+      if (i == header_.face) {
+        CopyFaces(begin);
+        WriteNewFaces();
+      } else {
+        out_ += bytes_.substr(begin, end - begin);
+        if (i == header_.vertex) WriteNewVertices(begin);
+      }
+      begin = end;
+    }
+    out_ += bytes_.substr(begin);
+    return std::move(out_);
+  }
+
+ private:
+  struct Edit {
+    size_t begin;
+    size_t end;
+    std::string text;
+  };
+
+  const PlyProperty& Corners() const { return face_.properties[header_.corners]; }
+
+  void WriteHeader() {
+    std::vector<Edit> edits;
+    const auto count_edit = [&edits](const PlyElement& element, size_t more) {
+      edits.push_back(
+          {element.count_begin, element.count_end, absl::StrCat(element.count + static_cast<int64_t>(more))});
+    };
+    count_edit(vertex_, patch_.new_points.size());
+    count_edit(face_, patch_.triangles.size());
+    if (widen_) edits.push_back({Corners().type_begin, Corners().type_end, "int"});
+    if (add_mark_) {
+      edits.push_back({face_.end, face_.end,
+                       absl::StrCat("property uchar ", std::string(kFilledProperty), std::string(header_.eol))});
+    }
+    std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+    size_t done = 0;
+    for (const Edit& edit : edits) {
+      out_ += bytes_.substr(done, edit.begin - done);
+      out_ += edit.text;
+      done = edit.end;
+    }
+    out_ += bytes_.substr(done, header_.body_begin - done);
+  }
+
+  void CopyFaces(size_t begin) {
+    for (const size_t end : records_.face_ends) {
+      if (widen_ && !ascii_) {
+        CopyWidened(begin);
+      } else {
+        out_ += bytes_.substr(begin, end - begin);
+      }
+      if (add_mark_) out_ += ascii_ ? std::string_view(" 0") : std::string_view("\0", 1);
+      begin = end;
+    }
+  }
+
+  int64_t BinaryCount(const PlyProperty& property, size_t at) const {
+    return WithPlyType(property.count_type, [&](auto sample) {
+      return static_cast<int64_t>(LoadValue<decltype(sample)>(bytes_.data() + at, swap_));
+    });
+  }
+
+  // Copies a binary property that begins at `at`; returns where it ends.
+  size_t CopyProperty(const PlyProperty& property, size_t at) {
+    size_t size = SizeOf(property.type);
+    if (property.is_list) {
+      size = SizeOf(property.count_type) + static_cast<size_t>(BinaryCount(property, at)) * size;
+    }
+    out_ += bytes_.substr(at, size);
+    return at + size;
+  }
+
+  void CopyWidened(size_t at) {
+    for (size_t i = 0; i < face_.properties.size(); ++i) {
+      const PlyProperty& property = face_.properties[i];
+      if (i != header_.corners) {
+        at = CopyProperty(property, at);
+        continue;
+      }
+      const int64_t count = BinaryCount(property, at);
+      out_ += bytes_.substr(at, SizeOf(property.count_type));
+      at += SizeOf(property.count_type);
+      for (int64_t k = 0; k < count; ++k, at += SizeOf(property.type)) {
+        WithPlyType(property.type, [&](auto sample) {
+          AppendBinary(LoadValue<decltype(sample)>(bytes_.data() + at, swap_), index_type_, swap_, out_);
+        });
+      }
+    }
+  }
+
+  // A value, or a list's count, of a new record.
+  template <class Value>
+  void Put(Value value, PlyType type) {
+    if (!ascii_) {
+      AppendBinary(value, type, swap_, out_);
+      return;
+    }
+    if (!line_begins_) out_ += ' ';
+    line_begins_ = false;
+    AppendNumber(value, out_);
+  }
+
+  void PutZero(const PlyProperty& property) { Put(int64_t{0}, property.is_list ? property.count_type : property.type); }
+
+  // New lines of a text body follow the last word of the old ones, whose line end comes after them; only at the very
+  // beginning of a body there is none to follow.
+  void BeginRecord() {
+    line_begins_ = true;
+    if (ascii_ && out_.size() > body_begin_) out_ += header_.eol;
+  }
+  void EndRecords(bool at_body_begin) {
+    if (ascii_ && at_body_begin) out_ += header_.eol;
+  }
+
+  void WriteNewVertices(size_t element_begin) {
+    for (size_t k = 0; k < patch_.new_points.size(); ++k) {
+      BeginRecord();
+      const int32_t like = patch_.like[k];
+      if (like < 0) {
+        WriteVertex(patch_.new_points[k], [this](const PlyProperty& property) { PutZero(property); });
+      } else if (ascii_) {
+        size_t at = VertexBegin(static_cast<size_t>(like), element_begin);
+        WriteVertex(
+            patch_.new_points[k], [&](const PlyProperty& property) { at = CopyWords(property, at); }, &at);
+      } else {
+        size_t at = VertexBegin(static_cast<size_t>(like), element_begin);
+        WriteVertex(
+            patch_.new_points[k], [&](const PlyProperty& property) { at = CopyProperty(property, at); }, &at);
+      }
+    }
+  }
+
+  size_t VertexBegin(size_t k, size_t element_begin) const {
+    if (records_.vertex_ends.empty()) return element_begin + k * vertex_.LeastRecordBytes();
+    return k == 0 ? element_begin : records_.vertex_ends[k - 1];
+  }
+
+  // Writes a vertex, its further properties by `other`. `at`, if given, is the place in the vertex that it is like,
+  // which moves over the coordinates that are not copied.
+  template <class Other>
+  void WriteVertex(const Point3& point, Other other, size_t* at = nullptr) {
+    for (size_t i = 0; i < vertex_.properties.size(); ++i) {
+      const PlyProperty& property = vertex_.properties[i];
+      const size_t axis =
+          static_cast<size_t>(std::find(header_.xyz.begin(), header_.xyz.end(), i) - header_.xyz.begin());
+      if (axis == header_.xyz.size()) {
+        other(property);
+        continue;
+      }
+      Put(point[static_cast<Eigen::Index>(axis)], property.type);
+      if (at != nullptr) *at = ascii_ ? NextWord(*at).second : *at + SizeOf(property.type);
+    }
+  }
+
+  // The next word of a text body from `at`, and where it ends.
+  std::pair<std::string_view, size_t> NextWord(size_t at) const {
+    while (at < bytes_.size() && IsSpace(bytes_[at])) ++at;
+    const size_t begin = at;
+    while (at < bytes_.size() && !IsSpace(bytes_[at])) ++at;
+    return {bytes_.substr(begin, at - begin), at};
+  }
+
+  size_t CopyWords(const PlyProperty& property, size_t at) {
+    int64_t words = 1;
+    if (property.is_list) {
+      const std::string_view count = NextWord(at).first;
+      words += ParseIntegerAt(count.data(), count.data() + count.size()).value;
+    }
+    for (int64_t i = 0; i < words; ++i) {
+      const auto [word, end] = NextWord(at);
+      if (!line_begins_) out_ += ' ';
+      line_begins_ = false;
+      out_ += word;
+      at = end;
+    }
+    return at;
+  }
+
+  void WriteNewFaces() {
+    const bool at_body_begin = out_.size() == body_begin_ && !patch_.triangles.empty();
+    for (const Triangle& triangle : patch_.triangles) {
+      BeginRecord();
+      for (size_t i = 0; i < face_.properties.size(); ++i) {
+        const PlyProperty& property = face_.properties[i];
+        if (i == header_.corners) {
+          Put(int64_t{3}, property.count_type);
+          for (const int32_t corner : triangle) Put(int64_t{corner}, index_type_);
+        } else if (property.name == kFilledProperty && !property.is_list) {
+          Put(int64_t{1}, property.type);
+        } else {
+          PutZero(property);
+        }
+      }
+      if (add_mark_) Put(int64_t{1}, PlyType::kUint8);
+    }
+    EndRecords(at_body_begin);
+  }
+
+  const std::string_view bytes_;
+  const PlyHeader& header_;
+  const PlyRecords& records_;
+  const FilePatch& patch_;
+  const PlyElement& vertex_;
+  const PlyElement& face_;
+  const bool ascii_;
+  const bool swap_;
+  bool add_mark_ = true;
+  bool widen_ = false;
+  PlyType index_type_ = PlyType::kInt32;
+  bool line_begins_ = false;
+  size_t body_begin_ = 0;
+  std::string out_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::string> AppendToPly(std::string_view bytes, const FilePatch& patch, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const PlyHeader header, ParsePlyHeader(bytes, name));
+  PlyRecords records;
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadPlyBody(bytes, header, name, &records));
+  TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, file.mesh.points.size(), name));
+  return PlyAppender(bytes, header, records, patch).Write();
+}
+
+std::string NewPlyFile(const FilePatch& patch, NumberType number_type) {
+  const bool narrow = number_type == NumberType::kFloat32;
+  const char* const type = narrow ? "float" : "double";
+  std::string out = absl::StrCat("ply\nformat binary_little_endian 1.0\nelement vertex ", patch.new_points.size());
+  for (const char* axis : {"x", "y", "z"}) absl::StrAppend(&out, "\nproperty ", type, " ", axis);
+  absl::StrAppend(&out, "\nelement face ", patch.triangles.size(), "\nproperty list uchar int vertex_indices");
+  absl::StrAppend(&out, "\nproperty uchar ", std::string(kFilledProperty), "\nend_header\n");
+  constexpr size_t kFaceBytes = 14;
+  out.reserve(out.size() + patch.new_points.size() * (narrow ? 12 : 24) + patch.triangles.size() * kFaceBytes);
+  const bool swap = NeedsSwap(PlyEncoding::kLittleEndian);
+  for (const Point3& point : patch.new_points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      AppendBinary(point[axis], narrow ? PlyType::kFloat32 : PlyType::kFloat64, swap, out);
+    }
+  }
+  for (const Triangle& triangle : patch.triangles) {
+    out += '\3';
+    for (const int32_t corner : triangle) AppendBinary(corner, PlyType::kInt32, swap, out);
+    out += '\1';
+  }
+  return out;
+}
+
+}  // namespace tilemend

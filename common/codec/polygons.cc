@@ -1,0 +1,60 @@
+#include "common/codec/polygons.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/text.h"
+
+namespace tilemend {
+namespace {
+
+bool HasRepeatedCorner(const std::vector<int32_t>& corners) {
+  constexpr size_t kFewCorners = 8;  // up to here comparing all pairs beats sorting
+  if (corners.size() <= kFewCorners) {
+    for (size_t i = 1; i < corners.size(); ++i) {
+      if (std::find(corners.begin(), corners.begin() + i, corners[i]) != corners.begin() + i) return true;
+    }
+    return false;
+  }
+  std::vector<int32_t> sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+}  // namespace
+
+void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file) {
+  if (corners.size() > 3) ++file.polygon_count;
+  if (corners.size() < 3 || HasRepeatedCorner(corners)) return;
+  for (size_t i = 2; i < corners.size(); ++i) {
+    file.mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+}
+
+absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::string& name) {
+  const auto invalid = [&name](const auto&... text) {
+    return absl::InvalidArgumentError(absl::StrCat(name, ": bad patch: ", text...));
+  };
+  if (patch.like.size() != patch.new_points.size()) {
+    return invalid(patch.new_points.size(), " new points but ", patch.like.size(), " models for them");
+  }
+  const size_t total = vertex_count + patch.new_points.size();
+  if (total > static_cast<size_t>(std::numeric_limits<int32_t>::max())) return invalid(total, " vertices are too many");
+  for (const int32_t model : patch.like) {
+    if (model < -1 || model >= static_cast<int64_t>(vertex_count)) return invalid("no vertex ", model, " to be like");
+  }
+  for (const Point3& p : patch.new_points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!IsValidCoordinate(p[axis])) return invalid("coordinate ", p[axis]);
+    }
+  }
+  for (const Triangle& t : patch.triangles) {
+    for (const int32_t corner : t) {
+      if (corner < 0 || corner >= static_cast<int64_t>(total)) return invalid("no vertex ", corner);
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,76 @@
+#include "common/codec/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "absl/strings/str_cat.h"
+
+namespace tilemend {
+namespace {
+
+constexpr size_t kShownBytes = 40;  // of a token, in a message
+
+int64_t LineAt(std::string_view text, size_t offset) {
+  const std::string_view before = text.substr(0, std::min(offset, text.size()));
+  const char ending = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+  return 1 + std::count(before.begin(), before.end(), ending);
+}
+
+template <class Number>
+void AppendChars(Number value, std::string& out) {
+  char buffer[32];  // the longest double takes 24
+  const std::to_chars_result written = std::to_chars(buffer, buffer + sizeof(buffer), value);
+  out.append(buffer, written.ptr);
+}
+
+}  // namespace
+
+ParsedInteger ParseIntegerAt(const char* begin, const char* end) {
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
+  ParsedInteger result;
+  const std::from_chars_result parsed = std::from_chars(begin, end, result.value);
+  if (parsed.ec == std::errc()) result.stop = parsed.ptr;
+  return result;
+}
+
+void AppendNumber(double value, std::string& out) { AppendChars(value, out); }
+void AppendNumber(int64_t value, std::string& out) { AppendChars(value, out); }
+
+std::string_view LineEndingOf(std::string_view text) {
+  const size_t newline = text.find('\n');
+  if (newline == std::string_view::npos) return text.find('\r') == std::string_view::npos ? "\n" : "\r";
+  return newline > 0 && text[newline - 1] == '\r' ? "\r\n" : "\n";
+}
+
+std::string FoundAt(std::string_view text, size_t offset) {
+  if (offset >= text.size()) return "end of file";
+  if (text[offset] == '\n' || text[offset] == '\r') return "end of line";
+  std::string shown = "'";
+  size_t i = offset;
+  for (; i < text.size() && !IsSpace(text[i]) && i - offset < kShownBytes; ++i) {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    if (c >= 0x20 && c < 0x7f) {
+      shown += text[i];
+    } else {
+      absl::StrAppend(&shown, "\\x", absl::Hex(c, absl::kZeroPad2));
+    }
+  }
+  if (i < text.size() && !IsSpace(text[i])) shown += "...";
+  return shown + "'";
+}
+
+absl::Status LineError(const std::string& name, std::string_view text, size_t offset, std::string_view expected) {
+  return LineProblem(name, text, offset,
+                     absl::StrCat("expected ", std::string(expected), ", found ", FoundAt(text, offset)));
+}
+
+absl::Status LineProblem(const std::string& name, std::string_view text, size_t offset, std::string_view problem) {
+  return absl::InvalidArgumentError(absl::StrCat(name, ": line ", LineAt(text, offset), ": ", std::string(problem)));
+}
+
+absl::Status ByteProblem(const std::string& name, size_t offset, std::string_view problem) {
+  return absl::InvalidArgumentError(absl::StrCat(name, ": byte ", offset, ": ", std::string(problem)));
+}
+
+}  // namespace tilemend

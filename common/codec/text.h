@@ -1,0 +1,67 @@
+// What the readers of mesh files share: limits, numbers in text, and messages that say where a file is wrong.
+#ifndef TILEMEND_COMMON_CODEC_TEXT_H_
+#define TILEMEND_COMMON_CODEC_TEXT_H_
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "fast_float/fast_float.h"
+
+namespace tilemend {
+
+// A coordinate beyond this many metres is taken for damage: no place on Earth is so far from a scene's origin.
+inline constexpr double kMaxCoordinate = 1e9;
+// A text line or a list beyond these is taken for damage.
+inline constexpr size_t kMaxLineBytes = size_t{1} << 20;
+inline constexpr int64_t kMaxListCount = 1000000;
+
+inline bool IsValidCoordinate(double x) { return std::abs(x) <= kMaxCoordinate; }  // false for NaN
+
+inline bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+// A number at the start of [begin, end) and where it ends; `stop` is null if there is none. Independent of the locale;
+// correctly rounded; "inf" and "nan" are numbers here.
+struct ParsedDouble {
+  double value = 0;
+  const char* stop = nullptr;
+};
+inline ParsedDouble ParseDoubleAt(const char* begin, const char* end) {
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
+  ParsedDouble result;
+  const fast_float::from_chars_result parsed = fast_float::from_chars(begin, end, result.value);
+  if (parsed.ec == std::errc()) result.stop = parsed.ptr;
+  return result;
+}
+
+// A decimal integer at the start of [begin, end) and where it ends; `stop` is null if there is none or it is too large.
+struct ParsedInteger {
+  int64_t value = 0;
+  const char* stop = nullptr;
+};
+ParsedInteger ParseIntegerAt(const char* begin, const char* end);
+
+// Appends the shortest decimal text that reads back as `value`.
+void AppendNumber(double value, std::string& out);
+void AppendNumber(int64_t value, std::string& out);
+
+// "\r\n", "\r" (only if the text has no "\n" at all) or "\n": what ends the first line of `text`.
+std::string_view LineEndingOf(std::string_view text);
+
+// `text` from `offset` up to the next white space, made printable and cut for a message; "end of file" at the end.
+std::string FoundAt(std::string_view text, size_t offset);
+
+// kInvalidArgument "NAME: line N: expected ..., found ...", the line being the one that holds `offset`.
+absl::Status LineError(const std::string& name, std::string_view text, size_t offset, std::string_view expected);
+// The same with the text of `problem` after the line.
+absl::Status LineProblem(const std::string& name, std::string_view text, size_t offset, std::string_view problem);
+// kInvalidArgument "NAME: byte N: PROBLEM".
+absl::Status ByteProblem(const std::string& name, size_t offset, std::string_view problem);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_CODEC_TEXT_H_
