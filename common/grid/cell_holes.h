@@ -1,0 +1,59 @@
+// The holes of one cell, as they travel from the plan to the workers that sample and fill them.
+#ifndef TILEMEND_COMMON_GRID_CELL_HOLES_H_
+#define TILEMEND_COMMON_GRID_CELL_HOLES_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/grid/scene.h"
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// A vertex on the boundary of a hole: an original vertex of some tile (often this cell's own; a neighbour's where the hole closes on
+// the neighbour's border), or a seam vertex that the plan made.
+struct RimVertex {
+  CellId tile;                 // whose vertex it is; meaningless for a seam vertex
+  int32_t index = -1;          // in that tile; -1: a seam vertex
+  int32_t seam_vertex = -1;    // index into the plan's seam vertices; -1: an original vertex
+  Point3 position{0, 0, 0};    // exact for originals; z of a seam vertex counts when height_known
+  bool height_known = true;
+  double centroid_height = 0;  // originals: see BoundaryVertex
+  double size = 0;             // wanted edge length here, metres
+};
+
+// A segment of a hole's boundary; seen from above, the hole lies to the left of from -> to.
+struct RimSegment {
+  int32_t from = 0;  // into CellHoles::vertices
+  int32_t to = 0;
+  bool seam = false; // a stretch of grid boundary; else an original edge
+};
+
+struct CellHole {
+  int32_t id = 0;     // in the plan
+  bool open = false;  // reaches the cell's grid boundary: filled as heights over the plane
+  std::vector<RimSegment> segments;
+};
+
+struct CellHoles {
+  CellId cell;
+  bool float32 = true;      // number type of the output tile
+  double lattice_step = 0;  // power of two, metres: where new vertices lie
+  std::vector<RimVertex> vertices;
+  std::vector<CellHole> holes;
+  // The original triangles around the holes. band.points[0 .. vertices.size()) stand for the rim vertices.
+  TriMesh band;
+};
+
+// New geometry for one hole. A corner k >= 0 is rim vertex k of the CellHoles; -1 - k is new_points[k].
+struct HolePatch {
+  int32_t hole = 0;
+  std::string failure;  // not empty: the hole stays open, for this reason
+  std::vector<Point3> new_points;
+  std::vector<Triangle> triangles;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_GRID_CELL_HOLES_H_

@@ -1,0 +1,217 @@
+#include "coordinator/plan/hole_regions.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include "coordinator/plan/region_shape.h"
+
+namespace tilemend {
+namespace {
+
+// A loop is the outline of a detached piece, and no hole in it, if it runs the wrong way round by this much: the cosine between its
+// vector area and the normals along it. A hole gives about +1, a flat piece -1, the open end of a dome something near 0.
+constexpr double kOuterRim = -0.3;
+// A closed hole is filled over the plane if the surface along it faces up by this much.
+constexpr double kFacesUp = 0.2;
+
+constexpr char kFolds[] = "its boundary crosses itself seen from above, so it cannot be filled as heights";
+
+struct ClosedLoop {
+  std::vector<RimSegment> segments;
+  Eigen::Vector3d vector_area{0, 0, 0};
+  Eigen::Vector3d normal{0, 0, 0};  // mean along the loop
+  bool outer_rim = false;
+};
+
+class HoleFinder {
+ public:
+  HoleFinder(const CellBoundary& boundary, const std::set<CellId>& area, const CutLines& lines, const Rim& rim,
+             const std::vector<Point3>& position)
+      : boundary_(boundary), area_(area), lines_(lines), rim_(rim), position_(position) {}
+
+  RegionResult Run() {
+    FindOpen(boundary_.open, true);
+    FindClosed();
+    return std::move(result_);
+  }
+
+ private:
+  // Holes of the open segments; if they cross somewhere, each connected group on its own, so that a bad hole fails alone.
+  void FindOpen(const std::vector<BoundarySegment>& open, bool may_split) {
+    if (open.empty()) return;
+    std::vector<RimSegment> segments;
+    for (const BoundarySegment& s : open) segments.push_back(s.segment);
+    PlanarRegions regions = FindPlanarRegions(segments, position_);
+    if (!regions.triangulation.conflicts.empty()) {
+      const auto groups = may_split ? Groups(open) : std::vector<std::vector<BoundarySegment>>{};
+      if (groups.size() > 1) {
+        for (const auto& group : groups) FindOpen(group, false);
+      } else {
+        AddFailedOpen(open);
+      }
+      return;
+    }
+    std::vector<std::vector<BoundarySegment>> parts(regions.area.size());
+    for (size_t i = 0; i < open.size(); ++i) {
+      const int32_t triangle = regions.triangulation.segment_triangle[i];
+      parts[regions.triangulation.component[triangle]].push_back(open[i]);
+    }
+    for (size_t c = 0; c < parts.size(); ++c) {
+      open_places_.emplace_back(open_regions_.size(), static_cast<int32_t>(c));
+      open_holes_.push_back(result_.holes.size());
+      AddOpen(parts[c], regions.area[c]);
+    }
+    open_regions_.push_back(std::move(regions));
+  }
+
+  // Connected groups of segments, by shared vertices, in order of their first segment.
+  static std::vector<std::vector<BoundarySegment>> Groups(const std::vector<BoundarySegment>& open) {
+    std::unordered_map<int32_t, size_t> last_at;
+    std::vector<size_t> parent(open.size());
+    std::iota(parent.begin(), parent.end(), size_t{0});
+    const auto find = [&](size_t i) {
+      while (parent[i] != i) i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    for (size_t i = 0; i < open.size(); ++i) {
+      for (const int32_t v : {open[i].segment.from, open[i].segment.to}) {
+        const auto [it, fresh] = last_at.try_emplace(v, i);
+        if (fresh) continue;
+        const size_t a = find(i), b = find(it->second);
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+    }
+    std::vector<std::vector<BoundarySegment>> groups;
+    std::unordered_map<size_t, size_t> group_of;
+    for (size_t i = 0; i < open.size(); ++i) {
+      const auto [it, fresh] = group_of.try_emplace(find(i), groups.size());
+      if (fresh) groups.emplace_back();
+      groups[it->second].push_back(open[i]);
+    }
+    return groups;
+  }
+
+  PlannedHole NewHole(std::vector<RimSegment> segments) const {
+    PlannedHole hole;
+    hole.cell = boundary_.cell;
+    Point2 sum{0, 0};
+    for (const RimSegment& s : segments) {
+      sum += position_[s.from].head<2>();
+      if (s.seam) continue;
+      hole.perimeter += (position_[s.to] - position_[s.from]).norm();
+      ++hole.boundary_vertices;
+    }
+    hole.centre = sum / static_cast<double>(segments.size());
+    hole.segments = std::move(segments);
+    return hole;
+  }
+
+  PlannedHole NewOpen(const std::vector<BoundarySegment>& part) const {
+    std::vector<RimSegment> segments;
+    bool external = false;
+    for (const BoundarySegment& s : part) {
+      segments.push_back(s.segment);
+      external |= s.side >= 0 && !area_.contains(s.across);
+    }
+    PlannedHole hole = NewHole(std::move(segments));
+    hole.kind = external ? HoleKind::kOpenII : HoleKind::kOpenI;
+    hole.type = ClassifyOpen(part, boundary_.cell, boundary_.has_surface, lines_, position_);
+    return hole;
+  }
+
+  void AddOpen(const std::vector<BoundarySegment>& part, double area) {
+    PlannedHole hole = NewOpen(part);
+    hole.area = area;
+    result_.holes.push_back(std::move(hole));
+  }
+
+  void AddFailedOpen(const std::vector<BoundarySegment>& part) {
+    PlannedHole hole = NewOpen(part);
+    hole.projects = false;
+    hole.failure = kFolds;
+    result_.holes.push_back(std::move(hole));
+  }
+
+  void FindClosed() {
+    std::vector<ClosedLoop> holes, outlines;
+    for (const std::vector<RimSegment>& loop : boundary_.closed_loops) {
+      ClosedLoop c;
+      c.segments = loop;
+      c.vector_area = VectorArea(loop, position_);
+      for (const RimSegment& s : loop) c.normal += rim_.points[s.from].normal.normalized();
+      if (c.normal.norm() > 0) c.normal.normalize();
+      c.outer_rim = c.vector_area.dot(c.normal) < kOuterRim * c.vector_area.norm();
+      (c.outer_rim ? outlines : holes).push_back(std::move(c));
+    }
+    std::vector<PlanarRegions> regions(holes.size());
+    std::vector<std::vector<std::vector<RimSegment>>> islands(holes.size());
+    for (size_t i = 0; i < holes.size(); ++i) {
+      if (holes[i].normal.z() > kFacesUp && holes[i].vector_area.z() > 0) {
+        regions[i] = FindPlanarRegions(holes[i].segments, position_);
+      }
+    }
+    for (const ClosedLoop& outline : outlines) Place(outline, regions, islands);
+    for (size_t i = 0; i < holes.size(); ++i) AddClosed(holes[i], regions[i], islands[i]);
+  }
+
+  // Makes the outline of a piece an island of the hole that it lies in; without one it is an outer rim.
+  void Place(const ClosedLoop& outline, const std::vector<PlanarRegions>& closed,
+             std::vector<std::vector<std::vector<RimSegment>>>& islands) {
+    const Point2 p = position_[outline.segments[0].from].head<2>();
+    if (outline.normal.z() > kFacesUp) {
+      for (size_t i = 0; i < open_places_.size(); ++i) {
+        if (!Contains(open_regions_[open_places_[i].first], open_places_[i].second, p, position_)) continue;
+        PlannedHole& hole = result_.holes[open_holes_[i]];
+        hole.segments.insert(hole.segments.end(), outline.segments.begin(), outline.segments.end());
+        hole.area += outline.vector_area.z();  // negative
+        return;
+      }
+      for (size_t i = 0; i < closed.size(); ++i) {
+        if (!closed[i].triangulation.triangles.empty() && Contains(closed[i], 0, p, position_)) {
+          islands[i].push_back(outline.segments);
+          return;
+        }
+      }
+    }
+    ++result_.outer_rims;
+    result_.left.push_back({boundary_.cell, "the outline of a detached piece of surface, not a hole in it", -1,
+                            static_cast<int64_t>(outline.segments.size())});
+  }
+
+  void AddClosed(const ClosedLoop& loop, const PlanarRegions& regions,
+                 const std::vector<std::vector<RimSegment>>& islands) {
+    PlannedHole hole = NewHole(loop.segments);
+    hole.projects = !regions.triangulation.triangles.empty();
+    hole.area = loop.vector_area.norm();
+    hole.single = ClassifySingle(loop.segments, islands, position_);
+    if (hole.projects) hole.area = std::accumulate(regions.area.begin(), regions.area.end(), 0.0);
+    for (const std::vector<RimSegment>& island : islands) {
+      hole.segments.insert(hole.segments.end(), island.begin(), island.end());
+      hole.area -= VectorArea(island, position_).norm();
+    }
+    result_.holes.push_back(std::move(hole));
+  }
+
+  const CellBoundary& boundary_;
+  const std::set<CellId>& area_;
+  const CutLines& lines_;
+  const Rim& rim_;
+  const std::vector<Point3>& position_;
+  RegionResult result_;
+  std::vector<PlanarRegions> open_regions_;
+  std::vector<std::pair<size_t, int32_t>> open_places_;  // regions, component; one for each open hole that has a region
+  std::vector<size_t> open_holes_;                       // its place in result_.holes
+};
+
+}  // namespace
+
+RegionResult FindHoles(const CellBoundary& boundary, const std::set<CellId>& area, const CutLines& lines, const Rim& rim,
+                       const std::vector<Point3>& position) {
+  return HoleFinder(boundary, area, lines, rim, position).Run();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,101 @@
+#include "coordinator/plan/labels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tilemend {
+namespace {
+
+// An edge of a ragged cut belongs across when it faces the line at less than about 70 degrees.
+constexpr double kFacing = 0.3;
+
+class Labeller {
+ public:
+  Labeller(const PlanInput& input, const CutLines& lines, Rim& rim) : input_(input), lines_(lines), rim_(rim) {}
+
+  void Run() {
+    for (RimEdge& e : rim_.edges) e.label = LabelOf(e);
+    if (lines_.independent || lines_.clipped) return;
+    for (const std::vector<int32_t>& loop : rim_.loops) Smooth(loop);
+  }
+
+ private:
+  bool InArea(CellId cell) const { return input_.cells.contains(cell); }
+
+  // Distance of a point to the inner side of a line of `cell`; negative beyond it.
+  double Inside(const Point3& p, CellId cell, Side side) const {
+    return (lines_.At(cell, side) - p[AxisOf(side)]) * OutwardOf(side);
+  }
+
+  CellId LabelOf(const RimEdge& e) const {
+    const RimPoint& a = rim_.points[e.from];
+    const RimPoint& b = rim_.points[e.to];
+    CellId best = e.owner;
+    double nearest = 1e300;
+    for (const Side side : kSides) {
+      const CellId across = Across(e.owner, side);
+      const double da = Inside(a.position, e.owner, side), db = Inside(b.position, e.owner, side);
+      const bool ragged = !lines_.independent && !lines_.clipped && InArea(across);
+      const double reach = ragged ? std::max({lines_.tolerance, a.size, b.size}) : lines_.tolerance;
+      const double depth = std::max(std::abs(da), std::abs(db));
+      const bool within = ragged ? std::max(da, db) <= reach : depth <= reach;
+      if (!within || (ragged && !Faces(a.position, b.position, side)) || depth >= nearest) continue;
+      nearest = depth;
+      best = across;
+    }
+    return best;
+  }
+
+  // Whether the right-hand side of a -> b, where the hole lies, faces out over `side`.
+  static bool Faces(const Point3& a, const Point3& b, Side side) {
+    const Point2 d = (b - a).head<2>();
+    const double out = (AxisOf(side) == 0 ? d.y() : -d.x()) * OutwardOf(side);
+    return out >= kFacing * d.norm();
+  }
+
+  // Whether p is in the square of `cell` or within `reach` of it.
+  bool NearSquare(const Point3& p, CellId cell, double reach) const {
+    return std::all_of(kSides.begin(), kSides.end(), [&](Side side) { return Inside(p, cell, side) >= -reach; });
+  }
+
+  // Relabels runs that are too shallow for a hole of their own: x between y and y, all of it within an edge of y's square.
+  void Smooth(const std::vector<int32_t>& loop) {
+    const size_t n = loop.size();
+    const auto label = [&](size_t i) -> CellId& { return rim_.edges[loop[i % n]].label; };
+    size_t start = 0;
+    while (start < n && label(start) == label(start + n - 1)) ++start;
+    if (start == n) return;
+    for (int pass = 0; pass < 2; ++pass) {
+      for (size_t i = start; i < start + n;) {
+        size_t end = i + 1;
+        while (end < start + n && label(end) == label(i)) ++end;
+        const CellId around = label(i + n - 1);
+        if (around == label(end) && around != label(i) && InArea(around) && InArea(label(i)) &&
+            Shallow(loop, i, end, around)) {
+          for (size_t k = i; k < end; ++k) label(k) = around;
+        }
+        i = end;
+      }
+    }
+  }
+
+  bool Shallow(const std::vector<int32_t>& loop, size_t begin, size_t end, CellId around) const {
+    for (size_t k = begin; k < end; ++k) {
+      const RimEdge& e = rim_.edges[loop[k % loop.size()]];
+      for (const int32_t p : {e.from, e.to}) {
+        if (!NearSquare(rim_.points[p].position, around, rim_.points[p].size)) return false;
+      }
+    }
+    return true;
+  }
+
+  const PlanInput& input_;
+  const CutLines& lines_;
+  Rim& rim_;
+};
+
+}  // namespace
+
+void LabelEdges(const PlanInput& input, const CutLines& lines, Rim& rim) { Labeller(input, lines, rim).Run(); }
+
+}  // namespace tilemend

@@ -1,0 +1,282 @@
+#include "coordinator/plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "coordinator/plan/cut_lines.h"
+#include "coordinator/plan/hole_regions.h"
+#include "coordinator/plan/labels.h"
+#include "coordinator/plan/layers.h"
+#include "coordinator/plan/rim.h"
+#include "coordinator/plan/rim_index.h"
+#include "coordinator/plan/seam_layout.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kFinestStep = 0x1p-10;  // metres
+
+// The finest power-of-two step, at least 2^-10 m, whose multiples the tiles' number type holds exactly out to the farthest coordinate.
+double LatticeStep(const PlanInput& input) {
+  double farthest = 1;
+  bool float32 = false;
+  for (const auto& [cell, record] : input.cells) {
+    if (record == nullptr || record->vertex_count == 0) continue;
+    float32 |= record->float32;
+    farthest = std::max({farthest, record->lo.cwiseAbs().maxCoeff(), record->hi.cwiseAbs().maxCoeff()});
+  }
+  const int digits = float32 ? 24 : 53;
+  const double representable = std::ldexp(1.0, std::ilogb(farthest) + 1 - digits);
+  return std::max(kFinestStep, representable);
+}
+
+// One part of the scene whose tiles share vertices: the whole scene, or a single tile where tiles keep to outlines of their own.
+class PartPlanner {
+ public:
+  PartPlanner(const PlanInput& input, const std::set<CellId>& scene_area, const CutLines& lines,
+              const PlanOptions& options, Plan& plan)
+      : input_(input), scene_area_(scene_area), lines_(lines), options_(options), plan_(plan) {}
+
+  void Run() {
+    rim_ = BuildRim(input_, !lines_.independent);
+    LabelEdges(input_, lines_, rim_);
+    const RimIndex index(rim_);
+    std::set<CellId> area;
+    for (const auto& [cell, record] : input_.cells) area.insert(cell);
+    layout_ = LaySeams(area, lines_, rim_, index, options_, plan_.lattice_step);
+    plan_.continuous += rim_.continuous;
+    StoreVertices();
+    SortSegments();
+    for (const CellId cell : area) StoreHoles(cell);
+    for (Seam& seam : layout_.seams) {
+      for (int32_t& v : seam.vertices) v += base_;
+      plan_.seams.push_back(std::move(seam));
+    }
+    plan_.left.insert(plan_.left.end(), layout_.failures.begin(), layout_.failures.end());
+    LeaveUnlinked();
+  }
+
+ private:
+  void StoreVertices() {
+    base_ = static_cast<int32_t>(plan_.vertices.size());
+    for (const RimPoint& p : rim_.points) {
+      plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size});
+      position_.push_back(p.position);
+    }
+    for (size_t i = 0; i < layout_.vertices.size(); ++i) {
+      const Point3 p(layout_.vertices[i].x(), layout_.vertices[i].y(), 0);
+      plan_.vertices.push_back({{}, -1, p, 0, layout_.sizes[i]});
+      position_.push_back(p);
+    }
+  }
+
+  // Gives each cell its rim edges and seams.
+  void SortSegments() {
+    for (const std::vector<int32_t>& loop : rim_.loops) {
+      const RimEdge& first = rim_.edges[loop[0]];
+      const bool inside = std::all_of(loop.begin(), loop.end(), [&](int32_t e) {
+        return rim_.edges[e].label == first.label && rim_.edges[e].owner == first.label;
+      });
+      if (inside) {
+        std::vector<RimSegment> segments;  // reversed: the hole lies to the right of a rim edge
+        for (auto e = loop.rbegin(); e != loop.rend(); ++e) {
+          segments.push_back({rim_.edges[*e].to, rim_.edges[*e].from, false});
+        }
+        boundary_[first.label].closed_loops.push_back(std::move(segments));
+        continue;
+      }
+      for (const int32_t e : loop) AddRimEdge(rim_.edges[e]);
+    }
+    for (const Seam& seam : layout_.seams) AddSeam(seam);
+  }
+
+  void AddRimEdge(const RimEdge& e) {
+    if (!input_.cells.contains(e.label)) return;
+    BoundarySegment s{{e.to, e.from, false}, -1, e.owner};
+    if (e.owner != e.label) s.side = SideTowards(e.label, e.owner, rim_.points[e.from].position);
+    boundary_[e.label].open.push_back(s);
+  }
+
+  // The side of `cell` across which `other` lies; for a diagonal neighbour the nearer of the two sides between.
+  int32_t SideTowards(CellId cell, CellId other, const Point3& p) const {
+    int32_t best = kWest;
+    double nearest = 1e300;
+    for (const Side side : kSides) {
+      const int32_t step = AxisOf(side) == 0 ? other.col - cell.col : other.row - cell.row;
+      if (step * OutwardOf(side) <= 0) continue;
+      const double d = std::abs(lines_.At(cell, side) - p[AxisOf(side)]);
+      if (d < nearest) {
+        nearest = d;
+        best = side;
+      }
+    }
+    return best;
+  }
+
+  void AddSeam(const Seam& seam) {
+    const bool vertical = seam.a.row == seam.b.row;
+    for (size_t i = 0; i + 1 < seam.vertices.size(); ++i) {
+      const int32_t p = seam.vertices[i], q = seam.vertices[i + 1];
+      if (IsRimEdge(p, q)) continue;
+      // Going north along a vertical line, a (west) is on the left; going east along a horizontal one, b (north) is.
+      const CellId left = vertical ? seam.a : seam.b, right = vertical ? seam.b : seam.a;
+      if (input_.cells.contains(left)) boundary_[left].open.push_back({{p, q, true}, vertical ? kEast : kSouth, right});
+      if (input_.cells.contains(right)) boundary_[right].open.push_back({{q, p, true}, vertical ? kWest : kNorth, left});
+    }
+  }
+
+  bool IsRimEdge(int32_t p, int32_t q) {
+    if (rim_edges_.empty()) {
+      for (const RimEdge& e : rim_.edges) rim_edges_.insert({std::min(e.from, e.to), std::max(e.from, e.to)});
+    }
+    return rim_edges_.contains({std::min(p, q), std::max(p, q)});
+  }
+
+  void StoreHoles(CellId cell) {
+    const auto it = boundary_.find(cell);
+    if (it == boundary_.end()) return;
+    CellBoundary& boundary = it->second;
+    boundary.cell = cell;
+    const SurveyRecord* record = input_.cells.at(cell);
+    boundary.has_surface = record != nullptr && record->triangle_count > 0;
+    RegionResult found = FindHoles(boundary, scene_area_, lines_, rim_, position_);
+    for (PlannedHole& hole : found.holes) {
+      for (RimSegment& s : hole.segments) {
+        s.from += base_;
+        s.to += base_;
+      }
+      plan_.holes.push_back(std::move(hole));
+    }
+    plan_.left.insert(plan_.left.end(), found.left.begin(), found.left.end());
+    plan_.outer_rims += found.outer_rims;
+  }
+
+  void LeaveUnlinked() {
+    std::map<CellId, int64_t> count;
+    for (const int32_t e : rim_.unlinked) ++count[rim_.edges[e].owner];
+    for (const auto& [cell, edges] : count) {
+      plan_.left.push_back({cell, "boundary edges that close to no loop: the surface is not manifold there", -1, edges});
+    }
+  }
+
+  const PlanInput& input_;
+  const std::set<CellId>& scene_area_;
+  const CutLines& lines_;
+  const PlanOptions& options_;
+  Plan& plan_;
+  Rim rim_;
+  SeamLayout layout_;
+  int32_t base_ = 0;
+  std::vector<Point3> position_;
+  std::map<CellId, CellBoundary> boundary_;
+  std::set<std::pair<int32_t, int32_t>> rim_edges_;
+};
+
+uint64_t Key(int32_t from, int32_t to) {
+  return static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32 | static_cast<uint32_t>(to);
+}
+
+// Pairs of holes on the two sides of one seam segment.
+std::vector<std::pair<int32_t, int32_t>> HolesThatTouch(const Plan& plan) {
+  std::unordered_map<uint64_t, int32_t> hole_of;
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    if (!plan.holes[h].failure.empty()) continue;
+    for (const RimSegment& s : plan.holes[h].segments) {
+      if (s.seam) hole_of[Key(s.from, s.to)] = static_cast<int32_t>(h);
+    }
+  }
+  std::set<std::pair<int32_t, int32_t>> pairs;
+  for (const auto& [key, hole] : hole_of) {
+    const auto other = hole_of.find(key << 32 | key >> 32);
+    if (other != hole_of.end() && other->second != hole) {
+      pairs.insert({std::min(hole, other->second), std::max(hole, other->second)});
+    }
+  }
+  return {pairs.begin(), pairs.end()};
+}
+
+// Pairs of holes whose seams lie along one border, each on its own tile's outline, and overlap along it.
+std::vector<std::pair<int32_t, int32_t>> HolesThatFace(const Plan& plan) {
+  struct Stretch {
+    double lo, hi;
+    int32_t hole;
+  };
+  std::map<std::pair<CellId, CellId>, std::vector<Stretch>> along;
+  std::unordered_map<uint64_t, int32_t> hole_of;
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    if (!plan.holes[h].failure.empty()) continue;
+    for (const RimSegment& s : plan.holes[h].segments) {
+      if (s.seam) hole_of[Key(std::min(s.from, s.to), std::max(s.from, s.to))] = static_cast<int32_t>(h);
+    }
+  }
+  for (const Seam& seam : plan.seams) {
+    const int axis = seam.a.row == seam.b.row ? 1 : 0;
+    const auto hole = hole_of.find(Key(std::min(seam.vertices[0], seam.vertices[1]), std::max(seam.vertices[0], seam.vertices[1])));
+    if (hole == hole_of.end()) continue;
+    along[{seam.a, seam.b}].push_back({plan.vertices[seam.vertices.front()].position[axis],
+                                       plan.vertices[seam.vertices.back()].position[axis], hole->second});
+  }
+  std::set<std::pair<int32_t, int32_t>> pairs;
+  for (const auto& [border, stretches] : along) {
+    for (size_t i = 0; i < stretches.size(); ++i) {
+      for (size_t j = i + 1; j < stretches.size(); ++j) {
+        if (stretches[i].hole != stretches[j].hole && stretches[i].lo < stretches[j].hi && stretches[j].lo < stretches[i].hi) {
+          pairs.insert(std::minmax(stretches[i].hole, stretches[j].hole));
+        }
+      }
+    }
+  }
+  return {pairs.begin(), pairs.end()};
+}
+
+void StoreLayers(bool independent, Plan& plan) {
+  std::vector<bool> open, outermost;
+  for (const PlannedHole& hole : plan.holes) {
+    open.push_back(hole.kind != HoleKind::kClosed && hole.failure.empty());
+    outermost.push_back(hole.boundary_vertices > 0);
+  }
+  const auto touching = independent ? HolesThatFace(plan) : HolesThatTouch(plan);
+  const Layering layering = LayerHoles(open, outermost, touching);
+  plan.clusters = layering.clusters;
+  plan.layers = layering.layers;
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    plan.holes[h].cluster = layering.cluster[h];
+    plan.holes[h].layer = layering.layer[h];
+  }
+}
+
+void LeaveFailedHoles(Plan& plan) {
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    const PlannedHole& hole = plan.holes[h];
+    if (hole.failure.empty()) continue;
+    plan.left.push_back({hole.cell, hole.failure, static_cast<int32_t>(h), hole.boundary_vertices});
+  }
+}
+
+}  // namespace
+
+Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
+  Plan plan;
+  plan.lattice_step = LatticeStep(input);
+  const CutLines lines = FindCutLines(input, plan.lattice_step);
+  plan.borders = lines.borders;
+  std::set<CellId> area;
+  for (const auto& [cell, record] : input.cells) area.insert(cell);
+  if (lines.independent) {
+    for (const auto& [cell, record] : input.cells) {
+      PlanInput one = input;
+      one.cells = {{cell, record}};
+      PartPlanner(one, area, lines, options, plan).Run();
+    }
+  } else {
+    PartPlanner(input, area, lines, options, plan).Run();
+  }
+  StoreLayers(lines.independent, plan);
+  LeaveFailedHoles(plan);
+  return plan;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,43 @@
+// The rim of the surface: the boundary edges that remain when the tiles are put together, linked to loops.
+#ifndef TILEMEND_COORDINATOR_PLAN_RIM_H_
+#define TILEMEND_COORDINATOR_PLAN_RIM_H_
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "coordinator/plan/plan.h"
+
+namespace tilemend {
+
+struct RimPoint {
+  CellId tile;  // of the first tile (by cell) that has it
+  int32_t index = 0;
+  Point3 position{0, 0, 0};
+  Eigen::Vector3d normal{0, 0, 1};
+  double centroid_height = 0;
+  double size = 0;  // mean length of the rim edges here
+};
+
+struct RimEdge {
+  int32_t from = 0, to = 0;  // points; surface on the left
+  CellId owner;              // whose triangle it bounds
+  CellId label;              // the cell that closes on it; a square outside the area: nobody
+};
+
+struct Rim {
+  std::vector<RimPoint> points;
+  std::vector<RimEdge> edges;
+  std::vector<std::vector<int32_t>> loops;  // edges in order; each edge is in one loop or in `unlinked`
+  std::vector<int32_t> unlinked;            // edges of chains that do not close (non-manifold surface)
+  int32_t continuous = 0;                   // groups of loops that touch
+};
+
+// Puts the tiles together: matches boundary edges of different tiles at equal positions (`weld_tiles`), drops the matched ones, and
+// links the others to loops. Where several holes touch at a vertex each loop turns back into its own hole (Zhang 2022, 3.3).
+Rim BuildRim(const PlanInput& input, bool weld_tiles);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_RIM_H_

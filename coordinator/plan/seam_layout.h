@@ -1,0 +1,35 @@
+// Lays the seams: where grid lines run through holes.
+#ifndef TILEMEND_COORDINATOR_PLAN_SEAM_LAYOUT_H_
+#define TILEMEND_COORDINATOR_PLAN_SEAM_LAYOUT_H_
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "coordinator/plan/cut_lines.h"
+#include "coordinator/plan/plan.h"
+#include "coordinator/plan/rim.h"
+#include "coordinator/plan/rim_index.h"
+
+namespace tilemend {
+
+struct SeamLayout {
+  // New vertices; vertex k of the layout has number rim.points.size() + k in Seam::vertices.
+  std::vector<Point2> vertices;
+  std::vector<double> sizes;
+  std::vector<Seam> seams;
+  // Stretches that could not be laid: the holes of these cells there cannot be bounded.
+  std::vector<LeftOpen> failures;
+};
+
+// Lays a seam on every stretch of grid line inside a hole, between the cells of `area` and between them and the outside.
+//
+// A stretch runs from junction to junction (where RimEdge::label changes along a loop) or to a grid corner that lies in the hole. Its
+// vertices lie on the line, as far apart as the triangles there will be large (PlanOptions); where the straight way would meet the rim
+// it bends over rim points (Wang 3.3, closure cases 1 to 3: on a ragged cut a stretch begins and ends off the line).
+SeamLayout LaySeams(const std::set<CellId>& area, const CutLines& lines, const Rim& rim, const RimIndex& index,
+                    const PlanOptions& options, double lattice_step);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_SEAM_LAYOUT_H_

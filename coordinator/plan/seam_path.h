@@ -1,0 +1,22 @@
+// A way along a grid line through a hole that does not meet the rim.
+#ifndef TILEMEND_COORDINATOR_PLAN_SEAM_PATH_H_
+#define TILEMEND_COORDINATOR_PLAN_SEAM_PATH_H_
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "coordinator/plan/rim.h"
+#include "coordinator/plan/rim_index.h"
+
+namespace tilemend {
+
+// A path from way.front() to way.back() over as many of the vertices between as can be reached in order, bending over rim points where
+// the rim stands in between. Consecutive vertices of the path are joined by free segments (RimIndex::IsFree) or by rim edges.
+// Vertices below rim.points.size() are rim points. Nothing if there is no such path.
+std::optional<std::vector<int32_t>> FindSeamPath(const std::vector<int32_t>& way, const Rim& rim, const RimIndex& index,
+                                                 const std::function<Point2(int32_t)>& position);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_SEAM_PATH_H_

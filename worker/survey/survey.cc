@@ -1,0 +1,218 @@
+#include "worker/survey/survey.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "common/mesh/position_index.h"
+
+namespace tilemend {
+namespace {
+
+constexpr int32_t kNone = -1;
+
+uint64_t Mix(uint64_t x) {  // splitmix64's finaliser: a bijection
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+// Marks the vertices at which outgoing and incoming edges do not cancel. Every end of an edge that is not in exactly one
+// triangle each way is marked: a vertex with one unmatched edge cannot cancel, as Mix is a bijection, and one with several
+// cancels with probability 2^-64.
+std::vector<uint8_t> MarkUnbalancedVertices(const TriMesh& mesh) {
+  std::vector<uint64_t> balance(mesh.points.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    const uint64_t a = Mix(static_cast<uint64_t>(t[0]) + 1), b = Mix(static_cast<uint64_t>(t[1]) + 1),
+                   c = Mix(static_cast<uint64_t>(t[2]) + 1);
+    balance[t[0]] += b - c;
+    balance[t[1]] += c - a;
+    balance[t[2]] += a - b;
+  }
+  std::vector<uint8_t> marked(mesh.points.size());
+  for (size_t i = 0; i < balance.size(); ++i) marked[i] = balance[i] != 0;
+  return marked;
+}
+
+// The marked vertices welded by position. weld[v] is a number from 0 for each position that a marked vertex has, for every
+// vertex there (marked or not), else kNone.
+struct Weld {
+  std::vector<int32_t> weld;
+  std::vector<int32_t> first;  // lowest vertex of each position
+  int64_t doubled = 0;
+};
+
+Weld WeldMarked(const TriMesh& mesh, const std::vector<uint8_t>& marked) {
+  Weld result;
+  result.weld.assign(mesh.points.size(), kNone);
+  PositionIndex index;
+  for (size_t v = 0; v < marked.size(); ++v) {
+    if (marked[v]) index.Insert(mesh.points[v]);
+  }
+  result.first.assign(index.size(), kNone);
+  for (size_t v = 0; v < marked.size(); ++v) {
+    const int32_t id = index.Find(mesh.points[v]);
+    if (id == kNone) continue;
+    result.weld[v] = id;
+    if (result.first[id] == kNone) {
+      result.first[id] = static_cast<int32_t>(v);
+    } else {
+      ++result.doubled;
+    }
+  }
+  return result;
+}
+
+struct HalfEdge {
+  int32_t from, to;
+  int32_t lo() const { return std::min(from, to); }
+  int32_t hi() const { return std::max(from, to); }
+};
+
+// The edges between welded vertices that are in exactly one triangle, in order of the triangles.
+std::vector<HalfEdge> UnmatchedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
+  struct Entry {
+    uint64_t key;
+    int32_t order;
+  };
+  std::vector<HalfEdge> edges;
+  std::vector<Entry> entries;
+  for (const Triangle& t : mesh.triangles) {
+    const int32_t w[3] = {weld[t[0]], weld[t[1]], weld[t[2]]};
+    const int welded = (w[0] != kNone) + (w[1] != kNone) + (w[2] != kNone);
+    if (welded < 2) continue;
+    const bool flat = (w[0] != kNone && (w[0] == w[1] || w[0] == w[2])) || (w[1] != kNone && w[1] == w[2]);
+    if (flat) {
+      ++record.degenerate_triangles;
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const HalfEdge e{w[k], w[(k + 1) % 3]};
+      if (e.from == kNone || e.to == kNone) continue;
+      entries.push_back({static_cast<uint64_t>(e.lo()) << 32 | static_cast<uint32_t>(e.hi()),
+                         static_cast<int32_t>(edges.size())});
+      edges.push_back(e);
+    }
+  }
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
+  std::vector<int32_t> single;
+  for (size_t i = 0; i < entries.size();) {
+    size_t j = i;
+    while (j < entries.size() && entries[j].key == entries[i].key) ++j;
+    if (j - i == 1) single.push_back(entries[i].order);
+    if (j - i > 2) ++record.nonmanifold_edges;
+    i = j;
+  }
+  std::sort(single.begin(), single.end());
+  std::vector<HalfEdge> result;
+  result.reserve(single.size());
+  for (const int32_t s : single) result.push_back(edges[s]);
+  return result;
+}
+
+// Numbers the ends of the edges in order of appearance and stores them as the record's boundary. Returns, for each vertex of
+// the mesh, its boundary vertex or kNone.
+std::vector<int32_t> StoreBoundary(const TriMesh& mesh, const Weld& weld, const std::vector<HalfEdge>& edges,
+                                   SurveyRecord& record) {
+  std::vector<int32_t> number(weld.first.size(), kNone);
+  const auto vertex = [&](int32_t w) {
+    if (number[w] == kNone) {
+      number[w] = static_cast<int32_t>(record.vertices.size());
+      BoundaryVertex v;
+      v.index = weld.first[w];
+      v.position = mesh.points[v.index];
+      record.vertices.push_back(v);
+    }
+    return number[w];
+  };
+  record.edges.reserve(edges.size());
+  for (const HalfEdge& e : edges) {
+    const int32_t from = vertex(e.from);
+    const int32_t to = vertex(e.to);
+    record.edges.push_back({from, to});
+  }
+  std::vector<int32_t> boundary(mesh.points.size(), kNone);
+  for (size_t v = 0; v < boundary.size(); ++v) {
+    if (weld.weld[v] != kNone) boundary[v] = number[weld.weld[v]];
+  }
+  return boundary;
+}
+
+// The triangles at the boundary vertices and one more ring.
+void StoreBand(const TriMesh& mesh, const std::vector<int32_t>& boundary, SurveyRecord& record) {
+  std::vector<uint8_t> near(mesh.points.size(), 0);
+  const auto at_boundary = [&](const Triangle& t) {
+    return boundary[t[0]] != kNone || boundary[t[1]] != kNone || boundary[t[2]] != kNone;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    if (at_boundary(t)) near[t[0]] = near[t[1]] = near[t[2]] = 1;
+  }
+  for (const BoundaryVertex& v : record.vertices) record.band.points.push_back(v.position);
+  std::vector<int32_t> number = boundary;
+  for (const Triangle& t : mesh.triangles) {
+    if (!(near[t[0]] | near[t[1]] | near[t[2]])) continue;
+    Triangle out;
+    for (int k = 0; k < 3; ++k) {
+      int32_t& n = number[t[k]];
+      if (n == kNone) {
+        n = static_cast<int32_t>(record.band.points.size());
+        record.band.points.push_back(mesh.points[t[k]]);
+      }
+      out[k] = n;
+    }
+    if (out[0] != out[1] && out[1] != out[2] && out[0] != out[2]) record.band.triangles.push_back(out);
+  }
+}
+
+// Normals and centroid heights of the boundary vertices, from the band.
+void StoreVertexFigures(SurveyRecord& record) {
+  std::vector<int32_t> count(record.vertices.size(), 0);
+  for (BoundaryVertex& v : record.vertices) v.normal.setZero();
+  const auto& points = record.band.points;
+  for (const Triangle& t : record.band.triangles) {
+    const Eigen::Vector3d normal = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+    const double height = (points[t[0]].z() + points[t[1]].z() + points[t[2]].z()) / 3;
+    for (const int32_t corner : t) {
+      if (corner >= static_cast<int32_t>(record.vertices.size())) continue;
+      record.vertices[corner].normal += normal;
+      record.vertices[corner].centroid_height += height;
+      ++count[corner];
+    }
+  }
+  for (size_t i = 0; i < count.size(); ++i) {
+    BoundaryVertex& v = record.vertices[i];
+    const double length = v.normal.norm();
+    v.normal = length > 0 ? Eigen::Vector3d(v.normal / length) : Eigen::Vector3d::Zero();
+    v.centroid_height = count[i] > 0 ? v.centroid_height / count[i] : v.position.z();
+  }
+}
+
+}  // namespace
+
+SurveyRecord SurveyTile(const TriMesh& mesh, bool float32) {
+  SurveyRecord record;
+  record.float32 = float32;
+  record.vertex_count = static_cast<int64_t>(mesh.points.size());
+  record.triangle_count = static_cast<int64_t>(mesh.triangles.size());
+  record.lo = Point3::Constant(std::numeric_limits<double>::infinity());
+  record.hi = -record.lo;
+  for (const Point3& p : mesh.points) {
+    record.lo = record.lo.cwiseMin(p);
+    record.hi = record.hi.cwiseMax(p);
+  }
+  const std::vector<uint8_t> marked = MarkUnbalancedVertices(mesh);
+  const Weld weld = WeldMarked(mesh, marked);
+  record.doubled_vertices = weld.doubled;
+  const std::vector<HalfEdge> edges = UnmatchedEdges(mesh, weld.weld, record);
+  const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges, record);
+  StoreBand(mesh, boundary, record);
+  StoreVertexFigures(record);
+  return record;
+}
+
+}  // namespace tilemend

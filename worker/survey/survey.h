@@ -1,0 +1,20 @@
+// Survey of one tile: its boundary edges and the band of triangles around them.
+#ifndef TILEMEND_WORKER_SURVEY_SURVEY_H_
+#define TILEMEND_WORKER_SURVEY_SURVEY_H_
+
+#include "common/grid/survey_record.h"
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams, which
+// double vertices, are no boundary.
+//
+// Source: Wang 2021, 3.1; instead of a half-edge structure of the whole tile, a vertex whose outgoing and incoming edges
+// cancel is known to be inside after one pass over the triangles, and only the others are looked at.
+// Cost: linear in vertices and triangles, three passes. Pure; safe from any thread.
+SurveyRecord SurveyTile(const TriMesh& mesh, bool float32);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_SURVEY_SURVEY_H_
