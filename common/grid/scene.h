@@ -4,7 +4,7 @@
 
 #include <compare>
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,26 +35,42 @@ struct SceneTile {
 };
 
 struct Scene {
-  std::string root;           // folder that tile paths are relative to
-  std::string crs;            // as given, may be empty
+  std::string root;  // folder that tile paths are relative to
+  std::string crs;   // as given, may be empty
   Point3 origin{0, 0, 0};
   Grid grid;
   int32_t cols = 0, rows = 0;
-  bool area_known = false;    // false: found by file names only, so the rim of the area stays open
+  bool area_known = false;       // false: found by file names only, so the rim of the area stays open
   std::vector<SceneTile> tiles;  // every cell of the area once, sorted by (row, col)
   std::vector<std::string> warnings;
 };
 
-// Reads `path`: a folder with scene.json (or the scene.json itself), or a folder of tiles found by name:
-//   *_+CCC_+RRR.ply|obj directly or under tiles/, or the photogrammetry layout Data/Tile_+CCC_+RRR/Tile_+CCC_+RRR*.obj|ply
-//   with metadata.xml (SRS, SRSOrigin).
-// For a scene found by name the grid is worked out from the tiles' bounds and indices (all tiles must agree).
-// Errors (kNotFound, kInvalidArgument) name the file and the place: bad JSON, cell_size <= 0 or not finite, a tile listed
-// twice or two tiles for one cell, a path that leaves the folder, a missing tile file, a format that is not read.
-// Reads no mesh except, without scene.json, to find the bounds.
-absl::StatusOr<Scene> LoadScene(const std::string& path);
+// An axis-aligned box; lo <= hi in every coordinate.
+struct Box {
+  Point3 lo{0, 0, 0};
+  Point3 hi{0, 0, 0};
+};
 
-// scene.json text for `scene`; LoadScene reads it back.
+// The bounds of the mesh in the file `path` (root and tile path joined). Injected, so that the grid does not depend on
+// the mesh readers. An error is passed on by LoadScene as it is and must name the file.
+using BoundsReader = std::function<absl::StatusOr<Box>(const std::string& path)>;
+
+// Reads `path`: a folder with scene.json (or the scene.json itself), or a folder of tiles found by name:
+//   *_+CCC_+RRR.ply|obj (sign and digits) directly or under tiles/, or the photogrammetry layout
+//   Data/Tile_+CCC_+RRR/Tile_+CCC_+RRR.obj|ply (or the only .obj or .ply in that folder) with metadata.xml (SRS,
+//   SRSOrigin) beside Data.
+// scene.json: `cell_size` (number or [x, y]), `cols`, `rows` (1 to 100000), `tiles` [{`col`, `row`, `path`: file or
+// null}]; optional `crs`, `origin` [x, y, z], `grid_corner` [x, y], `area_known` (default true). Other fields are
+// ignored.
+//
+// For a scene found by name the grid is worked out from the tiles' bounds and indices (all tiles must agree), a warning
+// says what was found, area_known is false, and the numbering is shifted if an index is negative. `read_bounds` is
+// called once for each tile then, and never for a scene with scene.json; it may be empty for those. Errors (kNotFound,
+// kInvalidArgument) name the file and the place: bad JSON, cell_size <= 0 or not finite, a tile listed twice or two
+// tiles for one cell, a path that leaves the folder, a missing tile file, a format that is not read.
+absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds);
+
+// scene.json text for `scene`; LoadScene reads it back (all but the warnings and the root).
 std::string SceneJson(const Scene& scene);
 
 }  // namespace tilemend

@@ -90,7 +90,7 @@ absl::StatusOr<std::string> ReadFile(const std::string& path) {
   return content;
 }
 
-absl::Status WriteFileAtomically(const std::string& path, std::string_view content) {
+absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync) {
   static std::atomic<uint64_t> counter{0};
   const std::filesystem::path target(path);
   if (target.has_parent_path()) {
@@ -104,7 +104,7 @@ absl::Status WriteFileAtomically(const std::string& path, std::string_view conte
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
     if (file.get() < 0) return ErrnoStatus(errno, "cannot create", temporary);
     status = WriteAll(file.get(), content, path);
-    if (status.ok() && ::fsync(file.get()) != 0) status = ErrnoStatus(errno, "cannot sync", path);
+    if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0) status = ErrnoStatus(errno, "cannot sync", path);
     if (file.Close() != 0 && status.ok()) status = ErrnoStatus(errno, "cannot close", path);
   }
   if (status.ok() && ::rename(temporary.c_str(), path.c_str()) != 0) {

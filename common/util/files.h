@@ -14,10 +14,14 @@ namespace tilemend {
 // the message names the path.
 absl::StatusOr<std::string> ReadFile(const std::string& path);
 
-// Writes `content` beside `path` under a temporary name, syncs it and renames it into place: a reader sees the old file or
-// the whole new one. Creates missing parent folders. kPermissionDenied, kResourceExhausted (disk full), kInternal; after
-// an error nothing is left behind.
-absl::Status WriteFileAtomically(const std::string& path, std::string_view content);
+// kNo leaves it to the kernel when the bytes reach the disk: after a power cut the file may be empty or torn. For data
+// that is checked when it is read and can be made again.
+enum class Sync { kYes, kNo };
+
+// Writes `content` beside `path` under a temporary name, syncs it (unless `sync` is kNo) and renames it into place: a
+// reader sees the old file or the whole new one. Creates missing parent folders. kPermissionDenied, kResourceExhausted
+// (disk full), kInternal; after an error nothing is left behind.
+absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync = Sync::kYes);
 
 }  // namespace tilemend
 

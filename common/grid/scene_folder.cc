@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/strings/ascii.h"
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/strings/str_split.h"
+#include "common/grid/grid_fit.h"
+#include "common/grid/scene_sources.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Takes the last "_+CCC" off `stem`; nullopt if there is none.
+std::optional<int32_t> TakeIndex(std::string_view* stem) {
+  const size_t underscore = stem->rfind('_');
+  if (underscore == std::string_view::npos || underscore + 2 >= stem->size()) return std::nullopt;
+  const char sign = (*stem)[underscore + 1];
+  if (sign != '+' && sign != '-') return std::nullopt;
+  const char* const begin = stem->data() + underscore + 2;
+  const char* const end = stem->data() + stem->size();
+  uint32_t value = 0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || value >= static_cast<uint32_t>(kMaxCellsPerSide)) return std::nullopt;
+  stem->remove_suffix(stem->size() - underscore);
+  return sign == '-' ? -static_cast<int32_t>(value) : static_cast<int32_t>(value);
+}
+
+// The cell in a name like Tile_+003_-001.
+std::optional<CellId> CellOf(std::string_view stem) {
+  const std::optional<int32_t> row = TakeIndex(&stem);
+  const std::optional<int32_t> col = row.has_value() ? TakeIndex(&stem) : std::nullopt;
+  if (!col.has_value()) return std::nullopt;
+  return CellId{*col, *row};
+}
+
+// The entries of a folder, sorted by name; none if there is no such folder.
+absl::StatusOr<std::vector<fs::path>> List(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return std::vector<fs::path>();
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    entries.push_back(at->path());
+  if (error) return absl::PermissionDeniedError(absl::StrCat(folder.string(), ": ", error.message()));
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+// What was found in the folder, by names only.
+struct Findings {
+  std::map<CellId, fs::path> tiles;
+  std::string unread;  // a tile by its name, in a format that is not read
+  std::vector<std::string> warnings;
+};
+
+absl::Status AddTile(CellId cell, const fs::path& file, Findings* findings) {
+  const auto [at, fresh] = findings->tiles.emplace(cell, file);
+  if (fresh) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrCat(at->second.string(), " and ", file.string(), " are both cell ", ToString(cell)));
+}
+
+// Tiles that are files of `folder`.
+absl::Status FindFiles(const fs::path& folder, Findings* findings) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
+  for (const fs::path& entry : entries) {
+    const std::optional<CellId> cell = CellOf(entry.stem().string());
+    std::error_code error;
+    if (!cell.has_value() || !fs::is_regular_file(entry, error)) continue;
+    if (IsTileFormat(entry.string())) {
+      TILEMEND_RETURN_IF_ERROR(AddTile(*cell, entry, findings));
+    } else if (entry.extension() != ".mtl") {
+      findings->unread = entry.string();
+    }
+  }
+  return absl::OkStatus();
+}
+
+// The mesh of one tile folder: named as the folder, or the only one. Empty if there is none.
+absl::StatusOr<fs::path> MeshOfFolder(const fs::path& folder, Findings* findings) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
+  std::vector<fs::path> named;
+  std::vector<fs::path> meshes;
+  for (const fs::path& entry : entries) {
+    std::error_code error;
+    if (!fs::is_regular_file(entry, error)) continue;
+    const bool same_name = entry.stem() == folder.filename();
+    if (!IsTileFormat(entry.string())) {
+      if (same_name && entry.extension() != ".mtl") findings->unread = entry.string();
+      continue;
+    }
+    meshes.push_back(entry);
+    if (same_name) named.push_back(entry);
+  }
+  const std::vector<fs::path>& choice = named.empty() ? meshes : named;
+  if (choice.size() > 1) {
+    return absl::InvalidArgumentError(absl::StrCat(choice[0].string(), " and ", choice[1].string(),
+                                                   " could both be the tile ", folder.filename().string()));
+  }
+  return choice.empty() ? fs::path() : choice[0];
+}
+
+// Tiles that are folders of `folder`.
+absl::Status FindFolders(const fs::path& folder, Findings* findings) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
+  for (const fs::path& entry : entries) {
+    const std::optional<CellId> cell = CellOf(entry.filename().string());
+    std::error_code error;
+    if (!cell.has_value() || !fs::is_directory(entry, error)) continue;
+    TILEMEND_ASSIGN_OR_RETURN(const fs::path mesh, MeshOfFolder(entry, findings));
+    if (mesh.empty()) {
+      findings->warnings.push_back(absl::StrCat(entry.string(), ": no .ply or .obj in it; the cell is left out"));
+      continue;
+    }
+    TILEMEND_RETURN_IF_ERROR(AddTile(*cell, mesh, findings));
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<Findings> FindTiles(const std::string& root) {
+  Findings findings;
+  TILEMEND_RETURN_IF_ERROR(FindFiles(root, &findings));
+  TILEMEND_RETURN_IF_ERROR(FindFiles(fs::path(root) / "tiles", &findings));
+  TILEMEND_RETURN_IF_ERROR(FindFolders(fs::path(root) / "Data", &findings));
+  TILEMEND_RETURN_IF_ERROR(FindFolders(root, &findings));
+  if (!findings.tiles.empty()) return findings;
+  if (!findings.unread.empty()) {
+    const std::string format = fs::path(findings.unread).extension().string();
+    return absl::InvalidArgumentError(
+        absl::StrCat(findings.unread, ": format \"", format, "\" is not read; tiles are .ply or .obj"));
+  }
+  return absl::NotFoundError(absl::StrCat(root, ": no scene.json, and no tile named like Tile_+000_+014.ply in it, in ",
+                                          "tiles/ or in Data/Tile_+000_+014/"));
+}
+
+// "500000.0,4100000.0,0"
+bool ParseOrigin(const std::string& text, Point3* origin) {
+  const std::vector<std::string> parts = absl::StrSplit(text, ',');
+  if (parts.size() != 3) return false;
+  for (int i = 0; i < 3; ++i) {
+    if (!absl::SimpleAtod(parts[i], &(*origin)[i]) || !std::isfinite((*origin)[i])) return false;
+  }
+  return true;
+}
+
+// CRS and origin from metadata.xml, which need not be there.
+absl::Status ReadMetadata(const std::string& path, Scene* scene) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
+  pugi::xml_document document;
+  if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size()); !result) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(path, ": not XML: byte ", result.offset, ": ", result.description()));
+  }
+  const pugi::xml_node metadata = document.child("ModelMetadata");
+  scene->crs = std::string(absl::StripAsciiWhitespace(metadata.child_value("SRS")));
+  const std::string origin = metadata.child_value("SRSOrigin");
+  if (!metadata.child("SRSOrigin")) {
+    scene->warnings.push_back(absl::StrCat(path, ": no SRSOrigin; the origin is taken as 0, 0, 0"));
+  } else if (!ParseOrigin(origin, &scene->origin)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(path, ": SRSOrigin: expected three numbers with commas, found \"", origin, "\""));
+  }
+  return absl::OkStatus();
+}
+
+// Numbers the cells from 0, as everywhere else: shifts negative indices and the grid's corner with them.
+void ShiftToZero(Scene* scene) {
+  CellId least{0, 0};
+  for (const SceneTile& tile : scene->tiles) {
+    least.col = std::min(least.col, tile.cell.col);
+    least.row = std::min(least.row, tile.cell.row);
+  }
+  if (least == CellId{0, 0}) return;
+  for (SceneTile& tile : scene->tiles) tile.cell = {tile.cell.col - least.col, tile.cell.row - least.row};
+  scene->grid.corner += scene->grid.cell_size.cwiseProduct(Point2(least.col, least.row));
+  scene->warnings.push_back(
+      absl::StrCat("the tiles' names have negative indices: cell ", ToString(least), " is numbered +000_+000 here"));
+}
+
+void SetExtent(Scene* scene) {
+  for (const SceneTile& tile : scene->tiles) {
+    scene->cols = std::max(scene->cols, tile.cell.col + 1);
+    scene->rows = std::max(scene->rows, tile.cell.row + 1);
+  }
+}
+
+absl::StatusOr<std::vector<PlacedTile>> ReadBounds(const Findings& findings, const BoundsReader& read_bounds) {
+  std::vector<PlacedTile> placed;
+  for (const auto& [cell, file] : findings.tiles) {
+    TILEMEND_ASSIGN_OR_RETURN(const Box bounds, read_bounds(file.string()));
+    placed.push_back({cell, file.string(), bounds});
+  }
+  return placed;
+}
+
+std::string GridWarning(const Scene& scene) {
+  const Grid& grid = scene.grid;
+  return absl::StrFormat(
+      "%s: no scene.json; from the names and bounds of %d tiles: cell size %.10g x %.10g, grid corner %.10g, %.10g; "
+      "the area "
+      "is taken as these cells and its rim stays open",
+      scene.root, scene.tiles.size(), grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(), grid.corner.y());
+}
+
+}  // namespace
+
+absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds) {
+  if (!read_bounds)
+    return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no reader of bounds"));
+  TILEMEND_ASSIGN_OR_RETURN(const Findings findings, FindTiles(root));
+  Scene scene;
+  scene.root = root;
+  scene.warnings = findings.warnings;
+  TILEMEND_RETURN_IF_ERROR(ReadMetadata((fs::path(root) / "metadata.xml").string(), &scene));
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<PlacedTile> placed, ReadBounds(findings, read_bounds));
+  TILEMEND_ASSIGN_OR_RETURN(scene.grid, FitGrid(std::move(placed)));
+  for (const auto& [cell, file] : findings.tiles) {
+    scene.tiles.push_back({cell, file.lexically_relative(root).string()});
+  }
+  scene.warnings.push_back(GridWarning(scene));
+  ShiftToZero(&scene);
+  SortTiles(&scene.tiles);
+  SetExtent(&scene);
+  if (std::max(scene.cols, scene.rows) > kMaxCellsPerSide) {
+    return absl::InvalidArgumentError(absl::StrCat(root, ": more than ", kMaxCellsPerSide, " columns or rows"));
+  }
+  return scene;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,250 @@
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/strings/str_cat.h"
+#include "common/grid/scene_sources.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::json;
+
+// Keeps where and why a text is no JSON. The library tells the place only to such a handler or by an exception.
+class ErrorFinder : public nlohmann::json_sax<Json> {
+ public:
+  const std::string& error() const { return error_; }
+
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*elements*/) override { return true; }
+  bool key(string_t& /*value*/) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t /*elements*/) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t position, const std::string& /*token*/,
+                   const nlohmann::detail::exception& what) override {
+    // "[json.exception.parse_error.101] parse error at line 2, column 3: syntax error ...": the code means nothing to a
+    // user.
+    std::string_view text = what.what();
+    if (const size_t bracket = text.find("] "); bracket != std::string_view::npos) text.remove_prefix(bracket + 2);
+    error_ = absl::StrCat("not JSON: byte ", position, ": ", std::string(text));
+    return false;
+  }
+
+ private:
+  std::string error_;
+};
+
+absl::StatusOr<Json> ParseJson(const std::string& text, const std::string& name) {
+  ErrorFinder finder;
+  if (!Json::sax_parse(text, &finder)) return absl::InvalidArgumentError(absl::StrCat(name, ": ", finder.error()));
+  return Json::parse(text, nullptr, /*allow_exceptions=*/false);
+}
+
+// Typed access to the members of one JSON object, with the place in every message.
+class Fields {
+ public:
+  Fields(const Json& object, std::string place) : object_(object), place_(std::move(place)) {}
+
+  bool Has(const char* field) const { return object_.contains(field) && !object_[field].is_null(); }
+  const Json& operator[](const char* field) const { return object_[field]; }
+
+  absl::Status Error(std::string_view field, std::string_view what) const {
+    return absl::InvalidArgumentError(absl::StrCat(place_, std::string(field), ": ", std::string(what)));
+  }
+
+  absl::StatusOr<int32_t> Integer(const char* field, int32_t least, int32_t most) const {
+    if (!object_.contains(field)) return Error(field, "missing");
+    const Json& value = object_[field];
+    if (!value.is_number_integer()) return Error(field, "expected an integer");
+    const bool too_large = value.is_number_unsigned() && value.get<uint64_t>() > uint64_t{INT32_MAX};
+    if (too_large || value.get<int64_t>() < least || value.get<int64_t>() > most) {
+      return Error(field, absl::StrCat("expected ", least, " to ", most, ", found ", value.dump()));
+    }
+    return value.get<int32_t>();
+  }
+
+  absl::Status Numbers(const char* field, int count, double* out) const {
+    const Json& value = object_[field];
+    const bool right = value.is_array() && value.size() == static_cast<size_t>(count);
+    for (int i = 0; i < count; ++i) {
+      if (!right || !value[i].is_number())
+        return Error(field, absl::StrCat("expected an array of ", count, " numbers"));
+      out[i] = value[i].get<double>();
+      if (!std::isfinite(out[i])) return Error(field, "expected finite numbers");
+    }
+    return absl::OkStatus();
+  }
+
+ private:
+  const Json& object_;
+  std::string place_;
+};
+
+absl::Status ReadGrid(const Fields& fields, Scene* scene) {
+  if (!fields.Has("cell_size")) return fields.Error("cell_size", "missing");
+  Point2& size = scene->grid.cell_size;
+  if (fields["cell_size"].is_number()) {
+    size.setConstant(fields["cell_size"].get<double>());
+  } else if (absl::Status status = fields.Numbers("cell_size", 2, size.data()); !status.ok()) {
+    return fields.Error("cell_size", "expected a number or an array of 2 numbers");
+  }
+  if (!size.allFinite() || size.minCoeff() <= 0) return fields.Error("cell_size", "must be finite and greater than 0");
+  if (fields.Has("grid_corner")) TILEMEND_RETURN_IF_ERROR(fields.Numbers("grid_corner", 2, scene->grid.corner.data()));
+  TILEMEND_ASSIGN_OR_RETURN(scene->cols, fields.Integer("cols", 1, kMaxCellsPerSide));
+  TILEMEND_ASSIGN_OR_RETURN(scene->rows, fields.Integer("rows", 1, kMaxCellsPerSide));
+  return absl::OkStatus();
+}
+
+absl::Status ReadHead(const Fields& fields, Scene* scene) {
+  if (fields.Has("crs")) {
+    if (!fields["crs"].is_string()) return fields.Error("crs", "expected a text");
+    scene->crs = fields["crs"].get<std::string>();
+  }
+  if (fields.Has("origin")) TILEMEND_RETURN_IF_ERROR(fields.Numbers("origin", 3, scene->origin.data()));
+  scene->area_known = true;
+  if (fields.Has("area_known")) {
+    if (!fields["area_known"].is_boolean()) return fields.Error("area_known", "expected true or false");
+    scene->area_known = fields["area_known"].get<bool>();
+  }
+  return ReadGrid(fields, scene);
+}
+
+// The tile's path, normalised; empty for null.
+absl::StatusOr<std::string> ReadPath(const Fields& tile) {
+  const absl::Status wrong_type = tile.Error("path", "expected a file name or null");
+  const Json& value = tile["path"];
+  if (value.is_null()) return std::string();
+  if (!value.is_string()) return wrong_type;
+  const std::string text = value.get<std::string>();
+  const std::filesystem::path path(text);
+  if (text.empty() || text.find('\0') != std::string::npos) return wrong_type;
+  if (path.is_absolute())
+    return tile.Error("path", absl::StrCat("\"", text, "\" is absolute; give it relative to the scene"));
+  for (const std::filesystem::path& part : path) {
+    if (part == "..") return tile.Error("path", absl::StrCat("\"", text, "\" leaves the scene's folder"));
+  }
+  if (!IsTileFormat(text)) {
+    const std::string format = path.extension().string();
+    return tile.Error("path",
+                      absl::StrCat("\"", text, "\": format \"", format, "\" is not read; tiles are .ply or .obj"));
+  }
+  return path.lexically_normal().string();
+}
+
+absl::StatusOr<SceneTile> ReadTile(const Json& value, const std::string& name, size_t index, const Scene& scene) {
+  const std::string place = absl::StrCat(name, ": tiles[", index, "]");
+  if (!value.is_object()) return absl::InvalidArgumentError(absl::StrCat(place, ": expected an object"));
+  const Fields fields(value, place + ".");
+  SceneTile tile;
+  TILEMEND_ASSIGN_OR_RETURN(tile.cell.col, fields.Integer("col", 0, scene.cols - 1));
+  TILEMEND_ASSIGN_OR_RETURN(tile.cell.row, fields.Integer("row", 0, scene.rows - 1));
+  if (!value.contains("path")) return fields.Error("path", "missing (null for a cell without surface)");
+  TILEMEND_ASSIGN_OR_RETURN(tile.path, ReadPath(fields));
+  return tile;
+}
+
+// Puts `key` at `index`; an error that names both places if it was there.
+template <typename Key>
+absl::Status Claim(const Key& key, size_t index, const std::string& what, const std::string& name,
+                   std::map<Key, size_t>* seen) {
+  const auto [at, fresh] = seen->emplace(key, index);
+  if (fresh) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrCat(name, ": tiles[", at->second, "] and tiles[", index, "] are both ", what));
+}
+
+std::string PathOrNone(const std::string& path) { return path.empty() ? "no surface" : path; }
+
+absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene) {
+  std::map<CellId, size_t> cells;
+  std::map<std::string, size_t> files;
+  for (size_t i = 0; i < tiles.size(); ++i) {
+    TILEMEND_ASSIGN_OR_RETURN(SceneTile tile, ReadTile(tiles[i], name, i, *scene));
+    std::string what = absl::StrCat("cell ", ToString(tile.cell));
+    if (const auto at = cells.find(tile.cell); at != cells.end()) {
+      absl::StrAppend(&what, " (", PathOrNone(scene->tiles[at->second].path), ", ", PathOrNone(tile.path), ")");
+    }
+    TILEMEND_RETURN_IF_ERROR(Claim(tile.cell, i, what, name, &cells));
+    // Two cells of one file would be two outputs of one name.
+    if (!tile.path.empty()) TILEMEND_RETURN_IF_ERROR(Claim(tile.path, i, "the file " + tile.path, name, &files));
+    scene->tiles.push_back(std::move(tile));
+  }
+  SortTiles(&scene->tiles);
+  return absl::OkStatus();
+}
+
+std::string Number(double value) { return Json(value).dump(); }
+
+std::string Text(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+absl::StatusOr<Scene> ParseSceneJson(const std::string& text, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const Json json, ParseJson(text, name));
+  if (!json.is_object()) return absl::InvalidArgumentError(absl::StrCat(name, ": expected an object"));
+  const Fields fields(json, name + ": ");
+  Scene scene;
+  TILEMEND_RETURN_IF_ERROR(ReadHead(fields, &scene));
+  if (!fields.Has("tiles")) return fields.Error("tiles", "missing");
+  if (!json["tiles"].is_array()) return fields.Error("tiles", "expected an array");
+  if (json["tiles"].empty()) return fields.Error("tiles", "no cell is listed");
+  TILEMEND_RETURN_IF_ERROR(ReadTiles(json["tiles"], name, &scene));
+  return scene;
+}
+
+absl::StatusOr<Scene> ReadSceneJson(const std::string& json_path, const std::string& root) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(json_path));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, ParseSceneJson(text, json_path));
+  scene.root = root;
+  for (const SceneTile& tile : scene.tiles) {
+    if (tile.path.empty()) continue;
+    const std::filesystem::path file = std::filesystem::path(root) / tile.path;
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    const std::string place = absl::StrCat(json_path, ": cell ", ToString(tile.cell), ": ", file.string());
+    if (!std::filesystem::exists(status)) return absl::NotFoundError(absl::StrCat(place, ": no such file"));
+    if (!std::filesystem::is_regular_file(status))
+      return absl::InvalidArgumentError(absl::StrCat(place, ": not a file"));
+  }
+  return scene;
+}
+
+std::string SceneJson(const Scene& scene) {
+  const Grid& grid = scene.grid;
+  std::string out = absl::StrCat("{\n \"crs\": ", Text(scene.crs), ",\n \"origin\": [", Number(scene.origin.x()), ", ",
+                                 Number(scene.origin.y()), ", ", Number(scene.origin.z()), "],\n");
+  absl::StrAppend(&out, " \"grid_corner\": [", Number(grid.corner.x()), ", ", Number(grid.corner.y()), "],\n");
+  if (grid.cell_size.x() == grid.cell_size.y()) {
+    absl::StrAppend(&out, " \"cell_size\": ", Number(grid.cell_size.x()), ",\n");
+  } else {
+    absl::StrAppend(&out, " \"cell_size\": [", Number(grid.cell_size.x()), ", ", Number(grid.cell_size.y()), "],\n");
+  }
+  if (!scene.area_known) out += " \"area_known\": false,\n";
+  absl::StrAppend(&out, " \"cols\": ", scene.cols, ",\n \"rows\": ", scene.rows, ",\n \"tiles\": [");
+  const char* separator = "\n";
+  for (const SceneTile& tile : scene.tiles) {
+    absl::StrAppend(&out, separator, "  {\"col\": ", tile.cell.col, ", \"row\": ", tile.cell.row,
+                    ", \"path\": ", tile.path.empty() ? "null" : Text(tile.path), "}");
+    separator = ",\n";
+  }
+  out += "\n ]\n}\n";
+  return out;
+}
+
+}  // namespace tilemend

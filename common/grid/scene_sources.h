@@ -1,0 +1,32 @@
+// The two ways to a scene, behind LoadScene.
+#ifndef TILEMEND_COMMON_GRID_SCENE_SOURCES_H_
+#define TILEMEND_COMMON_GRID_SCENE_SOURCES_H_
+
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/grid/scene.h"
+
+namespace tilemend {
+
+// Largest number of columns or rows: a limit on mistakes, not on memory.
+inline constexpr int32_t kMaxCellsPerSide = 100000;
+
+// Reads the file `json_path`; tile paths are relative to `root` and must exist there.
+absl::StatusOr<Scene> ReadSceneJson(const std::string& json_path, const std::string& root);
+
+// The scene that `text` describes; `name` stands in messages. Touches no file: paths are checked, not looked up.
+absl::StatusOr<Scene> ParseSceneJson(const std::string& text, const std::string& name);
+
+// Finds the tiles of a folder without scene.json by their names.
+absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds);
+
+// Sorts by (row, col), the order of Scene::tiles.
+void SortTiles(std::vector<SceneTile>* tiles);
+
+// Whether `path` ends in .ply or .obj, in any case.
+bool IsTileFormat(const std::string& path);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_GRID_SCENE_SOURCES_H_

@@ -1,0 +1,153 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "common/grid/scene.h"
+#include "common/util/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr char kMetadata[] = R"(<?xml version="1.0" encoding="UTF-8"?>
+<ModelMetadata version="1"><!--Spatial Reference System-->
+  <SRS> EPSG:4547
+  </SRS><SRSOrigin>501027.524000,2488718.808000,0.000000</SRSOrigin></ModelMetadata>)";
+
+// These tests' tiles are files with their bounds as text: "x0 y0 x1 y1".
+absl::StatusOr<Box> TextBounds(const std::string& path) {
+  const std::string text = ReadFile(path).value();
+  Box box;
+  if (std::sscanf(text.c_str(), "%lf %lf %lf %lf", &box.lo.x(), &box.lo.y(), &box.hi.x(), &box.hi.y()) != 4) {
+    return absl::InvalidArgumentError(path + ": no bounds");
+  }
+  return box;
+}
+
+class SceneFolderTest : public testing::Test {
+ protected:
+  // A 100 m tile with an overlap of 0.1 m.
+  void WriteTile(const std::string& name, int col, int row) {
+    folder_.Write(name,
+                  absl::StrCat(100 * col - 0.1, " ", 100 * row - 0.1, " ", 100 * col + 100.1, " ", 100 * row + 100.1));
+  }
+  absl::StatusOr<Scene> Load() { return LoadScene(folder_.path(), TextBounds); }
+  void ExpectError(absl::StatusCode code, const std::string& message) {
+    const absl::Status status = Load().status();
+    EXPECT_EQ(status.code(), code) << status;
+    EXPECT_THAT(std::string(status.message()), HasSubstr(message));
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(SceneFolderTest, FindsTilesByName) {
+  WriteTile("Tile_+000_+001.ply", 0, 1);
+  WriteTile("tiles/city_+001_+001.OBJ", 1, 1);
+  WriteTile("tiles/Tile_+002_+000.obj", 2, 0);
+  folder_.Write("tiles/Tile_+002_+000.mtl", "");
+  folder_.Write("tiles/readme.txt", "");
+  const auto scene = Load();
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  ASSERT_EQ(scene->tiles.size(), 3u);
+  EXPECT_EQ(scene->tiles[0].path, "tiles/Tile_+002_+000.obj");
+  EXPECT_EQ(scene->tiles[1].path, "Tile_+000_+001.ply");
+  EXPECT_EQ(scene->tiles[2].cell, (CellId{1, 1}));
+  EXPECT_EQ(scene->cols, 3);
+  EXPECT_EQ(scene->rows, 2);
+  EXPECT_EQ(scene->grid.cell_size, Point2(100, 100));
+  EXPECT_EQ(scene->grid.corner, Point2(0, 0));
+  EXPECT_FALSE(scene->area_known);
+  ASSERT_EQ(scene->warnings.size(), 1u);
+  EXPECT_THAT(scene->warnings[0],
+              AllOf(HasSubstr("3 tiles"), HasSubstr("cell size 100 x 100"), HasSubstr("corner 0, 0")));
+}
+
+TEST_F(SceneFolderTest, ReadsThePhotogrammetryLayout) {
+  folder_.Write("metadata.xml", kMetadata);
+  WriteTile("Data/Tile_+000_+014/Tile_+000_+014.obj", 0, 14);
+  WriteTile("Data/Tile_+000_+014/Tile_+000_+014_L17.obj", 0, 14);
+  folder_.Write("Data/Tile_+000_+014/Tile_+000_+014.mtl", "");
+  WriteTile("Data/Tile_+000_+015/mesh.ply", 0, 15);
+  folder_.Write("Data/Tile_+000_+016/Tile_+000_+016.osgb", "");
+  const auto scene = Load();
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_EQ(scene->crs, "EPSG:4547");
+  EXPECT_EQ(scene->origin, Point3(501027.524, 2488718.808, 0));
+  ASSERT_EQ(scene->tiles.size(), 2u);
+  EXPECT_EQ(scene->tiles[0].path, "Data/Tile_+000_+014/Tile_+000_+014.obj");
+  EXPECT_EQ(scene->tiles[1].path, "Data/Tile_+000_+015/mesh.ply");
+  EXPECT_EQ(scene->grid.cell_size, Point2(100, 100));
+  EXPECT_EQ(scene->rows, 16);
+  EXPECT_THAT(scene->warnings[0], HasSubstr("Tile_+000_+016: no .ply or .obj in it"));
+}
+
+TEST_F(SceneFolderTest, ShiftsNegativeIndices) {
+  WriteTile("Tile_-002_+000.ply", -2, 0);
+  WriteTile("Tile_-001_+001.ply", -1, 1);
+  const auto scene = Load();
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_EQ(scene->tiles[0].cell, (CellId{0, 0}));
+  EXPECT_EQ(scene->tiles[1].cell, (CellId{1, 1}));
+  EXPECT_EQ(scene->grid.corner, Point2(-200, 0));
+  EXPECT_THAT(scene->warnings.back(), HasSubstr("cell -002_+000 is numbered +000_+000"));
+}
+
+TEST_F(SceneFolderTest, IsReadBackFromItsJson) {
+  WriteTile("tiles/Tile_+000_+000.ply", 0, 0);
+  WriteTile("tiles/Tile_+001_+000.ply", 1, 0);
+  const Scene scene = Load().value();
+  folder_.Write("scene.json", SceneJson(scene));
+  const auto again = LoadScene(folder_.path(), nullptr);
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_FALSE(again->area_known);
+  EXPECT_EQ(again->grid.cell_size, scene.grid.cell_size);
+}
+
+TEST_F(SceneFolderTest, NamesBothTilesOfOneCell) {
+  WriteTile("Tile_+000_+000.ply", 0, 0);
+  WriteTile("tiles/Tile_+000_+000.obj", 0, 0);
+  ExpectError(absl::StatusCode::kInvalidArgument, "tiles/Tile_+000_+000.obj are both cell +000_+000");
+}
+
+TEST_F(SceneFolderTest, RefusesToGuessBetweenTwoMeshes) {
+  WriteTile("Data/Tile_+000_+000/a.ply", 0, 0);
+  WriteTile("Data/Tile_+000_+000/b.ply", 0, 0);
+  ExpectError(absl::StatusCode::kInvalidArgument, "b.ply could both be the tile Tile_+000_+000");
+}
+
+TEST_F(SceneFolderTest, NamesTheFormatThatItCannotRead) {
+  folder_.Write("Tile_+000_+014/Tile_+000_+014.osgb", "");
+  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+000_+014.osgb: format \".osgb\" is not read");
+}
+
+TEST_F(SceneFolderTest, SaysWhatItLooksForInAnEmptyFolder) {
+  ExpectError(absl::StatusCode::kNotFound, "no scene.json, and no tile named like");
+}
+
+TEST_F(SceneFolderTest, PassesTheReadersErrorOn) {
+  folder_.Write("Tile_+000_+000.ply", "?");
+  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+000_+000.ply: no bounds");
+}
+
+TEST_F(SceneFolderTest, NamesTheTileThatContradictsTheGrid) {
+  for (int i = 0; i < 4; ++i) WriteTile(absl::StrCat("Tile_+00", i, "_+000.ply"), i, 0);
+  WriteTile("Tile_+004_+000.ply", 2, 0);
+  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+004_+000.ply: lies mostly outside cell +004_+000");
+}
+
+TEST_F(SceneFolderTest, RefusesBadMetadata) {
+  WriteTile("Tile_+000_+000.ply", 0, 0);
+  folder_.Write("metadata.xml", "<ModelMetadata><SRS>");
+  ExpectError(absl::StatusCode::kInvalidArgument, "metadata.xml: not XML: byte");
+  folder_.Write("metadata.xml", "<ModelMetadata><SRSOrigin>1,2</SRSOrigin></ModelMetadata>");
+  ExpectError(absl::StatusCode::kInvalidArgument, "metadata.xml: SRSOrigin: expected three numbers");
+}
+
+}  // namespace
+}  // namespace tilemend
