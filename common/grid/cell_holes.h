@@ -16,7 +16,8 @@ namespace tilemend {
 struct RimVertex {
   CellId tile;                 // whose vertex it is; meaningless for a seam vertex
   int32_t index = -1;          // in that tile; -1: a seam vertex
-  int32_t seam_vertex = -1;    // index into the plan's seam vertices; -1: an original vertex
+  int32_t seam_vertex = -1;    // the plan's number of a seam vertex; -1: an original vertex
+  uint8_t lines = 0;           // of a seam vertex: 1 if it lies on a line x = const, 2 if on y = const, 3 on a grid corner
   Point3 position{0, 0, 0};    // exact for originals; z of a seam vertex counts when height_known
   bool height_known = true;
   double centroid_height = 0;  // originals: see BoundaryVertex

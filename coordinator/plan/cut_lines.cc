@@ -175,6 +175,8 @@ CutLines FindCutLines(const PlanInput& input, double lattice_step) {
         coordinate = *common;
       }
       lines.coordinate[{cell, side}] = coordinate;
+      const CellId across = Across(cell, side);
+      if (!input.area_known && !input.cells.contains(across)) lines.left_open.insert(std::minmax(cell, across));
     }
   }
   return lines;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct CutLines {
   bool clipped = true;       // no triangle crosses a grid line (else ragged); of no meaning when independent
   double tolerance = 1e-3;   // a rim edge whose ends are both within this of its tile's side lies on that side
   std::map<std::pair<CellId, int>, double> coordinate;  // of each side of each cell of the area
+  std::set<std::pair<CellId, CellId>> left_open;        // borders at the rim of an area that is not known: no seams there
   std::vector<BorderAudit> borders;
 
   double At(CellId cell, Side side) const { return coordinate.at({cell, side}); }

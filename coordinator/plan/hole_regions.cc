@@ -19,6 +19,7 @@ constexpr double kOuterRim = -0.3;
 constexpr double kFacesUp = 0.2;
 
 constexpr char kFolds[] = "its boundary crosses itself seen from above, so it cannot be filled as heights";
+constexpr char kUnbounded[] = "its boundary does not close: it runs into a rim of the area that is not known, or that could not be laid";
 
 struct ClosedLoop {
   std::vector<RimSegment> segments;
@@ -51,7 +52,10 @@ class HoleFinder {
       if (groups.size() > 1) {
         for (const auto& group : groups) FindOpen(group, false);
       } else {
-        AddFailedOpen(open);
+        const bool crossing = std::any_of(
+            regions.triangulation.conflicts.begin(), regions.triangulation.conflicts.end(),
+            [](const RegionConflict& c) { return c.kind != RegionConflict::Kind::kInsideOut; });
+        AddFailedOpen(open, crossing ? kFolds : kUnbounded);
       }
       return;
     }
@@ -129,10 +133,10 @@ class HoleFinder {
     result_.holes.push_back(std::move(hole));
   }
 
-  void AddFailedOpen(const std::vector<BoundarySegment>& part) {
+  void AddFailedOpen(const std::vector<BoundarySegment>& part, const char* reason) {
     PlannedHole hole = NewOpen(part);
     hole.projects = false;
-    hole.failure = kFolds;
+    hole.failure = reason;
     result_.holes.push_back(std::move(hole));
   }
 

@@ -63,12 +63,12 @@ class PartPlanner {
   void StoreVertices() {
     base_ = static_cast<int32_t>(plan_.vertices.size());
     for (const RimPoint& p : rim_.points) {
-      plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size});
+      plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, 0});
       position_.push_back(p.position);
     }
     for (size_t i = 0; i < layout_.vertices.size(); ++i) {
       const Point3 p(layout_.vertices[i].x(), layout_.vertices[i].y(), 0);
-      plan_.vertices.push_back({{}, -1, p, 0, layout_.sizes[i]});
+      plan_.vertices.push_back({{}, -1, p, 0, layout_.sizes[i], layout_.lines[i]});
       position_.push_back(p);
     }
   }

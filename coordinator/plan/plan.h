@@ -73,6 +73,7 @@ struct PlanVertex {
   Point3 position{0, 0, 0};
   double centroid_height = 0;
   double size = 0;
+  uint8_t lines = 0;   // as RimVertex::lines
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along the line.

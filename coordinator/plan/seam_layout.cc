@@ -141,13 +141,14 @@ class Layout {
     if (!fresh) return it->second;
     const Point2 p = CornerPosition(c);
     const int32_t near = index_.NearestPoint(p, kCornerSnap * index_.mean_size());
-    it->second = near >= 0 ? near : NewVertex(p);
+    it->second = near >= 0 ? near : NewVertex(p, 3);
     return it->second;
   }
 
-  int32_t NewVertex(const Point2& p) {
+  int32_t NewVertex(const Point2& p, uint8_t on_lines) {
     result_.vertices.push_back(p);
     result_.sizes.push_back(SizeAt(p));
+    result_.lines.push_back(on_lines);
     return static_cast<int32_t>(rim_.points.size() + result_.vertices.size()) - 1;
   }
 
@@ -168,6 +169,7 @@ class Layout {
   };
 
   void LayBorder(const Border& border, const std::vector<Junction>& junctions) {
+    if (lines_.left_open.contains(border)) return;
     std::vector<End> ends;
     if (in_hole_.at(LowCorner(border))) ends.push_back({CornerVertex(LowCorner(border)), true});
     for (const Junction& j : junctions) ends.push_back({j.point, j.start});
@@ -190,7 +192,7 @@ class Layout {
   void LayStretch(const Border& border, int32_t from, int32_t to) {
     if (from == to) return;
     std::vector<int32_t> way = {from};
-    for (const Point2& p : SpacedPoints(border, from, to)) way.push_back(NewVertex(p));
+    for (const Point2& p : SpacedPoints(border, from, to)) way.push_back(NewVertex(p, IsVertical(border) ? 1 : 2));
     way.push_back(to);
     const auto path = FindSeamPath(way, rim_, index_, [this](int32_t v) { return PositionOf(v); });
     if (!path) {

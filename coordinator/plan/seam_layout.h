@@ -17,6 +17,7 @@ struct SeamLayout {
   // New vertices; vertex k of the layout has number rim.points.size() + k in Seam::vertices.
   std::vector<Point2> vertices;
   std::vector<double> sizes;
+  std::vector<uint8_t> lines;  // as RimVertex::lines
   std::vector<Seam> seams;
   // Stretches that could not be laid: the holes of these cells there cannot be bounded.
   std::vector<LeftOpen> failures;

@@ -1,0 +1,333 @@
+#include "worker/fill/fill_holes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "worker/fill/fair_heights.h"
+#include "worker/fill/minimum_weight.h"
+#include "worker/fill/projection_frame.h"
+
+namespace tilemend {
+namespace {
+
+using Edge = std::pair<int32_t, int32_t>;
+
+Edge Undirected(int32_t a, int32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+// What all holes of a cell look up: the original triangles at each rim vertex.
+class CellBand {
+ public:
+  explicit CellBand(const CellHoles& cell) : cell_(cell), at_(cell.vertices.size()) {
+    for (size_t t = 0; t < cell.band.triangles.size(); ++t) {
+      for (const int32_t v : cell.band.triangles[t]) {
+        if (v < static_cast<int32_t>(at_.size())) at_[v].push_back(static_cast<int32_t>(t));
+      }
+    }
+  }
+
+  const std::vector<int32_t>& At(int32_t vertex) const { return at_[vertex]; }
+
+  Eigen::Vector3d Normal(int32_t triangle) const {
+    const Triangle& t = cell_.band.triangles[triangle];
+    const auto& p = cell_.band.points;
+    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+  }
+
+  bool HasEdge(int32_t a, int32_t b) const {
+    return std::any_of(at_[a].begin(), at_[a].end(), [&](int32_t t) {
+      const Triangle& tri = cell_.band.triangles[t];
+      return std::find(tri.begin(), tri.end(), b) != tri.end();
+    });
+  }
+
+ private:
+  const CellHoles& cell_;
+  std::vector<std::vector<int32_t>> at_;
+};
+
+class HoleFiller {
+ public:
+  HoleFiller(const CellHoles& cell, const CellHole& hole, const CellBand& band, const FillOptions& options)
+      : cell_(cell), hole_(hole), band_(band), options_(options) {
+    NumberVertices();
+  }
+
+  HolePatch Run() {
+    HolePatch patch;
+    patch.hole = hole_.id;
+    std::string failure;
+    for (const ProjectionFrame& frame : Frames()) {
+      auto filled = FillOver(frame);
+      if (filled.failure.empty()) {
+        filled.hole = hole_.id;
+        return filled;
+      }
+      failure = filled.failure;
+    }
+    if (!hole_.open) {
+      auto filled = FillInSpace();
+      if (filled.failure.empty()) {
+        filled.hole = hole_.id;
+        return filled;
+      }
+      failure = filled.failure;
+    }
+    patch.failure = failure;
+    return patch;
+  }
+
+ private:
+  void NumberVertices() {
+    std::unordered_map<int32_t, int32_t> number;
+    const auto local = [&](int32_t v) {
+      const auto [it, fresh] = number.try_emplace(v, static_cast<int32_t>(rim_.size()));
+      if (fresh) rim_.push_back(v);
+      return it->second;
+    };
+    for (const RimSegment& s : hole_.segments) {
+      const int32_t from = local(s.from);
+      segments_.push_back({from, local(s.to)});
+    }
+    full_ring_.assign(rim_.size(), true);
+    for (size_t i = 0; i < segments_.size(); ++i) {
+      if (hole_.segments[i].seam) full_ring_[segments_[i].from] = full_ring_[segments_[i].to] = false;
+    }
+  }
+
+  const RimVertex& Rim(int32_t local) const { return cell_.vertices[rim_[local]]; }
+
+  Eigen::Vector3d VectorArea() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const Point3 origin = Rim(0).position;
+    for (const RegionSegment& s : segments_) sum += (Rim(s.from).position - origin).cross(Rim(s.to).position - origin);
+    return sum / 2;
+  }
+
+  bool SurroundingsFaceUp() const {
+    return std::all_of(rim_.begin(), rim_.end(), [&](int32_t v) {
+      const auto& triangles = band_.At(v);
+      return std::all_of(triangles.begin(), triangles.end(), [&](int32_t t) { return band_.Normal(t).z() > 0; });
+    });
+  }
+
+  std::vector<ProjectionFrame> Frames() const {
+    std::vector<ProjectionFrame> frames;
+    if (hole_.open) return {ProjectionFrame::Upright()};
+    const Eigen::Vector3d area = VectorArea();
+    const bool up = SurroundingsFaceUp();
+    if (up && area.z() > 0) frames.push_back(ProjectionFrame::Upright());
+    if (area.norm() > 0) frames.emplace_back(Rim(0).position, area);
+    return frames;
+  }
+
+  HolePatch Failed(std::string reason) const {
+    HolePatch patch;
+    patch.failure = std::move(reason);
+    return patch;
+  }
+
+  // Triangulation, refinement, adjustment and fairing over the plane of `frame`.
+  HolePatch FillOver(const ProjectionFrame& frame) const {
+    std::vector<Point3> flat;
+    for (size_t i = 0; i < rim_.size(); ++i) flat.push_back(frame.ToFrame(Rim(static_cast<int32_t>(i)).position));
+    Point2 lo = flat[0].head<2>(), hi = lo;
+    for (const Point3& p : flat) {
+      lo = lo.cwiseMin(p.head<2>());
+      hi = hi.cwiseMax(p.head<2>());
+    }
+    const LatticeWindow window(lo, hi);
+    std::vector<LatticePoint> points;
+    std::vector<double> size;
+    for (size_t i = 0; i < rim_.size(); ++i) {
+      points.push_back(window.Round(flat[i].head<2>()));
+      size.push_back(Rim(static_cast<int32_t>(i)).size / window.step());
+    }
+    RefinedRegion region = RefineRegion(points, segments_, size, options_.refine);
+    if (!region.triangulation.conflicts.empty()) {
+      return Failed(hole_.open ? "its boundary crosses itself seen from above" : "its boundary crosses itself on its own plane");
+    }
+    if (RepeatsAnEdge(region.triangulation.triangles)) return Failed("its boundary is joined by edges of the surface already");
+    if (frame.upright()) SnapToLattice(window, points, region);
+    return Shape(frame, window, flat, region);
+  }
+
+  // Whether a triangle edge between two rim vertices, no rim segment itself, is an edge of the surface.
+  bool RepeatsAnEdge(const std::vector<Triangle>& triangles) const {
+    if (hole_.open) return false;  // over the plane an edge is inside the hole or on the surface, never both
+    std::set<Edge> rim;
+    for (const RegionSegment& s : segments_) rim.insert(Undirected(s.from, s.to));
+    const auto count = static_cast<int32_t>(rim_.size());
+    for (const Triangle& t : triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const int32_t a = t[k], b = t[(k + 1) % 3];
+        if (a < count && b < count && !rim.contains(Undirected(a, b)) && band_.HasEdge(rim_[a], rim_[b])) return true;
+      }
+    }
+    return false;
+  }
+
+  // Moves the new points to the scene's lattice, those that can go there without turning a triangle over.
+  void SnapToLattice(const LatticeWindow& window, const std::vector<LatticePoint>& points, RefinedRegion& region) const {
+    const auto rim = static_cast<int32_t>(points.size());
+    std::vector<std::vector<int32_t>> around(region.new_points.size());
+    const auto& triangles = region.triangulation.triangles;
+    for (size_t t = 0; t < triangles.size(); ++t) {
+      for (const int32_t v : triangles[t]) {
+        if (v >= rim) around[v - rim].push_back(static_cast<int32_t>(t));
+      }
+    }
+    const auto at = [&](int32_t v) { return v < rim ? points[v] : region.new_points[v - rim]; };
+    for (size_t k = 0; k < around.size(); ++k) {
+      const LatticePoint before = region.new_points[k];
+      region.new_points[k] = window.Round(OnLattice(window.ToMetres(before)));
+      const bool good = std::all_of(around[k].begin(), around[k].end(), [&](int32_t t) {
+        return Orientation(at(triangles[t][0]), at(triangles[t][1]), at(triangles[t][2])) > 0;
+      });
+      if (!good) region.new_points[k] = before;
+    }
+  }
+
+  template <typename Vector>
+  Vector OnLattice(const Vector& p) const {
+    return (p / cell_.lattice_step).array().round().matrix() * cell_.lattice_step;
+  }
+
+  HolePatch Shape(const ProjectionFrame& frame, const LatticeWindow& window, const std::vector<Point3>& flat,
+                  const RefinedRegion& region) const {
+    FairingProblem problem;
+    problem.rim_count = static_cast<int32_t>(rim_.size());
+    problem.new_count = static_cast<int32_t>(region.new_points.size());
+    problem.points = flat;
+    for (const LatticePoint& p : region.new_points) {
+      const Point2 q = window.ToMetres(p);
+      problem.points.emplace_back(q.x(), q.y(), 0);
+    }
+    problem.patch = region.triangulation.triangles;
+    problem.full_ring = full_ring_;
+    AddBand(frame, problem);
+    AdjustHeights(problem);
+    if (!FairHeights(problem)) return Failed("the fairing equations have no solution");
+    HolePatch patch;
+    for (int32_t k = 0; k < problem.new_count; ++k) {
+      const Point3 p = frame.ToScene(problem.points[problem.rim_count + k]);
+      Point3 q = OnLattice(p);
+      if (frame.upright()) q.head<2>() = ToNumberType(p.head<2>());  // snapped already where that was possible
+      patch.new_points.push_back(q);
+    }
+    StoreTriangles(problem.patch, patch);
+    return HasFlatTriangle(patch) ? Failed("a triangle of its patch would have no area") : patch;
+  }
+
+  Point2 ToNumberType(const Point2& p) const { return cell_.float32 ? Point2(p.cast<float>().cast<double>()) : p; }
+
+  // The band triangles at the hole's rim, in the frame.
+  void AddBand(const ProjectionFrame& frame, FairingProblem& problem) const {
+    std::unordered_map<int32_t, int32_t> number;
+    for (size_t i = 0; i < rim_.size(); ++i) number.emplace(rim_[i], static_cast<int32_t>(i));
+    std::set<int32_t> used;
+    for (size_t i = 0; i < rim_.size(); ++i) {
+      if (full_ring_[i]) used.insert(band_.At(rim_[i]).begin(), band_.At(rim_[i]).end());
+    }
+    for (const int32_t t : used) {
+      Triangle out;
+      for (int k = 0; k < 3; ++k) {
+        const int32_t v = cell_.band.triangles[t][k];
+        const auto [it, fresh] = number.try_emplace(v, static_cast<int32_t>(problem.points.size()));
+        if (fresh) problem.points.push_back(frame.ToFrame(cell_.band.points[v]));
+        out[k] = it->second;
+      }
+      problem.band.push_back(out);
+    }
+  }
+
+  // Local triangles to corners of a HolePatch.
+  void StoreTriangles(const std::vector<Triangle>& triangles, HolePatch& patch) const {
+    const auto rim = static_cast<int32_t>(rim_.size());
+    for (const Triangle& t : triangles) {
+      Triangle out;
+      for (int k = 0; k < 3; ++k) out[k] = t[k] < rim ? rim_[t[k]] : -1 - (t[k] - rim);
+      patch.triangles.push_back(out);
+    }
+  }
+
+  bool HasFlatTriangle(const HolePatch& patch) const {
+    const auto at = [&](int32_t v) { return v >= 0 ? cell_.vertices[v].position : patch.new_points[-1 - v]; };
+    return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
+      return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).squaredNorm() <= 0;
+    });
+  }
+
+  // The hole's boundary as one loop of local vertices, if it is one.
+  std::vector<int32_t> SingleLoop() const {
+    std::vector<int32_t> next(rim_.size(), -1);
+    for (const RegionSegment& s : segments_) {
+      if (next[s.from] >= 0) return {};
+      next[s.from] = s.to;
+    }
+    std::vector<int32_t> loop;
+    int32_t v = 0;
+    do {
+      loop.push_back(v);
+      v = next[v];
+    } while (v > 0 && loop.size() <= segments_.size());
+    return loop.size() == segments_.size() && v == 0 ? loop : std::vector<int32_t>{};
+  }
+
+  HolePatch FillInSpace() const {
+    const std::vector<int32_t> loop = SingleLoop();
+    if (loop.empty()) return Failed("it projects on no plane without overlap and has islands or touches itself");
+    if (static_cast<int32_t>(loop.size()) > kLongestSpatialLoop) {
+      return Failed(absl::StrCat("it projects on no plane without overlap and has ", loop.size(),
+                                 " boundary vertices; at most ", kLongestSpatialLoop, " can be filled in space"));
+    }
+    std::vector<Point3> positions;
+    std::vector<Eigen::Vector3d> outside;
+    for (size_t i = 0; i < loop.size(); ++i) {
+      positions.push_back(Rim(loop[i]).position);
+      outside.push_back(NormalAtEdge(rim_[loop[i]], rim_[loop[(i + 1) % loop.size()]]));
+    }
+    const auto triangles = TriangulateLoop(positions, outside, [&](int32_t a, int32_t b) {
+      return !band_.HasEdge(rim_[loop[a]], rim_[loop[b]]);
+    });
+    if (triangles.empty()) return Failed("no triangulation of its boundary avoids edges that the surface has already");
+    HolePatch patch;
+    for (const Triangle& t : triangles) patch.triangles.push_back({rim_[loop[t[0]]], rim_[loop[t[1]]], rim_[loop[t[2]]]});
+    return patch;
+  }
+
+  Eigen::Vector3d NormalAtEdge(int32_t a, int32_t b) const {
+    for (const int32_t t : band_.At(a)) {
+      const Triangle& tri = cell_.band.triangles[t];
+      if (std::find(tri.begin(), tri.end(), b) == tri.end()) continue;
+      const Eigen::Vector3d n = band_.Normal(t);
+      return n.norm() > 0 ? Eigen::Vector3d(n.normalized()) : Eigen::Vector3d::Zero();
+    }
+    return Eigen::Vector3d::Zero();
+  }
+
+  const CellHoles& cell_;
+  const CellHole& hole_;
+  const CellBand& band_;
+  const FillOptions& options_;
+  std::vector<int32_t> rim_;  // local -> cell
+  std::vector<RegionSegment> segments_;
+  std::vector<bool> full_ring_;
+};
+
+}  // namespace
+
+std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options) {
+  const CellBand band(cell);
+  std::vector<HolePatch> patches;
+  for (const CellHole& hole : cell.holes) patches.push_back(HoleFiller(cell, hole, band, options).Run());
+  return patches;
+}
+
+}  // namespace tilemend
