@@ -62,6 +62,10 @@ class PartPlanner {
  private:
   void StoreVertices() {
     base_ = static_cast<int32_t>(plan_.vertices.size());
+    for (auto& [cell, points] : rim_.point_of) {
+      for (int32_t& p : points) p += base_;
+      plan_.vertex_of_boundary[cell] = std::move(points);
+    }
     for (const RimPoint& p : rim_.points) {
       plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, 0});
       position_.push_back(p.position);

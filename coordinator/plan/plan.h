@@ -100,6 +100,7 @@ struct Plan {
   int32_t continuous = 0;    // groups of holes that touch at a vertex (Zhang: continuous holes), each split into single ones
   int64_t outer_rims = 0;    // loops that are the outline of a detached piece, not a hole
   double lattice_step = 0;   // power of two, metres
+  std::map<CellId, std::vector<int32_t>> vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record
 };
 
 // Plans the filling. Cost O(n log n) in the boundary edges of the scene; deterministic.

@@ -24,7 +24,7 @@ void CollectEdges(const PlanInput& input, bool weld_tiles, Rim& rim) {
     PositionIndex own;
     PositionIndex& used = weld_tiles ? index : own;
     const int32_t base = weld_tiles ? 0 : static_cast<int32_t>(rim.points.size());
-    std::vector<int32_t> number;
+    std::vector<int32_t>& number = rim.point_of[cell];
     number.reserve(record->vertices.size());
     for (const BoundaryVertex& v : record->vertices) {
       const int32_t n = base + used.Insert(v.position);

@@ -32,6 +32,7 @@ struct Rim {
   std::vector<std::vector<int32_t>> loops;  // edges in order; each edge is in one loop or in `unlinked`
   std::vector<int32_t> unlinked;            // edges of chains that do not close (non-manifold surface)
   int32_t continuous = 0;                   // groups of loops that touch
+  std::map<CellId, std::vector<int32_t>> point_of;  // per tile: the point of each boundary vertex of its record
 };
 
 // Puts the tiles together: matches boundary edges of different tiles at equal positions (`weld_tiles`), drops the matched ones, and

@@ -1,0 +1,33 @@
+// Heights of the seam vertices: one agreed height each.
+#ifndef TILEMEND_COORDINATOR_PLAN_SEAM_HEIGHTS_H_
+#define TILEMEND_COORDINATOR_PLAN_SEAM_HEIGHTS_H_
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "coordinator/plan/plan.h"
+
+namespace tilemend {
+
+// A height that the holes of one cell give to a seam vertex.
+struct SeamSample {
+  CellId cell;
+  int32_t vertex = 0;  // into Plan::vertices
+  double height = 0;   // metres
+};
+
+struct SeamHeights {
+  std::map<int32_t, double> height;  // of the seam vertices that are settled
+};
+
+// Settles the seam vertices that one layer sampled: the mean of the samples; along seams between two cells of the layer, where both gave
+// heights, Laplacian-smoothed once (Wang 2021, eq. 5 and 6) with factor `gamma`, 0 <= gamma < 1, over the two neighbours on either side.
+// Heights are rounded to the plan's lattice. Samples of vertices that are settled already are ignored. The order of samples is of no
+// importance.
+void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double gamma, SeamHeights& heights);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_SEAM_HEIGHTS_H_

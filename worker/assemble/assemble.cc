@@ -1,0 +1,92 @@
+#include "worker/assemble/assemble.h"
+
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+class PatchMerger {
+ public:
+  PatchMerger(std::span<const RimVertex> vertices, CellId cell, int32_t tile_vertices)
+      : vertices_(vertices), cell_(cell), tile_vertices_(tile_vertices), number_(vertices.size(), -1) {}
+
+  void Add(const HolePatch& patch) {
+    std::vector<int32_t> own(patch.new_points.size(), -1);
+    for (const Triangle& t : patch.triangles) {
+      Triangle out;
+      for (int k = 0; k < 3; ++k) {
+        out[k] = t[k] >= 0 ? RimNumber(t[k]) : NewNumber(patch.new_points[-1 - t[k]], own[-1 - t[k]]);
+      }
+      result_.triangles.push_back(out);
+    }
+  }
+
+  FilePatch Finish() {
+    SpreadLikes();
+    return std::move(result_);
+  }
+
+ private:
+  int32_t RimNumber(int32_t v) {
+    const RimVertex& vertex = vertices_[v];
+    if (vertex.index >= 0 && vertex.tile == cell_ && tile_vertices_ > 0) return vertex.index;
+    return NewNumber(vertex.position, number_[v]);
+  }
+
+  int32_t NewNumber(const Point3& p, int32_t& number) {
+    if (number < 0) {
+      number = tile_vertices_ + static_cast<int32_t>(result_.new_points.size());
+      result_.new_points.push_back(p);
+      result_.like.push_back(-1);
+    }
+    return number;
+  }
+
+  // Hands the tile's own vertices on from corner to corner, ring by ring from the rim.
+  void SpreadLikes() {
+    const auto like = [&](int32_t v) { return v < tile_vertices_ ? v : result_.like[v - tile_vertices_]; };
+    std::vector<std::vector<int32_t>> at(result_.like.size());
+    std::vector<int32_t> ring;
+    for (size_t t = 0; t < result_.triangles.size(); ++t) {
+      for (const int32_t v : result_.triangles[t]) {
+        if (v >= tile_vertices_) {
+          at[v - tile_vertices_].push_back(static_cast<int32_t>(t));
+        } else {
+          ring.push_back(static_cast<int32_t>(t));
+        }
+      }
+    }
+    while (!ring.empty()) {
+      std::vector<int32_t> next;
+      for (const int32_t t : ring) {
+        int32_t known = -1;
+        for (const int32_t v : result_.triangles[t]) known = known < 0 ? like(v) : known;
+        for (const int32_t v : result_.triangles[t]) {
+          if (like(v) >= 0) continue;
+          result_.like[v - tile_vertices_] = known;
+          next.insert(next.end(), at[v - tile_vertices_].begin(), at[v - tile_vertices_].end());
+        }
+      }
+      ring = std::move(next);
+    }
+  }
+
+  std::span<const RimVertex> vertices_;
+  const CellId cell_;
+  const int32_t tile_vertices_;
+  std::vector<int32_t> number_;
+  FilePatch result_;
+};
+
+}  // namespace
+
+FilePatch MergePatches(std::span<const RimVertex> vertices, std::span<const HolePatch> patches, CellId cell,
+                       int32_t tile_vertices) {
+  PatchMerger merger(vertices, cell, tile_vertices);
+  for (const HolePatch& patch : patches) {
+    if (patch.failure.empty()) merger.Add(patch);
+  }
+  return merger.Finish();
+}
+
+}  // namespace tilemend

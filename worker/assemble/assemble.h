@@ -1,0 +1,22 @@
+// Puts patches into a tile.
+#ifndef TILEMEND_WORKER_ASSEMBLE_ASSEMBLE_H_
+#define TILEMEND_WORKER_ASSEMBLE_ASSEMBLE_H_
+
+#include <cstdint>
+#include <span>
+
+#include "common/codec/mesh_file.h"
+#include "common/grid/cell_holes.h"
+
+namespace tilemend {
+
+// The patches of one cell as an addition to its tile. `vertices` are those of the CellHoles that the patches were made from, and
+// `tile_vertices` is the number of vertices in the tile (0 without a tile). Vertices of neighbours and seam vertices become new
+// vertices, each once; a new vertex takes its further properties from the nearest vertex of the tile along the patch.
+// Patches with a failure are left out. Linear.
+FilePatch MergePatches(std::span<const RimVertex> vertices, std::span<const HolePatch> patches, CellId cell,
+                       int32_t tile_vertices);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_ASSEMBLE_ASSEMBLE_H_
