@@ -1,7 +1,11 @@
 #include "coordinator/plan/labels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace tilemend {
 namespace {
@@ -15,8 +19,13 @@ class Labeller {
 
   void Run() {
     for (RimEdge& e : rim_.edges) e.label = LabelOf(e);
-    if (lines_.independent || lines_.clipped) return;
-    for (const std::vector<int32_t>& loop : rim_.loops) Smooth(loop);
+    if (lines_.independent) return;
+    if (lines_.clipped) {
+      LabelHairlines();
+      for (const std::vector<int32_t>& loop : rim_.loops) SkipShortEdges(loop);
+    } else {
+      for (const std::vector<int32_t>& loop : rim_.loops) Smooth(loop);
+    }
   }
 
  private:
@@ -51,6 +60,54 @@ class Labeller {
     const Point2 d = (b - a).head<2>();
     const double out = (AxisOf(side) == 0 ? d.y() : -d.x()) * OutwardOf(side);
     return out >= kFacing * d.norm();
+  }
+
+  // A stretch of border where two tiles both end at the line but their vertices differ by less than the tolerance is a hairline, with
+  // an edge of either tile on each side. All of it goes to the lower cell.
+  void LabelHairlines() {
+    using Border = std::pair<CellId, CellId>;
+    struct Interval {
+      double lo, hi;
+      int32_t edge;
+    };
+    std::map<Border, std::array<std::vector<Interval>, 2>> along;  // edges of the lower and of the upper cell's tile
+    for (size_t i = 0; i < rim_.edges.size(); ++i) {
+      const RimEdge& e = rim_.edges[i];
+      if (e.label == e.owner || !InArea(e.label)) continue;
+      const Border border = std::minmax(e.owner, e.label);
+      const int axis = e.owner.row == e.label.row ? 1 : 0;
+      const double a = rim_.points[e.from].position[axis], b = rim_.points[e.to].position[axis];
+      along[border][e.owner == border.second].push_back({std::min(a, b), std::max(a, b), static_cast<int32_t>(i)});
+    }
+    for (auto& [border, sides] : along) {
+      for (auto& side : sides) {
+        std::sort(side.begin(), side.end(), [](const Interval& a, const Interval& b) { return a.lo < b.lo; });
+      }
+      for (const int s : {0, 1}) {
+        for (const Interval& i : sides[s]) {
+          const auto& other = sides[1 - s];
+          auto o = std::lower_bound(other.begin(), other.end(), i.lo,
+                                    [](const Interval& a, double lo) { return a.hi < lo; });
+          double overlap = 0;
+          for (; o != other.end() && o->lo < i.hi; ++o) overlap += std::min(o->hi, i.hi) - std::max(o->lo, i.lo);
+          if (overlap > lines_.tolerance) rim_.edges[i.edge].label = border.first;
+        }
+      }
+    }
+  }
+
+  // Edges shorter than the tolerance cannot tell a side: each takes the label before it.
+  void SkipShortEdges(const std::vector<int32_t>& loop) {
+    const auto is_short = [&](int32_t e) {
+      const RimEdge& edge = rim_.edges[e];
+      return (rim_.points[edge.to].position - rim_.points[edge.from].position).head<2>().norm() < 2 * lines_.tolerance;
+    };
+    const size_t n = loop.size();
+    size_t start = 0;
+    while (start < n && is_short(loop[start])) ++start;
+    for (size_t i = start + 1; i < start + n; ++i) {
+      if (is_short(loop[i % n])) rim_.edges[loop[i % n]].label = rim_.edges[loop[(i - 1) % n]].label;
+    }
   }
 
   // Whether p is in the square of `cell` or within `reach` of it.

@@ -49,6 +49,8 @@ class PartPlanner {
     layout_ = LaySeams(area, lines_, rim_, index, options_, plan_.lattice_step);
     plan_.continuous += rim_.continuous;
     StoreVertices();
+    IndexRimEdges();
+    for (const Seam& seam : layout_.seams) RelabelAlong(seam);
     SortSegments();
     for (const CellId cell : area) StoreHoles(cell);
     for (Seam& seam : layout_.seams) {
@@ -132,11 +134,26 @@ class PartPlanner {
     }
   }
 
-  bool IsRimEdge(int32_t p, int32_t q) {
-    if (rim_edges_.empty()) {
-      for (const RimEdge& e : rim_.edges) rim_edges_.insert({std::min(e.from, e.to), std::max(e.from, e.to)});
+  void IndexRimEdges() {
+    for (size_t i = 0; i < rim_.edges.size(); ++i) {
+      const RimEdge& e = rim_.edges[i];
+      rim_edges_[{std::min(e.from, e.to), std::max(e.from, e.to)}] = static_cast<int32_t>(i);
     }
-    return rim_edges_.contains({std::min(p, q), std::max(p, q)});
+  }
+
+  bool IsRimEdge(int32_t p, int32_t q) const { return rim_edges_.contains({std::min(p, q), std::max(p, q)}); }
+
+  // Where a seam follows a rim edge, that edge bounds the cell on whose side of the seam the hole lies.
+  void RelabelAlong(const Seam& seam) {
+    const bool vertical = seam.a.row == seam.b.row;
+    const CellId left = vertical ? seam.a : seam.b, right = vertical ? seam.b : seam.a;
+    for (size_t i = 0; i + 1 < seam.vertices.size(); ++i) {
+      const int32_t p = seam.vertices[i], q = seam.vertices[i + 1];
+      if (!IsRimEdge(p, q)) continue;
+      RimEdge& e = rim_.edges[rim_edges_.at({std::min(p, q), std::max(p, q)})];
+      const CellId side = e.from == p ? right : left;  // the hole lies to the right of the edge
+      if (input_.cells.contains(side)) e.label = side;
+    }
   }
 
   void StoreHoles(CellId cell) {
@@ -176,7 +193,7 @@ class PartPlanner {
   int32_t base_ = 0;
   std::vector<Point3> position_;
   std::map<CellId, CellBoundary> boundary_;
-  std::set<std::pair<int32_t, int32_t>> rim_edges_;
+  std::map<std::pair<int32_t, int32_t>, int32_t> rim_edges_;
 };
 
 uint64_t Key(int32_t from, int32_t to) {
