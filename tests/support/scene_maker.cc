@@ -90,10 +90,10 @@ class Holes {
   double Level(uint64_t purpose, double share) const {
     constexpr int kSamples = 64;
     std::vector<double> values;
-    for (int k = 0; k < kSamples * kSamples; ++k) {
-      const double u = (k % kSamples + 0.5) / kSamples;
-      const double v = (k / kSamples + 0.5) / kSamples;
-      values.push_back(Field(purpose, u * width_, v * height_));
+    for (int j = 0; j < kSamples; ++j) {
+      for (int i = 0; i < kSamples; ++i) {
+        values.push_back(Field(purpose, (i + 0.5) / kSamples * width_, (j + 0.5) / kSamples * height_));
+      }
     }
     const auto at = values.begin() + static_cast<ptrdiff_t>(std::clamp(share, 0.0, 1.0) * (values.size() - 1));
     std::nth_element(values.begin(), at, values.end());

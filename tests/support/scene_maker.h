@@ -75,13 +75,13 @@ MadeScene MakeScene(const SceneMakerOptions& options);
 TriMesh MergeTiles(const MadeScene& scene);
 
 // The scene.json of a made scene, with its tiles as tiles/Tile_+CCC_+RRR.ply.
-Scene Describe(const MadeScene& scene);
+Scene Describe(const MadeScene& made);
 
 // A binary little-endian PLY, float32 positions.
 std::string PlyBytes(const TriMesh& mesh);
 
 // Writes folder/scene.json, folder/tiles/*.ply and folder/truth.csv (x,y,z of `removed`).
-absl::Status WriteScene(const MadeScene& scene, const std::string& folder);
+absl::Status WriteScene(const MadeScene& made, const std::string& folder);
 
 }  // namespace tilemend
 
