@@ -71,13 +71,11 @@ class Holes {
     height_ = o_.rows * o_.cell_size;
     if (o_.lakes) lake_level_ = Level(200, 1 - o_.lake_share);
     if (o_.islands) island_level_ = Level(300, 0.9);
-    AddSmallHoles();
+    AddShapes();
   }
 
   bool Contains(double x, double y) const {
-    return InLake(x, y) || InRiver(x, y) || InShape(x, y) ||
-           empty_.contains({static_cast<int32_t>(std::floor(x / o_.cell_size)),
-                            static_cast<int32_t>(std::floor(y / o_.cell_size))});
+    return InLake(x, y) || InRiver(x, y) || InShape(x, y) || empty_.contains(CellAt({x, y}));
   }
 
  private:
@@ -100,15 +98,32 @@ class Holes {
     return *at;
   }
 
-  void AddSmallHoles() {
-    shapes_ = o_.ellipses;
+  void AddShapes() {
+    for (const EllipseHole& ellipse : o_.ellipses) AddEllipse(ellipse);
     empty_.insert(o_.empty.begin(), o_.empty.end());
     const auto count = static_cast<int64_t>(std::llround(o_.small_per_cell * o_.cols * o_.rows));
     for (int64_t k = 0; k < count; ++k) {
       const auto random = [&](uint64_t purpose) { return Random(o_.seed + 5, k, 0, purpose); };
       const double radius = o_.spacing * (1.5 + 4.5 * random(2));
-      shapes_.push_back({{random(0) * width_, random(1) * height_}, {radius, radius * (0.4 + 0.6 * random(3))}});
+      AddEllipse({{random(0) * width_, random(1) * height_}, {radius, radius * (0.4 + 0.6 * random(3))}});
     }
+  }
+
+  // Files the ellipse under every cell that it may reach: looking through all small holes of a scene would take too
+  // long.
+  void AddEllipse(const EllipseHole& ellipse) {
+    const CellId first = CellAt(ellipse.centre - ellipse.radii);
+    const CellId last = CellAt(ellipse.centre + ellipse.radii);
+    for (int32_t row = std::max(first.row, 0); row <= std::min(last.row, o_.rows - 1); ++row) {
+      for (int32_t col = std::max(first.col, 0); col <= std::min(last.col, o_.cols - 1); ++col) {
+        ellipses_[{col, row}].push_back(ellipse);
+      }
+    }
+  }
+
+  CellId CellAt(const Point2& p) const {
+    return {static_cast<int32_t>(std::floor(p.x() / o_.cell_size)),
+            static_cast<int32_t>(std::floor(p.y() / o_.cell_size))};
   }
 
   bool InLake(double x, double y) const {
@@ -132,13 +147,14 @@ class Holes {
     const auto in_box = [x, y](const BoxHole& b) {
       return x > b.lo.x() && x < b.hi.x() && y > b.lo.y() && y < b.hi.y();
     };
-    return std::any_of(shapes_.begin(), shapes_.end(), in_ellipse) ||
-           std::any_of(o_.boxes.begin(), o_.boxes.end(), in_box);
+    if (std::any_of(o_.boxes.begin(), o_.boxes.end(), in_box)) return true;
+    const auto at = ellipses_.find(CellAt({x, y}));
+    return at != ellipses_.end() && std::any_of(at->second.begin(), at->second.end(), in_ellipse);
   }
 
   SceneMakerOptions o_;
   double width_ = 0, height_ = 0, lake_level_ = 0, island_level_ = 0;
-  std::vector<EllipseHole> shapes_;
+  std::map<CellId, std::vector<EllipseHole>> ellipses_;
   std::set<CellId> empty_;
 };
 
