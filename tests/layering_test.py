@@ -34,7 +34,7 @@ def rule(folders, libraries, pure=False):
 # Each folder may include itself. The rule of the longest folder that holds a file counts.
 RULES = {
     'common/util': rule([], ['absl']),
-    'common/mesh': rule(['common/util'], ['absl', 'eigen', 'openmesh']),
+    'common/mesh': rule(['common/util'], ['absl', 'eigen']),
     'common/grid': rule(['common/util', 'common/mesh'], ['absl', 'eigen', 'json', 'pugixml']),
     'common/codec': rule(['common/util', 'common/mesh'], ['absl', 'eigen', 'draco', 'fast_float']),
     'common/store': rule(['common/util'], ['absl', 'openssl']),

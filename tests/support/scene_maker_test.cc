@@ -7,7 +7,9 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "common/grid/grid_fit.h"
 #include "common/util/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -99,6 +101,21 @@ TEST_P(SceneMakerTest, IsTheSameForTheSameOptions) {
   SceneMakerOptions other = AllHoles(GetParam());
   other.seed = 2;
   EXPECT_NE(PlyBytes(MakeScene(other).tiles[0].mesh), PlyBytes(a.tiles[0].mesh));
+}
+
+TEST_P(SceneMakerTest, HasTheGridThatItsTilesTell) {
+  const MadeScene scene = MakeScene(AllHoles(GetParam()));
+  std::vector<PlacedTile> placed;
+  for (const MadeTile& tile : scene.tiles) {
+    if (tile.mesh.points.empty()) continue;
+    Box box{tile.mesh.points[0], tile.mesh.points[0]};
+    for (const Point3& p : tile.mesh.points) box = {box.lo.cwiseMin(p), box.hi.cwiseMax(p)};
+    placed.push_back({tile.cell, ToString(tile.cell), box});
+  }
+  const auto grid = FitGrid(placed);
+  ASSERT_TRUE(grid.ok()) << grid.status();
+  EXPECT_EQ(grid->cell_size, scene.grid.cell_size);
+  EXPECT_EQ(grid->corner, scene.grid.corner);
 }
 
 TEST(SceneMakerHeightTest, IsTheHeightOfTheVertices) {
