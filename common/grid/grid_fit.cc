@@ -56,7 +56,7 @@ double RoundSensibly(const Estimate& estimate, double pitch) {
   const double tolerance = std::min(2 * estimate.scatter + kNumberNoise * pitch, kLargestRounding * pitch);
   for (const double steps_per_100 : {1., 2., 10., 20., 100., 200., 1000., 2000., 1e4, 1e5}) {
     const double rounded = std::round(estimate.value * steps_per_100 / 100) * 100 / steps_per_100;
-    if (std::abs(rounded - estimate.value) <= tolerance) return rounded;
+    if (std::abs(rounded - estimate.value) <= tolerance) return rounded + 0.0;  // never -0
   }
   return estimate.value;
 }

@@ -3,19 +3,50 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/string_view.h"
 
 namespace tilemend {
+namespace {
+
+// The library fails only for want of memory or of the algorithm itself; a wrong digest would be worse than an end.
+void Require(bool success) {
+  if (!success) std::abort();
+}
+
+}  // namespace
+
+struct Sha256::Context {
+  Context() : md(EVP_MD_CTX_new()) {}
+  ~Context() { EVP_MD_CTX_free(md); }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  EVP_MD_CTX* md;
+};
+
+Sha256::Sha256() : context_(std::make_unique<Context>()) {
+  Require(context_->md != nullptr && EVP_DigestInit_ex(context_->md, EVP_sha256(), nullptr) == 1);
+}
+
+Sha256::~Sha256() = default;
+
+void Sha256::Update(std::string_view bytes) {
+  Require(EVP_DigestUpdate(context_->md, bytes.data(), bytes.size()) == 1);
+}
+
+std::string Sha256::FinishHex() {
+  std::array<unsigned char, 32> digest{};
+  Require(EVP_DigestFinal_ex(context_->md, digest.data(), nullptr) == 1);
+  return absl::BytesToHexString(absl::string_view(reinterpret_cast<const char*>(digest.data()), digest.size()));
+}
 
 std::string Sha256Hex(std::string_view bytes) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int size = 0;
-  // Fails only for want of memory or of the algorithm itself; there is no digest to go on with then.
-  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1) std::abort();
-  return absl::BytesToHexString(absl::string_view(reinterpret_cast<const char*>(digest), size));
+  Sha256 sha;
+  sha.Update(bytes);
+  return sha.FinishHex();
 }
 
 bool IsDigest(std::string_view text) {

@@ -3,8 +3,8 @@
 #define TILEMEND_TESTS_SUPPORT_TEMPORARY_FOLDER_H_
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
+#include <cstdlib>  // mkdtemp, of POSIX
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -31,7 +31,7 @@ class TemporaryFolder {
 
   // Writes a file under the folder, with its parent folders; returns its path.
   std::string Write(std::string_view name, std::string_view content) const {
-    const std::string file = *this / name;
+    std::string file = *this / name;
     const absl::Status status = WriteFileAtomically(file, content, Sync::kNo);
     EXPECT_TRUE(status.ok()) << status;
     return file;

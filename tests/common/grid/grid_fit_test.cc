@@ -62,6 +62,7 @@ TEST(FitGridTest, TakesTheCellsOfOneColumnAsSquare) {
     tile.bounds.hi += Point3(-0.1, 0.1, 0);
   }
   ExpectGrid(tiles, {100, 100}, {0, 0});
+  EXPECT_FALSE(std::signbit(FitGrid(tiles)->corner.y()));
   ExpectGrid(Tiles(1, 4, {60, 100}), {60, 100}, {0, 0});
 }
 

@@ -28,6 +28,14 @@ TEST(DigestTest, IsSha256) {
   EXPECT_EQ(Sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
+TEST(DigestTest, DoesNotDependOnThePieces) {
+  Sha256 sha;
+  sha.Update("a");
+  sha.Update("");
+  sha.Update("bc");
+  EXPECT_EQ(sha.FinishHex(), Sha256Hex("abc"));
+}
+
 TEST(DigestTest, KnowsItsForm) {
   EXPECT_TRUE(IsDigest(Sha256Hex("x")));
   EXPECT_FALSE(IsDigest(""));

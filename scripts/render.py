@@ -1,0 +1,245 @@
+#!/usr/bin/python3
+"""Draw a scene and its filled output side by side, from above, as a PNG.
+
+    render.py SCENE OUT picture.png [--width PIXELS]
+
+SCENE is a folder with scene.json, or any folder of tiles; OUT is the output folder of `tilemend run` (the same relative paths, and
+tiles of its own for cells that had none). Original surface is a grey hillshade, holes are dark red, filled triangles (the
+mark tilemend_filled of the output's files) are blue. Needs numpy only (Debian: python3-numpy).
+"""
+import argparse
+import glob
+import json
+import os
+import struct
+import sys
+import zlib
+
+import numpy as np
+
+NUMBERS = {'char': 'i1', 'int8': 'i1', 'uchar': 'u1', 'uint8': 'u1', 'short': '<i2', 'int16': '<i2', 'ushort': '<u2',
+           'uint16': '<u2', 'int': '<i4', 'int32': '<i4', 'uint': '<u4', 'uint32': '<u4', 'float': '<f4',
+           'float32': '<f4', 'double': '<f8', 'float64': '<f8'}
+HOLE = np.array([96, 18, 22], float)
+ORIGINAL = np.array([232, 230, 224], float)
+FILLED = np.array([104, 164, 236], float)
+GAP = 12  # pixels between the two pictures
+
+
+def ply_header(data, path):
+    """Format, [(element, count, [property words])] and where the body begins."""
+    end = data.find(b'end_header')
+    if not data.startswith(b'ply') or end < 0:
+        raise ValueError(f'{path}: no PLY header')
+    kind, elements = None, []
+    for words in (line.split() for line in data[:end].decode('latin-1').splitlines()):
+        if words[:1] == ['format']:
+            kind = words[1]
+        elif words[:1] == ['element']:
+            elements.append((words[1], int(words[2]), []))
+        elif words[:1] == ['property']:
+            elements[-1][2].append(words[1:])
+    return kind, elements, data.index(b'\n', end) + 1
+
+
+def ply_record(properties, order, first):
+    """The fixed-size record of an element; lists are taken to be as long as in its first record, `first(offset, type)`."""
+    fields, offset = [], 0
+    for words in properties:
+        if words[0] != 'list':
+            fields.append((words[1], NUMBERS[words[0]].replace('<', order)))
+            offset += np.dtype(fields[-1][1]).itemsize
+            continue
+        count_type, item_type = (NUMBERS[w].replace('<', order) for w in words[1:3])
+        count = int(first(offset, count_type))
+        fields += [('n_' + words[3], count_type), (words[3], item_type, (count,))]
+        offset += np.dtype(count_type).itemsize + count * np.dtype(item_type).itemsize
+    return np.dtype(fields)
+
+
+def read_ply_binary(data, elements, at, order, path):
+    tables = {}
+    for name, count, properties in elements:
+        if count == 0:
+            tables[name] = None
+            continue
+        record = ply_record(properties, order, lambda offset, kind: np.frombuffer(data, kind, 1, at + offset)[0])
+        tables[name] = np.frombuffer(data, record, count, at)
+        at += count * record.itemsize
+    vertex, face = tables.get('vertex'), tables.get('face')
+    if vertex is None:
+        return np.zeros((0, 3)), np.zeros((0, 3), int), np.zeros(0, bool)
+    points = np.column_stack([vertex[k] for k in 'xyz']).astype(float)
+    if face is None:
+        return points, np.zeros((0, 3), int), np.zeros(0, bool)
+    key = 'vertex_indices' if 'vertex_indices' in face.dtype.names else 'vertex_index'
+    if (face['n_' + key] != 3).any():
+        raise ValueError(f'{path}: only triangles can be drawn')
+    filled = face['tilemend_filled'] != 0 if 'tilemend_filled' in face.dtype.names else np.zeros(len(face), bool)
+    return points, face[key].astype(int), filled
+
+
+def read_ply_ascii(lines, elements):
+    points, faces, filled, at = [], [], [], 0
+    for name, count, properties in elements:
+        rows, at = [line.split() for line in lines[at:at + count]], at + count
+        names = [words[-1] for words in properties]
+        if name == 'vertex':
+            points = [[float(row[names.index(k)]) for k in 'xyz'] for row in rows]
+        if name == 'face':  # the list of corners comes first, as everybody writes it
+            for row in rows:
+                n, rest = int(row[0]), names[1:]
+                mark = 'tilemend_filled' in rest and row[1 + n + rest.index('tilemend_filled')] != '0'
+                for k in range(2, n):
+                    faces.append([int(row[1]), int(row[k]), int(row[k + 1])])
+                    filled.append(mark)
+    return np.array(points, float).reshape(-1, 3), np.array(faces, int).reshape(-1, 3), np.array(filled, bool)
+
+
+def read_ply(path):
+    with open(path, 'rb') as file:
+        data = file.read()
+    kind, elements, at = ply_header(data, path)
+    if kind == 'ascii':
+        return read_ply_ascii([l for l in data[at:].decode('latin-1').splitlines() if l.strip()], elements)
+    return read_ply_binary(data, elements, at, '<' if kind == 'binary_little_endian' else '>', path)
+
+
+def read_obj(path):
+    points, faces, filled, mark = [], [], [], False
+    with open(path, encoding='latin-1') as file:
+        for line in file:
+            words = line.split()
+            if not words:
+                continue
+            if words[0] == 'v':
+                points.append([float(w) for w in words[1:4]])
+            elif words[0] == 'g':
+                mark = 'tilemend_filled' in words
+            elif words[0] == 'f':
+                corners = [int(w.split('/')[0]) for w in words[1:]]
+                corners = [c - 1 if c > 0 else len(points) + c for c in corners]
+                for k in range(2, len(corners)):
+                    faces.append([corners[0], corners[k - 1], corners[k]])
+                    filled.append(mark)
+    return np.array(points, float).reshape(-1, 3), np.array(faces, int).reshape(-1, 3), np.array(filled, bool)
+
+
+def read_folder(folder):
+    """All tiles below a folder as one soup: corner positions (n x 3 x 3) and the mark of each triangle."""
+    paths = sorted(p for pattern in ('*.ply', '*.obj') for p in glob.glob(os.path.join(folder, '**', pattern), recursive=True))
+    corners, marks = [np.zeros((0, 3, 3))], [np.zeros(0, bool)]
+    for path in paths:
+        points, faces, filled = (read_obj if path.endswith('.obj') else read_ply)(path)
+        corners.append(points[faces])
+        marks.append(filled)
+    return np.concatenate(corners), np.concatenate(marks)
+
+
+def outline(scene, corners):
+    """x0, y0, x1, y1 of the picture in metres: the grid's, or without scene.json the bounds of the tiles."""
+    path = os.path.join(scene, 'scene.json')
+    if os.path.exists(path):
+        with open(path, encoding='utf-8') as file:
+            s = json.load(file)
+        cells = np.array([[t['col'], t['row']] for t in s['tiles']])
+        size = np.broadcast_to(np.array(s['cell_size'], float), 2)
+        corner = np.array(s.get('grid_corner') or [0, 0], float)
+        return np.concatenate([corner + cells.min(0) * size, corner + (cells.max(0) + 1) * size])
+    return np.concatenate([corners[:, :, :2].min((0, 1)), corners[:, :, :2].max((0, 1))])
+
+
+def shades(corners):
+    """Lambert light from the north-west at 45 degrees, slopes exaggerated so that gentle terrain shows."""
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal *= np.where(normal[:, 2:] < 0, -1, 1)
+    normal[:, :2] *= 2
+    length = np.linalg.norm(normal, axis=1)
+    light = np.array([-0.5, 0.5, 0.7071])
+    return np.clip(normal @ light / np.where(length > 0, length, 1), 0, 1) * 0.9 + 0.15
+
+
+def rasterise(corners, box, shape):
+    """The number of the topmost triangle at each pixel's centre, -1 where there is none. A z-buffer by sorting."""
+    height, width = shape
+    scale = np.array([width, height]) / (box[2:] - box[:2])
+    xy = (corners[:, :, :2] - box[:2]) * scale - 0.5
+    low = np.clip(np.ceil(xy.min(1)), 0, [width, height]).astype(int)
+    high = np.clip(np.floor(xy.max(1)), -1, [width - 1, height - 1]).astype(int)
+    owner_image, z_image = np.full(width * height, -1), np.full(width * height, -np.inf)
+    spans = np.maximum(high - low + 1, 0)
+    counts = spans.prod(1)
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    first = 0
+    while first < len(corners):  # in portions of about 4 million candidate pixels, to bound memory
+        last = max(first + 1, int(np.searchsorted(starts, starts[first] + 4_000_000, 'right')) - 1)
+        owner = np.repeat(np.arange(first, last), counts[first:last])
+        k = np.arange(len(owner)) - (starts[owner] - starts[first])
+        px, py = low[owner, 0] + k % spans[owner, 0], low[owner, 1] + k // spans[owner, 0]
+        draw(xy, corners[:, :, 2], owner, px, py, px + py * width, owner_image, z_image)
+        first = last
+    return owner_image.reshape(shape)[::-1]
+
+
+def draw(xy, z, owner, px, py, pixel, owner_image, z_image):
+    a, b, c = (xy[owner, k] for k in range(3))
+    area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (b[:, 1] - a[:, 1])
+    with np.errstate(divide='ignore', invalid='ignore'):
+        u = ((px - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (py - a[:, 1])) / area
+        v = ((b[:, 0] - a[:, 0]) * (py - a[:, 1]) - (px - a[:, 0]) * (b[:, 1] - a[:, 1])) / area
+    inside = np.flatnonzero((u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9))
+    owner, pixel, u, v = owner[inside], pixel[inside], u[inside], v[inside]
+    depth = z[owner, 0] + u * (z[owner, 1] - z[owner, 0]) + v * (z[owner, 2] - z[owner, 0])
+    order = np.lexsort((depth, pixel))
+    top = order[np.flatnonzero(np.diff(pixel[order], append=-1))]  # the last, highest of each pixel
+    top = top[depth[top] > z_image[pixel[top]]]
+    owner_image[pixel[top]], z_image[pixel[top]] = owner[top], depth[top]
+
+
+def picture(corners, marks, box, shape):
+    owner = rasterise(corners, box, shape)
+    if not len(corners):
+        return np.broadcast_to(HOLE, (*shape, 3))
+    colours = np.where(marks[:, None], FILLED, ORIGINAL) * shades(corners)[:, None]
+    return np.where(owner[..., None] >= 0, np.minimum(colours, 255)[owner], HOLE)
+
+
+def write_png(path, image):
+    height, width = image.shape[:2]
+    rows = np.concatenate([np.zeros((height, 1), np.uint8), image.astype(np.uint8).reshape(height, -1)], 1)
+
+    def chunk(kind, data):
+        return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+
+    os.makedirs(os.path.dirname(path) or '.', exist_ok=True)
+    with open(path, 'wb') as file:
+        file.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)) +
+                   chunk(b'IDAT', zlib.compress(rows.tobytes(), 9)) + chunk(b'IEND', b''))
+
+
+def halve(image):
+    """Means of 2 x 2 pixels: smooth edges."""
+    return (image[0::2, 0::2] + image[1::2, 0::2] + image[0::2, 1::2] + image[1::2, 1::2]) / 4
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split('\n', maxsplit=1)[0])
+    parser.add_argument('scene')
+    parser.add_argument('out')
+    parser.add_argument('picture')
+    parser.add_argument('--width', type=int, default=1400, help='of the whole picture, in pixels')
+    a = parser.parse_args()
+    before, after = read_folder(a.scene), read_folder(a.out)
+    if not len(before[0]) and not len(after[0]):
+        sys.exit(f'render.py: no triangles in {a.scene} nor in {a.out}')
+    box = outline(a.scene, before[0])
+    width = 2 * max(1, (a.width - GAP) // 2)
+    shape = (2 * max(1, round(width / 2 * (box[3] - box[1]) / (box[2] - box[0]))), width)
+    images = [halve(picture(*soup, box, shape)) for soup in (before, after)]
+    gap = np.full((images[0].shape[0], GAP, 3), 255.)
+    write_png(a.picture, np.concatenate([images[0], gap, images[1]], 1))
+    print(f'{a.picture}: {len(before[0])} triangles before, {len(after[0])} after ({int(after[1].sum())} filled)')
+
+
+if __name__ == '__main__':
+    main()
