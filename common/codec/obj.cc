@@ -189,26 +189,6 @@ class ObjReader {
   std::vector<int32_t> corners_;
 };
 
-// The further columns of the vertex whose third coordinate ends at `offset`, on one line: " 0.2 0.5 1".
-std::string ExtraColumns(std::string_view bytes, size_t offset, char newline) {
-  std::string columns;
-  bool gap = true;
-  for (size_t i = offset; i < bytes.size() && bytes[i] != newline && bytes[i] != '#'; ++i) {
-    if (bytes[i] == '\\') {
-      i = bytes.find(newline, i);
-      if (i == std::string_view::npos) break;
-      gap = true;
-    } else if (IsSpace(bytes[i])) {
-      gap = true;
-    } else {
-      if (gap) columns += ' ';
-      columns += bytes[i];
-      gap = false;
-    }
-  }
-  return columns;
-}
-
 }  // namespace
 
 absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name) {
@@ -235,7 +215,8 @@ absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch&
       out += ' ';
       AppendNumber(patch.new_points[k][axis], out);
     }
-    if (patch.like[k] >= 0) out += ExtraColumns(bytes, tails[static_cast<size_t>(patch.like[k])], eol.back());
+    if (patch.like[k] >= 0)
+      out += FurtherColumns(bytes.substr(tails[static_cast<size_t>(patch.like[k])]), eol.back(), false);
     out += eol;
   }
   if (!patch.triangles.empty()) {

@@ -265,23 +265,6 @@ class RecordWriter {
   bool first_ = true;
 };
 
-// The further columns of an original vertex on one line, without comments.
-void AppendExtraColumns(std::string_view bytes, TextRange extra, char newline, std::string& out) {
-  bool comment = false;
-  bool gap = true;
-  for (const char c : bytes.substr(extra.begin, extra.end - extra.begin)) {
-    if (c == newline) comment = false;
-    if (c == '#') comment = true;
-    if (comment || IsSpace(c)) {
-      gap = true;
-      continue;
-    }
-    if (gap) out += ' ';
-    out += c;
-    gap = false;
-  }
-}
-
 void AppendVertices(std::string_view bytes, const FilePatch& patch, const OffLayout& layout, std::string& out) {
   const std::string_view eol = LineEndingOf(bytes);
   RecordWriter writer(layout.vertex_lines, eol, out);
@@ -292,7 +275,8 @@ void AppendVertices(std::string_view bytes, const FilePatch& patch, const OffLay
       AppendNumber(patch.new_points[k][axis], out);
     }
     if (patch.like[k] >= 0) {
-      AppendExtraColumns(bytes, layout.vertex_extra[static_cast<size_t>(patch.like[k])], eol.back(), out);
+      const TextRange extra = layout.vertex_extra[static_cast<size_t>(patch.like[k])];
+      out += FurtherColumns(bytes.substr(extra.begin, extra.end - extra.begin), eol.back(), true);
     } else {
       for (int column = 0; column < layout.extra_columns; ++column) out += " 0";
     }

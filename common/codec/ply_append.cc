@@ -6,6 +6,7 @@
 #include "common/codec/ply.h"
 #include "common/codec/ply_source.h"
 #include "common/codec/polygons.h"
+#include "common/codec/rounding.h"
 #include "common/codec/text.h"
 #include "common/util/status_macros.h"
 
@@ -40,11 +41,13 @@ int64_t LargestIndexOf(PlyType type) {
 // Writes the records of a patch and copies those of the file: what text and binary bodies have in common.
 class PlyAppender {
  public:
-  PlyAppender(std::string_view bytes, const PlyHeader& header, const PlyRecords& records, const FilePatch& patch)
+  PlyAppender(std::string_view bytes, const PlyHeader& header, const PlyRecords& records, const FilePatch& patch,
+              NumberType number_type)
       : bytes_(bytes),
         header_(header),
         records_(records),
         patch_(patch),
+        number_type_(number_type),
         vertex_(header.elements[header.vertex]),
         face_(header.elements[header.face]),
         ascii_(header.encoding == PlyEncoding::kAscii),
@@ -217,7 +220,7 @@ class PlyAppender {
         other(property);
         continue;
       }
-      Put(point[static_cast<Eigen::Index>(axis)], property.type);
+      Put(RoundedTo(number_type_, point[static_cast<Eigen::Index>(axis)]), property.type);
       if (at != nullptr) *at = ascii_ ? NextWord(*at).second : *at + SizeOf(property.type);
     }
   }
@@ -270,6 +273,7 @@ class PlyAppender {
   const PlyHeader& header_;
   const PlyRecords& records_;
   const FilePatch& patch_;
+  const NumberType number_type_;
   const PlyElement& vertex_;
   const PlyElement& face_;
   const bool ascii_;
@@ -289,7 +293,7 @@ absl::StatusOr<std::string> AppendToPly(std::string_view bytes, const FilePatch&
   PlyRecords records;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadPlyBody(bytes, header, name, &records));
   TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, file.mesh.points.size(), name));
-  return PlyAppender(bytes, header, records, patch).Write();
+  return PlyAppender(bytes, header, records, patch, file.number_type).Write();
 }
 
 std::string NewPlyFile(const FilePatch& patch, NumberType number_type) {

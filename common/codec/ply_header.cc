@@ -12,7 +12,7 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kMaxHeaderEntries = 10000;  // elements, and properties of one: far more than any real file has
+constexpr size_t kMaxHeaderEntries = 1000;  // elements, and properties of one: far more than any real file has
 
 std::optional<PlyType> TypeOf(std::string_view word) {
   struct Name {

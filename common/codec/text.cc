@@ -43,6 +43,38 @@ std::string_view LineEndingOf(std::string_view text) {
   return newline > 0 && text[newline - 1] == '\r' ? "\r\n" : "\n";
 }
 
+std::string FurtherColumns(std::string_view text, char newline, bool all_lines) {
+  constexpr int kMaxColumns = 16;
+  constexpr size_t kMaxWordBytes = 64;
+  const auto continuation = [&](size_t i) -> size_t {
+    if (all_lines || text[i] != '\\') return 0;
+    if (text.substr(i + 1, 1) == std::string_view(&newline, 1)) return 2;
+    return text.substr(i + 1, 1) == "\r" && text.substr(i + 2, 1) == std::string_view(&newline, 1) ? 3 : 0;
+  };
+  std::string columns;
+  int count = 0;
+  for (size_t i = 0; i < text.size() && count < kMaxColumns;) {
+    if (text[i] == '#') {
+      i = std::min(text.find(newline, i), text.size());
+    } else if (text[i] == newline && !all_lines) {
+      break;
+    } else if (IsSpace(text[i])) {
+      ++i;
+    } else if (const size_t length = continuation(i); length > 0) {
+      i += length;
+    } else {
+      const size_t begin = i;
+      while (i < text.size() && !IsSpace(text[i]) && text[i] != '#' && continuation(i) == 0) ++i;
+      columns += ' ';
+      const bool number =
+          i - begin <= kMaxWordBytes && ParseDoubleAt(text.data() + begin, text.data() + i).stop == text.data() + i;
+      columns += number ? text.substr(begin, i - begin) : std::string_view("0");
+      ++count;
+    }
+  }
+  return columns;
+}
+
 std::string FoundAt(std::string_view text, size_t offset) {
   if (offset >= text.size()) return "end of file";
   if (text[offset] == '\n' || text[offset] == '\r') return "end of line";

@@ -52,6 +52,11 @@ void AppendNumber(int64_t value, std::string& out);
 // "\r\n", "\r" (only if the text has no "\n" at all) or "\n": what ends the first line of `text`.
 std::string_view LineEndingOf(std::string_view text);
 
+// The words of `text` up to its first line end (a backslash before that continues the line) or, with `all_lines`, up to
+// its end, each after a space: the further columns of a vertex. Comments (#) are left out, what is not a number becomes
+// 0, and there are at most 16: many new vertices may copy them.
+std::string FurtherColumns(std::string_view text, char newline, bool all_lines);
+
 // `text` from `offset` up to the next white space, made printable and cut for a message; "end of file" at the end.
 std::string FoundAt(std::string_view text, size_t offset);
 
