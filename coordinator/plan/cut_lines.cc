@@ -57,24 +57,19 @@ double Median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// The coordinate that most boundary vertices of the two tiles have within kOnLine of `nominal`; ties go to the lower one.
-std::optional<double> CommonCoordinate(const SurveyRecord* a, const SurveyRecord* b, int axis, double nominal) {
-  std::map<double, int64_t> votes;
-  for (const SurveyRecord* record : {a, b}) {
-    if (record == nullptr) continue;
-    for (const BoundaryVertex& v : record->vertices) {
-      if (std::abs(v.position[axis] - nominal) <= kOnLine) ++votes[v.position[axis]];
-    }
-  }
-  std::optional<double> best;
-  int64_t most = 0;
-  for (const auto& [coordinate, count] : votes) {
-    if (count > most) {
-      most = count;
-      best = coordinate;
-    }
-  }
-  return best;
+// The coordinate at which a tile ends, if that is within kOnLine of `nominal`.
+std::optional<double> EndOf(const SurveyRecord* record, Side side, double nominal) {
+  if (record == nullptr || record->vertices.empty()) return std::nullopt;
+  const double end = side % 2 == 0 ? record->lo[AxisOf(side)] : record->hi[AxisOf(side)];
+  return std::abs(end - nominal) <= kOnLine ? std::optional<double>(end) : std::nullopt;
+}
+
+// The coordinate of a line by the tiles that end there: the west or south one's, then the other's.
+std::optional<double> CommonCoordinate(const SurveyRecord* own, const SurveyRecord* other, Side side, double nominal) {
+  const auto mine = EndOf(own, side, nominal), theirs = EndOf(other, static_cast<Side>(side ^ 1), nominal);
+  const bool own_first = side % 2 == 1;
+  if (own_first) return mine ? mine : theirs;
+  return theirs ? theirs : mine;
 }
 
 const SurveyRecord* RecordOf(const PlanInput& input, CellId cell) {
@@ -171,7 +166,7 @@ CutLines FindCutLines(const PlanInput& input, double lattice_step) {
         const bool known = own != offsets.end() && record != nullptr;
         coordinate = known ? (side % 2 == 0 ? record->lo[axis] : record->hi[axis])
                            : std::round((nominal + OutwardOf(side) * usual_offset) / lattice_step) * lattice_step;
-      } else if (const auto common = CommonCoordinate(record, RecordOf(input, Across(cell, side)), axis, nominal)) {
+      } else if (const auto common = CommonCoordinate(record, RecordOf(input, Across(cell, side)), side, nominal)) {
         coordinate = *common;
       }
       lines.coordinate[{cell, side}] = coordinate;

@@ -31,8 +31,8 @@ struct CutLines {
   double At(CellId cell, Side side) const { return coordinate.at({cell, side}); }
 };
 
-// Works out the lines from the tiles' boundaries: a line takes the coordinate that most border vertices on it have (new vertices
-// on it must agree with them to the bit), else the grid's own, rounded to `lattice_step`.
+// Works out the lines from the tiles' boundaries: a line takes the coordinate at which the tiles there end (new vertices on it
+// must agree with theirs to the bit), else the grid's own, rounded to `lattice_step`.
 CutLines FindCutLines(const PlanInput& input, double lattice_step);
 
 }  // namespace tilemend

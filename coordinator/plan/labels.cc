@@ -12,6 +12,8 @@ namespace {
 
 // An edge of a ragged cut belongs across when it faces the line at less than about 70 degrees.
 constexpr double kFacing = 0.3;
+// Runs of at most this many edges may be longer than those beside them.
+constexpr size_t kShortRun = 2;
 
 class Labeller {
  public:
@@ -106,7 +108,8 @@ class Labeller {
     size_t start = 0;
     while (start < n && is_short(loop[start])) ++start;
     for (size_t i = start + 1; i < start + n; ++i) {
-      if (is_short(loop[i % n])) rim_.edges[loop[i % n]].label = rim_.edges[loop[(i - 1) % n]].label;
+      RimEdge& e = rim_.edges[loop[i % n]];
+      if (is_short(loop[i % n]) && InArea(e.label)) e.label = rim_.edges[loop[(i - 1) % n]].label;
     }
   }
 
@@ -115,24 +118,38 @@ class Labeller {
     return std::all_of(kSides.begin(), kSides.end(), [&](Side side) { return Inside(p, cell, side) >= -reach; });
   }
 
-  // Relabels runs that are too shallow for a hole of their own: x between y and y, all of it within an edge of y's square.
+  // Relabels runs that are too shallow for a hole of their own: x between y and y, all of it within an edge of y's square and no
+  // longer than what is on either side of it. Short runs first, so that they do not cut long ones in pieces.
   void Smooth(const std::vector<int32_t>& loop) {
+    struct Run {
+      size_t begin, length;  // begin may exceed the loop: taken modulo its size
+    };
     const size_t n = loop.size();
     const auto label = [&](size_t i) -> CellId& { return rim_.edges[loop[i % n]].label; };
-    size_t start = 0;
-    while (start < n && label(start) == label(start + n - 1)) ++start;
-    if (start == n) return;
-    for (int pass = 0; pass < 2; ++pass) {
-      for (size_t i = start; i < start + n;) {
-        size_t end = i + 1;
-        while (end < start + n && label(end) == label(i)) ++end;
-        const CellId around = label(i + n - 1);
-        if (around == label(end) && around != label(i) && InArea(around) && InArea(label(i)) &&
-            Shallow(loop, i, end, around)) {
-          for (size_t k = i; k < end; ++k) label(k) = around;
-        }
-        i = end;
+    for (bool changed = true; changed;) {
+      changed = false;
+      size_t start = 0;
+      while (start < n && label(start) == label(start + n - 1)) ++start;
+      if (start == n) return;
+      std::vector<Run> runs;
+      for (size_t i = start; i < start + n; ++i) {
+        if (i == start || label(i) != label(i - 1)) runs.push_back({i, 0});
+        ++runs.back().length;
       }
+      size_t best = runs.size();
+      for (size_t r = 0; r < runs.size(); ++r) {
+        const Run& before = runs[(r + runs.size() - 1) % runs.size()];
+        const Run& after = runs[(r + 1) % runs.size()];
+        const CellId around = label(before.begin);
+        if (around != label(after.begin) || !InArea(around) || !InArea(label(runs[r].begin))) continue;
+        if (runs[r].length > std::min(before.length, after.length) && runs[r].length > kShortRun) continue;
+        if (best < runs.size() && runs[r].length >= runs[best].length) continue;
+        if (Shallow(loop, runs[r].begin, runs[r].begin + runs[r].length, around)) best = r;
+      }
+      if (best == runs.size()) continue;
+      const CellId around = label(runs[best].begin + n - 1);
+      for (size_t k = 0; k < runs[best].length; ++k) label(runs[best].begin + k) = around;
+      changed = true;
     }
   }
 
