@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -34,6 +35,8 @@ constexpr double kLeastDistance = 0.6;
 constexpr double kSmallestSize = 8;
 // Larger than any window, small enough for its fourth power.
 constexpr double kLargestSize = 4294967296.0;
+// New points lie close to their triangle; a walk that does not end soon goes round in circles.
+constexpr int64_t kLongestWalk = 1000;
 // Growing faster than this makes no triangle better.
 constexpr double kLargestGradation = 10;
 // The worst shapes are gone after three rounds; further ones gain less than 0.001 of mean quality each.
@@ -64,10 +67,10 @@ class Refiner {
   bool IsFront(int32_t half_edge) const;
   bool HasFront(int32_t t) const { return IsFront(4 * t) || IsFront(4 * t + 1) || IsFront(4 * t + 2); }
   bool IsSmall(int32_t t) const;
-  void Classify(int32_t t);
   void Enqueue(int32_t t);
   void FinishTriangle(int32_t t);
   bool Split(int32_t t);
+  std::optional<Point32> Propose(int32_t front) const;
   bool TryPoint(int32_t t, int32_t front);
   bool IsAdmissible(Point32 p, double size) const;
   double SizeAt(Point32 p, double limit) const;
@@ -224,35 +227,40 @@ bool Refiner::Split(int32_t t) {
   return false;
 }
 
-bool Refiner::TryPoint(int32_t t, int32_t front) {
+// The point that makes a triangle of the wanted size on the front edge, but no farther from it than the circumcentre:
+// up to there the ends of the edge are the nearest points.
+std::optional<Point32> Refiner::Propose(int32_t front) const {
   const int32_t a = mesh_.Origin(front), b = mesh_.Target(front), c = mesh_.Apex(front);
   const Point32 pa = mesh_.points[a], pb = mesh_.points[b];
   const double base = Distance(pa, pb), half = base / 2;
   // How far the circumcentre lies above the front edge: half the base times the cotangent of the angle at c.
   const double centre = half * static_cast<double>(internal::Dot(mesh_.points[c], pa, pb)) /
                         static_cast<double>(internal::Turn(pa, pb, mesh_.points[c]));
-  const double limit = limit_[mesh_.triangles[t].tag];
+  const double limit = limit_[mesh_.triangles[front >> 2].tag];
   const double here = (size_[a] + size_[b]) / 2;
   const double above = std::max(std::min(here * (1 + slope_ * std::sqrt(0.75)), limit), here);
   const double leg = (here + above) / 2;
   const double height = std::min(std::sqrt(std::max(leg * leg - half * half, leg * leg / 4)), centre);
-  if (!(height > kSmallestSize / 4)) return false;
+  if (!(height > kSmallestSize / 4)) return std::nullopt;
   const double nx = -(double{1} * pb.y - pa.y) / base, ny = (double{1} * pb.x - pa.x) / base;
   const double x = (double{1} * pa.x + pb.x) / 2 + nx * height, y = (double{1} * pa.y + pb.y) / 2 + ny * height;
   const double bound = internal::kCoordinateBound - 1;
-  if (std::abs(x) > bound || std::abs(y) > bound) return false;
-  const Point32 p = {static_cast<int32_t>(std::lround(x)), static_cast<int32_t>(std::lround(y))};
+  if (std::abs(x) > bound || std::abs(y) > bound) return std::nullopt;
+  return Point32{static_cast<int32_t>(std::lround(x)), static_cast<int32_t>(std::lround(y))};
+}
 
-  const Location where = mesh_.Locate(p, t, 1000);
+bool Refiner::TryPoint(int32_t t, int32_t front) {
+  const std::optional<Point32> p = Propose(front);
+  if (!p) return false;
+  const Location where = mesh_.Locate(*p, t, kLongestWalk);
   if (where.kind == Location::Kind::kBlocked || where.kind == Location::Kind::kOnVertex) return false;
   if (where.kind == Location::Kind::kOnEdge && mesh_.Twin(4 * where.triangle + where.k) < 0) return false;
-  mesh_.FindCavity(p, where);
-  const double size = SizeAt(p, limit);
-  if (!IsAdmissible(p, size)) return false;
-  const auto vertex = static_cast<int32_t>(mesh_.points.size());
-  mesh_.points.push_back(p);
+  mesh_.FindCavity(*p, where);
+  const double size = SizeAt(*p, limit_[mesh_.triangles[t].tag]);
+  if (!IsAdmissible(*p, size)) return false;
+  mesh_.points.push_back(*p);
   size_.push_back(size);
-  const auto star = mesh_.FillCavity(vertex);
+  const auto star = mesh_.FillCavity(static_cast<int32_t>(mesh_.points.size() - 1));
   for (int32_t s : star) mesh_.triangles[s].flags = IsSmall(s) ? kDone : kWaiting;
   for (int32_t s : star) {
     if (mesh_.triangles[s].flags == kDone) {
