@@ -2,12 +2,21 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace tilemend::internal {
 
 SegmentInserter::SegmentInserter(DelaunayMesh& mesh)
-    : mesh_(mesh), triangle_of_(mesh.points.size(), -1), removed_at_(mesh.triangles.size(), 0) {
-  for (size_t t = 0; t < mesh_.triangles.size(); ++t) Touch(static_cast<int32_t>(t));
+    : mesh_(mesh),
+      triangle_of_(mesh.points.size(), -1),
+      degree_(mesh.points.size(), 0),
+      removed_at_(mesh.triangles.size(), 0) {
+  for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    Touch(static_cast<int32_t>(t));
+    for (int32_t v : mesh_.triangles[t].corner) {
+      if (v >= 0) ++degree_[v];
+    }
+  }
 }
 
 void SegmentInserter::Touch(int32_t triangle) {
@@ -43,6 +52,8 @@ SegmentInserter::Departure SegmentInserter::Leave(int32_t a, int32_t b) const {
 }
 
 std::optional<SegmentInserter::Obstacle> SegmentInserter::Insert(int32_t a, int32_t b) {
+  // A pinch may join thousands of segments; turning around it for each would take quadratic time.
+  if (degree_[a] > degree_[b]) std::swap(a, b);
   const Departure departure = Leave(a, b);
   if (departure.vertex == b) {
     Constrain(departure.spoke);

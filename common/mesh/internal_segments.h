@@ -54,6 +54,7 @@ class SegmentInserter {
 
   DelaunayMesh& mesh_;
   std::vector<int32_t> triangle_of_;  // some real triangle at each vertex, -1 if none
+  std::vector<int32_t> degree_;       // triangles at each vertex before the first segment
   std::vector<uint32_t> removed_at_;  // per triangle: the round in which it was removed
   uint32_t round_ = 0;
   std::vector<int32_t> removed_, free_, left_, right_, pile_, todo_;

@@ -12,7 +12,7 @@ namespace {
 
 // An edge of a ragged cut belongs across when it faces the line at less than about 70 degrees.
 constexpr double kFacing = 0.3;
-// Runs of at most this many edges may be longer than those beside them.
+// Runs of at most this many edges may be longer than those beside them, and twice as deep.
 constexpr size_t kShortRun = 2;
 
 class Labeller {
@@ -154,10 +154,11 @@ class Labeller {
   }
 
   bool Shallow(const std::vector<int32_t>& loop, size_t begin, size_t end, CellId around) const {
+    const double edges = end - begin <= kShortRun ? 2 : 1;
     for (size_t k = begin; k < end; ++k) {
       const RimEdge& e = rim_.edges[loop[k % loop.size()]];
       for (const int32_t p : {e.from, e.to}) {
-        if (!NearSquare(rim_.points[p].position, around, rim_.points[p].size)) return false;
+        if (!NearSquare(rim_.points[p].position, around, edges * rim_.points[p].size)) return false;
       }
     }
     return true;

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "common/mesh/internal_delaunay.h"
+#include "worker/fill/internal_smoothing.h"
 
 namespace tilemend {
 namespace {
@@ -20,12 +25,25 @@ using internal::RegionMesh;
 // A triangle is done when its circumradius is at most this multiple of that of the equilateral triangle of its size.
 // Above sqrt(3/2), the ratio of a square's half, so that a square of the right size stays as it is.
 constexpr double kLargestRadius = 1.3;
-// A new point keeps this multiple of a rim segment's length away from it ...
-constexpr double kLeastHeight = 0.45;
-// ... and this multiple of its size away from other points.
+// A new point must not see a segment under an angle of which the cosine is below this (110 degrees): the triangle on
+// the segment would be flat. (Smaller angles keep slivers off very long segments, but leave them large empty
+// triangles.)
+constexpr double kLeastSegmentCosine = -0.34;
+// A new point keeps this multiple of its size away from other points.
 constexpr double kLeastDistance = 0.6;
 // Sizes below this number of lattice steps are not honoured: rounding would distort the triangles.
 constexpr double kSmallestSize = 8;
+// Larger than any window, small enough for its fourth power.
+constexpr double kLargestSize = 4294967296.0;
+// New points lie close to their triangle; a walk that does not end soon goes round in circles.
+constexpr int64_t kLongestWalk = 1000;
+// Growing faster than this makes no triangle better.
+constexpr double kLargestGradation = 10;
+// The worst shapes are gone after three rounds; further ones gain less than 0.001 of mean quality each.
+constexpr int kSmoothingRounds = 3;
+
+// In uniform mode sizes are interpolated, but no faster than this: a lone outlier on the rim is not followed.
+constexpr double kUniformSlope = 0.3;
 
 enum : uint32_t { kWaiting = 0, kQueued = 1, kDone = 2 };
 
@@ -45,13 +63,14 @@ class Refiner {
  private:
   void SetSizes(std::span<const RegionSegment> segments, std::span<const double> size);
   void SetLimits(std::span<const RegionSegment> segments);
+  void LimitGradient();
   bool IsFront(int32_t half_edge) const;
   bool HasFront(int32_t t) const { return IsFront(4 * t) || IsFront(4 * t + 1) || IsFront(4 * t + 2); }
   bool IsSmall(int32_t t) const;
-  void Classify(int32_t t);
   void Enqueue(int32_t t);
   void FinishTriangle(int32_t t);
   bool Split(int32_t t);
+  std::optional<Point32> Propose(int32_t front) const;
   bool TryPoint(int32_t t, int32_t front);
   bool IsAdmissible(Point32 p, double size) const;
   double SizeAt(Point32 p, double limit) const;
@@ -60,6 +79,7 @@ class Refiner {
   const RefineOptions options_;
   double slope_;
   size_t original_points_;
+  std::vector<bool> is_free_;  // per original point: no segment ends there
   std::vector<double> size_;   // per point
   std::vector<double> limit_;  // per component
   std::vector<int32_t> queue_;
@@ -67,13 +87,17 @@ class Refiner {
 
 Refiner::Refiner(RegionMesh& region, std::span<const RegionSegment> segments, std::span<const double> size,
                  const RefineOptions& options)
-    : mesh_(region.mesh), options_(options), original_points_(region.mesh.points.size()) {
+    : mesh_(region.mesh),
+      options_(options),
+      original_points_(region.mesh.points.size()),
+      is_free_(region.mesh.points.size(), false) {
   // Edges whose lengths grow by the factor g from one to the next have, at their middles, lengths of this slope.
-  const double g = std::max(options.gradation, 1.0);
+  const double g = options.gradation > 1 ? std::min(options.gradation, kLargestGradation) : 1;
   slope_ = options.uniform ? 0 : 2 * (g - 1) / (g + 1);
   SetSizes(segments, size);
   limit_.resize(region.component_count);
   SetLimits(segments);
+  LimitGradient();
 }
 
 void Refiner::SetSizes(std::span<const RegionSegment> segments, std::span<const double> size) {
@@ -88,9 +112,11 @@ void Refiner::SetSizes(std::span<const RegionSegment> segments, std::span<const 
   }
   size_.resize(original_points_);
   for (size_t v = 0; v < original_points_; ++v) {
-    const bool given = v < size.size() && std::isfinite(size[v]) && size[v] > 0;
-    const double wanted = given ? size[v] : count[v] > 0 ? sum[v] / count[v] : kSmallestSize;
-    size_[v] = std::max(wanted, kSmallestSize);
+    const bool given = v < size.size() && size[v] > 0;
+    // A free point wants nothing: it takes the largest size that its surroundings allow.
+    const double wanted = count[v] == 0 ? kLargestSize : given ? size[v] : sum[v] / count[v];
+    size_[v] = std::clamp(wanted, kSmallestSize, kLargestSize);
+    if (count[v] == 0) is_free_[v] = true;
   }
 }
 
@@ -105,7 +131,38 @@ void Refiner::SetLimits(std::span<const RegionSegment> segments) {
     }
   }
   for (size_t c = 0; c < limit_.size(); ++c) {
-    limit_[c] = std::max(sum[c] / count[c] * std::max(options_.size_limit, 1.0), kSmallestSize);
+    limit_[c] = std::max(sum[c] / count[c] * (options_.size_limit > 1 ? options_.size_limit : 1), kSmallestSize);
+  }
+}
+
+// Lowers sizes until none exceeds that of a joined point by more than the slope times their distance: a vertex between
+// a short and a very long rim edge must not blow up the triangles at the short one.
+void Refiner::LimitGradient() {
+  using Entry = std::pair<double, int32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> lowered;
+  const auto relax = [&](int32_t from, int32_t to) {
+    const double slope = options_.uniform && !is_free_[to] ? kUniformSlope : slope_;
+    const double bound = size_[from] + slope * Distance(mesh_.points[from], mesh_.points[to]);
+    if (size_[to] <= bound) return;
+    size_[to] = bound;
+    lowered.emplace(bound, to);
+  };
+  std::vector<std::pair<int32_t, int32_t>> edges;
+  for (const MeshTriangle& t : mesh_.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      if (is_free_[t.corner[k]]) size_[t.corner[k]] = std::min(size_[t.corner[k]], limit_[t.tag]);
+      edges.emplace_back(t.corner[k], t.corner[Next(k)]);
+      if (t.twin[Previous(k)] < 0) edges.emplace_back(t.corner[Next(k)], t.corner[k]);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (const auto& [from, to] : edges) relax(from, to);
+  while (!lowered.empty()) {
+    const auto [value, from] = lowered.top();
+    lowered.pop();
+    if (value > size_[from]) continue;
+    auto it = std::lower_bound(edges.begin(), edges.end(), std::pair(from, int32_t{0}));
+    for (; it != edges.end() && it->first == from; ++it) relax(from, it->second);
   }
 }
 
@@ -152,6 +209,7 @@ void Refiner::Run() {
       Enqueue(t);  // rounding may leave the new point outside its circle; if so, it is still waiting
     }
   }
+  internal::SmoothRegion(mesh_, original_points_, size_, kSmoothingRounds);
 }
 
 // Inserts a point for the triangle; tries its front edges from the shortest up. The triangle need not go away.
@@ -169,35 +227,40 @@ bool Refiner::Split(int32_t t) {
   return false;
 }
 
-bool Refiner::TryPoint(int32_t t, int32_t front) {
+// The point that makes a triangle of the wanted size on the front edge, but no farther from it than the circumcentre:
+// up to there the ends of the edge are the nearest points.
+std::optional<Point32> Refiner::Propose(int32_t front) const {
   const int32_t a = mesh_.Origin(front), b = mesh_.Target(front), c = mesh_.Apex(front);
   const Point32 pa = mesh_.points[a], pb = mesh_.points[b];
   const double base = Distance(pa, pb), half = base / 2;
   // How far the circumcentre lies above the front edge: half the base times the cotangent of the angle at c.
   const double centre = half * static_cast<double>(internal::Dot(mesh_.points[c], pa, pb)) /
                         static_cast<double>(internal::Turn(pa, pb, mesh_.points[c]));
-  const double limit = limit_[mesh_.triangles[t].tag];
+  const double limit = limit_[mesh_.triangles[front >> 2].tag];
   const double here = (size_[a] + size_[b]) / 2;
-  const double above = std::min(here * (1 + slope_ * std::sqrt(0.75)), std::max(limit, here));
+  const double above = std::max(std::min(here * (1 + slope_ * std::sqrt(0.75)), limit), here);
   const double leg = (here + above) / 2;
   const double height = std::min(std::sqrt(std::max(leg * leg - half * half, leg * leg / 4)), centre);
-  if (!(height > kSmallestSize / 4)) return false;
+  if (!(height > kSmallestSize / 4)) return std::nullopt;
   const double nx = -(double{1} * pb.y - pa.y) / base, ny = (double{1} * pb.x - pa.x) / base;
   const double x = (double{1} * pa.x + pb.x) / 2 + nx * height, y = (double{1} * pa.y + pb.y) / 2 + ny * height;
   const double bound = internal::kCoordinateBound - 1;
-  if (std::abs(x) > bound || std::abs(y) > bound) return false;
-  const Point32 p = {static_cast<int32_t>(std::lround(x)), static_cast<int32_t>(std::lround(y))};
+  if (std::abs(x) > bound || std::abs(y) > bound) return std::nullopt;
+  return Point32{static_cast<int32_t>(std::lround(x)), static_cast<int32_t>(std::lround(y))};
+}
 
-  const Location where = mesh_.Locate(p, t, 1000);
+bool Refiner::TryPoint(int32_t t, int32_t front) {
+  const std::optional<Point32> p = Propose(front);
+  if (!p) return false;
+  const Location where = mesh_.Locate(*p, t, kLongestWalk);
   if (where.kind == Location::Kind::kBlocked || where.kind == Location::Kind::kOnVertex) return false;
   if (where.kind == Location::Kind::kOnEdge && mesh_.Twin(4 * where.triangle + where.k) < 0) return false;
-  mesh_.FindCavity(p, where);
-  const double size = SizeAt(p, limit);
-  if (!IsAdmissible(p, size)) return false;
-  const auto vertex = static_cast<int32_t>(mesh_.points.size());
-  mesh_.points.push_back(p);
+  mesh_.FindCavity(*p, where);
+  const double size = SizeAt(*p, limit_[mesh_.triangles[t].tag]);
+  if (!IsAdmissible(*p, size)) return false;
+  mesh_.points.push_back(*p);
   size_.push_back(size);
-  const auto star = mesh_.FillCavity(vertex);
+  const auto star = mesh_.FillCavity(static_cast<int32_t>(mesh_.points.size() - 1));
   for (int32_t s : star) mesh_.triangles[s].flags = IsSmall(s) ? kDone : kWaiting;
   for (int32_t s : star) {
     if (mesh_.triangles[s].flags == kDone) {
@@ -219,16 +282,18 @@ double Refiner::SizeAt(Point32 p, double limit) const {
     sum += size_[v] / (d * d);
     weights += 1 / (d * d);
   }
-  return options_.uniform ? sum / weights : std::min(least, std::max(limit, kSmallestSize));
+  return options_.uniform ? sum / weights : std::min(least, limit);
 }
 
+// Keeps the triangles at the rim well shaped: not too flat on a segment, no point too close to another.
 bool Refiner::IsAdmissible(Point32 p, double size) const {
   for (int32_t e : mesh_.cavity_rim()) {
     const Point32 a = mesh_.points[mesh_.Origin(e)], b = mesh_.points[mesh_.Target(e)];
-    if (Distance(a, p) < kLeastDistance * std::min(size, size_[mesh_.Origin(e)])) return false;
+    const double to_a = Distance(a, p);
+    if (!(to_a >= kLeastDistance * std::min(size, size_[mesh_.Origin(e)]))) return false;
     if (mesh_.Twin(e) >= 0) continue;
-    const double base = Distance(a, b);
-    if (static_cast<double>(internal::Turn(a, b, p)) < kLeastHeight * base * base) return false;
+    const double cosine = static_cast<double>(internal::Dot(p, a, b)) / (to_a * Distance(b, p));
+    if (!(cosine >= kLeastSegmentCosine)) return false;
   }
   return true;
 }

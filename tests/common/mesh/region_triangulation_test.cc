@@ -341,6 +341,57 @@ TEST(RegionConflictTest, AtMostSixtyFourAreListed) {
   EXPECT_EQ(TriangulateRegion(Region().Loop(loop).points, Region().Loop(loop).segments).conflicts.size(), 64u);
 }
 
+int Sign(testing::Int value) { return (value > 0) - (value < 0); }
+
+bool IsInside(const Region& r, int32_t p, int32_t s) {  // the point lies in the open segment
+  const LatticePoint a = r.points[r.segments[s].from], b = r.points[r.segments[s].to], c = r.points[p];
+  return c != a && c != b && testing::Cross(a, b, c) == 0 && std::min(a, b) < c && c < std::max(a, b);
+}
+
+bool Cross(const Region& r, int32_t s, int32_t t) {  // the open segments meet in one point inside both
+  const LatticePoint a = r.points[r.segments[s].from], b = r.points[r.segments[s].to];
+  const LatticePoint c = r.points[r.segments[t].from], d = r.points[r.segments[t].to];
+  return Sign(testing::Cross(a, b, c)) * Sign(testing::Cross(a, b, d)) < 0 &&
+         Sign(testing::Cross(c, d, a)) * Sign(testing::Cross(c, d, b)) < 0;
+}
+
+// Asks all pairs whether what a conflict says is so. Inside-out is left to the area check of valid results.
+bool IsTrue(const Region& r, const RegionConflict& c) {
+  const auto& s = r.segments;
+  switch (c.kind) {
+    case Kind::kCoincidentPoints:
+      return c.first < c.second && r.points[c.first] == r.points[c.second];
+    case Kind::kCrossing:
+      return Cross(r, c.first, c.second);
+    case Kind::kPointOnSegment:
+      return IsInside(r, c.second, c.first);
+    case Kind::kDegenerate:
+      return s[c.first].from == s[c.first].to ||
+             (s[c.first].from == s[c.second].from && s[c.first].to == s[c.second].to);
+    case Kind::kInsideOut:
+      return true;
+  }
+  return false;
+}
+
+bool HasGeometricConflict(const Region& r) {
+  const auto count = static_cast<int32_t>(r.segments.size());
+  for (int32_t s = 0; s < count; ++s) {
+    if (r.points[r.segments[s].from] == r.points[r.segments[s].to]) return true;
+    for (int32_t t = 0; t < count; ++t) {
+      if (s == t) continue;
+      if (Cross(r, s, t) || IsTrue(r, {Kind::kDegenerate, s, t})) return true;
+      for (int32_t p : {r.segments[t].from, r.segments[t].to}) {
+        if (IsInside(r, p, s)) return true;
+        for (int32_t q : {r.segments[s].from, r.segments[s].to}) {
+          if (p != q && r.points[p] == r.points[q]) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 // Anything at all: never stops the program, and without conflicts the result is right.
 TEST(TriangulateRegionTest, RandomRubbishIsReportedOrTriangulated) {
   std::mt19937 random(1);
@@ -359,7 +410,13 @@ TEST(TriangulateRegionTest, RandomRubbishIsReportedOrTriangulated) {
       if (round % 2 == 0) region.segments.push_back({region.segments.back().to, from});
     }
     const auto result = TriangulateRegion(region.points, region.segments);
+    const bool wrong = HasGeometricConflict(region);
+    for (const RegionConflict& conflict : result.conflicts) {
+      ASSERT_TRUE(IsTrue(region, conflict));
+      ASSERT_EQ(conflict.kind != Kind::kInsideOut, wrong);
+    }
     if (!result.conflicts.empty()) continue;
+    ASSERT_FALSE(wrong);
     ++valid;
     CheckTopology(region.points, region.segments, result);
     if (!HasFatalFailure()) CheckDelaunay(region.points, result);
