@@ -19,7 +19,7 @@ namespace tilemend {
 
 enum class FrameContent : uint8_t {
   kPlain = 1,  // two counts and the numbers themselves: for what Draco cannot encode (no points, very wide ranges)
-  kDraco = 2,
+  kDraco = 2,  // a least corner, then the mesh relative to it as a Draco stream
 };
 
 struct Frame {

@@ -1,6 +1,7 @@
 #include "common/codec/draco_mesh.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -54,22 +55,48 @@ absl::StatusOr<LatticeMesh> DecodePlain(std::string_view bytes, const DracoLimit
   return mesh;
 }
 
-// Draco's prediction works with differences in 32 bits.
-bool HasNarrowRange(const LatticeMesh& mesh) {
-  constexpr int32_t kMost = std::numeric_limits<int32_t>::max() / 4;
-  const auto narrow = [](int32_t coordinate) { return coordinate > -kMost && coordinate < kMost; };
-  return std::all_of(mesh.points.begin(), mesh.points.end(),
-                     [&narrow](const auto& point) { return std::all_of(point.begin(), point.end(), narrow); });
+using LatticePosition = std::array<int32_t, 3>;
+constexpr size_t kOriginBytes = 12;  // before the Draco stream
+
+LatticePosition LeastCorner(const LatticeMesh& mesh) {
+  LatticePosition least = mesh.points.front();
+  for (const LatticePosition& point : mesh.points) {
+    for (size_t axis = 0; axis < 3; ++axis) least[axis] = std::min(least[axis], point[axis]);
+  }
+  return least;
 }
 
-std::unique_ptr<draco::Mesh> ToDraco(const LatticeMesh& mesh) {
+// Whether Draco can encode the points at a reasonable price. Its encoder counts how often each difference of successive
+// points occurs, in an array as long as the largest is: 2^22 steps (4 km on a lattice of 1 mm) take it 32 MB.
+bool HasSmallSteps(const LatticeMesh& mesh) {
+  constexpr int64_t kMostStep = 1 << 22;
+  LatticePosition last = LeastCorner(mesh);  // what the first point is predicted from
+  for (const LatticePosition& point : mesh.points) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      if (std::abs(int64_t{point[axis]} - last[axis]) > kMostStep) return false;
+    }
+    last = point;
+  }
+  // Draco adds and subtracts in 32 bits.
+  constexpr int64_t kMostExtent = std::numeric_limits<int32_t>::max() / 4;
+  const LatticePosition least = LeastCorner(mesh);
+  return std::all_of(mesh.points.begin(), mesh.points.end(), [&least](const LatticePosition& point) {
+    return std::max({int64_t{point[0]} - least[0], int64_t{point[1]} - least[1], int64_t{point[2]} - least[2]}) <=
+           kMostExtent;
+  });
+}
+
+// The mesh with its points relative to `origin`.
+std::unique_ptr<draco::Mesh> ToDraco(const LatticeMesh& mesh, const LatticePosition& origin) {
   auto out = std::make_unique<draco::Mesh>();
   out->set_num_points(static_cast<uint32_t>(mesh.points.size()));
   draco::GeometryAttribute position;
   position.Init(draco::GeometryAttribute::POSITION, nullptr, 3, draco::DT_INT32, false, 3 * sizeof(int32_t), 0);
   const int id = out->AddAttribute(position, true, static_cast<uint32_t>(mesh.points.size()));
   for (uint32_t i = 0; i < mesh.points.size(); ++i) {
-    out->attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i), mesh.points[i].data());
+    LatticePosition point = mesh.points[i];
+    for (size_t axis = 0; axis < 3; ++axis) point[axis] -= origin[axis];
+    out->attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i), point.data());
   }
   out->SetNumFaces(mesh.triangles.size());
   for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -80,9 +107,11 @@ std::unique_ptr<draco::Mesh> ToDraco(const LatticeMesh& mesh) {
   return out;
 }
 
-// The mesh as a Draco stream; empty if Draco refuses it.
+// The mesh's least corner and, relative to it, the mesh as a Draco stream; empty if Draco cannot encode it. Without the
+// corner, the first point of a mesh far from zero would be a difference that costs the encoder a gigabyte.
 std::string EncodeStream(const LatticeMesh& mesh) {
-  if (mesh.points.empty() || !HasNarrowRange(mesh)) return "";
+  if (mesh.points.empty() || !HasSmallSteps(mesh)) return "";
+  const LatticePosition origin = LeastCorner(mesh);
   draco::Encoder encoder;
   encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
   constexpr int kSpeed = 5;  // 0 is the smallest result, 10 the quickest; it hardly matters in sequential encoding
@@ -90,12 +119,17 @@ std::string EncodeStream(const LatticeMesh& mesh) {
   const draco::Status predicted =
       encoder.SetAttributePredictionScheme(draco::GeometryAttribute::POSITION, draco::PREDICTION_DIFFERENCE);
   draco::EncoderBuffer buffer;
-  if (!predicted.ok() || !encoder.EncodeMeshToBuffer(*ToDraco(mesh), &buffer).ok()) return "";
-  return std::string(buffer.data(), buffer.size());
+  if (!predicted.ok() || !encoder.EncodeMeshToBuffer(*ToDraco(mesh, origin), &buffer).ok()) return "";
+  std::string out;
+  out.reserve(kOriginBytes + buffer.size());
+  for (const int32_t coordinate : origin) AppendUint32(static_cast<uint32_t>(coordinate), out);
+  out.append(buffer.data(), buffer.size());
+  return out;
 }
 
 // Copies a decoded mesh, trusting nothing about it.
-absl::StatusOr<LatticeMesh> FromDraco(const draco::Mesh& decoded, const DracoCounts& counts) {
+absl::StatusOr<LatticeMesh> FromDraco(const draco::Mesh& decoded, const DracoCounts& counts,
+                                      const LatticePosition& origin) {
   const absl::Status bad = absl::InvalidArgumentError("Draco stream: the decoded mesh is not what its header says");
   if (decoded.num_points() != counts.points || decoded.num_faces() != counts.triangles) return bad;
   if (decoded.num_attributes() != 1) return bad;
@@ -106,7 +140,13 @@ absl::StatusOr<LatticeMesh> FromDraco(const draco::Mesh& decoded, const DracoCou
   for (uint32_t i = 0; i < counts.points; ++i) {
     const draco::AttributeValueIndex value = position.mapped_index(draco::PointIndex(i));
     if (value.value() >= position.size()) return bad;
-    position.GetValue(value, mesh.points[i].data());
+    LatticePosition point;
+    position.GetValue(value, point.data());
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const int64_t coordinate = int64_t{point[axis]} + origin[axis];
+      if (coordinate != static_cast<int32_t>(coordinate)) return bad;
+      mesh.points[i][axis] = static_cast<int32_t>(coordinate);
+    }
   }
   mesh.triangles.resize(counts.triangles);
   for (uint32_t i = 0; i < counts.triangles; ++i) {
@@ -119,7 +159,11 @@ absl::StatusOr<LatticeMesh> FromDraco(const draco::Mesh& decoded, const DracoCou
   return mesh;
 }
 
-absl::StatusOr<LatticeMesh> DecodeStream(std::string_view stream, const DracoLimits& limits) {
+absl::StatusOr<LatticeMesh> DecodeStream(std::string_view bytes, const DracoLimits& limits) {
+  if (bytes.size() < kOriginBytes) return absl::InvalidArgumentError("lattice mesh: expected a least corner");
+  LatticePosition origin;
+  for (size_t axis = 0; axis < 3; ++axis) origin[axis] = static_cast<int32_t>(LoadUint32(bytes.data() + 4 * axis));
+  const std::string_view stream = bytes.substr(kOriginBytes);
   TILEMEND_ASSIGN_OR_RETURN(const DracoCounts counts, CheckDracoStream(stream, limits));
   draco::DecoderBuffer buffer;
   buffer.Init(stream.data(), stream.size());
@@ -128,7 +172,7 @@ absl::StatusOr<LatticeMesh> DecodeStream(std::string_view stream, const DracoLim
   if (!decoded.ok()) {
     return absl::InvalidArgumentError(absl::StrCat("Draco stream: ", decoded.status().error_msg_string()));
   }
-  return FromDraco(*decoded.value(), counts);
+  return FromDraco(*decoded.value(), counts, origin);
 }
 
 absl::Status CheckTriangles(const LatticeMesh& mesh) {

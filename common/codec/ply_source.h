@@ -82,7 +82,7 @@ class BinarySource {
     last_ = position_;
     last_type_ = type;
     if (static_cast<uint64_t>(count) > (bytes_.size() - position_) / SizeOf(type)) {
-      last_ = bytes_.size();
+      last_ += (bytes_.size() - position_) / SizeOf(type) * SizeOf(type);  // the first that is cut off
       return false;
     }
     position_ += static_cast<size_t>(count) * SizeOf(type);

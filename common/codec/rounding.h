@@ -9,8 +9,8 @@ namespace tilemend {
 // The double that a file of `type` gives back for `value`.
 //
 // The store to memory is needed: g++ 12 at -O2 turns neighbouring `double(float(x))` into nothing when it vectorises
-// them (a[0] = double(float(a[0])); a[1] = double(float(a[1])); leaves `a` as it was), Eigen's cast<float>().cast<double>()
-// included.
+// them (a[0] = double(float(a[0])); a[1] = double(float(a[1])); leaves `a` as it was), Eigen's
+// cast<float>().cast<double>() included.
 inline double RoundedTo(NumberType type, double value) {
   if (type == NumberType::kFloat64) return value;
   volatile float rounded = static_cast<float>(value);

@@ -19,7 +19,7 @@ constexpr double kOuterRim = -0.3;
 constexpr double kFacesUp = 0.2;
 
 constexpr char kFolds[] = "its boundary crosses itself seen from above, so it cannot be filled as heights";
-constexpr char kUnbounded[] = "its boundary does not close: it runs into a rim of the area that is not known, or that could not be laid";
+constexpr char kUnbounded[] = "it reaches the rim of the area, which is not known: name the area's cells in scene.json to fill it";
 
 struct ClosedLoop {
   std::vector<RimSegment> segments;
@@ -55,7 +55,9 @@ class HoleFinder {
         const bool crossing = std::any_of(
             regions.triangulation.conflicts.begin(), regions.triangulation.conflicts.end(),
             [](const RegionConflict& c) { return c.kind != RegionConflict::Kind::kInsideOut; });
-        AddFailedOpen(open, crossing ? kFolds : kUnbounded);
+        AddFailedOpen(open, crossing                              ? kFolds
+                            : boundary_.seam_failure.empty() ? kUnbounded
+                                                              : boundary_.seam_failure);
       }
       return;
     }
@@ -133,7 +135,7 @@ class HoleFinder {
     result_.holes.push_back(std::move(hole));
   }
 
-  void AddFailedOpen(const std::vector<BoundarySegment>& part, const char* reason) {
+  void AddFailedOpen(const std::vector<BoundarySegment>& part, const std::string& reason) {
     PlannedHole hole = NewOpen(part);
     hole.projects = false;
     hole.failure = reason;

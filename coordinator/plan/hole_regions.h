@@ -25,6 +25,7 @@ struct CellBoundary {
   bool has_surface = true;
   std::vector<BoundarySegment> open;                  // of holes that reach the cell's grid boundary
   std::vector<std::vector<RimSegment>> closed_loops;  // loops inside the cell, hole on the left
+  std::string seam_failure;  // why a seam of the cell could not be laid; empty if all were
 };
 
 struct RegionResult {

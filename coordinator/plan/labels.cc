@@ -10,7 +10,7 @@
 namespace tilemend {
 namespace {
 
-// An edge of a ragged cut belongs across when it faces the line at less than about 70 degrees.
+// An edge belongs across when it faces the line at less than about 70 degrees.
 constexpr double kFacing = 0.3;
 // Runs of at most this many edges may be longer than those beside them, and twice as deep.
 constexpr size_t kShortRun = 2;
@@ -50,7 +50,7 @@ class Labeller {
       const double reach = ragged ? std::max({lines_.tolerance, a.size, b.size}) : lines_.tolerance;
       const double depth = std::max(std::abs(da), std::abs(db));
       const bool within = ragged ? std::max(da, db) <= reach : depth <= reach;
-      if (!within || (ragged && !Faces(a.position, b.position, side)) || depth >= nearest) continue;
+      if (!within || (!lines_.independent && !Faces(a.position, b.position, side)) || depth >= nearest) continue;
       nearest = depth;
       best = across;
     }

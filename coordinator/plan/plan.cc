@@ -57,7 +57,6 @@ class PartPlanner {
       for (int32_t& v : seam.vertices) v += base_;
       plan_.seams.push_back(std::move(seam));
     }
-    plan_.left.insert(plan_.left.end(), layout_.failures.begin(), layout_.failures.end());
     LeaveUnlinked();
   }
 
@@ -161,6 +160,9 @@ class PartPlanner {
     if (it == boundary_.end()) return;
     CellBoundary& boundary = it->second;
     boundary.cell = cell;
+    for (const LeftOpen& failure : layout_.failures) {
+      if (failure.cell == cell && boundary.seam_failure.empty()) boundary.seam_failure = failure.reason;
+    }
     const SurveyRecord* record = input_.cells.at(cell);
     boundary.has_surface = record != nullptr && record->triangle_count > 0;
     RegionResult found = FindHoles(boundary, scene_area_, lines_, rim_, position_);

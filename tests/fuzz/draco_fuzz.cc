@@ -33,7 +33,8 @@ std::string Payload(const LatticeMesh& mesh) {
 
 LatticeMesh Grid(int32_t side, int32_t step) {
   LatticeMesh mesh;
-  for (int32_t i = 0; i < side * side; ++i) mesh.points.push_back({i % side * step, i / side * step, i * i % 977});
+  for (int32_t i = 0; i < side * side; ++i)
+    mesh.points.push_back({i % side * step, i / side * step, i % 100 * i % 977});
   for (int32_t i = 0; i + side + 1 < side * side; ++i) {
     if (i % side != side - 1) mesh.triangles.push_back({i, i + 1, i + side});
   }

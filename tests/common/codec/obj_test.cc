@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "common/codec/mesh_file.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+absl::StatusOr<MeshFile> Parse(const std::string& text) { return ParseMesh(MeshFormat::kObj, text, "a.obj"); }
+
+std::string MessageOf(const std::string& text) {
+  const absl::StatusOr<MeshFile> file = Parse(text);
+  EXPECT_EQ(file.status().code(), absl::StatusCode::kInvalidArgument);
+  return std::string(file.status().message());
+}
+
+std::string Appended(const std::string& text, const FilePatch& patch) {
+  const absl::StatusOr<std::string> out = AppendPatch(MeshFormat::kObj, text, patch, "a.obj");
+  EXPECT_TRUE(out.ok()) << out.status();
+  return out.value_or("");
+}
+
+const FilePatch kPatch = {{{0.1, -1.0 / 3, 1e-7}}, {0}, {{0, 2, 3}}};
+
+TEST(ObjTest, ReadsEveryFormOfCorner) {
+  const auto file = Parse(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\n"
+      "f 1/1/1 2/1/1 3/1/1\nf -3 -2/-1 -1//-1\nf 1/1/ 2/1/ 3\n");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->number_type, NumberType::kFloat64);
+  EXPECT_THAT(file->mesh.triangles, ::testing::AllOf(::testing::SizeIs(6), ::testing::Each(Triangle{0, 1, 2})));
+}
+
+TEST(ObjTest, ReadsNumbersToTheLastBit) {
+  const auto file = Parse("v 0.1 +.5 1e-3\nv 123456.0009765625 -0 5. 0.5 nan 1\nv 1 2 3 1.0\nf 1 2 3");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->mesh.points,
+              ElementsAre(Point3(0.1, 0.5, 1e-3), Point3(123456.0009765625, -0.0, 5), Point3(1, 2, 3)));
+}
+
+TEST(ObjTest, FansPolygonsAndSkipsFacesWithoutSurface) {
+  const auto file = Parse("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\nf 1 2 1\nf 1 2 3 1\n");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+  EXPECT_EQ(file->polygon_count, 2);
+}
+
+TEST(ObjTest, JoinsContinuedLinesButNotComments) {
+  const auto file =
+      Parse("# C:\\models\\\nv 0 0 \\\n 0\nv 1 0 0 # here \\\r\nv 0 1 0\r\ng a \\\r\n f 9 9 9\nf 1 \\\r\n2 3");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->mesh.points.size(), 3u);
+  EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(ObjTest, ReadsVerticesThatComeAfterTheirFace) {
+  const auto file = Parse("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(ObjTest, KeepsEveryByteAndAppends) {
+  const std::string text =
+      "# c\nmtllib m.mtl\ncurv2 1 2\nl 1 2\np 1\nv  0.10 0 0 1 .5 0 # red\nv 1 0 0\nv 0 1 0\nusemtl a b\nf 1 2 3\n";
+  EXPECT_EQ(Appended(text, kPatch), text +
+                                        "v 0.1 -0.3333333333333333 1e-07 1 .5 0\ng tilemend_filled\n"
+                                        "usemtl tilemend_filled\nf 1 3 4\n");
+}
+
+TEST(ObjTest, AppendsInTheFilesLineEnding) {
+  const std::string text = "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3";
+  EXPECT_EQ(Appended(text, {{{1, 2, 3}}, {-1}, {{0, 2, 3}}}),
+            text + "\r\nv 1 2 3\r\ng tilemend_filled\r\nusemtl tilemend_filled\r\nf 1 3 4\r\n");
+  const std::string mac = "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r";
+  EXPECT_EQ(Appended(mac, {{{1, 2, 3}}, {-1}, {}}), mac + "v 1 2 3\r");
+}
+
+TEST(ObjTest, DoesNotContinueABackslashAtTheEnd) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 \\\n";
+  const auto file = Parse(Appended(text, kPatch));
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+}
+
+TEST(ObjTest, AnEmptyPatchChangesNothing) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3";
+  EXPECT_EQ(Appended(text, {}), text);
+}
+
+TEST(ObjTest, NamesTheLineOfAnError) {
+  const std::string three = "v 0 0 0\nv 1 0 0\r\nv 0 1 0\n";
+  EXPECT_EQ(MessageOf(three + "f 1 2 4\n"), "a.obj: line 4: expected a vertex index of at most 3, found 4");
+  EXPECT_EQ(MessageOf(three + "f 1 0 2\n"), "a.obj: line 4: expected a vertex index in 1 to 3 or -3 to -1, found '0'");
+  EXPECT_EQ(MessageOf(three + "f 1 -4 2\n"),
+            "a.obj: line 4: expected a vertex index in 1 to 3 or -3 to -1, found '-4'");
+  EXPECT_EQ(MessageOf(three + "f 1 2 3x\n"), "a.obj: line 4: expected v, v/vt, v//vn or v/vt/vn, found '3x'");
+  EXPECT_EQ(MessageOf(three + "f 1 2 a\n"), "a.obj: line 4: expected a vertex index, found 'a'");
+  EXPECT_EQ(MessageOf("v 0 0\nv 1 0 0\n"), "a.obj: line 1: expected a coordinate, found end of line");
+  EXPECT_EQ(MessageOf("\nv 0 0 inf"), "a.obj: line 2: expected a coordinate of at most 1e9 m, found 'inf'");
+  EXPECT_EQ(MessageOf("v 0 0 1e10"), "a.obj: line 1: expected a coordinate of at most 1e9 m, found '1e10'");
+  EXPECT_EQ(MessageOf("v 0 0 0x"), "a.obj: line 1: expected a coordinate, found '0x'");
+  EXPECT_EQ(MessageOf(three + "\x01\x02 3\n"), "a.obj: line 4: expected an OBJ statement, found '\\x01\\x02'");
+  EXPECT_THAT(MessageOf(three + "usemtl " + std::string(2 << 20, 'm')), HasSubstr("line 4: the line is longer than"));
+}
+
+TEST(ObjTest, RefusesOtherContent) {
+  EXPECT_EQ(MessageOf(""), "a.obj: the file has no vertices");
+  EXPECT_EQ(MessageOf("v 0 0 0\n"), "a.obj: the file has no faces");
+  EXPECT_EQ(MessageOf("ply\nformat ascii 1.0\n"), "a.obj: line 1: expected an OBJ statement, found 'ply'");
+  EXPECT_EQ(MessageOf("OFF\n3 1 0\n"), "a.obj: line 1: expected an OBJ statement, found 'OFF'");
+}
+
+}  // namespace
+}  // namespace tilemend
