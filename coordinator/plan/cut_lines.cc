@@ -10,8 +10,8 @@
 namespace tilemend {
 namespace {
 
-constexpr double kOnLine = 1e-3;     // metres: a vertex this near a grid line was cut there
-constexpr double kStraight = 2e-3;   // metres: an outline whose vertices are this near one coordinate is straight
+constexpr double kOnLine = 1e-3;         // metres: a vertex this near a grid line was cut there
+constexpr double kStraight = 2e-3;       // metres: an outline whose vertices are this near one coordinate is straight
 constexpr double kStraightShare = 0.05;  // of a side's length must run along the outline for it to count
 
 double Nominal(const Grid& grid, CellId cell, Side side) {
@@ -20,7 +20,8 @@ double Nominal(const Grid& grid, CellId cell, Side side) {
   return grid.corner[axis] + n * grid.cell_size[axis];
 }
 
-// How far the straight outline of a tile lies outside its cell's side; nothing if the tile has no straight outline there.
+// How far the straight outline of a tile lies outside its cell's side; nothing if the tile has no straight outline
+// there.
 std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid, CellId cell, Side side) {
   const int axis = AxisOf(side);
   const double extreme = side % 2 == 0 ? record.lo[axis] : record.hi[axis];
@@ -105,14 +106,13 @@ void AuditBorders(const PlanInput& input, const Offsets& offsets, CutLines& line
       if (mine != offsets.end()) inner.push_back(mine->second);
       if (theirs != offsets.end()) inner.push_back(theirs->second);
       if (record != nullptr && it->second != nullptr) {
-        const auto shared =
-            CountShared(*record, *it->second, AxisOf(side), Nominal(input.grid, cell, side));
+        const auto shared = CountShared(*record, *it->second, AxisOf(side), Nominal(input.grid, cell, side));
         audit.shared_vertices = shared.count;
         on_line += shared.on_line;
         off_line += shared.count - shared.on_line;
         if (mine != offsets.end() && theirs != offsets.end()) {
           audit.offset = mine->second + theirs->second;
-          audit.kind = audit.offset > kOnLine ? BorderKind::kOverlap
+          audit.kind = audit.offset > kOnLine    ? BorderKind::kOverlap
                        : audit.offset < -kOnLine ? BorderKind::kGap
                                                  : BorderKind::kNear;
         }

@@ -12,14 +12,16 @@
 namespace tilemend {
 namespace {
 
-// A loop is the outline of a detached piece, and no hole in it, if it runs the wrong way round by this much: the cosine between its
-// vector area and the normals along it. A hole gives about +1, a flat piece -1, the open end of a dome something near 0.
+// A loop is the outline of a detached piece, and no hole in it, if it runs the wrong way round by this much: the cosine
+// between its vector area and the normals along it. A hole gives about +1, a flat piece -1, the open end of a dome
+// something near 0.
 constexpr double kOuterRim = -0.3;
 // A closed hole is filled over the plane if the surface along it faces up by this much.
 constexpr double kFacesUp = 0.2;
 
 constexpr char kFolds[] = "its boundary crosses itself seen from above, so it cannot be filled as heights";
-constexpr char kUnbounded[] = "it reaches the rim of the area, which is not known: name the area's cells in scene.json to fill it";
+constexpr char kUnbounded[] =
+    "it reaches the rim of the area, which is not known: name the area's cells in scene.json to fill it";
 
 struct ClosedLoop {
   std::vector<RimSegment> segments;
@@ -41,7 +43,8 @@ class HoleFinder {
   }
 
  private:
-  // Holes of the open segments; if they cross somewhere, each connected group on its own, so that a bad hole fails alone.
+  // Holes of the open segments; if they cross somewhere, each connected group on its own, so that a bad hole fails
+  // alone.
   void FindOpen(const std::vector<BoundarySegment>& open, bool may_split) {
     if (open.empty()) return;
     std::vector<RimSegment> segments;
@@ -52,12 +55,10 @@ class HoleFinder {
       if (groups.size() > 1) {
         for (const auto& group : groups) FindOpen(group, false);
       } else {
-        const bool crossing = std::any_of(
-            regions.triangulation.conflicts.begin(), regions.triangulation.conflicts.end(),
-            [](const RegionConflict& c) { return c.kind != RegionConflict::Kind::kInsideOut; });
-        AddFailedOpen(open, crossing                              ? kFolds
-                            : boundary_.seam_failure.empty() ? kUnbounded
-                                                              : boundary_.seam_failure);
+        const bool crossing =
+            std::any_of(regions.triangulation.conflicts.begin(), regions.triangulation.conflicts.end(),
+                        [](const RegionConflict& c) { return c.kind != RegionConflict::Kind::kInsideOut; });
+        AddFailedOpen(open, crossing ? kFolds : boundary_.seam_failure.empty() ? kUnbounded : boundary_.seam_failure);
       }
       return;
     }
@@ -215,8 +216,8 @@ class HoleFinder {
 
 }  // namespace
 
-RegionResult FindHoles(const CellBoundary& boundary, const std::set<CellId>& area, const CutLines& lines, const Rim& rim,
-                       const std::vector<Point3>& position) {
+RegionResult FindHoles(const CellBoundary& boundary, const std::set<CellId>& area, const CutLines& lines,
+                       const Rim& rim, const std::vector<Point3>& position) {
   return HoleFinder(boundary, area, lines, rim, position).Run();
 }
 

@@ -14,9 +14,9 @@ namespace tilemend {
 
 // A boundary segment of a hole with what classification needs to know of it.
 struct BoundarySegment {
-  RimSegment segment;   // vertices: rim points, then seam vertices
-  int32_t side = -1;    // the cell's side it lies along: seams and neighbours' edges; -1: the cell's own edges
-  CellId across;        // the cell beyond, when side >= 0
+  RimSegment segment;  // vertices: rim points, then seam vertices
+  int32_t side = -1;   // the cell's side it lies along: seams and neighbours' edges; -1: the cell's own edges
+  CellId across;       // the cell beyond, when side >= 0
 };
 
 // The boundary of one cell's holes.
@@ -25,7 +25,7 @@ struct CellBoundary {
   bool has_surface = true;
   std::vector<BoundarySegment> open;                  // of holes that reach the cell's grid boundary
   std::vector<std::vector<RimSegment>> closed_loops;  // loops inside the cell, hole on the left
-  std::string seam_failure;  // why a seam of the cell could not be laid; empty if all were
+  std::string seam_failure;                           // why a seam of the cell could not be laid; empty if all were
 };
 
 struct RegionResult {
@@ -34,10 +34,10 @@ struct RegionResult {
   int64_t outer_rims = 0;
 };
 
-// Classifies by Wang 2021, 3.1 (types A to D, I and II) and Zhang 2022, 4.1 (single holes); definitions as in the user guide.
-// `position` gives vertices seen from above and `normals` the rim points' normals.
-RegionResult FindHoles(const CellBoundary& boundary, const std::set<CellId>& area, const CutLines& lines, const Rim& rim,
-                       const std::vector<Point3>& position);
+// Classifies by Wang 2021, 3.1 (types A to D, I and II) and Zhang 2022, 4.1 (single holes); definitions as in the user
+// guide. `position` gives vertices seen from above and `normals` the rim points' normals.
+RegionResult FindHoles(const CellBoundary& boundary, const std::set<CellId>& area, const CutLines& lines,
+                       const Rim& rim, const std::vector<Point3>& position);
 
 }  // namespace tilemend
 

@@ -25,9 +25,8 @@ class Labeller {
     if (lines_.clipped) {
       LabelHairlines();
       for (const std::vector<int32_t>& loop : rim_.loops) SkipShortEdges(loop);
-    } else {
-      for (const std::vector<int32_t>& loop : rim_.loops) Smooth(loop);
     }
+    for (const std::vector<int32_t>& loop : rim_.loops) Smooth(loop);
   }
 
  private:
@@ -64,8 +63,8 @@ class Labeller {
     return out >= kFacing * d.norm();
   }
 
-  // A stretch of border where two tiles both end at the line but their vertices differ by less than the tolerance is a hairline, with
-  // an edge of either tile on each side. All of it goes to the lower cell.
+  // A stretch of border where two tiles both end at the line but their vertices differ by less than the tolerance is a
+  // hairline, with an edge of either tile on each side. All of it goes to the lower cell.
   void LabelHairlines() {
     using Border = std::pair<CellId, CellId>;
     struct Interval {
@@ -118,8 +117,9 @@ class Labeller {
     return std::all_of(kSides.begin(), kSides.end(), [&](Side side) { return Inside(p, cell, side) >= -reach; });
   }
 
-  // Relabels runs that are too shallow for a hole of their own: x between y and y, all of it within an edge of y's square and no
-  // longer than what is on either side of it. Short runs first, so that they do not cut long ones in pieces.
+  // Relabels runs that are too shallow for a hole of their own (on a clipped cut: slivers that a tile has along its
+  // side): x between y and y, all of it within an edge of y's square and no longer than what is on either side of it.
+  // Short runs first, so that they do not cut long ones in pieces.
   void Smooth(const std::vector<int32_t>& loop) {
     struct Run {
       size_t begin, length;  // begin may exceed the loop: taken modulo its size
@@ -157,8 +157,11 @@ class Labeller {
     const double edges = end - begin <= kShortRun ? 2 : 1;
     for (size_t k = begin; k < end; ++k) {
       const RimEdge& e = rim_.edges[loop[k % loop.size()]];
+      if (lines_.clipped && e.owner != e.label) return false;  // the tile ends here, with the hole beyond
       for (const int32_t p : {e.from, e.to}) {
-        if (!NearSquare(rim_.points[p].position, around, edges * rim_.points[p].size)) return false;
+        if (!NearSquare(rim_.points[p].position, around,
+                        lines_.clipped ? lines_.tolerance : edges * rim_.points[p].size))
+          return false;
       }
     }
     return true;

@@ -7,9 +7,10 @@
 
 namespace tilemend {
 
-// Sets RimEdge::label: the owner, or the cell across a grid line when the tile ends at that line and the hole lies beyond. On a
-// ragged cut a tile ends along a zigzag about the line; there an edge belongs across if it is within an edge's length of the line
-// and faces it, and a run of edges too shallow to bound a hole of its own takes the label around it.
+// Sets RimEdge::label: the owner, or the cell across a grid line when the tile ends at that line and the hole lies
+// beyond. On a ragged cut a tile ends along a zigzag about the line; there an edge belongs across if it is within an
+// edge's length of the line and faces it, and a run of edges too shallow to bound a hole of its own takes the label
+// around it.
 void LabelEdges(const PlanInput& input, const CutLines& lines, Rim& rim);
 
 }  // namespace tilemend

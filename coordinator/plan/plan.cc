@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kFinestStep = 0x1p-10;  // metres
 
-// The finest power-of-two step, at least 2^-10 m, whose multiples the tiles' number type holds exactly out to the farthest coordinate.
+// The finest power-of-two step, at least 2^-10 m, whose multiples the tiles' number type holds exactly out to the
+// farthest coordinate.
 double LatticeStep(const PlanInput& input) {
   double farthest = 1;
   bool float32 = false;
@@ -33,7 +34,8 @@ double LatticeStep(const PlanInput& input) {
   return std::max(kFinestStep, representable);
 }
 
-// One part of the scene whose tiles share vertices: the whole scene, or a single tile where tiles keep to outlines of their own.
+// One part of the scene whose tiles share vertices: the whole scene, or a single tile where tiles keep to outlines of
+// their own.
 class PartPlanner {
  public:
   PartPlanner(const PlanInput& input, const std::set<CellId>& scene_area, const CutLines& lines,
@@ -129,7 +131,8 @@ class PartPlanner {
       // Going north along a vertical line, a (west) is on the left; going east along a horizontal one, b (north) is.
       const CellId left = vertical ? seam.a : seam.b, right = vertical ? seam.b : seam.a;
       if (input_.cells.contains(left)) boundary_[left].open.push_back({{p, q, true}, vertical ? kEast : kSouth, right});
-      if (input_.cells.contains(right)) boundary_[right].open.push_back({{q, p, true}, vertical ? kWest : kNorth, left});
+      if (input_.cells.contains(right))
+        boundary_[right].open.push_back({{q, p, true}, vertical ? kWest : kNorth, left});
     }
   }
 
@@ -181,7 +184,8 @@ class PartPlanner {
     std::map<CellId, int64_t> count;
     for (const int32_t e : rim_.unlinked) ++count[rim_.edges[e].owner];
     for (const auto& [cell, edges] : count) {
-      plan_.left.push_back({cell, "boundary edges that close to no loop: the surface is not manifold there", -1, edges});
+      plan_.left.push_back(
+          {cell, "boundary edges that close to no loop: the surface is not manifold there", -1, edges});
     }
   }
 
@@ -237,7 +241,8 @@ std::vector<std::pair<int32_t, int32_t>> HolesThatFace(const Plan& plan) {
   }
   for (const Seam& seam : plan.seams) {
     const int axis = seam.a.row == seam.b.row ? 1 : 0;
-    const auto hole = hole_of.find(Key(std::min(seam.vertices[0], seam.vertices[1]), std::max(seam.vertices[0], seam.vertices[1])));
+    const auto hole =
+        hole_of.find(Key(std::min(seam.vertices[0], seam.vertices[1]), std::max(seam.vertices[0], seam.vertices[1])));
     if (hole == hole_of.end()) continue;
     along[{seam.a, seam.b}].push_back({plan.vertices[seam.vertices.front()].position[axis],
                                        plan.vertices[seam.vertices.back()].position[axis], hole->second});
@@ -246,7 +251,8 @@ std::vector<std::pair<int32_t, int32_t>> HolesThatFace(const Plan& plan) {
   for (const auto& [border, stretches] : along) {
     for (size_t i = 0; i < stretches.size(); ++i) {
       for (size_t j = i + 1; j < stretches.size(); ++j) {
-        if (stretches[i].hole != stretches[j].hole && stretches[i].lo < stretches[j].hi && stretches[j].lo < stretches[i].hi) {
+        if (stretches[i].hole != stretches[j].hole && stretches[i].lo < stretches[j].hi &&
+            stretches[j].lo < stretches[i].hi) {
           pairs.insert(std::minmax(stretches[i].hole, stretches[j].hole));
         }
       }

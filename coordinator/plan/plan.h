@@ -2,11 +2,12 @@
 //
 // Pure functions of the survey records (Wang 2021, 3.1 and 3.2). Everything here is seen from above, on the grid.
 //
-// How a hole that lies over several cells is divided. Every unmatched boundary edge (rim edge) is given to the one cell that closes
-// on it (its label): the cell of its tile, or the cell across the grid line where a tile ends at that line and the hole lies beyond.
-// Where the label changes along a loop there is a junction; between two junctions the grid line runs through the hole, and a seam
-// is laid there: a chain of new vertices on the line that ends at the two junctions. Rim edges and seams around a cell bound the
-// holes of the cell; which regions they bound is found by constrained Delaunay triangulation on exact integers.
+// How a hole that lies over several cells is divided. Every unmatched boundary edge (rim edge) is given to the one cell
+// that closes on it (its label): the cell of its tile, or the cell across the grid line where a tile ends at that line
+// and the hole lies beyond. Where the label changes along a loop there is a junction; between two junctions the grid
+// line runs through the hole, and a seam is laid there: a chain of new vertices on the line that ends at the two
+// junctions. Rim edges and seams around a cell bound the holes of the cell; which regions they bound is found by
+// constrained Delaunay triangulation on exact integers.
 #ifndef TILEMEND_COORDINATOR_PLAN_PLAN_H_
 #define TILEMEND_COORDINATOR_PLAN_PLAN_H_
 
@@ -24,7 +25,8 @@
 namespace tilemend {
 
 struct PlanOptions {
-  // Seam vertices grow apart from the rim inward by this factor per edge (>= 1), up to size_limit times the rim's mean edge.
+  // Seam vertices grow apart from the rim inward by this factor per edge (>= 1), up to size_limit times the rim's mean
+  // edge.
   double gradation = 1.3;
   double size_limit = 16.0;
   bool uniform = false;
@@ -32,8 +34,8 @@ struct PlanOptions {
 
 struct PlanInput {
   Grid grid;
-  bool area_known = true;                             // else the rim of the area stays open
-  std::map<CellId, const SurveyRecord*> cells;        // the area; null: no surface
+  bool area_known = true;                       // else the rim of the area stays open
+  std::map<CellId, const SurveyRecord*> cells;  // the area; null: no surface
 };
 
 // How the tiles of two neighbouring cells meet (design, "two kinds of input cut").
@@ -47,22 +49,22 @@ struct BorderAudit {
 };
 
 enum class HoleKind { kClosed, kOpenI, kOpenII };
-enum class HoleType { kNone, kA, kB, kC, kD };                                          // open holes: Wang 3.1, figure 5
-enum class SingleType { kNone, kCrack, kDislocation, kAnnular, kIsland, kSimple };      // Zhang 2022, 4.1
+enum class HoleType { kNone, kA, kB, kC, kD };                                      // open holes: Wang 3.1, figure 5
+enum class SingleType { kNone, kCrack, kDislocation, kAnnular, kIsland, kSimple };  // Zhang 2022, 4.1
 
 struct PlannedHole {
   CellId cell;
   HoleKind kind = HoleKind::kClosed;
   HoleType type = HoleType::kNone;
   SingleType single = SingleType::kNone;
-  bool projects = true;       // its boundary is simple seen from above
-  int32_t cluster = -1;       // open holes
-  int32_t layer = 0;          // open holes: from 1
-  double area = 0;            // m2, seen from above (closed holes that do not project: of the boundary's vector area)
-  double perimeter = 0;       // metres of original boundary
+  bool projects = true;  // its boundary is simple seen from above
+  int32_t cluster = -1;  // open holes
+  int32_t layer = 0;     // open holes: from 1
+  double area = 0;       // m2, seen from above (closed holes that do not project: of the boundary's vector area)
+  double perimeter = 0;  // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
-  std::string failure;        // not empty: it can't be filled, for this reason
+  std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
 };
 
@@ -73,20 +75,21 @@ struct PlanVertex {
   Point3 position{0, 0, 0};
   double centroid_height = 0;
   double size = 0;
-  uint8_t lines = 0;   // as RimVertex::lines
+  uint8_t lines = 0;  // as RimVertex::lines
 };
 
-// A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along the line.
+// A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along
+// the line.
 struct Seam {
-  CellId a, b;  // b is east or north of a; one of them may lie outside the area
+  CellId a, b;                    // b is east or north of a; one of them may lie outside the area
   std::vector<int32_t> vertices;  // into Plan::vertices
 };
 
 struct LeftOpen {
   CellId cell;
   std::string reason;
-  int32_t hole = -1;   // -1: found before there was a hole
-  int64_t edges = 0;   // boundary edges that stay open
+  int32_t hole = -1;  // -1: found before there was a hole
+  int64_t edges = 0;  // boundary edges that stay open
 };
 
 struct Plan {
@@ -97,10 +100,12 @@ struct Plan {
   std::vector<LeftOpen> left;
   int32_t clusters = 0;
   int32_t layers = 0;
-  int32_t continuous = 0;    // groups of holes that touch at a vertex (Zhang: continuous holes), each split into single ones
-  int64_t outer_rims = 0;    // loops that are the outline of a detached piece, not a hole
-  double lattice_step = 0;   // power of two, metres
-  std::map<CellId, std::vector<int32_t>> vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record
+  int32_t continuous =
+      0;  // groups of holes that touch at a vertex (Zhang: continuous holes), each split into single ones
+  int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
+  double lattice_step = 0;  // power of two, metres
+  std::map<CellId, std::vector<int32_t>>
+      vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record
 };
 
 // Plans the filling. Cost O(n log n) in the boundary edges of the scene; deterministic.

@@ -43,7 +43,8 @@ double DistanceToSegment(const Point3& p, const Point3& a, const Point3& b) {
   return (p - a - t * d).norm();
 }
 
-// Every vertex within the threshold of some edge that it is no end of. Stops at the first that is not, so it is cheap on holes.
+// Every vertex within the threshold of some edge that it is no end of. Stops at the first that is not, so it is cheap
+// on holes.
 bool IsDislocation(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
   return std::all_of(loop.begin(), loop.end(), [&](const RimSegment& v) {
     return std::any_of(loop.begin(), loop.end(), [&](const RimSegment& s) {
@@ -141,8 +142,7 @@ PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std:
   for (size_t t = 0; t < regions.triangulation.triangles.size(); ++t) {
     const Triangle& tri = regions.triangulation.triangles[t];
     const Point3 a = position[regions.vertices[tri[0]]];
-    const Eigen::Vector3d n =
-        (position[regions.vertices[tri[1]]] - a).cross(position[regions.vertices[tri[2]]] - a);
+    const Eigen::Vector3d n = (position[regions.vertices[tri[1]]] - a).cross(position[regions.vertices[tri[2]]] - a);
     regions.area[regions.triangulation.component[t]] += n.z() / 2;
   }
   return regions;
@@ -189,7 +189,7 @@ HoleType ClassifyOpen(std::span<const BoundarySegment> segments, CellId cell, bo
   const Point2 lo(lines.At(cell, kWest), lines.At(cell, kSouth));
   const Point2 hi(lines.At(cell, kEast), lines.At(cell, kNorth));
   const std::vector<Stretch> stretches = OutlineStretches(segments, lo, hi, position);
-  constexpr double kTouch = 1e-4;  // of a side
+  constexpr double kTouch = 1e-4;     // of a side
   constexpr double kBackward = 0.05;  // of a side: two stretches of a ragged cut that overlap by less than this touch
   int parts = 0, least = 4;
   for (size_t i = 0; i < stretches.size(); ++i) {

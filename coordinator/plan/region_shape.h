@@ -16,7 +16,7 @@ namespace tilemend {
 struct PlanarRegions {
   std::vector<int32_t> vertices;  // local -> global
   RegionTriangulation triangulation;
-  std::vector<double> area;       // of each component, m2
+  std::vector<double> area;  // of each component, m2
 };
 
 PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std::vector<Point3>& position);
@@ -31,8 +31,8 @@ Eigen::Vector3d VectorArea(std::span<const RimSegment> loop, const std::vector<P
 SingleType ClassifySingle(std::span<const RimSegment> outer, const std::vector<std::vector<RimSegment>>& islands,
                           const std::vector<Point3>& position);
 
-// Wang 2021, 3.1, by the stretches of the cell's outline that the hole takes up: what is left of the outline falls into one arc for
-// each part of the surface.
+// Wang 2021, 3.1, by the stretches of the cell's outline that the hole takes up: what is left of the outline falls into
+// one arc for each part of the surface.
 HoleType ClassifyOpen(std::span<const BoundarySegment> segments, CellId cell, bool has_surface, const CutLines& lines,
                       const std::vector<Point3>& position);
 

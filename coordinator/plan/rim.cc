@@ -64,8 +64,8 @@ class AngleAround {
   Eigen::Vector3d u_, v_;
 };
 
-// For the edges that arrive at and leave one point: which leaves after which arrives. Turning counter-clockwise from the way back
-// along an arriving edge one crosses the hole; the first leaving edge met bounds the same hole.
+// For the edges that arrive at and leave one point: which leaves after which arrives. Turning counter-clockwise from
+// the way back along an arriving edge one crosses the hole; the first leaving edge met bounds the same hole.
 void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving, const std::vector<int32_t>& leaving,
             std::vector<int32_t>& next) {
   if (arriving.size() == 1 && leaving.size() == 1) {

@@ -29,14 +29,15 @@ struct RimEdge {
 struct Rim {
   std::vector<RimPoint> points;
   std::vector<RimEdge> edges;
-  std::vector<std::vector<int32_t>> loops;  // edges in order; each edge is in one loop or in `unlinked`
-  std::vector<int32_t> unlinked;            // edges of chains that do not close (non-manifold surface)
-  int32_t continuous = 0;                   // groups of loops that touch
+  std::vector<std::vector<int32_t>> loops;          // edges in order; each edge is in one loop or in `unlinked`
+  std::vector<int32_t> unlinked;                    // edges of chains that do not close (non-manifold surface)
+  int32_t continuous = 0;                           // groups of loops that touch
   std::map<CellId, std::vector<int32_t>> point_of;  // per tile: the point of each boundary vertex of its record
 };
 
-// Puts the tiles together: matches boundary edges of different tiles at equal positions (`weld_tiles`), drops the matched ones, and
-// links the others to loops. Where several holes touch at a vertex each loop turns back into its own hole (Zhang 2022, 3.3).
+// Puts the tiles together: matches boundary edges of different tiles at equal positions (`weld_tiles`), drops the
+// matched ones, and links the others to loops. Where several holes touch at a vertex each loop turns back into its own
+// hole (Zhang 2022, 3.3).
 Rim BuildRim(const PlanInput& input, bool weld_tiles);
 
 }  // namespace tilemend

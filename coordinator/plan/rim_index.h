@@ -10,7 +10,8 @@
 
 namespace tilemend {
 
-// A uniform grid over the rim edges, seen from above. Answers are in order of the edges. The rim must outlive the index.
+// A uniform grid over the rim edges, seen from above. Answers are in order of the edges. The rim must outlive the
+// index.
 class RimIndex {
  public:
   explicit RimIndex(const Rim& rim);
@@ -18,8 +19,8 @@ class RimIndex {
   // Edges that may touch the box [lo, hi] (a superset), each once, ascending.
   std::vector<int32_t> EdgesIn(const Point2& lo, const Point2& hi) const;
 
-  // Whether the open segment between p and q stays inside the hole: it meets no rim edge, and leaves from rim points into a
-  // hole's corner. `p_point` and `q_point` are the rim points at the ends, or -1.
+  // Whether the open segment between p and q stays inside the hole: it meets no rim edge, and leaves from rim points
+  // into a hole's corner. `p_point` and `q_point` are the rim points at the ends, or -1.
   bool IsFree(const Point2& p, int32_t p_point, const Point2& q, int32_t q_point) const;
 
   // Distance to the nearest rim edge, at most `limit`.
@@ -46,8 +47,9 @@ class RimIndex {
   double bin_ = 1;
   Point2 lo_{0, 0};
   int64_t columns_ = 1, rows_ = 1;
-  std::vector<int32_t> start_, items_;                              // bins: edges whose box touches them
-  std::vector<std::vector<std::pair<int32_t, int32_t>>> corners_;  // per point: the points before and after it along its loops
+  std::vector<int32_t> start_, items_;  // bins: edges whose box touches them
+  std::vector<std::vector<std::pair<int32_t, int32_t>>>
+      corners_;  // per point: the points before and after it along its loops
 };
 
 }  // namespace tilemend

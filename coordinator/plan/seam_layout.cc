@@ -12,9 +12,10 @@
 namespace tilemend {
 namespace {
 
-constexpr double kRimTolerance = 1e-3;     // metres: a grid corner this near the rim lies on it
-constexpr double kCornerSnap = 0.25;       // of the rim's edge length: a grid corner this near a rim point is that point
-constexpr double kRimClearance = 0.4;      // of the wanted edge length: seam vertices nearer than this to the rim are not made
+constexpr double kRimTolerance = 1e-3;  // metres: a grid corner this near the rim lies on it
+constexpr double kCornerSnap = 0.25;    // of the rim's edge length: a grid corner this near a rim point is that point
+constexpr double kRimClearance =
+    0.4;  // of the wanted edge length: seam vertices nearer than this to the rim are not made
 
 // A border between two cells, at least one of them in the area; b is east or north of a.
 using Border = std::pair<CellId, CellId>;
@@ -42,7 +43,7 @@ class Layout {
   SeamLayout Run() {
     ListBorders();
     FindJunctions();
-    for (auto& [border, junctions] : junctions_) SortJunctions(junctions);
+    for (auto& [border, junctions] : junctions_) SortJunctions(border, junctions);
     DecideCorners();
     for (const auto& [border, junctions] : junctions_) LayBorder(border, junctions);
     return std::move(result_);
@@ -102,15 +103,42 @@ class Layout {
     it->second.push_back({rim_.points[point].position[vertical ? 1 : 0], point, start});
   }
 
-  static void SortJunctions(std::vector<Junction>& junctions) {
+  // Orders the junctions along a border. Junctions nearer than the tolerance (a tile's own sliver along the line, a
+  // hairline between tiles) have no order of their own: there, starts and ends take turns.
+  void SortJunctions(const Border& border, std::vector<Junction>& junctions) const {
     std::sort(junctions.begin(), junctions.end(), [](const Junction& a, const Junction& b) {
       if (a.t != b.t) return a.t < b.t;
       if (a.start != b.start) return !a.start;  // one hole ends before the next begins
       return a.point < b.point;
     });
+    bool inside = false;
+    for (size_t begin = 0; begin < junctions.size();) {
+      size_t end = begin + 1;
+      while (end < junctions.size() && junctions[end].t - junctions[end - 1].t <= lines_.tolerance) ++end;
+      if (begin == 0)
+        inside = StartsInside(border, {junctions.begin(), junctions.begin() + static_cast<ptrdiff_t>(end)});
+      for (; begin < end; ++begin) {
+        size_t next = begin;
+        while (next < end && junctions[next].start == inside) ++next;
+        if (next < end)
+          std::rotate(junctions.begin() + static_cast<ptrdiff_t>(begin),
+                      junctions.begin() + static_cast<ptrdiff_t>(next),
+                      junctions.begin() + static_cast<ptrdiff_t>(next) + 1);
+        inside = junctions[begin].start;
+      }
+    }
   }
 
-  // Which corners lie in a hole: the outermost junctions of the four borders there tell; without any, the winding number does.
+  // Whether the border begins in a hole, by its first junctions.
+  bool StartsInside(const Border& border, const std::vector<Junction>& first) const {
+    const auto starts = std::count_if(first.begin(), first.end(), [](const Junction& j) { return j.start; });
+    const auto ends = static_cast<ptrdiff_t>(first.size()) - starts;
+    if (starts != ends) return ends > starts;
+    return !index_.InSurface(CornerPosition(LowCorner(border)), kRimTolerance);
+  }
+
+  // Which corners lie in a hole: the outermost junctions of the four borders there tell; without any, the winding
+  // number does.
   void DecideCorners() {
     std::map<Corner, std::pair<int, int>> votes;  // in a hole, on the surface
     for (const auto& [border, junctions] : junctions_) {
@@ -129,9 +157,7 @@ class Layout {
   Point2 CornerPosition(Corner c) const {
     const Border vertical[2] = {{{c.col - 1, c.row}, c}, {{c.col - 1, c.row - 1}, {c.col, c.row - 1}}};
     const Border horizontal[2] = {{{c.col, c.row - 1}, c}, {{c.col - 1, c.row - 1}, {c.col - 1, c.row}}};
-    const auto line = [&](const Border (&pair)[2]) {
-      return LineOf(junctions_.contains(pair[0]) ? pair[0] : pair[1]);
-    };
+    const auto line = [&](const Border(&pair)[2]) { return LineOf(junctions_.contains(pair[0]) ? pair[0] : pair[1]); };
     return {line(vertical), line(horizontal)};
   }
 

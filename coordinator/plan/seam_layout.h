@@ -23,11 +23,13 @@ struct SeamLayout {
   std::vector<LeftOpen> failures;
 };
 
-// Lays a seam on every stretch of grid line inside a hole, between the cells of `area` and between them and the outside.
+// Lays a seam on every stretch of grid line inside a hole, between the cells of `area` and between them and the
+// outside.
 //
-// A stretch runs from junction to junction (where RimEdge::label changes along a loop) or to a grid corner that lies in the hole. Its
-// vertices lie on the line, as far apart as the triangles there will be large (PlanOptions); where the straight way would meet the rim
-// it bends over rim points (Wang 3.3, closure cases 1 to 3: on a ragged cut a stretch begins and ends off the line).
+// A stretch runs from junction to junction (where RimEdge::label changes along a loop) or to a grid corner that lies in
+// the hole. Its vertices lie on the line, as far apart as the triangles there will be large (PlanOptions); where the
+// straight way would meet the rim it bends over rim points (Wang 3.3, closure cases 1 to 3: on a ragged cut a stretch
+// begins and ends off the line).
 SeamLayout LaySeams(const std::set<CellId>& area, const CutLines& lines, const Rim& rim, const RimIndex& index,
                     const PlanOptions& options, double lattice_step);
 

@@ -56,11 +56,12 @@ class PathFinder {
     return index_.IsFree(position_(a), RimPointOf(a), position_(b), RimPointOf(b)) || IsRimEdge(a, b);
   }
 
-  // Shortest way from way[i] over rim points near the line to a later vertex of the way. Returns the vertices after way[i] and the place
-  // of the last one in the way.
+  // Shortest way from way[i] over rim points near the line to a later vertex of the way. Returns the vertices after
+  // way[i] and the place of the last one in the way.
   std::optional<std::pair<std::vector<int32_t>, size_t>> Detour(size_t i) const {
     const size_t last = std::min(way_.size() - 1, i + 4 * kLookAhead);
-    std::vector<int32_t> nodes(way_.begin() + static_cast<ptrdiff_t>(i), way_.begin() + static_cast<ptrdiff_t>(last) + 1);
+    std::vector<int32_t> nodes(way_.begin() + static_cast<ptrdiff_t>(i),
+                               way_.begin() + static_cast<ptrdiff_t>(last) + 1);
     const size_t on_way = nodes.size();
     AddRimPoints(position_(way_[i]), position_(way_[last]), nodes);
     std::vector<double> cost(nodes.size(), std::numeric_limits<double>::infinity());
@@ -70,7 +71,8 @@ class PathFinder {
     while (true) {
       size_t u = nodes.size();
       for (size_t k = 0; k < nodes.size(); ++k) {
-        if (!done[k] && cost[k] < std::numeric_limits<double>::infinity() && (u == nodes.size() || cost[k] < cost[u])) u = k;
+        if (!done[k] && cost[k] < std::numeric_limits<double>::infinity() && (u == nodes.size() || cost[k] < cost[u]))
+          u = k;
       }
       if (u == nodes.size()) return std::nullopt;
       done[u] = true;
@@ -101,8 +103,8 @@ class PathFinder {
     for (const auto& [distance, v] : near) nodes.push_back(v);
   }
 
-  static std::pair<std::vector<int32_t>, size_t> Trace(const std::vector<int32_t>& nodes, const std::vector<int32_t>& from,
-                                                       size_t end, size_t i) {
+  static std::pair<std::vector<int32_t>, size_t> Trace(const std::vector<int32_t>& nodes,
+                                                       const std::vector<int32_t>& from, size_t end, size_t i) {
     std::vector<int32_t> path;
     for (auto k = static_cast<int32_t>(end); k != 0; k = from[k]) path.push_back(nodes[k]);
     std::reverse(path.begin(), path.end());

@@ -11,9 +11,10 @@
 
 namespace tilemend {
 
-// A path from way.front() to way.back() over as many of the vertices between as can be reached in order, bending over rim points where
-// the rim stands in between. Consecutive vertices of the path are joined by free segments (RimIndex::IsFree) or by rim edges.
-// Vertices below rim.points.size() are rim points. Nothing if there is no such path.
+// A path from way.front() to way.back() over as many of the vertices between as can be reached in order, bending over
+// rim points where the rim stands in between. Consecutive vertices of the path are joined by free segments
+// (RimIndex::IsFree) or by rim edges. Vertices below rim.points.size() are rim points. Nothing if there is no such
+// path.
 std::optional<std::vector<int32_t>> FindSeamPath(const std::vector<int32_t>& way, const Rim& rim, const RimIndex& index,
                                                  const std::function<Point2(int32_t)>& position);
 
