@@ -30,6 +30,15 @@ absl::Status LateResult(const TaskKey& key, uint64_t token) {
                        {"LATE_RESULT", {{"job", key.job}, {"task", absl::StrCat(key.task)}}});
 }
 
+absl::Status Quarantined(const Task& task) {
+  const std::string text = absl::StrCat(Describe(task), ": quarantined after ", task.lost_workers.size(),
+                                        " workers were lost while they had it (", absl::StrJoin(task.lost_workers, ", "),
+                                        ")");
+  return WithErrorInfo(absl::AbortedError(text), {"QUARANTINED",
+                                                  {{"cell", absl::StrCat(task.cell.col, ",", task.cell.row)},
+                                                   {"stage", std::string(StageName(task.stage))}}});
+}
+
 }  // namespace
 
 std::string_view JobStateName(JobState state) {
@@ -165,7 +174,7 @@ void CoordinatorState::BackToPending(Job& job, Task& task, Effects& effects) {
   effects.retried.push_back(task.stage);
 }
 
-void CoordinatorState::Settle(Job& job, Task& task, TaskState state, std::string output, std::string message,
+void CoordinatorState::Settle(Job& job, Task& task, TaskState state, std::string output, absl::Status error,
                               Effects& effects) {
   EndLease(job, task);
   task.state = state;
@@ -180,7 +189,7 @@ void CoordinatorState::Settle(Job& job, Task& task, TaskState state, std::string
                              .stage = task.stage,
                              .state = state,
                              .output = std::move(output),
-                             .message = std::move(message),
+                             .error = std::move(error),
                              .leased_at = task.leased_at});
 }
 
@@ -190,10 +199,7 @@ void CoordinatorState::LoseLease(Job& job, Task& task, Effects& effects) {
     BackToPending(job, task, effects);
     return;
   }
-  Settle(job, task, TaskState::kQuarantined, "",
-         absl::StrCat(Describe(task), ": quarantined after ", task.lost_workers.size(),
-                      " workers were lost while they had it (", absl::StrJoin(task.lost_workers, ", "), ")"),
-         effects);
+  Settle(job, task, TaskState::kQuarantined, "", Quarantined(task), effects);
 }
 
 void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time) {
@@ -292,7 +298,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const LeaseRenewed& event) {
 absl::StatusOr<Effects> CoordinatorState::On(const TaskCompleted& event) {
   TILEMEND_ASSIGN_OR_RETURN(Task * task, TaskForResult(event.key, event.token));
   Effects effects;
-  if (task != nullptr) Settle(jobs_.at(event.key.job), *task, TaskState::kCommitted, event.output, "", effects);
+  if (task != nullptr) Settle(jobs_.at(event.key.job), *task, TaskState::kCommitted, event.output, absl::OkStatus(), effects);
   return effects;
 }
 
@@ -304,7 +310,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   if (event.machine && ++task->returns < options_.max_returns) {
     BackToPending(job, *task, effects);
   } else {
-    Settle(job, *task, TaskState::kFailed, "", event.message, effects);
+    Settle(job, *task, TaskState::kFailed, "", event.error, effects);
   }
   return effects;
 }

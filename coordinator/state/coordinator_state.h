@@ -87,7 +87,7 @@ class CoordinatorState {
   absl::StatusOr<Task*> TaskForResult(const TaskKey& key, uint64_t token);
   void EndLease(Job& job, Task& task);
   void BackToPending(Job& job, Task& task, Effects& effects);
-  void Settle(Job& job, Task& task, TaskState state, std::string output, std::string message, Effects& effects);
+  void Settle(Job& job, Task& task, TaskState state, std::string output, absl::Status error, Effects& effects);
   void LoseLease(Job& job, Task& task, Effects& effects);
   void EndJob(Job& job, JobState state, absl::Time time);
   bool IsLastChance(const Task& task) const;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/time/time.h"
 #include "coordinator/state/job.h"
 
@@ -62,7 +63,7 @@ struct TaskFailed {
   TaskKey key;
   uint64_t token = 0;
   bool machine = false;  // the machine's failure, not the cell's: another attempt is worth it
-  std::string message;
+  absl::Status error;    // not OK
 };
 
 // The holder did not renew in time: as if the worker was lost, for this task alone.
@@ -107,8 +108,8 @@ struct SettledTask {
   CellId cell;
   Stage stage = Stage::kSurvey;
   TaskState state = TaskState::kCommitted;
-  std::string output;   // kCommitted: digest
-  std::string message;  // kFailed, kQuarantined: why
+  std::string output;    // kCommitted: digest
+  absl::Status error;    // kFailed, kQuarantined (kAborted, QUARANTINED): why
   absl::Time leased_at;  // of the attempt that settled it
 };
 
