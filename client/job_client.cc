@@ -19,6 +19,11 @@ namespace {
 constexpr absl::Duration kPause = absl::Milliseconds(200);
 constexpr std::chrono::seconds kCallTimeout(30);
 
+absl::Status Unreachable(const absl::Status& status) {
+  return absl::UnavailableError(absl::StrCat("cannot reach the coordinator; is it running, and is --coordinator right? (",
+                                             std::string(status.message()), ")"));
+}
+
 }  // namespace
 
 class JobClient::Impl {
@@ -36,7 +41,8 @@ class JobClient::Impl {
       Response response;
       const absl::Status status = FromGrpcStatus((stub.get()->*method)(&context, request, &response));
       if (status.ok()) return response;
-      if (!absl::IsUnavailable(status) || absl::Now() + kPause > give_up) return status;
+      if (!absl::IsUnavailable(status)) return status;
+      if (absl::Now() + kPause > give_up) return Unreachable(status);
       absl::SleepFor(kPause);
     }
   }

@@ -6,6 +6,6 @@
 #include "common/rpc/endpoint.h"
 
 int main(int argc, char** argv) {
-  tilemend::RaiseFileLimit();
+  tilemend::PrepareProcess();
   return tilemend::Dispatch(tilemend::ServiceCommands(), std::vector<std::string>(argv + 1, argv + argc));
 }

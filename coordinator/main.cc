@@ -74,7 +74,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
 }
 
 int Main(const std::vector<std::string>& words) {
-  RaiseFileLimit();
+  PrepareProcess();
   const auto flags = Flags::Parse(CoordinatorFlags(), words);
   if (!flags.ok()) return Fail(flags.status(), kExitUsage);
   if (flags->Switch("help")) {

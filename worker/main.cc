@@ -72,7 +72,7 @@ absl::Status Work(const Flags& flags, const WorkerOptions& options) {
 }
 
 int Main(const std::vector<std::string>& words) {
-  RaiseFileLimit();
+  PrepareProcess();
   const auto flags = Flags::Parse(WorkerFlags(), words);
   if (!flags.ok()) return Fail(flags.status(), kExitUsage);
   if (flags->Switch("help")) {

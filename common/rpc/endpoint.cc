@@ -5,6 +5,7 @@
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server_builder.h>
+#include <stdlib.h>
 #include <sys/resource.h>
 
 #include <chrono>
@@ -80,7 +81,8 @@ absl::Status CheckAddress(const std::string& address) {
   return absl::OkStatus();
 }
 
-void RaiseFileLimit() {
+void PrepareProcess() {
+  setenv("GRPC_VERBOSITY", "NONE", 0);
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;

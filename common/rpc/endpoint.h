@@ -42,8 +42,9 @@ std::shared_ptr<grpc::Channel> Connect(const std::string& address);
 // kInvalidArgument unless `address` is HOST:PORT with a port in [0, 65535].
 absl::Status CheckAddress(const std::string& address);
 
-// Raises the limit of open files as far as allowed: gRPC 1.51 stops accepting for good after it ran out of them once.
-void RaiseFileLimit();
+// For the start of main. Raises the limit of open files as far as allowed, for gRPC 1.51 stops accepting for good after it
+// ran out of them once, and keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise.
+void PrepareProcess();
 
 }  // namespace tilemend
 

@@ -58,7 +58,8 @@ class CoordinatorImpl {
   absl::Status WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
                         const std::function<bool()>& alive);
 
-  absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request);
+  // `alive` tells whether the worker still waits for the answer: nothing is leased to one that does not.
+  absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request, const std::function<bool()>& alive);
   absl::Status ReadBlob(const v1::ReadBlobRequest& request, const std::function<bool(std::string_view)>& send);
   // `next` gives the messages of the stream and false at its end.
   absl::StatusOr<v1::WriteBlobResponse> WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next);
@@ -106,7 +107,8 @@ class CoordinatorImpl {
   void TakeReports(std::vector<Report> reports, v1::SyncResponse& response);
   void RenewHeld(const v1::SyncRequest& request);
   // Waits until there is news for the worker and writes it down; kAborted if a newer call took over.
-  absl::Status AwaitNews(const v1::SyncRequest& request, Lock& lock, v1::SyncResponse& response);
+  absl::Status AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive, Lock& lock,
+                         v1::SyncResponse& response);
   void TellState(const v1::SyncRequest& request, v1::SyncResponse& response);
   void LeaseTasks(const std::string& worker);
   std::map<std::string, std::shared_ptr<BlobFolder>> BlobsOf(const v1::SyncResponse& response);

@@ -46,8 +46,8 @@ class WorkService : public v1::Work::Service {
  public:
   explicit WorkService(CoordinatorImpl& impl) : impl_(impl) {}
 
-  grpc::Status Sync(ServerContext*, const v1::SyncRequest* request, v1::SyncResponse* response) override {
-    return Reply(impl_.Sync(*request), response);
+  grpc::Status Sync(ServerContext* context, const v1::SyncRequest* request, v1::SyncResponse* response) override {
+    return Reply(impl_.Sync(*request, [context] { return !context->IsCancelled(); }), response);
   }
   grpc::Status ReadBlob(ServerContext*, const v1::ReadBlobRequest* request,
                         grpc::ServerWriter<v1::BlobChunk>* writer) override {

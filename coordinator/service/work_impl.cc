@@ -60,7 +60,8 @@ v1::Task TaskMessage(const TaskKey& key, const Task& task) {
 
 }  // namespace
 
-absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& request) {
+absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& request,
+                                                       const std::function<bool()>& alive) {
   TILEMEND_RETURN_IF_ERROR(CheckSync(request));
   std::vector<Report> reports = PrepareReports(request);
   v1::SyncResponse response;
@@ -76,7 +77,7 @@ absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& re
     if (is_new) metrics_.Show(state_);
     TakeReports(std::move(reports), response);
     RenewHeld(request);
-    TILEMEND_RETURN_IF_ERROR(AwaitNews(request, lock, response));
+    TILEMEND_RETURN_IF_ERROR(AwaitNews(request, alive, lock, response));
     blobs = BlobsOf(response);
   }
   InlineInputs(blobs, response);
@@ -142,7 +143,8 @@ void CoordinatorImpl::RenewHeld(const v1::SyncRequest& request) {
   }
 }
 
-absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, Lock& lock, v1::SyncResponse& response) {
+absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive, Lock& lock,
+                                        v1::SyncResponse& response) {
   const absl::Duration wait = std::clamp(absl::Milliseconds(request.wait_ms()), absl::ZeroDuration(), kMaxPoll);
   const SteadyTime deadline = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(wait);
   while (true) {
@@ -150,6 +152,7 @@ absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, Lock& lo
     if (sequence == sequences_.end() || sequence->second > request.sequence()) {
       return absl::AbortedError("a newer call of this worker took over");
     }
+    if (!alive()) return absl::CancelledError("the worker went away");
     if (request.draining() && request.held().empty()) {
       Apply(WorkerLeft{request.worker()}).IgnoreError();
       sequences_.erase(sequence);

@@ -76,7 +76,7 @@ class ToyPipeline : public JobPipeline {
 
   Progress GetProgress() const override {
     Progress progress;
-    progress.phase = phase_ == 0 ? "survey" : absl::StrCat("layer ", phase_);
+    progress.phase = phase_ == 0 ? "survey" : assembling_ ? "assemble" : absl::StrCat("fill layer ", phase_);
     progress.cells = static_cast<int64_t>(scene_.cols) * scene_.rows;
     return progress;
   }
