@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "absl/strings/str_cat.h"
+#include "client/commands.h"
+#include "common/util/exit_codes.h"
+#include "common/util/version.h"
+
+namespace tilemend {
+namespace {
+
+std::string Help(const std::vector<Command>& commands) {
+  std::string text = "Fills the holes of very large triangle meshes that are stored as tiles.\n\nUsage: tilemend COMMAND ...\n\n";
+  for (const Command& command : commands) {
+    std::string left = absl::StrCat("  ", command.name, " ", command.arguments);
+    left.resize(std::max<size_t>(left.size() + 2, 34), ' ');
+    absl::StrAppend(&text, left, command.summary, "\n");
+  }
+  absl::StrAppend(&text,
+                  "  help COMMAND                    the flags of a command\n"
+                  "  --version                       the release\n\n"
+                  "Exit codes: 0 done, 2 usage, 3 not found, 4 invalid input, 5 try again, 6 failed, 7 cancelled,\n"
+                  "100 done but some holes or cells are left.\n");
+  return text;
+}
+
+std::string HelpOf(const Command& command) {
+  return absl::StrCat("Usage: tilemend ", command.name, " ", command.arguments, "\n\n", command.summary, "\n\n",
+                      FlagsHelp(command.flags));
+}
+
+int UsageError(const std::string& text) {
+  std::fprintf(stderr, "tilemend: %s\nTry `tilemend help`.\n", text.c_str());
+  return kExitUsage;
+}
+
+int RunParsed(const Command& command, const std::vector<std::string>& words) {
+  const auto args = Args::Parse(command.flags, words);
+  if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));
+  if (args->arguments().size() != command.argument_count) {
+    return UsageError(absl::StrCat(command.name, ": expected ", command.argument_count, " argument(s), got ",
+                                   args->arguments().size(), "; usage: tilemend ", command.name, " ", command.arguments));
+  }
+  for (const std::string& name : command.required_flags) {
+    if (args->Text(name).empty()) return UsageError(absl::StrCat(command.name, ": --", name, " is needed"));
+  }
+  return command.run(*args);
+}
+
+}  // namespace
+
+int Dispatch(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+  if (words.empty()) {
+    std::fputs(Help(commands).c_str(), stderr);
+    return kExitUsage;
+  }
+  if (words[0] == "--version" || words[0] == "version") {
+    std::printf("tilemend %s\n", Version());
+    return kExitDone;
+  }
+  const bool help = words[0] == "help" || words[0] == "--help" || words[0] == "-h";
+  if (help && words.size() == 1) {
+    std::fputs(Help(commands).c_str(), stdout);
+    return kExitDone;
+  }
+  const std::string& name = help ? words[1] : words[0];
+  std::vector<std::string> names = {"help"};
+  for (const Command& command : commands) {
+    names.push_back(command.name);
+    if (command.name != name) continue;
+    const std::vector<std::string> rest(words.begin() + 1, words.end());
+    const bool wants_help = help || std::find(rest.begin(), rest.end(), "--help") != rest.end() ||
+                            std::find(rest.begin(), rest.end(), "-h") != rest.end();
+    if (!wants_help) return RunParsed(command, rest);
+    std::fputs(HelpOf(command).c_str(), stdout);
+    return kExitDone;
+  }
+  return UsageError(absl::StrCat("unknown command '", name, "'", DidYouMean(name, names)));
+}
+
+}  // namespace tilemend

@@ -1,0 +1,133 @@
+#include "client/job_client.h"
+
+#include <grpcpp/channel.h>
+#include <grpcpp/client_context.h>
+
+#include <chrono>
+#include <utility>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "common/rpc/grpc_status.h"
+#include "common/util/status_macros.h"
+#include "tilemend/v1/jobs.grpc.pb.h"
+
+namespace tilemend {
+namespace {
+
+constexpr absl::Duration kPause = absl::Milliseconds(200);
+constexpr std::chrono::seconds kCallTimeout(30);
+
+absl::Status Unreachable(const absl::Status& status) {
+  return absl::UnavailableError(absl::StrCat("cannot reach the coordinator; is it running, and is --coordinator right? (",
+                                             std::string(status.message()), ")"));
+}
+
+}  // namespace
+
+class JobClient::Impl {
+ public:
+  explicit Impl(const std::shared_ptr<grpc::Channel>& channel) : stub(v1::Jobs::NewStub(channel)) {}
+
+  // Repeats a call that is safe to repeat while the coordinator cannot be reached.
+  template <typename Request, typename Response>
+  absl::StatusOr<Response> Call(grpc::Status (v1::Jobs::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                                const Request& request, absl::Duration patience) {
+    const absl::Time give_up = absl::Now() + patience;
+    while (true) {
+      grpc::ClientContext context;
+      context.set_deadline(std::chrono::system_clock::now() + kCallTimeout);
+      Response response;
+      const absl::Status status = FromGrpcStatus((stub.get()->*method)(&context, request, &response));
+      if (status.ok()) return response;
+      if (!absl::IsUnavailable(status)) return status;
+      if (absl::Now() + kPause > give_up) return Unreachable(status);
+      absl::SleepFor(kPause);
+    }
+  }
+
+  const std::unique_ptr<v1::Jobs::Stub> stub;
+};
+
+JobClient::JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration patience)
+    : impl_(std::make_unique<Impl>(channel)), patience_(patience) {}
+
+JobClient::~JobClient() = default;
+
+absl::StatusOr<v1::Job> JobClient::Create(const v1::CreateJobRequest& request) {
+  return impl_->Call(&v1::Jobs::Stub::CreateJob, request, request.request_id().empty() ? absl::ZeroDuration() : patience_);
+}
+
+absl::StatusOr<v1::Job> JobClient::Get(const std::string& name) {
+  v1::GetJobRequest request;
+  request.set_name(name);
+  return impl_->Call(&v1::Jobs::Stub::GetJob, request, patience_);
+}
+
+absl::StatusOr<v1::ListJobsResponse> JobClient::List(const v1::ListJobsRequest& request) {
+  return impl_->Call(&v1::Jobs::Stub::ListJobs, request, patience_);
+}
+
+absl::StatusOr<v1::Job> JobClient::Cancel(const std::string& name) {
+  v1::CancelJobRequest request;
+  request.set_name(name);
+  return impl_->Call(&v1::Jobs::Stub::CancelJob, request, patience_);
+}
+
+absl::StatusOr<v1::Job> JobClient::Retry(const v1::RetryJobRequest& request) {
+  return impl_->Call(&v1::Jobs::Stub::RetryJob, request, request.request_id().empty() ? absl::ZeroDuration() : patience_);
+}
+
+absl::Status JobClient::WatchOnce(v1::WatchJobRequest& request, const std::function<void(const v1::Job&)>& show,
+                                  v1::Job& last) {
+  grpc::ClientContext context;
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (stopped_) return absl::CancelledError("the watch was stopped");
+    watch_context_ = &context;
+  }
+  const auto reader = impl_->stub->WatchJob(&context, request);
+  v1::Job job;
+  while (reader->Read(&job)) {
+    request.set_cursor(job.cursor());
+    show(job);
+    last = job;
+  }
+  const absl::Status status = FromGrpcStatus(reader->Finish());
+  std::lock_guard<std::mutex> lock(mutex_);
+  watch_context_ = nullptr;
+  return stopped_ ? absl::CancelledError("the watch was stopped") : status;
+}
+
+absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::function<void(const v1::Job&)>& show) {
+  v1::WatchJobRequest request;
+  request.set_name(name);
+  v1::Job last;
+  absl::Time give_up = absl::Now() + patience_;
+  while (true) {
+    const uint64_t cursor = request.cursor();
+    const absl::Status status = WatchOnce(request, show, last);
+    if (IsOver(last.state())) return last;
+    if (request.cursor() != cursor) give_up = absl::Now() + patience_;
+    if (!status.ok() && !absl::IsUnavailable(status)) return status;
+    if (absl::Now() + kPause > give_up) {
+      return absl::UnavailableError(absl::StrCat(name, ": lost the coordinator: ", std::string(status.message())));
+    }
+    absl::SleepFor(kPause);
+  }
+}
+
+void JobClient::StopWatch() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  stopped_ = true;
+  if (watch_context_ != nullptr) watch_context_->TryCancel();
+}
+
+std::string JobName(const std::string& argument) {
+  return absl::StartsWith(argument, "jobs/") ? argument : absl::StrCat("jobs/", argument);
+}
+
+bool IsOver(v1::JobState state) { return state != v1::RUNNING && state != v1::JOB_STATE_UNSPECIFIED; }
+
+}  // namespace tilemend

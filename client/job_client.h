@@ -1,0 +1,60 @@
+// The client API of a coordinator, for the commands.
+#ifndef TILEMEND_CLIENT_JOB_CLIENT_H_
+#define TILEMEND_CLIENT_JOB_CLIENT_H_
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "tilemend/v1/jobs.pb.h"
+
+namespace grpc {
+class Channel;
+class ClientContext;
+}  // namespace grpc
+
+namespace tilemend {
+
+// Thread-safe, except that one Watch goes at a time.
+class JobClient {
+ public:
+  // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable).
+  JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration patience);
+  ~JobClient();
+
+  // With a request_id, safe to repeat; it is repeated while the coordinator cannot be reached.
+  absl::StatusOr<v1::Job> Create(const v1::CreateJobRequest& request);
+  absl::StatusOr<v1::Job> Get(const std::string& name);
+  absl::StatusOr<v1::ListJobsResponse> List(const v1::ListJobsRequest& request);
+  absl::StatusOr<v1::Job> Cancel(const std::string& name);
+  absl::StatusOr<v1::Job> Retry(const v1::RetryJobRequest& request);
+
+  // Calls `show` with each state of the job until it is over, and gives the last. Connects again, with the cursor, when
+  // the stream is lost. kCancelled after StopWatch.
+  absl::StatusOr<v1::Job> Watch(const std::string& name, const std::function<void(const v1::Job&)>& show);
+  // From another thread.
+  void StopWatch();
+
+ private:
+  class Impl;
+  absl::Status WatchOnce(v1::WatchJobRequest& request, const std::function<void(const v1::Job&)>& show, v1::Job& last);
+
+  const std::unique_ptr<Impl> impl_;
+  const absl::Duration patience_;
+  std::mutex mutex_;
+  bool stopped_ = false;
+  grpc::ClientContext* watch_context_ = nullptr;
+};
+
+// "jobs/X" for "X" and "jobs/X".
+std::string JobName(const std::string& argument);
+
+bool IsOver(v1::JobState state);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_JOB_CLIENT_H_

@@ -1,0 +1,129 @@
+// Commands that talk to a coordinator.
+#include <cstdio>
+#include <random>
+
+#include "absl/strings/str_format.h"
+#include "client/commands.h"
+#include "client/job_client.h"
+#include "client/job_flags.h"
+#include "client/output.h"
+#include "common/rpc/endpoint.h"
+#include "common/util/signals.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+constexpr absl::Duration kPatience = absl::Seconds(5);
+
+std::string NewRequestId() {
+  std::random_device random;
+  return absl::StrFormat("%08x%08x%08x%08x", random(), random(), random(), random());
+}
+
+// What every command here begins with.
+struct Session {
+  OutputFormat format = OutputFormat::kTable;
+  std::unique_ptr<JobClient> client;
+  std::unique_ptr<SignalWatcher> signals;  // only if it is going to watch; it calls the client, so it goes first
+};
+
+absl::StatusOr<Session> OpenSession(const Args& args, bool watches) {
+  Session session;
+  if (watches) session.signals = std::make_unique<SignalWatcher>();  // before gRPC has threads
+  TILEMEND_ASSIGN_OR_RETURN(session.format, FormatFromFlags(args));
+  const std::string address = args.Text("coordinator");
+  TILEMEND_RETURN_IF_ERROR(CheckAddress(address));
+  session.client = std::make_unique<JobClient>(Connect(address), kPatience);
+  return session;
+}
+
+int PrintJob(const absl::StatusOr<v1::Job>& job, OutputFormat format) {
+  if (!job.ok()) return PrintError(job.status());
+  std::fputs(JobText(*job, format).c_str(), stdout);
+  return kExitDone;
+}
+
+// Until the job is over; Ctrl-C ends the watching, not the job.
+int WatchToEnd(Session& session, const std::string& name) {
+  absl::StatusOr<v1::Job> job;
+  {
+    session.signals->Start([client = session.client.get()](int) { client->StopWatch(); });
+    ProgressDisplay display;
+    job = session.client->Watch(name, [&display](const v1::Job& now) { display.Show(now); });
+    session.signals->Stop();
+  }
+  if (absl::IsCancelled(job.status())) {
+    std::fprintf(stderr, "tilemend: %s goes on; `tilemend cancel %s` ends it\n", name.c_str(), name.c_str());
+    return kExitCancelled;
+  }
+  const int printed = PrintJob(job, session.format);
+  return job.ok() ? ExitCodeOf(*job) : printed;
+}
+
+// Prints a job that was just made, or waits for its end.
+int AfterStart(Session& session, const Args& args, const absl::StatusOr<v1::Job>& job) {
+  if (job.ok() && args.Switch("wait")) return WatchToEnd(session, job->name());
+  return PrintJob(job, session.format);
+}
+
+std::string RequestIdFromFlags(const Args& args) {
+  return args.IsGiven("request-id") ? args.Text("request-id") : NewRequestId();
+}
+
+}  // namespace
+
+int SubmitCommand(const Args& args) {
+  auto session = OpenSession(args, args.Switch("wait"));
+  if (!session.ok()) return PrintUsageError(session.status());
+  const auto spec = SpecFromFlags(args);
+  if (!spec.ok()) return PrintUsageError(spec.status());
+  v1::CreateJobRequest request;
+  *request.mutable_spec() = *spec;
+  request.set_request_id(RequestIdFromFlags(args));
+  return AfterStart(*session, args, session->client->Create(request));
+}
+
+int RetryCommand(const Args& args) {
+  auto session = OpenSession(args, args.Switch("wait"));
+  if (!session.ok()) return PrintUsageError(session.status());
+  v1::RetryJobRequest request;
+  request.set_name(JobName(args.arguments().front()));
+  request.set_request_id(RequestIdFromFlags(args));
+  return AfterStart(*session, args, session->client->Retry(request));
+}
+
+int GetCommand(const Args& args) {
+  auto session = OpenSession(args, false);
+  if (!session.ok()) return PrintUsageError(session.status());
+  return PrintJob(session->client->Get(JobName(args.arguments().front())), session->format);
+}
+
+int CancelCommand(const Args& args) {
+  auto session = OpenSession(args, false);
+  if (!session.ok()) return PrintUsageError(session.status());
+  return PrintJob(session->client->Cancel(JobName(args.arguments().front())), session->format);
+}
+
+int WatchCommand(const Args& args) {
+  auto session = OpenSession(args, true);
+  if (!session.ok()) return PrintUsageError(session.status());
+  return WatchToEnd(*session, JobName(args.arguments().front()));
+}
+
+int ListCommand(const Args& args) {
+  auto session = OpenSession(args, false);
+  if (!session.ok()) return PrintUsageError(session.status());
+  v1::ListJobsRequest request;
+  std::vector<v1::Job> jobs;
+  do {
+    const auto page = session->client->List(request);
+    if (!page.ok()) return PrintError(page.status());
+    jobs.insert(jobs.end(), page->jobs().begin(), page->jobs().end());
+    request.set_page_token(page->next_page_token());
+  } while (!request.page_token().empty());
+  std::fputs(JobsText(jobs, session->format).c_str(), stdout);
+  return kExitDone;
+}
+
+}  // namespace tilemend

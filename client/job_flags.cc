@@ -1,0 +1,69 @@
+#include "client/job_flags.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/status_macros.h"
+#include "coordinator/service/job_pipeline.h"
+#include "coordinator/service/job_proto.h"
+
+namespace tilemend {
+namespace {
+
+std::string AbsolutePath(const std::string& path) {
+  if (path.empty() || path.find("://") != std::string::npos) return path;
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  return error ? path : absolute.lexically_normal().string();
+}
+
+}  // namespace
+
+std::vector<FlagSpec> JobFlags() {
+  const JobSpec defaults;
+  return {
+      {"out", "DIR", "folder to write to", ""},
+      {"surface", "NAME", "wang or thin-plate", defaults.surface},
+      {"uniform", "", "triangles as large as the rim's throughout", ""},
+      {"gradation", "X", "growth of the triangles inward, 1 to 10", absl::StrCat(defaults.gradation)},
+      {"size-limit", "X", "largest edge over the rim's mean edge", absl::StrCat(defaults.size_limit)},
+      {"seam-smoothing", "X", "smoothing of the seams, 0 to 1", absl::StrCat(defaults.seam_smoothing)},
+      {"overwrite", "", "replace an existing output", ""},
+      {"dry-run", "", "survey and plan only, write nothing", ""},
+      OutputFlag(),
+  };
+}
+
+FlagSpec OutputFlag() { return {"output", "FORMAT", "table or json", "table", 'o'}; }
+
+absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
+  JobSpec spec;
+  spec.scene = AbsolutePath(args.arguments().front());
+  spec.out = AbsolutePath(args.Text("out"));
+  spec.surface = args.Text("surface");
+  spec.uniform = args.Switch("uniform");
+  TILEMEND_ASSIGN_OR_RETURN(spec.gradation, args.Number("gradation", 1, 10));
+  TILEMEND_ASSIGN_OR_RETURN(spec.size_limit, args.Number("size-limit", 1, 1e6));
+  TILEMEND_ASSIGN_OR_RETURN(spec.seam_smoothing, args.Number("seam-smoothing", 0, 1));
+  spec.overwrite = args.Switch("overwrite");
+  spec.dry_run = args.Switch("dry-run");
+  if (spec.out.empty() && !spec.dry_run) return absl::InvalidArgumentError("--out DIR is needed");
+  TILEMEND_RETURN_IF_ERROR(spec.Check());
+  return SpecToProto(spec);
+}
+
+absl::StatusOr<OutputFormat> FormatFromFlags(const Args& args) {
+  const std::string format = args.Text("output");
+  if (format == "table") return OutputFormat::kTable;
+  if (format == "json") return OutputFormat::kJson;
+  return absl::InvalidArgumentError(absl::StrCat("-o '", format, "': expected table or json"));
+}
+
+int PrintUsageError(const absl::Status& status) {
+  PrintError(status);
+  return kExitUsage;
+}
+
+}  // namespace tilemend

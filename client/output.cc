@@ -1,0 +1,157 @@
+#include "client/output.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
+#include "absl/time/time.h"
+#include "common/rpc/status_proto.h"
+#include "common/util/error_info.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string StateName(v1::JobState state) { return absl::AsciiStrToLower(v1::JobState_Name(state)); }
+
+std::string TimeText(const google::protobuf::Timestamp& time) {
+  return absl::FormatTime("%Y-%m-%dT%H:%M:%SZ", absl::FromUnixSeconds(time.seconds()), absl::UTCTimeZone());
+}
+
+// "3/24", or "-" while the whole is not known.
+std::string Share(int64_t part, int64_t whole) { return whole == 0 ? "-" : absl::StrCat(part, "/", whole); }
+
+Json JobJson(const v1::Job& job) {
+  const v1::Progress& p = job.progress();
+  Json json = {{"name", job.name()},
+               {"state", StateName(job.state())},
+               {"scene", job.spec().scene()},
+               {"out", job.spec().out()},
+               {"created", TimeText(job.create_time())}};
+  if (job.has_end_time()) json["ended"] = TimeText(job.end_time());
+  json["progress"] = {{"phase", p.phase()},
+                      {"cells", p.cells()},
+                      {"cells_done", p.cells_done()},
+                      {"holes", p.holes()},
+                      {"holes_filled", p.holes_filled()},
+                      {"tasks", p.tasks()},
+                      {"tasks_done", p.tasks_done()},
+                      {"tasks_running", p.tasks_running()},
+                      {"tasks_retried", p.tasks_retried()},
+                      {"tasks_quarantined", p.tasks_quarantined()}};
+  if (job.has_error()) {
+    const absl::Status error = StatusFromProto(job.error());
+    json["error"] = {{"code", absl::StatusCodeToString(error.code())},
+                     {"message", job.error().message()},
+                     {"reason", ErrorReason(error)}};
+  }
+  if (!job.message().empty()) json["message"] = job.message();
+  if (!job.report().empty()) json["report"] = job.report();
+  return json;
+}
+
+// Bytes of a path need not be UTF-8.
+std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace
+
+std::string Table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
+  std::vector<size_t> widths;
+  for (const std::string& heading : headings) widths.push_back(heading.size());
+  for (const auto& row : rows) {
+    for (size_t i = 0; i < row.size() && i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& row) {
+    std::string line;
+    for (size_t i = 0; i < row.size() && i < widths.size(); ++i) {
+      line += row[i];
+      line.append(widths[i] - row[i].size() + 2, ' ');
+    }
+    absl::StrAppend(&text, std::string(absl::StripTrailingAsciiWhitespace(line)), "\n");
+  };
+  add(headings);
+  for (const auto& row : rows) add(row);
+  return text;
+}
+
+std::string JobText(const v1::Job& job, OutputFormat format) {
+  if (format == OutputFormat::kJson) return Dump(JobJson(job));
+  const v1::Progress& p = job.progress();
+  std::vector<std::vector<std::string>> rows = {{"state", StateName(job.state())},
+                                                {"scene", job.spec().scene()},
+                                                {"out", job.spec().out()},
+                                                {"phase", p.phase()},
+                                                {"cells", Share(p.cells_done(), p.cells())},
+                                                {"holes", Share(p.holes_filled(), p.holes())},
+                                                {"tasks", Share(p.tasks_done(), p.tasks())}};
+  if (p.tasks_retried() > 0) rows.push_back({"retried", absl::StrCat(p.tasks_retried())});
+  if (p.tasks_quarantined() > 0) rows.push_back({"quarantined", absl::StrCat(p.tasks_quarantined())});
+  if (!job.message().empty()) rows.push_back({"message", job.message()});
+  if (job.has_error()) rows.push_back({"error", job.error().message()});
+  if (!job.report().empty()) rows.push_back({"report", job.report()});
+  return Table({"job", job.name()}, rows);
+}
+
+std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format) {
+  if (format == OutputFormat::kJson) {
+    Json json = Json::array();
+    for (const v1::Job& job : jobs) json.push_back(JobJson(job));
+    return Dump(json);
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const v1::Job& job : jobs) {
+    rows.push_back({job.name(), StateName(job.state()), Share(job.progress().cells_done(), job.progress().cells()),
+                    Share(job.progress().tasks_done(), job.progress().tasks()), TimeText(job.create_time()),
+                    job.spec().out()});
+  }
+  return Table({"JOB", "STATE", "CELLS", "TASKS", "CREATED", "OUT"}, rows);
+}
+
+ExitCode ExitCodeOf(const v1::Job& job) {
+  switch (job.state()) {
+    case v1::PARTIAL:
+      return kExitSomeLeft;
+    case v1::FAILED:
+      return job.has_error() ? ExitCodeOf(StatusFromProto(job.error())) : kExitFailed;
+    case v1::CANCELLED:
+      return kExitCancelled;
+    default:
+      return kExitDone;
+  }
+}
+
+ExitCode PrintError(const absl::Status& status) {
+  std::fprintf(stderr, "tilemend: %s\n", std::string(status.message()).c_str());
+  return ExitCodeOf(status);
+}
+
+ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressDisplay::~ProgressDisplay() {
+  if (has_bar_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressDisplay::Show(const v1::Job& job) {
+  const v1::Progress& p = job.progress();
+  if (!is_terminal_) {
+    if (p.phase() != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), p.phase().c_str());
+    phase_ = p.phase();
+    return;
+  }
+  constexpr int64_t kWidth = 30;
+  const int64_t whole = std::max<int64_t>(1, p.tasks());
+  const int64_t full = std::clamp<int64_t>(kWidth * p.tasks_done() / whole, 0, kWidth);
+  const std::string bar = std::string(static_cast<size_t>(full), '#') + std::string(static_cast<size_t>(kWidth - full), '.');
+  std::fprintf(stderr, "\r\033[K[%s] %s, %s tasks, %s cells", bar.c_str(), p.phase().c_str(),
+               Share(p.tasks_done(), p.tasks()).c_str(), Share(p.cells_done(), p.cells()).c_str());
+  std::fflush(stderr);
+  has_bar_ = true;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,43 @@
+// What the commands print.
+#ifndef TILEMEND_CLIENT_OUTPUT_H_
+#define TILEMEND_CLIENT_OUTPUT_H_
+
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/util/exit_codes.h"
+#include "tilemend/v1/jobs.pb.h"
+
+namespace tilemend {
+
+enum class OutputFormat { kTable, kJson };
+
+// Rows under their headings, columns lined up.
+std::string Table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows);
+
+std::string JobText(const v1::Job& job, OutputFormat format);
+std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format);
+
+// By the job's end; kExitDone for a job that still runs.
+ExitCode ExitCodeOf(const v1::Job& job);
+
+// One line on stderr; gives the exit code.
+ExitCode PrintError(const absl::Status& status);
+
+// Shows on stderr how a job goes: a bar on a terminal, else a line for each phase.
+class ProgressDisplay {
+ public:
+  ProgressDisplay();
+  ~ProgressDisplay();
+  void Show(const v1::Job& job);
+
+ private:
+  const bool is_terminal_;
+  bool has_bar_ = false;
+  std::string phase_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_OUTPUT_H_

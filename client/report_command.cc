@@ -1,0 +1,65 @@
+// `tilemend report`: what report.json says, for people.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "absl/strings/str_cat.h"
+#include "client/commands.h"
+#include "client/job_flags.h"
+#include "client/output.h"
+#include "common/util/files.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kMaxLeftRows = 50;
+
+std::string Text(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Numbers and strings as rows; groups of them with their path as a name, but no lists.
+void AddRows(const Json& value, const std::string& name, std::vector<std::vector<std::string>>& rows) {
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items()) AddRows(member, name.empty() ? key : absl::StrCat(name, " ", key), rows);
+  } else if (!value.is_array()) {
+    rows.push_back({name, Text(value)});
+  }
+}
+
+std::string ReportText(const Json& report) {
+  std::vector<std::vector<std::string>> rows;
+  AddRows(report, "", rows);
+  std::string text = Table({"report", ""}, rows);
+  const auto left = report.find("left");
+  if (left == report.end() || !left->is_array() || left->empty()) return text;
+  std::vector<std::vector<std::string>> left_rows;
+  for (const Json& item : *left) {
+    if (!item.is_object() || left_rows.size() == kMaxLeftRows) continue;
+    left_rows.push_back({Text(item.value("cell", Json())), Text(item.value("reason", Json()))});
+  }
+  absl::StrAppend(&text, "\n", left->size(), " left\n", Table({"cell", "reason"}, left_rows));
+  return text;
+}
+
+}  // namespace
+
+int ReportCommand(const Args& args) {
+  const auto format = FormatFromFlags(args);
+  if (!format.ok()) return PrintUsageError(format.status());
+  std::filesystem::path path = args.arguments().front();
+  if (path.extension() != ".json") path /= "report.json";
+  const auto content = ReadFile(path.string());
+  if (!content.ok()) return PrintError(content.status());
+  const Json report = Json::parse(*content, nullptr, false);
+  if (!report.is_object()) {
+    return PrintError(absl::InvalidArgumentError(absl::StrCat(path.string(), ": not a report (expected a JSON object)")));
+  }
+  std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
+  return kExitDone;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,88 @@
+// `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
+#include <stdlib.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "absl/cleanup/cleanup.h"
+#include "absl/strings/str_cat.h"
+#include "client/commands.h"
+#include "client/job_client.h"
+#include "client/job_flags.h"
+#include "client/output.h"
+#include "common/util/signals.h"
+#include "common/util/status_macros.h"
+#include "coordinator/service/coordinator_impl.h"
+#include "coordinator/service/grpc_services.h"
+#include "coordinator/service/scene_pipeline.h"
+#include "worker/service/scene_stages.h"
+#include "worker/service/worker.h"
+
+namespace tilemend {
+namespace {
+
+absl::StatusOr<std::string> MakeWorkFolder(const std::string& parent) {
+  std::error_code error;
+  std::filesystem::path base = parent.empty() ? std::filesystem::temp_directory_path(error) : std::filesystem::path(parent);
+  if (!error) std::filesystem::create_directories(base, error);
+  std::string path = (base / "tilemend-XXXXXX").string();
+  if (error || mkdtemp(path.data()) == nullptr) {
+    return absl::PermissionDeniedError(
+        absl::StrCat(base.string(), ": cannot make a work folder there; choose another with --work"));
+  }
+  return path;
+}
+
+// Runs the job to its end. The first signal cancels it.
+absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const std::string& work_folder) {
+  SignalWatcher signals;  // before any other thread
+  CoordinatorOptions options;
+  options.work_folder = work_folder;
+  // Workers of this process cannot be lost without it; a machine that slept must not look like one that died.
+  options.lease = absl::Hours(24);
+  TILEMEND_ASSIGN_OR_RETURN(const auto impl,
+                            CoordinatorImpl::Create(options, ScenePipelineFactory(), *MetricsRegistry::Null()));
+  TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *impl));
+  JobClient client(server->rpc().InProcessChannel(), absl::ZeroDuration());
+  v1::CreateJobRequest request;
+  *request.mutable_spec() = spec;
+  TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, client.Create(request));
+  Worker worker({.id = "embedded", .threads = threads}, NewGrpcWorkLink(server->rpc().InProcessChannel()),
+                SceneStageRunner(), *MetricsRegistry::Null());
+  signals.Start([&client, name = job.name()](int) {
+    // Refused if the job has just ended; then there is nothing to cancel.
+    client.Cancel(name).status().IgnoreError();
+  });
+  ProgressDisplay display;
+  auto end = client.Watch(job.name(), [&display](const v1::Job& now) { display.Show(now); });
+  signals.Stop();  // before the client goes
+  return end;
+}
+
+}  // namespace
+
+int RunCommand(const Args& args) {
+  const auto format = FormatFromFlags(args);
+  if (!format.ok()) return PrintUsageError(format.status());
+  const auto spec = SpecFromFlags(args);
+  if (!spec.ok()) return PrintUsageError(spec.status());
+  const auto threads = args.IsGiven("workers") ? args.Integer("workers", 1, 1024)
+                                               : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
+  if (!threads.ok()) return PrintUsageError(threads.status());
+  const auto work_folder = MakeWorkFolder(args.Text("work"));
+  if (!work_folder.ok()) return PrintError(work_folder.status());
+  const auto remove = absl::MakeCleanup([&work_folder] {
+    std::error_code error;
+    std::filesystem::remove_all(*work_folder, error);
+  });
+  const auto job = RunEmbedded(*spec, static_cast<int>(*threads), *work_folder);
+  if (!job.ok()) return PrintError(job.status());
+  if (job->state() == v1::FAILED) std::fprintf(stderr, "tilemend: %s\n", job->error().message().c_str());
+  std::fputs(JobText(*job, *format).c_str(), stdout);
+  return ExitCodeOf(*job);
+}
+
+}  // namespace tilemend

@@ -1,0 +1,51 @@
+// Servers and channels with the limits of the protocol.
+#ifndef TILEMEND_COMMON_RPC_ENDPOINT_H_
+#define TILEMEND_COMMON_RPC_ENDPOINT_H_
+
+#include <grpcpp/channel.h>
+#include <grpcpp/impl/codegen/service_type.h>
+#include <grpcpp/server.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+
+namespace tilemend {
+
+// A running gRPC server. Its services must outlive it.
+class RpcServer {
+ public:
+  // Listens on `listen` ("HOST:PORT", port 0 takes a free one) or, if it is empty, only in process. Answers the standard
+  // health check. kInvalidArgument for a malformed address, kUnavailable if the address cannot be had.
+  static absl::StatusOr<std::unique_ptr<RpcServer>> Start(const std::string& listen,
+                                                          const std::vector<grpc::Service*>& services);
+  ~RpcServer();
+
+  int port() const { return port_; }
+  std::shared_ptr<grpc::Channel> InProcessChannel();
+  // Takes no new calls, waits for running ones at most `grace`, then cancels them. Safe to call twice.
+  void Shutdown(absl::Duration grace);
+
+ private:
+  RpcServer(std::unique_ptr<grpc::Server> server, int port);
+
+  std::unique_ptr<grpc::Server> server_;
+  int port_ = 0;
+};
+
+// Connects on first use and again whenever the connection is lost.
+std::shared_ptr<grpc::Channel> Connect(const std::string& address);
+
+// kInvalidArgument unless `address` is HOST:PORT with a port in [0, 65535].
+absl::Status CheckAddress(const std::string& address);
+
+// For the start of main. Raises the limit of open files as far as allowed, for gRPC 1.51 stops accepting for good after it
+// ran out of them once, and keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise.
+void PrepareProcess();
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_RPC_ENDPOINT_H_

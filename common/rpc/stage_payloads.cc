@@ -1,0 +1,296 @@
+#include "common/rpc/stage_payloads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/draco_mesh.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kFinestStep = 0x1p-10;  // metres
+constexpr double kMostSteps = 0x1p28;    // of a mesh's extent, so that lattice coordinates fit 32 bits with room to spare
+
+absl::Status Malformed(const char* what) {
+  return absl::InvalidArgumentError(absl::StrCat("malformed payload: ", what));
+}
+
+template <typename Repeated>
+void AddPoint(const Point3& p, Repeated* out) {
+  for (int k = 0; k < 3; ++k) out->Add(static_cast<typename Repeated::value_type>(p[k]));
+}
+
+template <typename Repeated>
+Point3 PointAt(const Repeated& values, int i) {
+  return {static_cast<double>(values[3 * i]), static_cast<double>(values[3 * i + 1]), static_cast<double>(values[3 * i + 2])};
+}
+
+// A lattice that holds the mesh: step at least `finest`, origin at a multiple of it.
+v1::LatticeMeshBlob EncodeMesh(const std::vector<Point3>& points, const std::vector<Triangle>& triangles, double finest) {
+  v1::LatticeMeshBlob blob;
+  Point3 lo = points.empty() ? Point3::Zero() : points[0], hi = lo;
+  for (const Point3& p : points) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  double step = finest;
+  while ((hi - lo).maxCoeff() / step > kMostSteps) step *= 2;
+  const Point3 origin = (lo / step).array().floor().matrix() * step;
+  AddPoint(origin, blob.mutable_origin());
+  blob.set_step(step);
+  LatticeMesh mesh;
+  mesh.points.reserve(points.size());
+  for (const Point3& p : points) {
+    std::array<int32_t, 3> q;
+    for (int k = 0; k < 3; ++k) q[k] = static_cast<int32_t>(std::llround((p[k] - origin[k]) / step));
+    mesh.points.push_back(q);
+  }
+  mesh.triangles = triangles;
+  blob.set_draco(EncodeDraco(mesh));
+  return blob;
+}
+
+absl::StatusOr<TriMesh> DecodeMesh(const v1::LatticeMeshBlob& blob) {
+  if (blob.origin_size() != 3 || !(blob.step() > 0) || !std::isfinite(blob.step())) return Malformed("lattice");
+  DracoLimits limits;
+  limits.max_points = kMaxPayloadPoints;
+  limits.max_faces = kMaxPayloadTriangles;
+  TILEMEND_ASSIGN_OR_RETURN(LatticeMesh mesh, DecodeDraco(blob.draco(), limits));
+  TriMesh result;
+  const Point3 origin = PointAt(blob.origin(), 0);
+  result.points.reserve(mesh.points.size());
+  for (const auto& q : mesh.points) {
+    result.points.emplace_back(origin.x() + q[0] * blob.step(), origin.y() + q[1] * blob.step(),
+                               origin.z() + q[2] * blob.step());
+  }
+  result.triangles = std::move(mesh.triangles);
+  return result;
+}
+
+// Whether all values are in [0, end).
+template <typename Repeated>
+bool AllBelow(const Repeated& values, int64_t end) {
+  return std::all_of(values.begin(), values.end(), [end](int64_t v) { return v >= 0 && v < end; });
+}
+
+}  // namespace
+
+v1::SurveyOutput ToProto(const SurveyRecord& record) {
+  v1::SurveyOutput proto;
+  proto.set_vertex_count(record.vertex_count);
+  proto.set_triangle_count(record.triangle_count);
+  proto.set_doubled_vertices(record.doubled_vertices);
+  proto.set_degenerate_triangles(record.degenerate_triangles);
+  proto.set_nonmanifold_edges(record.nonmanifold_edges);
+  proto.set_float32(record.float32);
+  if (record.vertex_count > 0) {
+    AddPoint(record.lo, proto.mutable_bounds());
+    AddPoint(record.hi, proto.mutable_bounds());
+  }
+  v1::BoundaryVertices* vertices = proto.mutable_vertices();
+  for (const BoundaryVertex& v : record.vertices) {
+    vertices->add_index(v.index);
+    AddPoint(v.position, vertices->mutable_position());
+    AddPoint(v.normal, vertices->mutable_normal());
+    vertices->add_centroid_height(v.centroid_height);
+  }
+  for (const BoundaryEdge& e : record.edges) {
+    proto.add_edges(e.from);
+    proto.add_edges(e.to);
+  }
+  *proto.mutable_band() = EncodeMesh(record.band.points, record.band.triangles, kFinestStep);
+  return proto;
+}
+
+absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto) {
+  SurveyRecord record;
+  record.vertex_count = proto.vertex_count();
+  record.triangle_count = proto.triangle_count();
+  record.doubled_vertices = proto.doubled_vertices();
+  record.degenerate_triangles = proto.degenerate_triangles();
+  record.nonmanifold_edges = proto.nonmanifold_edges();
+  record.float32 = proto.float32();
+  if (proto.bounds_size() != 0 && proto.bounds_size() != 6) return Malformed("bounds");
+  record.lo = proto.bounds_size() == 6 ? PointAt(proto.bounds(), 0) : Point3(Point3::Constant(std::numeric_limits<double>::infinity()));
+  record.hi = proto.bounds_size() == 6 ? PointAt(proto.bounds(), 1) : Point3(-record.lo);
+  const v1::BoundaryVertices& v = proto.vertices();
+  const int n = v.index_size();
+  if (v.position_size() != 3 * n || v.normal_size() != 3 * n || v.centroid_height_size() != n) return Malformed("boundary vertices");
+  if (!AllBelow(v.index(), record.vertex_count) || proto.edges_size() % 2 != 0 || !AllBelow(proto.edges(), n)) {
+    return Malformed("boundary indices");
+  }
+  for (int i = 0; i < n; ++i) {
+    record.vertices.push_back({v.index(i), PointAt(v.position(), i), PointAt(v.normal(), i), v.centroid_height(i)});
+  }
+  for (int i = 0; i < proto.edges_size(); i += 2) record.edges.push_back({proto.edges(i), proto.edges(i + 1)});
+  TILEMEND_ASSIGN_OR_RETURN(record.band, DecodeMesh(proto.band()));
+  if (record.band.points.size() < record.vertices.size()) return Malformed("band");
+  for (int i = 0; i < n; ++i) record.band.points[i] = record.vertices[i].position;
+  return record;
+}
+
+v1::RimVertices ToProto(const std::vector<RimVertex>& vertices) {
+  v1::RimVertices proto;
+  for (const RimVertex& v : vertices) {
+    proto.add_col(v.tile.col);
+    proto.add_row(v.tile.row);
+    proto.add_index(v.index);
+    proto.add_seam_vertex(v.seam_vertex);
+    proto.add_lines(v.lines);
+    AddPoint(v.position, proto.mutable_position());
+    proto.add_height_known(v.height_known);
+    proto.add_centroid_height(v.centroid_height);
+    proto.add_size(v.size);
+  }
+  return proto;
+}
+
+absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
+  const int n = proto.col_size();
+  if (proto.row_size() != n || proto.index_size() != n || proto.seam_vertex_size() != n || proto.lines_size() != n ||
+      proto.position_size() != 3 * n || proto.height_known_size() != n || proto.centroid_height_size() != n ||
+      proto.size_size() != n) {
+    return Malformed("rim vertices");
+  }
+  std::vector<RimVertex> vertices(n);
+  for (int i = 0; i < n; ++i) {
+    RimVertex& v = vertices[i];
+    v.tile = {proto.col(i), proto.row(i)};
+    v.index = proto.index(i);
+    v.seam_vertex = proto.seam_vertex(i);
+    v.lines = static_cast<uint8_t>(proto.lines(i) & 3);
+    v.position = PointAt(proto.position(), i);
+    v.height_known = proto.height_known(i);
+    v.centroid_height = proto.centroid_height(i);
+    v.size = proto.size(i);
+    if (!v.position.allFinite()) return Malformed("rim vertex position");
+  }
+  return vertices;
+}
+
+v1::CellHolesBlob ToProto(const CellHoles& holes) {
+  v1::CellHolesBlob proto;
+  proto.set_col(holes.cell.col);
+  proto.set_row(holes.cell.row);
+  proto.set_float32(holes.float32);
+  proto.set_lattice_step(holes.lattice_step);
+  *proto.mutable_vertices() = ToProto(holes.vertices);
+  for (const CellHole& hole : holes.holes) {
+    v1::HoleBoundary* h = proto.add_holes();
+    h->set_id(hole.id);
+    h->set_open(hole.open);
+    for (const RimSegment& s : hole.segments) {
+      h->add_from(s.from);
+      h->add_to(s.to);
+      h->add_seam(s.seam);
+    }
+  }
+  if (!holes.band.points.empty()) {
+    *proto.mutable_band() = EncodeMesh(holes.band.points, holes.band.triangles, kFinestStep);
+  }
+  return proto;
+}
+
+absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
+  CellHoles holes;
+  holes.cell = {proto.col(), proto.row()};
+  holes.float32 = proto.float32();
+  holes.lattice_step = proto.lattice_step();
+  if (!(holes.lattice_step > 0) || !std::isfinite(holes.lattice_step)) return Malformed("lattice step");
+  TILEMEND_ASSIGN_OR_RETURN(holes.vertices, FromProto(proto.vertices()));
+  const auto n = static_cast<int64_t>(holes.vertices.size());
+  for (const v1::HoleBoundary& h : proto.holes()) {
+    CellHole hole;
+    hole.id = h.id();
+    hole.open = h.open();
+    if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 || !AllBelow(h.from(), n) ||
+        !AllBelow(h.to(), n)) {
+      return Malformed("hole boundary");
+    }
+    for (int i = 0; i < h.from_size(); ++i) hole.segments.push_back({h.from(i), h.to(i), h.seam(i)});
+    holes.holes.push_back(std::move(hole));
+  }
+  if (proto.has_band()) {
+    TILEMEND_ASSIGN_OR_RETURN(holes.band, DecodeMesh(proto.band()));
+    if (holes.band.points.size() < holes.vertices.size()) return Malformed("band");
+    for (size_t i = 0; i < holes.vertices.size(); ++i) holes.band.points[i] = holes.vertices[i].position;
+  }
+  return holes;
+}
+
+v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices, double lattice_step) {
+  v1::FillOutput proto;
+  std::vector<Point3> points;
+  std::vector<Triangle> triangles;
+  for (const RimVertex& v : vertices) points.push_back(v.position);
+  for (const HolePatch& patch : patches) {
+    v1::PatchExtent* extent = proto.add_patches();
+    extent->set_hole(patch.hole);
+    extent->set_failure(patch.failure);
+    extent->set_new_points(static_cast<int64_t>(patch.new_points.size()));
+    extent->set_triangles(static_cast<int64_t>(patch.triangles.size()));
+    const auto base = static_cast<int32_t>(points.size());
+    points.insert(points.end(), patch.new_points.begin(), patch.new_points.end());
+    for (Triangle t : patch.triangles) {
+      for (int32_t& corner : t) corner = corner >= 0 ? corner : base - 1 - corner;
+      triangles.push_back(t);
+    }
+  }
+  *proto.mutable_mesh() = EncodeMesh(points, triangles, lattice_step);
+  const double step = proto.mesh().step();
+  for (size_t i = vertices.size(); i < points.size(); ++i) {
+    const Point3 on_lattice = (points[i] / step).array().round().matrix() * step;
+    if (on_lattice == points[i]) continue;
+    proto.add_off_lattice(static_cast<int64_t>(i - vertices.size()));
+    AddPoint(points[i], proto.mutable_off_lattice_position());
+  }
+  return proto;
+}
+
+absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, size_t vertex_count) {
+  TILEMEND_ASSIGN_OR_RETURN(TriMesh mesh, DecodeMesh(proto.mesh()));
+  int64_t points = static_cast<int64_t>(vertex_count), triangles = 0;
+  for (const v1::PatchExtent& e : proto.patches()) {
+    if (e.new_points() < 0 || e.triangles() < 0 || e.new_points() > kMaxPayloadPoints || e.triangles() > kMaxPayloadTriangles) {
+      return Malformed("patch extent");
+    }
+    points += e.new_points();
+    triangles += e.triangles();
+  }
+  if (points != static_cast<int64_t>(mesh.points.size()) || triangles != static_cast<int64_t>(mesh.triangles.size()) ||
+      proto.off_lattice_position_size() != 3 * proto.off_lattice_size() ||
+      !AllBelow(proto.off_lattice(), points - static_cast<int64_t>(vertex_count))) {
+    return Malformed("patch counts");
+  }
+  for (int i = 0; i < proto.off_lattice_size(); ++i) {
+    mesh.points[vertex_count + static_cast<size_t>(proto.off_lattice(i))] = PointAt(proto.off_lattice_position(), i);
+  }
+  std::vector<HolePatch> patches;
+  auto point = mesh.points.begin() + static_cast<ptrdiff_t>(vertex_count);
+  auto triangle = mesh.triangles.begin();
+  for (const v1::PatchExtent& e : proto.patches()) {
+    HolePatch patch;
+    patch.hole = e.hole();
+    patch.failure = e.failure();
+    const auto base = static_cast<int32_t>(point - mesh.points.begin());
+    patch.new_points.assign(point, point + e.new_points());
+    point += e.new_points();
+    for (int64_t k = 0; k < e.triangles(); ++k, ++triangle) {
+      Triangle t = *triangle;
+      for (int32_t& corner : t) {
+        if (corner < static_cast<int32_t>(vertex_count)) continue;
+        if (corner < base || corner >= base + e.new_points()) return Malformed("patch triangle");
+        corner = base - 1 - corner;
+      }
+      patch.triangles.push_back(t);
+    }
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
+}  // namespace tilemend

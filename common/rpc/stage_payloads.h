@@ -1,0 +1,38 @@
+// Geometry records to payload messages and back.
+//
+// Decoding checks everything that an index depends on: a payload comes over the network.
+#ifndef TILEMEND_COMMON_RPC_STAGE_PAYLOADS_H_
+#define TILEMEND_COMMON_RPC_STAGE_PAYLOADS_H_
+
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/grid/cell_holes.h"
+#include "common/grid/survey_record.h"
+#include "tilemend/v1/stages.pb.h"
+
+namespace tilemend {
+
+// Caps on what one payload may decode to; a cell's bands and patches stay far below.
+inline constexpr int64_t kMaxPayloadPoints = 50'000'000;
+inline constexpr int64_t kMaxPayloadTriangles = 100'000'000;
+
+// Band points other than boundary vertices are rounded to the lattice; everything else comes back bit for bit.
+v1::SurveyOutput ToProto(const SurveyRecord& record);
+absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto);
+
+v1::CellHolesBlob ToProto(const CellHoles& holes);
+absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto);
+
+v1::RimVertices ToProto(const std::vector<RimVertex>& vertices);
+absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto);
+
+// Patches over `vertices`; new points come back bit for bit. `lattice_step` is that of the CellHoles.
+v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices, double lattice_step);
+absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, size_t vertex_count);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_RPC_STAGE_PAYLOADS_H_

@@ -1,0 +1,97 @@
+// tilemend-coordinator: takes jobs, plans them and gives their tasks to workers.
+#include <cstdio>
+#include <semaphore>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "common/metrics/prometheus_registry.h"
+#include "common/rpc/endpoint.h"
+#include "common/util/exit_codes.h"
+#include "common/util/flags.h"
+#include "common/util/signals.h"
+#include "common/util/status_macros.h"
+#include "common/util/version.h"
+#include "coordinator/service/coordinator_impl.h"
+#include "coordinator/service/grpc_services.h"
+#include "coordinator/service/scene_pipeline.h"
+
+namespace tilemend {
+namespace {
+
+std::vector<FlagSpec> CoordinatorFlags() {
+  return {
+      {"listen", "HOST:PORT", "where clients and workers call", "127.0.0.1:7070"},
+      {"metrics", "HOST:PORT", "serve metrics on http://HOST:PORT/metrics", ""},
+      {"work", "DIR", "folder for intermediate files", ""},
+      {"lease", "SECONDS", "a worker not heard of for so long has lost its tasks", "30"},
+      {"max-jobs", "N", "jobs that run at once", "64"},
+      {"version", "", "print the release", ""},
+      {"help", "", "print this", "", 'h'},
+  };
+}
+
+absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
+  CoordinatorOptions options;
+  if (!flags.arguments().empty()) {
+    return absl::InvalidArgumentError(absl::StrCat("unexpected argument '", flags.arguments().front(), "'"));
+  }
+  options.work_folder = flags.Text("work");
+  if (options.work_folder.empty()) return absl::InvalidArgumentError("--work DIR is needed");
+  TILEMEND_ASSIGN_OR_RETURN(const double lease, flags.Number("lease", 3, 86400));
+  options.lease = absl::Seconds(lease);
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t max_jobs, flags.Integer("max-jobs", 1, 10000));
+  options.max_running_jobs = static_cast<size_t>(max_jobs);
+  options.state.epoch = static_cast<uint32_t>(absl::ToUnixSeconds(absl::Now()));
+  TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
+  if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
+  return options;
+}
+
+int Fail(const absl::Status& status, int code) {
+  std::fprintf(stderr, "tilemend-coordinator: %s\n", std::string(status.message()).c_str());
+  return code;
+}
+
+absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
+  SignalWatcher signals;  // before any other thread
+  PrometheusRegistry metrics;
+  TILEMEND_ASSIGN_OR_RETURN(const auto impl, CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
+  TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl));
+  if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(metrics.Expose(flags.Text("metrics")));
+  const std::string listen = flags.Text("listen");
+  std::fprintf(stderr, "tilemend-coordinator: listening on %s:%d\n", listen.substr(0, listen.rfind(':')).c_str(),
+               server->rpc().port());
+  std::binary_semaphore stop(0);
+  signals.Start([&stop](int count) {
+    if (count == 1) stop.release();
+  });
+  stop.acquire();
+  signals.Stop();  // before `stop` goes
+  std::fprintf(stderr, "tilemend-coordinator: ending\n");
+  return absl::OkStatus();
+}
+
+int Main(const std::vector<std::string>& words) {
+  PrepareProcess();
+  const auto flags = Flags::Parse(CoordinatorFlags(), words);
+  if (!flags.ok()) return Fail(flags.status(), kExitUsage);
+  if (flags->Switch("help")) {
+    std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s", FlagsHelp(CoordinatorFlags()).c_str());
+    return kExitDone;
+  }
+  if (flags->Switch("version")) {
+    std::printf("tilemend-coordinator %s\n", Version());
+    return kExitDone;
+  }
+  auto options = OptionsFromFlags(*flags);
+  if (!options.ok()) return Fail(options.status(), kExitUsage);
+  const absl::Status status = Serve(*flags, *std::move(options));
+  return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
+}
+
+}  // namespace
+}  // namespace tilemend
+
+int main(int argc, char** argv) { return tilemend::Main(std::vector<std::string>(argv + 1, argv + argc)); }

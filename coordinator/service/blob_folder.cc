@@ -1,0 +1,152 @@
+#include "coordinator/service/blob_folder.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "absl/cleanup/cleanup.h"
+#include "absl/strings/str_cat.h"
+#include "common/rpc/limits.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+absl::Status FileError(int error, const std::string& what, const std::string& path) {
+  const std::string text = absl::StrCat(path, ": ", what, ": ", std::strerror(error));
+  if (error == ENOSPC || error == EDQUOT || error == EMFILE || error == ENFILE) return absl::ResourceExhaustedError(text);
+  if (error == ENOENT) return absl::NotFoundError(text);
+  return absl::InternalError(text);
+}
+
+absl::Status BlobNotFound(const std::string& digest) {
+  return WithErrorInfo(absl::NotFoundError(absl::StrCat("blob ", digest, ": the job has none of that name")),
+                       {"BLOB_NOT_FOUND", {{"digest", digest}}});
+}
+
+}  // namespace
+
+BlobFolder::Writer::~Writer() {
+  if (fd_ >= 0) ::close(fd_);
+  if (!path_.empty()) ::unlink(path_.c_str());
+}
+
+absl::Status BlobFolder::Writer::Append(std::string_view bytes) {
+  size_ += static_cast<int64_t>(bytes.size());
+  if (size_ > kMaxBlobBytes) {
+    return WithErrorInfo(absl::ResourceExhaustedError(absl::StrCat("a blob may have ", kMaxBlobBytes, " bytes at most")),
+                         {"BLOB_TOO_LARGE", {{"limit", absl::StrCat(kMaxBlobBytes)}}});
+  }
+  sha_.Update(bytes);
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return FileError(errno, "cannot write", path_);
+    bytes.remove_prefix(static_cast<size_t>(n));
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<int64_t> BlobFolder::Writer::Commit(const std::string& expected) {
+  const std::string digest = sha_.FinishHex();
+  if (digest != expected) {
+    return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat("blob ", expected, ": its ", size_,
+                                                                 " bytes have the digest ", digest)),
+                         {"BLOB_CORRUPT", {{"digest", expected}}});
+  }
+  const int closed = ::close(std::exchange(fd_, -1));
+  if (closed != 0) return FileError(errno, "cannot close", path_);
+  TILEMEND_RETURN_IF_ERROR(folder_.MoveIntoPlace(path_, digest));
+  path_.clear();
+  return size_;
+}
+
+absl::StatusOr<std::shared_ptr<BlobFolder>> BlobFolder::Create(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) return FileError(error.value(), "cannot create folder", path);
+  return std::make_shared<BlobFolder>(path);
+}
+
+absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes) {
+  const std::string digest = Sha256Hex(bytes);
+  if (Size(digest).ok()) return digest;
+  TILEMEND_ASSIGN_OR_RETURN(const std::unique_ptr<Writer> writer, NewWriter());
+  TILEMEND_RETURN_IF_ERROR(writer->Append(bytes));
+  TILEMEND_ASSIGN_OR_RETURN([[maybe_unused]] const int64_t size, writer->Commit(digest));
+  return digest;
+}
+
+absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter() {
+  if (removed_.load()) return absl::FailedPreconditionError(absl::StrCat(path_, ": the job is over"));
+  std::string path = absl::StrCat(path_, "/part-", next_temporary_.fetch_add(1));
+  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (fd < 0) return FileError(errno, "cannot create", path);
+  return std::unique_ptr<Writer>(new Writer(*this, std::move(path), fd));
+}
+
+absl::StatusOr<std::string> BlobFolder::PathOf(const std::string& digest) const {
+  if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
+  return absl::StrCat(path_, "/", digest.substr(0, 2), "/", digest.substr(2));
+}
+
+absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::string& digest) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
+  if (::rename(temporary.c_str(), path.c_str()) == 0) return absl::OkStatus();
+  // Not create_directories: it would bring a removed folder back.
+  const std::string parent = absl::StrCat(path_, "/", digest.substr(0, 2));
+  if (::mkdir(parent.c_str(), 0700) != 0 && errno != EEXIST) return FileError(errno, "cannot create folder", parent);
+  if (::rename(temporary.c_str(), path.c_str()) != 0) return FileError(errno, "cannot rename into place", path);
+  return absl::OkStatus();
+}
+
+absl::StatusOr<int64_t> BlobFolder::Size(const std::string& digest) const {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0) return BlobNotFound(digest);
+  return static_cast<int64_t>(info.st_size);
+}
+
+absl::StatusOr<std::string> BlobFolder::Read(const std::string& digest) const {
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, Size(digest));
+  std::string bytes;
+  bytes.reserve(static_cast<size_t>(size));
+  TILEMEND_RETURN_IF_ERROR(ReadChunks(digest, [&bytes](std::string_view chunk) {
+    bytes.append(chunk);
+    return true;
+  }));
+  return bytes;
+}
+
+absl::Status BlobFolder::ReadChunks(const std::string& digest, const std::function<bool(std::string_view)>& take) const {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, Size(digest));
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return errno == ENOENT ? BlobNotFound(digest) : FileError(errno, "cannot open", path);
+  const auto close = absl::MakeCleanup([fd] { ::close(fd); });
+  std::string buffer(std::min<size_t>(static_cast<size_t>(size), kMaxChunkBytes), '\0');
+  while (!buffer.empty()) {
+    const ssize_t n = ::read(fd, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return FileError(errno, "cannot read", path);
+    if (n == 0 || !take(std::string_view(buffer.data(), static_cast<size_t>(n)))) break;
+  }
+  return absl::OkStatus();
+}
+
+void BlobFolder::Remove() {
+  removed_.store(true);
+  std::error_code error;
+  // Twice: a write that began before may put a file in after the folder was listed.
+  std::filesystem::remove_all(path_, error);
+  std::filesystem::remove_all(path_, error);
+}
+
+}  // namespace tilemend

@@ -1,0 +1,309 @@
+#include "coordinator/service/coordinator_impl.h"
+
+#include <filesystem>
+#include <random>
+#include <utility>
+
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/strings/strip.h"
+#include "common/rpc/limits.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "coordinator/service/job_proto.h"
+
+namespace tilemend {
+namespace {
+
+constexpr size_t kMaxRequestIdBytes = 128;
+constexpr int32_t kDefaultPageSize = 50;
+constexpr int32_t kMaxPageSize = 1000;
+constexpr std::chrono::milliseconds kWatchInterval(50);
+
+std::function<absl::Time()> SteadyWallClock() {
+  return [wall = absl::Now(), steady = std::chrono::steady_clock::now()] {
+    return wall + absl::FromChrono(std::chrono::steady_clock::now() - steady);
+  };
+}
+
+std::string NewJobId() {
+  std::random_device random;
+  return absl::StrFormat("%08x%04x", random(), random() & 0xffff);
+}
+
+// Two spellings of one folder give one key.
+std::string OutKey(const JobSpec& spec) {
+  if (spec.out.empty() || spec.dry_run) return "";
+  std::string key = std::filesystem::path(spec.out).lexically_normal().string();
+  while (key.size() > 1 && key.back() == '/') key.pop_back();
+  return key;
+}
+
+absl::Status InvalidRequestId() {
+  return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat("request_id: longer than ", kMaxRequestIdBytes, " bytes")),
+                       {"INVALID_SPEC", {{"field", "request_id"}}});
+}
+
+absl::Status InvalidPage(const std::string& what) {
+  return WithErrorInfo(absl::InvalidArgumentError(what), {"INVALID_PAGE", {}});
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<CoordinatorImpl>> CoordinatorImpl::Create(CoordinatorOptions options,
+                                                                         PipelineFactory factory,
+                                                                         MetricsRegistry& metrics) {
+  if (options.lease <= 2 * kMaxPoll) {
+    return absl::InvalidArgumentError(absl::StrCat("a lease of ", absl::FormatDuration(options.lease),
+                                                   " is too short: workers renew once a second, so more than 2 s"));
+  }
+  std::error_code error;
+  std::filesystem::create_directories(options.work_folder, error);
+  if (error) {
+    return absl::PermissionDeniedError(
+        absl::StrCat(options.work_folder, ": cannot create the work folder: ", error.message()));
+  }
+  if (!options.clock) options.clock = SteadyWallClock();
+  return std::unique_ptr<CoordinatorImpl>(new CoordinatorImpl(std::move(options), std::move(factory), metrics));
+}
+
+CoordinatorImpl::CoordinatorImpl(CoordinatorOptions options, PipelineFactory factory, MetricsRegistry& metrics)
+    : options_(std::move(options)), factory_(std::move(factory)), metrics_(metrics), state_(options_.state) {
+  metrics_.Show(state_);
+  if (options_.background_ticks) ticker_ = std::thread([this] { TickLoop(); });
+}
+
+CoordinatorImpl::~CoordinatorImpl() {
+  StopWaiting();
+  if (ticker_.joinable()) ticker_.join();
+  std::vector<std::unique_ptr<JobRunner>> runners;
+  {
+    Lock lock(mutex_);
+    for (auto& [id, entry] : entries_) {
+      if (entry.runner != nullptr) runners.push_back(std::move(entry.runner));
+    }
+  }
+  for (const auto& runner : runners) runner->Cancel();
+  runners.clear();  // joins; their sinks take the lock
+}
+
+void CoordinatorImpl::StopWaiting() {
+  Lock lock(mutex_);
+  stopping_ = true;
+  stop_changed_.notify_all();
+  Changed();
+}
+
+void CoordinatorImpl::Changed() {
+  work_changed_.notify_all();
+  job_changed_.notify_all();
+}
+
+absl::StatusOr<Effects> CoordinatorImpl::Apply(const Event& event, std::optional<std::string> content) {
+  TILEMEND_ASSIGN_OR_RETURN(Effects effects, state_.Apply(event));
+  for (const Stage stage : effects.retried) metrics_.Retried(stage);
+  for (const SettledTask& task : effects.settled) {
+    metrics_.Settled(task, options_.clock());
+    if (JobRunner* runner = entries_.at(task.key.job).runner.get(); runner != nullptr) {
+      runner->Deliver(task, std::exchange(content, std::nullopt));
+    }
+  }
+  if (!effects.retried.empty() || !effects.settled.empty()) Changed();
+  return effects;
+}
+
+absl::StatusOr<const Job*> CoordinatorImpl::JobNamed(const std::string& name) const {
+  absl::string_view id = name;
+  if (!absl::ConsumePrefix(&id, "jobs/") || id.empty() || id.find('/') != absl::string_view::npos) {
+    return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat("'", name, "': expected jobs/ID")),
+                         {"INVALID_NAME", {{"name", name}}});
+  }
+  const Job* job = state_.FindJob(std::string(id));
+  if (job != nullptr) return job;
+  return WithErrorInfo(absl::NotFoundError(absl::StrCat(name, ": no such job; `tilemend list` shows all")),
+                       {"JOB_NOT_FOUND", {{"job", std::string(id)}}});
+}
+
+v1::Job CoordinatorImpl::Describe(const Job& job) const {
+  const JobEntry& entry = entries_.at(job.id);
+  return JobToProto(job, entry.spec, entry.outcome, entry.error);
+}
+
+absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request) {
+  const JobSpec spec = SpecFromProto(request.spec());
+  TILEMEND_RETURN_IF_ERROR(spec.Check());
+  Lock lock(mutex_);
+  return StartJob(spec, request.request_id());
+}
+
+absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id) {
+  if (request_id.size() > kMaxRequestIdBytes) return InvalidRequestId();
+  if (const Job* job = request_id.empty() ? nullptr : state_.FindRequest(request_id); job != nullptr) {
+    if (entries_.at(job->id).spec == spec) return Describe(*job);
+    return WithErrorInfo(
+        absl::InvalidArgumentError(absl::StrCat("request_id ", request_id, ": used before, with another spec")),
+        {"REQUEST_ID_REUSED", {{"job", job->id}}});
+  }
+  const std::string out_key = OutKey(spec);
+  TILEMEND_RETURN_IF_ERROR(CheckNewJob(out_key));
+  const std::string id = NewJobId();
+  TILEMEND_ASSIGN_OR_RETURN(auto blobs, BlobFolder::Create(absl::StrCat(options_.work_folder, "/jobs/", id)));
+  TILEMEND_RETURN_IF_ERROR(Apply(JobCreated{id, request_id, options_.clock()}).status());
+  JobEntry& entry = entries_[id];
+  entry.spec = spec;
+  entry.out_key = out_key;
+  entry.blobs = blobs;
+  entry.runner = std::make_unique<JobRunner>(spec, factory_, std::move(blobs), SinkOf(id));
+  metrics_.Show(state_);
+  return Describe(*state_.FindJob(id));
+}
+
+absl::Status CoordinatorImpl::CheckNewJob(const std::string& out_key) const {
+  size_t running = 0;
+  for (const auto& [id, entry] : entries_) {
+    // A cancelled job may still be writing until its runner has ended.
+    if (entry.runner == nullptr || entry.runner->ended()) continue;
+    ++running;
+    if (!out_key.empty() && entry.out_key == out_key) {
+      return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(
+                               out_key, ": jobs/", id, " is writing there; wait for it, cancel it or choose another folder")),
+                           {"OUTPUT_IN_USE", {{"job", id}}});
+    }
+  }
+  if (running < options_.max_running_jobs) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::ResourceExhaustedError(absl::StrCat(running, " jobs are running, which is the limit; try again later")),
+      {"TOO_MANY_JOBS", {{"limit", absl::StrCat(options_.max_running_jobs)}}});
+}
+
+JobRunner::Sink CoordinatorImpl::SinkOf(const std::string& id) {
+  return {.add_tasks = [this, id](std::vector<TaskSpec> tasks,
+                                  const Progress& progress) { OnTasks(id, std::move(tasks), progress); },
+          .finished = [this, id](absl::StatusOr<JobOutcome> outcome) { OnFinished(id, std::move(outcome)); }};
+}
+
+void CoordinatorImpl::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {
+  Lock lock(mutex_);
+  // Both fail only if the job is over; then its runner is being cancelled.
+  Apply(JobProgressed{id, progress}).IgnoreError();
+  if (!tasks.empty()) Apply(TasksAdded{id, std::move(tasks)}).IgnoreError();
+  Changed();
+}
+
+void CoordinatorImpl::OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome) {
+  Lock lock(mutex_);
+  const Job* job = state_.FindJob(id);
+  if (job == nullptr || IsOver(job->state)) return;
+  JobEntry& entry = entries_.at(id);
+  JobState state = JobState::kFailed;
+  if (outcome.ok()) {
+    entry.outcome = *std::move(outcome);
+    state = entry.outcome.partial ? JobState::kPartial : JobState::kDone;
+  } else {
+    entry.error = outcome.status();
+  }
+  Apply(JobFinished{id, state, options_.clock()}).IgnoreError();
+  metrics_.Show(state_);
+  Changed();
+}
+
+absl::StatusOr<v1::Job> CoordinatorImpl::GetJob(const v1::GetJobRequest& request) {
+  Lock lock(mutex_);
+  TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
+  return Describe(*job);
+}
+
+absl::StatusOr<v1::ListJobsResponse> CoordinatorImpl::ListJobs(const v1::ListJobsRequest& request) {
+  if (request.page_size() < 0) return InvalidPage("page_size: below 0");
+  const int32_t size = request.page_size() == 0 ? kDefaultPageSize : std::min(request.page_size(), kMaxPageSize);
+  int64_t below = std::numeric_limits<int64_t>::max();  // the token is the number of the last job that was shown
+  if (!request.page_token().empty() && !absl::SimpleAtoi(request.page_token(), &below)) {
+    return InvalidPage(absl::StrCat("page_token: '", request.page_token(), "' was not given out here"));
+  }
+  Lock lock(mutex_);
+  const auto& numbers = state_.job_numbers();
+  v1::ListJobsResponse response;
+  auto it = numbers.lower_bound(below);
+  while (it != numbers.begin() && response.jobs_size() < size) {
+    --it;
+    *response.add_jobs() = Describe(*state_.FindJob(it->second));
+  }
+  if (it != numbers.begin()) response.set_next_page_token(absl::StrCat(it->first));
+  return response;
+}
+
+absl::StatusOr<v1::Job> CoordinatorImpl::CancelJob(const v1::CancelJobRequest& request) {
+  Lock lock(mutex_);
+  TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
+  if (job->state == JobState::kCancelled) return Describe(*job);
+  TILEMEND_RETURN_IF_ERROR(Apply(JobCancelled{job->id, options_.clock()}).status());
+  if (JobRunner* runner = entries_.at(job->id).runner.get(); runner != nullptr) runner->Cancel();
+  metrics_.Show(state_);
+  Changed();
+  return Describe(*job);
+}
+
+absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& request) {
+  Lock lock(mutex_);
+  TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
+  if (IsOver(job->state)) return StartJob(JobSpec(entries_.at(job->id).spec), request.request_id());
+  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),
+                       {"JOB_NOT_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
+}
+
+absl::Status CoordinatorImpl::WatchJob(const v1::WatchJobRequest& request,
+                                       const std::function<bool(const v1::Job&)>& send,
+                                       const std::function<bool()>& alive) {
+  uint64_t cursor = request.cursor();
+  SteadyTime next_send{};
+  Lock lock(mutex_);
+  while (true) {
+    TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
+    const SteadyTime now = std::chrono::steady_clock::now();
+    const bool over = IsOver(job->state);
+    if (over || (job->version > cursor && now >= next_send)) {
+      const v1::Job message = Describe(*job);
+      lock.unlock();
+      if (!send(message)) return absl::CancelledError("the watcher went away");
+      if (over) return absl::OkStatus();
+      cursor = message.cursor();
+      next_send = now + kWatchInterval;
+      lock.lock();
+      continue;
+    }
+    if (stopping_) return absl::UnavailableError("the coordinator is shutting down; watch again with the last cursor");
+    job_changed_.wait_until(lock, job->version > cursor ? next_send : now + absl::ToChronoMilliseconds(kMaxPoll));
+    if (!alive()) return absl::CancelledError("the watcher went away");
+  }
+}
+
+void CoordinatorImpl::Tick() {
+  std::vector<std::unique_ptr<JobRunner>> ended;
+  Lock lock(mutex_);
+  for (const Event& event : state_.Overdue(options_.clock(), options_.lease)) {
+    if (const auto* lost = std::get_if<WorkerLost>(&event)) sequences_.erase(lost->worker);
+    Apply(event).IgnoreError();
+  }
+  for (auto& [id, entry] : entries_) {
+    if (entry.runner == nullptr || !entry.runner->ended()) continue;
+    ended.push_back(std::move(entry.runner));
+    entry.blobs.reset();
+  }
+  metrics_.Show(state_);
+  lock.unlock();  // before the runners are joined
+}
+
+void CoordinatorImpl::TickLoop() {
+  const auto interval = absl::ToChronoMilliseconds(std::min(options_.lease / 4, absl::Seconds(1)));
+  Lock lock(mutex_);
+  while (!stopping_) {
+    stop_changed_.wait_for(lock, interval);
+    if (stopping_) return;
+    lock.unlock();
+    Tick();
+    lock.lock();
+  }
+}
+
+}  // namespace tilemend

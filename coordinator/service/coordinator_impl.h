@@ -1,0 +1,137 @@
+// The coordinator: the state machine, its lock, its clock, its blobs and the pipelines of its jobs. Every RPC is one call
+// here; nothing here knows gRPC.
+#ifndef TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
+#define TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "common/metrics/metrics.h"
+#include "coordinator/service/blob_folder.h"
+#include "coordinator/service/coordinator_metrics.h"
+#include "coordinator/service/job_pipeline.h"
+#include "coordinator/service/job_runner.h"
+#include "coordinator/state/coordinator_state.h"
+#include "tilemend/v1/jobs.pb.h"
+#include "tilemend/v1/work.pb.h"
+
+namespace tilemend {
+
+struct CoordinatorOptions {
+  std::string work_folder;                // blobs go to work_folder/jobs/{id}; made if missing
+  absl::Duration lease = absl::Seconds(30);  // > 2 s: a worker calls at least once a second
+  StateOptions state;
+  size_t max_running_jobs = 64;
+  // Never goes back. Default: the wall clock at construction plus a steady clock since.
+  std::function<absl::Time()> clock;
+  // Looks for overdue leases in the background; without it only Tick does (tests).
+  bool background_ticks = true;
+};
+
+// Thread-safe. Every call is short, except Sync and WatchJob, which wait for news as their messages say.
+class CoordinatorImpl {
+ public:
+  static absl::StatusOr<std::unique_ptr<CoordinatorImpl>> Create(CoordinatorOptions options, PipelineFactory factory,
+                                                                 MetricsRegistry& metrics);
+  // Cancels what runs and waits for it.
+  ~CoordinatorImpl();
+
+  absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request);
+  absl::StatusOr<v1::Job> GetJob(const v1::GetJobRequest& request);
+  absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
+  absl::StatusOr<v1::Job> CancelJob(const v1::CancelJobRequest& request);
+  absl::StatusOr<v1::Job> RetryJob(const v1::RetryJobRequest& request);
+  // Calls `send` for each state of the job as the message says, and at least once a second `alive`; ends when the job is
+  // over (OK) or either returns false (kCancelled).
+  absl::Status WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
+                        const std::function<bool()>& alive);
+
+  // `alive` tells whether the worker still waits for the answer: nothing is leased to one that does not.
+  absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request, const std::function<bool()>& alive);
+  absl::Status ReadBlob(const v1::ReadBlobRequest& request, const std::function<bool(std::string_view)>& send);
+  // `next` gives the messages of the stream and false at its end.
+  absl::StatusOr<v1::WriteBlobResponse> WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next);
+
+  // Gives up overdue leases and silent workers, and lets go of what belongs to jobs that are over.
+  void Tick();
+
+  // Ends every wait: calls return at once from now on, jobs stay as they are. For a graceful end of the server.
+  void StopWaiting();
+
+ private:
+  struct JobEntry {
+    JobSpec spec;
+    std::string out_key;  // normal form of spec.out
+    JobOutcome outcome;
+    absl::Status error;
+    std::shared_ptr<BlobFolder> blobs;
+    std::unique_ptr<JobRunner> runner;
+  };
+  // A result as it came, made ready without the lock.
+  struct Report {
+    v1::TaskRef ref;
+    Stage stage;
+    Event event;  // TaskCompleted or TaskFailed
+    std::optional<std::string> content;
+  };
+  using Lock = std::unique_lock<std::mutex>;
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  CoordinatorImpl(CoordinatorOptions options, PipelineFactory factory, MetricsRegistry& metrics);
+
+  // All below with the lock held, unless said otherwise.
+  absl::StatusOr<const Job*> JobNamed(const std::string& name) const;
+  absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id);
+  absl::Status CheckNewJob(const std::string& out_key) const;
+  JobRunner::Sink SinkOf(const std::string& id);
+  v1::Job Describe(const Job& job) const;
+  void Changed();
+  absl::StatusOr<Effects> Apply(const Event& event, std::optional<std::string> content = std::nullopt);
+  void OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress);  // takes the lock
+  void OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome);                 // takes the lock
+
+  std::vector<Report> PrepareReports(const v1::SyncRequest& request);  // without the lock
+  Report PrepareReport(const v1::FinishedTask& finished);              // without the lock
+  void TakeReports(std::vector<Report> reports, v1::SyncResponse& response);
+  void RenewHeld(const v1::SyncRequest& request);
+  // Waits until there is news for the worker and writes it down; kAborted if a newer call took over.
+  absl::Status AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive, Lock& lock,
+                         v1::SyncResponse& response);
+  void TellState(const v1::SyncRequest& request, v1::SyncResponse& response);
+  void LeaseTasks(const std::string& worker);
+  std::map<std::string, std::shared_ptr<BlobFolder>> BlobsOf(const v1::SyncResponse& response);
+  void InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs, v1::SyncResponse& response);
+  absl::StatusOr<std::shared_ptr<BlobFolder>> FindBlobs(const std::string& job);  // takes the lock
+
+  void TickLoop();
+
+  const CoordinatorOptions options_;
+  const PipelineFactory factory_;
+  CoordinatorMetrics metrics_;
+
+  std::mutex mutex_;
+  std::condition_variable work_changed_;  // tasks were added or leases ended, or another call of a worker came
+  std::condition_variable job_changed_;
+  std::condition_variable stop_changed_;
+  bool stopping_ = false;
+  CoordinatorState state_;
+  std::map<std::string, JobEntry> entries_;
+  std::map<std::string, uint64_t> sequences_;  // of the last call of each worker
+  std::thread ticker_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_

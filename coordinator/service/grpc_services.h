@@ -1,0 +1,26 @@
+// gRPC over CoordinatorImpl: nothing but adapters.
+#ifndef TILEMEND_COORDINATOR_SERVICE_GRPC_SERVICES_H_
+#define TILEMEND_COORDINATOR_SERVICE_GRPC_SERVICES_H_
+
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/rpc/endpoint.h"
+#include "coordinator/service/coordinator_impl.h"
+
+namespace tilemend {
+
+// A coordinator on the network (or in process alone, with an empty `listen`). It ends before `impl` does.
+class CoordinatorServer {
+ public:
+  // Errors of RpcServer::Start. `impl` must outlive the server.
+  static absl::StatusOr<std::unique_ptr<CoordinatorServer>> Start(const std::string& listen, CoordinatorImpl& impl);
+  virtual ~CoordinatorServer() = default;
+
+  virtual RpcServer& rpc() = 0;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_SERVICE_GRPC_SERVICES_H_

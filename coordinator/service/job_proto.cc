@@ -1,0 +1,89 @@
+#include "coordinator/service/job_proto.h"
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/status_proto.h"
+
+namespace tilemend {
+namespace {
+
+v1::JobState StateToProto(JobState state) {
+  switch (state) {
+    case JobState::kRunning:
+      return v1::RUNNING;
+    case JobState::kDone:
+      return v1::DONE;
+    case JobState::kPartial:
+      return v1::PARTIAL;
+    case JobState::kFailed:
+      return v1::FAILED;
+    case JobState::kCancelled:
+      return v1::CANCELLED;
+  }
+  return v1::JOB_STATE_UNSPECIFIED;
+}
+
+void SetTime(absl::Time time, google::protobuf::Timestamp& proto) {
+  const int64_t seconds = absl::ToUnixSeconds(time);
+  proto.set_seconds(seconds);
+  proto.set_nanos(static_cast<int32_t>(absl::ToInt64Nanoseconds(time - absl::FromUnixSeconds(seconds))));
+}
+
+void SetProgress(const Job& job, v1::Progress& proto) {
+  proto.set_phase(job.progress.phase);
+  proto.set_cells(job.progress.cells);
+  proto.set_cells_done(job.progress.cells_done);
+  proto.set_holes(job.progress.holes);
+  proto.set_holes_filled(job.progress.holes_filled);
+  proto.set_tasks(job.counts.added);
+  proto.set_tasks_done(job.counts.settled());
+  proto.set_tasks_running(job.counts.leased);
+  proto.set_tasks_retried(job.counts.retried);
+  proto.set_tasks_quarantined(job.counts.quarantined);
+}
+
+}  // namespace
+
+JobSpec SpecFromProto(const v1::JobSpec& proto) {
+  JobSpec spec;
+  spec.scene = proto.scene();
+  spec.out = proto.out();
+  if (!proto.surface().empty()) spec.surface = proto.surface();
+  spec.uniform = proto.uniform();
+  if (proto.gradation() != 0) spec.gradation = proto.gradation();
+  if (proto.size_limit() != 0) spec.size_limit = proto.size_limit();
+  if (proto.has_seam_smoothing()) spec.seam_smoothing = proto.seam_smoothing();
+  spec.overwrite = proto.overwrite();
+  spec.dry_run = proto.dry_run();
+  return spec;
+}
+
+v1::JobSpec SpecToProto(const JobSpec& spec) {
+  v1::JobSpec proto;
+  proto.set_scene(spec.scene);
+  proto.set_out(spec.out);
+  proto.set_surface(spec.surface);
+  proto.set_uniform(spec.uniform);
+  proto.set_gradation(spec.gradation);
+  proto.set_size_limit(spec.size_limit);
+  proto.set_seam_smoothing(spec.seam_smoothing);
+  proto.set_overwrite(spec.overwrite);
+  proto.set_dry_run(spec.dry_run);
+  return proto;
+}
+
+v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error) {
+  v1::Job proto;
+  proto.set_name(absl::StrCat("jobs/", job.id));
+  proto.set_state(StateToProto(job.state));
+  *proto.mutable_spec() = SpecToProto(spec);
+  SetProgress(job, *proto.mutable_progress());
+  SetTime(job.created, *proto.mutable_create_time());
+  if (IsOver(job.state)) SetTime(job.ended, *proto.mutable_end_time());
+  if (!error.ok()) *proto.mutable_error() = StatusToProto(error);
+  proto.set_message(outcome.message);
+  proto.set_report(outcome.report);
+  proto.set_cursor(job.version);
+  return proto;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,80 @@
+// Runs the pipeline of one job on a thread of its own.
+#ifndef TILEMEND_COORDINATOR_SERVICE_JOB_RUNNER_H_
+#define TILEMEND_COORDINATOR_SERVICE_JOB_RUNNER_H_
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "coordinator/service/blob_folder.h"
+#include "coordinator/service/job_pipeline.h"
+#include "coordinator/state/event.h"
+
+namespace tilemend {
+
+class JobRunner {
+ public:
+  // Called on the job's thread, without any lock of the runner.
+  struct Sink {
+    std::function<void(std::vector<TaskSpec>, const Progress&)> add_tasks;  // the inputs are in the blob folder
+    std::function<void(absl::StatusOr<JobOutcome>)> finished;  // last; kCancelled after Cancel
+  };
+
+  // Starts the thread. Removes the blob folder at the job's end.
+  JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink);
+  // Cancels and waits for the thread.
+  ~JobRunner();
+
+  // Hands over a task that came to its end. `content` is its output if that is not a blob.
+  void Deliver(SettledTask task, std::optional<std::string> content);
+
+  // Bytes of content that wait for the pipeline.
+  size_t queued_bytes() const { return queued_bytes_.load(); }
+
+  void Cancel();
+
+  // True once nothing runs any more.
+  bool ended() const { return ended_.load(); }
+
+ private:
+  struct Delivery {
+    SettledTask task;
+    std::optional<std::string> content;
+  };
+
+  void Run();
+  absl::StatusOr<JobOutcome> RunPipeline();
+  absl::StatusOr<JobOutcome> DrivePipeline(JobPipeline& pipeline);
+  absl::StatusOr<Delivery> NextDelivery();
+  absl::StatusOr<TaskResult> ToResult(Delivery delivery) const;
+  absl::Status AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks);
+
+  const JobSpec spec_;
+  const PipelineFactory factory_;
+  const std::shared_ptr<BlobFolder> blobs_;
+  const Sink sink_;
+  int64_t outstanding_ = 0;  // tasks given out and not yet taken back; the job's thread only
+  std::atomic<size_t> queued_bytes_{0};
+  std::atomic<bool> ended_{false};
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Delivery> deliveries_;
+  bool cancelled_ = false;
+  JobPipeline* pipeline_ = nullptr;  // while it may be cancelled
+  std::thread thread_;               // last: it uses the others
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_SERVICE_JOB_RUNNER_H_

@@ -1,0 +1,33 @@
+#include <cmath>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "coordinator/service/job_pipeline.h"
+
+namespace tilemend {
+namespace {
+
+absl::Status InvalidSpec(const std::string& field, const std::string& what) {
+  return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat(field, ": ", what)), {"INVALID_SPEC", {{"field", field}}});
+}
+
+absl::Status CheckRange(const std::string& field, double value, double low, double high) {
+  if (std::isfinite(value) && value >= low && value <= high) return absl::OkStatus();
+  return InvalidSpec(field, absl::StrCat(value, " is not between ", low, " and ", high));
+}
+
+}  // namespace
+
+absl::Status JobSpec::Check() const {
+  if (scene.empty()) return InvalidSpec("scene", "no path is given");
+  if (out.empty() && !dry_run) return InvalidSpec("out", "no folder is given to write to");
+  if (surface != "wang" && surface != "thin-plate") {
+    return InvalidSpec("surface", absl::StrCat("'", surface, "' is neither wang nor thin-plate"));
+  }
+  TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
+  TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
+  return CheckRange("seam_smoothing", seam_smoothing, 0, 1);
+}
+
+}  // namespace tilemend

@@ -1,0 +1,263 @@
+// The worker's side of CoordinatorImpl: Sync and blobs.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
+#include "common/rpc/limits.h"
+#include "common/rpc/status_proto.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "coordinator/service/coordinator_impl.h"
+
+namespace tilemend {
+namespace {
+
+constexpr int32_t kMaxThreads = 1024;
+
+// Small outputs that wait for a slow pipeline go to disk beyond this.
+constexpr size_t kMaxQueuedBytes = size_t{64} << 20;
+
+absl::Status CheckSync(const v1::SyncRequest& request) {
+  if (request.protocol() != kProtocolVersion) {
+    return WithErrorInfo(
+        absl::FailedPreconditionError(absl::StrCat("worker ", request.worker(), " speaks protocol ", request.protocol(),
+                                                   ", this coordinator ", kProtocolVersion, "; use the same release")),
+        {"PROTOCOL_VERSION",
+         {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
+  }
+  if (request.worker().empty() || request.threads() < 0 || request.threads() > kMaxThreads) {
+    return absl::InvalidArgumentError(absl::StrCat("a worker needs an id and 0 to ", kMaxThreads, " threads"));
+  }
+  return absl::OkStatus();
+}
+
+TaskKey KeyOf(const v1::TaskRef& ref) { return {ref.job(), ref.task()}; }
+
+v1::TaskRef RefOf(const TaskKey& key, uint64_t token) {
+  v1::TaskRef ref;
+  ref.set_job(key.job);
+  ref.set_task(key.task);
+  ref.set_attempt_token(token);
+  return ref;
+}
+
+bool IsMachineError(const absl::Status& status) {
+  return absl::IsUnavailable(status) || absl::IsResourceExhausted(status);
+}
+
+v1::Task TaskMessage(const TaskKey& key, const Task& task) {
+  v1::Task message;
+  *message.mutable_ref() = RefOf(key, task.token);
+  message.mutable_cell()->set_col(task.cell.col);
+  message.mutable_cell()->set_row(task.cell.row);
+  message.set_stage(static_cast<v1::Stage>(task.stage));
+  message.set_attempt(task.attempts);
+  message.mutable_input()->set_digest(task.input);
+  return message;
+}
+
+}  // namespace
+
+absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& request,
+                                                       const std::function<bool()>& alive) {
+  TILEMEND_RETURN_IF_ERROR(CheckSync(request));
+  std::vector<Report> reports = PrepareReports(request);
+  v1::SyncResponse response;
+  std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
+  {
+    Lock lock(mutex_);
+    uint64_t& sequence = sequences_[request.worker()];
+    sequence = std::max(sequence, request.sequence());
+    work_changed_.notify_all();  // an older call of this worker ends
+    const bool is_new = state_.FindWorker(request.worker()) == nullptr;
+    TILEMEND_RETURN_IF_ERROR(
+        Apply(WorkerSeen{request.worker(), request.threads(), request.draining(), options_.clock()}).status());
+    if (is_new) metrics_.Show(state_);
+    TakeReports(std::move(reports), response);
+    RenewHeld(request);
+    TILEMEND_RETURN_IF_ERROR(AwaitNews(request, alive, lock, response));
+    blobs = BlobsOf(response);
+  }
+  InlineInputs(blobs, response);
+  return response;
+}
+
+std::vector<CoordinatorImpl::Report> CoordinatorImpl::PrepareReports(const v1::SyncRequest& request) {
+  std::vector<Report> reports;
+  reports.reserve(static_cast<size_t>(request.finished_size()));
+  for (const v1::FinishedTask& finished : request.finished()) reports.push_back(PrepareReport(finished));
+  return reports;
+}
+
+CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const v1::FinishedTask& finished) {
+  Report report{finished.ref(), static_cast<Stage>(finished.stage()), {}, std::nullopt};
+  const TaskKey key = KeyOf(finished.ref());
+  const uint64_t token = finished.ref().attempt_token();
+  if (!finished.has_output()) {
+    absl::Status error = StatusFromProto(finished.error());
+    if (error.ok()) error = absl::UnknownError("the worker reported neither an output nor an error");
+    const bool machine = IsMachineError(error);
+    report.event = TaskFailed{key, token, machine, std::move(error)};
+    return report;
+  }
+  const auto blobs = FindBlobs(key.job);
+  const v1::BlobRef& output = finished.output();
+  const bool is_inline = output.size() == static_cast<int64_t>(output.content().size());
+  const std::string digest = is_inline ? Sha256Hex(output.content()) : output.digest();
+  report.event = TaskCompleted{key, token, digest};
+  if (is_inline) report.content = output.content();
+  if (!blobs.ok() || *blobs == nullptr) return report;  // the job is over: the state will refuse it
+  bool queue_full = false;
+  {
+    Lock lock(mutex_);
+    const auto& runner = entries_.at(key.job).runner;
+    queue_full = runner != nullptr && runner->queued_bytes() > kMaxQueuedBytes;
+  }
+  if (is_inline && queue_full && (*blobs)->Put(output.content()).ok()) report.content.reset();
+  if (!is_inline && !(*blobs)->Size(digest).ok()) {
+    report.event = TaskFailed{key, token, true, absl::UnavailableError(absl::StrCat("blob ", digest, " did not arrive"))};
+  }
+  return report;
+}
+
+void CoordinatorImpl::TakeReports(std::vector<Report> reports, v1::SyncResponse& response) {
+  for (Report& report : reports) {
+    const int64_t bytes = report.content.has_value() ? static_cast<int64_t>(report.content->size()) : 0;
+    const auto result = Apply(report.event, std::move(report.content));
+    if (result.ok()) {
+      metrics_.BlobReceived(bytes);
+    } else {
+      metrics_.RefusedLate(report.stage);
+    }
+    *response.add_acknowledged() = std::move(report.ref);
+  }
+}
+
+void CoordinatorImpl::RenewHeld(const v1::SyncRequest& request) {
+  const absl::Time deadline = options_.clock() + options_.lease;
+  for (const v1::TaskRef& ref : request.held()) {
+    // Fails if the lease was lost; TellState then leaves the task out.
+    Apply(LeaseRenewed{KeyOf(ref), ref.attempt_token(), deadline}).IgnoreError();
+  }
+}
+
+absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive, Lock& lock,
+                                        v1::SyncResponse& response) {
+  const absl::Duration wait = std::clamp(absl::Milliseconds(request.wait_ms()), absl::ZeroDuration(), kMaxPoll);
+  const SteadyTime deadline = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(wait);
+  while (true) {
+    const auto sequence = sequences_.find(request.worker());
+    if (sequence == sequences_.end() || sequence->second > request.sequence()) {
+      return absl::AbortedError("a newer call of this worker took over");
+    }
+    if (!alive()) return absl::CancelledError("the worker went away");
+    if (request.draining() && request.held().empty()) {
+      Apply(WorkerLeft{request.worker()}).IgnoreError();
+      sequences_.erase(sequence);
+      metrics_.Show(state_);
+      response.set_leave(true);
+      return absl::OkStatus();
+    }
+    TellState(request, response);
+    const bool news = response.start_size() > 0 || response.acknowledged_size() > 0 ||
+                      response.keep_size() < request.held_size();
+    if (stopping_ && !news) return absl::UnavailableError("the coordinator is shutting down");
+    if (news || std::chrono::steady_clock::now() >= deadline) return absl::OkStatus();
+    work_changed_.wait_until(lock, deadline);
+  }
+}
+
+void CoordinatorImpl::TellState(const v1::SyncRequest& request, v1::SyncResponse& response) {
+  response.clear_start();
+  response.clear_keep();
+  if (!stopping_) LeaseTasks(request.worker());
+  const WorkerRecord* worker = state_.FindWorker(request.worker());
+  if (worker == nullptr) return;  // it was lost while it waited; its next call makes it known again
+  std::set<uint64_t> known;
+  for (const v1::TaskRef& ref : request.held()) {
+    const Task* task = state_.FindTask(KeyOf(ref));
+    if (task == nullptr || task->token != ref.attempt_token() || !worker->held.contains(KeyOf(ref))) continue;
+    known.insert(ref.attempt_token());
+    *response.add_keep() = ref;
+  }
+  // Also what it was given before, if that answer was lost.
+  for (const TaskKey& key : worker->held) {
+    const Task& task = *state_.FindTask(key);
+    if (!known.contains(task.token)) *response.add_start() = TaskMessage(key, task);
+  }
+}
+
+void CoordinatorImpl::LeaseTasks(const std::string& worker) {
+  const absl::Time now = options_.clock();
+  for (const TaskKey& key : state_.ChooseTasks(worker)) {
+    const Stage stage = state_.FindTask(key)->stage;
+    if (Apply(TaskLeased{key, worker, state_.NextToken(), now, now + options_.lease}).ok()) metrics_.Started(stage);
+  }
+}
+
+std::map<std::string, std::shared_ptr<BlobFolder>> CoordinatorImpl::BlobsOf(const v1::SyncResponse& response) {
+  std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
+  for (const v1::Task& task : response.start()) blobs[task.ref().job()] = entries_.at(task.ref().job()).blobs;
+  return blobs;
+}
+
+void CoordinatorImpl::InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs,
+                                   v1::SyncResponse& response) {
+  size_t left = kMaxInlineBytesPerSync;
+  for (v1::Task& task : *response.mutable_start()) {
+    const auto& folder = blobs.at(task.ref().job());
+    if (folder == nullptr) continue;
+    v1::BlobRef& input = *task.mutable_input();
+    const auto size = folder->Size(input.digest());
+    if (!size.ok()) continue;  // the job has just ended: the worker is told so next time
+    input.set_size(*size);
+    if (static_cast<size_t>(*size) > std::min(left, kInlineBlobBytes)) continue;
+    auto content = folder->Read(input.digest());
+    if (!content.ok()) continue;
+    left -= content->size();
+    metrics_.BlobSent(*size);
+    input.set_content(*std::move(content));
+  }
+}
+
+absl::StatusOr<std::shared_ptr<BlobFolder>> CoordinatorImpl::FindBlobs(const std::string& job) {
+  Lock lock(mutex_);
+  TILEMEND_ASSIGN_OR_RETURN(const Job* found, JobNamed(absl::StrCat("jobs/", job)));
+  if (!IsOver(found->state)) return entries_.at(job).blobs;
+  const std::string state(JobStateName(found->state));
+  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat("jobs/", job, ": the job is over (", state, ")")),
+                       {"JOB_OVER", {{"job", job}, {"state", state}}});
+}
+
+absl::Status CoordinatorImpl::ReadBlob(const v1::ReadBlobRequest& request,
+                                       const std::function<bool(std::string_view)>& send) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(request.job()));
+  return blobs->ReadChunks(request.digest(), [&](std::string_view chunk) {
+    metrics_.BlobSent(static_cast<int64_t>(chunk.size()));
+    return send(chunk);
+  });
+}
+
+absl::StatusOr<v1::WriteBlobResponse> CoordinatorImpl::WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next) {
+  v1::WriteBlobRequest message;
+  if (!next(message)) return absl::InvalidArgumentError("a blob needs a first message with its job and its digest");
+  const std::string digest = message.digest();
+  if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
+  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(message.job()));
+  TILEMEND_ASSIGN_OR_RETURN(const auto writer, blobs->NewWriter());
+  do {
+    if (message.data().size() > kMaxChunkBytes) {
+      return absl::InvalidArgumentError(absl::StrCat("a chunk may have ", kMaxChunkBytes, " bytes at most"));
+    }
+    metrics_.BlobReceived(static_cast<int64_t>(message.data().size()));
+    TILEMEND_RETURN_IF_ERROR(writer->Append(message.data()));
+  } while (next(message));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, writer->Commit(digest));
+  v1::WriteBlobResponse response;
+  response.set_size(size);
+  return response;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,95 @@
+// Plain records of the coordinator's mind: jobs, tasks, workers.
+#ifndef TILEMEND_COORDINATOR_STATE_JOB_H_
+#define TILEMEND_COORDINATOR_STATE_JOB_H_
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/time/time.h"
+#include "common/grid/scene.h"
+#include "common/util/stage.h"
+
+namespace tilemend {
+
+enum class JobState { kRunning, kDone, kPartial, kFailed, kCancelled };
+
+// "running", "done", "partial", "failed", "cancelled".
+std::string_view JobStateName(JobState state);
+
+inline bool IsOver(JobState state) { return state != JobState::kRunning; }
+
+// How far a job is, as its pipeline tells it.
+struct Progress {
+  std::string phase;  // for people: "survey", "fill layer 2"
+  int64_t cells = 0, cells_done = 0;
+  int64_t holes = 0, holes_filled = 0;
+  bool operator==(const Progress&) const = default;
+};
+
+// Pending -> leased -> one of the last three, which are final; a lost lease goes back to pending.
+enum class TaskState { kPending, kLeased, kCommitted, kFailed, kQuarantined };
+
+inline bool IsSettled(TaskState state) { return state != TaskState::kPending && state != TaskState::kLeased; }
+
+struct Task {
+  int64_t id = 0;  // 1, 2, ... within the job, in the order in which they were added
+  CellId cell;
+  Stage stage = Stage::kSurvey;
+  std::string input;    // digest of the input blob
+  TaskState state = TaskState::kPending;
+  int32_t attempts = 0;                   // leases so far
+  int32_t returns = 0;                    // attempts that the machine gave back with an error
+  std::vector<std::string> lost_workers;  // workers that were lost while they held it
+  // Of the present lease, or of the one that settled it:
+  uint64_t token = 0;
+  std::string worker;
+  absl::Time leased_at;
+  absl::Time deadline;
+};
+
+// Names a task everywhere in the coordinator.
+struct TaskKey {
+  std::string job;
+  int64_t task = 0;
+  auto operator<=>(const TaskKey&) const = default;
+};
+
+struct TaskCounts {
+  int64_t added = 0;
+  int64_t pending = 0, leased = 0, committed = 0, failed = 0, quarantined = 0;  // sum is `added` while the job runs
+  int64_t retried = 0;       // leases that were lost or given back and led to another
+  int64_t refused_late = 0;  // results of attempts that had been given up
+  int64_t settled() const { return committed + failed + quarantined; }
+  bool operator==(const TaskCounts&) const = default;
+};
+
+struct Job {
+  std::string id;
+  std::string request_id;
+  int64_t number = 0;  // 1, 2, ... in order of creation
+  JobState state = JobState::kRunning;
+  absl::Time created;
+  absl::Time ended = absl::InfiniteFuture();
+  uint64_t version = 0;  // grows with each change of the job
+  Progress progress;
+  TaskCounts counts;
+  std::map<int64_t, Task> tasks;  // emptied when the job is over
+  std::set<int64_t> pending;      // ids of the tasks in state kPending
+};
+
+struct WorkerRecord {
+  std::string id;
+  int32_t threads = 0;
+  bool draining = false;
+  absl::Time last_seen;
+  std::set<TaskKey> held;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_STATE_JOB_H_

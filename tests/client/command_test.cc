@@ -1,0 +1,223 @@
+// The tilemend command as a process, with the toy in place of the geometry: what it prints, where, and its exit codes.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/files.h"
+#include "tests/support/test_cluster.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+struct Ended {
+  int code = -1;
+  std::string out, err;
+};
+
+// A process whose output goes to files.
+class Process {
+ public:
+  Process(const TempFolder& folder, const std::string& program, const std::vector<std::string>& words) {
+    static int count = 0;
+    out_ = folder / absl::StrCat("stdout-", ++count);
+    err_ = folder / absl::StrCat("stderr-", count);
+    std::vector<std::string> all = {program};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> argv;
+    for (std::string& word : all) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_CREAT, 0600);
+    EXPECT_EQ(posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  ~Process() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  void Signal(int signal) { kill(pid_, signal); }
+  Ended Wait() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), *ReadFile(out_), *ReadFile(err_)};
+  }
+  // Polls the process' standard error.
+  void AwaitLine(const std::string& text) {
+    while (ReadFile(err_).value_or("").find(text) == std::string::npos && kill(pid_, 0) == 0) usleep(2000);
+  }
+
+ private:
+  pid_t pid_ = -1;
+  std::string out_, err_;
+};
+
+class CommandTest : public ::testing::Test {
+ protected:
+  Ended Run(const std::vector<std::string>& words) { return Process(folder_, TOY_CLIENT, words).Wait(); }
+
+  TempFolder folder_;
+};
+
+TEST_F(CommandTest, RunWritesTheReportAndSaysSo) {
+  const Ended ended = Run({"run", "toy://4x3", "--out", folder_ / "out", "--workers", "2"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("done"));
+  EXPECT_THAT(ended.err, Not(HasSubstr("\r")));  // no bar: not a terminal
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/report.json"));
+}
+
+TEST_F(CommandTest, JsonIsAllThatStdoutHas) {
+  const Ended ended = Run({"run", "toy://4x3", "--out", folder_ / "out", "-o", "json"});
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ended.out;
+  EXPECT_EQ(json["state"], "done");
+  EXPECT_EQ(json["progress"]["tasks"], 36);
+}
+
+TEST_F(CommandTest, ExitCodes) {
+  const std::string out = folder_ / "out";
+  EXPECT_EQ(Run({}).code, 2);
+  EXPECT_EQ(Run({"run", "toy://2x2"}).code, 2);
+  EXPECT_EQ(Run({"run", "--out", out}).code, 2);
+  EXPECT_EQ(Run({"run", "toy://2x2", "--out", out, "--surface", "flat"}).code, 2);
+  EXPECT_EQ(Run({"run", "toy://2x2", "--out", out, "--workers", "0"}).code, 2);
+  EXPECT_EQ(Run({"run", "no-such-scene", "--out", out}).code, 3);
+  EXPECT_EQ(Run({"report", out}).code, 3);
+  EXPECT_EQ(Run({"run", "toy://0x2", "--out", out}).code, 4);
+  EXPECT_EQ(Run({"list", "--coordinator", "127.0.0.1:1"}).code, 5);
+  EXPECT_EQ(Run({"run", "toy://2x2?plan_error=1", "--out", out}).code, 6);
+  EXPECT_EQ(Run({"run", "toy://2x2?fail=1,1", "--out", out}).code, 100);
+}
+
+TEST_F(CommandTest, UnknownWordsGetASuggestion) {
+  Ended ended = Run({"submitt"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("did you mean submit?"));
+  ended = Run({"run", "x", "--overwrit"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("did you mean --overwrite?"));
+  EXPECT_THAT(ended.out, IsEmpty());
+}
+
+TEST_F(CommandTest, HelpAndVersionAreData) {
+  EXPECT_THAT(Run({"--version"}).out, HasSubstr("tilemend "));
+  EXPECT_THAT(Run({"help"}).out, HasSubstr("submit"));
+  EXPECT_THAT(Run({"help", "run"}).out, HasSubstr("--workers"));
+  EXPECT_EQ(Run({"run", "--help"}).code, 0);
+}
+
+TEST_F(CommandTest, CtrlCCancelsARunAndLeavesNothing) {
+  Process process(folder_, TOY_CLIENT,
+                  {"run", "toy://20x20?sleep_ms=10000", "--out", folder_ / "out", "--work", folder_ / "work"});
+  process.AwaitLine("survey");
+  process.Signal(SIGINT);
+  const Ended ended = process.Wait();
+  EXPECT_EQ(ended.code, 7) << ended.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "work"));
+}
+
+TEST_F(CommandTest, ReportShowsLeftovers) {
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json",
+                                  R"({"cells": 4, "filled": {"closed": 2, "I": {"A": 1}},
+                                      "left": [{"cell": [1, 2], "reason": "too wild"}]})")
+                  .ok());
+  const Ended ended = Run({"report", folder_ / "out"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("filled I A     1"));
+  EXPECT_THAT(ended.out, HasSubstr("too wild"));
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json", "[").ok());
+  EXPECT_EQ(Run({"report", folder_ / "out"}).code, 4);
+}
+
+// A cluster of processes: the programs as they are installed, but for the geometry.
+class ClusterCommandTest : public CommandTest {
+ protected:
+  ClusterCommandTest() {
+    ClusterOptions options;
+    options.listen = "127.0.0.1:0";
+    cluster_ = std::make_unique<TestCluster>(options);
+    address_ = absl::StrCat("127.0.0.1:", cluster_->rpc().port());
+  }
+  Ended RunWith(std::vector<std::string> words) {
+    words.push_back("--coordinator");
+    words.push_back(address_);
+    return Run(words);
+  }
+
+  std::unique_ptr<TestCluster> cluster_;
+  std::string address_;
+};
+
+TEST_F(ClusterCommandTest, SubmitWaitGetListWatch) {
+  Process worker(folder_, TOY_WORKER, {"--coordinator", address_, "--threads", "2"});
+  const Ended submitted = RunWith({"submit", "toy://4x3", "--out", folder_ / "out", "--wait", "-o", "json"});
+  EXPECT_EQ(submitted.code, 0) << submitted.err;
+  const std::string name = nlohmann::json::parse(submitted.out)["name"];
+  EXPECT_THAT(RunWith({"get", name}).out, HasSubstr("done"));
+  EXPECT_THAT(RunWith({"get", name.substr(5)}).out, HasSubstr("done"));
+  EXPECT_THAT(RunWith({"list"}).out, HasSubstr(name));
+  EXPECT_EQ(RunWith({"watch", name}).code, 0);
+  EXPECT_EQ(RunWith({"get", "none"}).code, 3);
+  EXPECT_EQ(RunWith({"cancel", name}).code, 6);
+  const Ended again = RunWith({"retry", name, "--wait"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  worker.Signal(SIGTERM);
+  EXPECT_EQ(worker.Wait().code, 0);
+}
+
+TEST_F(ClusterCommandTest, ARepeatedRequestIdGivesTheSameJob) {
+  const std::vector<std::string> words = {"submit", "toy://2x2", "--out", folder_ / "out", "--request-id", "r", "-o", "json"};
+  const auto first = nlohmann::json::parse(RunWith(words).out);
+  EXPECT_EQ(nlohmann::json::parse(RunWith(words).out)["name"], first["name"]);
+}
+
+TEST_F(ClusterCommandTest, CancelledWatchEndsWithSeven) {
+  const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
+  Process watch(folder_, TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
+  watch.AwaitLine("survey");
+  EXPECT_EQ(RunWith({"cancel", job["name"]}).code, 0);
+  EXPECT_EQ(watch.Wait().code, 7);
+}
+
+TEST_F(ClusterCommandTest, CtrlCEndsTheWatchingNotTheJob) {
+  const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
+  Process watch(folder_, TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
+  watch.AwaitLine("survey");
+  watch.Signal(SIGINT);
+  const Ended ended = watch.Wait();
+  EXPECT_EQ(ended.code, 7);
+  EXPECT_THAT(ended.err, HasSubstr("goes on"));
+  EXPECT_EQ(cluster_->Get(job["name"]).state(), v1::RUNNING);
+}
+
+TEST_F(CommandTest, TheCoordinatorServesUntilItIsTold) {
+  Process coordinator(folder_, TOY_COORDINATOR,
+                      {"--listen", "127.0.0.1:0", "--work", folder_ / "work", "--metrics", "127.0.0.1:0"});
+  coordinator.AwaitLine("listening on 127.0.0.1:");
+  coordinator.Signal(SIGTERM);
+  EXPECT_EQ(coordinator.Wait().code, 0);
+  EXPECT_EQ(Process(folder_, TOY_COORDINATOR, {"--listen", "nowhere", "--work", folder_ / "work"}).Wait().code, 2);
+  EXPECT_EQ(Process(folder_, TOY_COORDINATOR, {}).Wait().code, 2);
+  EXPECT_EQ(Process(folder_, TOY_WORKER, {"--threads", "0"}).Wait().code, 2);
+}
+
+}  // namespace
+}  // namespace tilemend

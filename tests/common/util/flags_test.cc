@@ -1,0 +1,59 @@
+#include "common/util/flags.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::vector<FlagSpec>& Specs() {
+  static const std::vector<FlagSpec> specs = {
+      {"out", "DIR", "folder", ""}, {"workers", "N", "tasks", "2"}, {"overwrite", "", "replace", ""},
+      {"output", "FORMAT", "table or json", "table", 'o'}};
+  return specs;
+}
+
+std::string ErrorOf(const std::vector<std::string>& words) {
+  return std::string(Flags::Parse(Specs(), words).status().message());
+}
+
+TEST(FlagsTest, TakesBothFormsOfAValue) {
+  const auto flags = Flags::Parse(Specs(), {"scene", "--out=a=b", "--workers", "3", "--overwrite", "-o", "json"});
+  ASSERT_TRUE(flags.ok()) << flags.status();
+  EXPECT_THAT(flags->arguments(), ElementsAre("scene"));
+  EXPECT_EQ(flags->Text("out"), "a=b");
+  EXPECT_EQ(*flags->Integer("workers", 1, 10), 3);
+  EXPECT_TRUE(flags->Switch("overwrite"));
+  EXPECT_EQ(flags->Text("output"), "json");
+}
+
+TEST(FlagsTest, GivesDefaults) {
+  const auto flags = Flags::Parse(Specs(), {});
+  EXPECT_EQ(*flags->Integer("workers", 1, 10), 2);
+  EXPECT_FALSE(flags->IsGiven("workers"));
+  EXPECT_FALSE(flags->Switch("overwrite"));
+}
+
+TEST(FlagsTest, EverythingAfterTwoDashesIsAnArgument) {
+  EXPECT_THAT(Flags::Parse(Specs(), {"-", "--", "--out", "-x"})->arguments(), ElementsAre("-", "--out", "-x"));
+}
+
+TEST(FlagsTest, SaysWhatIsWrong) {
+  EXPECT_EQ(ErrorOf({"--overwrit"}), "unknown flag --overwrit; did you mean --overwrite?");
+  EXPECT_EQ(ErrorOf({"--completely-else"}), "unknown flag --completely-else");
+  EXPECT_EQ(ErrorOf({"--out"}), "--out needs a value: DIR");
+  EXPECT_EQ(ErrorOf({"--overwrite=yes"}), "--overwrite takes no value");
+}
+
+TEST(FlagsTest, ChecksNumbers) {
+  const auto flags = Flags::Parse(Specs(), {"--workers", "many", "--out", "nan"});
+  EXPECT_THAT(std::string(flags->Integer("workers", 1, 10).status().message()), HasSubstr("from 1 to 10"));
+  EXPECT_FALSE(flags->Number("out", 0, 1).ok());
+  EXPECT_FALSE(Flags::Parse(Specs(), {"--workers", "11"})->Integer("workers", 1, 10).ok());
+}
+
+}  // namespace
+}  // namespace tilemend

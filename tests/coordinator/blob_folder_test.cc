@@ -1,0 +1,78 @@
+#include "coordinator/service/blob_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "common/rpc/limits.h"
+#include "common/util/error_info.h"
+#include "tests/support/test_cluster.h"
+
+namespace tilemend {
+namespace {
+
+class BlobFolderTest : public ::testing::Test {
+ protected:
+  TempFolder folder_;
+  std::shared_ptr<BlobFolder> blobs_ = *BlobFolder::Create(folder_ / "blobs");
+};
+
+TEST_F(BlobFolderTest, GivesBackWhatWasPut) {
+  for (const size_t size : {size_t{0}, size_t{1}, kMaxChunkBytes, kMaxChunkBytes + 1, 5 * kMaxChunkBytes}) {
+    const std::string bytes(size, static_cast<char>('a' + size % 7));
+    const auto digest = blobs_->Put(bytes);
+    ASSERT_TRUE(digest.ok()) << digest.status();
+    EXPECT_EQ(*digest, Sha256Hex(bytes));
+    EXPECT_EQ(*blobs_->Size(*digest), static_cast<int64_t>(size));
+    EXPECT_TRUE(*blobs_->Read(*digest) == bytes);
+  }
+}
+
+TEST_F(BlobFolderTest, ReadsInChunksOfAtMostOneMiB) {
+  const std::string digest = *blobs_->Put(std::string(5'000'000, 'x'));
+  size_t total = 0;
+  size_t largest = 0;
+  EXPECT_TRUE(blobs_->ReadChunks(digest, [&](std::string_view chunk) {
+    total += chunk.size();
+    largest = std::max(largest, chunk.size());
+    return true;
+  }).ok());
+  EXPECT_EQ(total, 5'000'000U);
+  EXPECT_LE(largest, kMaxChunkBytes);
+}
+
+TEST_F(BlobFolderTest, RefusesBytesOfAnotherDigestAndLeavesNothing) {
+  {
+    const auto writer = *blobs_->NewWriter();
+    ASSERT_TRUE(writer->Append("hello").ok());
+    EXPECT_EQ(ErrorReason(writer->Commit(Sha256Hex("other")).status()), "BLOB_CORRUPT");
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "blobs"));
+}
+
+TEST_F(BlobFolderTest, RefusesNamesThatAreNoDigests) {
+  EXPECT_TRUE(absl::IsInvalidArgument(blobs_->Read("../../etc/passwd").status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(blobs_->Read(std::string(64, 'A')).status()));
+  EXPECT_EQ(ErrorReason(blobs_->Read(std::string(64, 'a')).status()), "BLOB_NOT_FOUND");
+}
+
+TEST_F(BlobFolderTest, IsGoneAfterRemove) {
+  const auto writer = *blobs_->NewWriter();
+  ASSERT_TRUE(writer->Append("late").ok());
+  const std::string digest = *blobs_->Put("hello");
+  blobs_->Remove();
+  EXPECT_FALSE(writer->Commit(Sha256Hex("late")).ok());
+  EXPECT_FALSE(blobs_->Put("more").ok());
+  EXPECT_FALSE(blobs_->Read(digest).ok());
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "blobs"));
+}
+
+// The empty string, "abc": FIPS 180-4.
+TEST(DigestTest, KnownAnswers) {
+  EXPECT_EQ(Sha256Hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(Sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,119 @@
+#include "tests/support/test_cluster.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <array>
+#include <system_error>
+#include <utility>
+
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
+#include "absl/strings/strip.h"
+
+namespace tilemend {
+namespace {
+
+constexpr absl::Duration kLease = absl::Seconds(10);
+
+}  // namespace
+
+TempFolder::TempFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "tilemend-test-XXXXXX").string();
+  EXPECT_NE(mkdtemp(name.data()), nullptr);
+  path_ = name;
+}
+
+TempFolder::~TempFolder() {
+  std::error_code error;
+  std::filesystem::remove_all(path_, error);
+}
+
+TestCluster::TestCluster(ClusterOptions options) {
+  CoordinatorOptions coordinator;
+  coordinator.work_folder = folder_ / "work";
+  coordinator.lease = kLease;
+  coordinator.state = options.state;
+  coordinator.max_running_jobs = options.max_running_jobs;
+  if (options.fake_clock) {
+    coordinator.clock = [this] { return clock_.Now(); };
+    coordinator.background_ticks = false;
+  }
+  auto impl = CoordinatorImpl::Create(coordinator, options.factory, metrics_);
+  EXPECT_TRUE(impl.ok()) << impl.status();
+  impl_ = *std::move(impl);
+  auto server = CoordinatorServer::Start(options.listen, *impl_);
+  EXPECT_TRUE(server.ok()) << server.status();
+  server_ = *std::move(server);
+}
+
+TestCluster::~TestCluster() {
+  workers_.clear();
+  server_.reset();
+}
+
+Worker& TestCluster::AddWorker(const std::string& name, int threads, StageRunner runner) {
+  WorkerOptions options;
+  options.id = name;
+  options.threads = threads;
+  auto& worker = workers_[name];
+  worker = std::make_unique<Worker>(options, NewGrpcWorkLink(rpc().InProcessChannel()), std::move(runner),
+                                    *MetricsRegistry::Null());
+  return *worker;
+}
+
+void TestCluster::KillWorker(const std::string& name) {
+  workers_.at(name)->Abandon();
+  workers_.erase(name);
+}
+
+void TestCluster::ExpireLeases() {
+  clock_.Advance(2 * kLease);
+  impl_->Tick();
+}
+
+std::unique_ptr<v1::Jobs::Stub> TestCluster::NewJobsStub() { return v1::Jobs::NewStub(rpc().InProcessChannel()); }
+
+double TestCluster::Metric(const std::string& name_and_labels) const {
+  const std::string text = MetricsText();
+  for (absl::string_view line : absl::StrSplit(text, '\n')) {
+    double value = 0;
+    if (absl::ConsumePrefix(&line, absl::StrCat(name_and_labels, " ")) && absl::SimpleAtod(line, &value)) return value;
+  }
+  return 0;
+}
+
+v1::Job TestCluster::Submit(const std::string& scene) {
+  v1::CreateJobRequest request;
+  request.mutable_spec()->set_scene(scene);
+  request.mutable_spec()->set_out(folder_ / absl::StrCat("out-", ++submitted_));
+  auto job = impl_->CreateJob(request);
+  EXPECT_TRUE(job.ok()) << job.status();
+  return job.ok() ? *std::move(job) : v1::Job();
+}
+
+v1::Job TestCluster::Get(const std::string& name) {
+  v1::GetJobRequest request;
+  request.set_name(name);
+  auto job = impl_->GetJob(request);
+  EXPECT_TRUE(job.ok()) << job.status();
+  return job.ok() ? *std::move(job) : v1::Job();
+}
+
+v1::Job TestCluster::WaitFor(const std::string& name) {
+  v1::WatchJobRequest request;
+  request.set_name(name);
+  v1::Job last;
+  const absl::Status status = impl_->WatchJob(
+      request,
+      [&last](const v1::Job& job) {
+        last = job;
+        return true;
+      },
+      [] { return true; });
+  EXPECT_TRUE(status.ok()) << status;
+  return last;
+}
+
+}  // namespace tilemend

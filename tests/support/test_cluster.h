@@ -1,0 +1,97 @@
+// A real coordinator and any number of real workers inside one test, over in-process channels.
+#ifndef TILEMEND_TESTS_SUPPORT_TEST_CLUSTER_H_
+#define TILEMEND_TESTS_SUPPORT_TEST_CLUSTER_H_
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "absl/time/time.h"
+#include "common/metrics/prometheus_registry.h"
+#include "coordinator/service/coordinator_impl.h"
+#include "coordinator/service/grpc_services.h"
+#include "tests/support/toy_engine.h"
+#include "tilemend/v1/jobs.grpc.pb.h"
+#include "worker/service/worker.h"
+
+namespace tilemend {
+
+// A clock that moves only when it is told to.
+class FakeClock {
+ public:
+  absl::Time Now() const {
+    std::lock_guard<std::mutex> lock(mutex_);
+    return now_;
+  }
+  void Advance(absl::Duration by) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    now_ += by;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  absl::Time now_ = absl::FromUnixSeconds(1'000'000'000);
+};
+
+// A folder that is gone with the test.
+class TempFolder {
+ public:
+  TempFolder();
+  ~TempFolder();
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct ClusterOptions {
+  std::string listen;  // "": in process only
+  PipelineFactory factory = ToyPipelineFactory();
+  StateOptions state;
+  size_t max_running_jobs = 64;
+  bool fake_clock = false;  // leases then run out only through clock() and Tick()
+};
+
+class TestCluster {
+ public:
+  explicit TestCluster(ClusterOptions options = {});
+  ~TestCluster();
+
+  // Starts a worker; the name is its id.
+  Worker& AddWorker(const std::string& name, int threads = 1, StageRunner runner = ToyStageRunner());
+  // As if its machine had lost power.
+  void KillWorker(const std::string& name);
+  // Time passes until every lease has run out. A worker that is alive is known again with its next call.
+  void ExpireLeases();
+
+  CoordinatorImpl& impl() { return *impl_; }
+  RpcServer& rpc() { return server_->rpc(); }
+  FakeClock& clock() { return clock_; }
+  TempFolder& folder() { return folder_; }
+  std::unique_ptr<v1::Jobs::Stub> NewJobsStub();
+  std::string MetricsText() const { return metrics_.Text(); }
+  // The value of a metric by its full text up to the value, 0 if there is none.
+  double Metric(const std::string& name_and_labels) const;
+
+  // A job on `scene`, writing to folder()/out-N.
+  v1::Job Submit(const std::string& scene);
+  v1::Job Get(const std::string& name);
+  // Waits until the job is over.
+  v1::Job WaitFor(const std::string& name);
+
+ private:
+  TempFolder folder_;
+  FakeClock clock_;
+  PrometheusRegistry metrics_;
+  std::unique_ptr<CoordinatorImpl> impl_;
+  std::unique_ptr<CoordinatorServer> server_;
+  std::map<std::string, std::unique_ptr<Worker>> workers_;
+  int submitted_ = 0;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_TESTS_SUPPORT_TEST_CLUSTER_H_

@@ -1,0 +1,12 @@
+// The toy in place of the geometry, for the programs of the tests.
+#include "coordinator/service/scene_pipeline.h"
+#include "tests/support/toy_engine.h"
+#include "worker/service/scene_stages.h"
+
+namespace tilemend {
+
+PipelineFactory ScenePipelineFactory() { return ToyPipelineFactory(); }
+
+StageRunner SceneStageRunner() { return ToyStageRunner(); }
+
+}  // namespace tilemend

@@ -1,0 +1,95 @@
+#include "worker/service/work_link.h"
+
+#include <grpcpp/channel.h>
+#include <grpcpp/client_context.h>
+
+#include <chrono>
+#include <string_view>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
+#include "common/rpc/grpc_status.h"
+#include "common/rpc/limits.h"
+#include "common/util/status_macros.h"
+#include "tilemend/v1/work.grpc.pb.h"
+
+namespace tilemend {
+namespace {
+
+// Beyond the time that Sync waits by itself.
+constexpr std::chrono::seconds kSyncTimeout(15);
+
+// For one blob; 1 GiB at 2 MB/s takes less.
+constexpr std::chrono::minutes kBlobTimeout(10);
+
+class GrpcSyncCall : public SyncCall {
+ public:
+  explicit GrpcSyncCall(v1::Work::Stub& stub) : stub_(stub) {}
+
+  absl::StatusOr<v1::SyncResponse> Run(const v1::SyncRequest& request) override {
+    v1::SyncResponse response;
+    context_.set_deadline(std::chrono::system_clock::now() + kSyncTimeout);
+    TILEMEND_RETURN_IF_ERROR(FromGrpcStatus(stub_.Sync(&context_, request, &response)));
+    return response;
+  }
+  void Interrupt() override { context_.TryCancel(); }
+
+ private:
+  v1::Work::Stub& stub_;
+  grpc::ClientContext context_;
+};
+
+class GrpcWorkLink : public WorkLink {
+ public:
+  explicit GrpcWorkLink(const std::shared_ptr<grpc::Channel>& channel) : stub_(v1::Work::NewStub(channel)) {}
+
+  std::unique_ptr<SyncCall> NewSync() override { return std::make_unique<GrpcSyncCall>(*stub_); }
+
+  absl::StatusOr<std::string> ReadBlob(const std::string& job, const std::string& digest) override {
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + kBlobTimeout);
+    v1::ReadBlobRequest request;
+    request.set_job(job);
+    request.set_digest(digest);
+    const auto reader = stub_->ReadBlob(&context, request);
+    std::string bytes;
+    v1::BlobChunk chunk;
+    while (reader->Read(&chunk)) bytes.append(chunk.data());
+    TILEMEND_RETURN_IF_ERROR(FromGrpcStatus(reader->Finish()));
+    if (Sha256Hex(bytes) == digest) return bytes;
+    return absl::UnavailableError(absl::StrCat("blob ", digest, ": came damaged (", bytes.size(), " bytes)"));
+  }
+
+  absl::Status WriteBlob(const std::string& job, const std::string& digest, const std::string& bytes) override {
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + kBlobTimeout);
+    v1::WriteBlobResponse response;
+    const auto writer = stub_->WriteBlob(&context, &response);
+    v1::WriteBlobRequest message;
+    message.set_job(job);
+    message.set_digest(digest);
+    std::string_view left = bytes;
+    do {
+      const std::string_view chunk = left.substr(0, kMaxChunkBytes);
+      message.set_data(chunk.data(), chunk.size());
+      if (!writer->Write(message)) break;  // the coordinator has ended the call: Finish says why
+      left.remove_prefix(chunk.size());
+      message.clear_job();
+      message.clear_digest();
+    } while (!left.empty());
+    writer->WritesDone();
+    return FromGrpcStatus(writer->Finish());
+  }
+
+ private:
+  std::unique_ptr<v1::Work::Stub> stub_;
+};
+
+}  // namespace
+
+std::unique_ptr<WorkLink> NewGrpcWorkLink(std::shared_ptr<grpc::Channel> channel) {
+  return std::make_unique<GrpcWorkLink>(channel);
+}
+
+}  // namespace tilemend

@@ -1,0 +1,41 @@
+// The coordinator as a worker sees it.
+#ifndef TILEMEND_WORKER_SERVICE_WORK_LINK_H_
+#define TILEMEND_WORKER_SERVICE_WORK_LINK_H_
+
+#include <memory>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "tilemend/v1/work.pb.h"
+
+namespace grpc {
+class Channel;
+}
+
+namespace tilemend {
+
+// One call of Sync that can be interrupted from another thread, even before it has begun.
+class SyncCall {
+ public:
+  virtual ~SyncCall() = default;
+  // Once. kCancelled after Interrupt.
+  virtual absl::StatusOr<v1::SyncResponse> Run(const v1::SyncRequest& request) = 0;
+  virtual void Interrupt() = 0;
+};
+
+// Thread-safe. kUnavailable and kDeadlineExceeded mean that the coordinator could not be reached.
+class WorkLink {
+ public:
+  virtual ~WorkLink() = default;
+  virtual std::unique_ptr<SyncCall> NewSync() = 0;
+  // The whole blob, checked against its digest: kUnavailable if it came damaged.
+  virtual absl::StatusOr<std::string> ReadBlob(const std::string& job, const std::string& digest) = 0;
+  virtual absl::Status WriteBlob(const std::string& job, const std::string& digest, const std::string& bytes) = 0;
+};
+
+std::unique_ptr<WorkLink> NewGrpcWorkLink(std::shared_ptr<grpc::Channel> channel);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_SERVICE_WORK_LINK_H_

@@ -1,0 +1,266 @@
+#include "worker/service/worker.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <exception>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "absl/random/random.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "common/store/digest.h"
+#include "common/rpc/limits.h"
+#include "common/rpc/status_proto.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+
+std::string NewWorkerId() {
+  std::array<char, 256> host{};
+  if (gethostname(host.data(), host.size() - 1) != 0) host[0] = '?';
+  return absl::StrFormat("%s-%d-%06x", host.data(), getpid(), std::random_device()() & 0xffffff);
+}
+
+Worker::Worker(const WorkerOptions& options, std::unique_ptr<WorkLink> link, StageRunner runner,
+               MetricsRegistry& metrics)
+    : options_(options), link_(std::move(link)), runner_(std::move(runner)), metrics_(metrics) {
+  threads_.emplace_back([this] { SyncLoop(); });
+  for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { RunTasks(); });
+}
+
+Worker::~Worker() {
+  Stop();
+  Join().IgnoreError();
+}
+
+void Worker::Drain() { SetMode(Mode::kDraining); }
+void Worker::Stop() { SetMode(Mode::kStopping); }
+void Worker::Abandon() { SetMode(Mode::kAbandoned); }
+
+void Worker::SetMode(Mode mode) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  mode_ = std::max(mode_, mode);
+  if (mode_ >= Mode::kStopping) {
+    while (!ready_.empty()) {
+      held_.erase(ready_.front()->task.ref().attempt_token());
+      ready_.pop_front();
+    }
+    for (auto& [token, held] : held_) {
+      held->dropped = true;
+      held->cancel.Cancel();
+    }
+  }
+  if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+  changed_.notify_all();
+}
+
+absl::Status Worker::Join() {
+  std::lock_guard<std::mutex> join_lock(join_mutex_);
+  for (std::thread& thread : threads_) {
+    if (thread.joinable()) thread.join();
+  }
+  std::lock_guard<std::mutex> lock(mutex_);
+  return end_status_;
+}
+
+void Worker::SyncLoop() {
+  absl::Duration backoff = options_.first_backoff;
+  while (SyncOnce(backoff)) {
+  }
+  metrics_.SetConnected(false);
+  std::lock_guard<std::mutex> lock(mutex_);
+  ended_ = true;
+  for (auto& [token, held] : held_) held->cancel.Cancel();
+  changed_.notify_all();
+}
+
+bool Worker::SyncOnce(absl::Duration& backoff) {
+  const std::unique_ptr<SyncCall> call = link_->NewSync();
+  v1::SyncRequest request;
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (mode_ == Mode::kAbandoned) return false;
+    request = NextRequest();
+    // With something to report the answer comes at once: no reason to interrupt.
+    if (request.finished().empty()) waiting_call_ = call.get();
+  }
+  absl::StatusOr<v1::SyncResponse> response = call->Run(request);
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    waiting_call_ = nullptr;
+    if (mode_ == Mode::kAbandoned) return false;
+  }
+  if (response.ok()) {
+    metrics_.SetConnected(true);
+    backoff = options_.first_backoff;
+    const bool leave = response->leave();
+    Take(request, *std::move(response));
+    return !leave;
+  }
+  if (absl::IsCancelled(response.status()) || absl::IsAborted(response.status())) return true;  // call again
+  metrics_.SetConnected(false);
+  if (ErrorReason(response.status()) == "PROTOCOL_VERSION" || absl::IsInvalidArgument(response.status())) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    end_status_ = response.status();
+    return false;
+  }
+  const absl::Duration pause = backoff;
+  backoff = std::min(2 * backoff, options_.max_backoff);
+  return Pause(pause);
+}
+
+bool Worker::Pause(absl::Duration backoff) {
+  absl::InsecureBitGen random;
+  const absl::Duration pause = backoff * absl::Uniform(random, 0.5, 1.0);
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait_for(lock, absl::ToChronoMilliseconds(pause), [this] { return mode_ != Mode::kRunning; });
+  if (mode_ == Mode::kDraining) return !held_.empty() || !finished_.empty();  // nothing to tell: no need to be released
+  return mode_ < Mode::kStopping;  // it would have told once, and could not
+}
+
+v1::SyncRequest Worker::NextRequest() {
+  v1::SyncRequest request;
+  request.set_protocol(kProtocolVersion);
+  request.set_worker(options_.id);
+  request.set_sequence(++sequence_);
+  int32_t threads = options_.threads;
+  for (const auto& [token, held] : held_) {
+    if (held->dropped) {
+      --threads;  // still busy with it
+    } else {
+      *request.add_held() = held->task.ref();
+    }
+  }
+  request.set_threads(std::max(threads, 0));
+  size_t bytes = 0;
+  for (const auto& [token, finished] : finished_) {
+    bytes += finished.output().content().size();
+    if (bytes > kMaxInlineBytesPerSync) break;
+    *request.add_finished() = finished;
+  }
+  // What is finished but did not fit is still held in the coordinator's eyes.
+  size_t position = 0;
+  for (const auto& [token, finished] : finished_) {
+    if (position++ >= static_cast<size_t>(request.finished_size())) *request.add_held() = finished.ref();
+  }
+  request.set_draining(mode_ >= Mode::kDraining);
+  request.set_wait_ms(static_cast<int32_t>(absl::ToInt64Milliseconds(kMaxPoll)));
+  return request;
+}
+
+void Worker::Take(const v1::SyncRequest& request, v1::SyncResponse response) {
+  std::set<uint64_t> kept;
+  for (const v1::TaskRef& ref : response.keep()) kept.insert(ref.attempt_token());
+  std::lock_guard<std::mutex> lock(mutex_);
+  for (const v1::TaskRef& ref : response.acknowledged()) finished_.erase(ref.attempt_token());
+  for (const v1::TaskRef& ref : request.held()) {
+    if (!kept.contains(ref.attempt_token())) DropHeld(ref.attempt_token());
+  }
+  if (mode_ >= Mode::kStopping) return;
+  for (v1::Task& task : *response.mutable_start()) {
+    const uint64_t token = task.ref().attempt_token();
+    if (held_.contains(token) || finished_.contains(token)) continue;
+    auto held = std::make_shared<Held>();
+    held->task = std::move(task);
+    held_[token] = held;
+    ready_.push_back(std::move(held));
+  }
+  changed_.notify_all();
+}
+
+void Worker::DropHeld(uint64_t token) {
+  finished_.erase(token);
+  const auto it = held_.find(token);
+  if (it == held_.end()) return;
+  it->second->dropped = true;
+  it->second->cancel.Cancel();
+  const auto waiting = std::find(ready_.begin(), ready_.end(), it->second);
+  if (waiting == ready_.end()) return;
+  ready_.erase(waiting);
+  held_.erase(it);
+}
+
+void Worker::RunTasks() {
+  while (true) {
+    std::shared_ptr<Held> held;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      changed_.wait(lock, [this] { return ended_ || !ready_.empty(); });
+      if (ended_) return;
+      held = std::move(ready_.front());
+      ready_.pop_front();
+    }
+    RunTask(*held);
+  }
+}
+
+void Worker::RunTask(Held& held) {
+  const Stage stage = static_cast<Stage>(held.task.stage());
+  WorkerMetrics::PerStage& metrics = metrics_.Of(stage);
+  metrics.started->Increment();
+  const auto start = std::chrono::steady_clock::now();
+  v1::FinishedTask report = Report(held.task, Compute(held));
+  metrics.seconds->Observe(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  const uint64_t token = held.task.ref().attempt_token();
+  std::lock_guard<std::mutex> lock(mutex_);
+  held_.erase(token);
+  if (held.dropped) {
+    metrics.cancelled->Increment();
+  } else {
+    (report.has_output() ? metrics.finished : metrics.failed)->Increment();
+    finished_[token] = std::move(report);
+  }
+  if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+}
+
+absl::StatusOr<std::string> Worker::Compute(const Held& held) {
+  const v1::Task& task = held.task;
+  const Stage stage = static_cast<Stage>(task.stage());
+  std::string input = task.input().content();
+  const bool is_inline = task.input().size() == static_cast<int64_t>(input.size());
+  if (!is_inline) {
+    TILEMEND_ASSIGN_OR_RETURN(input, link_->ReadBlob(task.ref().job(), task.input().digest()));
+  }
+  metrics_.Of(stage).bytes_in->Increment(static_cast<double>(input.size()));
+  if (held.cancel.cancelled()) return absl::CancelledError("the task was cancelled");
+  try {
+    return runner_(stage, input, held.cancel);
+  } catch (const std::bad_alloc&) {
+    return absl::ResourceExhaustedError("the worker is out of memory");
+  } catch (const std::exception& error) {
+    return absl::InternalError(absl::StrCat("stage ", std::string(StageName(stage)), " threw: ", error.what()));
+  }
+}
+
+v1::FinishedTask Worker::Report(const v1::Task& task, absl::StatusOr<std::string> output) {
+  v1::FinishedTask report;
+  *report.mutable_ref() = task.ref();
+  report.set_stage(task.stage());
+  if (output.ok()) {
+    metrics_.Of(static_cast<Stage>(task.stage())).bytes_out->Increment(static_cast<double>(output->size()));
+    v1::BlobRef blob;
+    blob.set_size(static_cast<int64_t>(output->size()));
+    if (output->size() <= kInlineBlobBytes) {
+      blob.set_content(*std::move(output));
+      *report.mutable_output() = std::move(blob);
+      return report;
+    }
+    blob.set_digest(Sha256Hex(*output));
+    const absl::Status written = link_->WriteBlob(task.ref().job(), blob.digest(), *output);
+    if (written.ok()) {
+      *report.mutable_output() = std::move(blob);
+      return report;
+    }
+    output = written;
+  }
+  *report.mutable_error() = StatusToProto(output.status());
+  return report;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,102 @@
+// A worker: asks the coordinator for tasks, runs them on its threads and reports what came out.
+//
+// One thread keeps a Sync call going; `threads` others compute. When a task ends the waiting call is interrupted and a new
+// one reports at once. Results are kept and reported again until the coordinator acknowledges them, through any loss of
+// connection.
+#ifndef TILEMEND_WORKER_SERVICE_WORKER_H_
+#define TILEMEND_WORKER_SERVICE_WORKER_H_
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "common/metrics/metrics.h"
+#include "common/util/cancel_token.h"
+#include "tilemend/v1/work.pb.h"
+#include "worker/service/stage_runner.h"
+#include "worker/service/work_link.h"
+#include "worker/service/worker_metrics.h"
+
+namespace tilemend {
+
+struct WorkerOptions {
+  std::string id;   // new for each process; NewWorkerId()
+  int threads = 1;  // 1 to 1024
+  absl::Duration first_backoff = absl::Milliseconds(50);
+  absl::Duration max_backoff = absl::Seconds(5);
+};
+
+// "host-pid-random".
+std::string NewWorkerId();
+
+// Thread-safe.
+class Worker {
+ public:
+  // Starts at once.
+  Worker(const WorkerOptions& options, std::unique_ptr<WorkLink> link, StageRunner runner, MetricsRegistry& metrics);
+  // Stops and waits.
+  ~Worker();
+
+  // Takes no more tasks, finishes and reports those it has, then ends.
+  void Drain();
+  // Drops what runs, tells the coordinator (once) so that it gives the tasks to others without delay, then ends.
+  void Stop();
+  // Drops what runs and tells nobody, as if the machine had died.
+  void Abandon();
+
+  // Waits for the end. An error if the coordinator refuses to work with this worker.
+  absl::Status Join();
+
+ private:
+  enum class Mode { kRunning, kDraining, kStopping, kAbandoned };  // in the order in which they may follow
+
+  struct Held {
+    v1::Task task;
+    CancelToken cancel;
+    bool dropped = false;  // runs on, but is no longer the coordinator's
+  };
+
+  void SyncLoop();
+  bool SyncOnce(absl::Duration& backoff);  // false: the end
+  v1::SyncRequest NextRequest();           // with the lock held
+  void Take(const v1::SyncRequest& request, v1::SyncResponse response);
+  void DropHeld(uint64_t token);           // with the lock held
+  bool Pause(absl::Duration backoff);      // false: the end
+  void SetMode(Mode mode);
+
+  void RunTasks();
+  void RunTask(Held& held);
+  absl::StatusOr<std::string> Compute(const Held& held);
+  v1::FinishedTask Report(const v1::Task& task, absl::StatusOr<std::string> output);
+
+  const WorkerOptions options_;
+  const std::unique_ptr<WorkLink> link_;
+  const StageRunner runner_;
+  WorkerMetrics metrics_;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Mode mode_ = Mode::kRunning;
+  bool ended_ = false;
+  absl::Status end_status_;
+  uint64_t sequence_ = 0;
+  std::map<uint64_t, std::shared_ptr<Held>> held_;  // by attempt token, dropped ones too
+  std::deque<std::shared_ptr<Held>> ready_;
+  std::map<uint64_t, v1::FinishedTask> finished_;   // by attempt token, until acknowledged
+  SyncCall* waiting_call_ = nullptr;                // that may be interrupted
+  std::vector<std::thread> threads_;
+  std::mutex join_mutex_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_SERVICE_WORKER_H_
