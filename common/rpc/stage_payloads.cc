@@ -56,10 +56,7 @@ v1::LatticeMeshBlob EncodeMesh(const std::vector<Point3>& points, const std::vec
 
 absl::StatusOr<TriMesh> DecodeMesh(const v1::LatticeMeshBlob& blob) {
   if (blob.origin_size() != 3 || !(blob.step() > 0) || !std::isfinite(blob.step())) return Malformed("lattice");
-  DracoLimits limits;
-  limits.max_points = kMaxPayloadPoints;
-  limits.max_faces = kMaxPayloadTriangles;
-  TILEMEND_ASSIGN_OR_RETURN(LatticeMesh mesh, DecodeDraco(blob.draco(), limits));
+  TILEMEND_ASSIGN_OR_RETURN(LatticeMesh mesh, DecodeDraco(blob.draco(), DracoLimits()));
   TriMesh result;
   const Point3 origin = PointAt(blob.origin(), 0);
   result.points.reserve(mesh.points.size());
@@ -255,7 +252,8 @@ absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, si
   TILEMEND_ASSIGN_OR_RETURN(TriMesh mesh, DecodeMesh(proto.mesh()));
   int64_t points = static_cast<int64_t>(vertex_count), triangles = 0;
   for (const v1::PatchExtent& e : proto.patches()) {
-    if (e.new_points() < 0 || e.triangles() < 0 || e.new_points() > kMaxPayloadPoints || e.triangles() > kMaxPayloadTriangles) {
+    if (e.new_points() < 0 || e.triangles() < 0 || e.new_points() > DracoLimits().max_points ||
+        e.triangles() > DracoLimits().max_triangles) {
       return Malformed("patch extent");
     }
     points += e.new_points();

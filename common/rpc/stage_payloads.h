@@ -15,10 +15,6 @@
 
 namespace tilemend {
 
-// Caps on what one payload may decode to; a cell's bands and patches stay far below.
-inline constexpr int64_t kMaxPayloadPoints = 50'000'000;
-inline constexpr int64_t kMaxPayloadTriangles = 100'000'000;
-
 // Band points other than boundary vertices are rounded to the lattice; everything else comes back bit for bit.
 v1::SurveyOutput ToProto(const SurveyRecord& record);
 absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto);

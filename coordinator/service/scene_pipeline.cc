@@ -1,0 +1,337 @@
+#include "coordinator/service/scene_pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "common/codec/mesh_file.h"
+#include "common/rpc/stage_payloads.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "coordinator/plan/cell_work.h"
+#include "coordinator/plan/plan.h"
+#include "coordinator/plan/seam_heights.h"
+#include "coordinator/service/output_folder.h"
+#include "coordinator/service/scene_report.h"
+#include "tilemend/v1/stages.pb.h"
+
+namespace tilemend {
+namespace {
+
+// A tile may reach this share of a cell beyond its own cell: whole triangles on a ragged cut, overlap of neighbours.
+constexpr double kReachBeyondCell = 0.25;
+
+class Stopwatch {
+ public:
+  double Lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+absl::StatusOr<Box> ReadBounds(const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+  Box box{file.mesh.points[0], file.mesh.points[0]};
+  for (const Point3& p : file.mesh.points) {
+    box.lo = box.lo.cwiseMin(p);
+    box.hi = box.hi.cwiseMax(p);
+  }
+  return box;
+}
+
+absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const SceneTile& tile, const std::string& path) {
+  const Point2 lo = grid.corner + Point2(tile.cell.col * grid.cell_size.x(), tile.cell.row * grid.cell_size.y());
+  const Point2 reach = kReachBeyondCell * grid.cell_size;
+  const Point2 hi = lo + grid.cell_size;
+  const bool inside = (record.lo.head<2>().array() >= (lo - reach).array()).all() &&
+                      (record.hi.head<2>().array() <= (hi + reach).array()).all();
+  if (inside) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrFormat("%s: outside its cell %s: the tile spans x %.3f to %.3f, y %.3f to %.3f, the cell x %.3f to %.3f, "
+                      "y %.3f to %.3f; check grid_corner and cell_size in scene.json",
+                      path, ToString(tile.cell), record.lo.x(), record.hi.x(), record.lo.y(), record.hi.y(), lo.x(), hi.x(),
+                      lo.y(), hi.y()));
+}
+
+// survey (all cells) -> plan -> sample layer by layer -> fill (all cells with holes) -> assemble (all cells).
+class ScenePipeline : public JobPipeline {
+ public:
+  ScenePipeline(JobSpec spec, Scene scene, std::optional<OutputFolder> output)
+      : spec_(std::move(spec)), scene_(std::move(scene)), output_(std::move(output)) {
+    for (const SceneTile& tile : scene_.tiles) tiles_[tile.cell] = &tile;
+  }
+
+  absl::StatusOr<std::vector<NewTask>> Start() override {
+    phase_ = "survey";
+    std::vector<NewTask> tasks;
+    for (const SceneTile& tile : scene_.tiles) {
+      if (tile.path.empty()) continue;
+      v1::SurveyInput input;
+      *input.mutable_tile() = Ref(tile);
+      tasks.push_back({tile.cell, Stage::kSurvey, input.SerializeAsString()});
+    }
+    if (tasks.empty()) return absl::InvalidArgumentError(absl::StrCat(spec_.scene, ": no cell of the scene has a tile"));
+    waiting_ = tasks.size();
+    return tasks;
+  }
+
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+    if (!result.output.ok()) return result.output.status();
+    TILEMEND_RETURN_IF_ERROR(Take(result));
+    if (--waiting_ > 0) return std::vector<NewTask>{};
+    std::vector<NewTask> tasks;
+    while (tasks.empty() && !done_) {
+      TILEMEND_ASSIGN_OR_RETURN(tasks, NextWave());
+    }
+    waiting_ = tasks.size();
+    return tasks;
+  }
+
+  bool Done() const override { return done_; }
+
+  Progress GetProgress() const override {
+    Progress progress;
+    progress.phase = phase_;
+    progress.cells = static_cast<int64_t>(scene_.tiles.size());
+    progress.cells_done = cells_done_;
+    progress.holes = static_cast<int64_t>(plan_.holes.size());
+    progress.holes_filled = static_cast<int64_t>(report_.sizes.size());
+    return progress;
+  }
+
+  absl::StatusOr<JobOutcome> Finish() override {
+    report_.plan = &plan_;
+    report_.cells = static_cast<int64_t>(scene_.tiles.size());
+    report_.surface = spec_.surface;
+    report_.warnings = scene_.warnings;
+    JobOutcome outcome;
+    const auto left = LeftOf(report_);
+    outcome.partial = !left.empty() && !spec_.dry_run;
+    outcome.message = spec_.dry_run ? absl::StrCat(plan_.holes.size(), " holes found, nothing written")
+                                    : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled, ", left.size(),
+                                                   " rows left");
+    if (output_) {
+      outcome.report = absl::StrCat(output_->path(), "/report.json");
+      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
+      output_->Finish();
+    }
+    return outcome;
+  }
+
+ private:
+  enum class Wave { kSurvey, kSample, kFill, kAssemble };
+
+  v1::TileRef Ref(const SceneTile& tile) const {
+    v1::TileRef ref;
+    ref.set_root(scene_.root);
+    ref.set_path(tile.path);
+    ref.set_col(tile.cell.col);
+    ref.set_row(tile.cell.row);
+    if (const auto it = digests_.find(tile.cell); it != digests_.end()) ref.set_digest(it->second);
+    return ref;
+  }
+
+  absl::Status Take(const TaskResult& result) {
+    const std::string& bytes = *result.output;
+    const absl::Status malformed =
+        absl::InternalError(absl::StrCat("a worker's result for cell ", ToString(result.cell), " cannot be read"));
+    switch (result.stage) {
+      case Stage::kSurvey: {
+        v1::SurveyOutput output;
+        if (!output.ParseFromString(bytes)) return malformed;
+        digests_[result.cell] = output.digest();
+        TILEMEND_ASSIGN_OR_RETURN(records_[result.cell], FromProto(output));
+        const SceneTile& tile = *tiles_.at(result.cell);
+        return CheckInsideCell(records_[result.cell], scene_.grid, tile, absl::StrCat(scene_.root, "/", tile.path));
+      }
+      case Stage::kSample: {
+        v1::SampleOutput output;
+        if (!output.ParseFromString(bytes) || output.height_size() != output.seam_vertex_size()) return malformed;
+        for (int i = 0; i < output.height_size(); ++i) samples_.push_back({result.cell, output.seam_vertex(i), output.height(i)});
+        return absl::OkStatus();
+      }
+      case Stage::kFill: {
+        v1::FillOutput output;
+        if (!output.ParseFromString(bytes)) return malformed;
+        for (const v1::PatchExtent& e : output.patches()) {
+          if (e.failure().empty()) {
+            report_.sizes[e.hole()] = {e.new_points(), e.triangles()};
+          } else {
+            report_.failures[e.hole()] = e.failure();
+          }
+        }
+        patches_[result.cell] = std::move(output);
+        return absl::OkStatus();
+      }
+      case Stage::kAssemble:
+        ++cells_done_;
+        return absl::OkStatus();
+    }
+    return malformed;
+  }
+
+  // What comes after the wave that has just ended.
+  absl::StatusOr<std::vector<NewTask>> NextWave() {
+    switch (wave_) {
+      case Wave::kSurvey:
+        report_.seconds.emplace_back("survey", watch_.Lap());
+        MakeThePlan();
+        report_.seconds.emplace_back("plan", watch_.Lap());
+        if (spec_.dry_run) {
+          done_ = true;
+          return std::vector<NewTask>{};
+        }
+        wave_ = Wave::kSample;
+        return SampleLayer(1);
+      case Wave::kSample:
+        SettleLayer(plan_, samples_, spec_.seam_smoothing, heights_);
+        samples_.clear();
+        if (layer_ < plan_.layers) return SampleLayer(layer_ + 1);
+        report_.seconds.emplace_back("sample", watch_.Lap());
+        wave_ = Wave::kFill;
+        return FillCells();
+      case Wave::kFill:
+        report_.seconds.emplace_back("fill", watch_.Lap());
+        wave_ = Wave::kAssemble;
+        return AssembleCells();
+      case Wave::kAssemble:
+        report_.seconds.emplace_back("assemble", watch_.Lap());
+        done_ = true;
+        return std::vector<NewTask>{};
+    }
+    return absl::InternalError("unknown wave");
+  }
+
+  void MakeThePlan() {
+    phase_ = "plan";
+    input_.grid = scene_.grid;
+    input_.area_known = scene_.area_known;
+    for (const SceneTile& tile : scene_.tiles) {
+      const auto it = records_.find(tile.cell);
+      input_.cells[tile.cell] = it == records_.end() ? nullptr : &it->second;
+    }
+    PlanOptions options;
+    options.gradation = spec_.gradation;
+    options.size_limit = spec_.size_limit;
+    options.uniform = spec_.uniform;
+    plan_ = MakePlan(input_, options);
+    for (size_t h = 0; h < plan_.holes.size(); ++h) {
+      if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
+    }
+  }
+
+  std::vector<NewTask> SampleLayer(int32_t layer) {
+    layer_ = layer;
+    phase_ = absl::StrCat("sample layer ", layer, " of ", plan_.layers);
+    std::vector<NewTask> tasks;
+    for (const auto& [cell, holes] : holes_of_) {
+      std::vector<int32_t> of_layer;
+      std::copy_if(holes.begin(), holes.end(), std::back_inserter(of_layer),
+                   [&](int32_t h) { return plan_.holes[h].layer == layer; });
+      if (of_layer.empty()) continue;
+      v1::SampleInput input;
+      *input.mutable_holes() = ToProto(MakeCellHoles(plan_, input_, heights_, of_layer, false));
+      tasks.push_back({cell, Stage::kSample, input.SerializeAsString()});
+    }
+    return tasks;
+  }
+
+  std::vector<NewTask> FillCells() {
+    phase_ = "fill";
+    std::vector<NewTask> tasks;
+    for (const auto& [cell, holes] : holes_of_) {
+      v1::FillInput input;
+      const CellHoles work = MakeCellHoles(plan_, input_, heights_, holes, true);
+      *input.mutable_holes() = ToProto(work);
+      input.set_gradation(spec_.gradation);
+      input.set_size_limit(spec_.size_limit);
+      input.set_uniform(spec_.uniform);
+      rims_[cell] = ToProto(work.vertices);
+      tasks.push_back({cell, Stage::kFill, input.SerializeAsString()});
+    }
+    return tasks;
+  }
+
+  std::vector<NewTask> AssembleCells() {
+    phase_ = "assemble";
+    if (output_) output_->KeepUnfinished();
+    const bool float32 = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.float32; });
+    std::vector<NewTask> tasks;
+    for (const SceneTile& tile : scene_.tiles) {
+      v1::AssembleInput input;
+      *input.mutable_tile() = Ref(tile);
+      const std::string relative =
+          tile.path.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.path;
+      input.set_output(absl::StrCat(spec_.out, "/", relative));
+      input.set_float32(float32);
+      if (const auto it = records_.find(tile.cell); it != records_.end()) input.set_tile_vertices(it->second.vertex_count);
+      if (const auto it = patches_.find(tile.cell); it != patches_.end()) {
+        *input.mutable_vertices() = std::move(rims_.at(tile.cell));
+        *input.mutable_patches() = std::move(it->second);
+      }
+      tasks.push_back({tile.cell, Stage::kAssemble, input.SerializeAsString()});
+    }
+    patches_.clear();
+    rims_.clear();
+    return tasks;
+  }
+
+  const JobSpec spec_;
+  const Scene scene_;
+  std::optional<OutputFolder> output_;
+  std::map<CellId, const SceneTile*> tiles_;
+  Wave wave_ = Wave::kSurvey;
+  int32_t layer_ = 0;
+  size_t waiting_ = 0;
+  bool done_ = false;
+  int64_t cells_done_ = 0;
+  std::string phase_;
+  Stopwatch watch_;
+
+  std::map<CellId, std::string> digests_;
+  std::map<CellId, SurveyRecord> records_;
+  PlanInput input_;
+  Plan plan_;
+  std::map<CellId, std::vector<int32_t>> holes_of_;
+  std::vector<SeamSample> samples_;
+  SeamHeights heights_;
+  std::map<CellId, v1::RimVertices> rims_;
+  std::map<CellId, v1::FillOutput> patches_;
+  SceneReportInput report_;
+};
+
+// What makes two jobs write the same bytes.
+std::string JobKey(const JobSpec& spec) {
+  return absl::StrFormat("scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\n",
+                         spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing);
+}
+
+absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec) {
+  if (spec.surface != "wang") {
+    return absl::InvalidArgumentError(
+        absl::StrCat("--surface ", spec.surface, ": this release has the surface wang only"));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadBounds));
+  std::optional<OutputFolder> output;
+  if (!spec.dry_run) {
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out, scene.root, spec.overwrite, JobKey(spec)));
+    output.emplace(std::move(claimed));
+  }
+  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(output));
+}
+
+}  // namespace
+
+PipelineFactory ScenePipelineFactory() { return MakeScenePipeline; }
+
+}  // namespace tilemend

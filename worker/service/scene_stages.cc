@@ -1,0 +1,115 @@
+#include "worker/service/scene_stages.h"
+
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/mesh_file.h"
+#include "common/rpc/stage_payloads.h"
+#include "common/store/digest.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "tilemend/v1/stages.pb.h"
+#include "worker/assemble/assemble.h"
+#include "worker/fill/fill_holes.h"
+#include "worker/fill/sample_heights.h"
+#include "worker/survey/survey.h"
+
+namespace tilemend {
+namespace {
+
+std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
+
+template <typename Message>
+absl::StatusOr<Message> Parse(const std::string& bytes) {
+  Message message;
+  if (!message.ParseFromString(bytes)) return absl::InvalidArgumentError("malformed payload: not the expected message");
+  return message;
+}
+
+absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
+  const std::string path = PathOf(input.tile());
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
+  v1::SurveyOutput output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32));
+  output.set_digest(Sha256Hex(bytes));
+  return output.SerializeAsString();
+}
+
+absl::StatusOr<std::string> RunSample(const v1::SampleInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
+  v1::SampleOutput output;
+  for (const HeightSample& sample : SampleHeights(holes)) {
+    output.add_seam_vertex(sample.seam_vertex);
+    output.add_height(sample.height);
+  }
+  return output.SerializeAsString();
+}
+
+absl::StatusOr<std::string> RunFill(const v1::FillInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
+  FillOptions options;
+  options.refine.gradation = input.gradation();
+  options.refine.size_limit = input.size_limit();
+  options.refine.uniform = input.uniform();
+  return ToProto(FillHoles(holes, options), holes.vertices, holes.lattice_step).SerializeAsString();
+}
+
+// The tile with its patches; a tile without any is copied byte for byte.
+absl::StatusOr<std::string> AssembledBytes(const v1::AssembleInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(input.vertices()));
+  std::vector<HolePatch> patches;
+  if (input.has_patches()) {
+    TILEMEND_ASSIGN_OR_RETURN(patches, FromProto(input.patches(), vertices.size()));
+  }
+  const CellId cell{input.tile().col(), input.tile().row()};
+  const bool has_tile = !input.tile().path().empty();
+  const FilePatch patch = MergePatches(vertices, patches, cell, has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0);
+  if (!has_tile) return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
+  const std::string path = PathOf(input.tile());
+  TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadFile(path));
+  if (Sha256Hex(original) != input.tile().digest()) {
+    return absl::FailedPreconditionError(absl::StrCat(path, ": changed while the job ran; run the job again"));
+  }
+  if (patch.triangles.empty()) return original;
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  return AppendPatch(format, original, patch, path);
+}
+
+absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const CancelToken& cancel) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, AssembledBytes(input));
+  if (cancel.cancelled()) return absl::CancelledError("cancelled");
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(input.output(), bytes));
+  v1::AssembleOutput output;
+  output.set_bytes(static_cast<int64_t>(bytes.size()));
+  output.set_digest(Sha256Hex(bytes));
+  return output.SerializeAsString();
+}
+
+absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, const CancelToken& cancel) {
+  switch (stage) {
+    case Stage::kSurvey: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(bytes));
+      return RunSurvey(input);
+    }
+    case Stage::kSample: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleInput>(bytes));
+      return RunSample(input);
+    }
+    case Stage::kFill: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::FillInput>(bytes));
+      return RunFill(input);
+    }
+    case Stage::kAssemble: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(bytes));
+      return RunAssemble(input, cancel);
+    }
+  }
+  return absl::InvalidArgumentError("unknown stage");
+}
+
+}  // namespace
+
+StageRunner SceneStageRunner() { return RunStage; }
+
+}  // namespace tilemend
