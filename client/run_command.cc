@@ -26,7 +26,8 @@ namespace {
 
 absl::StatusOr<std::string> MakeWorkFolder(const std::string& parent) {
   std::error_code error;
-  std::filesystem::path base = parent.empty() ? std::filesystem::temp_directory_path(error) : std::filesystem::path(parent);
+  std::filesystem::path base =
+      parent.empty() ? std::filesystem::temp_directory_path(error) : std::filesystem::path(parent);
   if (!error) std::filesystem::create_directories(base, error);
   std::string path = (base / "tilemend-XXXXXX").string();
   if (error || mkdtemp(path.data()) == nullptr) {
@@ -69,8 +70,9 @@ int RunCommand(const Args& args) {
   if (!format.ok()) return PrintUsageError(format.status());
   const auto spec = SpecFromFlags(args);
   if (!spec.ok()) return PrintUsageError(spec.status());
-  const auto threads = args.IsGiven("workers") ? args.Integer("workers", 1, 1024)
-                                               : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto threads = args.IsGiven("workers")
+                           ? args.Integer("workers", 1, 1024)
+                           : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
   if (!threads.ok()) return PrintUsageError(threads.status());
   const auto work_folder = MakeWorkFolder(args.Text("work"));
   if (!work_folder.ok()) return PrintError(work_folder.status());

@@ -189,7 +189,8 @@ TEST_F(ClusterCommandTest, SubmitWaitGetListWatch) {
 }
 
 TEST_F(ClusterCommandTest, ARepeatedRequestIdGivesTheSameJob) {
-  const std::vector<std::string> words = {"submit", "toy://2x2", "--out", folder_ / "out", "--request-id", "r", "-o", "json"};
+  const std::vector<std::string> words = {"submit",       "toy://2x2", "--out", folder_ / "out",
+                                          "--request-id", "r",         "-o",    "json"};
   const auto first = nlohmann::json::parse(RunWith(words).out);
   EXPECT_EQ(nlohmann::json::parse(RunWith(words).out)["name"], first["name"]);
 }

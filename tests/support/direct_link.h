@@ -1,5 +1,5 @@
-// A worker's link straight to CoordinatorImpl, without gRPC. ThreadSanitizer then sees all the synchronisation there is:
-// the libraries of gRPC are not built for it.
+// A worker's link straight to CoordinatorImpl, without gRPC. ThreadSanitizer then sees all the synchronisation there
+// is: the libraries of gRPC are not built for it.
 #ifndef TILEMEND_TESTS_SUPPORT_DIRECT_LINK_H_
 #define TILEMEND_TESTS_SUPPORT_DIRECT_LINK_H_
 

@@ -121,7 +121,7 @@ bool Worker::Pause(absl::Duration backoff) {
   std::unique_lock<std::mutex> lock(mutex_);
   changed_.wait_for(lock, absl::ToChronoMilliseconds(pause), [this] { return mode_ != Mode::kRunning; });
   if (mode_ == Mode::kDraining) return !held_.empty() || !finished_.empty();  // nothing to tell: no need to be released
-  return mode_ < Mode::kStopping;  // it would have told once, and could not
+  return mode_ < Mode::kStopping;                                             // it would have told once, and could not
 }
 
 v1::SyncRequest Worker::NextRequest() {
