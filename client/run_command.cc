@@ -51,8 +51,12 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   v1::CreateJobRequest request;
   *request.mutable_spec() = spec;
   TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, client.Create(request));
-  Worker worker({.id = "embedded", .threads = threads}, NewGrpcWorkLink(server->rpc().InProcessChannel()),
-                SceneStageRunner(), *MetricsRegistry::Null());
+  WorkerOptions worker_options;
+  worker_options.id = "embedded";
+  worker_options.threads = threads;
+  worker_options.prefetch = threads;  // the only worker
+  Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(),
+                *MetricsRegistry::Null());
   signals.Start([&client, name = job.name()](int) {
     // Refused if the job has just ended; then there is nothing to cancel.
     client.Cancel(name).status().IgnoreError();

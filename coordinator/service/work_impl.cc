@@ -14,7 +14,7 @@
 namespace tilemend {
 namespace {
 
-constexpr int32_t kMaxThreads = 1024;
+constexpr int32_t kMaxThreads = 2048;
 
 // Small outputs that wait for a slow pipeline go to disk beyond this.
 constexpr size_t kMaxQueuedBytes = size_t{64} << 20;

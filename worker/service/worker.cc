@@ -129,7 +129,7 @@ v1::SyncRequest Worker::NextRequest() {
   request.set_protocol(kProtocolVersion);
   request.set_worker(options_.id);
   request.set_sequence(++sequence_);
-  int32_t threads = options_.threads;
+  int32_t threads = options_.threads + options_.prefetch;
   for (const auto& [token, held] : held_) {
     if (held->dropped) {
       --threads;  // still busy with it

@@ -31,6 +31,9 @@ namespace tilemend {
 struct WorkerOptions {
   std::string id;   // new for each process; NewWorkerId()
   int threads = 1;  // 1 to 1024
+  // Tasks to hold beyond one for each thread, so that no thread waits for the next. With several workers it would keep
+  // tasks from idle ones.
+  int prefetch = 0;
   absl::Duration first_backoff = absl::Milliseconds(50);
   absl::Duration max_backoff = absl::Seconds(5);
 };
