@@ -10,7 +10,8 @@ namespace tilemend {
 namespace {
 
 std::string Help(const std::vector<Command>& commands) {
-  std::string text = "Fills the holes of very large triangle meshes that are stored as tiles.\n\nUsage: tilemend COMMAND ...\n\n";
+  std::string text =
+      "Fills the holes of very large triangle meshes that are stored as tiles.\n\nUsage: tilemend COMMAND ...\n\n";
   for (const Command& command : commands) {
     std::string left = absl::StrCat("  ", command.name, " ", command.arguments);
     left.resize(std::max<size_t>(left.size() + 2, 34), ' ');
@@ -39,7 +40,8 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
   if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));
   if (args->arguments().size() != command.argument_count) {
     return UsageError(absl::StrCat(command.name, ": expected ", command.argument_count, " argument(s), got ",
-                                   args->arguments().size(), "; usage: tilemend ", command.name, " ", command.arguments));
+                                   args->arguments().size(), "; usage: tilemend ", command.name, " ",
+                                   command.arguments));
   }
   for (const std::string& name : command.required_flags) {
     if (args->Text(name).empty()) return UsageError(absl::StrCat(command.name, ": --", name, " is needed"));

@@ -20,8 +20,9 @@ constexpr absl::Duration kPause = absl::Milliseconds(200);
 constexpr std::chrono::seconds kCallTimeout(30);
 
 absl::Status Unreachable(const absl::Status& status) {
-  return absl::UnavailableError(absl::StrCat("cannot reach the coordinator; is it running, and is --coordinator right? (",
-                                             std::string(status.message()), ")"));
+  return absl::UnavailableError(
+      absl::StrCat("cannot reach the coordinator; is it running, and is --coordinator right? (",
+                   std::string(status.message()), ")"));
 }
 
 }  // namespace
@@ -56,7 +57,8 @@ JobClient::JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration pati
 JobClient::~JobClient() = default;
 
 absl::StatusOr<v1::Job> JobClient::Create(const v1::CreateJobRequest& request) {
-  return impl_->Call(&v1::Jobs::Stub::CreateJob, request, request.request_id().empty() ? absl::ZeroDuration() : patience_);
+  return impl_->Call(&v1::Jobs::Stub::CreateJob, request,
+                     request.request_id().empty() ? absl::ZeroDuration() : patience_);
 }
 
 absl::StatusOr<v1::Job> JobClient::Get(const std::string& name) {
@@ -76,7 +78,8 @@ absl::StatusOr<v1::Job> JobClient::Cancel(const std::string& name) {
 }
 
 absl::StatusOr<v1::Job> JobClient::Retry(const v1::RetryJobRequest& request) {
-  return impl_->Call(&v1::Jobs::Stub::RetryJob, request, request.request_id().empty() ? absl::ZeroDuration() : patience_);
+  return impl_->Call(&v1::Jobs::Stub::RetryJob, request,
+                     request.request_id().empty() ? absl::ZeroDuration() : patience_);
 }
 
 absl::Status JobClient::WatchOnce(v1::WatchJobRequest& request, const std::function<void(const v1::Job&)>& show,

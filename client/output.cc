@@ -147,7 +147,8 @@ void ProgressDisplay::Show(const v1::Job& job) {
   constexpr int64_t kWidth = 30;
   const int64_t whole = std::max<int64_t>(1, p.tasks());
   const int64_t full = std::clamp<int64_t>(kWidth * p.tasks_done() / whole, 0, kWidth);
-  const std::string bar = std::string(static_cast<size_t>(full), '#') + std::string(static_cast<size_t>(kWidth - full), '.');
+  const std::string bar =
+      std::string(static_cast<size_t>(full), '#') + std::string(static_cast<size_t>(kWidth - full), '.');
   std::fprintf(stderr, "\r\033[K[%s] %s, %s tasks, %s cells", bar.c_str(), p.phase().c_str(),
                Share(p.tasks_done(), p.tasks()).c_str(), Share(p.cells_done(), p.cells()).c_str());
   std::fflush(stderr);

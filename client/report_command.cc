@@ -24,7 +24,8 @@ std::string Text(const Json& value) {
 // Numbers and strings as rows; groups of them with their path as a name, but no lists.
 void AddRows(const Json& value, const std::string& name, std::vector<std::vector<std::string>>& rows) {
   if (value.is_object()) {
-    for (const auto& [key, member] : value.items()) AddRows(member, name.empty() ? key : absl::StrCat(name, " ", key), rows);
+    for (const auto& [key, member] : value.items())
+      AddRows(member, name.empty() ? key : absl::StrCat(name, " ", key), rows);
   } else if (!value.is_array()) {
     rows.push_back({name, Text(value)});
   }
@@ -56,7 +57,8 @@ int ReportCommand(const Args& args) {
   if (!content.ok()) return PrintError(content.status());
   const Json report = Json::parse(*content, nullptr, false);
   if (!report.is_object()) {
-    return PrintError(absl::InvalidArgumentError(absl::StrCat(path.string(), ": not a report (expected a JSON object)")));
+    return PrintError(
+        absl::InvalidArgumentError(absl::StrCat(path.string(), ": not a report (expected a JSON object)")));
   }
   std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
   return kExitDone;

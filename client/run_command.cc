@@ -26,7 +26,8 @@ namespace {
 
 absl::StatusOr<std::string> MakeWorkFolder(const std::string& parent) {
   std::error_code error;
-  std::filesystem::path base = parent.empty() ? std::filesystem::temp_directory_path(error) : std::filesystem::path(parent);
+  std::filesystem::path base =
+      parent.empty() ? std::filesystem::temp_directory_path(error) : std::filesystem::path(parent);
   if (!error) std::filesystem::create_directories(base, error);
   std::string path = (base / "tilemend-XXXXXX").string();
   if (error || mkdtemp(path.data()) == nullptr) {
@@ -50,8 +51,12 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   v1::CreateJobRequest request;
   *request.mutable_spec() = spec;
   TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, client.Create(request));
-  Worker worker({.id = "embedded", .threads = threads}, NewGrpcWorkLink(server->rpc().InProcessChannel()),
-                SceneStageRunner(), *MetricsRegistry::Null());
+  WorkerOptions worker_options;
+  worker_options.id = "embedded";
+  worker_options.threads = threads;
+  worker_options.prefetch = threads;  // the only worker
+  Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(),
+                *MetricsRegistry::Null());
   signals.Start([&client, name = job.name()](int) {
     // Refused if the job has just ended; then there is nothing to cancel.
     client.Cancel(name).status().IgnoreError();
@@ -69,8 +74,9 @@ int RunCommand(const Args& args) {
   if (!format.ok()) return PrintUsageError(format.status());
   const auto spec = SpecFromFlags(args);
   if (!spec.ok()) return PrintUsageError(spec.status());
-  const auto threads = args.IsGiven("workers") ? args.Integer("workers", 1, 1024)
-                                               : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto threads = args.IsGiven("workers")
+                           ? args.Integer("workers", 1, 1024)
+                           : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
   if (!threads.ok()) return PrintUsageError(threads.status());
   const auto work_folder = MakeWorkFolder(args.Text("work"));
   if (!work_folder.ok()) return PrintError(work_folder.status());

@@ -57,7 +57,8 @@ int Fail(const absl::Status& status, int code) {
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   SignalWatcher signals;  // before any other thread
   PrometheusRegistry metrics;
-  TILEMEND_ASSIGN_OR_RETURN(const auto impl, CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
+  TILEMEND_ASSIGN_OR_RETURN(const auto impl,
+                            CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(metrics.Expose(flags.Text("metrics")));
   const std::string listen = flags.Text("listen");

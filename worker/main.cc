@@ -1,5 +1,5 @@
-// tilemend-worker: runs tasks of a coordinator. The first SIGTERM or SIGINT lets it finish and report what it has, the second
-// makes it give that back.
+// tilemend-worker: runs tasks of a coordinator. The first SIGTERM or SIGINT lets it finish and report what it has, the
+// second makes it give that back.
 #include <algorithm>
 #include <cstdio>
 #include <string>

@@ -1,8 +1,8 @@
 // Metrics behind an interface, with a null object: code that counts needs neither prometheus-cpp nor an `if`.
 //
-// A family is registered once, at start; Add gives the handle of one combination of labels. Handles are kept for the life
-// of the registry and may be used by any thread. Labels are few and known beforehand (a stage, a state): no cells, holes,
-// jobs or workers.
+// A family is registered once, at start; Add gives the handle of one combination of labels. Handles are kept for the
+// life of the registry and may be used by any thread. Labels are few and known beforehand (a stage, a state): no cells,
+// holes, jobs or workers.
 #ifndef TILEMEND_COMMON_METRICS_METRICS_H_
 #define TILEMEND_COMMON_METRICS_METRICS_H_
 

@@ -18,8 +18,8 @@ namespace tilemend {
 // A running gRPC server. Its services must outlive it.
 class RpcServer {
  public:
-  // Listens on `listen` ("HOST:PORT", port 0 takes a free one) or, if it is empty, only in process. Answers the standard
-  // health check. kInvalidArgument for a malformed address, kUnavailable if the address cannot be had.
+  // Listens on `listen` ("HOST:PORT", port 0 takes a free one) or, if it is empty, only in process. Answers the
+  // standard health check. kInvalidArgument for a malformed address, kUnavailable if the address cannot be had.
   static absl::StatusOr<std::unique_ptr<RpcServer>> Start(const std::string& listen,
                                                           const std::vector<grpc::Service*>& services);
   ~RpcServer();
@@ -42,8 +42,8 @@ std::shared_ptr<grpc::Channel> Connect(const std::string& address);
 // kInvalidArgument unless `address` is HOST:PORT with a port in [0, 65535].
 absl::Status CheckAddress(const std::string& address);
 
-// For the start of main. Raises the limit of open files as far as allowed, for gRPC 1.51 stops accepting for good after it
-// ran out of them once, and keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise.
+// For the start of main. Raises the limit of open files as far as allowed, for gRPC 1.51 stops accepting for good after
+// it ran out of them once, and keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise.
 void PrepareProcess();
 
 }  // namespace tilemend

@@ -31,7 +31,8 @@ v1::Status StatusToProto(const absl::Status& status) {
 absl::Status StatusFromProto(const v1::Status& proto) {
   if (proto.code() == 0) return absl::OkStatus();
   const bool known = proto.code() > 0 && proto.code() <= static_cast<int>(absl::StatusCode::kUnauthenticated);
-  absl::Status status(known ? static_cast<absl::StatusCode>(proto.code()) : absl::StatusCode::kUnknown, proto.message());
+  absl::Status status(known ? static_cast<absl::StatusCode>(proto.code()) : absl::StatusCode::kUnknown,
+                      proto.message());
   for (const auto& any : proto.details()) {
     v1::ErrorInfo detail;
     if (any.type_url() != kErrorInfoType || !detail.ParseFromString(any.value())) continue;

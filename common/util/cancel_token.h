@@ -6,8 +6,8 @@
 
 namespace tilemend {
 
-// Set once, never reset. Any thread may set it and any thread may look. A computation looks at it between steps of about
-// 10 ms and returns absl::CancelledError when it is set; it leaves nothing half-written.
+// Set once, never reset. Any thread may set it and any thread may look. A computation looks at it between steps of
+// about 10 ms and returns absl::CancelledError when it is set; it leaves nothing half-written.
 class CancelToken {
  public:
   CancelToken() = default;

@@ -21,7 +21,8 @@ namespace {
 
 absl::Status FileError(int error, const std::string& what, const std::string& path) {
   const std::string text = absl::StrCat(path, ": ", what, ": ", std::strerror(error));
-  if (error == ENOSPC || error == EDQUOT || error == EMFILE || error == ENFILE) return absl::ResourceExhaustedError(text);
+  if (error == ENOSPC || error == EDQUOT || error == EMFILE || error == ENFILE)
+    return absl::ResourceExhaustedError(text);
   if (error == ENOENT) return absl::NotFoundError(text);
   return absl::InternalError(text);
 }
@@ -41,8 +42,9 @@ BlobFolder::Writer::~Writer() {
 absl::Status BlobFolder::Writer::Append(std::string_view bytes) {
   size_ += static_cast<int64_t>(bytes.size());
   if (size_ > kMaxBlobBytes) {
-    return WithErrorInfo(absl::ResourceExhaustedError(absl::StrCat("a blob may have ", kMaxBlobBytes, " bytes at most")),
-                         {"BLOB_TOO_LARGE", {{"limit", absl::StrCat(kMaxBlobBytes)}}});
+    return WithErrorInfo(
+        absl::ResourceExhaustedError(absl::StrCat("a blob may have ", kMaxBlobBytes, " bytes at most")),
+        {"BLOB_TOO_LARGE", {{"limit", absl::StrCat(kMaxBlobBytes)}}});
   }
   sha_.Update(bytes);
   while (!bytes.empty()) {
@@ -57,9 +59,9 @@ absl::Status BlobFolder::Writer::Append(std::string_view bytes) {
 absl::StatusOr<int64_t> BlobFolder::Writer::Commit(const std::string& expected) {
   const std::string digest = sha_.FinishHex();
   if (digest != expected) {
-    return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat("blob ", expected, ": its ", size_,
-                                                                 " bytes have the digest ", digest)),
-                         {"BLOB_CORRUPT", {{"digest", expected}}});
+    return WithErrorInfo(
+        absl::InvalidArgumentError(absl::StrCat("blob ", expected, ": its ", size_, " bytes have the digest ", digest)),
+        {"BLOB_CORRUPT", {{"digest", expected}}});
   }
   const int closed = ::close(std::exchange(fd_, -1));
   if (closed != 0) return FileError(errno, "cannot close", path_);
@@ -125,7 +127,8 @@ absl::StatusOr<std::string> BlobFolder::Read(const std::string& digest) const {
   return bytes;
 }
 
-absl::Status BlobFolder::ReadChunks(const std::string& digest, const std::function<bool(std::string_view)>& take) const {
+absl::Status BlobFolder::ReadChunks(const std::string& digest,
+                                    const std::function<bool(std::string_view)>& take) const {
   TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
   TILEMEND_ASSIGN_OR_RETURN(const int64_t size, Size(digest));
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);

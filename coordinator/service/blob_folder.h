@@ -15,8 +15,8 @@
 
 namespace tilemend {
 
-// Thread-safe. A blob appears at once or not at all. Nothing is synced to disk: blobs are no longer needed after a crash,
-// for their job is then gone too.
+// Thread-safe. A blob appears at once or not at all. Nothing is synced to disk: blobs are no longer needed after a
+// crash, for their job is then gone too.
 class BlobFolder {
  public:
   // A blob that comes in pieces. Leaves nothing behind unless Commit succeeds.

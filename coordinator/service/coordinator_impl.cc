@@ -41,8 +41,9 @@ std::string OutKey(const JobSpec& spec) {
 }
 
 absl::Status InvalidRequestId() {
-  return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat("request_id: longer than ", kMaxRequestIdBytes, " bytes")),
-                       {"INVALID_SPEC", {{"field", "request_id"}}});
+  return WithErrorInfo(
+      absl::InvalidArgumentError(absl::StrCat("request_id: longer than ", kMaxRequestIdBytes, " bytes")),
+      {"INVALID_SPEC", {{"field", "request_id"}}});
 }
 
 absl::Status InvalidPage(const std::string& what) {
@@ -166,9 +167,10 @@ absl::Status CoordinatorImpl::CheckNewJob(const std::string& out_key) const {
     if (entry.runner == nullptr || entry.runner->ended()) continue;
     ++running;
     if (!out_key.empty() && entry.out_key == out_key) {
-      return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(
-                               out_key, ": jobs/", id, " is writing there; wait for it, cancel it or choose another folder")),
-                           {"OUTPUT_IN_USE", {{"job", id}}});
+      return WithErrorInfo(
+          absl::FailedPreconditionError(absl::StrCat(
+              out_key, ": jobs/", id, " is writing there; wait for it, cancel it or choose another folder")),
+          {"OUTPUT_IN_USE", {{"job", id}}});
     }
   }
   if (running < options_.max_running_jobs) return absl::OkStatus();

@@ -1,5 +1,5 @@
-// The coordinator: the state machine, its lock, its clock, its blobs and the pipelines of its jobs. Every RPC is one call
-// here; nothing here knows gRPC.
+// The coordinator: the state machine, its lock, its clock, its blobs and the pipelines of its jobs. Every RPC is one
+// call here; nothing here knows gRPC.
 #ifndef TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
 #define TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
 
@@ -30,7 +30,7 @@
 namespace tilemend {
 
 struct CoordinatorOptions {
-  std::string work_folder;                // blobs go to work_folder/jobs/{id}; made if missing
+  std::string work_folder;                   // blobs go to work_folder/jobs/{id}; made if missing
   absl::Duration lease = absl::Seconds(30);  // > 2 s: a worker calls at least once a second
   StateOptions state;
   size_t max_running_jobs = 64;
@@ -53,8 +53,8 @@ class CoordinatorImpl {
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
   absl::StatusOr<v1::Job> CancelJob(const v1::CancelJobRequest& request);
   absl::StatusOr<v1::Job> RetryJob(const v1::RetryJobRequest& request);
-  // Calls `send` for each state of the job as the message says, and at least once a second `alive`; ends when the job is
-  // over (OK) or either returns false (kCancelled).
+  // Calls `send` for each state of the job as the message says, and at least once a second `alive`; ends when the job
+  // is over (OK) or either returns false (kCancelled).
   absl::Status WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
                         const std::function<bool()>& alive);
 
@@ -100,7 +100,7 @@ class CoordinatorImpl {
   void Changed();
   absl::StatusOr<Effects> Apply(const Event& event, std::optional<std::string> content = std::nullopt);
   void OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress);  // takes the lock
-  void OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome);                 // takes the lock
+  void OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome);                  // takes the lock
 
   std::vector<Report> PrepareReports(const v1::SyncRequest& request);  // without the lock
   Report PrepareReport(const v1::FinishedTask& finished);              // without the lock

@@ -15,7 +15,8 @@ CoordinatorMetrics::CoordinatorMetrics(MetricsRegistry& registry) {
     stage.failed = registry.AddCounter(prefix + "tasks_failed_total", "Tasks that ended with an error.", labels);
     stage.quarantined = registry.AddCounter(prefix + "tasks_quarantined_total",
                                             "Tasks given up because too many workers were lost with them.", labels);
-    stage.retried = registry.AddCounter(prefix + "tasks_retried_total", "Attempts lost to a machine's failure.", labels);
+    stage.retried =
+        registry.AddCounter(prefix + "tasks_retried_total", "Attempts lost to a machine's failure.", labels);
     stage.refused_late = registry.AddCounter(prefix + "tasks_refused_late_total",
                                              "Results refused because their attempt had been given up.", labels);
     stage.seconds = registry.AddHistogram(prefix + "task_seconds", "From the lease to the result that ended the task.",

@@ -1,7 +1,7 @@
 // What a job is made of: a pipeline turns its spec into tasks, takes their results and makes further tasks of them.
 //
-// The coordinator runs every call of one pipeline on one thread of its own, outside all locks: calls may be slow, and need
-// no locking of their own. Only Cancel comes from another thread.
+// The coordinator runs every call of one pipeline on one thread of its own, outside all locks: calls may be slow, and
+// need no locking of their own. Only Cancel comes from another thread.
 //
 // Results come in any order and the order differs from run to run. A pipeline whose output must not depend on it keeps
 // results by (stage, cell) and computes from whole sets.
@@ -23,15 +23,15 @@ namespace tilemend {
 
 // What is to be done. Paths are seen by the coordinator and every worker.
 struct JobSpec {
-  std::string scene;                // a folder or a scene.json; not empty
-  std::string out;                  // a folder; not empty unless dry_run
-  std::string surface = "wang";     // or "thin-plate"
-  bool uniform = false;             // triangles as large as the rim's throughout
-  double gradation = 1.3;           // [1, 10], growth of the triangles inward
-  double size_limit = 16;           // [1, 1e6], largest edge over the rim's mean edge
-  double seam_smoothing = 0.5;      // [0, 1], gamma of Wang eq. 6
-  bool overwrite = false;           // replace an existing output
-  bool dry_run = false;             // survey and plan only, write no tiles
+  std::string scene;             // a folder or a scene.json; not empty
+  std::string out;               // a folder; not empty unless dry_run
+  std::string surface = "wang";  // or "thin-plate"
+  bool uniform = false;          // triangles as large as the rim's throughout
+  double gradation = 1.3;        // [1, 10], growth of the triangles inward
+  double size_limit = 16;        // [1, 1e6], largest edge over the rim's mean edge
+  double seam_smoothing = 0.5;   // [0, 1], gamma of Wang eq. 6
+  bool overwrite = false;        // replace an existing output
+  bool dry_run = false;          // survey and plan only, write no tiles
   bool operator==(const JobSpec&) const = default;
 
   // kInvalidArgument (INVALID_SPEC, metadata field) naming the first field out of its range.
@@ -65,12 +65,12 @@ class JobPipeline {
   // The first tasks. Called once, first.
   virtual absl::StatusOr<std::vector<NewTask>> Start() = 0;
 
-  // Takes one result, once for every task, and gives the tasks that it makes possible, in the order in which they should
-  // run. An error here, in Start or in Finish fails the job with that status; a failed task alone does not.
+  // Takes one result, once for every task, and gives the tasks that it makes possible, in the order in which they
+  // should run. An error here, in Start or in Finish fails the job with that status; a failed task alone does not.
   virtual absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) = 0;
 
-  // True when nothing is left but Finish. Must become true when all tasks that were given out are done: a job that is not
-  // done and has no task left fails with kInternal.
+  // True when nothing is left but Finish. Must become true when all tasks that were given out are done: a job that is
+  // not done and has no task left fails with kInternal.
   virtual bool Done() const = 0;
 
   virtual Progress GetProgress() const = 0;
@@ -78,13 +78,13 @@ class JobPipeline {
   // Writes what is written at the end. Called once, last, unless the job failed or was cancelled.
   virtual absl::StatusOr<JobOutcome> Finish() = 0;
 
-  // From another thread, at any time: the job was cancelled, a running call should return soon (with any status). Nothing
-  // half-written may stay.
+  // From another thread, at any time: the job was cancelled, a running call should return soon (with any status).
+  // Nothing half-written may stay.
   virtual void Cancel() {}
 };
 
-// Makes the pipeline of one job; runs on the job's thread, so it may read the scene. kNotFound, kInvalidArgument, ... fail
-// the job.
+// Makes the pipeline of one job; runs on the job's thread, so it may read the scene. kNotFound, kInvalidArgument, ...
+// fail the job.
 using PipelineFactory = std::function<absl::StatusOr<std::unique_ptr<JobPipeline>>(const JobSpec&)>;
 
 }  // namespace tilemend

@@ -27,7 +27,7 @@ class JobRunner {
   // Called on the job's thread, without any lock of the runner.
   struct Sink {
     std::function<void(std::vector<TaskSpec>, const Progress&)> add_tasks;  // the inputs are in the blob folder
-    std::function<void(absl::StatusOr<JobOutcome>)> finished;  // last; kCancelled after Cancel
+    std::function<void(absl::StatusOr<JobOutcome>)> finished;               // last; kCancelled after Cancel
   };
 
   // Starts the thread. Removes the blob folder at the job's end.

@@ -9,7 +9,8 @@ namespace tilemend {
 namespace {
 
 absl::Status InvalidSpec(const std::string& field, const std::string& what) {
-  return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat(field, ": ", what)), {"INVALID_SPEC", {{"field", field}}});
+  return WithErrorInfo(absl::InvalidArgumentError(absl::StrCat(field, ": ", what)),
+                       {"INVALID_SPEC", {{"field", field}}});
 }
 
 absl::Status CheckRange(const std::string& field, double value, double low, double high) {

@@ -14,7 +14,7 @@
 namespace tilemend {
 namespace {
 
-constexpr int32_t kMaxThreads = 1024;
+constexpr int32_t kMaxThreads = 2048;
 
 // Small outputs that wait for a slow pipeline go to disk beyond this.
 constexpr size_t kMaxQueuedBytes = size_t{64} << 20;
@@ -24,8 +24,7 @@ absl::Status CheckSync(const v1::SyncRequest& request) {
     return WithErrorInfo(
         absl::FailedPreconditionError(absl::StrCat("worker ", request.worker(), " speaks protocol ", request.protocol(),
                                                    ", this coordinator ", kProtocolVersion, "; use the same release")),
-        {"PROTOCOL_VERSION",
-         {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
+        {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
   }
   if (request.worker().empty() || request.threads() < 0 || request.threads() > kMaxThreads) {
     return absl::InvalidArgumentError(absl::StrCat("a worker needs an id and 0 to ", kMaxThreads, " threads"));
@@ -117,7 +116,8 @@ CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const v1::FinishedTask& f
   }
   if (is_inline && queue_full && (*blobs)->Put(output.content()).ok()) report.content.reset();
   if (!is_inline && !(*blobs)->Size(digest).ok()) {
-    report.event = TaskFailed{key, token, true, absl::UnavailableError(absl::StrCat("blob ", digest, " did not arrive"))};
+    report.event =
+        TaskFailed{key, token, true, absl::UnavailableError(absl::StrCat("blob ", digest, " did not arrive"))};
   }
   return report;
 }
@@ -161,8 +161,8 @@ absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, const st
       return absl::OkStatus();
     }
     TellState(request, response);
-    const bool news = response.start_size() > 0 || response.acknowledged_size() > 0 ||
-                      response.keep_size() < request.held_size();
+    const bool news =
+        response.start_size() > 0 || response.acknowledged_size() > 0 || response.keep_size() < request.held_size();
     if (stopping_ && !news) return absl::UnavailableError("the coordinator is shutting down");
     if (news || std::chrono::steady_clock::now() >= deadline) return absl::OkStatus();
     work_changed_.wait_until(lock, deadline);
@@ -240,7 +240,8 @@ absl::Status CoordinatorImpl::ReadBlob(const v1::ReadBlobRequest& request,
   });
 }
 
-absl::StatusOr<v1::WriteBlobResponse> CoordinatorImpl::WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next) {
+absl::StatusOr<v1::WriteBlobResponse> CoordinatorImpl::WriteBlob(
+    const std::function<bool(v1::WriteBlobRequest&)>& next) {
   v1::WriteBlobRequest message;
   if (!next(message)) return absl::InvalidArgumentError("a blob needs a first message with its job and its digest");
   const std::string digest = message.digest();

@@ -15,7 +15,8 @@ std::string Describe(const Task& task) {
 }
 
 absl::Status JobNotFound(const std::string& job) {
-  return WithErrorInfo(absl::NotFoundError(absl::StrCat("jobs/", job, ": no such job")), {"JOB_NOT_FOUND", {{"job", job}}});
+  return WithErrorInfo(absl::NotFoundError(absl::StrCat("jobs/", job, ": no such job")),
+                       {"JOB_NOT_FOUND", {{"job", job}}});
 }
 
 absl::Status JobOver(const Job& job) {
@@ -25,15 +26,15 @@ absl::Status JobOver(const Job& job) {
 }
 
 absl::Status LateResult(const TaskKey& key, uint64_t token) {
-  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat("jobs/", key.job, " task ", key.task, ": attempt ", token,
-                                                                  " was given up before its result came")),
+  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat("jobs/", key.job, " task ", key.task, ": attempt ",
+                                                                  token, " was given up before its result came")),
                        {"LATE_RESULT", {{"job", key.job}, {"task", absl::StrCat(key.task)}}});
 }
 
 absl::Status Quarantined(const Task& task) {
-  const std::string text = absl::StrCat(Describe(task), ": quarantined after ", task.lost_workers.size(),
-                                        " workers were lost while they had it (", absl::StrJoin(task.lost_workers, ", "),
-                                        ")");
+  const std::string text =
+      absl::StrCat(Describe(task), ": quarantined after ", task.lost_workers.size(),
+                   " workers were lost while they had it (", absl::StrJoin(task.lost_workers, ", "), ")");
   return WithErrorInfo(absl::AbortedError(text), {"QUARANTINED",
                                                   {{"cell", absl::StrCat(task.cell.col, ",", task.cell.row)},
                                                    {"stage", std::string(StageName(task.stage))}}});
@@ -87,7 +88,8 @@ const WorkerRecord* CoordinatorState::FindWorker(const std::string& worker) cons
 }
 
 bool CoordinatorState::IsLastChance(const Task& task) const {
-  return static_cast<int32_t>(task.lost_workers.size()) + 1 >= options_.quarantine_after && options_.quarantine_after > 1;
+  return static_cast<int32_t>(task.lost_workers.size()) + 1 >= options_.quarantine_after &&
+         options_.quarantine_after > 1;
 }
 
 std::vector<TaskKey> CoordinatorState::ChooseTasks(const std::string& worker) const {
@@ -298,7 +300,8 @@ absl::StatusOr<Effects> CoordinatorState::On(const LeaseRenewed& event) {
 absl::StatusOr<Effects> CoordinatorState::On(const TaskCompleted& event) {
   TILEMEND_ASSIGN_OR_RETURN(Task * task, TaskForResult(event.key, event.token));
   Effects effects;
-  if (task != nullptr) Settle(jobs_.at(event.key.job), *task, TaskState::kCommitted, event.output, absl::OkStatus(), effects);
+  if (task != nullptr)
+    Settle(jobs_.at(event.key.job), *task, TaskState::kCommitted, event.output, absl::OkStatus(), effects);
   return effects;
 }
 
@@ -364,8 +367,8 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobCancelled& event) {
 
 absl::StatusOr<Effects> CoordinatorState::On(const JobFinished& event) {
   if (event.state == JobState::kRunning || event.state == JobState::kCancelled) {
-    return absl::InvalidArgumentError(absl::StrCat("jobs/", event.job, ": cannot finish as ",
-                                                   std::string(JobStateName(event.state))));
+    return absl::InvalidArgumentError(
+        absl::StrCat("jobs/", event.job, ": cannot finish as ", std::string(JobStateName(event.state))));
   }
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
   const bool partial = event.state == JobState::kDone && job->counts.quarantined > 0;

@@ -2,8 +2,8 @@
 //
 // Guarantees
 //  - Execution at least once, commit exactly once: a result counts only if it carries the token of the task's present
-//    lease. A second report of the attempt that settled a task is accepted and changes nothing (its answer was lost); any
-//    other late result is refused with LATE_RESULT and counted.
+//    lease. A second report of the attempt that settled a task is accepted and changes nothing (its answer was lost);
+//    any other late result is refused with LATE_RESULT and counted.
 //  - No task is lost: while its job runs a task is pending, leased to a known worker, or settled.
 //  - A task that was with `quarantine_after` workers when they were lost is quarantined, with their names.
 //    Before its last chance it is given only to a worker that holds nothing, and alone, so that it takes no other task
@@ -29,8 +29,8 @@ namespace tilemend {
 struct StateOptions {
   int32_t quarantine_after = 3;  // >= 1, lost workers
   int32_t max_returns = 3;       // >= 1, machine errors reported by living workers before one counts as the task's own
-  // Tokens start at epoch << 32. A coordinator that starts anew takes a larger epoch, so that it refuses what an earlier
-  // one gave out.
+  // Tokens start at epoch << 32. A coordinator that starts anew takes a larger epoch, so that it refuses what an
+  // earlier one gave out.
   uint32_t epoch = 0;
 };
 

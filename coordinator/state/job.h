@@ -40,7 +40,7 @@ struct Task {
   int64_t id = 0;  // 1, 2, ... within the job, in the order in which they were added
   CellId cell;
   Stage stage = Stage::kSurvey;
-  std::string input;    // digest of the input blob
+  std::string input;  // digest of the input blob
   TaskState state = TaskState::kPending;
   int32_t attempts = 0;                   // leases so far
   int32_t returns = 0;                    // attempts that the machine gave back with an error

@@ -70,6 +70,9 @@ class Process {
 
 class CommandTest : public ::testing::Test {
  protected:
+  void SetUp() override {
+    if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
+  }
   Ended Run(const std::vector<std::string>& words) { return Process(folder_, TOY_CLIENT, words).Wait(); }
 
   TempFolder folder_;
@@ -150,7 +153,9 @@ TEST_F(CommandTest, ReportShowsLeftovers) {
 // A cluster of processes: the programs as they are installed, but for the geometry.
 class ClusterCommandTest : public CommandTest {
  protected:
-  ClusterCommandTest() {
+  void SetUp() override {
+    CommandTest::SetUp();
+    if (IsSkipped()) return;
     ClusterOptions options;
     options.listen = "127.0.0.1:0";
     cluster_ = std::make_unique<TestCluster>(options);
@@ -184,7 +189,8 @@ TEST_F(ClusterCommandTest, SubmitWaitGetListWatch) {
 }
 
 TEST_F(ClusterCommandTest, ARepeatedRequestIdGivesTheSameJob) {
-  const std::vector<std::string> words = {"submit", "toy://2x2", "--out", folder_ / "out", "--request-id", "r", "-o", "json"};
+  const std::vector<std::string> words = {"submit",       "toy://2x2", "--out", folder_ / "out",
+                                          "--request-id", "r",         "-o",    "json"};
   const auto first = nlohmann::json::parse(RunWith(words).out);
   EXPECT_EQ(nlohmann::json::parse(RunWith(words).out)["name"], first["name"]);
 }

@@ -33,11 +33,14 @@ TEST_F(BlobFolderTest, ReadsInChunksOfAtMostOneMiB) {
   const std::string digest = *blobs_->Put(std::string(5'000'000, 'x'));
   size_t total = 0;
   size_t largest = 0;
-  EXPECT_TRUE(blobs_->ReadChunks(digest, [&](std::string_view chunk) {
-    total += chunk.size();
-    largest = std::max(largest, chunk.size());
-    return true;
-  }).ok());
+  EXPECT_TRUE(blobs_
+                  ->ReadChunks(digest,
+                               [&](std::string_view chunk) {
+                                 total += chunk.size();
+                                 largest = std::max(largest, chunk.size());
+                                 return true;
+                               })
+                  .ok());
   EXPECT_EQ(total, 5'000'000U);
   EXPECT_LE(largest, kMaxChunkBytes);
 }

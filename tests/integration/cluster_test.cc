@@ -131,6 +131,7 @@ TEST(ClusterTest, CancelStopsRunningTasks) {
 }
 
 TEST(ClusterTest, WatchGoesOnFromItsCursor) {
+  if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
   TestCluster cluster;
   Gate gate;
   cluster.AddWorker("w", 1, gate.Guard(ToyStageRunner()));
@@ -177,7 +178,7 @@ TEST(ClusterTest, LargeBlobsTravelInChunks) {
 TEST(ClusterTest, LargeBlobsAreReadInChunks) {
   TestCluster cluster;
   const v1::Job job = cluster.Submit("toy://1x1");
-  const auto link = NewGrpcWorkLink(cluster.rpc().InProcessChannel());
+  const auto link = cluster.NewLink();
   const std::string id = job.name().substr(5);
   for (const size_t size : {size_t{0}, kMaxChunkBytes, size_t{5'000'000}}) {
     const std::string bytes(size, 'b');
@@ -296,6 +297,7 @@ TEST(ClusterTest, WorkersOfASecondJobWaitForNothing) {
 }
 
 TEST(ClusterTest, ErrorInfoTravels) {
+  if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
   ClusterOptions options;
   options.listen = "127.0.0.1:0";
   TestCluster cluster(options);
@@ -310,6 +312,7 @@ TEST(ClusterTest, ErrorInfoTravels) {
 }
 
 TEST(ClusterTest, TwoServersDoNotShareAPort) {
+  if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
   ClusterOptions options;
   options.listen = "127.0.0.1:0";
   TestCluster cluster(options);

@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
 #include "absl/strings/strip.h"
+#include "tests/support/direct_link.h"
 
 namespace tilemend {
 namespace {
@@ -43,6 +44,7 @@ TestCluster::TestCluster(ClusterOptions options) {
   auto impl = CoordinatorImpl::Create(coordinator, options.factory, metrics_);
   EXPECT_TRUE(impl.ok()) << impl.status();
   impl_ = *std::move(impl);
+  if (!kHasGrpc) return;
   auto server = CoordinatorServer::Start(options.listen, *impl_);
   EXPECT_TRUE(server.ok()) << server.status();
   server_ = *std::move(server);
@@ -53,13 +55,16 @@ TestCluster::~TestCluster() {
   server_.reset();
 }
 
+std::unique_ptr<WorkLink> TestCluster::NewLink() {
+  return kHasGrpc ? NewGrpcWorkLink(rpc().InProcessChannel()) : NewDirectLink(*impl_);
+}
+
 Worker& TestCluster::AddWorker(const std::string& name, int threads, StageRunner runner) {
   WorkerOptions options;
   options.id = name;
   options.threads = threads;
   auto& worker = workers_[name];
-  worker = std::make_unique<Worker>(options, NewGrpcWorkLink(rpc().InProcessChannel()), std::move(runner),
-                                    *MetricsRegistry::Null());
+  worker = std::make_unique<Worker>(options, NewLink(), std::move(runner), *MetricsRegistry::Null());
   return *worker;
 }
 

@@ -51,9 +51,10 @@ class ToyPipeline : public JobPipeline {
     for (int row = 0; row < scene_.rows; ++row) {
       for (int col = 0; col < scene_.cols; ++col) {
         const bool fail = scene_.Option("fail") == absl::StrCat(col, ",", row);
-        tasks.push_back({{col, row},
-                         Stage::kSurvey,
-                         absl::StrCat(col, " ", row, " ", fail ? 1 : 0, " ", Number("bytes"), " ", Number("sleep_ms"))});
+        tasks.push_back(
+            {{col, row},
+             Stage::kSurvey,
+             absl::StrCat(col, " ", row, " ", fail ? 1 : 0, " ", Number("bytes"), " ", Number("sleep_ms"))});
       }
     }
     waiting_ = tasks.size();
@@ -87,9 +88,9 @@ class ToyPipeline : public JobPipeline {
     outcome.message = absl::StrCat("total ", total_);
     if (spec_.dry_run) return outcome;
     outcome.report = absl::StrCat(spec_.out, "/report.json");
-    TILEMEND_RETURN_IF_ERROR(
-        WriteFileAtomically(outcome.report, absl::StrCat("{\"total\": ", total_, ", \"left\": [], \"cells\": ",
-                                                         scene_.cols * scene_.rows, "}\n")));
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(
+        outcome.report,
+        absl::StrCat("{\"total\": ", total_, ", \"left\": [], \"cells\": ", scene_.cols * scene_.rows, "}\n")));
     return outcome;
   }
 

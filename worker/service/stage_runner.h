@@ -11,10 +11,10 @@
 
 namespace tilemend {
 
-// Runs one stage on the bytes that the pipeline gave and returns the bytes that it gets. Called by several threads at once.
-// Must be a function of its input: a task may run more than once, and the last lease wins. kUnavailable and
-// kResourceExhausted are taken for the machine's failure and tried again (elsewhere, three times in all); any other error
-// goes to the pipeline. Looks at the token every 10 ms or so; what it returns after a cancel is dropped.
+// Runs one stage on the bytes that the pipeline gave and returns the bytes that it gets. Called by several threads at
+// once. Must be a function of its input: a task may run more than once, and the last lease wins. kUnavailable and
+// kResourceExhausted are taken for the machine's failure and tried again (elsewhere, three times in all); any other
+// error goes to the pipeline. Looks at the token every 10 ms or so; what it returns after a cancel is dropped.
 using StageRunner =
     std::function<absl::StatusOr<std::string>(Stage stage, const std::string& input, const CancelToken& cancel)>;
 

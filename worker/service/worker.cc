@@ -121,7 +121,7 @@ bool Worker::Pause(absl::Duration backoff) {
   std::unique_lock<std::mutex> lock(mutex_);
   changed_.wait_for(lock, absl::ToChronoMilliseconds(pause), [this] { return mode_ != Mode::kRunning; });
   if (mode_ == Mode::kDraining) return !held_.empty() || !finished_.empty();  // nothing to tell: no need to be released
-  return mode_ < Mode::kStopping;  // it would have told once, and could not
+  return mode_ < Mode::kStopping;                                             // it would have told once, and could not
 }
 
 v1::SyncRequest Worker::NextRequest() {
@@ -129,7 +129,7 @@ v1::SyncRequest Worker::NextRequest() {
   request.set_protocol(kProtocolVersion);
   request.set_worker(options_.id);
   request.set_sequence(++sequence_);
-  int32_t threads = options_.threads;
+  int32_t threads = options_.threads + options_.prefetch;
   for (const auto& [token, held] : held_) {
     if (held->dropped) {
       --threads;  // still busy with it

@@ -1,8 +1,8 @@
 // A worker: asks the coordinator for tasks, runs them on its threads and reports what came out.
 //
-// One thread keeps a Sync call going; `threads` others compute. When a task ends the waiting call is interrupted and a new
-// one reports at once. Results are kept and reported again until the coordinator acknowledges them, through any loss of
-// connection.
+// One thread keeps a Sync call going; `threads` others compute. When a task ends the waiting call is interrupted and a
+// new one reports at once. Results are kept and reported again until the coordinator acknowledges them, through any
+// loss of connection.
 #ifndef TILEMEND_WORKER_SERVICE_WORKER_H_
 #define TILEMEND_WORKER_SERVICE_WORKER_H_
 
@@ -31,6 +31,9 @@ namespace tilemend {
 struct WorkerOptions {
   std::string id;   // new for each process; NewWorkerId()
   int threads = 1;  // 1 to 1024
+  // Tasks to hold beyond one for each thread, so that no thread waits for the next. With several workers it would keep
+  // tasks from idle ones.
+  int prefetch = 0;
   absl::Duration first_backoff = absl::Milliseconds(50);
   absl::Duration max_backoff = absl::Seconds(5);
 };
@@ -69,8 +72,8 @@ class Worker {
   bool SyncOnce(absl::Duration& backoff);  // false: the end
   v1::SyncRequest NextRequest();           // with the lock held
   void Take(const v1::SyncRequest& request, v1::SyncResponse response);
-  void DropHeld(uint64_t token);           // with the lock held
-  bool Pause(absl::Duration backoff);      // false: the end
+  void DropHeld(uint64_t token);       // with the lock held
+  bool Pause(absl::Duration backoff);  // false: the end
   void SetMode(Mode mode);
 
   void RunTasks();
@@ -91,8 +94,8 @@ class Worker {
   uint64_t sequence_ = 0;
   std::map<uint64_t, std::shared_ptr<Held>> held_;  // by attempt token, dropped ones too
   std::deque<std::shared_ptr<Held>> ready_;
-  std::map<uint64_t, v1::FinishedTask> finished_;   // by attempt token, until acknowledged
-  SyncCall* waiting_call_ = nullptr;                // that may be interrupted
+  std::map<uint64_t, v1::FinishedTask> finished_;  // by attempt token, until acknowledged
+  SyncCall* waiting_call_ = nullptr;               // that may be interrupted
   std::vector<std::thread> threads_;
   std::mutex join_mutex_;
 };

@@ -1,7 +1,8 @@
+#include "common/metrics/metrics.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/metrics/metrics.h"
 #include "common/metrics/prometheus_registry.h"
 
 namespace tilemend {

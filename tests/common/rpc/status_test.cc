@@ -17,7 +17,9 @@ TEST(StatusTest, ComesBackFromGrpcWithItsErrorInfo) {
   EXPECT_EQ(GetErrorInfo(back), GetErrorInfo(Example()));
 }
 
-TEST(StatusTest, ComesBackFromTheMessageWithItsErrorInfo) { EXPECT_EQ(StatusFromProto(StatusToProto(Example())), Example()); }
+TEST(StatusTest, ComesBackFromTheMessageWithItsErrorInfo) {
+  EXPECT_EQ(StatusFromProto(StatusToProto(Example())), Example());
+}
 
 TEST(StatusTest, OkStaysOk) {
   EXPECT_TRUE(ToGrpcStatus(absl::OkStatus()).ok());

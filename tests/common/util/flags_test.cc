@@ -10,9 +10,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 const std::vector<FlagSpec>& Specs() {
-  static const std::vector<FlagSpec> specs = {
-      {"out", "DIR", "folder", ""}, {"workers", "N", "tasks", "2"}, {"overwrite", "", "replace", ""},
-      {"output", "FORMAT", "table or json", "table", 'o'}};
+  static const std::vector<FlagSpec> specs = {{"out", "DIR", "folder", ""},
+                                              {"workers", "N", "tasks", "2"},
+                                              {"overwrite", "", "replace", ""},
+                                              {"output", "FORMAT", "table or json", "table", 'o'}};
   return specs;
 }
 
