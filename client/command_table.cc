@@ -22,7 +22,15 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> local = {
       {"workers", "N", "tasks at once (default: the machine's cores)", ""},
       {"work", "DIR", "where to put intermediate files (default: the system's temporary folder)", ""}};
+  const std::vector<FlagSpec> shape = {{"gradation", "F", "growth of the triangles inward from the rim", "1.3"},
+                                       {"size-limit", "F", "largest edge over the rim's mean edge", "16"},
+                                       {"uniform", "", "triangles as large as the rim's throughout", ""},
+                                       {"out", "FILE", "where to write the filled mesh", ""},
+                                       {"overwrite", "", "replace an existing output", ""},
+                                       OutputFlag()};
   return {
+      {"inspect", "SCENE|MESH", "show tiles, borders and holes; writes nothing", 1, {}, {OutputFlag()}, InspectCommand},
+      {"fill", "MESH --out FILE", "fill the holes of one mesh", 1, {"out"}, shape, FillCommand},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, Join(JobFlags(), local), RunCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, Join(JobFlags(), start), SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},

@@ -23,7 +23,9 @@ struct Command {
 };
 
 // Each prints data on stdout, progress and errors on stderr, and gives an exit code (common/util/exit_codes.h).
+int InspectCommand(const Args& args);
 int RunCommand(const Args& args);
+int FillCommand(const Args& args);
 int SubmitCommand(const Args& args);
 int GetCommand(const Args& args);
 int ListCommand(const Args& args);

@@ -11,14 +11,14 @@
 
 namespace tilemend {
 
-// A vertex on the boundary of a hole: an original vertex of some tile (often this cell's own; a neighbour's where the hole closes on
-// the neighbour's border), or a seam vertex that the plan made.
+// A vertex on the boundary of a hole: an original vertex of some tile (often this cell's own; a neighbour's where the
+// hole closes on the neighbour's border), or a seam vertex that the plan made.
 struct RimVertex {
-  CellId tile;                 // whose vertex it is; meaningless for a seam vertex
-  int32_t index = -1;          // in that tile; -1: a seam vertex
-  int32_t seam_vertex = -1;    // the plan's number of a seam vertex; -1: an original vertex
-  uint8_t lines = 0;           // of a seam vertex: 1 if it lies on a line x = const, 2 if on y = const, 3 on a grid corner
-  Point3 position{0, 0, 0};    // exact for originals; z of a seam vertex counts when height_known
+  CellId tile;               // whose vertex it is; meaningless for a seam vertex
+  int32_t index = -1;        // in that tile; -1: a seam vertex
+  int32_t seam_vertex = -1;  // the plan's number of a seam vertex; -1: an original vertex
+  uint8_t lines = 0;  // of a seam vertex: 1 if it lies on a line x = const, 2 if on y = const, 3 on a grid corner
+  Point3 position{0, 0, 0};  // exact for originals; z of a seam vertex counts when height_known
   bool height_known = true;
   double centroid_height = 0;  // originals: see BoundaryVertex
   double size = 0;             // wanted edge length here, metres
@@ -28,7 +28,7 @@ struct RimVertex {
 struct RimSegment {
   int32_t from = 0;  // into CellHoles::vertices
   int32_t to = 0;
-  bool seam = false; // a stretch of grid boundary; else an original edge
+  bool seam = false;  // a stretch of grid boundary; else an original edge
 };
 
 struct CellHole {

@@ -9,11 +9,13 @@
 
 namespace tilemend {
 
-// A vertex of a boundary edge. Vertices of the tile at one position are one boundary vertex (texture seams double them).
+// A vertex of a boundary edge. Vertices of the tile at one position are one boundary vertex (texture seams double
+// them).
 struct BoundaryVertex {
-  int32_t index = 0;           // in the tile: the lowest at this position
+  int32_t index = 0;  // in the tile: the lowest at this position
   Point3 position{0, 0, 0};
-  Eigen::Vector3d normal{0, 0, 1};  // unit, area-weighted mean of the triangles at the vertex; zero if they have no area
+  Eigen::Vector3d normal{0, 0,
+                         1};   // unit, area-weighted mean of the triangles at the vertex; zero if they have no area
   double centroid_height = 0;  // mean height of the centroids of the triangles at the vertex (Wang 3.3, figure 8b)
 };
 
@@ -27,16 +29,17 @@ struct BoundaryEdge {
 struct SurveyRecord {
   int64_t vertex_count = 0;
   int64_t triangle_count = 0;
-  int64_t doubled_vertices = 0;     // near the boundary: further vertices at one position
-  int64_t degenerate_triangles = 0; // two corners at one position
-  int64_t nonmanifold_edges = 0;    // with three or more triangles
-  bool float32 = true;              // the tile's number type
-  Point3 lo{0, 0, 0}, hi{0, 0, 0};  // bounds; lo > hi in x when there is no vertex
+  int64_t doubled_vertices = 0;      // near the boundary: further vertices at one position
+  int64_t degenerate_triangles = 0;  // two corners at one position
+  int64_t nonmanifold_edges = 0;     // with three or more triangles
+  bool float32 = true;               // the tile's number type
+  Point3 lo{0, 0, 0}, hi{0, 0, 0};   // bounds; lo > hi in x when there is no vertex
 
   std::vector<BoundaryVertex> vertices;
   std::vector<BoundaryEdge> edges;
 
-  // The triangles within two rings of the boundary. The first vertices.size() points are the boundary vertices, in order.
+  // The triangles within two rings of the boundary. The first vertices.size() points are the boundary vertices, in
+  // order.
   TriMesh band;
 };
 

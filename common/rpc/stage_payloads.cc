@@ -13,7 +13,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kFinestStep = 0x1p-10;  // metres
-constexpr double kMostSteps = 0x1p28;    // of a mesh's extent, so that lattice coordinates fit 32 bits with room to spare
+constexpr double kMostSteps = 0x1p28;  // of a mesh's extent, so that lattice coordinates fit 32 bits with room to spare
 
 absl::Status Malformed(const char* what) {
   return absl::InvalidArgumentError(absl::StrCat("malformed payload: ", what));
@@ -26,11 +26,13 @@ void AddPoint(const Point3& p, Repeated* out) {
 
 template <typename Repeated>
 Point3 PointAt(const Repeated& values, int i) {
-  return {static_cast<double>(values[3 * i]), static_cast<double>(values[3 * i + 1]), static_cast<double>(values[3 * i + 2])};
+  return {static_cast<double>(values[3 * i]), static_cast<double>(values[3 * i + 1]),
+          static_cast<double>(values[3 * i + 2])};
 }
 
 // A lattice that holds the mesh: step at least `finest`, origin at a multiple of it.
-v1::LatticeMeshBlob EncodeMesh(const std::vector<Point3>& points, const std::vector<Triangle>& triangles, double finest) {
+v1::LatticeMeshBlob EncodeMesh(const std::vector<Point3>& points, const std::vector<Triangle>& triangles,
+                               double finest) {
   v1::LatticeMeshBlob blob;
   Point3 lo = points.empty() ? Point3::Zero() : points[0], hi = lo;
   for (const Point3& p : points) {
@@ -112,11 +114,13 @@ absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto) {
   record.nonmanifold_edges = proto.nonmanifold_edges();
   record.float32 = proto.float32();
   if (proto.bounds_size() != 0 && proto.bounds_size() != 6) return Malformed("bounds");
-  record.lo = proto.bounds_size() == 6 ? PointAt(proto.bounds(), 0) : Point3(Point3::Constant(std::numeric_limits<double>::infinity()));
+  record.lo = proto.bounds_size() == 6 ? PointAt(proto.bounds(), 0)
+                                       : Point3(Point3::Constant(std::numeric_limits<double>::infinity()));
   record.hi = proto.bounds_size() == 6 ? PointAt(proto.bounds(), 1) : Point3(-record.lo);
   const v1::BoundaryVertices& v = proto.vertices();
   const int n = v.index_size();
-  if (v.position_size() != 3 * n || v.normal_size() != 3 * n || v.centroid_height_size() != n) return Malformed("boundary vertices");
+  if (v.position_size() != 3 * n || v.normal_size() != 3 * n || v.centroid_height_size() != n)
+    return Malformed("boundary vertices");
   if (!AllBelow(v.index(), record.vertex_count) || proto.edges_size() % 2 != 0 || !AllBelow(proto.edges(), n)) {
     return Malformed("boundary indices");
   }
@@ -204,8 +208,8 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
     CellHole hole;
     hole.id = h.id();
     hole.open = h.open();
-    if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 || !AllBelow(h.from(), n) ||
-        !AllBelow(h.to(), n)) {
+    if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 ||
+        !AllBelow(h.from(), n) || !AllBelow(h.to(), n)) {
       return Malformed("hole boundary");
     }
     for (int i = 0; i < h.from_size(); ++i) hole.segments.push_back({h.from(i), h.to(i), h.seam(i)});
@@ -219,7 +223,8 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
   return holes;
 }
 
-v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices, double lattice_step) {
+v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices,
+                       double lattice_step) {
   v1::FillOutput proto;
   std::vector<Point3> points;
   std::vector<Triangle> triangles;

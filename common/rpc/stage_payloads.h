@@ -26,7 +26,8 @@ v1::RimVertices ToProto(const std::vector<RimVertex>& vertices);
 absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto);
 
 // Patches over `vertices`; new points come back bit for bit. `lattice_step` is that of the CellHoles.
-v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices, double lattice_step);
+v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices,
+                       double lattice_step);
 absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, size_t vertex_count);
 
 }  // namespace tilemend

@@ -130,6 +130,19 @@ void AuditBorders(const PlanInput& input, const Offsets& offsets, CutLines& line
   lines.clipped = on_line + off_line > 0 ? on_line >= off_line : straight_on_line > 0;
 }
 
+// Lines that nothing lies on.
+CutLines WithoutGrid(const PlanInput& input) {
+  CutLines lines;
+  lines.tolerance = -1;
+  for (const auto& [cell, record] : input.cells) {
+    for (const Side side : kSides) {
+      lines.coordinate[{cell, side}] = Nominal(input.grid, cell, side);
+      lines.left_open.insert(std::minmax(cell, Across(cell, side)));
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 CellId Across(CellId cell, Side side) {
@@ -146,6 +159,7 @@ CellId Across(CellId cell, Side side) {
 }
 
 CutLines FindCutLines(const PlanInput& input, double lattice_step) {
+  if (!input.has_grid) return WithoutGrid(input);
   CutLines lines;
   const Offsets offsets = FindOffsets(input);
   AuditBorders(input, offsets, lines);

@@ -176,7 +176,8 @@ class PartPlanner {
       }
       plan_.holes.push_back(std::move(hole));
     }
-    plan_.left.insert(plan_.left.end(), found.left.begin(), found.left.end());
+    // A single mesh ends somewhere: its outlines are nothing to report.
+    if (input_.has_grid) plan_.left.insert(plan_.left.end(), found.left.begin(), found.left.end());
     plan_.outer_rims += found.outer_rims;
   }
 

@@ -35,6 +35,7 @@ struct PlanOptions {
 struct PlanInput {
   Grid grid;
   bool area_known = true;                       // else the rim of the area stays open
+  bool has_grid = true;                         // false: one mesh, each loop a closed hole or an outer rim
   std::map<CellId, const SurveyRecord*> cells;  // the area; null: no surface
 };
 

@@ -42,7 +42,8 @@ bool SameFolder(const std::string& a, const std::string& b) {
 absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const std::string& scene_root, bool overwrite,
                                                  const std::string& key) {
   if (SameFolder(path, scene_root)) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": the output would be written over the scene; choose another --out"));
+    return absl::InvalidArgumentError(
+        absl::StrCat(path, ": the output would be written over the scene; choose another --out"));
   }
   if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
   std::error_code error;

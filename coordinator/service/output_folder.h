@@ -9,12 +9,13 @@
 
 namespace tilemend {
 
-// Claims a folder for one job. A folder that holds anything but an unfinished output of the same job is refused unless it may be
-// overwritten; the scene's own folder is refused always. An unfinished output is marked by a file `.tilemend-job` with the job's key,
-// so that the same job, run again, goes on there.
+// Claims a folder for one job. A folder that holds anything but an unfinished output of the same job is refused unless
+// it may be overwritten; the scene's own folder is refused always. An unfinished output is marked by a file
+// `.tilemend-job` with the job's key, so that the same job, run again, goes on there.
 class OutputFolder {
  public:
-  // `key` says what makes two jobs the same (scene and options). kAlreadyExists, kInvalidArgument, kPermissionDenied, ...
+  // `key` says what makes two jobs the same (scene and options). kAlreadyExists, kInvalidArgument, kPermissionDenied,
+  // ...
   static absl::StatusOr<OutputFolder> Claim(const std::string& path, const std::string& scene_root, bool overwrite,
                                             const std::string& key);
   OutputFolder(OutputFolder&& other) noexcept;

@@ -9,7 +9,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
-#include "common/codec/mesh_file.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
@@ -18,13 +17,11 @@
 #include "coordinator/plan/seam_heights.h"
 #include "coordinator/service/output_folder.h"
 #include "coordinator/service/scene_report.h"
+#include "coordinator/service/tile_checks.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 namespace {
-
-// A tile may reach this share of a cell beyond its own cell: whole triangles on a ragged cut, overlap of neighbours.
-constexpr double kReachBeyondCell = 0.25;
 
 class Stopwatch {
  public:
@@ -38,30 +35,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-absl::StatusOr<Box> ReadBounds(const std::string& path) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
-  Box box{file.mesh.points[0], file.mesh.points[0]};
-  for (const Point3& p : file.mesh.points) {
-    box.lo = box.lo.cwiseMin(p);
-    box.hi = box.hi.cwiseMax(p);
-  }
-  return box;
-}
-
-absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const SceneTile& tile, const std::string& path) {
-  const Point2 lo = grid.corner + Point2(tile.cell.col * grid.cell_size.x(), tile.cell.row * grid.cell_size.y());
-  const Point2 reach = kReachBeyondCell * grid.cell_size;
-  const Point2 hi = lo + grid.cell_size;
-  const bool inside = (record.lo.head<2>().array() >= (lo - reach).array()).all() &&
-                      (record.hi.head<2>().array() <= (hi + reach).array()).all();
-  if (inside) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      absl::StrFormat("%s: outside its cell %s: the tile spans x %.3f to %.3f, y %.3f to %.3f, the cell x %.3f to %.3f, "
-                      "y %.3f to %.3f; check grid_corner and cell_size in scene.json",
-                      path, ToString(tile.cell), record.lo.x(), record.hi.x(), record.lo.y(), record.hi.y(), lo.x(), hi.x(),
-                      lo.y(), hi.y()));
-}
 
 // survey (all cells) -> plan -> sample layer by layer -> fill (all cells with holes) -> assemble (all cells).
 class ScenePipeline : public JobPipeline {
@@ -80,7 +53,8 @@ class ScenePipeline : public JobPipeline {
       *input.mutable_tile() = Ref(tile);
       tasks.push_back({tile.cell, Stage::kSurvey, input.SerializeAsString()});
     }
-    if (tasks.empty()) return absl::InvalidArgumentError(absl::StrCat(spec_.scene, ": no cell of the scene has a tile"));
+    if (tasks.empty())
+      return absl::InvalidArgumentError(absl::StrCat(spec_.scene, ": no cell of the scene has a tile"));
     waiting_ = tasks.size();
     return tasks;
   }
@@ -118,8 +92,8 @@ class ScenePipeline : public JobPipeline {
     const auto left = LeftOf(report_);
     outcome.partial = !left.empty() && !spec_.dry_run;
     outcome.message = spec_.dry_run ? absl::StrCat(plan_.holes.size(), " holes found, nothing written")
-                                    : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled, ", left.size(),
-                                                   " rows left");
+                                    : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled, ",
+                                                   left.size(), " rows left");
     if (output_) {
       outcome.report = absl::StrCat(output_->path(), "/report.json");
       TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
@@ -157,7 +131,8 @@ class ScenePipeline : public JobPipeline {
       case Stage::kSample: {
         v1::SampleOutput output;
         if (!output.ParseFromString(bytes) || output.height_size() != output.seam_vertex_size()) return malformed;
-        for (int i = 0; i < output.height_size(); ++i) samples_.push_back({result.cell, output.seam_vertex(i), output.height(i)});
+        for (int i = 0; i < output.height_size(); ++i)
+          samples_.push_back({result.cell, output.seam_vertex(i), output.height(i)});
         return absl::OkStatus();
       }
       case Stage::kFill: {
@@ -274,7 +249,8 @@ class ScenePipeline : public JobPipeline {
           tile.path.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.path;
       input.set_output(absl::StrCat(spec_.out, "/", relative));
       input.set_float32(float32);
-      if (const auto it = records_.find(tile.cell); it != records_.end()) input.set_tile_vertices(it->second.vertex_count);
+      if (const auto it = records_.find(tile.cell); it != records_.end())
+        input.set_tile_vertices(it->second.vertex_count);
       if (const auto it = patches_.find(tile.cell); it != patches_.end()) {
         *input.mutable_vertices() = std::move(rims_.at(tile.cell));
         *input.mutable_patches() = std::move(it->second);
@@ -321,10 +297,11 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
     return absl::InvalidArgumentError(
         absl::StrCat("--surface ", spec.surface, ": this release has the surface wang only"));
   }
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadBounds));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {
-    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out, scene.root, spec.overwrite, JobKey(spec)));
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
+                              OutputFolder::Claim(spec.out, scene.root, spec.overwrite, JobKey(spec)));
     output.emplace(std::move(claimed));
   }
   return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(output));

@@ -13,21 +13,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 4> kTypes = {"A", "B", "C", "D"};
 
-const char* TypeName(HoleType type) {
-  return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1];
-}
-
-const char* KindName(HoleKind kind) {
-  switch (kind) {
-    case HoleKind::kClosed:
-      return "closed";
-    case HoleKind::kOpenI:
-      return "I";
-    default:
-      return "II";
-  }
-}
-
 const char* SingleName(SingleType type) {
   switch (type) {
     case SingleType::kCrack:
@@ -45,22 +30,11 @@ const char* SingleName(SingleType type) {
   }
 }
 
-const char* BorderName(BorderKind kind) {
-  switch (kind) {
-    case BorderKind::kExact:
-      return "exact";
-    case BorderKind::kNear:
-      return "near";
-    case BorderKind::kOverlap:
-      return "overlap";
-    case BorderKind::kGap:
-      return "gap";
-    default:
-      return "open";
-  }
+// To `digits` decimals.
+double Rounded(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return std::round(value * scale) / scale;
 }
-
-double Rounded(double value, double step) { return std::round(value / step) * step; }
 
 Json EmptyCounts() {
   Json types;
@@ -94,9 +68,9 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
     row["cluster"] = hole.cluster;
     row["layer"] = hole.layer;
   }
-  row["centre"] = {Rounded(hole.centre.x(), 1e-3), Rounded(hole.centre.y(), 1e-3)};
-  row["area_m2"] = Rounded(hole.area, 1e-3);
-  row["perimeter_m"] = Rounded(hole.perimeter, 1e-3);
+  row["centre"] = {Rounded(hole.centre.x(), 3), Rounded(hole.centre.y(), 3)};
+  row["area_m2"] = Rounded(hole.area, 3);
+  row["perimeter_m"] = Rounded(hole.perimeter, 3);
   row["boundary_vertices"] = hole.boundary_vertices;
   row["method"] = input.surface;
   row["outcome"] = failure.empty() ? "filled" : "left";
@@ -116,7 +90,7 @@ Json Borders(const Plan& plan) {
     if (border.kind == BorderKind::kExact || border.kind == BorderKind::kOpen) continue;
     rows.push_back({{"cells", {CellJson(border.a), CellJson(border.b)}},
                     {"kind", BorderName(border.kind)},
-                    {"offset_m", Rounded(border.offset, 1e-6)}});
+                    {"offset_m", Rounded(border.offset, 6)}});
   }
   Json result;
   for (const char* kind : {"exact", "near", "overlap", "gap", "open"}) result[kind] = counts[kind];
@@ -131,6 +105,34 @@ int64_t PeakRssBytes() {
 }
 
 }  // namespace
+
+const char* TypeName(HoleType type) { return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1]; }
+
+const char* KindName(HoleKind kind) {
+  switch (kind) {
+    case HoleKind::kClosed:
+      return "closed";
+    case HoleKind::kOpenI:
+      return "I";
+    default:
+      return "II";
+  }
+}
+
+const char* BorderName(BorderKind kind) {
+  switch (kind) {
+    case BorderKind::kExact:
+      return "exact";
+    case BorderKind::kNear:
+      return "near";
+    case BorderKind::kOverlap:
+      return "overlap";
+    case BorderKind::kGap:
+      return "gap";
+    default:
+      return "open";
+  }
+}
 
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   std::vector<LeftOpen> left = input.plan->left;
@@ -159,7 +161,7 @@ std::string SceneReport(const SceneReportInput& input) {
     left.push_back(row);
   }
   Json seconds;
-  for (const auto& [stage, value] : input.seconds) seconds[stage] = Rounded(value, 1e-6);
+  for (const auto& [stage, value] : input.seconds) seconds[stage] = Rounded(value, 6);
   const Json report = {{"cells", input.cells},
                        {"clusters", plan.clusters},
                        {"layers", plan.layers},

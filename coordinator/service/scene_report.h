@@ -14,7 +14,7 @@ namespace tilemend {
 struct SceneReportInput {
   const Plan* plan = nullptr;
   int64_t cells = 0;
-  std::map<int32_t, std::string> failures;       // of holes that the workers could not fill
+  std::map<int32_t, std::string> failures;               // of holes that the workers could not fill
   std::map<int32_t, std::pair<int64_t, int64_t>> sizes;  // hole -> new vertices, triangles
   std::vector<std::pair<std::string, double>> seconds;   // by stage, in order
   std::string surface;
@@ -23,6 +23,12 @@ struct SceneReportInput {
 
 // What the report says is left open: of the plan, then of the workers.
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
+
+// Names as the report and the command line print them.
+const char* BorderName(BorderKind kind);
+const char* KindName(HoleKind kind);
+// "A" to "D", or null.
+const char* TypeName(HoleType type);
 
 // The JSON text (docs/user-guide.md, "The report"). Counts and rows are in the order of the plan.
 std::string SceneReport(const SceneReportInput& input);

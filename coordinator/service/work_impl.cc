@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/store/digest.h"
 #include "common/rpc/limits.h"
 #include "common/rpc/status_proto.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "coordinator/service/coordinator_impl.h"

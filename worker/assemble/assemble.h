@@ -10,10 +10,10 @@
 
 namespace tilemend {
 
-// The patches of one cell as an addition to its tile. `vertices` are those of the CellHoles that the patches were made from, and
-// `tile_vertices` is the number of vertices in the tile (0 without a tile). Vertices of neighbours and seam vertices become new
-// vertices, each once; a new vertex takes its further properties from the nearest vertex of the tile along the patch.
-// Patches with a failure are left out. Linear.
+// The patches of one cell as an addition to its tile. `vertices` are those of the CellHoles that the patches were made
+// from, and `tile_vertices` is the number of vertices in the tile (0 without a tile). Vertices of neighbours and seam
+// vertices become new vertices, each once; a new vertex takes its further properties from the nearest vertex of the
+// tile along the patch. Patches with a failure are left out. Linear.
 FilePatch MergePatches(std::span<const RimVertex> vertices, std::span<const HolePatch> patches, CellId cell,
                        int32_t tile_vertices);
 

@@ -58,8 +58,8 @@ std::array<double, 3> HalfCotangents(const Point3& a, const Point3& b, const Poi
 
 // The rows of the umbrella operator (eq. 2 times the sum of the weights) at the vertices that have an equation.
 struct Umbrella {
-  std::vector<int32_t> row;      // of each vertex, or -1
-  std::vector<double> diagonal;  // sum of the weights of each row
+  std::vector<int32_t> row;                  // of each vertex, or -1
+  std::vector<double> diagonal;              // sum of the weights of each row
   std::vector<Eigen::Triplet<double>> free;  // rows x new vertices
   Eigen::VectorXd fixed;                     // per row: what the fixed heights add
 };
@@ -107,9 +107,8 @@ class UmbrellaBuilder {
   }
 
   void MergeWeights() {
-    std::stable_sort(weights_.begin(), weights_.end(), [](const Weight& x, const Weight& y) {
-      return x.a != y.a ? x.a < y.a : x.b < y.b;
-    });
+    std::stable_sort(weights_.begin(), weights_.end(),
+                     [](const Weight& x, const Weight& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
     size_t n = 0;
     for (size_t i = 0; i < weights_.size(); ++i) {
       if (n > 0 && weights_[n - 1].a == weights_[i].a && weights_[n - 1].b == weights_[i].b) {

@@ -22,14 +22,14 @@ struct FairingProblem {
   std::vector<bool> full_ring;
 };
 
-// Gives every new vertex the inverse-distance-weighted mean height of the first and second neighbours that have one, ring by ring from
-// the rim inward (Wang 2021, eq. 1). Fills points[rim_count .. rim_count + new_count).z.
+// Gives every new vertex the inverse-distance-weighted mean height of the first and second neighbours that have one,
+// ring by ring from the rim inward (Wang 2021, eq. 1). Fills points[rim_count .. rim_count + new_count).z.
 void AdjustHeights(FairingProblem& problem);
 
-// Solves U^2(v) = 0 for all new vertices, with the second-order weighted umbrella operator (Wang 2021, eq. 2 and 4) and cotangent
-// weights (eq. 3) in the plane: L D^-1 L h = 0, where a rim vertex with a full ring has an equation of its own, so that the patch goes
-// on with the slope of the band. Sparse Cholesky (Eigen); O(n^1.5). Returns false, with the heights as they were, if the
-// factorisation fails.
+// Solves U^2(v) = 0 for all new vertices, with the second-order weighted umbrella operator (Wang 2021, eq. 2 and 4) and
+// cotangent weights (eq. 3) in the plane: L D^-1 L h = 0, where a rim vertex with a full ring has an equation of its
+// own, so that the patch goes on with the slope of the band. Sparse Cholesky (Eigen); O(n^1.5). Returns false, with the
+// heights as they were, if the factorisation fails.
 bool FairHeights(FairingProblem& problem);
 
 }  // namespace tilemend

@@ -151,9 +151,11 @@ class HoleFiller {
     }
     RefinedRegion region = RefineRegion(points, segments_, size, options_.refine);
     if (!region.triangulation.conflicts.empty()) {
-      return Failed(hole_.open ? "its boundary crosses itself seen from above" : "its boundary crosses itself on its own plane");
+      return Failed(hole_.open ? "its boundary crosses itself seen from above"
+                               : "its boundary crosses itself on its own plane");
     }
-    if (RepeatsAnEdge(region.triangulation.triangles)) return Failed("its boundary is joined by edges of the surface already");
+    if (RepeatsAnEdge(region.triangulation.triangles))
+      return Failed("its boundary is joined by edges of the surface already");
     if (frame.upright()) SnapToLattice(window, points, region);
     return Shape(frame, window, flat, region);
   }
@@ -174,7 +176,8 @@ class HoleFiller {
   }
 
   // Moves the new points to the scene's lattice, those that can go there without turning a triangle over.
-  void SnapToLattice(const LatticeWindow& window, const std::vector<LatticePoint>& points, RefinedRegion& region) const {
+  void SnapToLattice(const LatticeWindow& window, const std::vector<LatticePoint>& points,
+                     RefinedRegion& region) const {
     const auto rim = static_cast<int32_t>(points.size());
     std::vector<std::vector<int32_t>> around(region.new_points.size());
     const auto& triangles = region.triangulation.triangles;
@@ -293,12 +296,12 @@ class HoleFiller {
       positions.push_back(Rim(loop[i]).position);
       outside.push_back(NormalAtEdge(rim_[loop[i]], rim_[loop[(i + 1) % loop.size()]]));
     }
-    const auto triangles = TriangulateLoop(positions, outside, [&](int32_t a, int32_t b) {
-      return !band_.HasEdge(rim_[loop[a]], rim_[loop[b]]);
-    });
+    const auto triangles = TriangulateLoop(
+        positions, outside, [&](int32_t a, int32_t b) { return !band_.HasEdge(rim_[loop[a]], rim_[loop[b]]); });
     if (triangles.empty()) return Failed("no triangulation of its boundary avoids edges that the surface has already");
     HolePatch patch;
-    for (const Triangle& t : triangles) patch.triangles.push_back({rim_[loop[t[0]]], rim_[loop[t[1]]], rim_[loop[t[2]]]});
+    for (const Triangle& t : triangles)
+      patch.triangles.push_back({rim_[loop[t[0]]], rim_[loop[t[1]]], rim_[loop[t[2]]]});
     return patch;
   }
 

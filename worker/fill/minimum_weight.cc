@@ -13,9 +13,7 @@ namespace {
 struct Weight {
   double angle = 0;
   double area = 0;
-  bool operator<(const Weight& other) const {
-    return angle != other.angle ? angle < other.angle : area < other.area;
-  }
+  bool operator<(const Weight& other) const { return angle != other.angle ? angle < other.angle : area < other.area; }
 };
 
 constexpr double kNever = std::numeric_limits<double>::infinity();

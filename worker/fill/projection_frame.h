@@ -9,7 +9,8 @@
 
 namespace tilemend {
 
-// An orthonormal frame: x and y in the plane, z the height over it. The upright frame leaves coordinates untouched, bit for bit.
+// An orthonormal frame: x and y in the plane, z the height over it. The upright frame leaves coordinates untouched, bit
+// for bit.
 class ProjectionFrame {
  public:
   static ProjectionFrame Upright() { return ProjectionFrame(); }

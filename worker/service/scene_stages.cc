@@ -64,7 +64,8 @@ absl::StatusOr<std::string> AssembledBytes(const v1::AssembleInput& input) {
   }
   const CellId cell{input.tile().col(), input.tile().row()};
   const bool has_tile = !input.tile().path().empty();
-  const FilePatch patch = MergePatches(vertices, patches, cell, has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0);
+  const FilePatch patch =
+      MergePatches(vertices, patches, cell, has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0);
   if (!has_tile) return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
   const std::string path = PathOf(input.tile());
   TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadFile(path));

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/store/digest.h"
 #include "common/rpc/grpc_status.h"
 #include "common/rpc/limits.h"
+#include "common/store/digest.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/work.grpc.pb.h"
 

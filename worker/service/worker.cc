@@ -13,9 +13,9 @@
 #include "absl/random/random.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
-#include "common/store/digest.h"
 #include "common/rpc/limits.h"
 #include "common/rpc/status_proto.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 

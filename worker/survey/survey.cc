@@ -1,7 +1,6 @@
 #include "worker/survey/survey.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,9 +20,9 @@ uint64_t Mix(uint64_t x) {  // splitmix64's finaliser: a bijection
   return x ^ (x >> 31);
 }
 
-// Marks the vertices at which outgoing and incoming edges do not cancel. Every end of an edge that is not in exactly one
-// triangle each way is marked: a vertex with one unmatched edge cannot cancel, as Mix is a bijection, and one with several
-// cancels with probability 2^-64.
+// Marks the vertices at which outgoing and incoming edges do not cancel. Every end of an edge that is not in exactly
+// one triangle each way is marked: a vertex with one unmatched edge cannot cancel, as Mix is a bijection, and one with
+// several cancels with probability 2^-64.
 std::vector<uint8_t> MarkUnbalancedVertices(const TriMesh& mesh) {
   std::vector<uint64_t> balance(mesh.points.size(), 0);
   for (const Triangle& t : mesh.triangles) {
@@ -38,8 +37,8 @@ std::vector<uint8_t> MarkUnbalancedVertices(const TriMesh& mesh) {
   return marked;
 }
 
-// The marked vertices welded by position. weld[v] is a number from 0 for each position that a marked vertex has, for every
-// vertex there (marked or not), else kNone.
+// The marked vertices welded by position. weld[v] is a number from 0 for each position that a marked vertex has, for
+// every vertex there (marked or not), else kNone.
 struct Weld {
   std::vector<int32_t> weld;
   std::vector<int32_t> first;  // lowest vertex of each position
@@ -93,8 +92,8 @@ std::vector<HalfEdge> UnmatchedEdges(const TriMesh& mesh, const std::vector<int3
     for (int k = 0; k < 3; ++k) {
       const HalfEdge e{w[k], w[(k + 1) % 3]};
       if (e.from == kNone || e.to == kNone) continue;
-      entries.push_back({static_cast<uint64_t>(e.lo()) << 32 | static_cast<uint32_t>(e.hi()),
-                         static_cast<int32_t>(edges.size())});
+      entries.push_back(
+          {static_cast<uint64_t>(e.lo()) << 32 | static_cast<uint32_t>(e.hi()), static_cast<int32_t>(edges.size())});
       edges.push_back(e);
     }
   }
@@ -115,8 +114,8 @@ std::vector<HalfEdge> UnmatchedEdges(const TriMesh& mesh, const std::vector<int3
   return result;
 }
 
-// Numbers the ends of the edges in order of appearance and stores them as the record's boundary. Returns, for each vertex of
-// the mesh, its boundary vertex or kNone.
+// Numbers the ends of the edges in order of appearance and stores them as the record's boundary. Returns, for each
+// vertex of the mesh, its boundary vertex or kNone.
 std::vector<int32_t> StoreBoundary(const TriMesh& mesh, const Weld& weld, const std::vector<HalfEdge>& edges,
                                    SurveyRecord& record) {
   std::vector<int32_t> number(weld.first.size(), kNone);

@@ -1,0 +1,160 @@
+// `tilemend inspect`: what a scene or a mesh holds, without writing anything.
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "client/commands.h"
+#include "client/inspection.h"
+#include "client/job_flags.h"
+#include "client/output.h"
+#include "coordinator/service/scene_report.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The part of the report that the plan alone tells.
+Json PlanJson(const Plan& plan, int64_t cells) {
+  SceneReportInput input;
+  input.plan = &plan;
+  input.cells = cells;
+  input.surface = "wang";
+  Json json = Json::parse(SceneReport(input));
+  for (const char* field : {"filled", "seconds", "peak_rss_bytes", "warnings", "surface"}) json.erase(field);
+  for (Json& row : json["per_hole"]) {
+    row.erase("method");
+    row.erase("outcome");
+  }
+  return json;
+}
+
+Json RecordJson(const SurveyRecord& record) {
+  Json json = {{"vertices", record.vertex_count},
+               {"triangles", record.triangle_count},
+               {"boundary_edges", record.edges.size()},
+               {"doubled_vertices", record.doubled_vertices},
+               {"degenerate_triangles", record.degenerate_triangles},
+               {"nonmanifold_edges", record.nonmanifold_edges},
+               {"number_type", record.float32 ? "float32" : "float64"}};
+  json["low"] = {record.lo.x(), record.lo.y(), record.lo.z()};
+  json["high"] = {record.hi.x(), record.hi.y(), record.hi.z()};
+  return json;
+}
+
+std::string HolesLine(const Json& plan) {
+  const Json& h = plan["holes"];
+  const auto types = [](const Json& t) {
+    return absl::StrFormat("A %d, B %d, C %d, D %d", t["A"].get<int>(), t["B"].get<int>(), t["C"].get<int>(),
+                           t["D"].get<int>());
+  };
+  return absl::StrFormat("holes: %d closed; open I: %s; open II: %s\nclusters: %d, layers: %d, continuous: %d\n",
+                         h["closed"].get<int>(), types(h["I"]), types(h["II"]), plan["clusters"].get<int>(),
+                         plan["layers"].get<int>(), plan["continuous"].get<int>());
+}
+
+std::string LeftText(const Json& plan) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& l : plan["left"]) {
+    rows.push_back({l["cell"].dump(), absl::StrCat(l["open_edges"].get<int64_t>()), l["reason"].get<std::string>()});
+  }
+  return rows.empty() ? "" : absl::StrCat("\nwould be left open\n", Table({"cell", "edges", "reason"}, rows));
+}
+
+std::string SceneText(const Inspection& inspection, const Json& plan) {
+  const Scene& scene = inspection.scene;
+  int64_t triangles = 0;
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [cell, r] : inspection.records) {
+    triangles += r.triangle_count;
+    rows.push_back({ToString(cell), absl::StrCat(r.vertex_count), absl::StrCat(r.triangle_count),
+                    absl::StrCat(r.edges.size()), absl::StrCat(r.nonmanifold_edges),
+                    absl::StrFormat("%.1f to %.1f", r.lo.z(), r.hi.z())});
+  }
+  std::string text = absl::StrFormat(
+      "scene %s\ngrid: %d x %d cells of %g x %g m from (%g, %g), %d in the area, %d with a tile\nCRS: %s, origin "
+      "(%.3f, %.3f, %.3f)\n"
+      "triangles: %d\n%s",
+      scene.root, scene.cols, scene.rows, scene.grid.cell_size.x(), scene.grid.cell_size.y(), scene.grid.corner.x(),
+      scene.grid.corner.y(), scene.tiles.size(), inspection.records.size(), scene.crs.empty() ? "not given" : scene.crs,
+      scene.origin.x(), scene.origin.y(), scene.origin.z(), triangles, HolesLine(plan));
+  if (!scene.area_known) absl::StrAppend(&text, "area: not given, so its rim stays open\n");
+  const Json& b = plan["borders"];
+  absl::StrAppend(
+      &text, absl::StrFormat("borders: %d exact, %d near, %d overlap, %d gap, %d open\n", b["exact"].get<int>(),
+                             b["near"].get<int>(), b["overlap"].get<int>(), b["gap"].get<int>(), b["open"].get<int>()));
+  for (const Json& row : b["inexact"]) {
+    absl::StrAppend(&text, "  ", row["cells"].dump(), ": ", row["kind"].get<std::string>(), ", ",
+                    row["offset_m"].dump(), " m\n");
+  }
+  absl::StrAppend(&text, "\n",
+                  Table({"tile", "vertices", "triangles", "boundary edges", "non-manifold", "heights, m"}, rows),
+                  LeftText(plan));
+  return text;
+}
+
+void Warn(const std::vector<std::string>& warnings) {
+  for (const std::string& w : warnings) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
+}
+
+int InspectSceneAt(const std::string& path, OutputFormat format) {
+  const auto inspection = InspectScene(path);
+  if (!inspection.ok()) return PrintError(inspection.status());
+  Warn(inspection->scene.warnings);
+  ExitCode code = kExitDone;
+  for (const absl::Status& error : inspection->errors) code = PrintError(error);
+  if (!inspection->errors.empty()) return code;
+  Json plan = PlanJson(inspection->plan, static_cast<int64_t>(inspection->scene.tiles.size()));
+  if (format == OutputFormat::kTable) {
+    std::fputs(SceneText(*inspection, plan).c_str(), stdout);
+    return kExitDone;
+  }
+  Json tiles = Json::array();
+  for (const SceneTile& tile : inspection->scene.tiles) {
+    Json row = {{"cell", {tile.cell.col, tile.cell.row}}, {"path", tile.path.empty() ? Json() : Json(tile.path)}};
+    const auto it = inspection->records.find(tile.cell);
+    if (it != inspection->records.end()) row.update(RecordJson(it->second));
+    tiles.push_back(row);
+  }
+  plan["tiles"] = tiles;
+  std::fputs((plan.dump(1, ' ', false, Json::error_handler_t::replace) + "\n").c_str(), stdout);
+  return kExitDone;
+}
+
+int InspectMeshAt(const std::string& path, OutputFormat format) {
+  const auto file = ReadMeshFile(path);
+  if (!file.ok()) return PrintError(file.status());
+  MeshInspection mesh;
+  InspectMesh(*file, PlanOptions(), mesh);
+  const Json plan = PlanJson(mesh.plan, 1);
+  if (format == OutputFormat::kJson) {
+    Json json = RecordJson(mesh.record);
+    json["polygons"] = file->polygon_count;
+    json.update(plan);
+    std::fputs((json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n").c_str(), stdout);
+    return kExitDone;
+  }
+  const SurveyRecord& r = mesh.record;
+  std::fputs(
+      absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, polygons: %d\nboundary edges: %d, non-manifold edges: %d, "
+                      "triangles without area: %d\nholes: %d closed, outer rims: %d, continuous: %d\n%s",
+                      path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(), r.nonmanifold_edges,
+                      r.degenerate_triangles, mesh.plan.holes.size(), mesh.plan.outer_rims, mesh.plan.continuous,
+                      LeftText(plan))
+          .c_str(),
+      stdout);
+  return kExitDone;
+}
+
+}  // namespace
+
+int InspectCommand(const Args& args) {
+  const auto format = FormatFromFlags(args);
+  if (!format.ok()) return PrintUsageError(format.status());
+  const std::string& path = args.arguments().front();
+  return IsSingleMesh(path) ? InspectMeshAt(path, *format) : InspectSceneAt(path, *format);
+}
+
+}  // namespace tilemend
