@@ -186,7 +186,7 @@ class HoleFinder {
     }
     ++result_.outer_rims;
     result_.left.push_back({boundary_.cell, "the outline of a detached piece of surface, not a hole in it", -1,
-                            static_cast<int64_t>(outline.segments.size())});
+                            static_cast<int64_t>(outline.segments.size()), false});
   }
 
   void AddClosed(const ClosedLoop& loop, const PlanarRegions& regions,

@@ -89,8 +89,9 @@ struct Seam {
 struct LeftOpen {
   CellId cell;
   std::string reason;
-  int32_t hole = -1;  // -1: found before there was a hole
-  int64_t edges = 0;  // boundary edges that stay open
+  int32_t hole = -1;    // -1: found before there was a hole
+  int64_t edges = 0;    // boundary edges that stay open
+  bool is_hole = true;  // false: the outline of a detached piece, open by right
 };
 
 struct Plan {

@@ -90,7 +90,8 @@ class ScenePipeline : public JobPipeline {
     report_.warnings = scene_.warnings;
     JobOutcome outcome;
     const auto left = LeftOf(report_);
-    outcome.partial = !left.empty() && !spec_.dry_run;
+    const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
+    outcome.partial = holes_left && !spec_.dry_run;
     outcome.message = spec_.dry_run ? absl::StrCat(plan_.holes.size(), " holes found, nothing written")
                                     : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled, ",
                                                    left.size(), " rows left");
