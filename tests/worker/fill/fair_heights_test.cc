@@ -14,10 +14,12 @@
 namespace tilemend {
 namespace {
 
-// A patch in the middle of a square of 20 x 20: vertices nearer to the middle than `radius` are new, the band is all
+// A patch in the middle of a mesh of nearly equilateral triangles (so that all weights of eq. 3 are positive): vertices
+// nearer to the middle than `radius` are new, the band is all
 // else that touches the rim. Heights of fixed vertices by `height`, of new ones 0. `jitter` moves vertices sideways.
 FairingProblem DiscProblem(double radius, double jitter, const HeightFunction& height) {
-  TriMesh mesh = SquaresMesh(-10, 10, -10, 10, [](int32_t, int32_t) { return true; });
+  const TriMesh mesh = Moved(SquaresMesh(-12, 12, -12, 12, [](int32_t, int32_t) { return true; }),
+                             [](const Point3& p) { return Point3(p.x() - p.y() / 2, p.y() * std::sqrt(0.75), 0); });
   std::mt19937 random(5);
   std::uniform_real_distribution<double> shift(-jitter, jitter);
   const auto is_new = [&](int32_t v) { return mesh.points[v].head<2>().norm() < radius; };
@@ -69,14 +71,14 @@ double Plane(double x, double y) { return 3 + 0.5 * x - 0.25 * y; }
 double Bowl(double x, double y) { return x * x + y * y; }
 
 TEST(FairHeightsTest, ReproducesAPlane) {
-  FairingProblem problem = DiscProblem(6, 0.3, Plane);
+  FairingProblem problem = DiscProblem(6, 0.1, Plane);
   ASSERT_GT(problem.new_count, 100);
   ASSERT_TRUE(FairHeights(problem));
   EXPECT_LT(WorstError(problem, Plane), 1e-9);
 }
 
 TEST(FairHeightsTest, ReproducesAPlaneWithoutABand) {
-  FairingProblem problem = DiscProblem(6, 0.3, Plane);
+  FairingProblem problem = DiscProblem(6, 0.1, Plane);
   problem.band.clear();
   problem.full_ring.assign(problem.full_ring.size(), false);
   ASSERT_TRUE(FairHeights(problem));
@@ -86,13 +88,13 @@ TEST(FairHeightsTest, ReproducesAPlaneWithoutABand) {
 TEST(FairHeightsTest, GoesOnWithTheCurvatureOfTheBand) {
   FairingProblem problem = DiscProblem(6, 0, Bowl);
   ASSERT_TRUE(FairHeights(problem));
-  EXPECT_LT(WorstError(problem, Bowl), 0.01 * 36);
+  EXPECT_LT(WorstError(problem, Bowl), 0.001 * 36);
 }
 
 TEST(FairHeightsTest, GoesOnWithTheCurvatureOfAnIrregularBand) {
-  FairingProblem problem = DiscProblem(6, 0.25, Bowl);
+  FairingProblem problem = DiscProblem(6, 0.1, Bowl);
   ASSERT_TRUE(FairHeights(problem));
-  EXPECT_LT(WorstError(problem, Bowl), 0.1 * 36);
+  EXPECT_LT(WorstError(problem, Bowl), 0.02 * 36);
 }
 
 // Without a band the slope at the rim is not known and the patch is nearly the flat membrane: the band is what counts.
@@ -105,7 +107,7 @@ TEST(FairHeightsTest, DoesNotCurveWithoutABand) {
 }
 
 TEST(FairHeightsTest, DoesNotDependOnTheHeightsBefore) {
-  FairingProblem a = DiscProblem(4, 0.2, Bowl), b = a;
+  FairingProblem a = DiscProblem(4, 0.1, Bowl), b = a;
   for (int32_t k = 0; k < b.new_count; ++k) b.points[b.rim_count + k].z() = 100 * k;
   ASSERT_TRUE(FairHeights(a));
   ASSERT_TRUE(FairHeights(b));
@@ -113,7 +115,7 @@ TEST(FairHeightsTest, DoesNotDependOnTheHeightsBefore) {
 }
 
 TEST(FairHeightsTest, KeepsFixedVerticesAndPlaces) {
-  const FairingProblem before = DiscProblem(4, 0.2, Bowl);
+  const FairingProblem before = DiscProblem(4, 0.1, Bowl);
   FairingProblem after = before;
   ASSERT_TRUE(FairHeights(after));
   for (int32_t v = 0; v < static_cast<int32_t>(before.points.size()); ++v) {
@@ -163,7 +165,7 @@ TEST(AdjustHeightsTest, TakesFirstAndSecondNeighboursOnceEach) {
 }
 
 TEST(AdjustHeightsTest, GivesEveryNewVertexAHeightBetweenThoseOfTheRim) {
-  FairingProblem problem = DiscProblem(6, 0.2, Plane);
+  FairingProblem problem = DiscProblem(6, 0.1, Plane);
   for (int32_t k = 0; k < problem.new_count; ++k) problem.points[problem.rim_count + k].z() = -1000;
   AdjustHeights(problem);
   double lo = 1e9, hi = -1e9;
