@@ -10,6 +10,7 @@
 namespace tilemend {
 namespace {
 
+constexpr double kMostOffset = 0.05;     // of a cell: a tile that ends farther from its side ends at a shore, not a cut
 constexpr double kOnLine = 1e-3;         // metres: a vertex this near a grid line was cut there
 constexpr double kStraight = 2e-3;       // metres: an outline whose vertices are this near one coordinate is straight
 constexpr double kStraightShare = 0.05;  // of a side's length must run along the outline for it to count
@@ -25,6 +26,8 @@ double Nominal(const Grid& grid, CellId cell, Side side) {
 std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid, CellId cell, Side side) {
   const int axis = AxisOf(side);
   const double extreme = side % 2 == 0 ? record.lo[axis] : record.hi[axis];
+  const double offset = (extreme - Nominal(grid, cell, side)) * OutwardOf(side);
+  if (std::abs(offset) > kMostOffset * grid.cell_size[axis]) return std::nullopt;
   double along = 0;
   for (const BoundaryEdge& e : record.edges) {
     const Point3& a = record.vertices[e.from].position;
@@ -33,7 +36,7 @@ std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid
     along += std::abs(a[1 - axis] - b[1 - axis]);
   }
   if (along < kStraightShare * grid.cell_size[1 - axis]) return std::nullopt;
-  return (extreme - Nominal(grid, cell, side)) * OutwardOf(side);
+  return offset;
 }
 
 struct SharedVertices {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -143,7 +144,8 @@ class Labeller {
         const CellId around = label(before.begin);
         if (around != label(after.begin) || !InArea(around) || !InArea(label(runs[r].begin))) continue;
         if (runs[r].length > std::min(before.length, after.length) && runs[r].length > kShortRun) continue;
-        if (best < runs.size() && runs[r].length >= runs[best].length) continue;
+        if (best < runs.size() && !Before(loop, runs[r].begin, runs[r].length, runs[best].begin, runs[best].length))
+          continue;
         if (Shallow(loop, runs[r].begin, runs[r].begin + runs[r].length, around)) best = r;
       }
       if (best == runs.size()) continue;
@@ -151,6 +153,13 @@ class Labeller {
       for (size_t k = 0; k < runs[best].length; ++k) label(runs[best].begin + k) = around;
       changed = true;
     }
+  }
+
+  bool Before(const std::vector<int32_t>& loop, size_t a, size_t la, size_t b, size_t lb) const {
+    if (la != lb) return la < lb;
+    const Point3& p = rim_.points[rim_.edges[loop[a % loop.size()]].from].position;
+    const Point3& q = rim_.points[rim_.edges[loop[b % loop.size()]].from].position;
+    return std::tie(p.x(), p.y()) < std::tie(q.x(), q.y());
   }
 
   bool Shallow(const std::vector<int32_t>& loop, size_t begin, size_t end, CellId around) const {
