@@ -13,16 +13,17 @@ struct FillOptions {
   RefineOptions refine;
 };
 
-// Fills each hole with new triangles that close on its rim (Wang 2021, 3.3: triangulation, refinement, adjustment, fairing).
+// Fills each hole with new triangles that close on its rim (Wang 2021, 3.3: triangulation, refinement, adjustment,
+// fairing).
 //
-// Open holes are heights over the plane: constrained Delaunay triangulation of the region that rim and seams bound, refined, with
-// heights by eq. 1 and eq. 2 to 4. Closed holes take the same way over the plane if the surface around them faces up, else over the
-// plane of their own boundary; a boundary that projects without overlap on neither is triangulated in space (minimum weight), if it
-// has at most kLongestSpatialLoop vertices and no islands.
+// Open holes are heights over the plane: constrained Delaunay triangulation of the region that rim and seams bound,
+// refined, with heights by eq. 1 and eq. 2 to 4. Closed holes take the same way over the plane if the surface around
+// them faces up, else over the plane of their own boundary; a boundary that projects without overlap on neither is
+// triangulated in space (minimum weight), if it has at most kLongestSpatialLoop vertices and no islands.
 //
-// Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it; new
-// vertices lie on the lattice; no triangle without area; a hole that cannot be filled so has a failure and no geometry. Heights of
-// seam vertices must be known. Deterministic; pure; safe from any thread.
+// Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it;
+// new vertices lie on the lattice; no triangle without area; a hole that cannot be filled so has a failure and no
+// geometry. Heights of seam vertices must be known. Deterministic; pure; safe from any thread.
 std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options);
 
 }  // namespace tilemend
