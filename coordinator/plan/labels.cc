@@ -49,7 +49,7 @@ class Labeller {
       const bool ragged = !lines_.independent && !lines_.clipped && InArea(across);
       const double reach = ragged ? std::max({lines_.tolerance, a.size, b.size}) : lines_.tolerance;
       const double depth = std::max(std::abs(da), std::abs(db));
-      const bool within = ragged ? std::max(da, db) <= reach : depth <= reach;
+      const bool within = std::max(da, db) <= reach && (ragged || std::min(da, db) >= -std::max(reach, kOnLine));
       if (!within || (!lines_.independent && !Faces(a.position, b.position, side)) || depth >= nearest) continue;
       nearest = depth;
       best = across;
@@ -102,7 +102,7 @@ class Labeller {
   void SkipShortEdges(const std::vector<int32_t>& loop) {
     const auto is_short = [&](int32_t e) {
       const RimEdge& edge = rim_.edges[e];
-      return (rim_.points[edge.to].position - rim_.points[edge.from].position).head<2>().norm() < 2 * lines_.tolerance;
+      return (rim_.points[edge.to].position - rim_.points[edge.from].position).head<2>().norm() <= 2 * lines_.tolerance;
     };
     const size_t n = loop.size();
     size_t start = 0;
