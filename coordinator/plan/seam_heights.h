@@ -19,7 +19,8 @@ struct SeamSample {
 };
 
 struct SeamHeights {
-  std::map<int32_t, double> height;  // of the seam vertices that are settled
+  std::map<int32_t, double> height;     // of the seam vertices that are settled
+  std::map<int32_t, double> laplacian;  // on seams, where the surface of the cluster is known
 };
 
 // Settles the seam vertices that one layer sampled: the mean of the samples; along seams between two cells of the
