@@ -16,9 +16,9 @@ struct SurfaceSample {
   double laplacian = 0;  // 1 / metre
 };
 
-// The first level of the thin-plate surface (design, "Surface"): triangulates the holes of a cluster together, seams included, and
-// solves for its heights from the rims and the slopes of the band. With heights and Laplacians known along the seams each cell's own
-// solve gives the surface of the whole.
+// The first level of the thin-plate surface (design, "Surface"): triangulates the holes of a cluster together, seams
+// included, and solves for its heights from the rims and the slopes of the band. With heights and Laplacians known
+// along the seams each cell's own solve gives the surface of the whole.
 //
 // Heights of seam vertices need not be known. Nothing if the cluster's boundary bounds no region.
 std::vector<SurfaceSample> SampleCluster(const CellHoles& cluster, const FillOptions& options);

@@ -92,7 +92,8 @@ class ThinPlateSystem {
     }
   }
 
-  // The share of edge ab in the Laplacian at a, w (h_b - h_a), and, transposed, of the Laplacian at a in the equation at b.
+  // The share of edge ab in the Laplacian at a, w (h_b - h_a), and, transposed, of the Laplacian at a in the equation
+  // at b.
   void AddEdge(int32_t a, int32_t b, double w, bool patch) {
     if (row_[a] >= 0) {
       AddTerm(row_[a], b, w);
