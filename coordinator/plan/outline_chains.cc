@@ -11,12 +11,22 @@ namespace {
 
 constexpr double kPlane = 2e-3;      // metres: an edge whose ends agree to this lies in a plane across that axis
 constexpr double kSamePlane = 2e-2;  // metres: ends of a chain that agree to this lie in one plane
+constexpr double kOuterRim = 0.3;    // cosine between a loop's vector area, surface on the left, and its normals
 constexpr double kOtherWay = -0.3;   // cosine between edges that run along each other, one this way, one that
 
 double SegmentDistance(const Point3& p, const Point3& a, const Point3& b) {
   const Eigen::Vector3d d = b - a;
   const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
   return (p - a - t * d).norm();
+}
+
+// Which of the four sides of its tile a point lies near, as bits.
+int SidesOf(const Point3& p, CellId cell, const CutLines& lines) {
+  int sides = 0;
+  for (const Side side : kSides) {
+    if (std::abs(p[AxisOf(side)] - lines.At(cell, side)) <= lines.tolerance) sides |= 1 << side;
+  }
+  return sides;
 }
 
 class BorderFinder {
@@ -113,15 +123,6 @@ class ChainCloser {
 
   void Leave(std::string reason, int64_t edges) { result_.left.push_back({cell_, std::move(reason), -1, edges}); }
 
-  // Which of the four sides a point lies near, as bits.
-  int SidesOf(const Point3& p) const {
-    int sides = 0;
-    for (const Side side : kSides) {
-      if (std::abs(p[AxisOf(side)] - lines_.At(cell_, side)) <= lines_.tolerance) sides |= 1 << side;
-    }
-    return sides;
-  }
-
   void Close(const std::vector<int32_t>& chain) {
     const int32_t first = rim_.edges[chain.front()].from, last = rim_.edges[chain.back()].to;
     std::vector<RimSegment> loop;  // reversed: the hole lies to the right of a rim edge
@@ -138,7 +139,7 @@ class ChainCloser {
     }
     const Point3& p = rim_.points[first].position;
     const Point3& q = rim_.points[last].position;
-    const bool one_side = (SidesOf(p) & SidesOf(q)) != 0;
+    const bool one_side = (SidesOf(p, cell_, lines_) & SidesOf(q, cell_, lines_)) != 0;
     if (!one_side && (p - q).cwiseAbs().minCoeff() > kSamePlane) {
       open_edges_ += static_cast<int64_t>(chain.size());
       return;
@@ -159,6 +160,43 @@ class ChainCloser {
 };
 
 }  // namespace
+
+std::vector<std::vector<int32_t>> OneSidedRuns(const std::vector<int32_t>& loop, const Rim& rim, const CutLines& lines,
+                                               size_t longest) {
+  const auto at_outline = [&](size_t i) {
+    const RimEdge& e = rim.edges[loop[i % loop.size()]];
+    return e.label != e.owner;
+  };
+  std::vector<std::vector<int32_t>> runs;
+  const size_t n = loop.size();
+  for (size_t i = 0; i < n; ++i) {
+    if (!at_outline(i) || at_outline(i + 1)) continue;
+    std::vector<int32_t> run;
+    size_t k = i + 1;
+    for (; !at_outline(k) && run.size() <= longest; ++k) run.push_back(loop[k % n]);
+    if (run.size() > longest || rim.edges[loop[i]].label != rim.edges[loop[k % n]].label) continue;
+    const RimEdge& first = rim.edges[run.front()];
+    const RimEdge& last = rim.edges[run.back()];
+    const int sides = SidesOf(rim.points[first.from].position, first.owner, lines) &
+                      SidesOf(rim.points[last.to].position, first.owner, lines);
+    if (sides != 0 && first.from != last.to) runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+bool IsDetachedOutline(const std::vector<int32_t>& loop, const Rim& rim, double largest) {
+  const Point3 origin = rim.points[rim.edges[loop[0]].from].position;
+  Eigen::Vector3d area = Eigen::Vector3d::Zero(), normal = area, lo = area, hi = area;
+  for (const int32_t e : loop) {
+    const RimPoint& p = rim.points[rim.edges[e].from];
+    const Eigen::Vector3d a = p.position - origin, b = rim.points[rim.edges[e].to].position - origin;
+    area += a.cross(b);
+    normal += p.normal.normalized();
+    lo = lo.cwiseMin(a);
+    hi = hi.cwiseMax(a);
+  }
+  return (hi - lo).maxCoeff() <= largest && area.dot(normal) > kOuterRim * area.norm() * normal.norm();
+}
 
 std::vector<double> FindPieceBorders(const Rim& rim, const RimIndex& index, double reach) {
   const BorderFinder finder(rim, index, reach);

@@ -31,6 +31,14 @@ struct OutlineChains {
 OutlineChains CloseChains(const std::vector<int32_t>& loop, const Rim& rim, const CutLines& lines,
                           const std::vector<double>& piece_border);
 
+// The runs of edges of a loop, each of at most `longest` edges, that begin and end on the same side of the tile's
+// outline, between edges with one label: what can be closed there without the rest of the loop.
+std::vector<std::vector<int32_t>> OneSidedRuns(const std::vector<int32_t>& loop, const Rim& rim, const CutLines& lines,
+                                               size_t longest);
+
+// Whether a loop is the outline of a small detached piece: it runs the wrong way round for a hole.
+bool IsDetachedOutline(const std::vector<int32_t>& loop, const Rim& rim, double largest);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_OUTLINE_CHAINS_H_
