@@ -143,7 +143,7 @@ class PartPlanner {
   void ChainOneSided() {
     for (size_t l = 0; l < rim_.loops.size(); ++l) {
       if (chained_[l] || detached_[l] || !ReachesOutline(rim_.loops[l])) continue;
-      chained_[l] = CloseChains(rim_.loops[l], rim_, lines_, piece_border_).open_edges == 0;
+      chained_[l] = CloseChains(rim_.loops[l], rim_, lines_, piece_border_).open_runs.empty();
     }
   }
 
@@ -167,6 +167,15 @@ class PartPlanner {
   void AddChains(const std::vector<int32_t>& loop) {
     OutlineChains chains = CloseChains(loop, rim_, lines_, piece_border_);
     auto& closed = boundary_[rim_.edges[loop[0]].owner].closed_loops;
+    for (auto& segments : chains.loops) closed.push_back(std::move(segments));
+    plan_.left.insert(plan_.left.end(), chains.left.begin(), chains.left.end());
+    open_runs_.insert(open_runs_.end(), chains.open_runs.begin(), chains.open_runs.end());
+  }
+
+  void AddOpenRuns() {
+    if (open_runs_.empty()) return;
+    OutlineChains chains = LinkRuns(open_runs_, rim_, lines_);
+    auto& closed = boundary_[rim_.edges[open_runs_[0][0]].owner].closed_loops;
     for (auto& segments : chains.loops) closed.push_back(std::move(segments));
     plan_.left.insert(plan_.left.end(), chains.left.begin(), chains.left.end());
   }
@@ -193,6 +202,7 @@ class PartPlanner {
       }
       for (const int32_t e : loop) AddRimEdge(rim_.edges[e]);
     }
+    AddOpenRuns();
     for (const Seam& seam : layout_.seams) AddSeam(seam);
   }
 
@@ -295,8 +305,9 @@ class PartPlanner {
   int32_t base_ = 0;
   std::vector<Point3> position_;
   std::map<CellId, CellBoundary> boundary_;
-  std::vector<bool> detached_;        // per loop, of independent tiles: the outline of a small piece
-  std::vector<bool> chained_;         // per loop
+  std::vector<bool> detached_;  // per loop, of independent tiles: the outline of a small piece
+  std::vector<bool> chained_;   // per loop
+  std::vector<std::vector<int32_t>> open_runs_;
   std::vector<double> piece_border_;  // of independent tiles: see FindPieceBorders
   std::map<std::pair<int32_t, int32_t>, int32_t> rim_edges_;
 };
