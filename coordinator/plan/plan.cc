@@ -19,6 +19,9 @@ namespace tilemend {
 namespace {
 
 constexpr double kFinestStep = 0x1p-10;  // metres
+// The outline of a piece of at most this share of a cell is no outline of the tile.
+constexpr double kLargestPiece = 0.25;
+constexpr size_t kLongestRun = 60;  // edges: longer runs off the outline are holes that want seams
 
 // The finest power-of-two step, at least 2^-10 m, whose multiples the tiles' number type holds exactly out to the
 // farthest coordinate.
@@ -50,8 +53,13 @@ class PartPlanner {
     std::set<CellId> area;
     for (const auto& [cell, record] : input_.cells) area.insert(cell);
     chained_.assign(rim_.loops.size(), false);
+    detached_.assign(rim_.loops.size(), false);
     if (lines_.independent) ChainPieces(index);
     layout_ = LaySeamsOfLoops(area, index);
+    if (lines_.independent && !layout_.failures.empty()) {
+      CloseOneSidedRuns();
+      layout_ = LaySeamsOfLoops(area, index);
+    }
     if (lines_.independent && !layout_.failures.empty()) {
       ChainOneSided();
       layout_ = LaySeamsOfLoops(area, index);
@@ -96,12 +104,46 @@ class PartPlanner {
     }
   }
 
-  // Where inside and outside along the outline cannot be told apart, loops that need no seam do without: those whose
+  // Where inside and outside along the outline cannot be told apart, short runs off the outline are closed on their
+  // own, and count as outline from then on.
+  void CloseOneSidedRuns() {
+    for (size_t l = 0; l < rim_.loops.size(); ++l) {
+      if (chained_[l] || detached_[l]) continue;
+      for (const std::vector<int32_t>& run : OneSidedRuns(rim_.loops[l], rim_, lines_, kLongestRun)) {
+        const CellId cell = rim_.edges[run[0]].owner;
+        CloseRun(run, cell);
+        const RimPoint& p = rim_.points[rim_.edges[run[0]].from];
+        const CellId label = NearestAcross(cell, p.position);
+        for (const int32_t e : run) rim_.edges[e].label = label;
+      }
+    }
+  }
+
+  void CloseRun(const std::vector<int32_t>& run, CellId cell) {
+    if (run.size() == 1) {
+      plan_.left.push_back({cell, "a single edge off the tile's outline: it bounds no area", -1, 1});
+      return;
+    }
+    std::vector<RimSegment> segments;
+    for (auto e = run.rbegin(); e != run.rend(); ++e) {
+      segments.push_back({rim_.edges[*e].to, rim_.edges[*e].from, false});
+    }
+    segments.push_back({segments.back().to, segments.front().from, true});
+    boundary_[cell].closed_loops.push_back(std::move(segments));
+  }
+
+  CellId NearestAcross(CellId cell, const Point3& p) const {
+    const auto distance = [&](Side side) { return std::abs(p[AxisOf(side)] - lines_.At(cell, side)); };
+    return Across(cell, *std::min_element(kSides.begin(), kSides.end(),
+                                          [&](Side a, Side b) { return distance(a) < distance(b); }));
+  }
+
+  // Where that does not help, loops that need no seam do without: those whose
   // chains each begin and end on one side.
   void ChainOneSided() {
     for (size_t l = 0; l < rim_.loops.size(); ++l) {
-      if (chained_[l] || !ReachesOutline(rim_.loops[l])) continue;
-      chained_[l] = CloseChains(rim_.loops[l], rim_, lines_, piece_border_).open_edges == 0;
+      if (chained_[l] || detached_[l] || !ReachesOutline(rim_.loops[l])) continue;
+      chained_[l] = CloseChains(rim_.loops[l], rim_, lines_, piece_border_).open_runs.empty();
     }
   }
 
@@ -110,13 +152,14 @@ class PartPlanner {
   }
 
   SeamLayout LaySeamsOfLoops(const std::set<CellId>& area, const RimIndex& index) const {
-    if (std::find(chained_.begin(), chained_.end(), true) == chained_.end()) {
+    if (std::find(chained_.begin(), chained_.end(), true) == chained_.end() &&
+        std::find(detached_.begin(), detached_.end(), true) == detached_.end()) {
       return LaySeams(area, lines_, rim_, index, options_, plan_.lattice_step);
     }
     Rim rest = rim_;
     rest.loops.clear();
     for (size_t l = 0; l < rim_.loops.size(); ++l) {
-      if (!chained_[l]) rest.loops.push_back(rim_.loops[l]);
+      if (!chained_[l] && !detached_[l]) rest.loops.push_back(rim_.loops[l]);
     }
     return LaySeams(area, lines_, rest, index, options_, plan_.lattice_step);
   }
@@ -124,6 +167,15 @@ class PartPlanner {
   void AddChains(const std::vector<int32_t>& loop) {
     OutlineChains chains = CloseChains(loop, rim_, lines_, piece_border_);
     auto& closed = boundary_[rim_.edges[loop[0]].owner].closed_loops;
+    for (auto& segments : chains.loops) closed.push_back(std::move(segments));
+    plan_.left.insert(plan_.left.end(), chains.left.begin(), chains.left.end());
+    open_runs_.insert(open_runs_.end(), chains.open_runs.begin(), chains.open_runs.end());
+  }
+
+  void AddOpenRuns() {
+    if (open_runs_.empty()) return;
+    OutlineChains chains = LinkRuns(open_runs_, rim_, lines_);
+    auto& closed = boundary_[rim_.edges[open_runs_[0][0]].owner].closed_loops;
     for (auto& segments : chains.loops) closed.push_back(std::move(segments));
     plan_.left.insert(plan_.left.end(), chains.left.begin(), chains.left.end());
   }
@@ -137,19 +189,20 @@ class PartPlanner {
         continue;
       }
       const RimEdge& first = rim_.edges[loop[0]];
-      const bool inside = std::all_of(loop.begin(), loop.end(), [&](int32_t e) {
-        return rim_.edges[e].label == first.label && rim_.edges[e].owner == first.label;
-      });
+      const bool inside = detached_[l] || std::all_of(loop.begin(), loop.end(), [&](int32_t e) {
+                            return rim_.edges[e].label == first.label && rim_.edges[e].owner == first.label;
+                          });
       if (inside) {
         std::vector<RimSegment> segments;  // reversed: the hole lies to the right of a rim edge
         for (auto e = loop.rbegin(); e != loop.rend(); ++e) {
           segments.push_back({rim_.edges[*e].to, rim_.edges[*e].from, false});
         }
-        boundary_[first.label].closed_loops.push_back(std::move(segments));
+        boundary_[first.owner].closed_loops.push_back(std::move(segments));
         continue;
       }
       for (const int32_t e : loop) AddRimEdge(rim_.edges[e]);
     }
+    AddOpenRuns();
     for (const Seam& seam : layout_.seams) AddSeam(seam);
   }
 
@@ -253,7 +306,9 @@ class PartPlanner {
   int32_t base_ = 0;
   std::vector<Point3> position_;
   std::map<CellId, CellBoundary> boundary_;
-  std::vector<bool> chained_;         // per loop
+  std::vector<bool> detached_;  // per loop, of independent tiles: the outline of a small piece
+  std::vector<bool> chained_;   // per loop
+  std::vector<std::vector<int32_t>> open_runs_;
   std::vector<double> piece_border_;  // of independent tiles: see FindPieceBorders
   std::map<std::pair<int32_t, int32_t>, int32_t> rim_edges_;
 };

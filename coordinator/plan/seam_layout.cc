@@ -227,13 +227,22 @@ class Layout {
     std::vector<int32_t> way = {from};
     for (const Point2& p : SpacedPoints(border, from, to)) way.push_back(NewVertex(p, IsVertical(border) ? 1 : 2));
     way.push_back(to);
-    const auto path = FindSeamPath(way, rim_, index_, [this](int32_t v) { return PositionOf(v); });
+    auto path = FindSeamPath(way, rim_, index_, [this](int32_t v) { return PositionOf(v); });
+    // A tile's own outline runs straight on under and over its facades, which need not be gone around: the filler cuts
+    // off what crosses.
+    if (lines_.independent && (!path || Bends(*path))) path = way;
     if (!path) {
       const Point2 p = PositionOf(from);
       Fail(border, absl::StrFormat("no way along the grid line through the hole at (%.3f, %.3f)", p.x(), p.y()));
       return;
     }
     result_.seams.push_back({border.first, border.second, *path});
+  }
+
+  // Whether a path goes over rim points between its ends.
+  bool Bends(const std::vector<int32_t>& path) const {
+    const auto points = static_cast<int32_t>(rim_.points.size());
+    return std::any_of(path.begin() + 1, path.end() - 1, [&](int32_t v) { return v < points; });
   }
 
   // Points on the line strictly between two ends, spaced by the wanted size, clear of the rim.

@@ -24,6 +24,8 @@ namespace {
 
 using Edge = std::pair<int32_t, int32_t>;
 
+constexpr int kSplitRounds = 8;  // each may bring up further edges; more than a few never came up
+
 Edge Undirected(int32_t a, int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 class HoleFiller {
@@ -132,25 +134,44 @@ class HoleFiller {
       return Failed(hole_.open ? "its boundary crosses itself seen from above"
                                : "its boundary crosses itself on its own plane");
     }
-    if (RepeatsAnEdge(region.triangulation.triangles))
+    if (cut_folds) SplitRepeatedEdges(points, cut, region);
+    const bool repeats = !RepeatedEdges(region.triangulation.triangles, cut).empty();
+    if (repeats && (cut_folds || !hole_.open)) {  // over a height field an edge is in the hole or on the surface
+
       return Failed("its boundary is joined by edges of the surface already");
+    }
     if (frame.upright()) SnapToLattice(window, points, cut.segments, region);
     return Shape(frame, window, flat, region, cut.runs);
   }
 
-  // Whether a triangle edge between two rim vertices, no rim segment itself, is an edge of the surface.
-  bool RepeatsAnEdge(const std::vector<Triangle>& triangles) const {
-    if (hole_.open) return false;  // over the plane an edge is inside the hole or on the surface, never both
-    std::set<Edge> rim;
-    for (const RegionSegment& s : segments_) rim.insert(Undirected(s.from, s.to));
+  // The triangle edges between two rim vertices, none of the segments around the triangles, that the surface, the
+  // hole's boundary or a chord has already.
+  std::set<Edge> RepeatedEdges(const std::vector<Triangle>& triangles, const CutBoundary& cut) const {
+    std::set<Edge> segments, taken, repeated;
+    for (const RegionSegment& s : cut.segments) segments.insert(Undirected(s.from, s.to));
+    for (const std::vector<int32_t>& run : cut.runs) taken.insert(Undirected(run.front(), run.back()));
     const auto count = static_cast<int32_t>(rim_.size());
     for (const Triangle& t : triangles) {
       for (int k = 0; k < 3; ++k) {
         const int32_t a = t[k], b = t[(k + 1) % 3];
-        if (a < count && b < count && !rim.contains(Undirected(a, b)) && band_.HasEdge(rim_[a], rim_[b])) return true;
+        if (a > b || b >= count || segments.contains({a, b})) continue;
+        if (taken.contains({a, b}) || !MayJoin(a, b)) repeated.insert({a, b});
       }
     }
-    return false;
+    return repeated;
+  }
+
+  // Puts new points on such edges.
+  void SplitRepeatedEdges(const std::vector<LatticePoint>& points, const CutBoundary& cut,
+                          RefinedRegion& region) const {
+    for (int round = 0; round < kSplitRounds; ++round) {
+      const std::set<Edge> repeated = RepeatedEdges(region.triangulation.triangles, cut);
+      if (repeated.empty()) return;
+      for (const auto& [a, b] : repeated) {
+        region.new_points.push_back({(points[a].x + points[b].x) / 2, (points[a].y + points[b].y) / 2});
+      }
+      LeaveOut(std::vector<bool>(region.new_points.size(), true), points, cut.segments, region);
+    }
   }
 
   // Moves the new points to the scene's lattice, or at least to positions that the output can hold; leaves out those
@@ -239,10 +260,22 @@ class HoleFiller {
       patch.new_points.push_back(q);
     }
     StoreTriangles(problem.patch, patch);
+    std::set<Edge> used;
+    const auto use = [&](const std::vector<Triangle>& triangles) {
+      for (const Triangle& t : triangles) {
+        for (int k = 0; k < 3; ++k) used.insert(Undirected(t[k], t[(k + 1) % 3]));
+      }
+    };
+    use(problem.patch);
+    for (const std::vector<int32_t>& run : runs) used.insert(Undirected(run.front(), run.back()));
     for (const std::vector<int32_t>& run : runs) {
-      const std::vector<Triangle> triangles = TriangulateInSpace(run);
-      if (triangles.empty()) return Failed("a fold of its boundary cannot be closed");
-      StoreTriangles(triangles, patch);
+      const std::vector<Triangle> triangles = TriangulateInSpace(run, used);
+      use(triangles);
+      if (triangles.empty()) {
+        StoreFan(run, patch);
+      } else {
+        StoreTriangles(triangles, patch);
+      }
     }
     return patch;
   }
@@ -295,6 +328,17 @@ class HoleFiller {
         out[k] = it->second;
       }
       problem.band.push_back(out);
+    }
+  }
+
+  // Closes a run about a new vertex in its middle: possible where every chord is an edge already.
+  void StoreFan(const std::vector<int32_t>& run, HolePatch& patch) const {
+    Point3 middle = Point3::Zero();
+    for (const int32_t v : run) middle += Rim(v).position;
+    patch.new_points.push_back(OnLattice(Point3(middle / static_cast<double>(run.size()))));
+    const auto centre = -static_cast<int32_t>(patch.new_points.size());
+    for (size_t k = 0; k < run.size(); ++k) {
+      patch.triangles.push_back({rim_[run[k]], rim_[run[(k + 1) % run.size()]], centre});
     }
   }
 
@@ -355,23 +399,24 @@ class HoleFiller {
       return Failed(absl::StrCat("it projects on no plane without overlap and has ", loop.size(),
                                  " boundary vertices; at most ", kLongestSpatialLoop, " can be filled in space"));
     }
-    const std::vector<Triangle> triangles = TriangulateInSpace(loop);
+    const std::vector<Triangle> triangles = TriangulateInSpace(loop, {});
     if (triangles.empty()) return Failed("no triangulation of its boundary avoids edges that the surface has already");
     HolePatch patch;
     StoreTriangles(triangles, patch);
     return patch;
   }
 
-  // A minimum-weight triangulation of a loop of local vertices; empty if there is none.
-  std::vector<Triangle> TriangulateInSpace(const std::vector<int32_t>& loop) const {
+  // A minimum-weight triangulation of a loop of local vertices without the `used` edges inside; empty if there is none.
+  std::vector<Triangle> TriangulateInSpace(const std::vector<int32_t>& loop, const std::set<Edge>& used) const {
     std::vector<Point3> positions;
     std::vector<Eigen::Vector3d> outside;
     for (size_t i = 0; i < loop.size(); ++i) {
       positions.push_back(Rim(loop[i]).position);
       outside.push_back(NormalAtEdge(rim_[loop[i]], rim_[loop[(i + 1) % loop.size()]]));
     }
-    auto triangles =
-        TriangulateLoop(positions, outside, [&](int32_t a, int32_t b) { return MayJoin(loop[a], loop[b]); });
+    auto triangles = TriangulateLoop(positions, outside, [&](int32_t a, int32_t b) {
+      return MayJoin(loop[a], loop[b]) && !used.contains(Undirected(loop[a], loop[b]));
+    });
     for (Triangle& t : triangles) t = {loop[t[0]], loop[t[1]], loop[t[2]]};
     return triangles;
   }

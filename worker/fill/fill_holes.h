@@ -24,11 +24,15 @@ struct FillOptions {
 // Open holes are heights over the plane: constrained Delaunay triangulation of the region that rim and seams bound,
 // refined, with heights by eq. 1 and eq. 2 to 4. Closed holes take the same way over the plane if the surface around
 // them faces up, else over the plane of their own boundary; a boundary that projects without overlap on neither is
-// triangulated in space (minimum weight), if it has at most kLongestSpatialLoop vertices and no islands.
+// triangulated in space (minimum weight), if it has at most kLongestSpatialLoop vertices and no islands. Boundaries
+// that cross themselves on the plane (facades, trees, vertical edges) have their folds cut off (fold_cutting.h): the
+// folds are closed in space, by a minimum-weight triangulation or about a new vertex, the rest over the plane.
 //
 // Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it;
-// new vertices lie on the lattice; no triangle without area; a hole that cannot be filled so has a failure and no
-// geometry. Heights of seam vertices must be known. Deterministic; pure; safe from any thread.
+// with the surface around it the patch makes no edge with three triangles and no triangle twice; new vertices lie on
+// the lattice, or where that is too coarse on what the output holds; no triangle without area; a hole that cannot be
+// filled so has a failure and no geometry. Heights of seam vertices must be known. Deterministic; pure; safe from any
+// thread.
 std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options);
 
 }  // namespace tilemend

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -130,7 +131,8 @@ class FoldCutter {
         parts.push_back({places_[c.first], true});
         if (c.second != c.first) parts.push_back({places_[c.second], true});
         break;
-      case Kind::kInsideOut:
+      case Kind::kInsideOut:  // a small loop that faces down
+        if (loops_.size() > 1) parts.push_back({places_[c.first], true});
         break;
     }
     return parts;
@@ -144,7 +146,7 @@ class FoldCutter {
   // area, seen with the hole on the left: the others lie over the surface.
   bool CutAt(const RegionConflict& c) {
     const std::vector<Part> parts = PartsOf(c);
-    for (int32_t edges = 2; edges <= kLongestFold; ++edges) {
+    for (int32_t edges = 2; edges <= kLongestFold && c.kind != Kind::kInsideOut; ++edges) {
       std::optional<Cut> best;
       double best_area = 0;
       for (const Part& part : parts) {
@@ -192,7 +194,8 @@ class FoldCutter {
   bool MayCut(const Cut& cut) const {
     if (IsClosed(cut)) return cut.edges >= 3;
     const int32_t from = PointOf(cut, 0), to = PointOf(cut, cut.edges);
-    return points_[from] != points_[to] && allowed_(from, to) && IsClean(cut.loop, cut.begin, cut.edges);
+    return points_[from] != points_[to] && !chords_.contains(std::minmax(from, to)) && allowed_(from, to) &&
+           IsClean(cut.loop, cut.begin, cut.edges);
   }
 
   // A small loop that has no clean chord is filled in space as a whole.
@@ -209,6 +212,7 @@ class FoldCutter {
     for (size_t k = 0; k < cut.edges + !closed; ++k) run.push_back(PointOf(cut, k));
     Loop rest;
     if (!closed) {
+      chords_.insert(std::minmax(run.front(), run.back()));
       rest.points.push_back(run.front());
       rest.original.push_back(-1);
     }
@@ -248,6 +252,7 @@ class FoldCutter {
 
   std::span<const LatticePoint> points_;
   const std::function<bool(int32_t, int32_t)>& allowed_;
+  std::set<std::pair<int32_t, int32_t>> chords_;
   std::vector<Loop> loops_;
   std::vector<Place> places_;  // of each segment
   CutBoundary result_;
