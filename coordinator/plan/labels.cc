@@ -141,18 +141,33 @@ class Labeller {
       for (size_t r = 0; r < runs.size(); ++r) {
         const Run& before = runs[(r + runs.size() - 1) % runs.size()];
         const Run& after = runs[(r + 1) % runs.size()];
-        const CellId around = label(before.begin);
-        if (around != label(after.begin) || !InArea(around) || !InArea(label(runs[r].begin))) continue;
+        const CellId around = Around(label(before.begin), label(runs[r].begin), label(after.begin));
+        if (around == label(runs[r].begin) || !InArea(around) || !InArea(label(runs[r].begin))) continue;
         if (runs[r].length > std::min(before.length, after.length) && runs[r].length > kShortRun) continue;
         if (best < runs.size() && !Before(loop, runs[r].begin, runs[r].length, runs[best].begin, runs[best].length))
           continue;
         if (Shallow(loop, runs[r].begin, runs[r].begin + runs[r].length, around)) best = r;
       }
       if (best == runs.size()) continue;
-      const CellId around = label(runs[best].begin + n - 1);
+      const size_t end = runs[best].begin + runs[best].length;
+      const CellId around = Around(label(runs[best].begin + n - 1), label(runs[best].begin), label(end));
       for (size_t k = 0; k < runs[best].length; ++k) label(runs[best].begin + k) = around;
       changed = true;
     }
+  }
+
+  // The cell that a run of label x between y and z lies in, if it is too shallow for x: y = z, or the one of them
+  // through which the rim passes to or from x across a corner. x itself if there is none.
+  static CellId Around(CellId y, CellId x, CellId z) {
+    if (y == z || PassesThrough(x, z, y)) return y;
+    return PassesThrough(y, x, z) ? z : x;
+  }
+
+  // Whether the rim, going from a to b diagonally with the hole on its right, has `between` on that side.
+  static bool PassesThrough(CellId a, CellId b, CellId between) {
+    const int32_t dc = b.col - a.col, dr = b.row - a.row;
+    if (std::abs(dc) != 1 || std::abs(dr) != 1) return false;
+    return between == (dc * dr > 0 ? CellId{a.col + dc, a.row} : CellId{a.col, a.row + dr});
   }
 
   bool Before(const std::vector<int32_t>& loop, size_t a, size_t la, size_t b, size_t lb) const {
@@ -182,6 +197,15 @@ class Labeller {
 };
 
 }  // namespace
+
+void ResetLabelsNear(const PlanInput& input, const std::vector<Point2>& points, double reach, Rim& rim) {
+  for (RimEdge& e : rim.edges) {
+    if (e.label == e.owner || !input.cells.contains(e.label)) continue;
+    const Point2 p = rim.points[e.from].position.head<2>();
+    if (std::any_of(points.begin(), points.end(), [&](const Point2& q) { return (p - q).norm() <= reach; }))
+      e.label = e.owner;
+  }
+}
 
 void LabelEdges(const PlanInput& input, const CutLines& lines, Rim& rim) { Labeller(input, lines, rim).Run(); }
 

@@ -13,6 +13,10 @@ namespace tilemend {
 // around it.
 void LabelEdges(const PlanInput& input, const CutLines& lines, Rim& rim);
 
+// Gives the edges within `reach` of any of the points back to their owners; edges that face out of the area keep their
+// label.
+void ResetLabelsNear(const PlanInput& input, const std::vector<Point2>& points, double reach, Rim& rim);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_LABELS_H_

@@ -57,28 +57,95 @@ class PartPlanner {
     if (lines_.independent) ChainPieces(index);
     layout_ = LaySeamsOfLoops(area, index);
     if (lines_.independent && !layout_.failures.empty()) {
-      CloseOneSidedRuns();
-      layout_ = LaySeamsOfLoops(area, index);
-    }
-    if (lines_.independent && !layout_.failures.empty()) {
       ChainOneSided();
       layout_ = LaySeamsOfLoops(area, index);
     }
+    FindHolesOf(area);
+    if (!lines_.independent && !lines_.clipped) TryOtherLabels(area, index);
     plan_.continuous += rim_.continuous;
-    StoreVertices();
-    IndexRimEdges();
-    for (const Seam& seam : layout_.seams) RelabelAlong(seam);
-    SortSegments();
-    for (const CellId cell : area) StoreHoles(cell);
-    for (Seam& seam : layout_.seams) {
-      for (int32_t& v : seam.vertices) v += base_;
-      plan_.seams.push_back(std::move(seam));
-    }
+    Commit();
     LeaveUnlinked();
   }
 
  private:
-  void StoreVertices() {
+  // Everything that follows from the labels and the layout. Nothing of it is in the plan before Commit.
+  void FindHolesOf(const std::set<CellId>& area) {
+    position_.clear();
+    for (const RimPoint& p : rim_.points) position_.push_back(p.position);
+    for (const Point2& p : layout_.vertices) position_.emplace_back(p.x(), p.y(), 0);
+    boundary_.clear();
+    found_.clear();
+    chain_left_.clear();
+    IndexRimEdges();
+    for (const Seam& seam : layout_.seams) RelabelAlong(seam);
+    SortSegments();
+    for (const CellId cell : area) FindHolesIn(cell);
+  }
+
+  // On a ragged cut the zigzag of a border can be read in more than one way, and the reading that labels gave may bound
+  // no regions near grid corners. There, edges go back to their owners, ever farther around; the attempt with the
+  // fewest failures stays.
+  void TryOtherLabels(const std::set<CellId>& area, const RimIndex& index) {
+    constexpr int kAttempts = 4;
+    std::vector<Point2> trouble = Trouble();
+    if (trouble.empty()) return;
+    LabelEdges(input_, lines_, rim_);
+    std::vector<CellId> labels = Labels(), best_labels = labels;
+    size_t least = CountFailures();
+    for (int attempt = 1; attempt <= kAttempts && !trouble.empty(); ++attempt) {
+      SetLabels(labels);
+      ResetLabelsNear(input_, trouble, 2 * attempt * index.mean_size(), rim_);
+      labels = Labels();
+      layout_ = LaySeamsOfLoops(area, index);
+      FindHolesOf(area);
+      trouble = Trouble();
+      if (CountFailures() >= least) continue;
+      least = CountFailures();
+      best_labels = labels;
+    }
+    if (CountFailures() == least) return;
+    SetLabels(best_labels);
+    layout_ = LaySeamsOfLoops(area, index);
+    FindHolesOf(area);
+  }
+
+  std::vector<CellId> Labels() const {
+    std::vector<CellId> labels;
+    for (const RimEdge& e : rim_.edges) labels.push_back(e.label);
+    return labels;
+  }
+
+  void SetLabels(const std::vector<CellId>& labels) {
+    for (size_t e = 0; e < labels.size(); ++e) rim_.edges[e].label = labels[e];
+  }
+
+  size_t CountFailures() const {
+    size_t count = 0;
+    for (const auto& [cell, found] : found_) {
+      for (const PlannedHole& hole : found.holes) count += !hole.failure.empty();
+    }
+    return count;
+  }
+
+  // Where seams could not be laid, or end on the boundary of a hole that failed.
+  std::vector<Point2> Trouble() const {
+    std::vector<Point2> points = layout_.trouble;
+    const auto rim = static_cast<int32_t>(rim_.points.size());
+    for (const auto& [cell, found] : found_) {
+      for (const PlannedHole& hole : found.holes) {
+        if (hole.failure.empty()) continue;
+        for (const RimSegment& s : hole.segments) {
+          if (!s.seam) continue;
+          for (const int32_t v : {s.from, s.to}) {
+            if (v < rim) points.emplace_back(position_[v].head<2>());
+          }
+        }
+      }
+    }
+    return points;
+  }
+
+  void Commit() {
     base_ = static_cast<int32_t>(plan_.vertices.size());
     for (auto& [cell, points] : rim_.point_of) {
       for (int32_t& p : points) p += base_;
@@ -86,12 +153,16 @@ class PartPlanner {
     }
     for (const RimPoint& p : rim_.points) {
       plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, 0});
-      position_.push_back(p.position);
     }
     for (size_t i = 0; i < layout_.vertices.size(); ++i) {
       const Point3 p(layout_.vertices[i].x(), layout_.vertices[i].y(), 0);
       plan_.vertices.push_back({{}, -1, p, 0, layout_.sizes[i], layout_.lines[i]});
-      position_.push_back(p);
+    }
+    plan_.left.insert(plan_.left.end(), chain_left_.begin(), chain_left_.end());
+    for (auto& [cell, found] : found_) StoreHoles(found);
+    for (Seam& seam : layout_.seams) {
+      for (int32_t& v : seam.vertices) v += base_;
+      plan_.seams.push_back(std::move(seam));
     }
   }
 
@@ -168,7 +239,7 @@ class PartPlanner {
     OutlineChains chains = CloseChains(loop, rim_, lines_, piece_border_);
     auto& closed = boundary_[rim_.edges[loop[0]].owner].closed_loops;
     for (auto& segments : chains.loops) closed.push_back(std::move(segments));
-    plan_.left.insert(plan_.left.end(), chains.left.begin(), chains.left.end());
+    chain_left_.insert(chain_left_.end(), chains.left.begin(), chains.left.end());
     open_runs_.insert(open_runs_.end(), chains.open_runs.begin(), chains.open_runs.end());
   }
 
@@ -243,6 +314,7 @@ class PartPlanner {
   }
 
   void IndexRimEdges() {
+    rim_edges_.clear();
     for (size_t i = 0; i < rim_.edges.size(); ++i) {
       const RimEdge& e = rim_.edges[i];
       rim_edges_[{std::min(e.from, e.to), std::max(e.from, e.to)}] = static_cast<int32_t>(i);
@@ -264,7 +336,7 @@ class PartPlanner {
     }
   }
 
-  void StoreHoles(CellId cell) {
+  void FindHolesIn(CellId cell) {
     const auto it = boundary_.find(cell);
     if (it == boundary_.end()) return;
     CellBoundary& boundary = it->second;
@@ -274,7 +346,10 @@ class PartPlanner {
     }
     const SurveyRecord* record = input_.cells.at(cell);
     boundary.has_surface = record != nullptr && record->triangle_count > 0;
-    RegionResult found = FindHoles(boundary, scene_area_, lines_, rim_, position_);
+    found_[cell] = FindHoles(boundary, scene_area_, lines_, rim_, position_);
+  }
+
+  void StoreHoles(RegionResult& found) {
     for (PlannedHole& hole : found.holes) {
       for (RimSegment& s : hole.segments) {
         s.from += base_;
@@ -306,6 +381,8 @@ class PartPlanner {
   int32_t base_ = 0;
   std::vector<Point3> position_;
   std::map<CellId, CellBoundary> boundary_;
+  std::map<CellId, RegionResult> found_;
+  std::vector<LeftOpen> chain_left_;
   std::vector<bool> detached_;  // per loop, of independent tiles: the outline of a small piece
   std::vector<bool> chained_;   // per loop
   std::vector<std::vector<int32_t>> open_runs_;

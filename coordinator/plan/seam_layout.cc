@@ -210,6 +210,7 @@ class Layout {
     bool fits = ends.size() % 2 == 0;
     for (size_t i = 0; i < ends.size(); ++i) fits &= ends[i].start == (i % 2 == 0);
     if (!fits) {
+      for (const Junction& j : junctions) result_.trouble.emplace_back(rim_.points[j.point].position.head<2>());
       Fail(border, "the rim folds over itself at the grid line, so that inside and outside cannot be told apart");
       return;
     }
@@ -233,6 +234,7 @@ class Layout {
     if (lines_.independent && (!path || Bends(*path))) path = way;
     if (!path) {
       const Point2 p = PositionOf(from);
+      result_.trouble.insert(result_.trouble.end(), {p, PositionOf(to)});
       Fail(border, absl::StrFormat("no way along the grid line through the hole at (%.3f, %.3f)", p.x(), p.y()));
       return;
     }

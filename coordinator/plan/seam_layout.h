@@ -21,6 +21,7 @@ struct SeamLayout {
   std::vector<Seam> seams;
   // Stretches that could not be laid: the holes of these cells there cannot be bounded.
   std::vector<LeftOpen> failures;
+  std::vector<Point2> trouble;  // the junctions there
 };
 
 // Lays a seam on every stretch of grid line inside a hole, between the cells of `area` and between them and the
