@@ -8,7 +8,7 @@
 namespace tilemend {
 namespace {
 
-constexpr int kFinestExponent = -20;
+constexpr int kFinestExponent = -26;
 constexpr double kMostSteps = 268435456.0;             // 2^28
 constexpr double kExactIntegers = 4503599627370496.0;  // 2^52: a sum of two such multiples of a step is still exact
 

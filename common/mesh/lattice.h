@@ -29,7 +29,7 @@ int InCircle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d);
 // A square window of the plane, cut into at most 2^28 steps of a power-of-two size.
 class LatticeWindow {
  public:
-  // The finest window (step at least 2^-20 m) that holds the box [lo, hi], grown by 1/16 of its larger side. lo <= hi.
+  // The finest window (step at least 2^-26 m) that holds the box [lo, hi], grown by 1/16 of its larger side. lo <= hi.
   // The window depends on the box alone, so equal boxes give equal lattices.
   LatticeWindow(const Point2& lo, const Point2& hi);
 

@@ -10,9 +10,11 @@
 namespace tilemend {
 namespace {
 
+constexpr double kMostOffset = 0.05;     // of a cell: a tile that ends farther from its side ends at a shore, not a cut
 constexpr double kOnLine = 1e-3;         // metres: a vertex this near a grid line was cut there
 constexpr double kStraight = 2e-3;       // metres: an outline whose vertices are this near one coordinate is straight
 constexpr double kStraightShare = 0.05;  // of a side's length must run along the outline for it to count
+constexpr double kExactShare = 0.9;      // of the boundary near the lines lies on them to the bit: no tolerance needed
 
 double Nominal(const Grid& grid, CellId cell, Side side) {
   const int axis = AxisOf(side);
@@ -25,6 +27,8 @@ double Nominal(const Grid& grid, CellId cell, Side side) {
 std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid, CellId cell, Side side) {
   const int axis = AxisOf(side);
   const double extreme = side % 2 == 0 ? record.lo[axis] : record.hi[axis];
+  const double offset = (extreme - Nominal(grid, cell, side)) * OutwardOf(side);
+  if (std::abs(offset) > kMostOffset * grid.cell_size[axis]) return std::nullopt;
   double along = 0;
   for (const BoundaryEdge& e : record.edges) {
     const Point3& a = record.vertices[e.from].position;
@@ -33,7 +37,7 @@ std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid
     along += std::abs(a[1 - axis] - b[1 - axis]);
   }
   if (along < kStraightShare * grid.cell_size[1 - axis]) return std::nullopt;
-  return (extreme - Nominal(grid, cell, side)) * OutwardOf(side);
+  return offset;
 }
 
 struct SharedVertices {
@@ -58,24 +62,55 @@ double Median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// The coordinate at which a tile ends, if that is within kOnLine of `nominal`.
-std::optional<double> EndOf(const SurveyRecord* record, Side side, double nominal) {
-  if (record == nullptr || record->vertices.empty()) return std::nullopt;
-  const double end = side % 2 == 0 ? record->lo[AxisOf(side)] : record->hi[AxisOf(side)];
-  return std::abs(end - nominal) <= kOnLine ? std::optional<double>(end) : std::nullopt;
+// A grid line that runs through the whole scene: its constant axis and its number along it.
+using Line = std::pair<int, int32_t>;
+
+Line LineOf(CellId cell, Side side) {
+  const int axis = AxisOf(side);
+  return {axis, (axis == 0 ? cell.col : cell.row) + side % 2};
 }
 
-// The coordinate of a line by the tiles that end there: the west or south one's, then the other's.
-std::optional<double> CommonCoordinate(const SurveyRecord* own, const SurveyRecord* other, Side side, double nominal) {
-  const auto mine = EndOf(own, side, nominal), theirs = EndOf(other, static_cast<Side>(side ^ 1), nominal);
-  const bool own_first = side % 2 == 1;
-  if (own_first) return mine ? mine : theirs;
-  return theirs ? theirs : mine;
-}
+// How much boundary runs exactly along coordinates near a line, by coordinate, metres.
+using LineLengths = std::map<Line, std::map<double, double>>;
 
-const SurveyRecord* RecordOf(const PlanInput& input, CellId cell) {
-  const auto it = input.cells.find(cell);
-  return it == input.cells.end() ? nullptr : it->second;
+struct LineFinding {
+  std::map<Line, double> coordinate;  // of the lines that tiles end at
+  bool exact = false;                 // nearly all boundary near a line lies on its coordinate to the bit
+};
+
+// The lines' coordinates by the boundary edges of all tiles along each: that with the greatest length of edges. An
+// edge counts when both of its ends are within kOnLine of the line and it is long enough to have a direction.
+LineFinding FindLines(const PlanInput& input) {
+  LineLengths lengths;
+  std::map<Line, double> all;
+  for (const auto& [cell, record] : input.cells) {
+    if (record == nullptr) continue;
+    for (const Side side : kSides) {
+      const int axis = AxisOf(side);
+      const double nominal = Nominal(input.grid, cell, side);
+      for (const BoundaryEdge& e : record->edges) {
+        const Point3& a = record->vertices[e.from].position;
+        const Point3& b = record->vertices[e.to].position;
+        const double along = std::abs(a[1 - axis] - b[1 - axis]);
+        if (std::abs(a[axis] - nominal) > kOnLine || std::abs(b[axis] - nominal) > kOnLine || along < 2 * kOnLine) {
+          continue;
+        }
+        all[LineOf(cell, side)] += along;
+        if (a[axis] == b[axis]) lengths[LineOf(cell, side)][a[axis]] += along;
+      }
+    }
+  }
+  LineFinding found;
+  double exact = 0, near = 0;
+  for (const auto& [line, length] : all) near += length;
+  for (const auto& [line, by_coordinate] : lengths) {
+    const auto longest = std::max_element(by_coordinate.begin(), by_coordinate.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    found.coordinate[line] = longest->first;
+    exact += longest->second;
+  }
+  found.exact = near > 0 && exact >= kExactShare * near;
+  return found;
 }
 
 using Offsets = std::map<std::pair<CellId, int>, double>;
@@ -163,12 +198,15 @@ CutLines FindCutLines(const PlanInput& input, double lattice_step) {
   CutLines lines;
   const Offsets offsets = FindOffsets(input);
   AuditBorders(input, offsets, lines);
+  const LineFinding found = FindLines(input);
+  if (found.exact && lines.clipped) lines.tolerance = 0;
   double usual_offset = 0;
   if (lines.independent) {
     std::vector<double> all;
     for (const auto& [key, offset] : offsets) all.push_back(offset);
     usual_offset = Median(all);
     lines.tolerance = 2 * std::abs(usual_offset) + kStraight;
+    lines.piece_reach = 3 * std::abs(usual_offset);
   }
   for (const auto& [cell, record] : input.cells) {
     for (const Side side : kSides) {
@@ -180,8 +218,8 @@ CutLines FindCutLines(const PlanInput& input, double lattice_step) {
         const bool known = own != offsets.end() && record != nullptr;
         coordinate = known ? (side % 2 == 0 ? record->lo[axis] : record->hi[axis])
                            : std::round((nominal + OutwardOf(side) * usual_offset) / lattice_step) * lattice_step;
-      } else if (const auto common = CommonCoordinate(record, RecordOf(input, Across(cell, side)), side, nominal)) {
-        coordinate = *common;
+      } else if (const auto line = found.coordinate.find(LineOf(cell, side)); line != found.coordinate.end()) {
+        coordinate = line->second;
       }
       lines.coordinate[{cell, side}] = coordinate;
       const CellId across = Across(cell, side);

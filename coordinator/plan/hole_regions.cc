@@ -58,6 +58,10 @@ class HoleFinder {
         const bool crossing =
             std::any_of(regions.triangulation.conflicts.begin(), regions.triangulation.conflicts.end(),
                         [](const RegionConflict& c) { return c.kind != RegionConflict::Kind::kInsideOut; });
+        if (crossing && boundary_.seam_failure.empty() && IsBalanced(open)) {
+          AddFolded(open);
+          return;
+        }
         AddFailedOpen(open, crossing ? kFolds : boundary_.seam_failure.empty() ? kUnbounded : boundary_.seam_failure);
       }
       return;
@@ -73,6 +77,25 @@ class HoleFinder {
       AddOpen(parts[c], regions.area[c]);
     }
     open_regions_.push_back(std::move(regions));
+  }
+
+  // Whether as many segments end at every vertex as begin there, so that they form loops.
+  static bool IsBalanced(const std::vector<BoundarySegment>& open) {
+    std::unordered_map<int32_t, int32_t> balance;
+    for (const BoundarySegment& s : open) {
+      ++balance[s.segment.from];
+      --balance[s.segment.to];
+    }
+    return std::all_of(balance.begin(), balance.end(), [](const auto& b) { return b.second == 0; });
+  }
+
+  // A hole whose boundary crosses itself seen from above: the filler cuts the folds off. Its area is that of the
+  // boundary's projection.
+  void AddFolded(const std::vector<BoundarySegment>& part) {
+    PlannedHole hole = NewOpen(part);
+    hole.projects = false;
+    hole.area = std::abs(VectorArea(hole.segments, position_).z());
+    result_.holes.push_back(std::move(hole));
   }
 
   // Connected groups of segments, by shared vertices, in order of their first segment.

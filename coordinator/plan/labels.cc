@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,7 @@ class Labeller {
       const bool ragged = !lines_.independent && !lines_.clipped && InArea(across);
       const double reach = ragged ? std::max({lines_.tolerance, a.size, b.size}) : lines_.tolerance;
       const double depth = std::max(std::abs(da), std::abs(db));
-      const bool within = ragged ? std::max(da, db) <= reach : depth <= reach;
+      const bool within = std::max(da, db) <= reach && (ragged || std::min(da, db) >= -std::max(reach, kOnLine));
       if (!within || (!lines_.independent && !Faces(a.position, b.position, side)) || depth >= nearest) continue;
       nearest = depth;
       best = across;
@@ -101,7 +102,7 @@ class Labeller {
   void SkipShortEdges(const std::vector<int32_t>& loop) {
     const auto is_short = [&](int32_t e) {
       const RimEdge& edge = rim_.edges[e];
-      return (rim_.points[edge.to].position - rim_.points[edge.from].position).head<2>().norm() < 2 * lines_.tolerance;
+      return (rim_.points[edge.to].position - rim_.points[edge.from].position).head<2>().norm() <= 2 * lines_.tolerance;
     };
     const size_t n = loop.size();
     size_t start = 0;
@@ -143,7 +144,8 @@ class Labeller {
         const CellId around = label(before.begin);
         if (around != label(after.begin) || !InArea(around) || !InArea(label(runs[r].begin))) continue;
         if (runs[r].length > std::min(before.length, after.length) && runs[r].length > kShortRun) continue;
-        if (best < runs.size() && runs[r].length >= runs[best].length) continue;
+        if (best < runs.size() && !Before(loop, runs[r].begin, runs[r].length, runs[best].begin, runs[best].length))
+          continue;
         if (Shallow(loop, runs[r].begin, runs[r].begin + runs[r].length, around)) best = r;
       }
       if (best == runs.size()) continue;
@@ -151,6 +153,13 @@ class Labeller {
       for (size_t k = 0; k < runs[best].length; ++k) label(runs[best].begin + k) = around;
       changed = true;
     }
+  }
+
+  bool Before(const std::vector<int32_t>& loop, size_t a, size_t la, size_t b, size_t lb) const {
+    if (la != lb) return la < lb;
+    const Point3& p = rim_.points[rim_.edges[loop[a % loop.size()]].from].position;
+    const Point3& q = rim_.points[rim_.edges[loop[b % loop.size()]].from].position;
+    return std::tie(p.x(), p.y()) < std::tie(q.x(), q.y());
   }
 
   bool Shallow(const std::vector<int32_t>& loop, size_t begin, size_t end, CellId around) const {

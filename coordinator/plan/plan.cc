@@ -10,6 +10,7 @@
 #include "coordinator/plan/hole_regions.h"
 #include "coordinator/plan/labels.h"
 #include "coordinator/plan/layers.h"
+#include "coordinator/plan/outline_chains.h"
 #include "coordinator/plan/rim.h"
 #include "coordinator/plan/rim_index.h"
 #include "coordinator/plan/seam_layout.h"
@@ -48,7 +49,13 @@ class PartPlanner {
     const RimIndex index(rim_);
     std::set<CellId> area;
     for (const auto& [cell, record] : input_.cells) area.insert(cell);
-    layout_ = LaySeams(area, lines_, rim_, index, options_, plan_.lattice_step);
+    chained_.assign(rim_.loops.size(), false);
+    if (lines_.independent) ChainPieces(index);
+    layout_ = LaySeamsOfLoops(area, index);
+    if (lines_.independent && !layout_.failures.empty()) {
+      ChainOneSided();
+      layout_ = LaySeamsOfLoops(area, index);
+    }
     plan_.continuous += rim_.continuous;
     StoreVertices();
     IndexRimEdges();
@@ -80,9 +87,55 @@ class PartPlanner {
     }
   }
 
+  // Loops along unwelded pieces of the tile bound no region with seams: they are taken apart to chains.
+  void ChainPieces(const RimIndex& index) {
+    piece_border_ = FindPieceBorders(rim_, index, lines_.piece_reach);
+    for (size_t l = 0; l < rim_.loops.size(); ++l) {
+      chained_[l] =
+          std::any_of(rim_.loops[l].begin(), rim_.loops[l].end(), [&](int32_t e) { return piece_border_[e] >= 0; });
+    }
+  }
+
+  // Where inside and outside along the outline cannot be told apart, loops that need no seam do without: those whose
+  // chains each begin and end on one side.
+  void ChainOneSided() {
+    for (size_t l = 0; l < rim_.loops.size(); ++l) {
+      if (chained_[l] || !ReachesOutline(rim_.loops[l])) continue;
+      chained_[l] = CloseChains(rim_.loops[l], rim_, lines_, piece_border_).open_edges == 0;
+    }
+  }
+
+  bool ReachesOutline(const std::vector<int32_t>& loop) const {
+    return std::any_of(loop.begin(), loop.end(), [&](int32_t e) { return rim_.edges[e].label != rim_.edges[e].owner; });
+  }
+
+  SeamLayout LaySeamsOfLoops(const std::set<CellId>& area, const RimIndex& index) const {
+    if (std::find(chained_.begin(), chained_.end(), true) == chained_.end()) {
+      return LaySeams(area, lines_, rim_, index, options_, plan_.lattice_step);
+    }
+    Rim rest = rim_;
+    rest.loops.clear();
+    for (size_t l = 0; l < rim_.loops.size(); ++l) {
+      if (!chained_[l]) rest.loops.push_back(rim_.loops[l]);
+    }
+    return LaySeams(area, lines_, rest, index, options_, plan_.lattice_step);
+  }
+
+  void AddChains(const std::vector<int32_t>& loop) {
+    OutlineChains chains = CloseChains(loop, rim_, lines_, piece_border_);
+    auto& closed = boundary_[rim_.edges[loop[0]].owner].closed_loops;
+    for (auto& segments : chains.loops) closed.push_back(std::move(segments));
+    plan_.left.insert(plan_.left.end(), chains.left.begin(), chains.left.end());
+  }
+
   // Gives each cell its rim edges and seams.
   void SortSegments() {
-    for (const std::vector<int32_t>& loop : rim_.loops) {
+    for (size_t l = 0; l < rim_.loops.size(); ++l) {
+      const std::vector<int32_t>& loop = rim_.loops[l];
+      if (chained_[l]) {
+        AddChains(loop);
+        continue;
+      }
       const RimEdge& first = rim_.edges[loop[0]];
       const bool inside = std::all_of(loop.begin(), loop.end(), [&](int32_t e) {
         return rim_.edges[e].label == first.label && rim_.edges[e].owner == first.label;
@@ -200,6 +253,8 @@ class PartPlanner {
   int32_t base_ = 0;
   std::vector<Point3> position_;
   std::map<CellId, CellBoundary> boundary_;
+  std::vector<bool> chained_;         // per loop
+  std::vector<double> piece_border_;  // of independent tiles: see FindPieceBorders
   std::map<std::pair<int32_t, int32_t>, int32_t> rim_edges_;
 };
 

@@ -63,11 +63,27 @@ RimIndex::RimIndex(const Rim& rim) : rim_(rim), corners_(rim.points.size()) {
   }
   for (const std::vector<int32_t>& loop : rim.loops) {
     for (size_t k = 0; k < loop.size(); ++k) {
-      const RimEdge& in = rim.edges[loop[k]];
-      const RimEdge& out = rim.edges[loop[(k + 1) % loop.size()]];
-      corners_[static_cast<size_t>(in.to)].emplace_back(in.from, out.to);
+      const int32_t point = rim.edges[loop[k]].to;
+      corners_[static_cast<size_t>(point)].emplace_back(Before(loop, k), After(loop, k));
     }
   }
+}
+
+// The nearest point of the loop before (after) the end of edge k that does not lie at the same place seen from above.
+int32_t RimIndex::Before(const std::vector<int32_t>& loop, size_t k) const {
+  const Point2 here = At(rim_.edges[loop[k]].to);
+  size_t i = k;
+  for (size_t steps = 1; steps < loop.size() && At(rim_.edges[loop[i]].from) == here; ++steps) {
+    i = (i + loop.size() - 1) % loop.size();
+  }
+  return rim_.edges[loop[i]].from;
+}
+
+int32_t RimIndex::After(const std::vector<int32_t>& loop, size_t k) const {
+  const Point2 here = At(rim_.edges[loop[k]].to);
+  size_t i = (k + 1) % loop.size();
+  for (size_t steps = 1; steps < loop.size() && At(rim_.edges[loop[i]].to) == here; ++steps) i = (i + 1) % loop.size();
+  return rim_.edges[loop[i]].to;
 }
 
 std::pair<int64_t, int64_t> RimIndex::BinOf(const Point2& p) const {
@@ -109,12 +125,14 @@ bool RimIndex::IsFree(const Point2& p, int32_t p_point, const Point2& q, int32_t
   if (q_point >= 0 && !LeavesIntoHole(q_point, p - q)) return false;
   for (const int32_t i : EdgesIn(p.cwiseMin(q), p.cwiseMax(q))) {
     const RimEdge& e = rim_.edges[i];
-    const bool at_p = p_point >= 0 && (e.from == p_point || e.to == p_point);
-    const bool at_q = q_point >= 0 && (e.from == q_point || e.to == q_point);
+    // By place, not by number: the rim may have a vertical edge at an end.
+    const bool at_p = p_point >= 0 && (At(e.from) == p || At(e.to) == p);
+    const bool at_q = q_point >= 0 && (At(e.from) == q || At(e.to) == q);
     if (at_p && at_q) return false;  // the segment is this edge
     if (at_p || at_q) {              // only the edge's other end can lie on the segment
-      const int32_t shared = at_p ? p_point : q_point;
-      const Point2 other = At(e.from == shared ? e.to : e.from);
+      const Point2 shared = at_p ? p : q;
+      const Point2 other = At(e.from) == shared ? At(e.to) : At(e.from);
+      if (other == shared) continue;
       if (Cross(q - p, other - p) == 0 && (other - p).dot(other - q) <= 0) return false;
       continue;
     }

@@ -40,6 +40,8 @@ class RimIndex {
  private:
   Point2 At(int32_t point) const { return rim_.points[point].position.head<2>(); }
   std::pair<int64_t, int64_t> BinOf(const Point2& p) const;
+  int32_t Before(const std::vector<int32_t>& loop, size_t k) const;
+  int32_t After(const std::vector<int32_t>& loop, size_t k) const;
   bool LeavesIntoHole(int32_t point, const Point2& direction) const;
 
   const Rim& rim_;
@@ -49,7 +51,7 @@ class RimIndex {
   int64_t columns_ = 1, rows_ = 1;
   std::vector<int32_t> start_, items_;  // bins: edges whose box touches them
   std::vector<std::vector<std::pair<int32_t, int32_t>>>
-      corners_;  // per point: the points before and after it along its loops
+      corners_;  // per point: the points before and after it along its loops, elsewhere seen from above
 };
 
 }  // namespace tilemend

@@ -166,9 +166,16 @@ class Layout {
     const auto [it, fresh] = corner_vertex_.try_emplace(c, -1);
     if (!fresh) return it->second;
     const Point2 p = CornerPosition(c);
-    const int32_t near = index_.NearestPoint(p, kCornerSnap * index_.mean_size());
+    const double reach = TouchesOutside(c) ? kRimTolerance : kCornerSnap * index_.mean_size();
+    const int32_t near = index_.NearestPoint(p, reach);
     it->second = near >= 0 ? near : NewVertex(p, 3);
     return it->second;
+  }
+
+  // Whether a cell around the corner lies outside the area: what a bent seam would cede to it stayed unfilled.
+  bool TouchesOutside(Corner c) const {
+    return !area_.contains(c) || !area_.contains({c.col - 1, c.row}) || !area_.contains({c.col, c.row - 1}) ||
+           !area_.contains({c.col - 1, c.row - 1});
   }
 
   int32_t NewVertex(const Point2& p, uint8_t on_lines) {

@@ -37,6 +37,16 @@ class Neighbours {
     return {items_.data() + start_[v], static_cast<size_t>(start_[v + 1] - start_[v])};
   }
 
+  // The neighbours and theirs, each once, without v.
+  std::vector<int32_t> FirstAndSecondOf(int32_t v) const {
+    std::vector<int32_t> all(Of(v).begin(), Of(v).end());
+    for (const int32_t n : Of(v)) all.insert(all.end(), Of(n).begin(), Of(n).end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::erase(all, v);
+    return all;
+  }
+
  private:
   std::vector<int64_t> start_;
   std::vector<int32_t> items_;
@@ -166,17 +176,11 @@ void AdjustHeights(FairingProblem& problem) {
     std::sort(inner.begin(), inner.end());
     for (const int32_t v : inner) {
       double sum = 0, weights = 0;
-      const auto take = [&](int32_t n) {
-        if (!placed[n]) return;
+      for (const int32_t n : neighbours.FirstAndSecondOf(v)) {
+        if (!placed[n]) continue;
         const double w = 1 / PlanarDistance(problem.points[v], problem.points[n]);
         sum += w * problem.points[n].z();
         weights += w;
-      };
-      for (const int32_t n : neighbours.Of(v)) {
-        take(n);
-        for (const int32_t second : neighbours.Of(n)) {
-          if (second != v) take(second);
-        }
       }
       problem.points[v].z() = sum / weights;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -10,7 +11,9 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/codec/rounding.h"
 #include "worker/fill/fair_heights.h"
+#include "worker/fill/fold_cutting.h"
 #include "worker/fill/minimum_weight.h"
 #include "worker/fill/projection_frame.h"
 
@@ -47,6 +50,19 @@ class CellBand {
     });
   }
 
+  int CountEdge(int32_t a, int32_t b) const {
+    return static_cast<int>(std::count_if(at_[a].begin(), at_[a].end(), [&](int32_t t) {
+      const Triangle& tri = cell_.band.triangles[t];
+      return std::find(tri.begin(), tri.end(), b) != tri.end();
+    }));
+  }
+
+  bool HasTriangle(const Triangle& t) const {
+    return std::any_of(at_[t[0]].begin(), at_[t[0]].end(), [&](int32_t other) {
+      return std::is_permutation(t.begin(), t.end(), cell_.band.triangles[other].begin());
+    });
+  }
+
  private:
   const CellHoles& cell_;
   std::vector<std::vector<int32_t>> at_;
@@ -59,27 +75,22 @@ class HoleFiller {
     NumberVertices();
   }
 
+  // Over the plane; then, if the hole is closed, in space; then over the plane with folds cut off.
   HolePatch Run() {
-    HolePatch patch;
+    const std::vector<ProjectionFrame> frames = Frames();
+    HolePatch patch = Failed("its boundary has no area");
+    const auto done = [&](HolePatch attempt) {
+      if (attempt.failure.empty()) attempt.failure = Unsound(attempt);
+      patch = std::move(attempt);
+      if (!patch.failure.empty()) patch.new_points.clear(), patch.triangles.clear();
+      return patch.failure.empty();
+    };
+    bool filled = false;
+    for (const bool cut_folds : {false, true}) {
+      for (const ProjectionFrame& frame : frames) filled = filled || done(FillOver(frame, cut_folds));
+      if (!hole_.open && !cut_folds) filled = filled || done(FillInSpace());
+    }
     patch.hole = hole_.id;
-    std::string failure;
-    for (const ProjectionFrame& frame : Frames()) {
-      auto filled = FillOver(frame);
-      if (filled.failure.empty()) {
-        filled.hole = hole_.id;
-        return filled;
-      }
-      failure = filled.failure;
-    }
-    if (!hole_.open) {
-      auto filled = FillInSpace();
-      if (filled.failure.empty()) {
-        filled.hole = hole_.id;
-        return filled;
-      }
-      failure = filled.failure;
-    }
-    patch.failure = failure;
     return patch;
   }
 
@@ -98,6 +109,7 @@ class HoleFiller {
     full_ring_.assign(rim_.size(), true);
     for (size_t i = 0; i < segments_.size(); ++i) {
       if (hole_.segments[i].seam) full_ring_[segments_[i].from] = full_ring_[segments_[i].to] = false;
+      boundary_.insert(Undirected(segments_[i].from, segments_[i].to));
     }
   }
 
@@ -133,8 +145,13 @@ class HoleFiller {
     return patch;
   }
 
+  // Whether a new edge may join two local vertices: the surface or the boundary may have it already.
+  bool MayJoin(int32_t a, int32_t b) const {
+    return a != b && !boundary_.contains(Undirected(a, b)) && !band_.HasEdge(rim_[a], rim_[b]);
+  }
+
   // Triangulation, refinement, adjustment and fairing over the plane of `frame`.
-  HolePatch FillOver(const ProjectionFrame& frame) const {
+  HolePatch FillOver(const ProjectionFrame& frame, bool cut_folds) const {
     std::vector<Point3> flat;
     for (size_t i = 0; i < rim_.size(); ++i) flat.push_back(frame.ToFrame(Rim(static_cast<int32_t>(i)).position));
     Point2 lo = flat[0].head<2>(), hi = lo;
@@ -149,15 +166,18 @@ class HoleFiller {
       points.push_back(window.Round(flat[i].head<2>()));
       size.push_back(Rim(static_cast<int32_t>(i)).size / window.step());
     }
-    RefinedRegion region = RefineRegion(points, segments_, size, options_.refine);
-    if (!region.triangulation.conflicts.empty()) {
+    CutBoundary cut{segments_, {}, {}, true};
+    if (cut_folds) cut = CutFolds(points, segments_, [this](int32_t a, int32_t b) { return MayJoin(a, b); });
+    RefinedRegion region;
+    if (cut.simple && !cut.segments.empty()) region = RefineRegion(points, cut.segments, size, options_.refine);
+    if (!cut.simple || !region.triangulation.conflicts.empty()) {
       return Failed(hole_.open ? "its boundary crosses itself seen from above"
                                : "its boundary crosses itself on its own plane");
     }
     if (RepeatsAnEdge(region.triangulation.triangles))
       return Failed("its boundary is joined by edges of the surface already");
-    if (frame.upright()) SnapToLattice(window, points, region);
-    return Shape(frame, window, flat, region);
+    if (frame.upright()) SnapToLattice(window, points, cut.segments, region);
+    return Shape(frame, window, flat, region, cut.runs);
   }
 
   // Whether a triangle edge between two rim vertices, no rim segment itself, is an edge of the surface.
@@ -175,9 +195,10 @@ class HoleFiller {
     return false;
   }
 
-  // Moves the new points to the scene's lattice, those that can go there without turning a triangle over.
+  // Moves the new points to the scene's lattice, or at least to positions that the output can hold; leaves out those
+  // that can go to neither without turning a triangle over.
   void SnapToLattice(const LatticeWindow& window, const std::vector<LatticePoint>& points,
-                     RefinedRegion& region) const {
+                     const std::vector<RegionSegment>& segments, RefinedRegion& region) const {
     const auto rim = static_cast<int32_t>(points.size());
     std::vector<std::vector<int32_t>> around(region.new_points.size());
     const auto& triangles = region.triangulation.triangles;
@@ -187,13 +208,45 @@ class HoleFiller {
       }
     }
     const auto at = [&](int32_t v) { return v < rim ? points[v] : region.new_points[v - rim]; };
+    std::vector<bool> kept(around.size(), true);
     for (size_t k = 0; k < around.size(); ++k) {
       const LatticePoint before = region.new_points[k];
-      region.new_points[k] = window.Round(OnLattice(window.ToMetres(before)));
-      const bool good = std::all_of(around[k].begin(), around[k].end(), [&](int32_t t) {
-        return Orientation(at(triangles[t][0]), at(triangles[t][1]), at(triangles[t][2])) > 0;
-      });
-      if (!good) region.new_points[k] = before;
+      const Point2 p = window.ToMetres(before);
+      const auto fits = [&](const Point2& q) {
+        region.new_points[k] = window.Round(q);
+        return window.ToMetres(region.new_points[k]) == q &&
+               std::all_of(around[k].begin(), around[k].end(), [&](int32_t t) {
+                 return Orientation(at(triangles[t][0]), at(triangles[t][1]), at(triangles[t][2])) > 0;
+               });
+      };
+      kept[k] = fits(ToNumberType(OnLattice(p))) || fits(ToNumberType(p));
+      if (!kept[k]) region.new_points[k] = before;
+    }
+    if (std::find(kept.begin(), kept.end(), false) != kept.end()) LeaveOut(kept, points, segments, region);
+  }
+
+  // Triangulates again with the new points that are kept.
+  static void LeaveOut(const std::vector<bool>& kept, const std::vector<LatticePoint>& points,
+                       const std::vector<RegionSegment>& segments, RefinedRegion& region) {
+    std::vector<LatticePoint> all = points, left;
+    for (size_t k = 0; k < kept.size(); ++k) {
+      if (kept[k]) left.push_back(region.new_points[k]);
+    }
+    all.insert(all.end(), left.begin(), left.end());
+    region.triangulation = TriangulateRegion(all, segments);
+    const auto rim = static_cast<int32_t>(points.size());
+    std::vector<int32_t> number(left.size(), -1);  // one on a segment or on another point is not inserted
+    region.new_points.clear();
+    for (Triangle& t : region.triangulation.triangles) {
+      for (int32_t& v : t) {
+        if (v < rim) continue;
+        int32_t& n = number[v - rim];
+        if (n < 0) {
+          n = static_cast<int32_t>(region.new_points.size());
+          region.new_points.push_back(left[v - rim]);
+        }
+        v = rim + n;
+      }
     }
   }
 
@@ -203,7 +256,7 @@ class HoleFiller {
   }
 
   HolePatch Shape(const ProjectionFrame& frame, const LatticeWindow& window, const std::vector<Point3>& flat,
-                  const RefinedRegion& region) const {
+                  const RefinedRegion& region, const std::vector<std::vector<int32_t>>& runs) const {
     FairingProblem problem;
     problem.rim_count = static_cast<int32_t>(rim_.size());
     problem.new_count = static_cast<int32_t>(region.new_points.size());
@@ -214,6 +267,9 @@ class HoleFiller {
     }
     problem.patch = region.triangulation.triangles;
     problem.full_ring = full_ring_;
+    for (const std::vector<int32_t>& run : runs) {
+      for (const int32_t v : run) problem.full_ring[v] = false;
+    }
     AddBand(frame, problem);
     AdjustHeights(problem);
     if (!FairHeights(problem)) return Failed("the fairing equations have no solution");
@@ -221,14 +277,22 @@ class HoleFiller {
     for (int32_t k = 0; k < problem.new_count; ++k) {
       const Point3 p = frame.ToScene(problem.points[problem.rim_count + k]);
       Point3 q = OnLattice(p);
-      if (frame.upright()) q.head<2>() = ToNumberType(p.head<2>());  // snapped already where that was possible
+      if (frame.upright()) q.head<2>() = p.head<2>();  // there already
       patch.new_points.push_back(q);
     }
     StoreTriangles(problem.patch, patch);
-    return HasFlatTriangle(patch) ? Failed("a triangle of its patch would have no area") : patch;
+    for (const std::vector<int32_t>& run : runs) {
+      const std::vector<Triangle> triangles = TriangulateInSpace(run);
+      if (triangles.empty()) return Failed("a fold of its boundary cannot be closed");
+      StoreTriangles(triangles, patch);
+    }
+    return patch;
   }
 
-  Point2 ToNumberType(const Point2& p) const { return cell_.float32 ? Point2(p.cast<float>().cast<double>()) : p; }
+  Point2 ToNumberType(const Point2& p) const {
+    const NumberType type = cell_.float32 ? NumberType::kFloat32 : NumberType::kFloat64;
+    return {RoundedTo(type, p.x()), RoundedTo(type, p.y())};
+  }
 
   // The band triangles at the hole's rim, in the frame.
   void AddBand(const ProjectionFrame& frame, FairingProblem& problem) const {
@@ -267,42 +331,65 @@ class HoleFiller {
     });
   }
 
-  // The hole's boundary as one loop of local vertices, if it is one.
-  std::vector<int32_t> SingleLoop() const {
-    std::vector<int32_t> next(rim_.size(), -1);
-    for (const RegionSegment& s : segments_) {
-      if (next[s.from] >= 0) return {};
-      next[s.from] = s.to;
+  // Why the patch would not be a sound part of the surface; empty if it is.
+  std::string Unsound(const HolePatch& patch) const {
+    if (HasFlatTriangle(patch)) return "a triangle of its patch would have no area";
+    std::map<Edge, int> count;  // of directed edges
+    for (const Triangle& t : patch.triangles) {
+      if (t[0] >= 0 && t[1] >= 0 && t[2] >= 0 && band_.HasTriangle(t)) {
+        return "its patch would repeat a triangle of the surface";
+      }
+      for (int k = 0; k < 3; ++k) ++count[{t[k], t[(k + 1) % 3]}];
     }
+    for (const auto& [edge, times] : count) {
+      const auto back = count.find({edge.second, edge.first});
+      const int others = edge.first >= 0 && edge.second >= 0 ? band_.CountEdge(edge.first, edge.second) : 0;
+      if (times > 1 || times + (back == count.end() ? 0 : back->second) + others > 2) {
+        return "its patch would make an edge with three triangles";
+      }
+    }
+    for (const RegionSegment& s : segments_) {
+      if (!count.contains({rim_[s.from], rim_[s.to]})) return "its patch would not close on its whole boundary";
+    }
+    return {};
+  }
+
+  // The hole's boundary as one loop of local vertices, if it is one; it may pass a vertex several times.
+  std::vector<int32_t> SingleLoop() const {
     std::vector<int32_t> loop;
-    int32_t v = 0;
-    do {
-      loop.push_back(v);
-      v = next[v];
-    } while (v > 0 && loop.size() <= segments_.size());
-    return loop.size() == segments_.size() && v == 0 ? loop : std::vector<int32_t>{};
+    for (size_t i = 0; i < segments_.size(); ++i) {
+      if (segments_[i].to != segments_[(i + 1) % segments_.size()].from) return {};
+      loop.push_back(segments_[i].from);
+    }
+    return loop;
   }
 
   HolePatch FillInSpace() const {
     const std::vector<int32_t> loop = SingleLoop();
-    if (loop.empty()) return Failed("it projects on no plane without overlap and has islands or touches itself");
+    if (loop.empty()) return Failed("it projects on no plane without overlap and has islands");
     if (static_cast<int32_t>(loop.size()) > kLongestSpatialLoop) {
       return Failed(absl::StrCat("it projects on no plane without overlap and has ", loop.size(),
                                  " boundary vertices; at most ", kLongestSpatialLoop, " can be filled in space"));
     }
+    const std::vector<Triangle> triangles = TriangulateInSpace(loop);
+    if (triangles.empty()) return Failed("no triangulation of its boundary avoids edges that the surface has already");
+    HolePatch patch;
+    StoreTriangles(triangles, patch);
+    return patch;
+  }
+
+  // A minimum-weight triangulation of a loop of local vertices; empty if there is none.
+  std::vector<Triangle> TriangulateInSpace(const std::vector<int32_t>& loop) const {
     std::vector<Point3> positions;
     std::vector<Eigen::Vector3d> outside;
     for (size_t i = 0; i < loop.size(); ++i) {
       positions.push_back(Rim(loop[i]).position);
       outside.push_back(NormalAtEdge(rim_[loop[i]], rim_[loop[(i + 1) % loop.size()]]));
     }
-    const auto triangles = TriangulateLoop(
-        positions, outside, [&](int32_t a, int32_t b) { return !band_.HasEdge(rim_[loop[a]], rim_[loop[b]]); });
-    if (triangles.empty()) return Failed("no triangulation of its boundary avoids edges that the surface has already");
-    HolePatch patch;
-    for (const Triangle& t : triangles)
-      patch.triangles.push_back({rim_[loop[t[0]]], rim_[loop[t[1]]], rim_[loop[t[2]]]});
-    return patch;
+    auto triangles =
+        TriangulateLoop(positions, outside, [&](int32_t a, int32_t b) { return MayJoin(loop[a], loop[b]); });
+    for (Triangle& t : triangles) t = {loop[t[0]], loop[t[1]], loop[t[2]]};
+    return triangles;
   }
 
   Eigen::Vector3d NormalAtEdge(int32_t a, int32_t b) const {
@@ -322,6 +409,7 @@ class HoleFiller {
   std::vector<int32_t> rim_;  // local -> cell
   std::vector<RegionSegment> segments_;
   std::vector<bool> full_ring_;
+  std::set<Edge> boundary_;
 };
 
 }  // namespace

@@ -141,7 +141,7 @@ TEST(InCircleTest, IsExactAtTheCornersOfTheRange) {
 }
 
 TEST(LatticeWindowTest, IsAsFineAsItsBoxAllows) {
-  EXPECT_EQ(LatticeWindow({0, 0}, {0, 0}).step(), std::ldexp(1.0, -20));
+  EXPECT_EQ(LatticeWindow({0, 0}, {0, 0}).step(), std::ldexp(1.0, -26));
   EXPECT_EQ(LatticeWindow({5, 5}, {205, 105}).step(), std::ldexp(1.0, -20));
   EXPECT_EQ(LatticeWindow({0, 0}, {250, 10}).step(), std::ldexp(1.0, -19));
 }

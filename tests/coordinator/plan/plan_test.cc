@@ -1,0 +1,390 @@
+// The figures of Wang 2021, section 3, as pictures.
+#include "coordinator/plan/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coordinator/plan/cell_work.h"
+#include "tests/support/surveyed_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::Each;
+using ::testing::Field;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+using Picture = std::vector<std::string>;
+
+Plan PlanOf(const SurveyedScene& scene) { return MakePlan(scene.Input(), {}); }
+Plan PlanOf(const Picture& picture, int32_t squares = 4) { return PlanOf(PictureScene(picture, squares)); }
+
+// Holes with a failure, holes whose segments do not close: what no plan may have here.
+void ExpectSound(const Plan& plan) {
+  EXPECT_THAT(plan.left, IsEmpty());
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    EXPECT_EQ(plan.holes[h].failure, "");
+    std::map<int32_t, int> balance;
+    for (const RimSegment& s : plan.holes[h].segments) {
+      ++balance[s.from];
+      --balance[s.to];
+    }
+    for (const auto& [vertex, n] : balance) EXPECT_EQ(n, 0) << "hole " << h << ": as many segments in as out";
+  }
+}
+
+// The area to the left of the segments, seen from above.
+double BoundedArea(const Plan& plan, const PlannedHole& hole) {
+  double sum = 0;
+  for (const RimSegment& s : hole.segments) {
+    const Point3 a = plan.vertices[s.from].position, b = plan.vertices[s.to].position;
+    sum += (a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  return sum;
+}
+
+TEST(MakePlanTest, FindsNoHolesInAWholeSurface) {
+  const Plan plan = PlanOf(Picture{"##|##", "##|##", "--+--", "##|##", "##|##"}, 2);
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "none");
+  EXPECT_THAT(plan.seams, IsEmpty());
+}
+
+TEST(MakePlanTest, FindsAClosedHole) {
+  const Plan plan = PlanOf(Picture{"####",  //
+                                   "#..#",  //
+                                   "#.##",  //
+                                   "####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 closed");
+  EXPECT_EQ(plan.holes[0].single, SingleType::kSimple);
+  EXPECT_DOUBLE_EQ(plan.holes[0].area, 3);
+  EXPECT_DOUBLE_EQ(plan.holes[0].perimeter, 8);
+  EXPECT_EQ(plan.holes[0].boundary_vertices, 8);
+  EXPECT_EQ(plan.layers, 0);
+}
+
+// Figure 4a.
+TEST(MakePlanTest, CountsAnInternalOpenHoleOnceInEveryCellThatItReaches) {
+  const Plan plan = PlanOf(Picture{"####|####",  //
+                                   "##..|.###",  //
+                                   "##..|.###",  //
+                                   "####|####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 IB");
+  EXPECT_EQ(plan.clusters, 1);
+  EXPECT_EQ(plan.layers, 1);
+}
+
+// Figure 4b.
+TEST(MakePlanTest, CallsAnOpenHoleExternalThatReachesTheRimOfTheArea) {
+  const Plan plan = PlanOf(Picture{"####",  //
+                                   "##..",  //
+                                   "##..",  //
+                                   "####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 IIB");
+}
+
+TEST(MakePlanTest, CallsOnlyThePartAtTheRimExternal) {
+  const Plan plan = PlanOf(Picture{"####|####",  //
+                                   "##..|....",  //
+                                   "##..|....",  //
+                                   "####|####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 IB, 1 IIC");
+}
+
+TEST(MakePlanTest, TakesTheEdgeOfAMissingCellForTheRimOfTheArea) {
+  const Plan plan = PlanOf(Picture{"####|    ",  //
+                                   "##..|    ",  //
+                                   "##..|    ",  //
+                                   "####|    ",  //
+                                   "----+----",  //
+                                   "####|####",  //
+                                   "####|####",  //
+                                   "####|####",  //
+                                   "####|####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 IIB");
+}
+
+// Figure 5a: nothing in the cell; its neighbours' surfaces end at the grid lines all round, so there is no seam.
+const Picture kHollow = {"##|##|##",  //
+                         "##|##|##",  //
+                         "--+--+--",  //
+                         "##|..|##",  //
+                         "##|..|##",  //
+                         "--+--+--",  //
+                         "##|##|##",  //
+                         "##|##|##"};
+
+TEST(MakePlanTest, FindsTypeAWhereTheCellHasNoSurface) {
+  const Plan plan = PlanOf(kHollow, 2);
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 IA");
+  EXPECT_EQ(plan.holes[0].cell, (CellId{1, 1}));
+}
+
+TEST(MakePlanTest, LaysNoSeamWhereTheNeighboursSurfaceReachesTheBorder) {
+  const Plan plan = PlanOf(kHollow, 2);
+  EXPECT_THAT(plan.seams, IsEmpty());
+  EXPECT_THAT(plan.holes[0].segments, SizeIs(8));
+  EXPECT_THAT(plan.holes[0].segments, Each(Field(&RimSegment::seam, false)));
+}
+
+TEST(MakePlanTest, NamesTheVerticesOfNeighboursByTileAndIndex) {
+  const SurveyedScene scene = PictureScene(kHollow, 2);
+  const Plan plan = PlanOf(scene);
+  for (const RimSegment& s : plan.holes.at(0).segments) {
+    const PlanVertex& v = plan.vertices[s.from];
+    ASSERT_GE(v.index, 0);
+    EXPECT_NE(v.tile, (CellId{1, 1}));
+    EXPECT_EQ(scene.tiles.at(v.tile).points.at(v.index), v.position);
+  }
+}
+
+TEST(MakePlanTest, HandsTheOwnVertexOutWhereATileHasOneToo) {
+  const SurveyedScene scene = PictureScene({"##|##",  //
+                                            "##|.#"},
+                                           2);
+  const Plan plan = PlanOf(scene);
+  ASSERT_EQ(CountsOf(plan), "1 IIB");
+  const CellHoles work = MakeCellHoles(plan, scene.Input(), {}, {0}, true);
+  int own = 0, foreign = 0;
+  for (const RimVertex& v : work.vertices) {
+    if (v.index < 0) continue;
+    EXPECT_EQ(scene.tiles.at(v.tile).points.at(v.index), v.position);
+    ++(v.tile == CellId{1, 0} ? own : foreign);
+  }
+  EXPECT_EQ(own, 3) << "the corners of the hole that the cell's own tile has";
+  EXPECT_EQ(foreign, 1) << "the corner on the rim of the area is the west tile's alone";
+}
+
+// Figure 5b.
+TEST(MakePlanTest, FindsTypeBWhereOneSurfaceIsLeft) {
+  EXPECT_EQ(CountsOf(PlanOf(Picture{"....",  //
+                                    "....",  //
+                                    "####",  //
+                                    "####"})),
+            "1 IIB");
+}
+
+TEST(MakePlanTest, FindsTypeBAroundAHeadland) {
+  const Plan plan = PlanOf(Picture{"....",  //
+                                   "....",  //
+                                   ".##.",  //
+                                   ".##."});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 IIB");
+}
+
+// Figure 5c.
+TEST(MakePlanTest, FindsTypeCWhereTheSurfaceIsParted) {
+  const Plan plan = PlanOf(Picture{"####|####|####",  //
+                                   "##..|....|..##",  //
+                                   "##..|....|..##",  //
+                                   "####|####|####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 IB, 1 IC");
+}
+
+// Figure 5d.
+TEST(MakePlanTest, FindsTypeDWhereAPartTouchesTwoSides) {
+  const Plan plan = PlanOf(Picture{"##..",  //
+                                   "#..#",  //
+                                   "..##",  //
+                                   ".###"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 IID");
+}
+
+TEST(MakePlanTest, FindsTypeDWhereAPartTouchesOneSide) {
+  const Plan plan = PlanOf(Picture{"#....",  //
+                                   "#..##",  //
+                                   "#..##",  //
+                                   "#....",  //
+                                   "#...."},
+                           5);
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "1 IID");
+}
+
+TEST(MakePlanTest, CountsTwoOpenHolesOfOneCellSeparately) {
+  const Plan plan = PlanOf(Picture{"####",  //
+                                   ".##.",  //
+                                   "####",  //
+                                   "####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 IIB");
+  EXPECT_EQ(plan.clusters, 2);
+}
+
+// Figure 6: two clusters, one of them with a second layer.
+TEST(MakePlanTest, PutsOpenHolesThatShareAGridBoundaryIntoOneCluster) {
+  const Plan plan = PlanOf(Picture{"####|####|####",  //
+                                   "#...|...#|##..",  //
+                                   "#...|...#|##..",  //
+                                   "####|####|####"});
+  ExpectSound(plan);
+  ASSERT_EQ(CountsOf(plan), "2 IB, 1 IIB");
+  EXPECT_EQ(plan.clusters, 2);
+  EXPECT_EQ(plan.holes[0].cluster, plan.holes[1].cluster);
+  EXPECT_NE(plan.holes[0].cluster, plan.holes[2].cluster);
+}
+
+// A lake over 5 x 5 cells with a beach of two squares all round.
+SurveyedScene BigLake() {
+  const std::string beach(20, '#'), lake = "##" + std::string(16, '.') + "##";
+  Picture picture(20, lake);
+  picture[0] = picture[1] = picture[18] = picture[19] = beach;
+  return PictureScene(picture, 4);
+}
+
+TEST(MakePlanTest, NumbersTheLayersOfALakeFromItsShoreInward) {
+  const Plan plan = PlanOf(BigLake());
+  ExpectSound(plan);
+  ASSERT_EQ(CountsOf(plan), "9 IA, 16 IB");
+  EXPECT_EQ(plan.clusters, 1);
+  EXPECT_EQ(plan.layers, 3);
+  for (const PlannedHole& hole : plan.holes) {
+    const auto [col, row] = std::pair(hole.cell.col, hole.cell.row);
+    EXPECT_EQ(hole.layer, 1 + std::min({col, row, 4 - col, 4 - row})) << ToString(hole.cell);
+  }
+}
+
+TEST(MakePlanTest, MeetsFourSeamsInOneVertexWhereAGridCornerLiesInAHole) {
+  const Plan plan = PlanOf(Picture{"####|####",  //
+                                   "####|####",  //
+                                   "##..|..##",  //
+                                   "##..|..##",  //
+                                   "----+----",  //
+                                   "##..|..##",  //
+                                   "##..|..##",  //
+                                   "####|####",  //
+                                   "####|####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "4 IB");
+  ASSERT_THAT(plan.seams, SizeIs(4));
+  std::map<int32_t, int> ends;
+  for (const Seam& seam : plan.seams) {
+    ++ends[seam.vertices.front()];
+    ++ends[seam.vertices.back()];
+  }
+  const auto corner = std::find_if(ends.begin(), ends.end(), [](const auto& end) { return end.second == 4; });
+  ASSERT_NE(corner, ends.end());
+  EXPECT_EQ(plan.vertices[corner->first].position.head<2>(), Point2(4, 4));
+  EXPECT_EQ(plan.vertices[corner->first].lines, 3);
+  EXPECT_EQ(plan.vertices[corner->first].index, -1);
+}
+
+TEST(MakePlanTest, CountsAnIslandsShoreToTheBoundaryOfAClosedHole) {
+  const Plan plan = PlanOf(Picture{"#######",  //
+                                   "#.....#",  //
+                                   "#.....#",  //
+                                   "#..#..#",  //
+                                   "#.....#",  //
+                                   "#.....#",  //
+                                   "#######"},
+                           7);
+  ExpectSound(plan);
+  ASSERT_EQ(CountsOf(plan), "1 closed");
+  EXPECT_THAT(plan.holes[0].segments, SizeIs(20 + 4));
+  EXPECT_DOUBLE_EQ(plan.holes[0].area, 24);
+  EXPECT_EQ(plan.holes[0].single, SingleType::kIsland);
+}
+
+TEST(MakePlanTest, CallsAClosedHoleAroundABigIslandAnnular) {
+  const Plan plan = PlanOf(Picture{"#######",  //
+                                   "#.....#",  //
+                                   "#.###.#",  //
+                                   "#.###.#",  //
+                                   "#.###.#",  //
+                                   "#.....#",  //
+                                   "#######"},
+                           7);
+  ExpectSound(plan);
+  ASSERT_EQ(CountsOf(plan), "1 closed");
+  EXPECT_EQ(plan.holes[0].single, SingleType::kAnnular);
+}
+
+TEST(MakePlanTest, CountsAnIslandsShoreToTheBoundaryOfAnOpenHole) {
+  const Plan plan = PlanOf(Picture{"######|######",  //
+                                   "#.....|..####",  //
+                                   "#.....|..####",  //
+                                   "#..#..|..####",  //
+                                   "#.....|..####",  //
+                                   "######|######"},
+                           6);
+  ExpectSound(plan);
+  ASSERT_EQ(CountsOf(plan), "2 IB");
+  EXPECT_DOUBLE_EQ(plan.holes[0].area, 19);
+  EXPECT_DOUBLE_EQ(BoundedArea(plan, plan.holes[0]), 19);
+}
+
+TEST(MakePlanTest, PartsTheSeamWhereAnIslandLiesAcrossTheGridLine) {
+  const Plan plan = PlanOf(Picture{"######|######",  //
+                                   "#.....|.....#",  //
+                                   "#.....|.....#",  //
+                                   "#....#|#....#",  //
+                                   "#.....|.....#",  //
+                                   "######|######"},
+                           6);
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 ID") << "in either cell the island is a part that touches one side";
+  EXPECT_THAT(plan.seams, SizeIs(2));
+}
+
+TEST(MakePlanTest, SplitsAContinuousHoleWhereItTouchesItself) {
+  const Plan plan = PlanOf(Picture{"####",  //
+                                   "#.##",  //
+                                   "##.#",  //
+                                   "####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 closed");
+  EXPECT_EQ(plan.continuous, 1);
+}
+
+TEST(MakePlanTest, LeavesTheOutlineOfADetachedPieceAndSaysSo) {
+  TriMesh mesh = PictureMesh({"####", "####", "####", "####"});
+  TriMesh roof = PictureMesh({"##"}, [](double, double) { return 30; });
+  for (Triangle t : roof.triangles) {
+    for (int32_t& v : t) v += static_cast<int32_t>(mesh.points.size());
+    mesh.triangles.push_back(t);
+  }
+  for (const Point3& p : roof.points) mesh.points.push_back(p + Point3(1, 1, 0));
+  Grid grid;
+  grid.cell_size = Point2(4, 4);
+  const Plan plan = PlanOf(SurveyScene(grid, {{{0, 0}, mesh}}));
+  EXPECT_EQ(CountsOf(plan), "none");
+  EXPECT_EQ(plan.outer_rims, 1);
+  ASSERT_THAT(plan.left, SizeIs(1));
+  EXPECT_EQ(plan.left[0].edges, 6);
+}
+
+TEST(MakePlanTest, LeavesHolesAtTheRimOfAnUnknownAreaOpenAndSaysSo) {
+  SurveyedScene scene = PictureScene({"########",  //
+                                      "########",  //
+                                      "####....",  //
+                                      "####....",  //
+                                      "##.#####",  //
+                                      "########",  //
+                                      "########",  //
+                                      "########"},
+                                     8);
+  scene.area_known = false;
+  const Plan plan = PlanOf(scene);
+  EXPECT_EQ(CountsOf(plan), "1 closed");
+  ASSERT_THAT(plan.left, SizeIs(1));
+  EXPECT_EQ(plan.left[0].cell, (CellId{0, 0}));
+}
+
+}  // namespace
+}  // namespace tilemend

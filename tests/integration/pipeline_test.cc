@@ -1,0 +1,271 @@
+// The promises of design.md, section 2, on made scenes: the stages in memory, without services.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "tests/support/fill_pipeline.h"
+#include "tests/support/scene_maker.h"
+#include "tests/support/surveyed_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::IsEmpty;
+
+constexpr double kCell = 50;
+constexpr int32_t kCells = 3;
+
+struct SceneKind {
+  const char* name;
+  bool lakes, islands, river;
+  double small_per_cell;
+};
+
+void PrintTo(const SceneKind& kind, std::ostream* out) { *out << kind.name; }
+
+constexpr SceneKind kSmall{"Small", false, false, false, 4};
+constexpr SceneKind kLakes{"Lakes", true, false, false, 0};
+constexpr SceneKind kIslands{"Islands", true, true, false, 0};
+constexpr SceneKind kRiver{"River", false, false, true, 0};
+constexpr SceneKind kAll{"All", true, true, true, 2};
+
+class PipelineTest : public testing::TestWithParam<std::tuple<Cut, SceneKind, uint64_t>> {
+ protected:
+  static void SetUpTestSuite() { cache_ = new std::map<std::string, Made>; }
+  static void TearDownTestSuite() {
+    delete cache_;
+    cache_ = nullptr;
+  }
+
+  struct Made {
+    SurveyedScene scene;
+    FilledScene filled;
+    TriMesh welded;
+  };
+
+  // The scene of this test's parameters, filled once for all tests.
+  const Made& Scene() const {
+    const auto& [cut, kind, seed] = GetParam();
+    Made& made = (*cache_)[std::string(kind.name) + (cut == Cut::kClipped ? "C" : "R") + std::to_string(seed)];
+    if (!made.scene.tiles.empty()) return made;
+    SceneMakerOptions options;
+    options.cols = options.rows = kCells;
+    options.cell_size = kCell;
+    options.cut = cut;
+    options.seed = seed;
+    options.lakes = kind.lakes;
+    options.islands = kind.islands;
+    options.river = kind.river;
+    options.small_per_cell = kind.small_per_cell;
+    made.scene = SurveyScene(MakeScene(options));
+    made.filled = FillScene(made.scene);
+    made.welded = WeldTiles(made.filled.tiles);
+    return made;
+  }
+
+ private:
+  static std::map<std::string, Made>* cache_;
+};
+
+std::map<std::string, PipelineTest::Made>* PipelineTest::cache_ = nullptr;
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PipelineTest,
+                         testing::Combine(testing::Values(Cut::kClipped, Cut::kRagged),
+                                          testing::Values(kSmall, kLakes, kIslands, kRiver, kAll),
+                                          testing::Values(1, 2, 5)),
+                         [](const auto& test) {
+                           return std::string(std::get<0>(test.param) == Cut::kClipped ? "Clipped" : "Ragged") +
+                                  std::get<1>(test.param).name + std::to_string(std::get<2>(test.param));
+                         });
+
+using EdgeUses = std::map<std::pair<int32_t, int32_t>, std::vector<bool>>;  // forward or not, for each triangle
+
+EdgeUses UsesOf(const TriMesh& mesh) {
+  EdgeUses uses;
+  for (const Triangle& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int32_t a = t[k], b = t[(k + 1) % 3];
+      uses[{std::min(a, b), std::max(a, b)}].push_back(a < b);
+    }
+  }
+  return uses;
+}
+
+double Area2(const TriMesh& mesh, const Triangle& t) {
+  const Point2 a = mesh.points[t[0]].head<2>();
+  const Point2 u = mesh.points[t[1]].head<2>() - a, v = mesh.points[t[2]].head<2>() - a;
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+bool OnRimOfArea(const Point3& a, const Point3& b) {
+  for (const int axis : {0, 1}) {
+    for (const double line : {0.0, kCells * kCell}) {
+      if (a[axis] == line && b[axis] == line) return true;
+    }
+  }
+  return false;
+}
+
+TEST_P(PipelineTest, FillsEveryHoleThatItFinds) {
+  const Made& made = Scene();
+  EXPECT_THAT(made.filled.plan.left, IsEmpty());
+  EXPECT_FALSE(made.filled.plan.holes.empty());
+  EXPECT_EQ(made.filled.patches.size(), made.filled.plan.holes.size());
+  for (const auto& [hole, patch] : made.filled.patches) {
+    EXPECT_EQ(patch.failure, "") << "hole " << hole;
+    EXPECT_FALSE(patch.triangles.empty()) << "hole " << hole;
+  }
+}
+
+TEST_P(PipelineTest, KeepsTheOriginals) {
+  const Made& made = Scene();
+  for (const auto& [cell, tile] : made.scene.tiles) {
+    if (tile.triangles.empty()) continue;
+    const TriMesh& after = made.filled.tiles.at(cell);
+    ASSERT_GE(after.points.size(), tile.points.size());
+    ASSERT_GE(after.triangles.size(), tile.triangles.size());
+    EXPECT_TRUE(std::equal(tile.points.begin(), tile.points.end(), after.points.begin()));
+    EXPECT_TRUE(std::equal(tile.triangles.begin(), tile.triangles.end(), after.triangles.begin()));
+  }
+}
+
+TEST_P(PipelineTest, LeavesNoBoundaryOffTheRimOfTheArea) {
+  const Made& made = Scene();
+  for (const auto& [edge, uses] : UsesOf(made.welded)) {
+    if (uses.size() != 1) continue;
+    const Point3 a = made.welded.points[edge.first], b = made.welded.points[edge.second];
+    EXPECT_TRUE(OnRimOfArea(a, b)) << a.transpose() << " to " << b.transpose();
+  }
+}
+
+TEST_P(PipelineTest, JoinsTwoTrianglesOfOneOrientationAtEveryInnerEdge) {
+  const Made& made = Scene();
+  for (const auto& [edge, uses] : UsesOf(made.welded)) {
+    if (uses.size() < 2) continue;
+    const Point3 a = made.welded.points[edge.first];
+    ASSERT_EQ(uses.size(), 2u) << "at " << a.transpose();
+    ASSERT_NE(uses[0], uses[1]) << "at " << a.transpose();
+  }
+}
+
+TEST_P(PipelineTest, HasNoTriangleThatFacesDown) {
+  const Made& made = Scene();
+  for (const Triangle& t : made.welded.triangles) {
+    ASSERT_GT(Area2(made.welded, t), 0) << "at " << made.welded.points[t[0]].transpose();
+  }
+}
+
+TEST_P(PipelineTest, CoversTheAreaOfTheCells) {
+  const Made& made = Scene();
+  double area = 0;
+  for (const Triangle& t : made.welded.triangles) area += Area2(made.welded, t) / 2;
+  EXPECT_NEAR(area, kCells * kCells * kCell * kCell, 1e-6);
+}
+
+TEST_P(PipelineTest, SettlesEverySeamVertexOnTheLattice) {
+  const Made& made = Scene();
+  const Plan& plan = made.filled.plan;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const RimSegment& s : hole.segments) {
+      if (plan.vertices[s.from].index >= 0) continue;
+      const auto height = made.filled.heights.height.find(s.from);
+      ASSERT_NE(height, made.filled.heights.height.end());
+      ASSERT_EQ(std::fmod(height->second, plan.lattice_step), 0);
+    }
+  }
+}
+
+TEST_P(PipelineTest, HoldsItsVerticesInTheNumbersOfTheTiles) {
+  const Made& made = Scene();
+  for (const Point3& p : made.welded.points) {
+    ASSERT_EQ(p, Point3(p.cast<float>().cast<double>())) << "a float32 tile would move it";
+  }
+}
+
+TEST_P(PipelineTest, StaysWithinReachOfTheHeightsAround) {
+  const Made& made = Scene();
+  double lo = 1e9, hi = -1e9;
+  for (const auto& [cell, record] : made.scene.records) {
+    lo = std::min(lo, record.lo.z());
+    hi = std::max(hi, record.hi.z());
+  }
+  const double slack = 0.5 * (hi - lo);
+  for (const Point3& p : made.welded.points) {
+    ASSERT_GT(p.z(), lo - slack) << p.transpose();
+    ASSERT_LT(p.z(), hi + slack) << p.transpose();
+  }
+}
+
+// A scene at one height is filled at that height, whatever the cut, the layers and the seams.
+TEST(FlatSceneTest, IsFilledFlat) {
+  for (const Cut cut : {Cut::kClipped, Cut::kRagged}) {
+    SceneMakerOptions options;
+    options.cols = options.rows = 4;
+    options.cut = cut;
+    options.relief = 0;
+    options.ellipses = {{{95, 105}, {70, 60}}};
+    const FilledScene filled = FillScene(SurveyScene(MakeScene(options)));
+    ASSERT_GE(filled.plan.layers, 2);
+    for (const auto& [cell, tile] : filled.tiles) {
+      for (const Point3& p : tile.points) ASSERT_EQ(p.z(), 0) << p.transpose();
+    }
+  }
+}
+
+TEST(EmptyCellTest, IsFilledFromItsNeighbours) {
+  for (const Cut cut : {Cut::kClipped, Cut::kRagged}) {
+    SceneMakerOptions options;
+    options.cols = options.rows = 3;
+    options.cut = cut;
+    options.empty = {{1, 1}};
+    const SurveyedScene scene = SurveyScene(MakeScene(options));
+    const FilledScene filled = FillScene(scene);
+    EXPECT_EQ(filled.patches.size(), filled.plan.holes.size());
+    double area = 0;
+    const TriMesh welded = WeldTiles(filled.tiles);
+    for (const Triangle& t : welded.triangles) area += Area2(welded, t) / 2;
+    EXPECT_NEAR(area, 150 * 150, 1e-6);
+    EXPECT_FALSE(filled.tiles.at({1, 1}).triangles.empty());
+  }
+}
+
+// Seams agree to the bit only because both sides take one height: without the seam's smoothing it must hold as well.
+TEST(SeamTest, ClosesWithAnySmoothing) {
+  SceneMakerOptions options;
+  options.cols = options.rows = 2;
+  options.ellipses = {{{50, 50}, {30, 25}}};
+  const SurveyedScene scene = SurveyScene(MakeScene(options));
+  for (const double gamma : {0.0, 0.9}) {
+    PipelineOptions pipeline;
+    pipeline.gamma = gamma;
+    const TriMesh welded = WeldTiles(FillScene(scene, pipeline).tiles);
+    for (const auto& [edge, uses] : UsesOf(welded)) {
+      const Point3 a = welded.points[edge.first], b = welded.points[edge.second];
+      const bool rim =
+          (a.x() == b.x() && (a.x() == 0 || a.x() == 100)) || (a.y() == b.y() && (a.y() == 0 || a.y() == 100));
+      ASSERT_EQ(uses.size(), rim ? 1u : 2u) << "gamma " << gamma << " at " << a.transpose();
+    }
+  }
+}
+
+TEST(DeterminismTest, GivesTheSameTilesEveryTime) {
+  SceneMakerOptions options;
+  options.lakes = options.river = true;
+  const SurveyedScene scene = SurveyScene(MakeScene(options));
+  const FilledScene a = FillScene(scene), b = FillScene(scene);
+  for (const auto& [cell, tile] : a.tiles) {
+    EXPECT_EQ(tile.points, b.tiles.at(cell).points);
+    EXPECT_EQ(tile.triangles, b.tiles.at(cell).triangles);
+  }
+}
+
+}  // namespace
+}  // namespace tilemend

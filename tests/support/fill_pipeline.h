@@ -1,0 +1,39 @@
+// The stages in memory, one after the other: survey, plan, sample and settle layer by layer, fill, assemble.
+#ifndef TILEMEND_TESTS_SUPPORT_FILL_PIPELINE_H_
+#define TILEMEND_TESTS_SUPPORT_FILL_PIPELINE_H_
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/grid/cell_holes.h"
+#include "common/mesh/tri_mesh.h"
+#include "coordinator/plan/plan.h"
+#include "coordinator/plan/seam_heights.h"
+#include "tests/support/surveyed_scene.h"
+#include "worker/fill/fill_holes.h"
+
+namespace tilemend {
+
+struct PipelineOptions {
+  PlanOptions plan;
+  FillOptions fill;
+  double gamma = 0.5;
+};
+
+struct FilledScene {
+  Plan plan;
+  SeamHeights heights;
+  std::map<int32_t, HolePatch> patches;  // by hole of the plan; those without a failure in the plan
+  std::map<CellId, TriMesh> tiles;       // with their patches: the tile's own vertices and triangles first
+};
+
+FilledScene FillScene(const SurveyedScene& scene, const PipelineOptions& options = {});
+
+// All tiles as one mesh, equal positions welded.
+TriMesh WeldTiles(const std::map<CellId, TriMesh>& tiles);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_TESTS_SUPPORT_FILL_PIPELINE_H_

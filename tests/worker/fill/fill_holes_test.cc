@@ -1,0 +1,296 @@
+#include "worker/fill/fill_holes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/support/mesh_builders.h"
+#include "tests/support/patch_checks.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using Picture = std::vector<std::string>;
+
+const Picture kSquareHole = {"##########",  //
+                             "##########",  //
+                             "##......##",  //
+                             "##......##",  //
+                             "##......##",  //
+                             "##......##",  //
+                             "##......##",  //
+                             "##......##",  //
+                             "##########",  //
+                             "##########"};
+
+const Picture kHoleWithIsland = {"##########",  //
+                                 "#........#",  //
+                                 "#........#",  //
+                                 "#..###...#",  //
+                                 "#..###...#",  //
+                                 "#........#",  //
+                                 "#........#",  //
+                                 "##########"};
+
+const Picture kPinchedHole = {"########",  //
+                              "#...####",  //
+                              "#...####",  //
+                              "#...####",  //
+                              "####...#",  //
+                              "####...#",  //
+                              "####...#",  //
+                              "########"};
+
+// The boundary edges off the outline of a picture.
+CellHoles HoleOf(const Picture& picture, const HeightFunction& height = Flat, bool open = false) {
+  const auto inside = [&](const Point3& p) {
+    return p.x() > 0 && p.y() > 0 && p.x() < static_cast<double>(picture[0].size()) &&
+           p.y() < static_cast<double>(picture.size());
+  };
+  return WorkOf(PictureMesh(picture, height), open,
+                [&](const Point3& a, const Point3& b) { return inside(a) && inside(b); });
+}
+
+// The same work with every position moved.
+CellHoles MovedWork(CellHoles work, const std::function<Point3(const Point3&)>& f) {
+  for (RimVertex& v : work.vertices) v.position = f(v.position);
+  for (Point3& p : work.band.points) p = f(p);
+  return work;
+}
+
+HolePatch Fill(const CellHoles& work) { return FillHoles(work, {}).at(0); }
+
+double Waves(double x, double y) { return std::sin(x * 0.7) + 0.5 * std::cos(y * 0.9 + x * 0.2); }
+
+TEST(FillHolesTest, FillsAPlanarSquareHole) {
+  const CellHoles work = HoleOf(kSquareHole);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  EXPECT_NEAR(PatchArea(work, patch), 36, 1e-9);
+  EXPECT_FALSE(patch.new_points.empty());
+  for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), 0);
+}
+
+TEST(FillHolesTest, PutsNewVerticesOnTheLattice) {
+  CellHoles work = HoleOf(kSquareHole, Waves);
+  work.lattice_step = 0x1p-4;
+  const HolePatch patch = Fill(work);
+  ASSERT_FALSE(patch.new_points.empty());
+  for (const Point3& p : patch.new_points) EXPECT_EQ((p * 16).array().round().matrix(), p * 16) << p.transpose();
+}
+
+TEST(FillHolesTest, NamesOriginalVerticesAndMakesNoneAgain) {
+  const CellHoles work = HoleOf(kSquareHole, Waves);
+  const HolePatch patch = Fill(work);
+  for (const Point3& p : patch.new_points) {
+    for (const RimVertex& v : work.vertices) EXPECT_NE(p, v.position);
+  }
+}
+
+TEST(FillHolesTest, FacesUpOverAHeightField) {
+  const CellHoles work = HoleOf(kSquareHole, Waves, true);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  for (const Triangle& t : patch.triangles) EXPECT_GT(AreaVector2(work, patch, t).z(), 0);
+}
+
+TEST(FillHolesTest, StaysOnATiltedPlane) {
+  const auto plane = [](double x, double y) { return 0.5 * x - 0.25 * y + 3; };
+  const CellHoles work = HoleOf(kSquareHole, plane);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  for (const Point3& p : patch.new_points) EXPECT_NEAR(p.z(), plane(p.x(), p.y()), work.lattice_step);
+}
+
+// x from z, y from x, z from y: a turn, so that what faced up faces +x.
+Point3 Upend(const Point3& p) { return {p.z(), p.x(), p.y()}; }
+
+TEST(FillHolesTest, FillsAHoleInAFacadeThatFacesPlusX) {
+  const CellHoles work = MovedWork(HoleOf(kSquareHole), Upend);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  EXPECT_NEAR(PatchArea(work, patch), 36, 1e-9);
+  for (const Triangle& t : patch.triangles) EXPECT_GT(AreaVector2(work, patch, t).x(), 0);
+}
+
+TEST(FillHolesTest, FillsAFacadeLikeTheGround) {
+  const CellHoles ground = HoleOf(kHoleWithIsland, Waves), facade = MovedWork(ground, Upend);
+  const HolePatch flat = Fill(ground), upright = Fill(facade);
+  ExpectClosesHole(facade, facade.holes[0], upright);
+  EXPECT_NEAR(PatchArea(facade, upright), PatchArea(ground, flat), 0.02 * PatchArea(ground, flat));
+}
+
+TEST(FillHolesTest, LeavesAnIslandInTheHole) {
+  const CellHoles work = HoleOf(kHoleWithIsland);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  EXPECT_NEAR(PatchArea(work, patch), 8 * 6 - 3 * 2, 1e-9);
+}
+
+TEST(FillHolesTest, FillsAHoleThatTouchesItself) {
+  const CellHoles work = HoleOf(kPinchedHole);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  EXPECT_NEAR(PatchArea(work, patch), 18, 1e-9);
+}
+
+TEST(FillHolesTest, FillsAHoleOfOneTriangle) {
+  TriMesh mesh = DiscMesh(3, 8);
+  mesh.triangles.erase(mesh.triangles.begin());
+  const auto inner = [](const Point3& a, const Point3& b) { return a.norm() < 2 && b.norm() < 2; };
+  const CellHoles work = WorkOf(mesh, false, inner);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  EXPECT_EQ(patch.triangles.size(), 1u);
+}
+
+// A box without its top corner: the three faces that meet there keep all but the squares at it, so that the hole's
+// boundary turns about a corner of space.
+TEST(FillHolesTest, FillsAHoleAroundTheCornerOfABox) {
+  TriMesh box;
+  const auto add_face = [&](const std::function<Point3(const Point3&)>& place) {
+    const TriMesh face = SquaresMesh(0, 4, 0, 4, [](int32_t i, int32_t j) { return i >= 2 || j >= 2; });
+    for (Triangle t : face.triangles) {
+      for (int32_t& v : t) v += static_cast<int32_t>(box.points.size());
+      box.triangles.push_back(t);
+    }
+    for (const Point3& p : face.points) box.points.push_back(place(p));
+  };
+  add_face([](const Point3& p) { return Point3(-p.x(), -p.y(), 0); });
+  add_face([](const Point3& p) { return Point3(0, -p.x(), -p.y()); });
+  add_face([](const Point3& p) { return Point3(-p.y(), 0, -p.x()); });
+  const auto inner = [](const Point3& a, const Point3& b) { return a.minCoeff() > -4 && b.minCoeff() > -4; };
+  const CellHoles work = WorkOf(box, false, inner);
+  ASSERT_EQ(work.holes[0].segments.size(), 12u);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+}
+
+// A slit that runs round three quarters of a cylinder: on the plane of its boundary it covers itself.
+TEST(FillHolesTest, FillsAHoleThatProjectsOnNoPlane) {
+  CellHoles work;
+  work.lattice_step = 0x1p-10;
+  CellHole hole;
+  const int32_t steps = 18;
+  for (int32_t i = 0; i <= 2 * steps + 1; ++i) {
+    const bool back = i > steps;
+    const double angle = 1.5 * std::numbers::pi * (back ? 2 * steps + 1 - i : i) / steps;
+    RimVertex v;
+    v.index = i;
+    v.position = Point3(4 * std::cos(angle), 4 * std::sin(angle), back ? 1 : 0);
+    v.size = 1;
+    work.vertices.push_back(v);
+    work.band.points.push_back(v.position);
+    hole.segments.push_back({i, (i + 1) % (2 * steps + 2), false});
+  }
+  work.holes.push_back(hole);
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  EXPECT_NEAR(PatchArea(work, patch), 1.5 * std::numbers::pi * 4, 0.2);
+}
+
+// An open hole outside its own boundary, which bounds nothing.
+TEST(FillHolesTest, SaysWhyAHoleStaysOpen) {
+  CellHoles work = HoleOf(kSquareHole);
+  for (RimSegment& s : work.holes[0].segments) std::swap(s.from, s.to);
+  work.holes[0].open = true;
+  const HolePatch patch = Fill(work);
+  EXPECT_THAT(patch.failure, HasSubstr("boundary"));
+  EXPECT_THAT(patch.triangles, IsEmpty());
+  EXPECT_THAT(patch.new_points, IsEmpty());
+}
+
+TEST(FillHolesTest, MakesNoEdgeThatTheSurfaceHasAlready) {
+  // A tube of four sides, open at one end: its mouth is a square, and both diagonals of the mouth are in the surface.
+  CellHoles work;
+  work.lattice_step = 0x1p-10;
+  for (const Point3& p : {Point3(0, 0, 0), Point3(4, 0, 0), Point3(4, 4, 0), Point3(0, 4, 0)}) {
+    RimVertex v;
+    v.index = static_cast<int32_t>(work.vertices.size());
+    v.position = p;
+    v.size = 4;
+    work.vertices.push_back(v);
+    work.band.points.push_back(p);
+  }
+  work.holes.push_back({0, false, {{0, 1, false}, {1, 2, false}, {2, 3, false}, {3, 0, false}}});
+  work.band.points.emplace_back(2, 2, -4);
+  work.band.triangles = {{1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
+  const HolePatch before = Fill(work);
+  ExpectClosesHole(work, work.holes[0], before);
+  ASSERT_EQ(before.triangles.size(), 2u) << "a square of edges of the wanted size takes one diagonal";
+  work.band.points.emplace_back(2, 2, -8);
+  work.band.triangles.push_back({0, 2, 5});
+  work.band.triangles.push_back({1, 3, 5});
+  const HolePatch patch = Fill(work);
+  EXPECT_NE(patch.failure, "");
+  EXPECT_THAT(patch.triangles, IsEmpty());
+}
+
+bool SamePatch(const HolePatch& a, const HolePatch& b) {
+  return a.new_points == b.new_points && a.triangles == b.triangles && a.failure == b.failure;
+}
+
+TEST(FillHolesTest, GivesTheSameBitsEveryTime) {
+  const CellHoles work = HoleOf(kHoleWithIsland, Waves);
+  EXPECT_TRUE(SamePatch(Fill(work), Fill(work)));
+}
+
+TEST(FillHolesTest, FillsAHoleTheSameAloneAndBesideOthers) {
+  CellHoles work = HoleOf(kPinchedHole, Waves);
+  std::vector<CellHole> parts(2);
+  for (const RimSegment& s : work.holes[0].segments) {
+    const bool west = work.vertices[s.from].position.x() + work.vertices[s.to].position.x() < 8;
+    parts[west ? 0 : 1].segments.push_back(s);
+  }
+  parts[1].id = 1;
+  work.holes = parts;
+  const std::vector<HolePatch> both = FillHoles(work, {});
+  for (const int k : {0, 1}) {
+    work.holes = {parts[k]};
+    EXPECT_TRUE(SamePatch(both[k], Fill(work)));
+    EXPECT_EQ(both[k].hole, k);
+  }
+}
+
+class MovedHoleTest : public testing::TestWithParam<Picture> {};
+INSTANTIATE_TEST_SUITE_P(Pictures, MovedHoleTest, testing::Values(kSquareHole, kHoleWithIsland, kPinchedHole));
+
+TEST_P(MovedHoleTest, FillsAHoleTurnedByAQuarterAlike) {
+  const CellHoles work = HoleOf(GetParam(), Waves);
+  const CellHoles turned = MovedWork(work, [](const Point3& p) { return Point3(-p.y(), p.x(), p.z()); });
+  const HolePatch a = Fill(work), b = Fill(turned);
+  ExpectClosesHole(turned, turned.holes[0], b);
+  EXPECT_NEAR(PatchArea(work, a), PatchArea(turned, b), 0.01 * PatchArea(work, a));
+  EXPECT_NEAR(a.triangles.size(), b.triangles.size(), 0.1 * a.triangles.size() + 2);
+}
+
+TEST_P(MovedHoleTest, FillsAHoleFarFromTheOriginAlike) {
+  const CellHoles work = HoleOf(GetParam(), Waves);
+  const CellHoles far = MovedWork(work, [](const Point3& p) { return Point3(p.x() + 1e4, p.y() - 1e4, p.z()); });
+  const HolePatch a = Fill(work), b = Fill(far);
+  ExpectClosesHole(far, far.holes[0], b);
+  EXPECT_NEAR(PatchArea(work, a), PatchArea(far, b), 0.01 * PatchArea(work, a));
+  EXPECT_NEAR(a.triangles.size(), b.triangles.size(), 0.1 * a.triangles.size() + 2);
+}
+
+TEST_P(MovedHoleTest, LiftsThePatchWithItsRim) {
+  const CellHoles work = HoleOf(GetParam(), Waves);
+  const CellHoles lifted = MovedWork(work, [](const Point3& p) { return Point3(p.x(), p.y(), p.z() + 512); });
+  const HolePatch a = Fill(work), b = Fill(lifted);
+  ASSERT_EQ(a.triangles, b.triangles);
+  for (size_t i = 0; i < a.new_points.size(); ++i) {
+    EXPECT_NEAR(a.new_points[i].z() + 512, b.new_points[i].z(), 1.5 * work.lattice_step);
+  }
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,232 @@
+#include "worker/survey/survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "tests/support/mesh_builders.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::Each;
+using ::testing::Ge;
+using ::testing::IsEmpty;
+using Xyz = std::array<double, 3>;
+using DirectedEdge = std::pair<Xyz, Xyz>;
+
+Xyz Key(const Point3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; }
+
+std::multiset<DirectedEdge> EdgesOf(const SurveyRecord& record) {
+  std::multiset<DirectedEdge> edges;
+  for (const BoundaryEdge& e : record.edges) {
+    edges.emplace(Key(record.vertices[e.from].position), Key(record.vertices[e.to].position));
+  }
+  return edges;
+}
+
+// The definition itself: of the triangles with three positions, the edges that one of them has.
+std::multiset<DirectedEdge> BoundaryByDefinition(const TriMesh& mesh) {
+  std::map<std::set<Xyz>, std::vector<DirectedEdge>> uses;
+  for (const Triangle& t : mesh.triangles) {
+    const std::set<Xyz> corners = {Key(mesh.points[t[0]]), Key(mesh.points[t[1]]), Key(mesh.points[t[2]])};
+    if (corners.size() < 3) continue;
+    for (int k = 0; k < 3; ++k) {
+      const Xyz a = Key(mesh.points[t[k]]), b = Key(mesh.points[t[(k + 1) % 3]]);
+      uses[{a, b}].emplace_back(a, b);
+    }
+  }
+  std::multiset<DirectedEdge> edges;
+  for (const auto& [edge, list] : uses) {
+    if (list.size() == 1) edges.insert(list[0]);
+  }
+  return edges;
+}
+
+// How many loops the edges form; -1 if some vertex has not one edge in and one out.
+int CountLoops(const SurveyRecord& record) {
+  std::map<int32_t, int32_t> next;
+  std::set<int32_t> reached;
+  for (const BoundaryEdge& e : record.edges) {
+    if (!next.emplace(e.from, e.to).second || !reached.insert(e.to).second) return -1;
+  }
+  int loops = 0;
+  while (!next.empty()) {
+    ++loops;
+    for (auto at = next.begin(); at != next.end();) {
+      const int32_t to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+  }
+  return loops;
+}
+
+TEST(SurveyTileTest, FindsTheOneLoopOfADisc) {
+  const SurveyRecord record = SurveyTile(DiscMesh(3, 12), true);
+  EXPECT_EQ(record.edges.size(), 12u);
+  EXPECT_EQ(CountLoops(record), 1);
+}
+
+TEST(SurveyTileTest, DirectsBoundaryEdgesLikeTheirTriangles) {
+  const SurveyRecord record = SurveyTile(DiscMesh(3, 12), true);
+  for (const BoundaryEdge& e : record.edges) {
+    const Point3 a = record.vertices[e.from].position, b = record.vertices[e.to].position;
+    EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0) << "counter-clockwise about the disc's middle: surface on the left";
+  }
+}
+
+TEST(SurveyTileTest, FindsTheLoopsOfOutlineHoleAndIsland) {
+  const SurveyRecord record = SurveyTile(PictureMesh({"#######",  //
+                                                      "#.....#",  //
+                                                      "#.....#",  //
+                                                      "#..#..#",  //
+                                                      "#.....#",  //
+                                                      "#######"}),
+                                         true);
+  EXPECT_EQ(CountLoops(record), 3);
+  EXPECT_EQ(record.edges.size(), 26u + 18u + 4u);
+}
+
+TEST(SurveyTileTest, TakesNoTextureSeamForABoundary) {
+  const TriMesh whole = DiscMesh(3, 12);
+  const SurveyRecord record = SurveyTile(Unwelded(whole), true);
+  EXPECT_EQ(EdgesOf(record), EdgesOf(SurveyTile(whole, true)));
+  EXPECT_GT(record.doubled_vertices, 0);
+}
+
+TEST(SurveyTileTest, NamesTheLowestVertexOfADoubledPosition) {
+  const TriMesh mesh = Unwelded(DiscMesh(2, 6));
+  const SurveyRecord record = SurveyTile(mesh, true);
+  for (const BoundaryVertex& v : record.vertices) {
+    const auto lowest = std::find(mesh.points.begin(), mesh.points.end(), v.position);
+    EXPECT_EQ(v.index, lowest - mesh.points.begin());
+  }
+}
+
+TEST(SurveyTileTest, CountsAnEdgeWithThreeTrianglesAndLeavesItOut) {
+  TriMesh fins;
+  fins.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
+  fins.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
+  const SurveyRecord record = SurveyTile(fins, true);
+  EXPECT_EQ(record.nonmanifold_edges, 1);
+  EXPECT_EQ(record.edges.size(), 6u);
+  EXPECT_FALSE(EdgesOf(record).contains({Key(fins.points[0]), Key(fins.points[1])}));
+  EXPECT_FALSE(EdgesOf(record).contains({Key(fins.points[1]), Key(fins.points[0])}));
+}
+
+TEST(SurveyTileTest, LooksThroughDegenerateTriangles) {
+  TriMesh mesh = DiscMesh(1, 6);
+  const auto expected = EdgesOf(SurveyTile(mesh, true));
+  mesh.points.push_back(mesh.points[2]);
+  mesh.triangles.push_back({1, 2, static_cast<int32_t>(mesh.points.size()) - 1});
+  mesh.triangles.push_back({3, 3, 4});
+  const SurveyRecord record = SurveyTile(mesh, true);
+  EXPECT_EQ(EdgesOf(record), expected);
+  EXPECT_EQ(record.degenerate_triangles, 2);
+}
+
+TEST(SurveyTileTest, TakesNoEdgeBetweenTrianglesThatFaceOppositeWaysForABoundary) {
+  TriMesh mesh = DiscMesh(2, 8);
+  const size_t before = SurveyTile(mesh, true).edges.size();
+  std::swap(mesh.triangles[0][1], mesh.triangles[0][2]);
+  EXPECT_EQ(SurveyTile(mesh, true).edges.size(), before);
+}
+
+TEST(SurveyTileTest, HasNoBoundaryOnAClosedSurface) {
+  TriMesh tetrahedron;
+  tetrahedron.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  const SurveyRecord record = SurveyTile(tetrahedron, true);
+  EXPECT_THAT(record.edges, IsEmpty());
+  EXPECT_THAT(record.vertices, IsEmpty());
+  EXPECT_THAT(record.band.triangles, IsEmpty());
+}
+
+TEST(SurveyTileTest, KeepsOneVertexWhereTwoHolesPinch) {
+  const SurveyRecord record = SurveyTile(PictureMesh({"####",  //
+                                                      "#.##",  //
+                                                      "##.#",  //
+                                                      "####"}),
+                                         true);
+  EXPECT_EQ(record.edges.size(), 16u + 8u);
+  EXPECT_EQ(record.vertices.size(), 16u + 7u) << "the pinch is one vertex of four edges";
+}
+
+TEST(SurveyTileTest, KeepsTwoRingsOfTrianglesAsBand) {
+  const int32_t sectors = 12;
+  const TriMesh disc = DiscMesh(5, sectors);
+  const SurveyRecord record = SurveyTile(disc, true);
+  std::vector<double> radii;
+  for (const Triangle& t : record.band.triangles) {
+    double least = 10;
+    for (const int32_t v : t) least = std::min(least, record.band.points[v].norm());
+    radii.push_back(least);
+  }
+  EXPECT_EQ(record.band.triangles.size(), 4u * sectors) << "two rings of two triangles a sector";
+  EXPECT_THAT(radii, Each(Ge(3 - 1e-9)));
+}
+
+TEST(SurveyTileTest, PutsTheBoundaryVerticesFirstIntoTheBand) {
+  const SurveyRecord record = SurveyTile(Unwelded(DiscMesh(4, 9)), true);
+  ASSERT_GE(record.band.points.size(), record.vertices.size());
+  for (size_t i = 0; i < record.vertices.size(); ++i) {
+    EXPECT_EQ(record.band.points[i], record.vertices[i].position);
+  }
+}
+
+TEST(SurveyTileTest, MeansCentroidHeightsAndNormalsOfTheTrianglesAtAVertex) {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 3}, {1, 1, 6}, {0, 1, 9}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const SurveyRecord record = SurveyTile(mesh, true);
+  for (const BoundaryVertex& v : record.vertices) {
+    const double expected = v.index == 1 ? 3 : v.index == 3 ? 5 : 4;
+    EXPECT_DOUBLE_EQ(v.centroid_height, expected) << "vertex " << v.index;
+    EXPECT_NEAR(v.normal.norm(), 1, 1e-12);
+    EXPECT_GT(v.normal.z(), 0);
+  }
+}
+
+TEST(SurveyTileTest, TellsCountsAndBoundsOfTheTile) {
+  const SurveyRecord record = SurveyTile(PictureMesh({"##.", "###"}, [](double x, double y) { return x - y; }), false);
+  EXPECT_EQ(record.triangle_count, 10);
+  EXPECT_EQ(record.vertex_count, 11);
+  EXPECT_FALSE(record.float32);
+  EXPECT_EQ(record.lo, Point3(0, 0, -2));
+  EXPECT_EQ(record.hi, Point3(3, 2, 3));
+}
+
+TEST(SurveyTileTest, TellsOfAnEmptyMeshThatItHasNoBounds) {
+  const SurveyRecord record = SurveyTile(TriMesh{}, true);
+  EXPECT_THAT(record.edges, IsEmpty());
+  EXPECT_GT(record.lo.x(), record.hi.x());
+}
+
+// A soup of few positions, so that every kind of edge turns up: none, one, two either way round, three and more.
+TriMesh RandomSoup(uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto below = [&](int32_t n) { return static_cast<int32_t>(random() % static_cast<uint32_t>(n)); };
+  TriMesh soup;
+  const int32_t points = 4 + below(12), triangles = 1 + below(30);
+  for (int32_t i = 0; i < points; ++i) soup.points.emplace_back(below(3), below(3), below(2));
+  for (int32_t i = 0; i < triangles; ++i) soup.triangles.push_back({below(points), below(points), below(points)});
+  return soup;
+}
+
+TEST(SurveyTileTest, AgreesWithTheDefinitionOnRandomSoups) {
+  for (uint32_t seed = 0; seed < 200; ++seed) {
+    const TriMesh soup = RandomSoup(seed);
+    EXPECT_EQ(EdgesOf(SurveyTile(soup, true)), BoundaryByDefinition(soup)) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tilemend
