@@ -22,7 +22,9 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> local = {
       {"workers", "N", "tasks at once (default: the machine's cores)", ""},
       {"work", "DIR", "where to put intermediate files (default: the system's temporary folder)", ""}};
-  const std::vector<FlagSpec> shape = {{"gradation", "F", "growth of the triangles inward from the rim", "1.3"},
+  const std::vector<FlagSpec> shape = {{"surface", "NAME", "wang or thin-plate", "wang"},
+                                       {"tension", "X", "tautness of the thin-plate surface, 1/m^2", "0"},
+                                       {"gradation", "F", "growth of the triangles inward from the rim", "1.3"},
                                        {"size-limit", "F", "largest edge over the rim's mean edge", "16"},
                                        {"uniform", "", "triangles as large as the rim's throughout", ""},
                                        {"out", "FILE", "where to write the filled mesh", ""},

@@ -49,7 +49,7 @@ absl::StatusOr<Filled> FillMesh(const std::string& path, const FillOptions& opti
   Filled filled;
   filled.report.plan = &mesh.plan;
   filled.report.cells = 1;
-  filled.report.surface = "wang";
+  filled.report.surface = options.surface == Surface::kThinPlate ? "thin-plate" : "wang";
   FilePatch patch;
   std::vector<int32_t> holes;
   for (size_t h = 0; h < mesh.plan.holes.size(); ++h) {
@@ -95,6 +95,15 @@ int FillCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   FillOptions options;
+  const std::string surface = args.Text("surface");
+  if (surface != "wang" && surface != "thin-plate") {
+    return PrintUsageError(
+        absl::InvalidArgumentError(absl::StrCat("--surface '", surface, "': expected wang or thin-plate")));
+  }
+  if (surface == "thin-plate") options.surface = Surface::kThinPlate;
+  const auto tension = args.Number("tension", 0, 1000);
+  if (!tension.ok()) return PrintUsageError(tension.status());
+  options.tension = *tension;
   const auto gradation = args.Number("gradation", 1, 10);
   if (!gradation.ok()) return PrintUsageError(gradation.status());
   const auto size_limit = args.Number("size-limit", 1, 1e6);

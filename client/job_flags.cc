@@ -27,6 +27,7 @@ std::vector<FlagSpec> JobFlags() {
       {"out", "DIR", "folder to write to", ""},
       {"surface", "NAME", "wang or thin-plate", defaults.surface},
       {"uniform", "", "triangles as large as the rim's throughout", ""},
+      {"tension", "X", "tautness of the thin-plate surface, 1/m^2, 0 to 1000", "0"},
       {"gradation", "X", "growth of the triangles inward, 1 to 10", absl::StrCat(defaults.gradation)},
       {"size-limit", "X", "largest edge over the rim's mean edge", absl::StrCat(defaults.size_limit)},
       {"seam-smoothing", "X", "smoothing of the seams, 0 to 1", absl::StrCat(defaults.seam_smoothing)},
@@ -44,6 +45,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.out = AbsolutePath(args.Text("out"));
   spec.surface = args.Text("surface");
   spec.uniform = args.Switch("uniform");
+  TILEMEND_ASSIGN_OR_RETURN(spec.tension, args.Number("tension", 0, 1000));
   TILEMEND_ASSIGN_OR_RETURN(spec.gradation, args.Number("gradation", 1, 10));
   TILEMEND_ASSIGN_OR_RETURN(spec.size_limit, args.Number("size-limit", 1, 1e6));
   TILEMEND_ASSIGN_OR_RETURN(spec.seam_smoothing, args.Number("seam-smoothing", 0, 1));

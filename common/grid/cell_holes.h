@@ -16,12 +16,14 @@ namespace tilemend {
 struct RimVertex {
   CellId tile;               // whose vertex it is; meaningless for a seam vertex
   int32_t index = -1;        // in that tile; -1: a seam vertex
-  int32_t seam_vertex = -1;  // the plan's number of a seam vertex; -1: an original vertex
+  int32_t seam_vertex = -1;  // the plan's number of a vertex that lies on a seam or at the end of one; else -1
   uint8_t lines = 0;  // of a seam vertex: 1 if it lies on a line x = const, 2 if on y = const, 3 on a grid corner
   Point3 position{0, 0, 0};  // exact for originals; z of a seam vertex counts when height_known
   bool height_known = true;
-  double centroid_height = 0;  // originals: see BoundaryVertex
-  double size = 0;             // wanted edge length here, metres
+  double centroid_height = 0;    // originals: see BoundaryVertex
+  double size = 0;               // wanted edge length here, metres
+  bool laplacian_known = false;  // on seams, from the surface of the whole cluster: its Laplacian here, 1 / metre
+  double laplacian = 0;
 };
 
 // A segment of a hole's boundary; seen from above, the hole lies to the left of from -> to.

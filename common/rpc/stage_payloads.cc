@@ -146,6 +146,8 @@ v1::RimVertices ToProto(const std::vector<RimVertex>& vertices) {
     proto.add_height_known(v.height_known);
     proto.add_centroid_height(v.centroid_height);
     proto.add_size(v.size);
+    proto.add_laplacian_known(v.laplacian_known);
+    proto.add_laplacian(v.laplacian);
   }
   return proto;
 }
@@ -154,7 +156,7 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
   const int n = proto.col_size();
   if (proto.row_size() != n || proto.index_size() != n || proto.seam_vertex_size() != n || proto.lines_size() != n ||
       proto.position_size() != 3 * n || proto.height_known_size() != n || proto.centroid_height_size() != n ||
-      proto.size_size() != n) {
+      proto.size_size() != n || proto.laplacian_known_size() != n || proto.laplacian_size() != n) {
     return Malformed("rim vertices");
   }
   std::vector<RimVertex> vertices(n);
@@ -168,6 +170,8 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
     v.height_known = proto.height_known(i);
     v.centroid_height = proto.centroid_height(i);
     v.size = proto.size(i);
+    v.laplacian_known = proto.laplacian_known(i);
+    v.laplacian = proto.laplacian(i);
     if (!v.position.allFinite()) return Malformed("rim vertex position");
   }
   return vertices;

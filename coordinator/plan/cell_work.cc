@@ -1,5 +1,6 @@
 #include "coordinator/plan/cell_work.h"
 
+#include <set>
 #include <unordered_map>
 
 namespace tilemend {
@@ -18,14 +19,23 @@ class CellWorkBuilder {
     for (const int32_t h : holes) AddHole(h);
     if (with_band) {
       for (const RimVertex& v : work_.vertices) work_.band.points.push_back(v.position);
-      for (int dr = -1; dr <= 1; ++dr) {
-        for (int dc = -1; dc <= 1; ++dc) AddBand({work_.cell.col + dc, work_.cell.row + dr});
-      }
+      for (const CellId tile : CellsAround(holes)) AddBand(tile);
     }
     return std::move(work_);
   }
 
  private:
+  std::set<CellId> CellsAround(const std::vector<int32_t>& holes) const {
+    std::set<CellId> cells;
+    for (const int32_t h : holes) {
+      const CellId c = plan_.holes[h].cell;
+      for (int dr = -1; dr <= 1; ++dr) {
+        for (int dc = -1; dc <= 1; ++dc) cells.insert({c.col + dc, c.row + dr});
+      }
+    }
+    return cells;
+  }
+
   const SurveyRecord* RecordOf(CellId cell) const {
     const auto it = input_.cells.find(cell);
     return it == input_.cells.end() ? nullptr : it->second;
@@ -65,6 +75,10 @@ class CellWorkBuilder {
       v.tile = work_.cell;
       v.index = own->second;
     }
+    if (const auto it2 = heights_.laplacian.find(plan_vertex); it2 != heights_.laplacian.end()) {
+      v.laplacian_known = true;
+      v.laplacian = it2->second;
+    }
     if (p.index < 0) {
       v.seam_vertex = plan_vertex;
       const auto height = heights_.height.find(plan_vertex);
@@ -82,7 +96,11 @@ class CellWorkBuilder {
     hole.open = planned.kind != HoleKind::kClosed;
     for (const RimSegment& s : planned.segments) {
       const int32_t from = Vertex(s.from);
-      hole.segments.push_back({from, Vertex(s.to), s.seam});
+      const int32_t to = Vertex(s.to);
+      hole.segments.push_back({from, to, s.seam});
+      if (!s.seam) continue;
+      work_.vertices[from].seam_vertex = s.from;
+      work_.vertices[to].seam_vertex = s.to;
     }
     work_.holes.push_back(std::move(hole));
   }

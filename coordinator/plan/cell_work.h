@@ -10,8 +10,8 @@
 
 namespace tilemend {
 
-// The given holes (of one cell, without failure) with their vertices and, if `with_band`, the triangles around them: of
-// the cell's own tile and of its neighbours', two rings from the holes' own vertices at most.
+// The given holes (of one cell, or of one cluster; without failure) with their vertices and, if `with_band`, the
+// triangles around them: of the cell's own tile and of its neighbours', two rings from the holes' own vertices at most.
 CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
                         const std::vector<int32_t>& holes, bool with_band);
 

@@ -73,6 +73,14 @@ class Smoother {
 
 }  // namespace
 
+void SettleClusters(const Plan& plan, std::span<const ClusterSample> samples, SeamHeights& heights) {
+  for (const ClusterSample& s : samples) {
+    heights.laplacian[s.vertex] = s.laplacian;
+    if (plan.vertices[s.vertex].index >= 0) continue;  // an original vertex at the end of a seam
+    heights.height[s.vertex] = std::round(s.height / plan.lattice_step) * plan.lattice_step;
+  }
+}
+
 void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double gamma, SeamHeights& heights) {
   const std::map<int32_t, Merged> merged = Merge(samples, heights);
   const std::map<int32_t, double> differences = Smoother(plan, heights, merged).Differences();

@@ -19,8 +19,19 @@ struct SeamSample {
 };
 
 struct SeamHeights {
-  std::map<int32_t, double> height;  // of the seam vertices that are settled
+  std::map<int32_t, double> height;     // of the seam vertices that are settled
+  std::map<int32_t, double> laplacian;  // on seams, where the surface of the cluster is known
 };
+
+// The surface of a cluster at a vertex on a seam or at the end of one.
+struct ClusterSample {
+  int32_t vertex = 0;    // into Plan::vertices
+  double height = 0;     // metres
+  double laplacian = 0;  // 1 / metre
+};
+
+// Settles the seam vertices of clusters whose surface is known. Heights are rounded to the plan's lattice.
+void SettleClusters(const Plan& plan, std::span<const ClusterSample> samples, SeamHeights& heights);
 
 // Settles the seam vertices that one layer sampled: the mean of the samples; along seams between two cells of the
 // layer, where both gave heights, Laplacian-smoothed once (Wang 2021, eq. 5 and 6) with factor `gamma`, 0 <= gamma < 1,

@@ -29,6 +29,7 @@ struct JobSpec {
   bool uniform = false;          // triangles as large as the rim's throughout
   double gradation = 1.3;        // [1, 10], growth of the triangles inward
   double size_limit = 16;        // [1, 1e6], largest edge over the rim's mean edge
+  double tension = 0;            // [0, 1000], of the thin-plate surface, 1 / metre^2
   double seam_smoothing = 0.5;   // [0, 1], gamma of Wang eq. 6
   bool overwrite = false;        // replace an existing output
   bool dry_run = false;          // survey and plan only, write no tiles

@@ -49,6 +49,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   spec.out = proto.out();
   if (!proto.surface().empty()) spec.surface = proto.surface();
   spec.uniform = proto.uniform();
+  spec.tension = proto.tension();
   if (proto.gradation() != 0) spec.gradation = proto.gradation();
   if (proto.size_limit() != 0) spec.size_limit = proto.size_limit();
   if (proto.has_seam_smoothing()) spec.seam_smoothing = proto.seam_smoothing();
@@ -63,6 +64,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_out(spec.out);
   proto.set_surface(spec.surface);
   proto.set_uniform(spec.uniform);
+  proto.set_tension(spec.tension);
   proto.set_gradation(spec.gradation);
   proto.set_size_limit(spec.size_limit);
   proto.set_seam_smoothing(spec.seam_smoothing);

@@ -26,6 +26,7 @@ absl::Status JobSpec::Check() const {
   if (surface != "wang" && surface != "thin-plate") {
     return InvalidSpec("surface", absl::StrCat("'", surface, "' is neither wang nor thin-plate"));
   }
+  TILEMEND_RETURN_IF_ERROR(CheckRange("tension", tension, 0, 1000));
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
   TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
   return CheckRange("seam_smoothing", seam_smoothing, 0, 1);

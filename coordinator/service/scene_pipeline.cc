@@ -23,6 +23,8 @@
 namespace tilemend {
 namespace {
 
+constexpr char kThinPlate[] = "thin-plate";
+
 class Stopwatch {
  public:
   double Lap() {
@@ -36,7 +38,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// survey (all cells) -> plan -> sample layer by layer -> fill (all cells with holes) -> assemble (all cells).
+// survey (all cells) -> plan -> sample (thin-plate: cluster by cluster; what is then unknown, and wang: layer by layer)
+// -> fill (all cells with holes) -> assemble (all cells).
 class ScenePipeline : public JobPipeline {
  public:
   ScenePipeline(JobSpec spec, Scene scene, std::optional<OutputFolder> output)
@@ -104,7 +107,7 @@ class ScenePipeline : public JobPipeline {
   }
 
  private:
-  enum class Wave { kSurvey, kSample, kFill, kAssemble };
+  enum class Wave { kSurvey, kCluster, kSample, kFill, kAssemble };
 
   v1::TileRef Ref(const SceneTile& tile) const {
     v1::TileRef ref;
@@ -132,6 +135,7 @@ class ScenePipeline : public JobPipeline {
       case Stage::kSample: {
         v1::SampleOutput output;
         if (!output.ParseFromString(bytes) || output.height_size() != output.seam_vertex_size()) return malformed;
+        if (wave_ == Wave::kCluster) return TakeClusterSamples(output);
         for (int i = 0; i < output.height_size(); ++i)
           samples_.push_back({result.cell, output.seam_vertex(i), output.height(i)});
         return absl::OkStatus();
@@ -156,6 +160,19 @@ class ScenePipeline : public JobPipeline {
     return malformed;
   }
 
+  absl::Status TakeClusterSamples(const v1::SampleOutput& output) {
+    if (output.laplacian_size() != output.height_size())
+      return absl::InternalError("a worker's cluster samples are incomplete");
+    for (int i = 0; i < output.height_size(); ++i) {
+      const int32_t vertex = output.seam_vertex(i);
+      if (vertex < 0 || vertex >= static_cast<int32_t>(plan_.vertices.size())) {
+        return absl::InternalError("a worker's cluster samples name a vertex that is not in the plan");
+      }
+      cluster_samples_.push_back({vertex, output.height(i), output.laplacian(i)});
+    }
+    return absl::OkStatus();
+  }
+
   // What comes after the wave that has just ended.
   absl::StatusOr<std::vector<NewTask>> NextWave() {
     switch (wave_) {
@@ -167,6 +184,11 @@ class ScenePipeline : public JobPipeline {
           done_ = true;
           return std::vector<NewTask>{};
         }
+        wave_ = Wave::kCluster;
+        return spec_.surface == kThinPlate ? SampleClusters() : std::vector<NewTask>{};
+      case Wave::kCluster:
+        SettleClusters(plan_, cluster_samples_, heights_);
+        cluster_samples_.clear();
         wave_ = Wave::kSample;
         return SampleLayer(1);
       case Wave::kSample:
@@ -206,6 +228,44 @@ class ScenePipeline : public JobPipeline {
     }
   }
 
+  v1::ShapeOptions Options() const {
+    v1::ShapeOptions options;
+    options.set_gradation(spec_.gradation);
+    options.set_size_limit(spec_.size_limit);
+    options.set_uniform(spec_.uniform);
+    options.set_thin_plate(spec_.surface == kThinPlate);
+    options.set_tension(spec_.tension);
+    return options;
+  }
+
+  // One task for the surface of each cluster.
+  std::vector<NewTask> SampleClusters() {
+    phase_ = "sample clusters";
+    std::map<int32_t, std::vector<int32_t>> clusters;
+    for (const auto& [cell, holes] : holes_of_) {
+      for (const int32_t h : holes) {
+        if (plan_.holes[h].cluster >= 0) clusters[plan_.holes[h].cluster].push_back(h);
+      }
+    }
+    std::vector<NewTask> tasks;
+    for (const auto& [cluster, holes] : clusters) {
+      v1::SampleInput input;
+      *input.mutable_holes() = ToProto(MakeCellHoles(plan_, input_, heights_, holes, true));
+      input.set_whole_cluster(true);
+      *input.mutable_options() = Options();
+      tasks.push_back({plan_.holes[holes.front()].cell, Stage::kSample, input.SerializeAsString()});
+    }
+    return tasks;
+  }
+
+  // The holes of a layer with seam vertices that are not settled.
+  bool NeedsHeights(int32_t h) const {
+    const auto& segments = plan_.holes[h].segments;
+    return std::any_of(segments.begin(), segments.end(), [&](const RimSegment& s) {
+      return plan_.vertices[s.from].index < 0 && !heights_.height.contains(s.from);
+    });
+  }
+
   std::vector<NewTask> SampleLayer(int32_t layer) {
     layer_ = layer;
     phase_ = absl::StrCat("sample layer ", layer, " of ", plan_.layers);
@@ -213,7 +273,7 @@ class ScenePipeline : public JobPipeline {
     for (const auto& [cell, holes] : holes_of_) {
       std::vector<int32_t> of_layer;
       std::copy_if(holes.begin(), holes.end(), std::back_inserter(of_layer),
-                   [&](int32_t h) { return plan_.holes[h].layer == layer; });
+                   [&](int32_t h) { return plan_.holes[h].layer == layer && NeedsHeights(h); });
       if (of_layer.empty()) continue;
       v1::SampleInput input;
       *input.mutable_holes() = ToProto(MakeCellHoles(plan_, input_, heights_, of_layer, false));
@@ -229,9 +289,7 @@ class ScenePipeline : public JobPipeline {
       v1::FillInput input;
       const CellHoles work = MakeCellHoles(plan_, input_, heights_, holes, true);
       *input.mutable_holes() = ToProto(work);
-      input.set_gradation(spec_.gradation);
-      input.set_size_limit(spec_.size_limit);
-      input.set_uniform(spec_.uniform);
+      *input.mutable_options() = Options();
       rims_[cell] = ToProto(work.vertices);
       tasks.push_back({cell, Stage::kFill, input.SerializeAsString()});
     }
@@ -281,6 +339,7 @@ class ScenePipeline : public JobPipeline {
   Plan plan_;
   std::map<CellId, std::vector<int32_t>> holes_of_;
   std::vector<SeamSample> samples_;
+  std::vector<ClusterSample> cluster_samples_;
   SeamHeights heights_;
   std::map<CellId, v1::RimVertices> rims_;
   std::map<CellId, v1::FillOutput> patches_;
@@ -289,15 +348,12 @@ class ScenePipeline : public JobPipeline {
 
 // What makes two jobs write the same bytes.
 std::string JobKey(const JobSpec& spec) {
-  return absl::StrFormat("scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\n",
-                         spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing);
+  return absl::StrFormat(
+      "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %.17g\n",
+      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing, spec.tension);
 }
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec) {
-  if (spec.surface != "wang") {
-    return absl::InvalidArgumentError(
-        absl::StrCat("--surface ", spec.surface, ": this release has the surface wang only"));
-  }
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {

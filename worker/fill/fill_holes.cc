@@ -12,10 +12,12 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/rounding.h"
+#include "worker/fill/cell_band.h"
 #include "worker/fill/fair_heights.h"
 #include "worker/fill/fold_cutting.h"
 #include "worker/fill/minimum_weight.h"
 #include "worker/fill/projection_frame.h"
+#include "worker/fill/thin_plate.h"
 
 namespace tilemend {
 namespace {
@@ -23,50 +25,6 @@ namespace {
 using Edge = std::pair<int32_t, int32_t>;
 
 Edge Undirected(int32_t a, int32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
-// What all holes of a cell look up: the original triangles at each rim vertex.
-class CellBand {
- public:
-  explicit CellBand(const CellHoles& cell) : cell_(cell), at_(cell.vertices.size()) {
-    for (size_t t = 0; t < cell.band.triangles.size(); ++t) {
-      for (const int32_t v : cell.band.triangles[t]) {
-        if (v < static_cast<int32_t>(at_.size())) at_[v].push_back(static_cast<int32_t>(t));
-      }
-    }
-  }
-
-  const std::vector<int32_t>& At(int32_t vertex) const { return at_[vertex]; }
-
-  Eigen::Vector3d Normal(int32_t triangle) const {
-    const Triangle& t = cell_.band.triangles[triangle];
-    const auto& p = cell_.band.points;
-    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-  }
-
-  bool HasEdge(int32_t a, int32_t b) const {
-    return std::any_of(at_[a].begin(), at_[a].end(), [&](int32_t t) {
-      const Triangle& tri = cell_.band.triangles[t];
-      return std::find(tri.begin(), tri.end(), b) != tri.end();
-    });
-  }
-
-  int CountEdge(int32_t a, int32_t b) const {
-    return static_cast<int>(std::count_if(at_[a].begin(), at_[a].end(), [&](int32_t t) {
-      const Triangle& tri = cell_.band.triangles[t];
-      return std::find(tri.begin(), tri.end(), b) != tri.end();
-    }));
-  }
-
-  bool HasTriangle(const Triangle& t) const {
-    return std::any_of(at_[t[0]].begin(), at_[t[0]].end(), [&](int32_t other) {
-      return std::is_permutation(t.begin(), t.end(), cell_.band.triangles[other].begin());
-    });
-  }
-
- private:
-  const CellHoles& cell_;
-  std::vector<std::vector<int32_t>> at_;
-};
 
 class HoleFiller {
  public:
@@ -271,8 +229,8 @@ class HoleFiller {
       for (const int32_t v : run) problem.full_ring[v] = false;
     }
     AddBand(frame, problem);
-    AdjustHeights(problem);
-    if (!FairHeights(problem)) return Failed("the fairing equations have no solution");
+    const bool solved = options_.surface == Surface::kWang ? ShapeAsWang(problem) : ShapeAsThinPlate(frame, problem);
+    if (!solved) return Failed("the equations of its surface have no solution");
     HolePatch patch;
     for (int32_t k = 0; k < problem.new_count; ++k) {
       const Point3 p = frame.ToScene(problem.points[problem.rim_count + k]);
@@ -287,6 +245,32 @@ class HoleFiller {
       StoreTriangles(triangles, patch);
     }
     return patch;
+  }
+
+  static bool ShapeAsWang(FairingProblem& problem) {
+    AdjustHeights(problem);
+    return FairHeights(problem);
+  }
+
+  bool ShapeAsThinPlate(const ProjectionFrame& frame, FairingProblem& problem) const {
+    ThinPlateProblem plate;
+    plate.points = std::move(problem.points);
+    plate.patch = problem.patch;
+    plate.band = std::move(problem.band);
+    const auto rim = static_cast<size_t>(problem.rim_count), all = rim + static_cast<size_t>(problem.new_count);
+    for (size_t v = 0; v < plate.points.size(); ++v) {
+      plate.known.push_back(v < rim || v >= all);
+      plate.full_ring.push_back(v < rim ? static_cast<bool>(problem.full_ring[v]) : v < all);
+    }
+    plate.laplacian.resize(plate.points.size());
+    for (size_t v = 0; v < rim; ++v) {
+      const RimVertex& vertex = Rim(static_cast<int32_t>(v));
+      if (!problem.full_ring[v] && vertex.laplacian_known && frame.upright()) plate.laplacian[v] = vertex.laplacian;
+    }
+    plate.tension = options_.tension;
+    const bool solved = SolveThinPlate(plate).has_value();
+    problem.points = std::move(plate.points);
+    return solved;
   }
 
   Point2 ToNumberType(const Point2& p) const {

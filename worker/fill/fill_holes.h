@@ -9,7 +9,12 @@
 
 namespace tilemend {
 
+// How the heights inside a patch are found: Wang 2021, eq. 1 to 4, or the thin-plate surface (thin_plate.h).
+enum class Surface { kWang, kThinPlate };
+
 struct FillOptions {
+  Surface surface = Surface::kWang;
+  double tension = 0;  // of the thin-plate surface, 1 / metre^2
   RefineOptions refine;
 };
 

@@ -11,6 +11,7 @@
 #include "tilemend/v1/stages.pb.h"
 #include "worker/assemble/assemble.h"
 #include "worker/fill/fill_holes.h"
+#include "worker/fill/sample_cluster.h"
 #include "worker/fill/sample_heights.h"
 #include "worker/survey/survey.h"
 
@@ -36,23 +37,37 @@ absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
   return output.SerializeAsString();
 }
 
+FillOptions OptionsOf(const v1::ShapeOptions& proto) {
+  FillOptions options;
+  options.refine.gradation = proto.gradation();
+  options.refine.size_limit = proto.size_limit();
+  options.refine.uniform = proto.uniform();
+  options.surface = proto.thin_plate() ? Surface::kThinPlate : Surface::kWang;
+  options.tension = proto.tension();
+  return options;
+}
+
 absl::StatusOr<std::string> RunSample(const v1::SampleInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
   v1::SampleOutput output;
-  for (const HeightSample& sample : SampleHeights(holes)) {
-    output.add_seam_vertex(sample.seam_vertex);
-    output.add_height(sample.height);
+  if (input.whole_cluster()) {
+    for (const SurfaceSample& sample : SampleCluster(holes, OptionsOf(input.options()))) {
+      output.add_seam_vertex(sample.seam_vertex);
+      output.add_height(sample.height);
+      output.add_laplacian(sample.laplacian);
+    }
+  } else {
+    for (const HeightSample& sample : SampleHeights(holes)) {
+      output.add_seam_vertex(sample.seam_vertex);
+      output.add_height(sample.height);
+    }
   }
   return output.SerializeAsString();
 }
 
 absl::StatusOr<std::string> RunFill(const v1::FillInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
-  FillOptions options;
-  options.refine.gradation = input.gradation();
-  options.refine.size_limit = input.size_limit();
-  options.refine.uniform = input.uniform();
-  return ToProto(FillHoles(holes, options), holes.vertices, holes.lattice_step).SerializeAsString();
+  return ToProto(FillHoles(holes, OptionsOf(input.options())), holes.vertices, holes.lattice_step).SerializeAsString();
 }
 
 // The tile with its patches; a tile without any is copied byte for byte.

@@ -235,6 +235,20 @@ TEST(FillHolesTest, MakesNoEdgeThatTheSurfaceHasAlready) {
   EXPECT_THAT(patch.triangles, IsEmpty());
 }
 
+// A wide hole: triangles grow inward by default.
+TEST(FillHolesTest, KeepsTheRimsSizeThroughoutWhenUniform) {
+  Picture wide(34, "##" + std::string(30, '.') + "##");
+  wide[0] = wide[1] = wide[32] = wide[33] = std::string(34, '#');
+  const CellHoles work = HoleOf(wide);
+  FillOptions uniform;
+  uniform.refine.uniform = true;
+  const HolePatch graded = FillHoles(work, {})[0], even = FillHoles(work, uniform)[0];
+  ExpectClosesHole(work, work.holes[0], even);
+  EXPECT_GT(even.triangles.size(), 2 * graded.triangles.size());
+  EXPECT_NEAR(PatchArea(work, even) / static_cast<double>(even.triangles.size()), std::sqrt(0.75) / 2, 0.15)
+      << "of an equilateral triangle with the rim's edge length";
+}
+
 bool SamePatch(const HolePatch& a, const HolePatch& b) {
   return a.new_points == b.new_points && a.triangles == b.triangles && a.failure == b.failure;
 }
