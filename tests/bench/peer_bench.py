@@ -124,7 +124,8 @@ def our_rows(bin_folder, scene, mesh, originals, truth, runs, folder):
             shutil.rmtree(out, ignore_errors=True)
             results.append(measure.Run([program, 'run', scene, '--out', out, '--workers', str(workers), *flags]))
         corners, marks = render.read_folder(out)
-        rows.append(row(' '.join([f'`tilemend run`, 24 tiles, {workers} worker{"s" if workers > 1 else ""}', *flags]), results, corners[marks], truth))
+        name = f'`tilemend run`, 24 tiles, --workers {workers}'
+        rows.append(row(' '.join([name, *flags]), results, corners[marks], truth))
     return rows
 
 

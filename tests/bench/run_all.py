@@ -22,10 +22,14 @@ import scene_bench
 PAGE = os.path.join(measure.ROOT, 'docs', 'benchmarks.md')
 
 
+def rounds(a):
+    return 4 * a.runs + 1
+
+
 def survey(a):
     rows = []
     for name, flags in (('in rows', []), ('shuffled', ['--shuffle'])):
-        text = subprocess.run([os.path.join(a.bin, 'survey_bench'), '--json', '--rounds', str(4 * a.runs + 1), *flags],
+        text = subprocess.run([os.path.join(a.bin, 'survey_bench'), '--json', '--rounds', str(rounds(a)), *flags],
                               check=True, capture_output=True, text=True).stdout
         r = json.loads(text)
         for what, label in (('survey, reading included', 'survey'), ('sorting, reading included', 'sorting all edges')):
@@ -63,6 +67,12 @@ def peer(a):
 BENCHES = {'survey': survey, 'tile': tile, 'scene': scene, 'figure14': figure14, 'peer': peer}
 
 
+def runs(name, a):
+    if name == 'survey':
+        return f'{rounds(a)} rounds'
+    return 'one run a seed' if name == 'figure14' else f'{a.runs} runs'
+
+
 def put(page, name, text):
     """The page with `text` between the markers of `name`."""
     begin, end = f'<!-- {name} begin -->', f'<!-- {name} end -->'
@@ -88,7 +98,7 @@ def main():
             print(f'SKIPPED {name}: {text}', file=sys.stderr)
             continue
         load = os.getloadavg()[0]
-        note = f'{datetime.date.today()}; {before} at the start, {load:.1f} at the end; {a.runs} runs.'
+        note = f'{datetime.date.today()}; {before} at the start, {load:.1f} at the end; {runs(name, a)}.'
         print(f'{name}: {note}\n{text}\n', flush=True)
         if a.dry_run:
             continue
