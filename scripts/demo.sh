@@ -11,15 +11,15 @@ cmake --build --preset release -j "$jobs" --target tilemend tilemend-make-scene
 
 bin=build/release/bin
 rm -rf demo/scene
-"$bin/tilemend-make-scene" demo/scene --cols 6 --rows 4 --cell 250 --spacing 2.5 --seed 2 \
-  --holes lakes,islands,river,small --small-per-cell 4 --empty 4:3
+"$bin/tilemend-make-scene" demo/scene --cols 6 --rows 5 --cell 250 --spacing 2.5 --seed 7 \
+  --holes lakes,islands,river,small --small-per-cell 3 --empty 4:3
 
 # 100: done, but some holes were left open; report.json says which and why.
 result=0
 "$bin/tilemend" run demo/scene --out demo/out --overwrite || result=$?
 if [[ $result -ne 0 && $result -ne 100 ]]; then exit "$result"; fi
 
-scripts/render.py demo/scene demo/out demo/before_after.png
+scripts/render.py demo/scene demo/out demo/before_after.png --grid --width 1200
 cat <<'END'
 
 Before and after:  demo/before_after.png   (filled surface in blue)

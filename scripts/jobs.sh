@@ -6,3 +6,5 @@ if [[ -z "$jobs" ]]; then
   if ((by_memory < jobs)); then jobs=$by_memory; fi
   if ((jobs < 1)); then jobs=1; fi
 fi
+# Compilers' results are found again in another clone: paths below the root count from it.
+export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$PWD}" CCACHE_NOHASHDIR="${CCACHE_NOHASHDIR:-1}"

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Draw a scene and its filled output side by side, from above, as a PNG.
 
-    render.py SCENE OUT picture.png [--width PIXELS]
+    render.py SCENE OUT picture.png [--width PIXELS] [--grid]
 
 SCENE is a folder with scene.json, or any folder of tiles; OUT is the output folder of `tilemend run` (the same relative paths, and
 tiles of its own for cells that had none). Original surface is a grey hillshade, holes are dark red, filled triangles (the
-mark tilemend_filled of the output's files) are blue. Needs numpy only (Debian: python3-numpy).
+mark tilemend_filled of the output's files) are blue; --grid draws the borders of the cells. Needs numpy only (Debian: python3-numpy).
 """
 import argparse
 import glob
@@ -137,7 +137,8 @@ def read_folder(folder):
 
 
 def outline(scene, corners):
-    """x0, y0, x1, y1 of the picture in metres: the grid's, or without scene.json the bounds of the tiles."""
+    """x0, y0, x1, y1 of the picture in metres: the grid's, or without scene.json the bounds of the tiles; and the number of
+    columns and rows of cells in it, 1 if it is not known."""
     path = os.path.join(scene, 'scene.json')
     if os.path.exists(path):
         with open(path, encoding='utf-8') as file:
@@ -145,8 +146,18 @@ def outline(scene, corners):
         cells = np.array([[t['col'], t['row']] for t in s['tiles']])
         size = np.broadcast_to(np.array(s['cell_size'], float), 2)
         corner = np.array(s.get('grid_corner') or [0, 0], float)
-        return np.concatenate([corner + cells.min(0) * size, corner + (cells.max(0) + 1) * size])
-    return np.concatenate([corners[:, :, :2].min((0, 1)), corners[:, :, :2].max((0, 1))])
+        box = np.concatenate([corner + cells.min(0) * size, corner + (cells.max(0) + 1) * size])
+        return box, cells.max(0) + 1 - cells.min(0)
+    return np.concatenate([corners[:, :, :2].min((0, 1)), corners[:, :, :2].max((0, 1))]), np.array([1, 1])
+
+
+def draw_grid(image, cells):
+    """Darkens the pixels on the borders between the cells."""
+    height, width = image.shape[:2]
+    for k in range(1, cells[0]):
+        image[:, round(width * k / cells[0])] *= 0.72
+    for k in range(1, cells[1]):
+        image[round(height * k / cells[1])] *= 0.72
 
 
 def shades(corners):
@@ -228,14 +239,18 @@ def main():
     parser.add_argument('out')
     parser.add_argument('picture')
     parser.add_argument('--width', type=int, default=1400, help='of the whole picture, in pixels')
+    parser.add_argument('--grid', action='store_true', help='draw the borders of the cells (of a scene.json)')
     a = parser.parse_args()
     before, after = read_folder(a.scene), read_folder(a.out)
     if not len(before[0]) and not len(after[0]):
         sys.exit(f'render.py: no triangles in {a.scene} nor in {a.out}')
-    box = outline(a.scene, before[0])
+    box, cells = outline(a.scene, before[0])
     width = 2 * max(1, (a.width - GAP) // 2)
     shape = (2 * max(1, round(width / 2 * (box[3] - box[1]) / (box[2] - box[0]))), width)
     images = [halve(picture(*soup, box, shape)) for soup in (before, after)]
+    if a.grid:
+        for image in images:
+            draw_grid(image, cells)
     gap = np.full((images[0].shape[0], GAP, 3), 255.)
     write_png(a.picture, np.concatenate([images[0], gap, images[1]], 1))
     print(f'{a.picture}: {len(before[0])} triangles before, {len(after[0])} after ({int(after[1].sum())} filled)')
