@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "coordinator/plan/cell_work.h"
@@ -60,8 +61,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
-    if (!result.output.ok()) return result.output.status();
-    TILEMEND_RETURN_IF_ERROR(Take(result));
+    TILEMEND_RETURN_IF_ERROR(result.output.ok() ? Take(result) : LeaveCell(result));
     if (--waiting_ > 0) return std::vector<NewTask>{};
     std::vector<NewTask> tasks;
     while (tasks.empty() && !done_) {
@@ -95,16 +95,23 @@ class ScenePipeline : public JobPipeline {
     outcome.message = spec_.dry_run ? absl::StrCat(plan_.holes.size(), " holes found, nothing written")
                                     : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled, ",
                                                    left.size(), " rows left");
-    if (output_) {
-      outcome.report = absl::StrCat(output_->path(), "/report.json");
-      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
-      output_->Finish();
-    }
+    if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(outcome));
     return outcome;
   }
 
  private:
   enum class Wave { kSurvey, kSample, kFill, kAssemble };
+
+  absl::Status FinishOutput(JobOutcome& outcome) {
+    if (scene_.found_by_name) {
+      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene_)));
+    }
+    outcome.report = absl::StrCat(output_->path(), "/report.json");
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
+    if (const int64_t others = output_->Finish(); others > 0)
+      absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
+    return absl::OkStatus();
+  }
 
   v1::TileRef Ref(const SceneTile& tile) const {
     v1::TileRef ref;
@@ -154,6 +161,25 @@ class ScenePipeline : public JobPipeline {
         return absl::OkStatus();
     }
     return malformed;
+  }
+
+  // Goes on without a cell that workers died of, or whose filling broke: the failure of a cell is not that of the job.
+  // Without its survey or in want of disk space there is no going on.
+  absl::Status LeaveCell(const TaskResult& result) {
+    const absl::Status& error = result.output.status();
+    const bool quarantined = ErrorReason(error) == "QUARANTINED";
+    const bool filling = result.stage == Stage::kSample || result.stage == Stage::kFill;
+    if (!(filling && (quarantined || absl::IsInternal(error))) && !(result.stage == Stage::kAssemble && quarantined)) {
+      return error;
+    }
+    const std::string reason(error.message());
+    const auto holes = holes_of_.find(result.cell);
+    if (holes != holes_of_.end()) {
+      for (const int32_t h : holes->second) report_.failures[h] = reason;
+      holes_of_.erase(holes);
+    }
+    if (!filling) plan_.left.push_back({result.cell, absl::StrCat("the tile is not written: ", reason)});
+    return absl::OkStatus();
   }
 
   // What comes after the wave that has just ended.
@@ -238,17 +264,19 @@ class ScenePipeline : public JobPipeline {
     return tasks;
   }
 
-  std::vector<NewTask> AssembleCells() {
+  absl::StatusOr<std::vector<NewTask>> AssembleCells() {
     phase_ = "assemble";
-    if (output_) output_->KeepUnfinished();
+    if (output_) TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
     const bool float32 = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.float32; });
     std::vector<NewTask> tasks;
     for (const SceneTile& tile : scene_.tiles) {
+      if (tile.path.empty() && !IsFilled(tile.cell)) {  // nothing to write
+        ++cells_done_;
+        continue;
+      }
       v1::AssembleInput input;
       *input.mutable_tile() = Ref(tile);
-      const std::string relative =
-          tile.path.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.path;
-      input.set_output(absl::StrCat(spec_.out, "/", relative));
+      input.set_output(absl::StrCat(spec_.out, "/", OutputPath(tile)));
       input.set_float32(float32);
       if (const auto it = records_.find(tile.cell); it != records_.end())
         input.set_tile_vertices(it->second.vertex_count);
@@ -261,6 +289,13 @@ class ScenePipeline : public JobPipeline {
     patches_.clear();
     rims_.clear();
     return tasks;
+  }
+
+  // Whether a worker filled a hole of the cell.
+  bool IsFilled(CellId cell) const {
+    const auto it = patches_.find(cell);
+    return it != patches_.end() && std::any_of(it->second.patches().begin(), it->second.patches().end(),
+                                               [](const v1::PatchExtent& e) { return e.failure().empty(); });
   }
 
   const JobSpec spec_;
@@ -301,8 +336,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {
-    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
-                              OutputFolder::Claim(spec.out, scene.root, spec.overwrite, JobKey(spec)));
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec)));
     output.emplace(std::move(claimed));
   }
   return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(output));

@@ -70,7 +70,7 @@ absl::StatusOr<std::string> AssembledBytes(const v1::AssembleInput& input) {
   const std::string path = PathOf(input.tile());
   TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadFile(path));
   if (Sha256Hex(original) != input.tile().digest()) {
-    return absl::FailedPreconditionError(absl::StrCat(path, ": changed while the job ran; run the job again"));
+    return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
   }
   if (patch.triangles.empty()) return original;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
