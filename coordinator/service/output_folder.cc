@@ -74,9 +74,9 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
   bool empty = true;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error))
     empty = empty && at->path().filename() == kMarker;
-  if (error && error != std::errc::no_such_file_or_directory)
-    return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message()));
-  if (empty) return absl::OkStatus();
+  if (error == std::errc::permission_denied)
+    return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message(), "; choose another --out"));
+  if (empty) return absl::OkStatus();  // or not there, or a path that cannot be: that shows when it is made
   const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
   if (marker.ok() && *marker == key) return absl::OkStatus();
   return absl::AlreadyExistsError(absl::StrCat(

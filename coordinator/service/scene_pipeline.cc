@@ -1,6 +1,7 @@
 #include "coordinator/service/scene_pipeline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -83,6 +84,8 @@ class ScenePipeline : public JobPipeline {
     return progress;
   }
 
+  void Cancel() override { cancelled_ = true; }
+
   absl::StatusOr<JobOutcome> Finish() override {
     report_.plan = &plan_;
     report_.cells = static_cast<int64_t>(scene_.tiles.size());
@@ -108,6 +111,10 @@ class ScenePipeline : public JobPipeline {
     }
     outcome.report = absl::StrCat(output_->path(), "/report.json");
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
+    if (cancelled_) {
+      TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
+      return absl::CancelledError("the job was cancelled");
+    }
     if (const int64_t others = output_->Finish(); others > 0)
       absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
     return absl::OkStatus();
@@ -306,6 +313,7 @@ class ScenePipeline : public JobPipeline {
   int32_t layer_ = 0;
   size_t waiting_ = 0;
   bool done_ = false;
+  std::atomic<bool> cancelled_{false};
   int64_t cells_done_ = 0;
   std::string phase_;
   Stopwatch watch_;
