@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -146,14 +148,18 @@ class ScenePipeline : public JobPipeline {
       case Stage::kSample: {
         v1::SampleOutput output;
         if (!output.ParseFromString(bytes) || output.height_size() != output.seam_vertex_size()) return malformed;
-        for (int i = 0; i < output.height_size(); ++i)
-          samples_.push_back({result.cell, output.seam_vertex(i), output.height(i)});
+        for (int i = 0; i < output.height_size(); ++i) {
+          const int32_t vertex = output.seam_vertex(i);
+          if (vertex < 0 || vertex >= std::ssize(plan_.vertices) || !std::isfinite(output.height(i))) return malformed;
+          samples_.push_back({result.cell, vertex, output.height(i)});
+        }
         return absl::OkStatus();
       }
       case Stage::kFill: {
         v1::FillOutput output;
         if (!output.ParseFromString(bytes)) return malformed;
         for (const v1::PatchExtent& e : output.patches()) {
+          if (e.hole() < 0 || e.hole() >= std::ssize(plan_.holes)) return malformed;
           if (e.failure().empty()) {
             report_.sizes[e.hole()] = {e.new_points(), e.triangles()};
           } else {
