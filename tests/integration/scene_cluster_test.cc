@@ -141,7 +141,7 @@ TEST_F(SceneClusterTest, SubmitGetListWatchCancelRetry) {
   EXPECT_EQ(AskJson(submit).value("name", ""), job);
   EXPECT_EQ(Ask({"submit", scene, "--out", folder_ / "else", "--request-id", "one"}).code, 4);
   const Ended busy = Ask({"submit", scene, "--out", folder_ / "out"});
-  EXPECT_EQ(busy.code, 6);
+  EXPECT_EQ(busy.code, 5);
   EXPECT_THAT(busy.err, HasSubstr(job));
   EXPECT_EQ(AskJson({"get", job})["state"], "running");
   EXPECT_EQ(AskJson({"list"}).size(), 1U);

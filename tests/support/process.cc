@@ -31,7 +31,18 @@ constexpr absl::Duration kPollInterval = absl::Milliseconds(2);
   _exit(127);
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int64_t kMostBytes = INT64_MAX;
+#else
+constexpr int64_t kMostBytes = int64_t{512} << 20;
+#endif
+
 }  // namespace
+
+void ExpectFrugal(const Ended& ended) {
+  EXPECT_LT(ended.seconds, 20);
+  EXPECT_LT(ended.peak_bytes, kMostBytes);
+}
 
 Process::Process(const std::string& folder, const std::string& program, const std::vector<std::string>& words)
     : start_(absl::Now()) {
