@@ -43,6 +43,9 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
                                    args->arguments().size(), "; usage: tilemend ", command.name, " ",
                                    command.arguments));
   }
+  for (const std::string& argument : args->arguments()) {
+    if (argument.empty()) return UsageError(absl::StrCat(command.name, ": an argument is empty"));
+  }
   for (const std::string& name : command.required_flags) {
     if (args->Text(name).empty()) return UsageError(absl::StrCat(command.name, ": --", name, " is needed"));
   }

@@ -30,6 +30,9 @@ absl::Status CheckOutput(const std::string& in, const std::string& out, bool ove
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat to, MeshFormatOf(out));
   if (from != to)
     return absl::InvalidArgumentError(absl::StrCat(out, ": the output has the format of the input: ", in));
+  if (std::filesystem::is_directory(out, error)) {
+    return absl::InvalidArgumentError(absl::StrCat(out, ": the output is a folder; choose another --out"));
+  }
   if (!overwrite && std::filesystem::exists(out, error)) {
     return absl::AlreadyExistsError(absl::StrCat(out, ": is there already; choose another --out, or give --overwrite"));
   }

@@ -17,6 +17,7 @@ namespace tilemend {
 namespace {
 
 constexpr absl::Duration kPause = absl::Milliseconds(200);
+constexpr absl::Duration kReconnectPatience = absl::Seconds(10);
 constexpr std::chrono::seconds kCallTimeout(30);
 
 absl::Status Unreachable(const absl::Status& status) {
@@ -107,14 +108,17 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
   v1::WatchJobRequest request;
   request.set_name(name);
   v1::Job last;
+  const absl::Duration reconnect_patience =
+      patience_ > absl::ZeroDuration() ? kReconnectPatience : absl::ZeroDuration();
   absl::Time give_up = absl::Now() + patience_;
   while (true) {
     const uint64_t cursor = request.cursor();
     const absl::Status status = WatchOnce(request, show, last);
     if (IsOver(last.state())) return last;
-    if (request.cursor() != cursor) give_up = absl::Now() + patience_;
+    if (request.cursor() != cursor) give_up = absl::Now() + reconnect_patience;
     if (!status.ok() && !absl::IsUnavailable(status)) return status;
     if (absl::Now() + kPause > give_up) {
+      if (last.name().empty()) return Unreachable(status);
       return absl::UnavailableError(absl::StrCat(name, ": lost the coordinator: ", std::string(status.message())));
     }
     absl::SleepFor(kPause);

@@ -22,7 +22,8 @@ namespace tilemend {
 // Thread-safe, except that one Watch goes at a time.
 class JobClient {
  public:
-  // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable).
+  // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable); a watch that has been under way
+  // waits longer, unless `patience` is 0.
   JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration patience);
   ~JobClient();
 

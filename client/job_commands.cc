@@ -14,7 +14,7 @@
 namespace tilemend {
 namespace {
 
-constexpr absl::Duration kPatience = absl::Seconds(5);
+constexpr absl::Duration kPatience = absl::Milliseconds(1500);
 
 std::string NewRequestId() {
   std::random_device random;

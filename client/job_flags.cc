@@ -16,7 +16,10 @@ std::string AbsolutePath(const std::string& path) {
   if (path.empty() || path.find("://") != std::string::npos) return path;
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
-  return error ? path : absolute.lexically_normal().string();
+  if (error) return path;
+  std::string normal = absolute.lexically_normal().string();
+  while (normal.size() > 1 && normal.back() == '/') normal.pop_back();
+  return normal;
 }
 
 }  // namespace
@@ -31,7 +34,7 @@ std::vector<FlagSpec> JobFlags() {
       {"gradation", "X", "growth of the triangles inward, 1 to 10", absl::StrCat(defaults.gradation)},
       {"size-limit", "X", "largest edge over the rim's mean edge", absl::StrCat(defaults.size_limit)},
       {"seam-smoothing", "X", "smoothing of the seams, 0 to 1", absl::StrCat(defaults.seam_smoothing)},
-      {"overwrite", "", "replace an existing output", ""},
+      {"overwrite", "", "write into a folder that is not empty; files of other names stay", ""},
       {"dry-run", "", "survey and plan only, write nothing", ""},
       OutputFlag(),
   };

@@ -11,6 +11,7 @@
 #include "absl/time/time.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -127,7 +128,7 @@ ExitCode ExitCodeOf(const v1::Job& job) {
 }
 
 ExitCode PrintError(const absl::Status& status) {
-  std::fprintf(stderr, "tilemend: %s\n", std::string(status.message()).c_str());
+  std::fprintf(stderr, "tilemend: %s\n", Printable(std::string(status.message())).c_str());
   return ExitCodeOf(status);
 }
 

@@ -54,11 +54,15 @@ int ReportCommand(const Args& args) {
   std::filesystem::path path = args.arguments().front();
   if (path.extension() != ".json") path /= "report.json";
   const auto content = ReadFile(path.string());
+  if (absl::IsNotFound(content.status()) && std::filesystem::exists(path.parent_path() / ".tilemend-job")) {
+    return PrintError(absl::NotFoundError(absl::StrCat(
+        path.string(), ": not there yet: the output is not complete; run the same job again to complete it")));
+  }
   if (!content.ok()) return PrintError(content.status());
   const Json report = Json::parse(*content, nullptr, false);
-  if (!report.is_object()) {
-    return PrintError(
-        absl::InvalidArgumentError(absl::StrCat(path.string(), ": not a report (expected a JSON object)")));
+  if (!report.is_object() || !report.contains("cells")) {
+    return PrintError(absl::InvalidArgumentError(
+        absl::StrCat(path.string(), ": not a report (expected a JSON object with the field cells)")));
   }
   std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
   return kExitDone;

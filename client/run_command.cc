@@ -13,6 +13,7 @@
 #include "client/job_client.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "common/rpc/status_proto.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "coordinator/service/coordinator_impl.h"
@@ -86,7 +87,12 @@ int RunCommand(const Args& args) {
   });
   const auto job = RunEmbedded(*spec, static_cast<int>(*threads), *work_folder);
   if (!job.ok()) return PrintError(job.status());
-  if (job->state() == v1::FAILED) std::fprintf(stderr, "tilemend: %s\n", job->error().message().c_str());
+  if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
+  std::error_code error;
+  const bool is_over = job->state() == v1::FAILED || job->state() == v1::CANCELLED;
+  if (is_over && std::filesystem::exists(spec->out() + "/.tilemend-job", error)) {
+    std::fprintf(stderr, "tilemend: %s is not complete; the same command goes on there\n", spec->out().c_str());
+  }
   std::fputs(JobText(*job, *format).c_str(), stdout);
   return ExitCodeOf(*job);
 }

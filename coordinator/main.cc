@@ -60,7 +60,12 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl));
-  if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(metrics.Expose(flags.Text("metrics")));
+  if (flags.IsGiven("metrics")) {
+    const std::string address = flags.Text("metrics");
+    TILEMEND_RETURN_IF_ERROR(metrics.Expose(address));
+    std::fprintf(stderr, "tilemend-coordinator: metrics on http://%s:%d/metrics\n",
+                 address.substr(0, address.rfind(':')).c_str(), metrics.port());
+  }
   const std::string listen = flags.Text("listen");
   std::fprintf(stderr, "tilemend-coordinator: listening on %s:%d\n", listen.substr(0, listen.rfind(':')).c_str(),
                server->rpc().port());

@@ -54,7 +54,8 @@ RULES = {
                                 ['absl', 'eigen', 'json', 'grpc', 'protobuf', 'sqlite']),
     'coordinator': rule(SERVICE + ['coordinator/service'], ['absl', 'grpc']),
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
-    'client': rule(SERVICE + ['coordinator/service', 'coordinator/plan', 'worker/service', 'worker/survey', 'worker/fill', 'worker/assemble'],
+    'client': rule(SERVICE + ['coordinator/plan', 'coordinator/service', 'worker/service', 'worker/survey', 'worker/fill',
+                              'worker/assemble'],
                    ['absl', 'eigen', 'json', 'grpc', 'protobuf']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)

@@ -54,7 +54,12 @@ int Fail(const absl::Status& status, int code) {
 absl::Status Work(const Flags& flags, const WorkerOptions& options) {
   SignalWatcher signals;  // before any other thread
   PrometheusRegistry metrics;
-  if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(metrics.Expose(flags.Text("metrics")));
+  if (flags.IsGiven("metrics")) {
+    const std::string address = flags.Text("metrics");
+    TILEMEND_RETURN_IF_ERROR(metrics.Expose(address));
+    std::fprintf(stderr, "tilemend-worker: metrics on http://%s:%d/metrics\n",
+                 address.substr(0, address.rfind(':')).c_str(), metrics.port());
+  }
   Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"))), SceneStageRunner(), metrics);
   std::fprintf(stderr, "tilemend-worker: %s with %d threads for %s\n", options.id.c_str(), options.threads,
                flags.Text("coordinator").c_str());

@@ -23,6 +23,10 @@ bool IsTileFormat(const std::string& path) {
   return extension == ".ply" || extension == ".obj";
 }
 
+std::string OutputPath(const SceneTile& tile) {
+  return tile.path.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.path;
+}
+
 absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds) {
   namespace fs = std::filesystem;
   std::error_code error;

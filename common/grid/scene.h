@@ -41,9 +41,14 @@ struct Scene {
   Grid grid;
   int32_t cols = 0, rows = 0;
   bool area_known = false;       // false: found by file names only, so the rim of the area stays open
+  bool found_by_name = false;    // there was no scene.json
   std::vector<SceneTile> tiles;  // every cell of the area once, sorted by (row, col)
   std::vector<std::string> warnings;
 };
+
+// Where the surface of a cell is written, relative to the output's folder: the tile's own path, or for a cell without
+// surface tiles/Tile_+CCC_+RRR.ply. No two cells of a scene that LoadScene returns have the same.
+std::string OutputPath(const SceneTile& tile);
 
 // An axis-aligned box; lo <= hi in every coordinate.
 struct Box {
@@ -66,8 +71,9 @@ using BoundsReader = std::function<absl::StatusOr<Box>(const std::string& path)>
 // For a scene found by name the grid is worked out from the tiles' bounds and indices (all tiles must agree), a warning
 // says what was found, area_known is false, and the numbering is shifted if an index is negative. `read_bounds` is
 // called once for each tile then, and never for a scene with scene.json; it may be empty for those. Errors (kNotFound,
-// kInvalidArgument) name the file and the place: bad JSON, cell_size <= 0 or not finite, a tile listed twice or two
-// tiles for one cell, a path that leaves the folder, a missing tile file, a format that is not read.
+// kInvalidArgument) name the file and the place: bad JSON, cell_size <= 0 or beyond kMostMetres, a tile listed twice or
+// two tiles for one cell, a path that leaves the folder, a missing tile file, a format that is not read, a file name
+// that is not UTF-8.
 absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds);
 
 // scene.json text for `scene`; LoadScene reads it back (all but the warnings and the root).

@@ -20,6 +20,7 @@
 #include "common/grid/scene_sources.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -227,12 +228,17 @@ absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& rea
   TILEMEND_ASSIGN_OR_RETURN(const Findings findings, FindTiles(root));
   Scene scene;
   scene.root = root;
+  scene.found_by_name = true;
   scene.warnings = findings.warnings;
   TILEMEND_RETURN_IF_ERROR(ReadMetadata((fs::path(root) / "metadata.xml").string(), &scene));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<PlacedTile> placed, ReadBounds(findings, read_bounds));
   TILEMEND_ASSIGN_OR_RETURN(scene.grid, FitGrid(std::move(placed)));
   for (const auto& [cell, file] : findings.tiles) {
     scene.tiles.push_back({cell, file.lexically_relative(root).string()});
+    if (!IsUtf8(scene.tiles.back().path)) {
+      return absl::InvalidArgumentError(
+          absl::StrCat(Printable(file.string()), ": a file name that is not UTF-8; rename it"));
+    }
   }
   scene.warnings.push_back(GridWarning(scene));
   ShiftToZero(&scene);

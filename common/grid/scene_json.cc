@@ -105,7 +105,11 @@ absl::Status ReadGrid(const Fields& fields, Scene* scene) {
     return fields.Error("cell_size", "expected a number or an array of 2 numbers");
   }
   if (!size.allFinite() || size.minCoeff() <= 0) return fields.Error("cell_size", "must be finite and greater than 0");
+  if (size.maxCoeff() > kMostMetres) return fields.Error("cell_size", "must be at most 1e9 m");
   if (fields.Has("grid_corner")) TILEMEND_RETURN_IF_ERROR(fields.Numbers("grid_corner", 2, scene->grid.corner.data()));
+  if (scene->grid.corner.cwiseAbs().maxCoeff() > kMostMetres) {
+    return fields.Error("grid_corner", "must be at most 1e9 m from the origin");
+  }
   TILEMEND_ASSIGN_OR_RETURN(scene->cols, fields.Integer("cols", 1, kMaxCellsPerSide));
   TILEMEND_ASSIGN_OR_RETURN(scene->rows, fields.Integer("rows", 1, kMaxCellsPerSide));
   return absl::OkStatus();
@@ -184,6 +188,14 @@ absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene)
     // Two cells of one file would be two outputs of one name.
     if (!tile.path.empty()) TILEMEND_RETURN_IF_ERROR(Claim(tile.path, i, "the file " + tile.path, name, &files));
     scene->tiles.push_back(std::move(tile));
+  }
+  for (const auto& [cell, i] : cells) {
+    const SceneTile& tile = scene->tiles[i];
+    const auto taken = files.find(OutputPath(tile));
+    if (!tile.path.empty() || taken == files.end()) continue;
+    return absl::InvalidArgumentError(
+        absl::StrCat(name, ": tiles[", i, "] (cell ", ToString(cell), ", no surface) would be written as ",
+                     taken->first, ", which is the file of tiles[", taken->second, "]; rename that file"));
   }
   SortTiles(&scene->tiles);
   return absl::OkStatus();

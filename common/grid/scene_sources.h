@@ -12,6 +12,9 @@ namespace tilemend {
 // Largest number of columns or rows: a limit on mistakes, not on memory.
 inline constexpr int32_t kMaxCellsPerSide = 100000;
 
+// Largest cell size and largest distance of the grid's corner from the origin, as of coordinates in tiles.
+inline constexpr double kMostMetres = 1e9;
+
 // Reads the file `json_path`; tile paths are relative to `root` and must exist there.
 absl::StatusOr<Scene> ReadSceneJson(const std::string& json_path, const std::string& root);
 

@@ -57,7 +57,10 @@ v1::LatticeMeshBlob EncodeMesh(const std::vector<Point3>& points, const std::vec
 }
 
 absl::StatusOr<TriMesh> DecodeMesh(const v1::LatticeMeshBlob& blob) {
-  if (blob.origin_size() != 3 || !(blob.step() > 0) || !std::isfinite(blob.step())) return Malformed("lattice");
+  if (blob.origin_size() != 3 || !PointAt(blob.origin(), 0).allFinite() || !(blob.step() > 0) ||
+      !std::isfinite(blob.step())) {
+    return Malformed("lattice");
+  }
   TILEMEND_ASSIGN_OR_RETURN(LatticeMesh mesh, DecodeDraco(blob.draco(), DracoLimits()));
   TriMesh result;
   const Point3 origin = PointAt(blob.origin(), 0);
@@ -126,6 +129,7 @@ absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto) {
   }
   for (int i = 0; i < n; ++i) {
     record.vertices.push_back({v.index(i), PointAt(v.position(), i), PointAt(v.normal(), i), v.centroid_height(i)});
+    if (!record.vertices.back().position.allFinite()) return Malformed("boundary vertex position");
   }
   for (int i = 0; i < proto.edges_size(); i += 2) record.edges.push_back({proto.edges(i), proto.edges(i + 1)});
   TILEMEND_ASSIGN_OR_RETURN(record.band, DecodeMesh(proto.band()));
@@ -274,7 +278,9 @@ absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, si
     return Malformed("patch counts");
   }
   for (int i = 0; i < proto.off_lattice_size(); ++i) {
-    mesh.points[vertex_count + static_cast<size_t>(proto.off_lattice(i))] = PointAt(proto.off_lattice_position(), i);
+    const Point3 position = PointAt(proto.off_lattice_position(), i);
+    if (!position.allFinite()) return Malformed("patch position");
+    mesh.points[vertex_count + static_cast<size_t>(proto.off_lattice(i))] = position;
   }
   std::vector<HolePatch> patches;
   auto point = mesh.points.begin() + static_cast<ptrdiff_t>(vertex_count);

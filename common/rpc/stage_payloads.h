@@ -15,7 +15,9 @@
 
 namespace tilemend {
 
-// Band points other than boundary vertices are rounded to the lattice; everything else comes back bit for bit.
+// Band points other than boundary vertices are rounded to the lattice, normals to float32; everything else comes back
+// bit for bit. Decoding gives kInvalidArgument for a message that ToProto did not make: columns of unequal length,
+// indices out of range, positions that are not finite.
 v1::SurveyOutput ToProto(const SurveyRecord& record);
 absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto);
 

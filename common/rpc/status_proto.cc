@@ -3,6 +3,7 @@
 #include <string>
 
 #include "common/util/error_info.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -15,13 +16,13 @@ constexpr char kErrorInfoType[] = "type.googleapis.com/google.rpc.ErrorInfo";
 v1::Status StatusToProto(const absl::Status& status) {
   v1::Status proto;
   proto.set_code(static_cast<int>(status.code()));
-  proto.set_message(std::string(status.message()));
+  proto.set_message(Printable(std::string(status.message())));  // it may quote a file
   const auto info = GetErrorInfo(status);
   if (!info.has_value()) return proto;
   v1::ErrorInfo detail;
   detail.set_reason(info->reason);
   detail.set_domain(kErrorDomain);
-  for (const auto& [key, value] : info->metadata) (*detail.mutable_metadata())[key] = value;
+  for (const auto& [key, value] : info->metadata) (*detail.mutable_metadata())[key] = Printable(value);
   auto* any = proto.add_details();
   any->set_type_url(kErrorInfoType);
   any->set_value(detail.SerializeAsString());

@@ -6,8 +6,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <random>
 #include <system_error>
 
 #include "absl/strings/str_cat.h"
@@ -26,12 +28,26 @@ absl::Status ErrnoStatus(int error, std::string_view what, const std::string& pa
     case EPERM:
     case EROFS:
       return absl::PermissionDeniedError(text);
+    case ENAMETOOLONG:
+    case ELOOP:
+    case EISDIR:
+      return absl::InvalidArgumentError(text);
     case ENOSPC:
     case EDQUOT:
+    case EMFILE:
+    case ENFILE:
+    case ENOMEM:
       return absl::ResourceExhaustedError(text);
     default:
       return absl::InternalError(text);
   }
+}
+
+// Of a file that is to be made: what is missing there is not a file of the user's, but a place to write to.
+absl::Status WriteErrnoStatus(int error, std::string_view what, const std::string& path) {
+  const absl::Status status = ErrnoStatus(error, what, path);
+  if (error == ENOTDIR || error == EEXIST) return absl::InvalidArgumentError(status.message());
+  return absl::IsNotFound(status) ? absl::PermissionDeniedError(status.message()) : status;
 }
 
 // Closes a descriptor at the end of its scope.
@@ -60,7 +76,7 @@ absl::Status WriteAll(int fd, std::string_view content, const std::string& path)
     const ssize_t n = ::write(fd, content.data(), content.size());
     if (n < 0) {
       if (errno == EINTR) continue;
-      return ErrnoStatus(errno, "cannot write", path);
+      return WriteErrnoStatus(errno, "cannot write", path);
     }
     content.remove_prefix(static_cast<size_t>(n));
   }
@@ -92,23 +108,27 @@ absl::StatusOr<std::string> ReadFile(const std::string& path) {
 
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync) {
   static std::atomic<uint64_t> counter{0};
+  // Not the process id: containers on several machines have the same.
+  static const uint32_t process = std::random_device()();
   const std::filesystem::path target(path);
   if (target.has_parent_path()) {
     std::error_code error;
     std::filesystem::create_directories(target.parent_path(), error);
-    if (error) return ErrnoStatus(error.value(), "cannot create folder", target.parent_path().string());
+    if (error) return WriteErrnoStatus(error.value(), "cannot create folder", target.parent_path().string());
   }
-  const std::string temporary = absl::StrCat(path, ".part-", ::getpid(), "-", counter.fetch_add(1));
+  const std::string temporary =
+      absl::StrCat(path, kPartSuffix, absl::Hex(process, absl::kZeroPad8), "-", counter.fetch_add(1));
   absl::Status status;
   {
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-    if (file.get() < 0) return ErrnoStatus(errno, "cannot create", temporary);
+    if (file.get() < 0) return WriteErrnoStatus(errno, "cannot create", path);
     status = WriteAll(file.get(), content, path);
-    if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0) status = ErrnoStatus(errno, "cannot sync", path);
-    if (file.Close() != 0 && status.ok()) status = ErrnoStatus(errno, "cannot close", path);
+    if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0)
+      status = WriteErrnoStatus(errno, "cannot sync", path);
+    if (file.Close() != 0 && status.ok()) status = WriteErrnoStatus(errno, "cannot close", path);
   }
   if (status.ok() && ::rename(temporary.c_str(), path.c_str()) != 0) {
-    status = ErrnoStatus(errno, "cannot rename into place", path);
+    status = WriteErrnoStatus(errno, "cannot rename into place", path);
   }
   if (!status.ok()) ::unlink(temporary.c_str());
   return status;

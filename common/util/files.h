@@ -18,9 +18,14 @@ absl::StatusOr<std::string> ReadFile(const std::string& path);
 // that is checked when it is read and can be made again.
 enum class Sync { kYes, kNo };
 
+// What WriteFileAtomically puts between a file's name and a number while it writes: a process that is killed then
+// leaves such a file behind.
+inline constexpr char kPartSuffix[] = ".part-";
+
 // Writes `content` beside `path` under a temporary name, syncs it (unless `sync` is kNo) and renames it into place: a
-// reader sees the old file or the whole new one. Creates missing parent folders. kPermissionDenied, kResourceExhausted
-// (disk full), kInternal; after an error nothing is left behind.
+// reader sees the old file or the whole new one. Creates missing parent folders. kPermissionDenied, kInvalidArgument (a
+// path below a file, onto a folder, too long), kResourceExhausted (disk full), kInternal; after an error nothing is
+// left behind but folders.
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync = Sync::kYes);
 
 }  // namespace tilemend

@@ -168,8 +168,8 @@ absl::Status CoordinatorImpl::CheckNewJob(const std::string& out_key) const {
     ++running;
     if (!out_key.empty() && entry.out_key == out_key) {
       return WithErrorInfo(
-          absl::FailedPreconditionError(absl::StrCat(
-              out_key, ": jobs/", id, " is writing there; wait for it, cancel it or choose another folder")),
+          absl::AbortedError(absl::StrCat(out_key, ": jobs/", id,
+                                          " is writing there; wait for it, cancel it or choose another folder")),
           {"OUTPUT_IN_USE", {{"job", id}}});
     }
   }

@@ -3,6 +3,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "coordinator/service/job_pipeline.h"
 
 namespace tilemend {
@@ -23,8 +24,10 @@ absl::Status CheckRange(const std::string& field, double value, double low, doub
 absl::Status JobSpec::Check() const {
   if (scene.empty()) return InvalidSpec("scene", "no path is given");
   if (out.empty() && !dry_run) return InvalidSpec("out", "no folder is given to write to");
+  if (!IsUtf8(scene)) return InvalidSpec("scene", absl::StrCat(Printable(scene), ": a path that is not UTF-8"));
+  if (!IsUtf8(out)) return InvalidSpec("out", absl::StrCat(Printable(out), ": a path that is not UTF-8"));
   if (surface != "wang" && surface != "thin-plate") {
-    return InvalidSpec("surface", absl::StrCat("'", surface, "' is neither wang nor thin-plate"));
+    return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "' is neither wang nor thin-plate"));
   }
   TILEMEND_RETURN_IF_ERROR(CheckRange("tension", tension, 0, 1000));
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));

@@ -1,6 +1,15 @@
 #include "coordinator/service/output_folder.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -15,60 +24,189 @@ namespace fs = std::filesystem;
 
 constexpr char kMarker[] = ".tilemend-job";
 
+// The path without links, as far as it is there.
+fs::path Real(const fs::path& path) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : real;
+}
+
+// Whether `path` is `folder` or lies below it. Both are real.
+bool IsIn(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+// The real folders that hold `files` of `root`.
+std::set<fs::path> FoldersOf(const fs::path& root, const std::set<std::string>& files) {
+  std::set<std::string> parents;
+  for (const std::string& file : files) parents.insert(fs::path(file).parent_path().string());
+  std::set<fs::path> folders;
+  for (const std::string& parent : parents) folders.insert(Real(parent.empty() ? root : root / parent));
+  return folders;
+}
+
+// Whether nothing of the output would lie among the scene's files.
+absl::Status CheckApart(const std::string& path, const Scene& scene, const std::set<std::string>& files) {
+  const fs::path root = Real(scene.root), out = Real(path);
+  const auto refuse = [&](const fs::path& where) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": the output would be written over the scene, in ",
+                                                   where.string(), "; choose another --out"));
+  };
+  if (out == root) return refuse(root);
+  std::set<std::string> inputs;
+  for (const SceneTile& tile : scene.tiles) {
+    if (!tile.path.empty()) inputs.insert(tile.path);
+  }
+  std::set<fs::path> targets = FoldersOf(path, files);
+  targets.insert(out);
+  for (const fs::path& source : FoldersOf(scene.root, inputs)) {
+    for (const fs::path& target : targets) {
+      // Beside tiles that lie in the scene's folder itself, a folder of its own does no harm.
+      if (target == root || (source == root ? target == source : IsIn(target, source))) return refuse(target);
+    }
+  }
+  return absl::OkStatus();
+}
+
 // Whether the folder holds nothing, or an unfinished output of the job `key`.
 absl::Status CheckVacant(const std::string& path, const std::string& key) {
   std::error_code error;
-  const auto status = fs::status(path, error);
-  if (!fs::exists(status)) return absl::OkStatus();
-  if (!fs::is_directory(status)) return absl::InvalidArgumentError(absl::StrCat(path, ": the output is no folder"));
-  const bool empty = fs::is_empty(path, error);
-  if (error) return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message()));
-  if (empty) return absl::OkStatus();
+  bool empty = true;
+  for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error))
+    empty = empty && at->path().filename() == kMarker;
+  if (error == std::errc::permission_denied)
+    return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message(), "; choose another --out"));
+  if (empty) return absl::OkStatus();  // or not there, or a path that cannot be: that shows when it is made
   const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
   if (marker.ok() && *marker == key) return absl::OkStatus();
   return absl::AlreadyExistsError(absl::StrCat(
       path, ": is there already", marker.ok() ? ", unfinished, of a job with another scene or other options" : "",
-      "; choose another --out, or give --overwrite to replace it"));
+      "; choose another --out, or give --overwrite to replace the files that the job writes"));
 }
 
-bool SameFolder(const std::string& a, const std::string& b) {
+absl::Status CheckFolder(const std::string& path) {
   std::error_code error;
-  const bool same = fs::equivalent(a, b, error);
-  return (!error && same) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+  const auto status = fs::status(path, error);
+  if (!fs::exists(status) || fs::is_directory(status)) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a file, not a folder; choose another --out"));
+}
+
+// Makes the folders of `path` that are missing; gives them, the outermost first.
+absl::StatusOr<std::vector<std::string>> MakeFolders(const std::string& path) {
+  std::vector<std::string> missing;
+  std::error_code error;
+  for (fs::path at = path; !at.empty() && !fs::exists(at, error) && !error; at = at.parent_path())
+    missing.push_back(at.string());
+  std::reverse(missing.begin(), missing.end());
+  std::vector<std::string> made;
+  for (const std::string& folder : missing) {
+    if (fs::create_directory(folder, error)) made.push_back(folder);
+    if (!error) continue;
+    for (auto at = made.rbegin(); at != made.rend(); ++at) ::rmdir(at->c_str());
+    break;
+  }
+  if (!error) return made;
+  const std::string text = absl::StrCat(path, ": cannot make the folder: ", error.message(), "; choose another --out");
+  if (error == std::errc::no_space_on_device) return absl::ResourceExhaustedError(text);
+  const bool is_wrong = error == std::errc::not_a_directory || error == std::errc::filename_too_long ||
+                        error == std::errc::too_many_symbolic_link_levels;
+  return is_wrong ? absl::InvalidArgumentError(text) : absl::PermissionDeniedError(text);
+}
+
+absl::Status MarkerError(const std::string& path) {
+  const std::string text = absl::StrCat(path, ": cannot write there: ", std::strerror(errno), "; choose another --out");
+  return errno == ENOSPC || errno == EDQUOT ? absl::ResourceExhaustedError(text) : absl::PermissionDeniedError(text);
 }
 
 }  // namespace
 
-absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const std::string& scene_root, bool overwrite,
+absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const Scene& scene, bool overwrite,
                                                  const std::string& key) {
-  if (SameFolder(path, scene_root)) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(path, ": the output would be written over the scene; choose another --out"));
+  if (path.find("://") != std::string::npos) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": this release writes to folders only"));
   }
+  TILEMEND_RETURN_IF_ERROR(CheckFolder(path));
+  std::set<std::string> files;
+  for (const SceneTile& tile : scene.tiles) files.insert(OutputPath(tile));
+  TILEMEND_RETURN_IF_ERROR(CheckApart(path, scene, files));
   if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
-  std::error_code error;
-  const bool existed = fs::exists(path, error);
-  OutputFolder folder(path, !existed);
-  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder.Marker(), key));
+  files.insert({"report.json", "scene.json"});
+  OutputFolder folder(path, key, std::move(files));
+  TILEMEND_RETURN_IF_ERROR(folder.Lock());
+  if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));  // another job may have ended here since
   return folder;
 }
 
+absl::Status OutputFolder::Lock() {
+  TILEMEND_ASSIGN_OR_RETURN(made_, MakeFolders(path_));
+  struct stat opened {
+  }, named{};
+  do {
+    if (marker_ >= 0) ::close(marker_);
+    marker_ = ::open(Marker().c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    if (marker_ < 0) return MarkerError(path_);
+    // A file system without locks has to do without.
+    if (::flock(marker_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      keep_ = true;
+      return absl::AbortedError(
+          absl::StrCat(path_, ": another job is writing there; wait for its end, or choose another --out"));
+    }
+    // The job that had the marker may have removed it before the lock was taken.
+  } while (::fstat(marker_, &opened) != 0 || ::stat(Marker().c_str(), &named) != 0 || opened.st_ino != named.st_ino);
+  keep_ = opened.st_size > 0;  // of an unfinished output
+  return absl::OkStatus();
+}
+
 OutputFolder::OutputFolder(OutputFolder&& other) noexcept
-    : path_(std::exchange(other.path_, "")), made_(other.made_), keep_(other.keep_) {}
+    : path_(std::exchange(other.path_, "")),
+      key_(std::move(other.key_)),
+      files_(std::move(other.files_)),
+      made_(std::move(other.made_)),
+      marker_(std::exchange(other.marker_, -1)),
+      keep_(other.keep_) {}
 
 OutputFolder::~OutputFolder() {
-  if (path_.empty() || keep_) return;
-  std::error_code error;
-  fs::remove(Marker(), error);
-  if (made_) fs::remove(path_, error);  // only if it is empty
+  if (path_.empty()) return;
+  if (!keep_) {
+    if (marker_ >= 0) ::unlink(Marker().c_str());
+    for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
+  }
+  if (marker_ >= 0) ::close(marker_);
 }
 
 std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kMarker); }
 
-void OutputFolder::Finish() {
-  std::error_code error;
-  fs::remove(Marker(), error);
+absl::Status OutputFolder::BeginWriting() {
+  const auto size = static_cast<ssize_t>(key_.size());
+  if (::ftruncate(marker_, 0) != 0 || ::pwrite(marker_, key_.data(), key_.size(), 0) != size || ::fsync(marker_) != 0) {
+    return MarkerError(path_);
+  }
   keep_ = true;
+  std::error_code error;
+  fs::remove(absl::StrCat(path_, "/report.json"), error);
+  return absl::OkStatus();
+}
+
+int64_t OutputFolder::Finish() {
+  keep_ = true;
+  int64_t others = 0;
+  std::error_code error;
+  std::vector<fs::path> parts;
+  for (fs::recursive_directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (at->is_directory(ignored)) continue;
+    const std::string file = at->path().lexically_relative(path_).string();
+    if (file == kMarker || files_.contains(file)) continue;
+    const size_t suffix = file.rfind(kPartSuffix);
+    if (suffix != std::string::npos && files_.contains(file.substr(0, suffix))) {
+      parts.push_back(at->path());
+    } else {
+      ++others;
+    }
+  }
+  for (const fs::path& part : parts) fs::remove(part, error);
+  fs::remove(Marker(), error);
+  return others;
 }
 
 }  // namespace tilemend

@@ -2,39 +2,57 @@
 #ifndef TILEMEND_COORDINATOR_SERVICE_OUTPUT_FOLDER_H_
 #define TILEMEND_COORDINATOR_SERVICE_OUTPUT_FOLDER_H_
 
+#include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/grid/scene.h"
 
 namespace tilemend {
 
-// Claims a folder for one job. A folder that holds anything but an unfinished output of the same job is refused unless
-// it may be overwritten; the scene's own folder is refused always. An unfinished output is marked by a file
-// `.tilemend-job` with the job's key, so that the same job, run again, goes on there.
+// Claims a folder for one job. While the job lives, a file `.tilemend-job` there is locked. From the first tile that is
+// written until the output is complete it holds the job's key, so that the same job, run again, goes on there.
+//
+// What is refused:
+//  - a folder that holds anything but an unfinished output of the same job, unless it may be overwritten. Overwriting
+//    replaces the files that this job writes; other files stay as they are.
+//  - a folder that another living job writes to (kAborted), whatever it may overwrite.
+//  - always: the scene's own folder, its folders of tiles, and folders whose `tiles` lead there over a link.
 class OutputFolder {
  public:
   // `key` says what makes two jobs the same (scene and options). kAlreadyExists, kInvalidArgument, kPermissionDenied,
-  // ...
-  static absl::StatusOr<OutputFolder> Claim(const std::string& path, const std::string& scene_root, bool overwrite,
+  // kAborted, ...
+  static absl::StatusOr<OutputFolder> Claim(const std::string& path, const Scene& scene, bool overwrite,
                                             const std::string& key);
   OutputFolder(OutputFolder&& other) noexcept;
   OutputFolder& operator=(OutputFolder&&) = delete;
-  // Takes the marker away again, and the folder if Claim made it, unless KeepUnfinished or Finish was called.
+  // Takes away what Claim made, unless there is output.
   ~OutputFolder();
 
   const std::string& path() const { return path_; }
-  // From now on there is output in the folder: the marker stays until Finish.
-  void KeepUnfinished() { keep_ = true; }
-  // The output is complete.
-  void Finish();
+  // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output,
+  // which would not be true any more. kResourceExhausted, kPermissionDenied.
+  absl::Status BeginWriting();
+  // The output is complete. Removes what killed workers left half-written; gives the number of files there that are
+  // not of this output.
+  int64_t Finish();
 
  private:
-  OutputFolder(std::string path, bool made) : path_(std::move(path)), made_(made) {}
+  OutputFolder(std::string path, std::string key, std::set<std::string> files)
+      : path_(std::move(path)), key_(std::move(key)), files_(std::move(files)) {}
+  // Makes the folder, and locks the marker in it.
+  absl::Status Lock();
   std::string Marker() const;
 
   std::string path_;
-  bool made_ = false;
+  std::string key_;
+  std::set<std::string> files_;    // of this output, relative
+  std::vector<std::string> made_;  // folders, the outermost first
+  int marker_ = -1;                // descriptor
   bool keep_ = false;
 };
 

@@ -1,7 +1,10 @@
 #include "coordinator/service/scene_pipeline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +13,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "coordinator/plan/cell_work.h"
@@ -63,8 +67,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
-    if (!result.output.ok()) return result.output.status();
-    TILEMEND_RETURN_IF_ERROR(Take(result));
+    TILEMEND_RETURN_IF_ERROR(result.output.ok() ? Take(result) : LeaveCell(result));
     if (--waiting_ > 0) return std::vector<NewTask>{};
     std::vector<NewTask> tasks;
     while (tasks.empty() && !done_) {
@@ -86,6 +89,8 @@ class ScenePipeline : public JobPipeline {
     return progress;
   }
 
+  void Cancel() override { cancelled_ = true; }
+
   absl::StatusOr<JobOutcome> Finish() override {
     report_.plan = &plan_;
     report_.cells = static_cast<int64_t>(scene_.tiles.size());
@@ -98,16 +103,27 @@ class ScenePipeline : public JobPipeline {
     outcome.message = spec_.dry_run ? absl::StrCat(plan_.holes.size(), " holes found, nothing written")
                                     : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled, ",
                                                    left.size(), " rows left");
-    if (output_) {
-      outcome.report = absl::StrCat(output_->path(), "/report.json");
-      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
-      output_->Finish();
-    }
+    if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(outcome));
     return outcome;
   }
 
  private:
   enum class Wave { kSurvey, kCluster, kSample, kFill, kAssemble };
+
+  absl::Status FinishOutput(JobOutcome& outcome) {
+    if (scene_.found_by_name) {
+      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene_)));
+    }
+    outcome.report = absl::StrCat(output_->path(), "/report.json");
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
+    if (cancelled_) {
+      TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
+      return absl::CancelledError("the job was cancelled");
+    }
+    if (const int64_t others = output_->Finish(); others > 0)
+      absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
+    return absl::OkStatus();
+  }
 
   v1::TileRef Ref(const SceneTile& tile) const {
     v1::TileRef ref;
@@ -136,14 +152,18 @@ class ScenePipeline : public JobPipeline {
         v1::SampleOutput output;
         if (!output.ParseFromString(bytes) || output.height_size() != output.seam_vertex_size()) return malformed;
         if (wave_ == Wave::kCluster) return TakeClusterSamples(output);
-        for (int i = 0; i < output.height_size(); ++i)
-          samples_.push_back({result.cell, output.seam_vertex(i), output.height(i)});
+        for (int i = 0; i < output.height_size(); ++i) {
+          const int32_t vertex = output.seam_vertex(i);
+          if (vertex < 0 || vertex >= std::ssize(plan_.vertices) || !std::isfinite(output.height(i))) return malformed;
+          samples_.push_back({result.cell, vertex, output.height(i)});
+        }
         return absl::OkStatus();
       }
       case Stage::kFill: {
         v1::FillOutput output;
         if (!output.ParseFromString(bytes)) return malformed;
         for (const v1::PatchExtent& e : output.patches()) {
+          if (e.hole() < 0 || e.hole() >= std::ssize(plan_.holes)) return malformed;
           if (e.failure().empty()) {
             report_.sizes[e.hole()] = {e.new_points(), e.triangles()};
           } else {
@@ -165,11 +185,30 @@ class ScenePipeline : public JobPipeline {
       return absl::InternalError("a worker's cluster samples are incomplete");
     for (int i = 0; i < output.height_size(); ++i) {
       const int32_t vertex = output.seam_vertex(i);
-      if (vertex < 0 || vertex >= static_cast<int32_t>(plan_.vertices.size())) {
+      if (vertex < 0 || vertex >= std::ssize(plan_.vertices)) {
         return absl::InternalError("a worker's cluster samples name a vertex that is not in the plan");
       }
       cluster_samples_.push_back({vertex, output.height(i), output.laplacian(i)});
     }
+    return absl::OkStatus();
+  }
+
+  // Goes on without a cell that workers died of, or whose filling broke: the failure of a cell is not that of the job.
+  // Without its survey or in want of disk space there is no going on.
+  absl::Status LeaveCell(const TaskResult& result) {
+    const absl::Status& error = result.output.status();
+    const bool quarantined = ErrorReason(error) == "QUARANTINED";
+    const bool filling = result.stage == Stage::kSample || result.stage == Stage::kFill;
+    if (!(filling && (quarantined || absl::IsInternal(error))) && !(result.stage == Stage::kAssemble && quarantined)) {
+      return error;
+    }
+    const std::string reason(error.message());
+    const auto holes = holes_of_.find(result.cell);
+    if (holes != holes_of_.end()) {
+      for (const int32_t h : holes->second) report_.failures[h] = reason;
+      holes_of_.erase(holes);
+    }
+    if (!filling) plan_.left.push_back({result.cell, absl::StrCat("the tile is not written: ", reason)});
     return absl::OkStatus();
   }
 
@@ -296,17 +335,19 @@ class ScenePipeline : public JobPipeline {
     return tasks;
   }
 
-  std::vector<NewTask> AssembleCells() {
+  absl::StatusOr<std::vector<NewTask>> AssembleCells() {
     phase_ = "assemble";
-    if (output_) output_->KeepUnfinished();
+    if (output_) TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
     const bool float32 = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.float32; });
     std::vector<NewTask> tasks;
     for (const SceneTile& tile : scene_.tiles) {
+      if (tile.path.empty() && !IsFilled(tile.cell)) {  // nothing to write
+        ++cells_done_;
+        continue;
+      }
       v1::AssembleInput input;
       *input.mutable_tile() = Ref(tile);
-      const std::string relative =
-          tile.path.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.path;
-      input.set_output(absl::StrCat(spec_.out, "/", relative));
+      input.set_output(absl::StrCat(spec_.out, "/", OutputPath(tile)));
       input.set_float32(float32);
       if (const auto it = records_.find(tile.cell); it != records_.end())
         input.set_tile_vertices(it->second.vertex_count);
@@ -321,6 +362,13 @@ class ScenePipeline : public JobPipeline {
     return tasks;
   }
 
+  // Whether a worker filled a hole of the cell.
+  bool IsFilled(CellId cell) const {
+    const auto it = patches_.find(cell);
+    return it != patches_.end() && std::any_of(it->second.patches().begin(), it->second.patches().end(),
+                                               [](const v1::PatchExtent& e) { return e.failure().empty(); });
+  }
+
   const JobSpec spec_;
   const Scene scene_;
   std::optional<OutputFolder> output_;
@@ -329,6 +377,7 @@ class ScenePipeline : public JobPipeline {
   int32_t layer_ = 0;
   size_t waiting_ = 0;
   bool done_ = false;
+  std::atomic<bool> cancelled_{false};
   int64_t cells_done_ = 0;
   std::string phase_;
   Stopwatch watch_;
@@ -357,8 +406,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {
-    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
-                              OutputFolder::Claim(spec.out, scene.root, spec.overwrite, JobKey(spec)));
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec)));
     output.emplace(std::move(claimed));
   }
   return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(output));

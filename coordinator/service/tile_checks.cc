@@ -31,8 +31,8 @@ absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const
                       (record.hi.head<2>().array() <= (hi + reach).array()).all();
   if (inside) return absl::OkStatus();
   return absl::InvalidArgumentError(absl::StrFormat(
-      "%s: outside its cell %s: the tile spans x %.3f to %.3f, y %.3f to %.3f, the cell x %.3f to %.3f, "
-      "y %.3f to %.3f; check grid_corner and cell_size in scene.json",
+      "%s: outside its cell %s: the tile spans x %.10g to %.10g, y %.10g to %.10g, the cell x %.10g to %.10g, "
+      "y %.10g to %.10g; check grid_corner and cell_size in scene.json",
       path, ToString(tile.cell), record.lo.x(), record.hi.x(), record.lo.y(), record.hi.y(), lo.x(), hi.x(), lo.y(),
       hi.y()));
 }

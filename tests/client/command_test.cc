@@ -1,11 +1,7 @@
 // The tilemend command as a process, with the toy in place of the geometry: what it prints, where, and its exit codes.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,6 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/files.h"
+#include "tests/support/process.h"
 #include "tests/support/test_cluster.h"
 
 namespace tilemend {
@@ -22,58 +19,14 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-struct Ended {
-  int code = -1;
-  std::string out, err;
-};
-
-// A process whose output goes to files.
-class Process {
- public:
-  Process(const TempFolder& folder, const std::string& program, const std::vector<std::string>& words) {
-    static int count = 0;
-    out_ = folder / absl::StrCat("stdout-", ++count);
-    err_ = folder / absl::StrCat("stderr-", count);
-    std::vector<std::string> all = {program};
-    all.insert(all.end(), words.begin(), words.end());
-    std::vector<char*> argv;
-    for (std::string& word : all) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_CREAT, 0600);
-    posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_CREAT, 0600);
-    EXPECT_EQ(posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  ~Process() {
-    if (pid_ <= 0) return;
-    kill(pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
-  }
-  void Signal(int signal) { kill(pid_, signal); }
-  Ended Wait() {
-    int status = 0;
-    waitpid(pid_, &status, 0);
-    pid_ = -1;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), *ReadFile(out_), *ReadFile(err_)};
-  }
-  // Polls the process' standard error.
-  void AwaitLine(const std::string& text) {
-    while (ReadFile(err_).value_or("").find(text) == std::string::npos && kill(pid_, 0) == 0) usleep(2000);
-  }
-
- private:
-  pid_t pid_ = -1;
-  std::string out_, err_;
-};
-
 class CommandTest : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
   }
-  Ended Run(const std::vector<std::string>& words) { return Process(folder_, TOY_CLIENT, words).Wait(); }
+  Ended Run(const std::vector<std::string>& words) {
+    return Process(folder_.path().string(), TOY_CLIENT, words).Wait();
+  }
 
   TempFolder folder_;
 };
@@ -127,7 +80,7 @@ TEST_F(CommandTest, HelpAndVersionAreData) {
 }
 
 TEST_F(CommandTest, CtrlCCancelsARunAndLeavesNothing) {
-  Process process(folder_, TOY_CLIENT,
+  Process process(folder_.path().string(), TOY_CLIENT,
                   {"run", "toy://20x20?sleep_ms=10000", "--out", folder_ / "out", "--work", folder_ / "work"});
   process.AwaitLine("survey");
   process.Signal(SIGINT);
@@ -172,7 +125,7 @@ class ClusterCommandTest : public CommandTest {
 };
 
 TEST_F(ClusterCommandTest, SubmitWaitGetListWatch) {
-  Process worker(folder_, TOY_WORKER, {"--coordinator", address_, "--threads", "2"});
+  Process worker(folder_.path().string(), TOY_WORKER, {"--coordinator", address_, "--threads", "2"});
   const Ended submitted = RunWith({"submit", "toy://4x3", "--out", folder_ / "out", "--wait", "-o", "json"});
   EXPECT_EQ(submitted.code, 0) << submitted.err;
   const std::string name = nlohmann::json::parse(submitted.out)["name"];
@@ -197,7 +150,7 @@ TEST_F(ClusterCommandTest, ARepeatedRequestIdGivesTheSameJob) {
 
 TEST_F(ClusterCommandTest, CancelledWatchEndsWithSeven) {
   const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
-  Process watch(folder_, TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
+  Process watch(folder_.path().string(), TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
   watch.AwaitLine("survey");
   EXPECT_EQ(RunWith({"cancel", job["name"]}).code, 0);
   EXPECT_EQ(watch.Wait().code, 7);
@@ -205,7 +158,7 @@ TEST_F(ClusterCommandTest, CancelledWatchEndsWithSeven) {
 
 TEST_F(ClusterCommandTest, CtrlCEndsTheWatchingNotTheJob) {
   const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
-  Process watch(folder_, TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
+  Process watch(folder_.path().string(), TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
   watch.AwaitLine("survey");
   watch.Signal(SIGINT);
   const Ended ended = watch.Wait();
@@ -215,14 +168,17 @@ TEST_F(ClusterCommandTest, CtrlCEndsTheWatchingNotTheJob) {
 }
 
 TEST_F(CommandTest, TheCoordinatorServesUntilItIsTold) {
-  Process coordinator(folder_, TOY_COORDINATOR,
+  Process coordinator(folder_.path().string(), TOY_COORDINATOR,
                       {"--listen", "127.0.0.1:0", "--work", folder_ / "work", "--metrics", "127.0.0.1:0"});
   coordinator.AwaitLine("listening on 127.0.0.1:");
   coordinator.Signal(SIGTERM);
   EXPECT_EQ(coordinator.Wait().code, 0);
-  EXPECT_EQ(Process(folder_, TOY_COORDINATOR, {"--listen", "nowhere", "--work", folder_ / "work"}).Wait().code, 2);
-  EXPECT_EQ(Process(folder_, TOY_COORDINATOR, {}).Wait().code, 2);
-  EXPECT_EQ(Process(folder_, TOY_WORKER, {"--threads", "0"}).Wait().code, 2);
+  EXPECT_EQ(Process(folder_.path().string(), TOY_COORDINATOR, {"--listen", "nowhere", "--work", folder_ / "work"})
+                .Wait()
+                .code,
+            2);
+  EXPECT_EQ(Process(folder_.path().string(), TOY_COORDINATOR, {}).Wait().code, 2);
+  EXPECT_EQ(Process(folder_.path().string(), TOY_WORKER, {"--threads", "0"}).Wait().code, 2);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace tilemend {
 
 class TemporaryFolder {
  public:
-  TemporaryFolder() : path_(testing::TempDir() + "/tilemend-XXXXXX") {
+  TemporaryFolder() : path_(std::filesystem::path(testing::TempDir()) / "tilemend-XXXXXX") {
     if (mkdtemp(path_.data()) == nullptr) ADD_FAILURE() << "cannot create " << path_;
   }
   ~TemporaryFolder() {

@@ -39,6 +39,11 @@ class HoleFiller {
   HolePatch Run() {
     const std::vector<ProjectionFrame> frames = Frames();
     HolePatch patch = Failed("its boundary has no area");
+    if (std::any_of(rim_.begin(), rim_.end(), [&](int32_t v) { return !cell_.vertices[v].height_known; })) {
+      patch = Failed("no hole gave heights to a seam of it");
+      patch.hole = hole_.id;
+      return patch;
+    }
     const auto done = [&](HolePatch attempt) {
       if (attempt.failure.empty()) attempt.failure = Unsound(attempt);
       patch = std::move(attempt);

@@ -79,13 +79,17 @@ absl::StatusOr<std::string> AssembledBytes(const v1::AssembleInput& input) {
   }
   const CellId cell{input.tile().col(), input.tile().row()};
   const bool has_tile = !input.tile().path().empty();
+  for (const RimVertex& v : vertices) {
+    if (has_tile && v.tile == cell && v.index >= input.tile_vertices())
+      return absl::InvalidArgumentError("malformed payload: a rim vertex that the tile does not have");
+  }
   const FilePatch patch =
       MergePatches(vertices, patches, cell, has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0);
   if (!has_tile) return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
   const std::string path = PathOf(input.tile());
   TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadFile(path));
   if (Sha256Hex(original) != input.tile().digest()) {
-    return absl::FailedPreconditionError(absl::StrCat(path, ": changed while the job ran; run the job again"));
+    return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
   }
   if (patch.triangles.empty()) return original;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));

@@ -1,0 +1,165 @@
+// `tilemend fill` and `tilemend inspect` on single meshes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "common/util/files.h"
+#include "tests/support/output_checks.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+// A wavy sheet of 12 x 12 squares without the 4 x 4 in the middle: one hole, one outline.
+TriMesh SheetWithAHole() {
+  constexpr int kSide = 13;
+  TriMesh mesh;
+  for (int r = 0; r < kSide; ++r) {
+    for (int c = 0; c < kSide; ++c) mesh.points.emplace_back(c, r, 0.3 * std::sin(0.7 * c) * std::cos(0.6 * r));
+  }
+  for (int r = 0; r + 1 < kSide; ++r) {
+    for (int c = 0; c + 1 < kSide; ++c) {
+      if (r >= 4 && r < 8 && c >= 4 && c < 8) continue;
+      const int a = r * kSide + c;
+      mesh.triangles.push_back({a, a + 1, a + 1 + kSide});
+      mesh.triangles.push_back({a, a + 1 + kSide, a + kSide});
+    }
+  }
+  return mesh;
+}
+
+std::string Text(const TriMesh& mesh, MeshFormat format) {
+  std::string text = format == MeshFormat::kOff
+                         ? absl::StrFormat("OFF\n%d %d 0\n", mesh.points.size(), mesh.triangles.size())
+                         : "# a sheet\nmtllib sheet.mtl\n";
+  const char* const vertex = format == MeshFormat::kOff ? "" : "v ";
+  for (const Point3& p : mesh.points)
+    absl::StrAppendFormat(&text, "%s%.17g %.17g %.17g\n", vertex, p.x(), p.y(), p.z());
+  if (format == MeshFormat::kObj) text += "usemtl grass\n";
+  for (const Triangle& t : mesh.triangles) {
+    const int first = format == MeshFormat::kOff ? 0 : 1;
+    absl::StrAppendFormat(&text, "%s %d %d %d\n", first == 0 ? "3" : "f", t[0] + first, t[1] + first, t[2] + first);
+  }
+  return text;
+}
+
+struct FormatCase {
+  const char* extension;
+  MeshFormat format;
+};
+
+class FillTest : public ::testing::TestWithParam<FormatCase> {
+ protected:
+  Ended Tilemend(const std::vector<std::string>& words) {
+    return Process(folder_.path(), TILEMEND_CLIENT, words).Wait();
+  }
+  std::string WriteSheet() {
+    const TriMesh mesh = SheetWithAHole();
+    const bool ply = GetParam().format == MeshFormat::kPly;
+    return folder_.Write(absl::StrCat("in", GetParam().extension),
+                         ply ? PlyBytes(mesh) : Text(mesh, GetParam().format));
+  }
+  std::string Out() const { return folder_ / absl::StrCat("out", GetParam().extension); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(FillTest, FillsTheHoleAndKeepsTheMesh) {
+  const std::string in = WriteSheet(), before = *ReadFile(in);
+  const Ended ended = Tilemend({"fill", in, "--out", Out()});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("1 of 1 holes filled"));
+  EXPECT_EQ(*ReadFile(in), before);
+  const auto a = ReadMeshFile(in), b = ReadMeshFile(Out());
+  ASSERT_TRUE(a.ok() && b.ok()) << a.status() << b.status();
+  EXPECT_GT(b->mesh.triangles.size(), a->mesh.triangles.size());
+  ASSERT_GE(b->mesh.points.size(), a->mesh.points.size());
+  EXPECT_TRUE(std::equal(a->mesh.points.begin(), a->mesh.points.end(), b->mesh.points.begin()));
+  EXPECT_TRUE(std::equal(a->mesh.triangles.begin(), a->mesh.triangles.end(), b->mesh.triangles.begin()));
+  if (GetParam().format == MeshFormat::kObj) {
+    EXPECT_THAT(*ReadFile(Out()), StartsWith(before));
+  }
+}
+
+// What was filled has no hole any more: filling it again copies it.
+TEST_P(FillTest, AFilledMeshStaysAsItIs) {
+  const std::string in = WriteSheet(), again = folder_ / absl::StrCat("again", GetParam().extension);
+  ASSERT_EQ(Tilemend({"fill", in, "--out", Out()}).code, 0);
+  const Ended inspected = Tilemend({"inspect", Out(), "-o", "json"});
+  const Json json = Json::parse(inspected.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << inspected.err;
+  EXPECT_EQ(json["holes"]["closed"], 0);
+  EXPECT_EQ(json["outer_rims"], 1);
+  EXPECT_EQ(json["nonmanifold_edges"], 0);
+  EXPECT_EQ(Tilemend({"fill", Out(), "--out", again}).code, 0);
+  EXPECT_EQ(*ReadFile(again), *ReadFile(Out()));
+}
+
+TEST_P(FillTest, AnExistingFileNeedsOverwrite) {
+  const std::string in = WriteSheet();
+  folder_.Write(absl::StrCat("out", GetParam().extension), "mine");
+  const Ended refused = Tilemend({"fill", in, "--out", Out()});
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("--overwrite"));
+  EXPECT_EQ(*ReadFile(Out()), "mine");
+  EXPECT_EQ(Tilemend({"fill", in, "--out", Out(), "--overwrite"}).code, 0);
+  EXPECT_NE(*ReadFile(Out()), "mine");
+}
+
+TEST_P(FillTest, TheInputIsNeverWrittenOver) {
+  const std::string in = WriteSheet(), before = *ReadFile(in);
+  std::filesystem::create_symlink(in, folder_ / absl::StrCat("link", GetParam().extension));
+  for (const std::string& out : {in, folder_ / absl::StrCat("link", GetParam().extension)}) {
+    EXPECT_EQ(Tilemend({"fill", in, "--out", out, "--overwrite"}).code, 4);
+    EXPECT_EQ(*ReadFile(in), before);
+  }
+}
+
+TEST_P(FillTest, JsonIsAReport) {
+  const Ended ended = Tilemend({"fill", WriteSheet(), "--out", Out(), "-o", "json"});
+  const Json json = Json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ended.out << ended.err;
+  EXPECT_EQ(json["holes"]["closed"], 1);
+  EXPECT_EQ(json["filled"]["closed"], 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, FillTest,
+                         ::testing::Values(FormatCase{".ply", MeshFormat::kPly}, FormatCase{".obj", MeshFormat::kObj},
+                                           FormatCase{".off", MeshFormat::kOff}),
+                         [](const auto& format) { return std::string(format.param.extension + 1); });
+
+TEST(FillCommandTest, ExitCodes) {
+  const TemporaryFolder folder;
+  const std::string in = folder.Write("in.obj", Text(SheetWithAHole(), MeshFormat::kObj));
+  const auto code = [&](const std::vector<std::string>& words) {
+    return Process(folder.path(), TILEMEND_CLIENT, words).Wait().code;
+  };
+  std::filesystem::create_directory(folder / "folder.obj");
+  EXPECT_EQ(code({"fill", in}), 2);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--gradation", "0"}), 2);
+  EXPECT_EQ(code({"fill", folder / "none.obj", "--out", folder / "o.obj"}), 3);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.ply"}), 4);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o"}), 4);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "folder.obj", "--overwrite"}), 4);
+  EXPECT_EQ(code({"fill", in, "--out", in + "/o.obj"}), 4);
+  EXPECT_EQ(code({"fill", folder.Write("empty.obj", ""), "--out", folder / "o.obj"}), 4);
+  EXPECT_EQ(code({"fill", folder.Write("bad.obj", "v 0 0 0\nf -1 -2 -3\n"), "--out", folder / "o.obj"}), 4);
+  EXPECT_EQ(code({"fill", in, "--out", "/proc/o.obj"}), 6);
+  EXPECT_FALSE(std::filesystem::exists(folder / "o.obj"));
+}
+
+}  // namespace
+}  // namespace tilemend

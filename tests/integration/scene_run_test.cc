@@ -1,0 +1,209 @@
+// `tilemend run` and the cluster's programs on real scenes: the same bytes however they are made, the originals kept,
+// every hole filled and counted, outputs refused, interrupted and completed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/files.h"
+#include "tests/support/output_checks.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Json = nlohmann::json;
+
+class SceneRunTest : public ::testing::Test {
+ protected:
+  Ended Tilemend(const std::vector<std::string>& words) {
+    return Process(folder_.path(), TILEMEND_CLIENT, words).Wait();
+  }
+  Ended Run(const std::string& scene, const std::string& out, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"run", scene, "--out", out};
+    words.insert(words.end(), more.begin(), more.end());
+    return Tilemend(words);
+  }
+  void ExpectComplete(const std::string& out, const std::map<std::string, std::string>& tiles) {
+    EXPECT_EQ(TilesBelow(out), tiles);
+    EXPECT_FALSE(std::filesystem::exists(out + "/.tilemend-job"));
+    EXPECT_TRUE(std::filesystem::exists(out + "/report.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+class CutTest : public SceneRunTest, public ::testing::WithParamInterface<Cut> {};
+
+TEST_P(CutTest, FillsEveryHoleKeepsTheOriginalsAndCloses) {
+  const SceneMakerOptions options = SmallScene(GetParam());
+  const std::string scene = WriteMade(options, folder_ / "scene"), out = folder_ / "out";
+  const auto before = FilesBelow(scene);
+  const Ended ended = Run(scene, out);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(FilesBelow(scene), before);
+  ExpectOriginalsKept(scene, out);
+  ExpectClosed(options, out);
+}
+
+TEST_P(CutTest, TheBytesDoNotDependOnTheWorkers) {
+  const std::string scene = WriteMade(SmallScene(GetParam()), folder_ / "scene");
+  ASSERT_EQ(Run(scene, folder_ / "one", {"--workers", "1"}).code, 0);
+  const auto tiles = TilesBelow(folder_ / "one");
+  EXPECT_EQ(tiles.size(), 12U);
+  for (const char* workers : {"2", "4"}) {
+    const std::string out = folder_ / absl::StrCat("with-", workers);
+    ASSERT_EQ(Run(scene, out, {"--workers", workers}).code, 0);
+    ExpectComplete(out, tiles);
+  }
+}
+
+TEST_P(CutTest, TheReportCountsWhatInspectFound) {
+  const std::string scene = WriteMade(SmallScene(GetParam()), folder_ / "scene");
+  const Ended inspected = Tilemend({"inspect", scene, "-o", "json"});
+  ASSERT_EQ(inspected.code, 0) << inspected.err;
+  const Json plan = Json::parse(inspected.out, nullptr, false);
+  ASSERT_TRUE(plan.is_object()) << inspected.out;
+  ASSERT_EQ(Run(scene, folder_ / "out").code, 0);
+  const Json report = ReportOf(folder_ / "out");
+  for (const char* field : {"cells", "clusters", "layers", "holes", "single", "continuous", "borders"})
+    EXPECT_EQ(report[field], plan[field]) << field;
+  EXPECT_GT(report["holes"]["closed"], 0);
+  EXPECT_GT(report["clusters"], 0);
+  EXPECT_EQ(report["filled"], report["holes"]);
+  EXPECT_EQ(report["left"].size(), 0U);
+  for (const Json& hole : report["per_hole"]) EXPECT_EQ(hole["outcome"], "filled") << hole;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, CutTest, ::testing::Values(Cut::kClipped, Cut::kRagged),
+                         [](const auto& cut) { return cut.param == Cut::kClipped ? "Clipped" : "Ragged"; });
+
+TEST_F(SceneRunTest, ACellWithoutSurfaceGetsATile) {
+  SceneMakerOptions options = SmallScene(Cut::kClipped);
+  options.empty = {{2, 1}};
+  const std::string scene = WriteMade(options, folder_ / "scene");
+  ASSERT_EQ(Run(scene, folder_ / "out").code, 0);
+  EXPECT_TRUE(TilesBelow(folder_ / "out").contains("tiles/Tile_+002_+001.ply"));
+  ExpectClosed(options, folder_ / "out");
+  EXPECT_EQ(ReportOf(folder_ / "out")["holes"]["I"]["A"], 1);
+}
+
+TEST_F(SceneRunTest, ASceneFoundByNamesLeavesItsSceneJsonWithTheOutput) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+  std::filesystem::remove(scene + "/scene.json");
+  const Ended ended = Run(scene, folder_ / "out");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_FALSE(std::filesystem::exists(scene + "/scene.json"));
+  const Json json = Json::parse(ReadFile(folder_ / "out/scene.json").value_or(""), nullptr, false);
+  EXPECT_EQ(json["cell_size"], 20);
+  EXPECT_EQ(json["area_known"], false);
+  EXPECT_EQ(Tilemend({"inspect", folder_ / "out"}).code, 0);
+}
+
+TEST_F(SceneRunTest, AnExistingOutputIsLeftAlone) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, out).code, 0);
+  folder_.Write("out/mine.txt", "mine");
+  const auto before = FilesBelow(out);
+  const Ended again = Run(scene, out);
+  EXPECT_EQ(again.code, 4);
+  EXPECT_THAT(again.err, HasSubstr("--overwrite"));
+  EXPECT_EQ(FilesBelow(out), before);
+}
+
+TEST_F(SceneRunTest, OverwriteReplacesFilesOfTheSameNameOnly) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, out).code, 0);
+  const auto tiles = TilesBelow(out);
+  folder_.Write("out/mine.txt", "mine");
+  folder_.Write("out/tiles/Tile_+000_+000.ply", "older");
+  folder_.Write("out/tiles/Tile_+009_+009.ply.txt", "older");
+  const Ended again = Run(scene, out, {"--overwrite"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("2 other files"));
+  ExpectComplete(out, tiles);
+  EXPECT_EQ(FilesBelow(out)["mine.txt"], "mine");
+}
+
+// A folder in a tile's place stops the job after other tiles were written.
+TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, folder_ / "whole").code, 0);
+  folder_.Write("out/report.json", "of an older output");
+  folder_.Write("out/tiles/Tile_+003_+002.ply/in-the-way", "");
+  folder_.Write("out/tiles/Tile_+000_+000.ply.part-0123abcd-1", "of a worker that was killed");
+  const Ended failed = Run(scene, out, {"--overwrite"});
+  EXPECT_EQ(failed.code, 4) << failed.err;
+  EXPECT_THAT(failed.err, HasSubstr("Tile_+003_+002.ply"));
+  EXPECT_THAT(failed.err, HasSubstr("not complete"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/report.json"));
+  EXPECT_THAT(Tilemend({"report", out}).err, HasSubstr("not complete"));
+  std::filesystem::remove_all(out + "/tiles/Tile_+003_+002.ply");
+  EXPECT_EQ(Run(scene, out, {"--uniform"}).code, 4);
+  const Ended again = Run(scene, out);
+  EXPECT_EQ(again.code, 0) << again.err;
+  ExpectComplete(out, TilesBelow(folder_ / "whole"));
+  EXPECT_EQ(FilesBelow(out).size(), 13U);
+}
+
+// Whenever it comes: the output is complete, or it can be completed, or there is none.
+TEST_F(SceneRunTest, ASignalEndsARunCleanly) {
+  SceneMakerOptions options = SmallScene(Cut::kClipped);
+  options.cols = options.rows = 8;
+  const std::string scene = WriteMade(options, folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, folder_ / "whole").code, 0);
+  for (const auto& [number, phase] : {std::pair(SIGINT, "survey"), {SIGTERM, "assemble"}}) {
+    Process process(folder_.path(), TILEMEND_CLIENT, {"run", scene, "--out", out, "--work", folder_ / "work"});
+    process.AwaitLine(phase);
+    process.Signal(number);
+    const Ended ended = process.Wait();
+    EXPECT_TRUE(ended.code == 7 || ended.code == 0) << ended.code << ended.err;
+    EXPECT_THAT(FilesBelow(folder_ / "work"), IsEmpty());
+    if (ended.code == 7) {
+      EXPECT_EQ(Run(scene, out).code, 0);
+    }
+    ExpectComplete(out, TilesBelow(folder_ / "whole"));
+    std::filesystem::remove_all(out);
+  }
+}
+
+TEST_F(SceneRunTest, ASecondRunToOneOutputIsToldToWait) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  Process first(folder_.path(), TILEMEND_CLIENT, {"run", scene, "--out", out});
+  Process second(folder_.path(), TILEMEND_CLIENT, {"run", scene, "--out", out});
+  const Ended a = first.Wait(), b = second.Wait();
+  const std::string both = absl::StrCat(a.code, " ", b.code, "\n", a.err, b.err);
+  EXPECT_TRUE(a.code == 0 || b.code == 0) << both;
+  for (const int code : {a.code, b.code}) EXPECT_TRUE(code == 0 || code == 5 || code == 4) << both;
+  EXPECT_FALSE(a.code == 0 && b.code == 0) << both;
+  EXPECT_EQ(TilesBelow(out).size(), 12U);
+}
+
+TEST_F(SceneRunTest, InspectWritesNothing) {
+  const std::string scene = WriteMade(SmallScene(Cut::kRagged), folder_ / "scene/s");
+  const auto before = FilesBelow(folder_ / "scene");
+  for (const char* format : {"json", "table"}) {
+    EXPECT_EQ(Tilemend({"inspect", scene, "-o", format}).code, 0);
+    EXPECT_EQ(Tilemend({"inspect", scene + "/tiles/Tile_+000_+000.ply", "-o", format}).code, 0);
+  }
+  EXPECT_EQ(FilesBelow(folder_ / "scene"), before);
+}
+
+TEST_F(SceneRunTest, ADryRunWritesNothing) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+  const Ended ended = Run(scene, folder_ / "out", {"--dry-run", "-o", "json"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(Json::parse(ended.out, nullptr, false).value("message", ""), HasSubstr("holes found"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+}  // namespace
+}  // namespace tilemend
