@@ -176,6 +176,7 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
     v.size = proto.size(i);
     v.laplacian_known = proto.laplacian_known(i);
     v.laplacian = proto.laplacian(i);
+    if (!std::isfinite(v.laplacian)) return Malformed("rim vertex Laplacian");
     if (!v.position.allFinite()) return Malformed("rim vertex position");
   }
   return vertices;

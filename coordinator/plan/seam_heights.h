@@ -19,8 +19,8 @@ struct SeamSample {
 };
 
 struct SeamHeights {
-  std::map<int32_t, double> height;     // of the seam vertices that are settled
-  std::map<int32_t, double> laplacian;  // on seams, where the surface of the cluster is known
+  std::map<int32_t, double> height = {};     // of the seam vertices that are settled
+  std::map<int32_t, double> laplacian = {};  // on seams, where the surface of the cluster is known
 };
 
 // The surface of a cluster at a vertex on a seam or at the end of one.

@@ -217,7 +217,7 @@ TEST(StagePayloadsTest, ATruncatedColumnIsRefused) {
   const auto decode = [](const auto& proto) { return FromProto(proto).ok(); };
   EXPECT_EQ(CountTruncations(ToProto(SomeRecord()), {}, decode), 7);
   // One hole less is a message as well; so is one segment less, which takes an entry of every column.
-  EXPECT_EQ(CountTruncations(ToProto(SomeHoles()), {"tilemend.v1.CellHolesBlob.holes"}, decode), 11);
+  EXPECT_EQ(CountTruncations(ToProto(SomeHoles()), {"tilemend.v1.CellHolesBlob.holes"}, decode), 13);
   const v1::FillOutput patches = ToProto(SomePatches(), SomeHoles().vertices, 0x1p-8);
   EXPECT_EQ(CountTruncations(patches, {}, [](const auto& proto) { return FromProto(proto, 4).ok(); }), 4);
 }
