@@ -14,6 +14,7 @@
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "common/rpc/status_proto.h"
+#include "common/util/error_info.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "coordinator/service/coordinator_impl.h"
@@ -39,8 +40,8 @@ absl::StatusOr<std::string> MakeWorkFolder(const std::string& parent) {
 }
 
 // Runs the job to its end. The first signal cancels it.
-absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const std::string& work_folder) {
-  SignalWatcher signals;  // before any other thread
+absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const std::string& work_folder,
+                                    SignalWatcher& signals) {
   CoordinatorOptions options;
   options.work_folder = work_folder;
   // Workers of this process cannot be lost without it; a machine that slept must not look like one that died.
@@ -68,6 +69,16 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   return end;
 }
 
+// Whether the job ended before its output was complete, and left some.
+bool LeftUnfinished(const v1::Job& job) {
+  const absl::Status status = StatusFromProto(job.error());
+  // The output of another job is not its business.
+  const bool wrote = job.state() == v1::CANCELLED || (job.state() == v1::FAILED && !absl::IsAlreadyExists(status) &&
+                                                      ErrorReason(status) != "OUTPUT_IN_USE");
+  std::error_code error;
+  return wrote && std::filesystem::exists(job.spec().out() + "/.tilemend-job", error);
+}
+
 }  // namespace
 
 int RunCommand(const Args& args) {
@@ -79,18 +90,17 @@ int RunCommand(const Args& args) {
                            ? args.Integer("workers", 1, 1024)
                            : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
   if (!threads.ok()) return PrintUsageError(threads.status());
+  SignalWatcher signals;  // before any other thread; until the work folder is gone
   const auto work_folder = MakeWorkFolder(args.Text("work"));
   if (!work_folder.ok()) return PrintError(work_folder.status());
   const auto remove = absl::MakeCleanup([&work_folder] {
     std::error_code error;
     std::filesystem::remove_all(*work_folder, error);
   });
-  const auto job = RunEmbedded(*spec, static_cast<int>(*threads), *work_folder);
+  const auto job = RunEmbedded(*spec, static_cast<int>(*threads), *work_folder, signals);
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
-  std::error_code error;
-  const bool is_over = job->state() == v1::FAILED || job->state() == v1::CANCELLED;
-  if (is_over && std::filesystem::exists(spec->out() + "/.tilemend-job", error)) {
+  if (LeftUnfinished(*job)) {
     std::fprintf(stderr, "tilemend: %s is not complete; the same command goes on there\n", spec->out().c_str());
   }
   std::fputs(JobText(*job, *format).c_str(), stdout);

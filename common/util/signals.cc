@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <ctime>
 #include <utility>
 
 namespace tilemend {
@@ -48,6 +49,10 @@ SignalWatcher::~SignalWatcher() {
   close(signal_fd_);
   close(stop_fd_);
   const sigset_t set = Watched();
+  // What came too late to be handled must not end the process now that all is done.
+  const timespec now{};
+  while (sigtimedwait(&set, nullptr, &now) > 0) {
+  }
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 

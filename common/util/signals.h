@@ -19,7 +19,8 @@ class SignalWatcher {
   // From now on, calls `on_signal` with 1 for the first signal (which may have come before), 2 for the second, and so
   // on, on a thread of its own. Once.
   void Start(std::function<void(int count)> on_signal);
-  // No call begins after it returns; waits for one that runs. Signals stay blocked. The destructor does it too.
+  // No call begins after it returns; waits for one that runs. Signals stay blocked. The destructor does it too; it
+  // drops signals that came since.
   void Stop();
 
  private:

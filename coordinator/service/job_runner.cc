@@ -45,14 +45,14 @@ void JobRunner::Run() {
   } catch (const std::exception& error) {
     outcome = absl::InternalError(absl::StrCat("the pipeline threw: ", error.what()));
   }
-  blobs_->Remove();
   bool cancelled = false;
   {
     std::lock_guard<std::mutex> lock(mutex_);
     cancelled = cancelled_;
   }
   if (cancelled) outcome = absl::CancelledError("the job was cancelled");
-  sink_.finished(std::move(outcome));
+  sink_.finished(std::move(outcome));  // before the blobs go, which takes time in which the job could be cancelled
+  blobs_->Remove();
   ended_.store(true);
 }
 

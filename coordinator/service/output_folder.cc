@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 
@@ -148,8 +149,9 @@ absl::Status OutputFolder::Lock() {
     // A file system without locks has to do without.
     if (::flock(marker_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       keep_ = true;
-      return absl::AbortedError(
-          absl::StrCat(path_, ": another job is writing there; wait for its end, or choose another --out"));
+      return WithErrorInfo(absl::AbortedError(absl::StrCat(
+                               path_, ": another job is writing there; wait for its end, or choose another --out")),
+                           {"OUTPUT_IN_USE", {}});
     }
     // The job that had the marker may have removed it before the lock was taken.
   } while (::fstat(marker_, &opened) != 0 || ::stat(Marker().c_str(), &named) != 0 || opened.st_ino != named.st_ino);
@@ -187,8 +189,7 @@ absl::Status OutputFolder::BeginWriting() {
   return absl::OkStatus();
 }
 
-int64_t OutputFolder::Finish() {
-  keep_ = true;
+int64_t OutputFolder::TidyUp() {
   int64_t others = 0;
   std::error_code error;
   std::vector<fs::path> parts;
@@ -205,8 +206,12 @@ int64_t OutputFolder::Finish() {
     }
   }
   for (const fs::path& part : parts) fs::remove(part, error);
-  fs::remove(Marker(), error);
   return others;
+}
+
+void OutputFolder::Finish() {
+  keep_ = true;
+  ::unlink(Marker().c_str());
 }
 
 }  // namespace tilemend

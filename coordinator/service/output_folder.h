@@ -37,9 +37,10 @@ class OutputFolder {
   // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output,
   // which would not be true any more. kResourceExhausted, kPermissionDenied.
   absl::Status BeginWriting();
-  // The output is complete. Removes what killed workers left half-written; gives the number of files there that are
-  // not of this output.
-  int64_t Finish();
+  // Removes what killed workers left half-written; gives the number of files there that are not of this output.
+  int64_t TidyUp();
+  // The output is complete.
+  void Finish();
 
  private:
   OutputFolder(std::string path, std::string key, std::set<std::string> files)

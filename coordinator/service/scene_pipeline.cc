@@ -114,14 +114,16 @@ class ScenePipeline : public JobPipeline {
     if (scene_.found_by_name) {
       TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene_)));
     }
+    if (const int64_t others = output_->TidyUp(); others > 0) {
+      absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
+    }
     outcome.report = absl::StrCat(output_->path(), "/report.json");
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
     if (cancelled_) {
       TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
       return absl::CancelledError("the job was cancelled");
     }
-    if (const int64_t others = output_->Finish(); others > 0)
-      absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
+    output_->Finish();
     return absl::OkStatus();
   }
 
