@@ -9,8 +9,8 @@
 
 namespace tilemend {
 
-// A hash index of positions, compared by value (so that -0.0 and 0.0 are one; NaN must not be inserted). Numbers count from 0 in
-// order of insertion. A small filter in front makes looking up positions that are not there cheap.
+// A hash index of positions, compared by value (so that -0.0 and 0.0 are one; NaN must not be inserted). Numbers count
+// from 0 in order of insertion. A small filter in front makes looking up positions that are not there cheap.
 class PositionIndex {
  public:
   PositionIndex();
@@ -27,8 +27,8 @@ class PositionIndex {
   void Grow();
 
   std::vector<Point3> positions_;
-  std::vector<int32_t> slots_;   // open addressing, a power of two; -1 is free
-  std::vector<uint64_t> filter_; // one bit per hash bucket
+  std::vector<int32_t> slots_;    // open addressing, a power of two; -1 is free
+  std::vector<uint64_t> filter_;  // one bit per hash bucket
 };
 
 }  // namespace tilemend

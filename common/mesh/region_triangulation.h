@@ -1,12 +1,13 @@
 // Constrained Delaunay triangulation of planar regions given by directed segments, on exact integer predicates.
 //
-// A region is described by segments that have it on their left: the outer boundary counter-clockwise, islands clockwise,
-// in any order, any number of separate regions in one call, regions that touch themselves or each other at vertices
-// ("pinches") allowed. No polygon needs to be traced by the caller: which triangles are inside follows from the sides of
-// the segments by flood fill.
+// A region is described by segments that have it on their left: the outer boundary counter-clockwise, islands
+// clockwise, in any order, any number of separate regions in one call, regions that touch themselves or each other at
+// vertices
+// ("pinches") allowed. No polygon needs to be traced by the caller: which triangles are inside follows from the sides
+// of the segments by flood fill.
 //
-// Source: incremental insertion in Hilbert order with Lawson flips; constraint insertion after Sloan 1993 / Anglada 1997.
-// Cost O(n log n) expected; deterministic: the result depends on the input values alone.
+// Source: incremental insertion in Hilbert order with Lawson flips; constraint insertion after Sloan 1993 / Anglada
+// 1997. Cost O(n log n) expected; deterministic: the result depends on the input values alone.
 #ifndef TILEMEND_COMMON_MESH_REGION_TRIANGULATION_H_
 #define TILEMEND_COMMON_MESH_REGION_TRIANGULATION_H_
 

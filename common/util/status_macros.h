@@ -11,8 +11,8 @@
 #define TILEMEND_CONCAT(a, b) TILEMEND_CONCAT_INNER(a, b)
 
 // Returns from the calling function if `expr`, an absl::Status, is not OK.
-#define TILEMEND_RETURN_IF_ERROR(expr)                                \
-  do {                                                                \
+#define TILEMEND_RETURN_IF_ERROR(expr)                                                                 \
+  do {                                                                                                 \
     if (absl::Status status_macro_value = (expr); !status_macro_value.ok()) return status_macro_value; \
   } while (false)
 

@@ -20,8 +20,8 @@ struct Plate {
   std::map<std::pair<double, double>, size_t> at;
 };
 
-// A mesh of squares with two rings of known points around the unknown ones. Points for which `keep` is false are left out with their
-// triangles; `known` says which of the others have a height besides the rings.
+// A mesh of squares with two rings of known points around the unknown ones. Points for which `keep` is false are left
+// out with their triangles; `known` says which of the others have a height besides the rings.
 Plate MakePlate(const HeightFunction& height, const std::function<bool(double, double)>& keep,
                 const std::function<bool(double, double)>& known) {
   const TriMesh mesh = SquaresMesh(-kHalf - 3, kHalf + 3, -kHalf - 3, kHalf + 3, [](int32_t, int32_t) { return true; });
@@ -94,14 +94,16 @@ TEST(SolveThinPlateTest, TensionPullsASaddleBumpFlat) {
   EXPECT_GT(std::abs(slack.problem.points[middle].z() - membrane.problem.points[middle].z()), 0.1);
 }
 
-// The promise that makes cells independent: one half, given heights and Laplacians along the cut, has the solution of the whole.
+// The promise that makes cells independent: one half, given heights and Laplacians along the cut, has the solution of
+// the whole.
 TEST(SolveThinPlateTest, AHalfWithHeightsAndLaplaciansOnTheCutIsTheWhole) {
   const auto hills = [](double x, double y) { return std::sin(0.4 * x + 0.2) * std::cos(0.3 * y) + 0.02 * x * y; };
   Plate whole = MakePlate(hills, Everywhere, Nowhere);
   const auto laplacian = SolveThinPlate(whole.problem);
   ASSERT_TRUE(laplacian.has_value());
   const auto on_cut = [](double x, double y) { return x == 0 && std::abs(y) <= kHalf; };
-  Plate half = MakePlate(hills, [](double x, double) { return x >= 0; }, on_cut);
+  Plate half = MakePlate(
+      hills, [](double x, double) { return x >= 0; }, on_cut);
   half.problem.laplacian.resize(half.problem.points.size());
   for (const auto& [place, v] : half.at) {
     if (!on_cut(place.first, place.second)) continue;
