@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -43,25 +44,32 @@ class SceneRunTest : public ::testing::Test {
 
 class CutTest : public SceneRunTest, public ::testing::WithParamInterface<Cut> {};
 
-TEST_P(CutTest, FillsEveryHoleKeepsTheOriginalsAndCloses) {
-  const SceneMakerOptions options = SmallScene(GetParam());
+// Both cuts with both surfaces.
+class SurfaceTest : public SceneRunTest, public ::testing::WithParamInterface<std::tuple<Cut, const char*>> {
+ protected:
+  Cut cut() const { return std::get<0>(GetParam()); }
+  std::string surface() const { return std::get<1>(GetParam()); }
+};
+
+TEST_P(SurfaceTest, FillsEveryHoleKeepsTheOriginalsAndCloses) {
+  const SceneMakerOptions options = SmallScene(cut());
   const std::string scene = WriteMade(options, folder_ / "scene"), out = folder_ / "out";
   const auto before = FilesBelow(scene);
-  const Ended ended = Run(scene, out);
+  const Ended ended = Run(scene, out, {"--surface", surface()});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(FilesBelow(scene), before);
   ExpectOriginalsKept(scene, out);
   ExpectClosed(options, out);
 }
 
-TEST_P(CutTest, TheBytesDoNotDependOnTheWorkers) {
-  const std::string scene = WriteMade(SmallScene(GetParam()), folder_ / "scene");
-  ASSERT_EQ(Run(scene, folder_ / "one", {"--workers", "1"}).code, 0);
+TEST_P(SurfaceTest, TheBytesDoNotDependOnTheWorkers) {
+  const std::string scene = WriteMade(SmallScene(cut()), folder_ / "scene");
+  ASSERT_EQ(Run(scene, folder_ / "one", {"--workers", "1", "--surface", surface()}).code, 0);
   const auto tiles = TilesBelow(folder_ / "one");
   EXPECT_EQ(tiles.size(), 12U);
   for (const char* workers : {"2", "4"}) {
     const std::string out = folder_ / absl::StrCat("with-", workers);
-    ASSERT_EQ(Run(scene, out, {"--workers", workers}).code, 0);
+    ASSERT_EQ(Run(scene, out, {"--workers", workers, "--surface", surface()}).code, 0);
     ExpectComplete(out, tiles);
   }
 }
@@ -83,6 +91,14 @@ TEST_P(CutTest, TheReportCountsWhatInspectFound) {
   for (const Json& hole : report["per_hole"]) EXPECT_EQ(hole["outcome"], "filled") << hole;
 }
 
+INSTANTIATE_TEST_SUITE_P(Surfaces, SurfaceTest,
+                         ::testing::Combine(::testing::Values(Cut::kClipped, Cut::kRagged),
+                                            ::testing::Values("wang", "thin-plate")),
+                         [](const auto& made) {
+                           const std::string surface = std::get<1>(made.param);
+                           return std::string(std::get<0>(made.param) == Cut::kClipped ? "Clipped" : "Ragged") +
+                                  (surface == "wang" ? "Wang" : "ThinPlate");
+                         });
 INSTANTIATE_TEST_SUITE_P(Cuts, CutTest, ::testing::Values(Cut::kClipped, Cut::kRagged),
                          [](const auto& cut) { return cut.param == Cut::kClipped ? "Clipped" : "Ragged"; });
 
