@@ -19,9 +19,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kFinestStep = 0x1p-10;  // metres
-// The outline of a piece of at most this share of a cell is no outline of the tile.
-constexpr double kLargestPiece = 0.25;
-constexpr size_t kLongestRun = 60;  // edges: longer runs off the outline are holes that want seams
+constexpr size_t kLongestRun = 60;       // edges: longer runs off the outline are holes that want seams
 
 // The finest power-of-two step, at least 2^-10 m, whose multiples the tiles' number type holds exactly out to the
 // farthest coordinate.
@@ -195,10 +193,7 @@ class PartPlanner {
       plan_.left.push_back({cell, "a single edge off the tile's outline: it bounds no area", -1, 1});
       return;
     }
-    std::vector<RimSegment> segments;
-    for (auto e = run.rbegin(); e != run.rend(); ++e) {
-      segments.push_back({rim_.edges[*e].to, rim_.edges[*e].from, false});
-    }
+    std::vector<RimSegment> segments = Reversed(run);
     segments.push_back({segments.back().to, segments.front().from, true});
     boundary_[cell].closed_loops.push_back(std::move(segments));
   }
@@ -251,6 +246,14 @@ class PartPlanner {
     plan_.left.insert(plan_.left.end(), chains.left.begin(), chains.left.end());
   }
 
+  // The edges as boundary segments: the hole lies to the right of a rim edge.
+  std::vector<RimSegment> Reversed(const std::vector<int32_t>& edges) const {
+    std::vector<RimSegment> segments;
+    for (const int32_t e : edges) segments.push_back({rim_.edges[e].to, rim_.edges[e].from, false});
+    std::reverse(segments.begin(), segments.end());
+    return segments;
+  }
+
   // Gives each cell its rim edges and seams.
   void SortSegments() {
     for (size_t l = 0; l < rim_.loops.size(); ++l) {
@@ -264,11 +267,7 @@ class PartPlanner {
                             return rim_.edges[e].label == first.label && rim_.edges[e].owner == first.label;
                           });
       if (inside) {
-        std::vector<RimSegment> segments;  // reversed: the hole lies to the right of a rim edge
-        for (auto e = loop.rbegin(); e != loop.rend(); ++e) {
-          segments.push_back({rim_.edges[*e].to, rim_.edges[*e].from, false});
-        }
-        boundary_[first.owner].closed_loops.push_back(std::move(segments));
+        boundary_[first.owner].closed_loops.push_back(Reversed(loop));
         continue;
       }
       for (const int32_t e : loop) AddRimEdge(rim_.edges[e]);

@@ -141,7 +141,7 @@ PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std:
   regions.area.assign(static_cast<size_t>(regions.triangulation.component_count), 0.0);
   for (size_t t = 0; t < regions.triangulation.triangles.size(); ++t) {
     const Triangle& tri = regions.triangulation.triangles[t];
-    const Point3 a = position[regions.vertices[tri[0]]];
+    const Point3& a = position[regions.vertices[tri[0]]];
     const Eigen::Vector3d n = (position[regions.vertices[tri[1]]] - a).cross(position[regions.vertices[tri[2]]] - a);
     regions.area[regions.triangulation.component[t]] += n.z() / 2;
   }
@@ -164,7 +164,7 @@ bool Contains(const PlanarRegions& regions, int32_t component, const Point2& p, 
 
 Eigen::Vector3d VectorArea(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  const Point3 origin = position[loop[0].from];
+  const Point3& origin = position[loop[0].from];
   for (const RimSegment& s : loop) sum += (position[s.from] - origin).cross(position[s.to] - origin);
   return sum / 2;
 }

@@ -43,7 +43,7 @@ RimIndex::RimIndex(const Rim& rim) : rim_(rim), corners_(rim.points.size()) {
   mean_size_ = rim.edges.empty() ? 1 : std::max(mean_size_ / static_cast<double>(rim.edges.size()), 1e-6);
   const Point2 extent = hi - lo_;
   bin_ = std::max(4 * mean_size_, std::sqrt((extent.x() * extent.y() + 1) / static_cast<double>(kMaxBins)));
-  bin_ = std::max(bin_, extent.maxCoeff() / static_cast<double>(kMaxBins / 4));
+  bin_ = std::max(bin_, extent.maxCoeff() / (static_cast<double>(kMaxBins) / 4));
   columns_ = static_cast<int64_t>(extent.x() / bin_) + 1;
   rows_ = static_cast<int64_t>(extent.y() / bin_) + 1;
   const auto for_bins = [&](const RimEdge& e, auto&& visit) {

@@ -34,8 +34,8 @@ struct ClusterSample {
 void SettleClusters(const Plan& plan, std::span<const ClusterSample> samples, SeamHeights& heights);
 
 // Settles the seam vertices that one layer sampled: the mean of the samples; along seams between two cells of the
-// layer, where both gave heights, Laplacian-smoothed once (Wang 2021, eq. 5 and 6) with factor `gamma`, 0 <= gamma <= 1,
-// over the two neighbours on either side. Heights are rounded to the plan's lattice. Samples of vertices that are
+// layer, where both gave heights, Laplacian-smoothed once (Wang 2021, eq. 5 and 6) with factor `gamma`, 0 <= gamma <=
+// 1, over the two neighbours on either side. Heights are rounded to the plan's lattice. Samples of vertices that are
 // settled already are ignored. The order of samples is of no importance.
 void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double gamma, SeamHeights& heights);
 

@@ -139,7 +139,7 @@ class ScenePipeline : public JobPipeline {
 
   absl::Status Take(const TaskResult& result) {
     const std::string& bytes = *result.output;
-    const absl::Status malformed =
+    absl::Status malformed =
         absl::InternalError(absl::StrCat("a worker's result for cell ", ToString(result.cell), " cannot be read"));
     switch (result.stage) {
       case Stage::kSurvey: {
