@@ -32,9 +32,9 @@ uint64_t Hash(uint64_t x) {  // the finalizer of splitmix64
   return x ^ (x >> 31);
 }
 
-}  // namespace
-
-void SortForInsertion(std::span<const Point32> points, std::vector<int32_t>& indices) {
+// Sorts `indices` by round_of(place in the list), which is below 64, then along a Hilbert curve.
+template <typename RoundOf>
+void SortAlongCurve(std::span<const Point32> points, const RoundOf& round_of, std::vector<int32_t>& indices) {
   if (indices.empty()) return;
   Point32 lo = points[indices[0]], hi = lo;
   for (int32_t i : indices) {
@@ -44,19 +44,32 @@ void SortForInsertion(std::span<const Point32> points, std::vector<int32_t>& ind
   // Relative to the box, so that moving all points leaves the order as it is.
   const uint64_t side = static_cast<uint64_t>(std::max(int64_t{hi.x} - lo.x, int64_t{hi.y} - lo.y));
   const int shift = std::max(0, static_cast<int>(std::bit_width(side)) - kHilbertBits);
-  const int rounds = static_cast<int>(std::bit_width(indices.size()));
   std::vector<std::pair<uint64_t, int32_t>> keyed;
   keyed.reserve(indices.size());
   for (size_t i = 0; i < indices.size(); ++i) {
     const Point32 p = points[indices[i]];
-    const int level = std::min(rounds, std::countr_zero(Hash(i) | 1ull << 62));
-    const uint64_t round = static_cast<uint64_t>(rounds - level);
     const uint32_t x = static_cast<uint32_t>((int64_t{p.x} - lo.x) >> shift);
     const uint32_t y = static_cast<uint32_t>((int64_t{p.y} - lo.y) >> shift);
-    keyed.emplace_back(round << (2 * kHilbertBits) | HilbertKey(x, y), indices[i]);
+    keyed.emplace_back(round_of(i) << (2 * kHilbertBits) | HilbertKey(x, y), indices[i]);
   }
   std::sort(keyed.begin(), keyed.end());
   for (size_t i = 0; i < indices.size(); ++i) indices[i] = keyed[i].second;
+}
+
+}  // namespace
+
+void SortForInsertion(std::span<const Point32> points, std::vector<int32_t>& indices) {
+  const int rounds = static_cast<int>(std::bit_width(indices.size()));
+  const auto round_of = [rounds](size_t i) {
+    const int level = std::min(rounds, std::countr_zero(Hash(i) | 1ull << 62));
+    return static_cast<uint64_t>(rounds - level);
+  };
+  SortAlongCurve(points, round_of, indices);
+}
+
+void SortAlongCurve(std::span<const Point32> points, std::vector<int32_t>& indices) {
+  SortAlongCurve(
+      points, [](size_t) { return uint64_t{0}; }, indices);
 }
 
 }  // namespace tilemend::internal

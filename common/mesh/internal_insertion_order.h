@@ -15,6 +15,9 @@ namespace tilemend::internal {
 // time.
 void SortForInsertion(std::span<const Point32> points, std::vector<int32_t>& indices);
 
+// Sorts `indices` along one Hilbert curve: points that are near each other come near each other in the list.
+void SortAlongCurve(std::span<const Point32> points, std::vector<int32_t>& indices);
+
 }  // namespace tilemend::internal
 
 #endif  // TILEMEND_COMMON_MESH_INTERNAL_INSERTION_ORDER_H_

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "common/mesh/internal_delaunay.h"
@@ -16,6 +17,8 @@ namespace {
 using Kind = RegionConflict::Kind;
 
 constexpr size_t kMostConflicts = 64;
+// A walk that takes more steps goes round in circles, or a long way round a wall.
+constexpr int64_t kLongestWalk = 1000;
 
 // Inserts `indices` of mesh.points into an empty mesh, with ghosts. Returns false, and leaves the mesh empty, if all
 // lie on one line. Points at the place of an earlier one are left out and listed as pairs (earlier, later).
@@ -264,13 +267,27 @@ bool Contains(const DelaunayMesh& mesh, const MeshTriangle& t, Point32 p) {
   return true;
 }
 
-// Walks from `near`; asks every triangle if walls or a long way round stop the walk.
+// Spreads from `near` over the triangles that no wall parts from it until one contains p; -1 if none does. The cost
+// grows with the triangles that are nearer than the one that is found.
+int32_t SearchAround(const DelaunayMesh& mesh, Point32 p, int32_t near) {
+  std::vector<int32_t> queue = {near};
+  std::unordered_set<int32_t> seen = {near};
+  for (size_t head = 0; head < queue.size(); ++head) {
+    const MeshTriangle& t = mesh.triangles[queue[head]];
+    if (Contains(mesh, t, p)) return queue[head];
+    for (const int32_t twin : t.twin) {
+      if (twin >= 0 && seen.insert(twin >> 2).second) queue.push_back(twin >> 2);
+    }
+  }
+  return -1;
+}
+
+// Walks from `near`; searches around it if walls or a long way round stop the walk.
 Location LocateSurely(DelaunayMesh& mesh, Point32 p, int32_t near) {
   const Location where = mesh.Locate(p, near, 1000 + static_cast<int64_t>(mesh.triangles.size()));
   if (where.kind != Location::Kind::kBlocked) return where;
-  const auto it = std::find_if(mesh.triangles.begin(), mesh.triangles.end(),
-                               [&](const MeshTriangle& t) { return Contains(mesh, t, p); });
-  return it == mesh.triangles.end() ? where : mesh.Locate(p, static_cast<int32_t>(it - mesh.triangles.begin()));
+  const int32_t found = SearchAround(mesh, p, near);
+  return found < 0 ? where : mesh.Locate(p, found);
 }
 
 // Finds the inside triangle of each free point while the mesh still covers the plane, where no wall stops a walk.
@@ -315,14 +332,18 @@ void RegionBuilder::CutOut() {
   for (FreePoint& free : free_points_) free.triangle = place[free.triangle];
 }
 
-// The triangle found before the cut may have been replaced since, but then its slot holds one nearby.
+// The last point's triangles are near, mostly with no wall between. The triangle found before the cut may have been
+// replaced since; its slot then holds one that lies in what was its circle.
 void RegionBuilder::InsertFreePoints() {
+  int32_t last = -1;
   for (const FreePoint& free : free_points_) {
     const Point32 p = mesh_.points[free.point];
-    const Location where = LocateSurely(mesh_, p, free.triangle);
+    const bool joined = last >= 0 && mesh_.triangles[last].tag == mesh_.triangles[free.triangle].tag;
+    Location where = mesh_.Locate(p, joined ? last : free.triangle, kLongestWalk);
+    if (where.kind == Location::Kind::kBlocked) where = LocateSurely(mesh_, p, free.triangle);
     if (where.kind != Location::Kind::kInside && where.kind != Location::Kind::kOnEdge) continue;  // coincides
     mesh_.FindCavity(p, where);
-    mesh_.FillCavity(free.point);
+    last = mesh_.FillCavity(free.point).front();
   }
 }
 
