@@ -31,8 +31,13 @@ class Smoother {
     for (size_t t = 0; t < mesh_.triangles.size(); ++t) Touch(static_cast<int32_t>(t));
   }
 
-  void Round() {
-    for (size_t i = 0; i < triangle_of_.size(); ++i) Move(first_ + static_cast<int32_t>(i));
+  void EvenRound() {
+    for (size_t i = 0; i < triangle_of_.size(); ++i) Even(first_ + static_cast<int32_t>(i));
+    MakeDelaunay();
+  }
+
+  void ShapeRound() {
+    for (size_t i = 0; i < triangle_of_.size(); ++i) Improve(first_ + static_cast<int32_t>(i));
     MakeDelaunay();
   }
 
@@ -66,10 +71,20 @@ class Smoother {
     } while (t != start);
   }
 
-  double Worst(Point32 p) const {
-    double worst = 1;
-    for (const Sector& s : star_) worst = std::min(worst, Shape(p, s.from, s.to));
-    return worst;
+  struct StarShape {
+    double worst;
+    double sum;
+  };
+
+  // The shapes of the triangles around, were the point at p.
+  StarShape ShapeAt(Point32 p) const {
+    StarShape result{1, 0};
+    for (const Sector& s : star_) {
+      const double shape = Shape(p, s.from, s.to);
+      result.worst = std::min(result.worst, shape);
+      result.sum += shape;
+    }
+    return result;
   }
 
   // The weighted mean of the circumcentres, relative to p. Each times its triangle's area needs no division.
@@ -86,20 +101,49 @@ class Smoother {
     return {x / sum, y / sum};
   }
 
-  // Tries the whole way, then half of it.
-  void Move(int32_t v) {
+  // Where the sum of shapes around p has no gradient, its denominators held fixed; relative to p. A triangle of doubled
+  // area A and sum of squared edges S, over the far edge from a to b, has the gradient
+  // (turn(b - a) - 2 A (2 p - a - b) / S) / S, but for a factor; turn() is a quarter turn to the left.
+  std::array<double, 2> ShapePull(Point32 p) const {
+    double sum = 0, x = 0, y = 0;
+    for (const Sector& s : star_) {
+      const double ax = double{1} * s.from.x - p.x, ay = double{1} * s.from.y - p.y;
+      const double bx = double{1} * s.to.x - p.x, by = double{1} * s.to.y - p.y;
+      const double squares = 2 * (ax * (ax - bx) + ay * (ay - by) + bx * bx + by * by);
+      const double weight = 2 * (ax * by - ay * bx) / (squares * squares);
+      x += (ay - by) / squares + weight * (ax + bx);
+      y += (bx - ax) / squares + weight * (ay + by);
+      sum += 2 * weight;
+    }
+    return {x / sum, y / sum};
+  }
+
+  void Even(int32_t v) {
     GatherStar(v);
+    const double needed = std::min(ShapeAt(mesh_.points[v]).worst, kGoodShape);
+    Move(v, Pull(mesh_.points[v]), [&](const StarShape& after) { return after.worst >= needed; });
+  }
+
+  void Improve(int32_t v) {
+    GatherStar(v);
+    const StarShape before = ShapeAt(mesh_.points[v]);
+    Move(v, ShapePull(mesh_.points[v]), [&](const StarShape& after) {
+      return after.sum > before.sum && after.worst >= std::min(before.worst, kGoodShape);
+    });
+  }
+
+  // Tries the whole way, then half of it.
+  template <typename Accepts>
+  void Move(int32_t v, const std::array<double, 2>& way, const Accepts& accepts) {
     const Point32 p = mesh_.points[v];
-    const double needed = std::min(Worst(p), kGoodShape);
-    const auto [dx, dy] = Pull(p);
     for (double step : {1.0, 0.5}) {
-      const double x = p.x + step * dx, y = p.y + step * dy;
+      const double x = p.x + step * way[0], y = p.y + step * way[1];
       // Flat triangles have circumcentres far outside any window; the negation also catches NaN.
       if (!(std::abs(x) < kCoordinateBound - 1 && std::abs(y) < kCoordinateBound - 1)) continue;
       const Point32 q = {static_cast<int32_t>(std::lround(x)), static_cast<int32_t>(std::lround(y))};
       if (q == p) return;
-      const double after = Worst(q);
-      if (after > 0 && after >= needed) {
+      const StarShape after = ShapeAt(q);
+      if (after.worst > 0 && accepts(after)) {
         mesh_.points[v] = q;
         return;
       }
@@ -143,9 +187,11 @@ class Smoother {
 
 }  // namespace
 
-void SmoothRegion(DelaunayMesh& mesh, size_t first_movable, std::span<const double> size, int rounds) {
+void SmoothRegion(DelaunayMesh& mesh, size_t first_movable, std::span<const double> size, int even_rounds,
+                  int shape_rounds) {
   Smoother smoother(mesh, first_movable, size);
-  for (int i = 0; i < rounds; ++i) smoother.Round();
+  for (int i = 0; i < even_rounds; ++i) smoother.EvenRound();
+  for (int i = 0; i < shape_rounds; ++i) smoother.ShapeRound();
 }
 
 }  // namespace tilemend::internal

@@ -36,9 +36,21 @@ bool SolveMembrane(ThinPlateProblem& problem);
 // cut along a line whose heights and Laplacians are known from the whole patch has the solution of the whole patch on
 // either side.
 //
-// Fills z of the unknown points; returns the Laplacian at every point with an equation (0 elsewhere), or nothing, with
-// the heights as they were, if the system cannot be factorised. Sparse Cholesky (Eigen); about O(n^1.5).
+// Fills z of the unknown points; returns the Laplacian at every point with an equation (elsewhere what is given of it,
+// or 0), or nothing, with the heights as they were, if the system cannot be factorised.
+//
+// Small systems are factorised (sparse Cholesky, Eigen); large ones with even triangles are solved by iteration on two
+// levels (internal_two_level.h), with curvatures right to 1 %. Cost near-linear in the points.
 std::optional<std::vector<double>> SolveThinPlate(ThinPlateProblem& problem);
+
+// Takes away the equation of rim points beside band triangles that are steeper than 10 in 1 or face down, walls: they
+// have no slope to go on with, and the surface ends freely there.
+void FreeSteepRim(ThinPlateProblem& problem);
+
+// SolveThinPlate with as much more tension, by tens from 10 / extent^2 on, as it takes to keep the heights within reach
+// of the rim: half its range of heights, and a quarter of the extent times the median slope beside it, above and
+// below. Leaves the tension that was used in the problem.
+std::optional<std::vector<double>> SolveWithinReach(ThinPlateProblem& problem);
 
 }  // namespace tilemend
 

@@ -3,58 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <map>
-#include <utility>
-#include <vector>
 
-#include "tests/support/mesh_builders.h"
+#include "tests/worker/fill/plates.h"
 
 namespace tilemend {
 namespace {
 
-constexpr int32_t kHalf = 8;  // the patch is the square of this half side in the middle of a larger mesh
-
-struct Plate {
-  ThinPlateProblem problem;
-  std::map<std::pair<double, double>, size_t> at;
-};
-
-// A mesh of squares with two rings of known points around the unknown ones. Points for which `keep` is false are left
-// out with their triangles; `known` says which of the others have a height besides the rings.
-Plate MakePlate(const HeightFunction& height, const std::function<bool(double, double)>& keep,
-                const std::function<bool(double, double)>& known) {
-  const TriMesh mesh = SquaresMesh(-kHalf - 3, kHalf + 3, -kHalf - 3, kHalf + 3, [](int32_t, int32_t) { return true; });
-  Plate plate;
-  std::vector<int32_t> number(mesh.points.size(), -1);
-  const auto outer = [](const Point3& p) { return p.head<2>().cwiseAbs().maxCoeff() >= kHalf; };
-  for (size_t v = 0; v < mesh.points.size(); ++v) {
-    const Point3& p = mesh.points[v];
-    if (!keep(p.x(), p.y())) continue;
-    number[v] = static_cast<int32_t>(plate.problem.points.size());
-    plate.at[{p.x(), p.y()}] = plate.problem.points.size();
-    const bool fixed = outer(p) || known(p.x(), p.y());
-    plate.problem.points.emplace_back(p.x(), p.y(), fixed ? height(p.x(), p.y()) : 0);
-    plate.problem.known.push_back(fixed);
-    plate.problem.full_ring.push_back(p.head<2>().cwiseAbs().maxCoeff() <= kHalf && !known(p.x(), p.y()));
-  }
-  for (const Triangle& t : mesh.triangles) {
-    const Triangle out = {number[t[0]], number[t[1]], number[t[2]]};
-    if (out[0] < 0 || out[1] < 0 || out[2] < 0) continue;
-    const bool band = outer(mesh.points[t[0]]) && outer(mesh.points[t[1]]) && outer(mesh.points[t[2]]);
-    (band ? plate.problem.band : plate.problem.patch).push_back(out);
-  }
-  return plate;
-}
-
-bool Everywhere(double, double) { return true; }
-bool Nowhere(double, double) { return false; }
-
-double LargestError(const Plate& plate, const HeightFunction& height) {
-  double largest = 0;
-  for (const Point3& p : plate.problem.points) largest = std::max(largest, std::abs(p.z() - height(p.x(), p.y())));
-  return largest;
-}
+using testing::Everywhere;
+using testing::kHalf;
+using testing::LargestError;
+using testing::MakePlate;
+using testing::Nowhere;
+using testing::Plate;
 
 TEST(SolveThinPlateTest, ReproducesAPlane) {
   const auto plane = [](double x, double y) { return 3 + 0.5 * x - 0.25 * y; };
@@ -120,6 +80,54 @@ TEST(SolveThinPlateTest, AHalfWithHeightsAndLaplaciansOnTheCutIsTheWhole) {
 TEST(SolveThinPlateTest, NothingToSolveIsNoError) {
   Plate plate = MakePlate([](double, double) { return 1.0; }, Everywhere, Everywhere);
   EXPECT_TRUE(SolveThinPlate(plate.problem).has_value());
+}
+
+// Flat ground with a wall along the east side of the hole.
+double Wall(double x, double) { return x > kHalf ? 30 : 0; }
+
+TEST(FreeSteepRimTest, AWallHasNoSlopeToGoOnWith) {
+  Plate clamped = MakePlate(Wall, Everywhere, Nowhere), freed = clamped;
+  ASSERT_TRUE(SolveThinPlate(clamped.problem).has_value());
+  EXPECT_LT(clamped.problem.points[clamped.at.at({kHalf - 4, 0})].z(), -5);
+  FreeSteepRim(freed.problem);
+  EXPECT_FALSE(freed.problem.full_ring[freed.at.at({kHalf, 0})]);
+  EXPECT_TRUE(freed.problem.full_ring[freed.at.at({-kHalf, 0})]);
+  ASSERT_TRUE(SolveThinPlate(freed.problem).has_value());
+  for (const auto& [place, v] : freed.at) {
+    if (freed.problem.known[v]) continue;
+    EXPECT_NEAR(freed.problem.points[v].z(), 0, 1e-6) << place.first << " " << place.second;
+  }
+}
+
+TEST(FreeSteepRimTest, GroundKeepsItsSlopes) {
+  Plate plate = MakePlate([](double x, double y) { return 5 * x - 3 * y; }, Everywhere, Nowhere);
+  const std::vector<bool> before = plate.problem.full_ring;
+  FreeSteepRim(plate.problem);
+  EXPECT_EQ(plate.problem.full_ring, before);
+}
+
+TEST(SolveWithinReachTest, LeavesASurfaceWithinReachAlone) {
+  const auto bowl = [](double x, double y) { return 0.1 * (x * x + y * y); };
+  Plate plate = MakePlate(bowl, Everywhere, Nowhere);
+  ASSERT_TRUE(SolveWithinReach(plate.problem).has_value());
+  EXPECT_EQ(plate.problem.tension, 0);
+  EXPECT_LT(LargestError(plate, bowl), 1e-6);
+}
+
+TEST(SolveWithinReachTest, TightensASpike) {
+  // A slope of 9 on one side of flat ground.
+  const auto ramp = [](double x, double) { return x > kHalf ? 9 * (x - kHalf) : 0; };
+  Plate slack = MakePlate(ramp, Everywhere, Nowhere), held = slack;
+  const auto lowest = [](const Plate& plate) {
+    double z = 0;
+    for (const Point3& p : plate.problem.points) z = std::min(z, p.z());
+    return z;
+  };
+  ASSERT_TRUE(SolveThinPlate(slack.problem).has_value());
+  EXPECT_LT(lowest(slack), -9);
+  ASSERT_TRUE(SolveWithinReach(held.problem).has_value());
+  EXPECT_GT(held.problem.tension, 0);
+  EXPECT_GT(lowest(held), -0.5);
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+// The tension of a thin-plate surface, chosen by hold-out on the surface around the hole.
+#ifndef TILEMEND_WORKER_FILL_HOLD_OUT_H_
+#define TILEMEND_WORKER_FILL_HOLD_OUT_H_
+
+#include <span>
+
+#include "common/grid/cell_holes.h"
+#include "common/mesh/region_triangulation.h"
+#include "worker/fill/thin_plate.h"
+
+namespace tilemend {
+
+// Chooses the tension for `problem` (its own is ignored). Stretches of the rim, about as long as the hole is wide, are
+// left out in turn, and their heights foretold from the rest of the rim and the vertices beside it, as the thin plate
+// with each candidate tension would on an unbounded plane: kriging with the fundamental solution of
+// Laplacian^2 - t Laplacian,
+//   r^2 ln r / (8 pi)                             for t = 0, with a linear drift,
+//   -(ln r + K0(sqrt(t) r)) / (2 pi t)            for t > 0, with a constant drift
+// (Wahba 1990; Mitas and Mitasova 1988). Leaving a block B out costs no further solve: its error is
+// (C_BB)^-1 (C z)_B with C the inverse of the kriging matrix (Dubrule 1983). Candidates are 0 and ladder steps of
+// 1 / width^2, tried from 30 / width^2 on as long as the error falls. Taken is the first on the way to the best of
+// which the error is within three quarters of a standard error of it.
+//
+// The problem's known points with a full ring are its rim, its band's other points lie beside it. A rim of fewer than
+// kLeastRimForHoldOut points, or too short for several blocks, gets tension 0 untested. The choice does not depend on
+// the order of points. Cost bounded: at most 100 rim points are looked at (about 20 ms).
+//   width  of the hole, metres (HoleWidth); 0: not tested
+HoldOut ChooseTension(const ThinPlateProblem& problem, double width);
+
+// How wide the region is that the segments have on their left, seen from above: the diameter of the empty circles in
+// which half of its area lies, those about the triangles of its Delaunay triangulation. 0 if they bound no region.
+// Depends on the rim alone, not on seams or triangles inside. Cost O(n log n).
+double HoleWidth(std::span<const Point3> points, std::span<const RegionSegment> segments);
+
+inline constexpr int kLeastRimForHoldOut = 64;
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_HOLD_OUT_H_
