@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -13,10 +12,16 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/rounding.h"
 #include "worker/fill/cell_band.h"
+#include "worker/fill/edge_lists.h"
 #include "worker/fill/fair_heights.h"
+#include "worker/fill/feature_fill.h"
+#include "worker/fill/flip_edges.h"
 #include "worker/fill/fold_cutting.h"
+#include "worker/fill/hold_out.h"
 #include "worker/fill/minimum_weight.h"
+#include "worker/fill/patch_crossings.h"
 #include "worker/fill/projection_frame.h"
+#include "worker/fill/rim_loops.h"
 #include "worker/fill/thin_plate.h"
 
 namespace tilemend {
@@ -35,7 +40,8 @@ class HoleFiller {
     NumberVertices();
   }
 
-  // Over the plane; then, if the hole is closed, in space; then over the plane with folds cut off.
+  // A closed hole first in parts along its creases. Over the plane; then, if the hole is closed, in space (first if it
+  // is steep); then over the plane with folds cut off.
   HolePatch Run() {
     const std::vector<ProjectionFrame> frames = Frames();
     HolePatch patch = Failed("its boundary has no area");
@@ -50,10 +56,18 @@ class HoleFiller {
       if (!patch.failure.empty()) patch.new_points.clear(), patch.triangles.clear();
       return patch.failure.empty();
     };
-    bool filled = false;
+    const bool in_parts = !hole_.open && !hole_.level && options_.surface == Surface::kThinPlate;
+    const auto in_space = [&](const auto& fill) {
+      std::optional<HolePatch> attempt = fill(cell_, hole_, band_, options_);
+      return attempt && StaysNear(*attempt) && !CrossesSurface(*attempt) && done(std::move(*attempt));
+    };
+    const bool steep = in_parts && IsSteepHole(cell_, hole_, band_);
+    bool filled = in_parts && (in_space(FillAlongFeatures) || (steep && in_space(FillHoleInSpace)));
     for (const bool cut_folds : {false, true}) {
       for (const ProjectionFrame& frame : frames) filled = filled || done(FillOver(frame, cut_folds));
-      if (!hole_.open && !cut_folds) filled = filled || done(FillInSpace());
+      if (hole_.open || cut_folds) continue;
+      filled =
+          filled || (in_parts && (in_space(FillHoleOverPlane) || in_space(FillHoleInSpace))) || done(FillInSpace());
     }
     patch.hole = hole_.id;
     return patch;
@@ -61,9 +75,8 @@ class HoleFiller {
 
  private:
   void NumberVertices() {
-    std::unordered_map<int32_t, int32_t> number;
     const auto local = [&](int32_t v) {
-      const auto [it, fresh] = number.try_emplace(v, static_cast<int32_t>(rim_.size()));
+      const auto [it, fresh] = local_.try_emplace(v, static_cast<int32_t>(rim_.size()));
       if (fresh) rim_.push_back(v);
       return it->second;
     };
@@ -96,7 +109,7 @@ class HoleFiller {
 
   std::vector<ProjectionFrame> Frames() const {
     std::vector<ProjectionFrame> frames;
-    if (hole_.open) return {ProjectionFrame::Upright()};
+    if (hole_.open || hole_.level) return {ProjectionFrame::Upright()};
     const Eigen::Vector3d area = VectorArea();
     const bool up = SurroundingsFaceUp();
     if (up && area.z() > 0) frames.push_back(ProjectionFrame::Upright());
@@ -146,15 +159,22 @@ class HoleFiller {
       return Failed("its boundary is joined by edges of the surface already");
     }
     if (frame.upright()) SnapToLattice(window, points, cut.segments, region);
-    return Shape(frame, window, flat, region, cut.runs);
+    points.insert(points.end(), region.new_points.begin(), region.new_points.end());
+    return Shape(frame, window, flat, points, std::move(region), cut);
+  }
+
+  static std::set<Edge> Chords(const CutBoundary& cut) {
+    std::set<Edge> chords;
+    for (const std::vector<int32_t>& run : cut.runs) chords.insert(Undirected(run.front(), run.back()));
+    return chords;
   }
 
   // The triangle edges between two rim vertices, none of the segments around the triangles, that the surface, the
   // hole's boundary or a chord has already.
   std::set<Edge> RepeatedEdges(const std::vector<Triangle>& triangles, const CutBoundary& cut) const {
-    std::set<Edge> segments, taken, repeated;
+    std::set<Edge> segments, repeated;
     for (const RegionSegment& s : cut.segments) segments.insert(Undirected(s.from, s.to));
-    for (const std::vector<int32_t>& run : cut.runs) taken.insert(Undirected(run.front(), run.back()));
+    const std::set<Edge> taken = Chords(cut);
     const auto count = static_cast<int32_t>(rim_.size());
     for (const Triangle& t : triangles) {
       for (int k = 0; k < 3; ++k) {
@@ -239,25 +259,35 @@ class HoleFiller {
     return (p / cell_.lattice_step).array().round().matrix() * cell_.lattice_step;
   }
 
+  //   flat    of the rim, in the frame
+  //   points  of the rim, then the region's new ones, in the window
   HolePatch Shape(const ProjectionFrame& frame, const LatticeWindow& window, const std::vector<Point3>& flat,
-                  const RefinedRegion& region, const std::vector<std::vector<int32_t>>& runs) const {
+                  const std::vector<LatticePoint>& points, RefinedRegion region, const CutBoundary& cut) const {
+    const std::vector<std::vector<int32_t>>& runs = cut.runs;
     FairingProblem problem;
     problem.rim_count = static_cast<int32_t>(rim_.size());
     problem.new_count = static_cast<int32_t>(region.new_points.size());
+    problem.points.reserve(flat.size() + region.new_points.size() + cell_.band.points.size());
     problem.points = flat;
     for (const LatticePoint& p : region.new_points) {
       const Point2 q = window.ToMetres(p);
       problem.points.emplace_back(q.x(), q.y(), 0);
     }
-    problem.patch = region.triangulation.triangles;
+    problem.patch = std::move(region.triangulation.triangles);
+    region = {};  // the largest piece of memory before the solve
     problem.full_ring = full_ring_;
     for (const std::vector<int32_t>& run : runs) {
       for (const int32_t v : run) problem.full_ring[v] = false;
     }
-    AddBand(frame, problem);
-    const bool solved = options_.surface == Surface::kWang ? ShapeAsWang(problem) : ShapeAsThinPlate(frame, problem);
-    if (!solved) return Failed("the equations of its surface have no solution");
     HolePatch patch;
+    if (!FindHeights(frame, problem, patch.hold_out)) return Failed("the equations of its surface have no solution");
+    const std::set<Edge> chords = Chords(cut);
+    problem.patch = FlipForShape(problem.patch, points, problem.points, cut.segments, [&](int32_t a, int32_t b) {
+      const bool both_on_rim = a < problem.rim_count && b < problem.rim_count;
+      return !both_on_rim || (MayJoin(a, b) && !chords.contains(Undirected(a, b)));
+    });
+    patch.new_points.reserve(problem.new_count);
+    patch.triangles.reserve(problem.patch.size());
     for (int32_t k = 0; k < problem.new_count; ++k) {
       const Point3 p = frame.ToScene(problem.points[problem.rim_count + k]);
       Point3 q = OnLattice(p);
@@ -265,13 +295,16 @@ class HoleFiller {
       patch.new_points.push_back(q);
     }
     StoreTriangles(problem.patch, patch);
-    std::set<Edge> used;
+    std::set<Edge> used;  // between rim vertices
     const auto use = [&](const std::vector<Triangle>& triangles) {
       for (const Triangle& t : triangles) {
-        for (int k = 0; k < 3; ++k) used.insert(Undirected(t[k], t[(k + 1) % 3]));
+        for (int k = 0; k < 3; ++k) {
+          const auto [a, b] = Undirected(t[k], t[(k + 1) % 3]);
+          if (b < problem.rim_count) used.insert({a, b});
+        }
       }
     };
-    use(problem.patch);
+    if (!runs.empty()) use(problem.patch);
     for (const std::vector<int32_t>& run : runs) used.insert(Undirected(run.front(), run.back()));
     for (const std::vector<int32_t>& run : runs) {
       const std::vector<Triangle> triangles = TriangulateInSpace(run, used);
@@ -285,29 +318,47 @@ class HoleFiller {
     return patch;
   }
 
+  bool FindHeights(const ProjectionFrame& frame, FairingProblem& problem, std::optional<HoldOut>& hold_out) const {
+    if (hole_.level) {
+      for (int32_t k = 0; k < problem.new_count; ++k) problem.points[problem.rim_count + k].z() = *hole_.level;
+      return true;
+    }
+    AddBand(frame, problem);
+    return options_.surface == Surface::kWang ? ShapeAsWang(problem) : ShapeAsThinPlate(frame, problem, hold_out);
+  }
+
   static bool ShapeAsWang(FairingProblem& problem) {
     AdjustHeights(problem);
     return FairHeights(problem);
   }
 
-  bool ShapeAsThinPlate(const ProjectionFrame& frame, FairingProblem& problem) const {
+  bool ShapeAsThinPlate(const ProjectionFrame& frame, FairingProblem& problem, std::optional<HoldOut>& chosen) const {
     ThinPlateProblem plate;
     plate.points = std::move(problem.points);
-    plate.patch = problem.patch;
+    plate.patch = std::move(problem.patch);
     plate.band = std::move(problem.band);
     const auto rim = static_cast<size_t>(problem.rim_count), all = rim + static_cast<size_t>(problem.new_count);
     for (size_t v = 0; v < plate.points.size(); ++v) {
       plate.known.push_back(v < rim || v >= all);
       plate.full_ring.push_back(v < rim ? static_cast<bool>(problem.full_ring[v]) : v < all);
     }
-    plate.laplacian.resize(plate.points.size());
     for (size_t v = 0; v < rim; ++v) {
       const RimVertex& vertex = Rim(static_cast<int32_t>(v));
-      if (!problem.full_ring[v] && vertex.laplacian_known && frame.upright()) plate.laplacian[v] = vertex.laplacian;
+      if (problem.full_ring[v] || !vertex.laplacian_known || !frame.upright()) continue;
+      plate.laplacian.resize(plate.points.size());
+      plate.laplacian[v] = vertex.laplacian;
     }
-    plate.tension = options_.tension;
-    const bool solved = SolveThinPlate(plate).has_value();
+    FreeSteepRim(plate);
+    if (options_.tension || hole_.tension) {
+      plate.tension = options_.tension ? *options_.tension : *hole_.tension;
+    } else {
+      chosen = ChooseTension(plate, rim < kLeastRimForHoldOut ? 0 : HoleWidth(plate.points, segments_));
+      plate.tension = chosen->tension;
+    }
+    const bool solved = (chosen ? SolveWithinReach(plate) : SolveThinPlate(plate)).has_value();
+    if (chosen) chosen->tension = plate.tension;
     problem.points = std::move(plate.points);
+    problem.patch = std::move(plate.patch);
     return solved;
   }
 
@@ -318,8 +369,7 @@ class HoleFiller {
 
   // The band triangles at the hole's rim, in the frame.
   void AddBand(const ProjectionFrame& frame, FairingProblem& problem) const {
-    std::unordered_map<int32_t, int32_t> number;
-    for (size_t i = 0; i < rim_.size(); ++i) number.emplace(rim_[i], static_cast<int32_t>(i));
+    std::unordered_map<int32_t, int32_t> number = local_;
     std::set<int32_t> used;
     for (size_t i = 0; i < rim_.size(); ++i) {
       if (full_ring_[i]) used.insert(band_.At(rim_[i]).begin(), band_.At(rim_[i]).end());
@@ -364,25 +414,53 @@ class HoleFiller {
     });
   }
 
+  bool CrossesSurface(const HolePatch& patch) const {
+    const auto at = [&](int32_t v) { return v >= 0 ? cell_.vertices[v].position : patch.new_points[-1 - v]; };
+    const auto& points = cell_.band.points;
+    std::vector<SpaceTriangle> inside, around;
+    for (const Triangle& t : patch.triangles) inside.push_back({at(t[0]), at(t[1]), at(t[2])});
+    for (const Triangle& t : cell_.band.triangles) around.push_back({points[t[0]], points[t[1]], points[t[2]]});
+    return PatchCrosses(inside, around);
+  }
+
+  // Whether the patch keeps within half its rim's extent around it.
+  bool StaysNear(const HolePatch& patch) const {
+    Point3 lo = Rim(0).position, hi = lo;
+    for (size_t i = 0; i < rim_.size(); ++i) {
+      lo = lo.cwiseMin(Rim(static_cast<int32_t>(i)).position);
+      hi = hi.cwiseMax(Rim(static_cast<int32_t>(i)).position);
+    }
+    const double reach = (hi - lo).norm() / 2;
+    return std::all_of(patch.new_points.begin(), patch.new_points.end(), [&](const Point3& p) {
+      return (p.array() >= lo.array() - reach).all() && (p.array() <= hi.array() + reach).all();
+    });
+  }
+
   // Why the patch would not be a sound part of the surface; empty if it is.
   std::string Unsound(const HolePatch& patch) const {
     if (HasFlatTriangle(patch)) return "a triangle of its patch would have no area";
-    std::map<Edge, int> count;  // of directed edges
+    const auto rim = static_cast<int32_t>(rim_.size());
+    std::vector<Triangle> triangles;  // of local vertices, the new ones after the rim's
     for (const Triangle& t : patch.triangles) {
       if (t[0] >= 0 && t[1] >= 0 && t[2] >= 0 && band_.HasTriangle(t)) {
         return "its patch would repeat a triangle of the surface";
       }
-      for (int k = 0; k < 3; ++k) ++count[{t[k], t[(k + 1) % 3]}];
+      Triangle& out = triangles.emplace_back();
+      for (int k = 0; k < 3; ++k) out[k] = t[k] >= 0 ? local_.at(t[k]) : rim - 1 - t[k];
     }
-    for (const auto& [edge, times] : count) {
-      const auto back = count.find({edge.second, edge.first});
-      const int others = edge.first >= 0 && edge.second >= 0 ? band_.CountEdge(edge.first, edge.second) : 0;
-      if (times > 1 || times + (back == count.end() ? 0 : back->second) + others > 2) {
-        return "its patch would make an edge with three triangles";
+    const EdgeLists edges(triangles, rim_.size() + patch.new_points.size());
+    for (const Triangle& t : triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const int32_t a = t[k], b = t[(k + 1) % 3];
+        const int others = a < rim && b < rim ? band_.CountEdge(rim_[a], rim_[b]) : 0;
+        const int times = edges.Count(a, b);
+        if (times > 1 || times + edges.Count(b, a) + others > 2) {
+          return "its patch would make an edge with three triangles";
+        }
       }
     }
     for (const RegionSegment& s : segments_) {
-      if (!count.contains({rim_[s.from], rim_[s.to]})) return "its patch would not close on its whole boundary";
+      if (edges.Count(s.from, s.to) == 0) return "its patch would not close on its whole boundary";
     }
     return {};
   }
@@ -417,7 +495,7 @@ class HoleFiller {
     std::vector<Eigen::Vector3d> outside;
     for (size_t i = 0; i < loop.size(); ++i) {
       positions.push_back(Rim(loop[i]).position);
-      outside.push_back(NormalAtEdge(rim_[loop[i]], rim_[loop[(i + 1) % loop.size()]]));
+      outside.push_back(UnitNormalBeside(cell_, band_, rim_[loop[i]], rim_[loop[(i + 1) % loop.size()]]));
     }
     auto triangles = TriangulateLoop(positions, outside, [&](int32_t a, int32_t b) {
       return MayJoin(loop[a], loop[b]) && !used.contains(Undirected(loop[a], loop[b]));
@@ -426,21 +504,12 @@ class HoleFiller {
     return triangles;
   }
 
-  Eigen::Vector3d NormalAtEdge(int32_t a, int32_t b) const {
-    for (const int32_t t : band_.At(a)) {
-      const Triangle& tri = cell_.band.triangles[t];
-      if (std::find(tri.begin(), tri.end(), b) == tri.end()) continue;
-      const Eigen::Vector3d n = band_.Normal(t);
-      return n.norm() > 0 ? Eigen::Vector3d(n.normalized()) : Eigen::Vector3d::Zero();
-    }
-    return Eigen::Vector3d::Zero();
-  }
-
   const CellHoles& cell_;
   const CellHole& hole_;
   const CellBand& band_;
   const FillOptions& options_;
   std::vector<int32_t> rim_;  // local -> cell
+  std::unordered_map<int32_t, int32_t> local_;
   std::vector<RegionSegment> segments_;
   std::vector<bool> full_ring_;
   std::set<Edge> boundary_;

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_WORKER_FILL_FILL_HOLES_H_
 #define TILEMEND_WORKER_FILL_FILL_HOLES_H_
 
+#include <optional>
 #include <vector>
 
 #include "common/grid/cell_holes.h"
@@ -14,7 +15,7 @@ enum class Surface { kWang, kThinPlate };
 
 struct FillOptions {
   Surface surface = Surface::kWang;
-  double tension = 0;  // of the thin-plate surface, 1 / metre^2
+  std::optional<double> tension;  // of the thin-plate surface, 1 / metre^2; none: chosen by hold-out (hold_out.h)
   RefineOptions refine;
 };
 
@@ -27,6 +28,12 @@ struct FillOptions {
 // triangulated in space (minimum weight), if it has at most kLongestSpatialLoop vertices and no islands. Boundaries
 // that cross themselves on the plane (facades, trees, vertical edges) have their folds cut off (fold_cutting.h): the
 // folds are closed in space, by a minimum-weight triangulation or about a new vertex, the rest over the plane.
+//
+// New vertices of water (CellHole::level) all get its level; the rest is the same.
+//
+// With kThinPlate closed holes are filled in parts along the sharp edges that go through them (feature_fill.h); those
+// that are steep over every plane, or project on none, are refined in space (chart_fill.h) if that makes a patch that
+// does not pass through itself or the surface around it.
 //
 // Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it;
 // with the surface around it the patch makes no edge with three triangles and no triangle twice; new vertices lie on

@@ -71,6 +71,22 @@ HolePatch Fill(const CellHoles& work) { return FillHoles(work, {}).at(0); }
 
 double Waves(double x, double y) { return std::sin(x * 0.7) + 0.5 * std::cos(y * 0.9 + x * 0.2); }
 
+// However the rim runs, and with either surface.
+TEST(FillHolesTest, WaterIsFlat) {
+  for (const Surface surface : {Surface::kWang, Surface::kThinPlate}) {
+    for (const bool open : {false, true}) {
+      CellHoles work = HoleOf(kHoleWithIsland, Waves, open);
+      work.holes[0].level = -0.25;
+      FillOptions options;
+      options.surface = surface;
+      const HolePatch patch = FillHoles(work, options).at(0);
+      ExpectClosesHole(work, work.holes[0], patch);
+      EXPECT_FALSE(patch.new_points.empty());
+      for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), -0.25);
+    }
+  }
+}
+
 TEST(FillHolesTest, FillsAPlanarSquareHole) {
   const CellHoles work = HoleOf(kSquareHole);
   const HolePatch patch = Fill(work);
