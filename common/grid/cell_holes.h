@@ -3,6 +3,7 @@
 #define TILEMEND_COMMON_GRID_CELL_HOLES_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,20 @@ struct RimSegment {
   bool seam = false;  // a stretch of grid boundary; else an original edge
 };
 
+// A tension of the thin-plate surface and how well it foretold heights that were left out (worker/fill/hold_out.h).
+struct HoldOut {
+  double tension = 0;         // 1 / metre^2
+  double error = 0;           // mean |error| with it, metres
+  double error_at_start = 0;  // with the tension that the search begins with
+  int32_t blocks = 0;         // stretches left out; 0: not tested, the errors mean nothing
+};
+
 struct CellHole {
   int32_t id = 0;     // in the plan
   bool open = false;  // reaches the cell's grid boundary: filled as heights over the plane
-  std::vector<RimSegment> segments;
+  std::vector<RimSegment> segments = {};
+  std::optional<double> tension = {};  // that of its cluster, where it has been chosen
+  std::optional<double> level = {};    // water: the height of every new vertex, metres, on the lattice
 };
 
 struct CellHoles {
@@ -52,9 +63,10 @@ struct CellHoles {
 // New geometry for one hole. A corner k >= 0 is rim vertex k of the CellHoles; -1 - k is new_points[k].
 struct HolePatch {
   int32_t hole = 0;
-  std::string failure;  // not empty: the hole stays open, for this reason
-  std::vector<Point3> new_points;
-  std::vector<Triangle> triangles;
+  std::string failure = {};  // not empty: the hole stays open, for this reason
+  std::vector<Point3> new_points = {};
+  std::vector<Triangle> triangles = {};
+  std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
 };
 
 }  // namespace tilemend

@@ -75,10 +75,6 @@ class CellWorkBuilder {
       v.tile = work_.cell;
       v.index = own->second;
     }
-    if (const auto it2 = heights_.laplacian.find(plan_vertex); it2 != heights_.laplacian.end()) {
-      v.laplacian_known = true;
-      v.laplacian = it2->second;
-    }
     if (p.index < 0) {
       v.seam_vertex = plan_vertex;
       const auto height = heights_.height.find(plan_vertex);
@@ -94,15 +90,26 @@ class CellWorkBuilder {
     CellHole hole;
     hole.id = h;
     hole.open = planned.kind != HoleKind::kClosed;
+    if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
+    if (planned.water >= 0) hole.level = plan_.water[planned.water].level;
     for (const RimSegment& s : planned.segments) {
       const int32_t from = Vertex(s.from);
       const int32_t to = Vertex(s.to);
       hole.segments.push_back({from, to, s.seam});
       if (!s.seam) continue;
-      work_.vertices[from].seam_vertex = s.from;
-      work_.vertices[to].seam_vertex = s.to;
+      SetSeamVertex(work_.vertices[from], planned.cluster, s.from);
+      SetSeamVertex(work_.vertices[to], planned.cluster, s.to);
     }
     work_.holes.push_back(std::move(hole));
+  }
+
+  // An original vertex at which seams of several clusters end keeps the Laplacian of the first.
+  void SetSeamVertex(RimVertex& v, int32_t cluster, int32_t plan_vertex) const {
+    v.seam_vertex = plan_vertex;
+    const auto it = heights_.laplacian.find({cluster, plan_vertex});
+    if (it == heights_.laplacian.end() || v.laplacian_known) return;
+    v.laplacian_known = true;
+    v.laplacian = it->second;
   }
 
   void AddBand(CellId tile) {

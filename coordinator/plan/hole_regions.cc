@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -37,12 +40,24 @@ class HoleFinder {
       : boundary_(boundary), area_(area), lines_(lines), rim_(rim), position_(position) {}
 
   RegionResult Run() {
-    FindOpen(boundary_.open, true);
+    FindOpen(WithoutDoubled(boundary_.open), true);
     FindClosed();
     return std::move(result_);
   }
 
  private:
+  // Without segments that are there both ways, where two seams or a seam and the rim pass over the same vertices:
+  // nothing lies between, and the cells beyond close on each other.
+  static std::vector<BoundarySegment> WithoutDoubled(const std::vector<BoundarySegment>& open) {
+    std::set<std::pair<int32_t, int32_t>> directed;
+    for (const BoundarySegment& s : open) directed.insert({s.segment.from, s.segment.to});
+    std::vector<BoundarySegment> single;
+    std::copy_if(open.begin(), open.end(), std::back_inserter(single), [&](const BoundarySegment& s) {
+      return !directed.contains({s.segment.to, s.segment.from});
+    });
+    return single;
+  }
+
   // Holes of the open segments; if they cross somewhere, each connected group on its own, so that a bad hole fails
   // alone.
   void FindOpen(const std::vector<BoundarySegment>& open, bool may_split) {
@@ -184,12 +199,12 @@ class HoleFinder {
         regions[i] = FindPlanarRegions(holes[i].segments, position_);
       }
     }
-    for (const ClosedLoop& outline : outlines) Place(outline, regions, islands);
+    for (const ClosedLoop& outline : outlines) Place(outline, holes, regions, islands);
     for (size_t i = 0; i < holes.size(); ++i) AddClosed(holes[i], regions[i], islands[i]);
   }
 
   // Makes the outline of a piece an island of the hole that it lies in; without one it is an outer rim.
-  void Place(const ClosedLoop& outline, const std::vector<PlanarRegions>& closed,
+  void Place(const ClosedLoop& outline, const std::vector<ClosedLoop>& holes, const std::vector<PlanarRegions>& closed,
              std::vector<std::vector<std::vector<RimSegment>>>& islands) {
     const Point2 p = position_[outline.segments[0].from].head<2>();
     if (outline.normal.z() > kFacesUp) {
@@ -207,9 +222,33 @@ class HoleFinder {
         }
       }
     }
+    for (size_t i = 0; i < closed.size(); ++i) {
+      if (!closed[i].triangulation.triangles.empty() || !LiesIn(outline, holes[i])) continue;
+      islands[i].push_back(outline.segments);
+      return;
+    }
     ++result_.outer_rims;
     result_.left.push_back({boundary_.cell, "the outline of a detached piece of surface, not a hole in it", -1,
                             static_cast<int64_t>(outline.segments.size()), false});
+  }
+
+  // Whether a piece lies in a hole that does not project on the ground: within its boundary seen along its normal,
+  // less than an edge's length further off its plane than its boundary, and facing the same way.
+  bool LiesIn(const ClosedLoop& piece, const ClosedLoop& hole) const {
+    const Point3 p = position_[piece.segments[0].from];
+    const Eigen::Vector3d normal = hole.vector_area.normalized();
+    if (piece.normal.dot(normal) <= 0) return false;
+    double angle = 0, edge = 0, below = INFINITY, above = -INFINITY;
+    for (const RimSegment& s : hole.segments) {
+      const Eigen::Vector3d a = position_[s.from] - p, b = position_[s.to] - p;
+      const double off = a.dot(normal);
+      const Eigen::Vector3d u = a - off * normal, v = b - b.dot(normal) * normal;
+      angle += std::atan2(u.cross(v).dot(normal), u.dot(v));
+      edge += (b - a).norm() / static_cast<double>(hole.segments.size());
+      below = std::min(below, off);
+      above = std::max(above, off);
+    }
+    return angle > std::numbers::pi && below < edge && above > -edge;
   }
 
   void AddClosed(const ClosedLoop& loop, const PlanarRegions& regions,

@@ -14,6 +14,7 @@
 #include "coordinator/plan/rim.h"
 #include "coordinator/plan/rim_index.h"
 #include "coordinator/plan/seam_layout.h"
+#include "coordinator/plan/water.h"
 
 namespace tilemend {
 namespace {
@@ -47,6 +48,7 @@ class PartPlanner {
   void Run() {
     rim_ = BuildRim(input_, !lines_.independent);
     LabelEdges(input_, lines_, rim_);
+    RaiseSmallSizes(plan_.lattice_step, rim_);
     const RimIndex index(rim_);
     std::set<CellId> area;
     for (const auto& [cell, record] : input_.cells) area.insert(cell);
@@ -58,7 +60,9 @@ class PartPlanner {
       ChainOneSided();
       layout_ = LaySeamsOfLoops(area, index);
     }
+    const std::vector<CellId> labels = Labels();
     FindHolesOf(area);
+    if (!lines_.independent) TrySeamsOffRim(area, index, labels);
     if (!lines_.independent && !lines_.clipped) TryOtherLabels(area, index);
     plan_.continuous += rim_.continuous;
     Commit();
@@ -78,6 +82,20 @@ class PartPlanner {
     for (const Seam& seam : layout_.seams) RelabelAlong(seam);
     SortSegments();
     for (const CellId cell : area) FindHolesIn(cell);
+  }
+
+  // Seams that take rim vertices beside them may cede the last of a hole; then they keep to the grid line, where that
+  // fails less often.
+  void TrySeamsOffRim(const std::set<CellId>& area, const RimIndex& index, const std::vector<CellId>& labels) {
+    const size_t failures = CountFailures();
+    if (failures == 0) return;
+    for (const bool over_rim : {false, true}) {
+      options_.seams_over_rim = over_rim;
+      SetLabels(labels);
+      layout_ = LaySeamsOfLoops(area, index);
+      FindHolesOf(area);
+      if (CountFailures() < failures) return;
+    }
   }
 
   // On a ragged cut the zigzag of a border can be read in more than one way, and the reading that labels gave may bound
@@ -373,7 +391,7 @@ class PartPlanner {
   const PlanInput& input_;
   const std::set<CellId>& scene_area_;
   const CutLines& lines_;
-  const PlanOptions& options_;
+  PlanOptions options_;
   Plan& plan_;
   Rim rim_;
   SeamLayout layout_;
@@ -492,6 +510,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   }
   StoreLayers(lines.independent, plan);
   LeaveFailedHoles(plan);
+  FindWater(input, options.water, plan);
   return plan;
 }
 

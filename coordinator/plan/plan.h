@@ -21,8 +21,16 @@
 #include "common/grid/cell_holes.h"
 #include "common/grid/scene.h"
 #include "common/grid/survey_record.h"
+#include "common/grid/water_areas.h"
 
 namespace tilemend {
+
+// What is taken for water (water.h).
+struct WaterOptions {
+  bool find = true;              // else only where an area says so
+  double tolerance = 0.1;        // metres, > 0: how far the rim of water may be off its level
+  std::vector<WaterArea> areas;  // the last one that covers more than half of a hole decides on it
+};
 
 struct PlanOptions {
   // Seam vertices grow apart from the rim inward by this factor per edge (>= 1), up to size_limit times the rim's mean
@@ -30,6 +38,8 @@ struct PlanOptions {
   double gradation = 1.3;
   double size_limit = 16.0;
   bool uniform = false;
+  WaterOptions water;
+  bool seams_over_rim = true;  // seams take rim vertices close beside them
 };
 
 struct PlanInput {
@@ -65,6 +75,7 @@ struct PlannedHole {
   double perimeter = 0;  // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
+  int32_t water = -1;                // into Plan::water; -1: no water
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
 };
@@ -86,6 +97,16 @@ struct Seam {
   std::vector<int32_t> vertices;  // into Plan::vertices
 };
 
+// A body of water: a cluster of open holes, or a closed hole, that is filled flat.
+struct WaterBody {
+  std::vector<int32_t> holes;      // into Plan::holes, ascending
+  double level = 0;                // metres, on the lattice
+  double spread = 0;               // metres: of the rim's heights (RimLevel::spread)
+  double lowest = 0, highest = 0;  // of the rim's heights
+  int64_t rim_vertices = 0;
+  bool forced = false;  // an area says that it is water
+};
+
 struct LeftOpen {
   CellId cell;
   std::string reason;
@@ -98,6 +119,8 @@ struct Plan {
   std::vector<PlanVertex> vertices;
   std::vector<PlannedHole> holes;  // by cell, then in order of their first segment
   std::vector<Seam> seams;
+  std::vector<WaterBody> water;           // in order of their first hole
+  std::vector<int32_t> idle_water_areas;  // of WaterOptions::areas: those that cover no hole by more than half
   std::vector<BorderAudit> borders;
   std::vector<LeftOpen> left;
   int32_t clusters = 0;

@@ -12,6 +12,9 @@
 namespace tilemend {
 namespace {
 
+// Rounding a height by half a step tilts a triangle of this many steps by less than half a degree.
+constexpr double kLeastSizeInSteps = 64;
+
 uint64_t EdgeKey(int32_t from, int32_t to) {
   return static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32 | static_cast<uint32_t>(to);
 }
@@ -175,6 +178,18 @@ Rim BuildRim(const PlanInput& input, bool weld_tiles) {
   TraceLoops(next, rim);
   rim.continuous = CountTouchingGroups(rim, touching);
   return rim;
+}
+
+void RaiseSmallSizes(double lattice_step, Rim& rim) {
+  double sum = 0;
+  int64_t count = 0;
+  for (const RimPoint& p : rim.points) {
+    sum += p.size;
+    if (p.size > 0) ++count;
+  }
+  if (count == 0) return;
+  const double least = std::min(kLeastSizeInSteps * lattice_step, sum / static_cast<double>(count) / 2);
+  for (RimPoint& p : rim.points) p.size = std::max(p.size, least);
 }
 
 }  // namespace tilemend

@@ -40,6 +40,11 @@ struct Rim {
 // hole (Zhang 2022, 3.3).
 Rim BuildRim(const PlanInput& input, bool weld_tiles);
 
+// New vertices lie on a lattice of `lattice_step` metres: triangles of a few steps would be bent by rounding. Raises
+// sizes below 64 steps to that, or to half the mean size of the points on edges if this is less. (Clipped tiles have
+// slivers along their borders, with edges far below a millimetre.)
+void RaiseSmallSizes(double lattice_step, Rim& rim);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_RIM_H_

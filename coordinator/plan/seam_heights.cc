@@ -73,9 +73,9 @@ class Smoother {
 
 }  // namespace
 
-void SettleClusters(const Plan& plan, std::span<const ClusterSample> samples, SeamHeights& heights) {
+void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights) {
   for (const ClusterSample& s : samples) {
-    heights.laplacian[s.vertex] = s.laplacian;
+    heights.laplacian[{cluster, s.vertex}] = s.laplacian;
     if (plan.vertices[s.vertex].index >= 0) continue;  // an original vertex at the end of a seam
     heights.height[s.vertex] = std::round(s.height / plan.lattice_step) * plan.lattice_step;
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coordinator/plan/plan.h"
@@ -19,8 +20,9 @@ struct SeamSample {
 };
 
 struct SeamHeights {
-  std::map<int32_t, double> height = {};     // of the seam vertices that are settled
-  std::map<int32_t, double> laplacian = {};  // on seams, where the surface of the cluster is known
+  std::map<int32_t, double> height = {};                         // of the seam vertices that are settled
+  std::map<std::pair<int32_t, int32_t>, double> laplacian = {};  // by cluster and vertex on a seam, where it is known
+  std::map<int32_t, double> tension = {};                        // by cluster, where it has been chosen
 };
 
 // The surface of a cluster at a vertex on a seam or at the end of one.
@@ -30,8 +32,8 @@ struct ClusterSample {
   double laplacian = 0;  // 1 / metre
 };
 
-// Settles the seam vertices of clusters whose surface is known. Heights are rounded to the plan's lattice.
-void SettleClusters(const Plan& plan, std::span<const ClusterSample> samples, SeamHeights& heights);
+// Settles the seam vertices of a cluster whose surface is known. Heights are rounded to the plan's lattice.
+void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights);
 
 // Settles the seam vertices that one layer sampled: the mean of the samples; along seams between two cells of the
 // layer, where both gave heights, Laplacian-smoothed once (Wang 2021, eq. 5 and 6) with factor `gamma`, 0 <= gamma <=

@@ -228,7 +228,8 @@ class Layout {
     std::vector<int32_t> way = {from};
     for (const Point2& p : SpacedPoints(border, from, to)) way.push_back(NewVertex(p, IsVertical(border) ? 1 : 2));
     way.push_back(to);
-    auto path = FindSeamPath(way, rim_, index_, [this](int32_t v) { return PositionOf(v); });
+    const auto position = [this](int32_t v) { return PositionOf(v); };
+    auto path = FindSeamPath(way, rim_, index_, position);
     // A tile's own outline runs straight on under and over its facades, which need not be gone around: the filler cuts
     // off what crosses.
     if (lines_.independent && (!path || Bends(*path))) path = way;
@@ -238,7 +239,14 @@ class Layout {
       Fail(border, absl::StrFormat("no way along the grid line through the hole at (%.3f, %.3f)", p.x(), p.y()));
       return;
     }
+    if (MayBend(border)) path = BendToRim(*path, rim_, index_, position);
     result_.seams.push_back({border.first, border.second, *path});
+  }
+
+  // Whether a seam may leave its line without need: not at the rim of the area, where what it cedes stayed unfilled.
+  bool MayBend(const Border& border) const {
+    return options_.seams_over_rim && !lines_.independent && area_.contains(border.first) &&
+           area_.contains(border.second);
   }
 
   // Whether a path goes over rim points between its ends.

@@ -1,6 +1,7 @@
 #include "coordinator/plan/seam_path.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <set>
@@ -11,6 +12,8 @@ namespace {
 
 constexpr size_t kLookAhead = 8;    // vertices of the way that may be passed over to get around an obstacle
 constexpr size_t kMaxDetour = 200;  // rim points that a detour considers
+// A rim point nearer than this share of an edge's length to the edge makes a triangle with it of quality below 0.3.
+constexpr double kFlat = 0.2;
 
 class PathFinder {
  public:
@@ -20,7 +23,7 @@ class PathFinder {
     points_ = static_cast<int32_t>(rim.points.size());
   }
 
-  std::optional<std::vector<int32_t>> Run() {
+  std::optional<std::vector<int32_t>> Find() {
     std::vector<int32_t> path = {way_.front()};
     for (size_t i = 0; i + 1 < way_.size();) {
       const size_t last = std::min(way_.size() - 1, i + kLookAhead);
@@ -39,7 +42,45 @@ class PathFinder {
     return path;
   }
 
+  // The way, which is a path already, bent over rim points beside it.
+  std::vector<int32_t> Bend() const {
+    std::set<int32_t> taken(way_.begin(), way_.end());
+    std::vector<int32_t> path = {way_.front()};
+    std::vector<int32_t> ahead(way_.rbegin(), way_.rend() - 1);
+    while (!ahead.empty()) {
+      const int32_t beside = PointBeside(path.back(), ahead.back(), taken);
+      if (beside >= 0) {
+        taken.insert(beside);
+        ahead.push_back(beside);
+      } else {
+        path.push_back(ahead.back());
+        ahead.pop_back();
+      }
+    }
+    return path;
+  }
+
  private:
+  // The rim point nearest to the line from a to b that the path between them can be bent to; -1: none.
+  int32_t PointBeside(int32_t a, int32_t b, const std::set<int32_t>& taken) const {
+    if (IsRimEdge(a, b)) return -1;
+    const Point2 p = position_(a), way = position_(b) - p;
+    const double length2 = way.squaredNorm();
+    const Point2 reach = Point2::Constant(kFlat * std::sqrt(length2));
+    double nearest = kFlat * length2;  // distance from the line times length
+    int32_t best = -1;
+    for (const int32_t i : index_.EdgesIn(p.cwiseMin(p + way) - reach, p.cwiseMax(p + way) + reach)) {
+      const int32_t v = rim_.edges[i].from;
+      const Point2 to = position_(v) - p;
+      const double off = std::abs(way.x() * to.y() - way.y() * to.x()), along = way.dot(to);
+      if (off >= nearest || along <= 0 || along >= length2 || taken.contains(v)) continue;
+      if (!Joined(a, v) || !Joined(v, b)) continue;
+      nearest = off;
+      best = v;
+    }
+    return best;
+  }
+
   int32_t RimPointOf(int32_t v) const { return v < points_ ? v : -1; }
 
   bool IsRimEdge(int32_t a, int32_t b) const {
@@ -122,7 +163,12 @@ class PathFinder {
 
 std::optional<std::vector<int32_t>> FindSeamPath(const std::vector<int32_t>& way, const Rim& rim, const RimIndex& index,
                                                  const std::function<Point2(int32_t)>& position) {
-  return PathFinder(way, rim, index, position).Run();
+  return PathFinder(way, rim, index, position).Find();
+}
+
+std::vector<int32_t> BendToRim(const std::vector<int32_t>& path, const Rim& rim, const RimIndex& index,
+                               const std::function<Point2(int32_t)>& position) {
+  return PathFinder(path, rim, index, position).Bend();
 }
 
 }  // namespace tilemend

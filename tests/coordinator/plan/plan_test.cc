@@ -342,6 +342,25 @@ TEST(MakePlanTest, PartsTheSeamWhereAnIslandLiesAcrossTheGridLine) {
   EXPECT_THAT(plan.seams, SizeIs(2));
 }
 
+TEST(MakePlanTest, TakesASeamOverARimVertexCloseBesideTheGridLine) {
+  SurveyedScene scene = PictureScene({"######|######",  //
+                                      "#.##..|.....#",  //
+                                      "#.##..|.....#",  //
+                                      "#.....|.....#",  //
+                                      "#.....|.....#",  //
+                                      "######|######"},
+                                     6);
+  const Point3 tip(5.9, 3, 0);
+  for (Point3& p : scene.tiles.at({0, 0}).points) {
+    if (p == Point3(4, 3, 0)) p = tip;
+  }
+  const Plan plan = PlanOf(SurveyScene(scene.grid, std::move(scene.tiles)));
+  ExpectSound(plan);
+  ASSERT_THAT(plan.seams, SizeIs(1));
+  const auto& way = plan.seams[0].vertices;
+  EXPECT_EQ(std::count_if(way.begin(), way.end(), [&](int32_t v) { return plan.vertices[v].position == tip; }), 1);
+}
+
 TEST(MakePlanTest, SplitsAContinuousHoleWhereItTouchesItself) {
   const Plan plan = PlanOf(Picture{"####",  //
                                    "#.##",  //
@@ -350,6 +369,35 @@ TEST(MakePlanTest, SplitsAContinuousHoleWhereItTouchesItself) {
   ExpectSound(plan);
   EXPECT_EQ(CountsOf(plan), "2 closed");
   EXPECT_EQ(plan.continuous, 1);
+}
+
+// Over the ground stands a facade with a hole, and in the hole a piece of the facade; another piece stands off it.
+TEST(MakePlanTest, CountsAnIslandOfAFacadeToTheHoleThatItLiesIn) {
+  TriMesh mesh = PictureMesh(Picture(12, std::string(12, '#')));
+  const auto add = [&](const Picture& picture, const Point3& corner) {
+    const TriMesh part = PictureMesh(picture);
+    for (Triangle t : part.triangles) {
+      for (int32_t& v : t) v += static_cast<int32_t>(mesh.points.size());
+      mesh.triangles.push_back(t);
+    }
+    for (const Point3& p : part.points) mesh.points.push_back(corner + Point3(p.x(), 0, p.y()));
+  };
+  add({"#######",  //
+       "#.....#",  //
+       "#.....#",  //
+       "#..#..#",  //
+       "#.....#",  //
+       "#.....#",  //
+       "#######"},
+      Point3(2, 5, 3));
+  add({"#"}, Point3(5, 7, 6));
+  Grid grid;
+  grid.cell_size = Point2(12, 12);
+  const Plan plan = PlanOf(SurveyScene(grid, {{{0, 0}, mesh}}));
+  ASSERT_EQ(CountsOf(plan), "1 closed");
+  EXPECT_THAT(plan.holes[0].segments, SizeIs(20 + 4));
+  EXPECT_DOUBLE_EQ(plan.holes[0].area, 24);
+  EXPECT_EQ(plan.outer_rims, 2) << "of the facade and the piece off it";
 }
 
 TEST(MakePlanTest, LeavesTheOutlineOfADetachedPieceAndSaysSo) {
