@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "client/commands.h"
+#include "client/job_flags.h"
 
 namespace tilemend {
 namespace {
@@ -22,17 +23,25 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> local = {
       {"workers", "N", "tasks at once (default: the machine's cores)", ""},
       {"work", "DIR", "where to put intermediate files (default: the system's temporary folder)", ""}};
-  const std::vector<FlagSpec> shape = {{"surface", "NAME", "wang or thin-plate", "wang"},
-                                       {"tension", "X", "tautness of the thin-plate surface, 1/m^2", "0"},
+  const std::vector<FlagSpec> shape = {{"surface", "NAME", "thin-plate or wang", "thin-plate"},
+                                       TensionFlag(),
                                        {"gradation", "F", "growth of the triangles inward from the rim", "1.3"},
                                        {"size-limit", "F", "largest edge over the rim's mean edge", "16"},
                                        {"uniform", "", "triangles as large as the rim's throughout", ""},
                                        {"out", "FILE", "where to write the filled mesh", ""},
                                        {"overwrite", "", "replace an existing output", ""},
                                        OutputFlag()};
+  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
+  const std::vector<FlagSpec> fill = Join(shape, WaterFlags("off"));
   return {
-      {"inspect", "SCENE|MESH", "show tiles, borders and holes; writes nothing", 1, {}, {OutputFlag()}, InspectCommand},
-      {"fill", "MESH --out FILE", "fill the holes of one mesh", 1, {"out"}, shape, FillCommand},
+      {"inspect",
+       "SCENE|MESH",
+       "show tiles, borders and holes; writes nothing",
+       1,
+       {},
+       Join({OutputFlag()}, WaterFlags("")),
+       InspectCommand},
+      {"fill", "MESH --out FILE", "fill the holes of one mesh", 1, {"out"}, fill, FillCommand},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, Join(JobFlags(), local), RunCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, Join(JobFlags(), start), SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},

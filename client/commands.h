@@ -37,6 +37,8 @@ int ReportCommand(const Args& args);
 // Flags that say what a job is to do, and -o.
 std::vector<FlagSpec> JobFlags();
 FlagSpec OutputFlag();
+// --water and --water-tolerance.
+std::vector<FlagSpec> WaterFlags(const std::string& default_value);
 
 // All above, for the table of main.
 std::vector<Command> ServiceCommands();

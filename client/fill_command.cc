@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
@@ -12,10 +13,13 @@
 #include "client/output.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/stopwatch.h"
 #include "coordinator/plan/cell_work.h"
 #include "coordinator/service/scene_report.h"
+#include "coordinator/service/water_choice.h"
 #include "worker/assemble/assemble.h"
 #include "worker/fill/fill_holes.h"
+#include "worker/fill/patch_quality.h"
 
 namespace tilemend {
 namespace {
@@ -44,34 +48,50 @@ struct Filled {
   std::string bytes;
 };
 
-absl::StatusOr<Filled> FillMesh(const std::string& path, const FillOptions& options, MeshInspection& mesh) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
-  InspectMesh(file, {options.refine.gradation, options.refine.size_limit, options.refine.uniform}, mesh);
-  Filled filled;
-  filled.report.plan = &mesh.plan;
-  filled.report.cells = 1;
-  filled.report.surface = options.surface == Surface::kThinPlate ? "thin-plate" : "wang";
-  FilePatch patch;
+// The patches of all holes that the plan finds no fault with, as one.
+FilePatch FillAll(const MeshInspection& mesh, const FillOptions& options, size_t vertex_count,
+                  SceneReportInput& report) {
   std::vector<int32_t> holes;
   for (size_t h = 0; h < mesh.plan.holes.size(); ++h) {
     if (mesh.plan.holes[h].failure.empty()) holes.push_back(static_cast<int32_t>(h));
   }
-  if (!holes.empty()) {
-    const CellHoles work = MakeCellHoles(mesh.plan, mesh.input, SeamHeights(), holes, true);
-    const std::vector<HolePatch> patches = FillHoles(work, options);
-    for (const HolePatch& p : patches) {
-      if (!p.failure.empty()) filled.report.failures[p.hole] = p.failure;
-      filled.report.sizes[p.hole] = {p.new_points.size(), p.triangles.size()};
-    }
-    patch = MergePatches(work.vertices, patches, work.cell, static_cast<int32_t>(file.mesh.points.size()));
+  if (holes.empty()) return {};
+  const CellHoles work = MakeCellHoles(mesh.plan, mesh.input, SeamHeights(), holes, true);
+  const std::vector<HolePatch> patches = FillHoles(work, options);
+  for (const HolePatch& p : patches) {
+    if (!p.failure.empty()) report.failures[p.hole] = p.failure;
+    report.sizes[p.hole] = {p.new_points.size(), p.triangles.size()};
+    if (p.hold_out) report.of_holes[p.hole] = *p.hold_out;
   }
+  report.quality = TallyQuality(work, patches);
+  return MergePatches(work.vertices, patches, work.cell, static_cast<int32_t>(vertex_count));
+}
+
+absl::StatusOr<Filled> FillMesh(const std::string& path, const FillOptions& options, const WaterOptions& water,
+                                MeshInspection& mesh) {
+  Filled filled;
+  SceneReportInput& report = filled.report;
+  report.plan = &mesh.plan;
+  report.cells = 1;
+  report.given_tension = options.tension;
+  report.surface = options.surface == Surface::kThinPlate ? "thin-plate" : "wang";
+  Stopwatch watch;
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, path));
+  report.seconds.emplace_back("read", watch.Lap());
+  InspectMesh(file, {options.refine.gradation, options.refine.size_limit, options.refine.uniform, water}, mesh);
+  report.seconds.emplace_back("survey", watch.Lap());
+  const size_t vertex_count = file.mesh.points.size();
+  file = {};  // the fill needs the room
+  const FilePatch patch = FillAll(mesh, options, vertex_count, report);
+  report.seconds.emplace_back("fill", watch.Lap());
   if (patch.triangles.empty()) {
-    filled.bytes = bytes;
+    filled.bytes = std::move(bytes);
   } else {
     TILEMEND_ASSIGN_OR_RETURN(filled.bytes, AppendPatch(format, bytes, patch, path));
   }
+  report.seconds.emplace_back("assemble", watch.Lap());
   return filled;
 }
 
@@ -88,6 +108,7 @@ void PrintSummary(const Filled& filled, const std::string& out) {
                       plan.outer_rims, out)
           .c_str(),
       stdout);
+  for (const std::string& w : PlanWarnings(plan)) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
   for (const LeftOpen& l : LeftOf(filled.report))
     std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
 }
@@ -103,14 +124,19 @@ int FillCommand(const Args& args) {
     return PrintUsageError(
         absl::InvalidArgumentError(absl::StrCat("--surface '", surface, "': expected wang or thin-plate")));
   }
-  if (surface == "thin-plate") options.surface = Surface::kThinPlate;
-  const auto tension = args.Number("tension", 0, 1000);
+  options.surface = surface == "thin-plate" ? Surface::kThinPlate : Surface::kWang;
+  const auto tension = TensionFromFlags(args);
   if (!tension.ok()) return PrintUsageError(tension.status());
   options.tension = *tension;
+  if (*tension && surface != "thin-plate") {
+    return PrintUsageError(absl::InvalidArgumentError("--tension: only the surface thin-plate has a tension"));
+  }
   const auto gradation = args.Number("gradation", 1, 10);
   if (!gradation.ok()) return PrintUsageError(gradation.status());
   const auto size_limit = args.Number("size-limit", 1, 1e6);
   if (!size_limit.ok()) return PrintUsageError(size_limit.status());
+  const auto water_tolerance = WaterToleranceFromFlags(args);
+  if (!water_tolerance.ok()) return PrintUsageError(water_tolerance.status());
   options.refine.gradation = *gradation;
   options.refine.size_limit = *size_limit;
   options.refine.uniform = args.Switch("uniform");
@@ -118,18 +144,23 @@ int FillCommand(const Args& args) {
   const std::string out = args.Text("out");
   if (const absl::Status status = CheckOutput(in, out, args.Switch("overwrite")); !status.ok())
     return PrintError(status);
+  const auto water = ReadWaterChoice(args.Text("water"), *water_tolerance);
+  if (!water.ok()) return PrintError(water.status());
   MeshInspection mesh;
-  const auto filled = FillMesh(in, options, mesh);
+  auto filled = FillMesh(in, options, water->options, mesh);
   if (!filled.ok()) return PrintError(filled.status());
+  Stopwatch watch;
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
+  filled->report.seconds.emplace_back("write", watch.Lap());
   if (*format == OutputFormat::kJson) {
     std::fputs(SceneReport(filled->report).c_str(), stdout);
   } else {
     PrintSummary(*filled, out);
   }
   // Outlines of detached pieces and of the mesh itself are no holes: only holes that stay open make the result partial.
+  const std::vector<LeftOpen> left = LeftOf(filled->report);
   const bool some_left =
-      !filled->report.failures.empty() ||
+      std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; }) ||
       std::any_of(mesh.plan.holes.begin(), mesh.plan.holes.end(), [](const auto& h) { return !h.failure.empty(); });
   return some_left ? kExitSomeLeft : kExitDone;
 }

@@ -9,7 +9,9 @@
 #include "client/inspection.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/water_table.h"
 #include "coordinator/service/scene_report.h"
+#include "coordinator/service/water_choice.h"
 
 namespace tilemend {
 namespace {
@@ -23,7 +25,7 @@ Json PlanJson(const Plan& plan, int64_t cells) {
   input.cells = cells;
   input.surface = "wang";
   Json json = Json::parse(SceneReport(input));
-  for (const char* field : {"filled", "seconds", "peak_rss_bytes", "warnings", "surface"}) json.erase(field);
+  for (const char* field : {"filled", "quality", "seconds", "peak_rss_bytes", "warnings", "surface"}) json.erase(field);
   for (Json& row : json["per_hole"]) {
     row.erase("method");
     row.erase("outcome");
@@ -91,7 +93,7 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
   }
   absl::StrAppend(&text, "\n",
                   Table({"tile", "vertices", "triangles", "boundary edges", "non-manifold", "heights, m"}, rows),
-                  LeftText(plan));
+                  WaterText(plan, "would be filled flat as water"), LeftText(plan));
   return text;
 }
 
@@ -99,13 +101,14 @@ void Warn(const std::vector<std::string>& warnings) {
   for (const std::string& w : warnings) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
 }
 
-int InspectSceneAt(const std::string& path, OutputFormat format) {
-  const auto inspection = InspectScene(path);
+int InspectSceneAt(const std::string& path, const PlanOptions& options, OutputFormat format) {
+  const auto inspection = InspectScene(path, options);
   if (!inspection.ok()) return PrintError(inspection.status());
   Warn(inspection->scene.warnings);
   ExitCode code = kExitDone;
   for (const absl::Status& error : inspection->errors) code = PrintError(error);
   if (!inspection->errors.empty()) return code;
+  Warn(PlanWarnings(inspection->plan));
   Json plan = PlanJson(inspection->plan, static_cast<int64_t>(inspection->scene.tiles.size()));
   if (format == OutputFormat::kTable) {
     std::fputs(SceneText(*inspection, plan).c_str(), stdout);
@@ -123,11 +126,12 @@ int InspectSceneAt(const std::string& path, OutputFormat format) {
   return kExitDone;
 }
 
-int InspectMeshAt(const std::string& path, OutputFormat format) {
+int InspectMeshAt(const std::string& path, const PlanOptions& options, OutputFormat format) {
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
   MeshInspection mesh;
-  InspectMesh(*file, PlanOptions(), mesh);
+  InspectMesh(*file, options, mesh);
+  Warn(PlanWarnings(mesh.plan));
   const Json plan = PlanJson(mesh.plan, 1);
   if (format == OutputFormat::kJson) {
     Json json = RecordJson(mesh.record);
@@ -142,7 +146,7 @@ int InspectMeshAt(const std::string& path, OutputFormat format) {
                       "triangles without area: %d\nholes: %d closed, outer rims: %d, continuous: %d\n%s",
                       path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(), r.nonmanifold_edges,
                       r.degenerate_triangles, mesh.plan.holes.size(), mesh.plan.outer_rims, mesh.plan.continuous,
-                      LeftText(plan))
+                      WaterText(plan, "would be filled flat as water") + LeftText(plan))
           .c_str(),
       stdout);
   return kExitDone;
@@ -154,7 +158,15 @@ int InspectCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   const std::string& path = args.arguments().front();
-  return IsSingleMesh(path) ? InspectMeshAt(path, *format) : InspectSceneAt(path, *format);
+  const auto tolerance = WaterToleranceFromFlags(args);
+  if (!tolerance.ok()) return PrintUsageError(tolerance.status());
+  const bool mesh = IsSingleMesh(path);
+  const std::string choice = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
+  const auto water = ReadWaterChoice(choice, *tolerance);
+  if (!water.ok()) return PrintError(water.status());
+  PlanOptions options;
+  options.water = water->options;
+  return mesh ? InspectMeshAt(path, options, *format) : InspectSceneAt(path, options, *format);
 }
 
 }  // namespace tilemend

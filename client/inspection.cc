@@ -47,7 +47,7 @@ bool IsSingleMesh(const std::string& path) {
   return std::filesystem::is_regular_file(p, error) && p.extension() != ".json";
 }
 
-absl::StatusOr<Inspection> InspectScene(const std::string& path) {
+absl::StatusOr<Inspection> InspectScene(const std::string& path, const PlanOptions& options) {
   Inspection inspection;
   TILEMEND_ASSIGN_OR_RETURN(inspection.scene, LoadScene(path, ReadTileBounds));
   const Scene& scene = inspection.scene;
@@ -66,7 +66,7 @@ absl::StatusOr<Inspection> InspectScene(const std::string& path) {
     inspection.records[tile.cell] = *std::move(results[i]);
     input.cells[tile.cell] = &inspection.records[tile.cell];
   }
-  if (inspection.errors.empty()) inspection.plan = MakePlan(input, PlanOptions());
+  if (inspection.errors.empty()) inspection.plan = MakePlan(input, options);
   return inspection;
 }
 

@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "client/commands.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/water_table.h"
 #include "common/util/files.h"
 
 namespace tilemend {
@@ -16,9 +18,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kMaxLeftRows = 50;
+constexpr size_t kMaxTensionRows = 10;
 
 std::string Text(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string Rounded(const Json& value) {
+  return value.is_number() ? absl::StrFormat("%.4g", value.get<double>()) : Text(value);
 }
 
 // Numbers and strings as rows; groups of them with their path as a name, but no lists.
@@ -31,10 +38,27 @@ void AddRows(const Json& value, const std::string& name, std::vector<std::vector
   }
 }
 
+// The tensions that were chosen by hold-out.
+std::string TensionText(const Json& report) {
+  const auto choices = report.find("tension");
+  if (choices == report.end() || !choices->is_array() || choices->empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& choice : *choices) {
+    if (!choice.is_object() || rows.size() == kMaxTensionRows) continue;
+    const char* kind = choice.contains("cluster") ? "cluster" : "hole";
+    rows.push_back({absl::StrCat(kind, " ", Text(choice.value(kind, Json()))), Rounded(choice.value("tension", Json())),
+                    Text(choice.value("hold_out_error_m", Json()))});
+  }
+  return absl::StrCat("\n", choices->size(), " tensions chosen by hold-out\n",
+                      Table({"", "tension, 1/m2", "hold-out error, m"}, rows));
+}
+
 std::string ReportText(const Json& report) {
   std::vector<std::vector<std::string>> rows;
   AddRows(report, "", rows);
   std::string text = Table({"report", ""}, rows);
+  text += WaterText(report, "filled flat as water");
+  text += TensionText(report);
   const auto left = report.find("left");
   if (left == report.end() || !left->is_array() || left->empty()) return text;
   std::vector<std::vector<std::string>> left_rows;

@@ -13,7 +13,7 @@ import sys
 
 # Third-party libraries by the beginning of an include path. Longer beginnings are tried first.
 LIBRARIES = {
-    'absl/': 'absl', 'Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
+    'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',

@@ -193,6 +193,8 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     v1::HoleBoundary* h = proto.add_holes();
     h->set_id(hole.id);
     h->set_open(hole.open);
+    if (hole.tension) h->set_tension(*hole.tension);
+    if (hole.level) h->set_level(*hole.level);
     for (const RimSegment& s : hole.segments) {
       h->add_from(s.from);
       h->add_to(s.to);
@@ -217,6 +219,14 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
     CellHole hole;
     hole.id = h.id();
     hole.open = h.open();
+    if (h.has_tension()) {
+      if (!(h.tension() >= 0) || !std::isfinite(h.tension())) return Malformed("tension");
+      hole.tension = h.tension();
+    }
+    if (h.has_level()) {
+      hole.level = h.level();
+      if (!std::isfinite(*hole.level)) return Malformed("water level");
+    }
     if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 ||
         !AllBelow(h.from(), n) || !AllBelow(h.to(), n)) {
       return Malformed("hole boundary");
@@ -232,6 +242,24 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
   return holes;
 }
 
+v1::HoldOut ToProto(const HoldOut& hold_out) {
+  v1::HoldOut proto;
+  proto.set_tension(hold_out.tension);
+  proto.set_error(hold_out.error);
+  proto.set_error_at_start(hold_out.error_at_start);
+  proto.set_blocks(hold_out.blocks);
+  return proto;
+}
+
+absl::StatusOr<HoldOut> FromProto(const v1::HoldOut& proto) {
+  const HoldOut hold_out{proto.tension(), proto.error(), proto.error_at_start(), proto.blocks()};
+  if (!(hold_out.tension >= 0) || !std::isfinite(hold_out.tension) || !std::isfinite(hold_out.error) ||
+      !std::isfinite(hold_out.error_at_start) || hold_out.blocks < 0) {
+    return Malformed("hold-out");
+  }
+  return hold_out;
+}
+
 v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices,
                        double lattice_step) {
   v1::FillOutput proto;
@@ -244,6 +272,7 @@ v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<
     extent->set_failure(patch.failure);
     extent->set_new_points(static_cast<int64_t>(patch.new_points.size()));
     extent->set_triangles(static_cast<int64_t>(patch.triangles.size()));
+    if (patch.hold_out) *extent->mutable_hold_out() = ToProto(*patch.hold_out);
     const auto base = static_cast<int32_t>(points.size());
     points.insert(points.end(), patch.new_points.begin(), patch.new_points.end());
     for (Triangle t : patch.triangles) {
@@ -290,6 +319,9 @@ absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, si
     HolePatch patch;
     patch.hole = e.hole();
     patch.failure = e.failure();
+    if (e.has_hold_out()) {
+      TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(e.hold_out()));
+    }
     const auto base = static_cast<int32_t>(point - mesh.points.begin());
     patch.new_points.assign(point, point + e.new_points());
     point += e.new_points();
@@ -305,6 +337,29 @@ absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, si
     patches.push_back(std::move(patch));
   }
   return patches;
+}
+
+v1::QualityTally ToProto(const QualityTally& tally) {
+  v1::QualityTally proto;
+  proto.set_triangles(tally.triangles);
+  proto.set_sum_millionths(tally.sum_millionths);
+  proto.set_least(tally.least);
+  proto.mutable_histogram()->Add(tally.histogram.begin(), tally.histogram.end());
+  proto.set_poor(tally.poor);
+  proto.set_poor_forced(tally.poor_forced);
+  return proto;
+}
+
+absl::StatusOr<QualityTally> FromProto(const v1::QualityTally& proto) {
+  QualityTally tally;
+  if (proto.histogram_size() != QualityTally::kBins) return Malformed("quality histogram");
+  tally.triangles = proto.triangles();
+  tally.sum_millionths = proto.sum_millionths();
+  tally.least = proto.least();
+  std::copy(proto.histogram().begin(), proto.histogram().end(), tally.histogram.begin());
+  tally.poor = proto.poor();
+  tally.poor_forced = proto.poor_forced();
+  return tally;
 }
 
 }  // namespace tilemend

@@ -11,6 +11,7 @@
 #include "absl/status/statusor.h"
 #include "common/grid/cell_holes.h"
 #include "common/grid/survey_record.h"
+#include "common/mesh/quality_tally.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
@@ -27,10 +28,16 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto);
 v1::RimVertices ToProto(const std::vector<RimVertex>& vertices);
 absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto);
 
+v1::HoldOut ToProto(const HoldOut& hold_out);
+absl::StatusOr<HoldOut> FromProto(const v1::HoldOut& proto);
+
 // Patches over `vertices`; new points come back bit for bit. `lattice_step` is that of the CellHoles.
 v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices,
                        double lattice_step);
 absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, size_t vertex_count);
+
+v1::QualityTally ToProto(const QualityTally& tally);
+absl::StatusOr<QualityTally> FromProto(const v1::QualityTally& proto);
 
 }  // namespace tilemend
 

@@ -49,10 +49,12 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   spec.out = proto.out();
   if (!proto.surface().empty()) spec.surface = proto.surface();
   spec.uniform = proto.uniform();
-  spec.tension = proto.tension();
+  if (proto.has_tension()) spec.tension = proto.tension();
   if (proto.gradation() != 0) spec.gradation = proto.gradation();
   if (proto.size_limit() != 0) spec.size_limit = proto.size_limit();
   if (proto.has_seam_smoothing()) spec.seam_smoothing = proto.seam_smoothing();
+  if (!proto.water().empty()) spec.water = proto.water();
+  if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
   spec.overwrite = proto.overwrite();
   spec.dry_run = proto.dry_run();
   return spec;
@@ -64,10 +66,12 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_out(spec.out);
   proto.set_surface(spec.surface);
   proto.set_uniform(spec.uniform);
-  proto.set_tension(spec.tension);
+  if (spec.tension) proto.set_tension(*spec.tension);
   proto.set_gradation(spec.gradation);
   proto.set_size_limit(spec.size_limit);
   proto.set_seam_smoothing(spec.seam_smoothing);
+  proto.set_water(spec.water);
+  proto.set_water_tolerance(spec.water_tolerance);
   proto.set_overwrite(spec.overwrite);
   proto.set_dry_run(spec.dry_run);
   return proto;

@@ -29,7 +29,12 @@ absl::Status JobSpec::Check() const {
   if (surface != "wang" && surface != "thin-plate") {
     return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "' is neither wang nor thin-plate"));
   }
-  TILEMEND_RETURN_IF_ERROR(CheckRange("tension", tension, 0, 1000));
+  if (water.empty() || !IsUtf8(water)) {
+    return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
+  }
+  TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
+  if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
+  if (tension && surface != "thin-plate") return InvalidSpec("tension", "only the surface thin-plate has a tension");
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
   TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
   return CheckRange("seam_smoothing", seam_smoothing, 0, 1);

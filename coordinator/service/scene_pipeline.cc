@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -16,12 +17,15 @@
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/stopwatch.h"
 #include "coordinator/plan/cell_work.h"
 #include "coordinator/plan/plan.h"
 #include "coordinator/plan/seam_heights.h"
+#include "coordinator/plan/water.h"
 #include "coordinator/service/output_folder.h"
 #include "coordinator/service/scene_report.h"
 #include "coordinator/service/tile_checks.h"
+#include "coordinator/service/water_choice.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
@@ -29,25 +33,13 @@ namespace {
 
 constexpr char kThinPlate[] = "thin-plate";
 
-class Stopwatch {
- public:
-  double Lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-// survey (all cells) -> plan -> sample (thin-plate: cluster by cluster; what is then unknown, and wang: layer by layer)
-// -> fill (all cells with holes) -> assemble (all cells).
+// survey (all cells) -> plan -> sample -> fill (all cells with holes) -> assemble (all cells). The surface wang, and
+// what thin-plate leaves unknown, is sampled layer by layer. thin-plate is sampled cluster by cluster, and a cell is
+// filled as soon as its own clusters are known.
 class ScenePipeline : public JobPipeline {
  public:
-  ScenePipeline(JobSpec spec, Scene scene, std::optional<OutputFolder> output)
-      : spec_(std::move(spec)), scene_(std::move(scene)), output_(std::move(output)) {
+  ScenePipeline(JobSpec spec, Scene scene, WaterOptions water, std::optional<OutputFolder> output)
+      : spec_(std::move(spec)), scene_(std::move(scene)), water_(std::move(water)), output_(std::move(output)) {
     for (const SceneTile& tile : scene_.tiles) tiles_[tile.cell] = &tile;
   }
 
@@ -68,12 +60,12 @@ class ScenePipeline : public JobPipeline {
 
   absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
     TILEMEND_RETURN_IF_ERROR(result.output.ok() ? Take(result) : LeaveCell(result));
-    if (--waiting_ > 0) return std::vector<NewTask>{};
-    std::vector<NewTask> tasks;
-    while (tasks.empty() && !done_) {
+    std::vector<NewTask> tasks = std::exchange(ready_, {});
+    --waiting_;
+    while (tasks.empty() && waiting_ == 0 && !done_) {
       TILEMEND_ASSIGN_OR_RETURN(tasks, NextWave());
     }
-    waiting_ = tasks.size();
+    waiting_ += tasks.size();
     return tasks;
   }
 
@@ -95,6 +87,7 @@ class ScenePipeline : public JobPipeline {
     report_.plan = &plan_;
     report_.cells = static_cast<int64_t>(scene_.tiles.size());
     report_.surface = spec_.surface;
+    report_.given_tension = spec_.tension;
     report_.warnings = scene_.warnings;
     JobOutcome outcome;
     const auto left = LeftOf(report_);
@@ -166,12 +159,18 @@ class ScenePipeline : public JobPipeline {
         if (!output.ParseFromString(bytes)) return malformed;
         for (const v1::PatchExtent& e : output.patches()) {
           if (e.hole() < 0 || e.hole() >= std::ssize(plan_.holes)) return malformed;
+          if (e.has_hold_out()) {
+            TILEMEND_ASSIGN_OR_RETURN(report_.of_holes[e.hole()], FromProto(e.hold_out()));
+          }
           if (e.failure().empty()) {
             report_.sizes[e.hole()] = {e.new_points(), e.triangles()};
           } else {
             report_.failures[e.hole()] = e.failure();
           }
         }
+        TILEMEND_ASSIGN_OR_RETURN(const QualityTally quality, FromProto(output.quality()));
+        report_.quality.Merge(quality);
+        output.clear_quality();
         patches_[result.cell] = std::move(output);
         return absl::OkStatus();
       }
@@ -185,12 +184,22 @@ class ScenePipeline : public JobPipeline {
   absl::Status TakeClusterSamples(const v1::SampleOutput& output) {
     if (output.laplacian_size() != output.height_size())
       return absl::InternalError("a worker's cluster samples are incomplete");
+    if (output.has_hold_out()) {
+      TILEMEND_ASSIGN_OR_RETURN(const HoldOut hold_out, FromProto(output.hold_out()));
+      report_.of_clusters[output.cluster()] = hold_out;
+      heights_.tension[output.cluster()] = hold_out.tension;
+    }
+    std::vector<ClusterSample> samples;
     for (int i = 0; i < output.height_size(); ++i) {
       const int32_t vertex = output.seam_vertex(i);
       if (vertex < 0 || vertex >= std::ssize(plan_.vertices)) {
         return absl::InternalError("a worker's cluster samples name a vertex that is not in the plan");
       }
-      cluster_samples_.push_back({vertex, output.height(i), output.laplacian(i)});
+      samples.push_back({vertex, output.height(i), output.laplacian(i)});
+    }
+    SettleCluster(plan_, output.cluster(), samples, heights_);
+    for (const CellId cell : cells_of_cluster_[output.cluster()]) {
+      if (--clusters_left_[cell] == 0 && CanBeFilled(cell)) ready_.push_back(FillTask(cell));
     }
     return absl::OkStatus();
   }
@@ -228,8 +237,6 @@ class ScenePipeline : public JobPipeline {
         wave_ = Wave::kCluster;
         return spec_.surface == kThinPlate ? SampleClusters() : std::vector<NewTask>{};
       case Wave::kCluster:
-        SettleClusters(plan_, cluster_samples_, heights_);
-        cluster_samples_.clear();
         wave_ = Wave::kSample;
         return SampleLayer(1);
       case Wave::kSample:
@@ -263,7 +270,9 @@ class ScenePipeline : public JobPipeline {
     options.gradation = spec_.gradation;
     options.size_limit = spec_.size_limit;
     options.uniform = spec_.uniform;
+    options.water = water_;
     plan_ = MakePlan(input_, options);
+    SettleWater(plan_, heights_);
     for (size_t h = 0; h < plan_.holes.size(); ++h) {
       if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
     }
@@ -275,17 +284,18 @@ class ScenePipeline : public JobPipeline {
     options.set_size_limit(spec_.size_limit);
     options.set_uniform(spec_.uniform);
     options.set_thin_plate(spec_.surface == kThinPlate);
-    options.set_tension(spec_.tension);
+    if (spec_.tension) options.set_tension(*spec_.tension);
     return options;
   }
 
-  // One task for the surface of each cluster.
+  // One task for the surface of each cluster, the largest first; cells that need none are filled meanwhile, the others
+  // as soon as the surfaces of all their clusters are known.
   std::vector<NewTask> SampleClusters() {
-    phase_ = "sample clusters";
+    phase_ = "sample clusters and fill";
     std::map<int32_t, std::vector<int32_t>> clusters;
     for (const auto& [cell, holes] : holes_of_) {
       for (const int32_t h : holes) {
-        if (plan_.holes[h].cluster >= 0) clusters[plan_.holes[h].cluster].push_back(h);
+        if (plan_.holes[h].cluster >= 0 && plan_.holes[h].water < 0) clusters[plan_.holes[h].cluster].push_back(h);
       }
     }
     std::vector<NewTask> tasks;
@@ -293,10 +303,27 @@ class ScenePipeline : public JobPipeline {
       v1::SampleInput input;
       *input.mutable_holes() = ToProto(MakeCellHoles(plan_, input_, heights_, holes, true));
       input.set_whole_cluster(true);
+      input.set_cluster(cluster);
       *input.mutable_options() = Options();
       tasks.push_back({plan_.holes[holes.front()].cell, Stage::kSample, input.SerializeAsString()});
+      std::set<CellId> cells;
+      for (const int32_t h : holes) cells.insert(plan_.holes[h].cell);
+      for (const CellId cell : cells) ++clusters_left_[cell];
+      cells_of_cluster_[cluster].assign(cells.begin(), cells.end());
+    }
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [](const NewTask& a, const NewTask& b) { return a.input.size() > b.input.size(); });
+    for (const auto& [cell, holes] : holes_of_) {
+      if (!clusters_left_.contains(cell) && CanBeFilled(cell)) tasks.push_back(FillTask(cell));
     }
     return tasks;
+  }
+
+  // Whether all seam vertices of the cell are settled.
+  bool CanBeFilled(CellId cell) const {
+    const auto holes = holes_of_.find(cell);
+    return holes != holes_of_.end() &&
+           std::none_of(holes->second.begin(), holes->second.end(), [&](int32_t h) { return NeedsHeights(h); });
   }
 
   // The holes of a layer with seam vertices that are not settled.
@@ -327,14 +354,19 @@ class ScenePipeline : public JobPipeline {
     phase_ = "fill";
     std::vector<NewTask> tasks;
     for (const auto& [cell, holes] : holes_of_) {
-      v1::FillInput input;
-      const CellHoles work = MakeCellHoles(plan_, input_, heights_, holes, true);
-      *input.mutable_holes() = ToProto(work);
-      *input.mutable_options() = Options();
-      rims_[cell] = ToProto(work.vertices);
-      tasks.push_back({cell, Stage::kFill, input.SerializeAsString()});
+      if (!filling_.contains(cell)) tasks.push_back(FillTask(cell));
     }
     return tasks;
+  }
+
+  NewTask FillTask(CellId cell) {
+    filling_.insert(cell);
+    v1::FillInput input;
+    const CellHoles work = MakeCellHoles(plan_, input_, heights_, holes_of_.at(cell), true);
+    *input.mutable_holes() = ToProto(work);
+    *input.mutable_options() = Options();
+    rims_[cell] = ToProto(work.vertices);
+    return {cell, Stage::kFill, input.SerializeAsString()};
   }
 
   absl::StatusOr<std::vector<NewTask>> AssembleCells() {
@@ -373,6 +405,7 @@ class ScenePipeline : public JobPipeline {
 
   const JobSpec spec_;
   const Scene scene_;
+  const WaterOptions water_;
   std::optional<OutputFolder> output_;
   std::map<CellId, const SceneTile*> tiles_;
   Wave wave_ = Wave::kSurvey;
@@ -390,28 +423,35 @@ class ScenePipeline : public JobPipeline {
   Plan plan_;
   std::map<CellId, std::vector<int32_t>> holes_of_;
   std::vector<SeamSample> samples_;
-  std::vector<ClusterSample> cluster_samples_;
+  std::map<int32_t, std::vector<CellId>> cells_of_cluster_;
+  std::map<CellId, int32_t> clusters_left_;  // of which a cell awaits the surface
+  std::set<CellId> filling_;                 // cells with a fill task
+  std::vector<NewTask> ready_;               // what the last result has made possible
   SeamHeights heights_;
   std::map<CellId, v1::RimVertices> rims_;
   std::map<CellId, v1::FillOutput> patches_;
   SceneReportInput report_;
 };
 
-// What makes two jobs write the same bytes.
-std::string JobKey(const JobSpec& spec) {
+// What makes two jobs write the same bytes. The file of water areas counts by its content.
+std::string JobKey(const JobSpec& spec, const WaterChoice& water) {
   return absl::StrFormat(
-      "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %.17g\n",
-      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing, spec.tension);
+      "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %s\n"
+      "water %s %s\nwater_tolerance %.17g\n",
+      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing,
+      spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance);
 }
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance));
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {
-    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec)));
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
+                              OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec, water)));
     output.emplace(std::move(claimed));
   }
-  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(output));
+  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(water.options), std::move(output));
 }
 
 }  // namespace

@@ -5,6 +5,10 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_format.h"
 
 namespace tilemend {
 namespace {
@@ -72,7 +76,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   row["area_m2"] = Rounded(hole.area, 3);
   row["perimeter_m"] = Rounded(hole.perimeter, 3);
   row["boundary_vertices"] = hole.boundary_vertices;
-  row["method"] = input.surface;
+  row["method"] = hole.water >= 0 ? "water" : input.surface;
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.sizes.find(h); size != input.sizes.end() && failure.empty()) {
@@ -80,6 +84,54 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
     row["triangles"] = size->second.second;
   }
   return row;
+}
+
+// The tensions that were put to a test.
+Json Tensions(const SceneReportInput& input) {
+  Json rows = Json::array();
+  const auto add = [&](const char* what, const std::map<int32_t, HoldOut>& choices) {
+    for (const auto& [id, choice] : choices) {
+      if (choice.blocks == 0) continue;
+      rows.push_back({{what, id},
+                      {"tension", Rounded(choice.tension, 9)},
+                      {"hold_out_error_m", Rounded(choice.error, 4)},
+                      {"hold_out_error_at_start_m", Rounded(choice.error_at_start, 4)},
+                      {"blocks", choice.blocks}});
+    }
+  };
+  add("cluster", input.of_clusters);
+  add("hole", input.of_holes);
+  return rows;
+}
+
+// The bodies of water that were filled so.
+Json WaterRows(const SceneReportInput& input) {
+  Json rows = Json::array();
+  for (const WaterBody& body : input.plan->water) {
+    Json holes = Json::array();
+    double area = 0;
+    std::set<CellId> cells;
+    for (const int32_t h : body.holes) {
+      if (!FailureOf(input, h).empty()) continue;
+      holes.push_back(h);
+      area += input.plan->holes[h].area;
+      cells.insert(input.plan->holes[h].cell);
+    }
+    if (holes.empty()) continue;
+    const PlannedHole& first = input.plan->holes[body.holes.front()];
+    Json row;
+    if (first.kind != HoleKind::kClosed) row["cluster"] = first.cluster;
+    row.update({{"level_m", body.level},
+                {"spread_m", Rounded(body.spread, 4)},
+                {"rim_m", {Rounded(body.lowest, 4), Rounded(body.highest, 4)}},
+                {"rim_vertices", body.rim_vertices},
+                {"area_m2", Rounded(area, 3)},
+                {"cells", cells.size()},
+                {"decided_by", body.forced ? "area" : "rim"},
+                {"holes", holes}});
+    rows.push_back(row);
+  }
+  return rows;
 }
 
 Json Borders(const Plan& plan) {
@@ -96,6 +148,18 @@ Json Borders(const Plan& plan) {
   for (const char* kind : {"exact", "near", "overlap", "gap", "open"}) result[kind] = counts[kind];
   result["inexact"] = rows;
   return result;
+}
+
+Json QualityJson(const QualityTally& quality) {
+  Json json = {{"triangles", quality.triangles}};
+  if (quality.triangles > 0) {
+    json["least"] = Rounded(quality.least, 4);
+    json["mean"] = Rounded(quality.Mean(), 4);
+    json["fifth_percentile"] = Rounded(quality.Quantile(0.05), 4);
+  }
+  json["poor"] = quality.poor;
+  json["poor_forced_by_rim"] = quality.poor_forced;
+  return json;
 }
 
 int64_t PeakRssBytes() {
@@ -143,8 +207,19 @@ std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   return left;
 }
 
+std::vector<std::string> PlanWarnings(const Plan& plan) {
+  std::vector<std::string> warnings;
+  for (const int32_t area : plan.idle_water_areas) {
+    warnings.push_back(absl::StrFormat(
+        "--water: area %d of the file (from 0) covers no hole by more than half and decides nothing", area));
+  }
+  return warnings;
+}
+
 std::string SceneReport(const SceneReportInput& input) {
   const Plan& plan = *input.plan;
+  std::vector<std::string> warnings = input.warnings;
+  for (std::string& warning : PlanWarnings(plan)) warnings.push_back(std::move(warning));
   Json holes = EmptyCounts(), filled = EmptyCounts(), rows = Json::array(), single, left = Json::array();
   for (const char* name : {"crack", "dislocation", "annular", "island", "simple"}) single[name] = 0;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
@@ -162,21 +237,25 @@ std::string SceneReport(const SceneReportInput& input) {
   }
   Json seconds;
   for (const auto& [stage, value] : input.seconds) seconds[stage] = Rounded(value, 6);
-  const Json report = {{"cells", input.cells},
-                       {"clusters", plan.clusters},
-                       {"layers", plan.layers},
-                       {"holes", holes},
-                       {"filled", filled},
-                       {"single", single},
-                       {"continuous", plan.continuous},
-                       {"outer_rims", plan.outer_rims},
-                       {"left", left},
-                       {"borders", Borders(plan)},
-                       {"warnings", input.warnings},
-                       {"surface", input.surface},
-                       {"seconds", seconds},
-                       {"peak_rss_bytes", PeakRssBytes()},
-                       {"per_hole", rows}};
+  Json report = {{"cells", input.cells},
+                 {"clusters", plan.clusters},
+                 {"layers", plan.layers},
+                 {"holes", holes},
+                 {"filled", filled},
+                 {"single", single},
+                 {"continuous", plan.continuous},
+                 {"outer_rims", plan.outer_rims},
+                 {"water", WaterRows(input)},
+                 {"left", left},
+                 {"quality", QualityJson(input.quality)},
+                 {"borders", Borders(plan)},
+                 {"warnings", warnings},
+                 {"surface", input.surface},
+                 {"tension", Tensions(input)},
+                 {"seconds", seconds},
+                 {"peak_rss_bytes", PeakRssBytes()},
+                 {"per_hole", rows}};
+  if (input.given_tension) report["tension_given"] = *input.given_tension;
   return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

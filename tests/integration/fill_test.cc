@@ -94,6 +94,17 @@ TEST_P(FillTest, FillsTheHoleAndKeepsTheMesh) {
   }
 }
 
+TEST_P(FillTest, TheReportHasSecondsByStageAndPeakMemory) {
+  const Ended ended = Tilemend({"fill", WriteSheet(), "--out", Out(), "--surface", "thin-plate", "-o", "json"});
+  const Json json = Json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ended.err;
+  for (const char* stage : {"read", "survey", "fill", "assemble", "write"}) {
+    ASSERT_TRUE(json["seconds"].contains(stage)) << stage;
+    EXPECT_GE(json["seconds"][stage], 0) << stage;
+  }
+  EXPECT_GT(json["peak_rss_bytes"], 1 << 20);
+}
+
 // What was filled has no hole any more: filling it again copies it.
 TEST_P(FillTest, AFilledMeshStaysAsItIs) {
   const std::string in = WriteSheet(), again = folder_ / absl::StrCat("again", GetParam().extension);
@@ -150,6 +161,8 @@ TEST(FillCommandTest, ExitCodes) {
   std::filesystem::create_directory(folder / "folder.obj");
   EXPECT_EQ(code({"fill", in}), 2);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--gradation", "0"}), 2);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--surface", "wang", "--tension", "1"}), 2);
+  EXPECT_EQ(code({"run", in, "--out", folder / "o", "--surface", "wang", "--tension", "1"}), 2);
   EXPECT_EQ(code({"fill", folder / "none.obj", "--out", folder / "o.obj"}), 3);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.ply"}), 4);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o"}), 4);

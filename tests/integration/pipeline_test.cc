@@ -14,6 +14,7 @@
 #include "tests/support/fill_pipeline.h"
 #include "tests/support/scene_maker.h"
 #include "tests/support/surveyed_scene.h"
+#include "tests/support/water_scenes.h"
 
 namespace tilemend {
 namespace {
@@ -105,9 +106,9 @@ double Area2(const TriMesh& mesh, const Triangle& t) {
   return u.x() * v.y() - u.y() * v.x();
 }
 
-bool OnRimOfArea(const Point3& a, const Point3& b) {
+bool OnRimOfArea(const Point3& a, const Point3& b, double size = kCells * kCell) {
   for (const int axis : {0, 1}) {
-    for (const double line : {0.0, kCells * kCell}) {
+    for (const double line : {0.0, size}) {
       if (a[axis] == line && b[axis] == line) return true;
     }
   }
@@ -266,6 +267,42 @@ TEST(DeterminismTest, GivesTheSameTilesEveryTime) {
     EXPECT_EQ(tile.triangles, b.tiles.at(cell).triangles);
   }
 }
+
+class WaterPipelineTest : public testing::TestWithParam<std::tuple<Cut, Surface>> {};
+
+// One height for every new vertex over nine cells, on the seams and off them, on a surface that is closed.
+TEST_P(WaterPipelineTest, ALakeIsFlatOverAllItsCells) {
+  const auto [cut, surface] = GetParam();
+  PipelineOptions options;
+  options.fill.surface = surface;
+  const FilledScene filled = FillScene(SurveyScene(MakeScene(LakeOverNineCells(cut))), options);
+  ASSERT_EQ(filled.plan.water.size(), 1U);
+  const double level = filled.plan.water[0].level;
+  EXPECT_NEAR(level, kWaterLevel, 0.02);
+  EXPECT_EQ(filled.patches.size(), 9U);
+  size_t new_points = 0;
+  for (const auto& [hole, patch] : filled.patches) {
+    EXPECT_EQ(patch.failure, "");
+    for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), level);
+    new_points += patch.new_points.size();
+  }
+  EXPECT_GT(new_points, 50U);
+  for (const auto& [vertex, height] : filled.heights.height) EXPECT_EQ(height, level);
+  const TriMesh welded = WeldTiles(filled.tiles);
+  for (const auto& [edge, uses] : UsesOf(welded)) {
+    if (uses.size() == 2) continue;
+    EXPECT_EQ(uses.size(), 1U);
+    EXPECT_TRUE(OnRimOfArea(welded.points[edge.first], welded.points[edge.second], 120));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lakes, WaterPipelineTest,
+                         testing::Combine(testing::Values(Cut::kClipped, Cut::kRagged),
+                                          testing::Values(Surface::kWang, Surface::kThinPlate)),
+                         [](const auto& test) {
+                           return std::string(std::get<0>(test.param) == Cut::kClipped ? "Clipped" : "Ragged") +
+                                  (std::get<1>(test.param) == Surface::kWang ? "Wang" : "ThinPlate");
+                         });
 
 }  // namespace
 }  // namespace tilemend

@@ -16,6 +16,7 @@
 #include "tests/support/output_checks.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/water_scenes.h"
 
 namespace tilemend {
 namespace {
@@ -88,6 +89,22 @@ TEST_F(SceneClusterTest, ThreeWorkersGiveTheBytesOfARun) {
   EXPECT_EQ(Json::parse(ended.out, nullptr, false)["state"], "done");
   EXPECT_EQ(TilesBelow(folder_ / "out"), TilesOfRun(scene));
   ExpectOriginalsKept(scene, folder_ / "out");
+}
+
+TEST_F(SceneClusterTest, TheCoordinatorReadsTheAreasOfWater) {
+  const std::string scene = WriteMade(LakeOverNineCells(Cut::kClipped), folder_ / "scene");
+  const std::string areas = folder_.Write("dry.geojson",
+                                          R"({"type": "Feature", "properties": {"water": false}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [120, 0], [120, 120], [0, 120], [0, 0]]]}})");
+  const auto worker = NewWorker();
+  ASSERT_EQ(Ask({"submit", scene, "--out", folder_ / "lake", "--wait"}).code, 0);
+  EXPECT_EQ(ReportOf(folder_ / "lake")["water"].size(), 1U);
+  ASSERT_EQ(Ask({"submit", scene, "--out", folder_ / "dry", "--wait", "--water", areas}).code, 0);
+  EXPECT_EQ(ReportOf(folder_ / "dry")["water"].size(), 0U);
+  folder_.Write("dry.geojson", R"({"type": "Point"})");
+  const Ended bad = Ask({"submit", scene, "--out", folder_ / "bad", "--wait", "--water", areas});
+  EXPECT_EQ(bad.code, 4);
+  EXPECT_THAT(bad.out + bad.err, HasSubstr("dry.geojson: GeoJSON: type \"Point\": expected Polygon or MultiPolygon"));
 }
 
 // The only worker is stopped half-way, so that it holds tasks, and then killed.

@@ -88,7 +88,15 @@ TEST_P(CutTest, TheReportCountsWhatInspectFound) {
   EXPECT_GT(report["clusters"], 0);
   EXPECT_EQ(report["filled"], report["holes"]);
   EXPECT_EQ(report["left"].size(), 0U);
-  for (const Json& hole : report["per_hole"]) EXPECT_EQ(hole["outcome"], "filled") << hole;
+  int64_t triangles = 0;
+  for (const Json& hole : report["per_hole"]) {
+    EXPECT_EQ(hole["outcome"], "filled") << hole;
+    triangles += hole["triangles"].get<int64_t>();
+  }
+  EXPECT_EQ(report["quality"]["triangles"], triangles);
+  EXPECT_GE(report["quality"]["mean"], 0.9);
+  EXPECT_GE(report["quality"]["fifth_percentile"], 0.7);
+  EXPECT_EQ(report["quality"]["poor"], report["quality"]["poor_forced_by_rim"]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, SurfaceTest,

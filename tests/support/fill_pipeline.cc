@@ -4,6 +4,7 @@
 
 #include "common/mesh/position_index.h"
 #include "coordinator/plan/cell_work.h"
+#include "coordinator/plan/water.h"
 #include "worker/assemble/assemble.h"
 #include "worker/fill/sample_heights.h"
 
@@ -24,6 +25,7 @@ HolesByCell HolesOf(const Plan& plan, int32_t layer) {
 
 SeamHeights SettleSeams(const Plan& plan, const PlanInput& input, double gamma) {
   SeamHeights heights;
+  SettleWater(plan, heights);
   for (int32_t layer = 1; layer <= plan.layers; ++layer) {
     std::vector<SeamSample> samples;
     for (const auto& [cell, holes] : HolesOf(plan, layer)) {

@@ -57,6 +57,7 @@ double Fractal(uint64_t seed, double x, double y, int octaves, uint64_t purpose)
 double FeatureSize(const SceneMakerOptions& o) { return o.feature_size > 0 ? o.feature_size : o.cell_size; }
 
 double Height(const SceneMakerOptions& o, double x, double y) {
+  if (o.terrain) return o.terrain(x, y);
   const double scale = 1 / FeatureSize(o);
   const double waves = 0.5 * std::sin(x * scale * 1.7 + 0.3) + 0.3 * std::sin(y * scale * 2.3 + 1.1) +
                        0.2 * std::sin((x + y) * scale * 4.1);

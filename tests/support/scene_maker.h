@@ -40,8 +40,9 @@ struct SceneMakerOptions {
   double feature_size = 0;  // width of hills, lakes and river; 0: the cell size
   uint64_t seed = 1;
   Cut cut = Cut::kClipped;
-  double relief = 10;  // about the range of heights
-  double noise = 0;    // peak to peak, of the vertices' heights
+  double relief = 10;                                 // about the range of heights
+  double noise = 0;                                   // peak to peak, of the vertices' heights
+  std::function<double(double x, double y)> terrain;  // without noise; empty: hills of `relief`
 
   bool lakes = false;  // over cells and corners
   double lake_share = 0.12;

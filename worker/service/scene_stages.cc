@@ -1,5 +1,6 @@
 #include "worker/service/scene_stages.h"
 
+#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -11,6 +12,7 @@
 #include "tilemend/v1/stages.pb.h"
 #include "worker/assemble/assemble.h"
 #include "worker/fill/fill_holes.h"
+#include "worker/fill/patch_quality.h"
 #include "worker/fill/sample_cluster.h"
 #include "worker/fill/sample_heights.h"
 #include "worker/survey/survey.h"
@@ -43,7 +45,7 @@ FillOptions OptionsOf(const v1::ShapeOptions& proto) {
   options.refine.size_limit = proto.size_limit();
   options.refine.uniform = proto.uniform();
   options.surface = proto.thin_plate() ? Surface::kThinPlate : Surface::kWang;
-  options.tension = proto.tension();
+  if (proto.has_tension()) options.tension = proto.tension();
   return options;
 }
 
@@ -51,7 +53,11 @@ absl::StatusOr<std::string> RunSample(const v1::SampleInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
   v1::SampleOutput output;
   if (input.whole_cluster()) {
-    for (const SurfaceSample& sample : SampleCluster(holes, OptionsOf(input.options()))) {
+    output.set_cluster(input.cluster());
+    const std::optional<ClusterSurface> surface = SampleCluster(holes, OptionsOf(input.options()));
+    if (!surface) return output.SerializeAsString();
+    if (surface->hold_out) *output.mutable_hold_out() = ToProto(*surface->hold_out);
+    for (const SurfaceSample& sample : surface->samples) {
       output.add_seam_vertex(sample.seam_vertex);
       output.add_height(sample.height);
       output.add_laplacian(sample.laplacian);
@@ -67,7 +73,10 @@ absl::StatusOr<std::string> RunSample(const v1::SampleInput& input) {
 
 absl::StatusOr<std::string> RunFill(const v1::FillInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
-  return ToProto(FillHoles(holes, OptionsOf(input.options())), holes.vertices, holes.lattice_step).SerializeAsString();
+  const std::vector<HolePatch> patches = FillHoles(holes, OptionsOf(input.options()));
+  v1::FillOutput output = ToProto(patches, holes.vertices, holes.lattice_step);
+  *output.mutable_quality() = ToProto(TallyQuality(holes, patches));
+  return output.SerializeAsString();
 }
 
 // The tile with its patches; a tile without any is copied byte for byte.

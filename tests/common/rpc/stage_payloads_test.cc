@@ -68,14 +68,19 @@ CellHoles SomeHoles() {
     holes.vertices.push_back(v);
     holes.band.points.push_back(v.position);
   }
-  holes.holes = {{7, true, {{0, 1, false}, {1, 2, true}, {2, 0, true}}}, {9, false, {{3, 2, false}}}};
+  holes.holes = {{7, true, {{0, 1, false}, {1, 2, true}, {2, 0, true}}, 0.1},
+                 {9, false, {{3, 2, false}}, std::nullopt, 12.25}};
   holes.band.points.push_back({-1, -1, -1});
   holes.band.triangles = {{0, 1, 4}, {2, 3, 4}};
   return holes;
 }
 
 std::vector<HolePatch> SomePatches() {
-  HolePatch filled{7, "", {{0.5, 0.25, 0.125}, {0.1, 0.2, 0.3}, {1e-9, 2, 3}}, {{0, 1, -1}, {-1, -2, -3}, {2, 0, -3}}};
+  HolePatch filled{7,
+                   "",
+                   {{0.5, 0.25, 0.125}, {0.1, 0.2, 0.3}, {1e-9, 2, 3}},
+                   {{0, 1, -1}, {-1, -2, -3}, {2, 0, -3}},
+                   HoldOut{0.1, 0.2, 0.3, 4}};
   HolePatch left{8, "too wild", {}, {}};
   HolePatch other{9, "", {{3.5, 1.0 / 3, 7}}, {{3, 2, -1}}};
   return {filled, left, other};
@@ -148,11 +153,44 @@ TEST(StagePayloadsTest, CellHolesComeBackBitForBit) {
   }
   ASSERT_EQ(back->holes.size(), 2U);
   EXPECT_EQ(back->holes[0].id, 7);
+  EXPECT_EQ(back->holes[0].level, std::nullopt);
+  EXPECT_EQ(back->holes[1].level, 12.25);
   EXPECT_TRUE(back->holes[0].open);
   ASSERT_EQ(back->holes[0].segments.size(), 3U);
   EXPECT_EQ(back->holes[0].segments[2].to, 0);
   EXPECT_TRUE(back->holes[0].segments[2].seam);
+  EXPECT_EQ(back->holes[0].tension, 0.1);
+  EXPECT_EQ(back->holes[1].tension, std::nullopt);
   EXPECT_EQ(back->band.triangles, holes.band.triangles);
+}
+
+TEST(StagePayloadsTest, TensionsThatNoWorkerChoseAreMalformed) {
+  v1::CellHolesBlob holes = ToProto(SomeHoles());
+  holes.mutable_holes(0)->set_tension(-1);
+  EXPECT_EQ(FromProto(holes).status().code(), absl::StatusCode::kInvalidArgument);
+  for (const HoldOut& bad : {HoldOut{-1, 0, 0, 0}, HoldOut{0, std::nan(""), 0, 0}, HoldOut{0, 0, 0, -1}}) {
+    EXPECT_EQ(FromProto(ToProto(bad)).status().code(), absl::StatusCode::kInvalidArgument);
+  }
+}
+
+TEST(StagePayloadsTest, AQualityTallyComesBackTheSame) {
+  QualityTally tally;
+  tally.Add(0.125, true);
+  tally.Add(0.875, false);
+  const auto back = FromProto(ToProto(tally));
+  ASSERT_TRUE(back.ok()) << back.status();
+  EXPECT_EQ(back->triangles, 2);
+  EXPECT_EQ(back->sum_millionths, tally.sum_millionths);
+  EXPECT_EQ(back->least, 0.125);
+  EXPECT_EQ(back->histogram, tally.histogram);
+  EXPECT_EQ(back->poor, 1);
+  EXPECT_EQ(back->poor_forced, 1);
+}
+
+TEST(StagePayloadsTest, AQualityTallyOfOtherBinsIsRefused) {
+  v1::QualityTally proto = ToProto(QualityTally());
+  proto.add_histogram(1);
+  EXPECT_EQ(FromProto(proto).status().code(), absl::StatusCode::kInvalidArgument);
 }
 
 TEST(StagePayloadsTest, PatchesComeBackBitForBitAlsoOffTheLattice) {
