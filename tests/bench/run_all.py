@@ -1,13 +1,16 @@
 #!/usr/bin/python3
 """Runs all benchmarks and writes their tables into docs/benchmarks.md, each between its two markers.
 
-    run_all.py [--bin DIR] [--runs 5] [--only survey,scene,figure14,peer] [--peer-source cgal_fill.cpp] [--dry-run]
+    run_all.py [--bin DIR] [--runs 5] [--only survey,scene,partition,...] [--peers DIR] [--build DIR] [--dry-run]
 
-TILEMEND_SHARED_TOOLS names the folder of the scene tools for figure14; --peer-source the driver for the peer. A benchmark without
-what it needs is skipped with a message and its table stays as it is. --dry-run prints and writes nothing.
+TILEMEND_SHARED_TOOLS names the folder of the scene tools for partition, surface, map and figure14; --peers that of the peer's
+drivers and of hole_bench.py's meshes, for peer and hole; figure14 prints the peer beside the rest when it is there. The page's
+pictures go to docs/images. A benchmark without what it needs is skipped with a message and its table stays as it is. --dry-run
+prints, and writes no page.
 """
 import argparse
 import datetime
+import importlib.util
 import json
 import os
 import re
@@ -15,7 +18,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import figure14_bench
+import hole_bench
 import measure
 import scene_bench
 
@@ -48,29 +51,88 @@ def tile(a):
     return scene_bench.big_tile(a.bin, a.runs)
 
 
-def figure14(a):
-    tools = os.environ.get('TILEMEND_SHARED_TOOLS')
-    if not tools:
+def absent(*modules):
+    """Which of the modules Python lacks, as a message, or None."""
+    names = [m for m in modules if not importlib.util.find_spec(m)]
+    return f'{sys.executable} has no module {" and ".join(names)}' if names else None
+
+
+def missing(*modules):
+    """Why scenes with known truth cannot be made and judged, or None."""
+    if not os.environ.get('TILEMEND_SHARED_TOOLS'):
         return 'TILEMEND_SHARED_TOOLS is not set'
-    return figure14_bench.tables(a.bin, tools, [1, 2, 3, 4, 5])
+    return absent('numpy', 'scipy', *modules)
+
+
+def with_truth(bench, *modules):
+    """The benchmark, or where there are no scenes for it, why."""
+    return lambda a: missing(*modules) or bench(a)
+
+
+def peer_source(a):
+    return os.path.join(a.peers, 'cgal_fill.cpp') if a.peers else None
+
+
+def partition(a):
+    import partition_bench
+    return partition_bench.tables(a.bin, [1, 2])
+
+
+def surface(a):
+    import surface_bench
+    return surface_bench.tables(a.bin, [1, 2, 3])
+
+
+def error_map(a):
+    import plots
+    return plots.error_map(a.bin)
+
+
+def figure14(a):
+    import figure14_bench
+    import peer as driver
+    without = driver.missing(peer_source(a))
+    if without:
+        print(f'figure14: without the peer: {without}', file=sys.stderr)
+    return figure14_bench.tables(a.bin, [1, 2, 3, 4, 5], None if without else peer_source(a))
 
 
 def peer(a):
-    if not a.peer_source or not os.path.exists(a.peer_source):
-        return f'--peer-source: no such file: {a.peer_source}'
-    if not os.path.isdir('/usr/include/CGAL'):
-        return 'CGAL is not installed (Debian: libcgal-dev)'
-    import peer_bench  # needs numpy
-    return peer_bench.tables(a.bin, a.peer_source, a.runs)
+    import peer as driver
+    reason = absent('numpy', 'scipy') or driver.missing(peer_source(a))
+    if reason:
+        return reason
+    import peer_bench
+    return peer_bench.tables(a.bin, peer_source(a), a.runs)
 
 
-BENCHES = {'survey': survey, 'tile': tile, 'scene': scene, 'figure14': figure14, 'peer': peer}
+def hole(a):
+    if not a.peers:
+        return '--peers is not given'
+    return hole_bench.missing(a.peers) or hole_bench.tables(a.bin, a.peers, a.build, a.runs)
+
+
+def growth(table):
+    """The picture of a table that is on the page."""
+    reason = absent('numpy', 'matplotlib')
+    if reason:
+        print(f'SKIPPED growth.png: {reason}', file=sys.stderr)
+        return
+    import plots
+    plots.growth(table)
+
+
+BENCHES = {'survey': survey, 'tile': tile, 'scene': scene, 'partition': with_truth(partition),
+           'surface': with_truth(surface), 'map': with_truth(error_map, 'matplotlib'), 'figure14': with_truth(figure14),
+           'peer': peer, 'hole': hole}
+PICTURES = {'hole': growth}
+ROUNDS = {'partition': 'one run a row', 'surface': 'one run a row', 'map': 'one run', 'figure14': 'one run a row'}
 
 
 def runs(name, a):
     if name == 'survey':
         return f'{rounds(a)} rounds'
-    return 'one run a seed' if name == 'figure14' else f'{a.runs} runs'
+    return ROUNDS.get(name, f'{a.runs} runs')
 
 
 def put(page, name, text):
@@ -86,7 +148,8 @@ def main():
     parser.add_argument('--bin', default=measure.BIN)
     parser.add_argument('--runs', type=int, default=5)
     parser.add_argument('--only', type=lambda t: t.split(','), default=list(BENCHES))
-    parser.add_argument('--peer-source')
+    parser.add_argument('--peers')
+    parser.add_argument('--build', default=hole_bench.BUILD)
     parser.add_argument('--dry-run', action='store_true')
     a = parser.parse_args()
     if set(a.only) - set(BENCHES):
@@ -102,6 +165,8 @@ def main():
         print(f'{name}: {note}\n{text}\n', flush=True)
         if a.dry_run:
             continue
+        if name in PICTURES:
+            PICTURES[name](text)
         with open(PAGE, encoding='utf-8') as file:
             page = file.read()
         with open(PAGE, 'w', encoding='utf-8') as file:
