@@ -239,8 +239,12 @@ absl::StatusOr<v1::Job> CoordinatorImpl::CancelJob(const v1::CancelJobRequest& r
   Lock lock(mutex_);
   TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
   if (job->state == JobState::kCancelled) return Describe(*job);
+  JobRunner* runner = IsOver(job->state) ? nullptr : entries_.at(job->id).runner.get();
+  if (runner != nullptr && !runner->Cancel()) {
+    return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(request.name(), ": too late, it is just ending")),
+                         {"JOB_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
+  }
   TILEMEND_RETURN_IF_ERROR(Apply(JobCancelled{job->id, options_.clock()}).status());
-  if (JobRunner* runner = entries_.at(job->id).runner.get(); runner != nullptr) runner->Cancel();
   metrics_.Show(state_);
   Changed();
   return Describe(*job);

@@ -79,12 +79,13 @@ class JobPipeline {
 
   virtual Progress GetProgress() const = 0;
 
-  // Writes what is written at the end. Called once, last, unless the job failed or was cancelled.
+  // Writes what is written at the end. Called once, last, unless the job failed or was cancelled. What it wrote is
+  // complete only if no Cancel was taken.
   virtual absl::StatusOr<JobOutcome> Finish() = 0;
 
-  // From another thread, at any time: the job was cancelled, a running call should return soon (with any status).
-  // Nothing half-written may stay.
-  virtual void Cancel() {}
+  // From another thread, at any time: the job is to be cancelled, a running call should return soon (with any status).
+  // Nothing half-written may stay. False if it comes too late: then Finish has completed the output and succeeds.
+  virtual bool Cancel() { return true; }
 };
 
 // Makes the pipeline of one job; runs on the job's thread, so it may read the scene. kNotFound, kInvalidArgument, ...

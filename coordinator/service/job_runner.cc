@@ -29,11 +29,13 @@ void JobRunner::Deliver(SettledTask task, std::optional<std::string> content) {
   changed_.notify_one();
 }
 
-void JobRunner::Cancel() {
+bool JobRunner::Cancel() {
   std::lock_guard<std::mutex> lock(mutex_);
-  if (std::exchange(cancelled_, true)) return;
-  if (pipeline_ != nullptr) pipeline_->Cancel();
+  if (cancelled_) return true;
+  if (too_late_ || (pipeline_ != nullptr && !pipeline_->Cancel())) return false;
+  cancelled_ = true;
   changed_.notify_one();
+  return true;
 }
 
 void JobRunner::Run() {
@@ -66,6 +68,7 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline() {
   const auto forget = absl::MakeCleanup([this] {
     std::lock_guard<std::mutex> lock(mutex_);
     pipeline_ = nullptr;
+    too_late_ = !cancelled_;
   });
   return DrivePipeline(*pipeline);
 }

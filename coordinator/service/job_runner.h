@@ -41,7 +41,8 @@ class JobRunner {
   // Bytes of content that wait for the pipeline.
   size_t queued_bytes() const { return queued_bytes_.load(); }
 
-  void Cancel();
+  // False if the pipeline has come to its end before: the job ends as it was about to.
+  bool Cancel();
 
   // True once nothing runs any more.
   bool ended() const { return ended_.load(); }
@@ -71,6 +72,7 @@ class JobRunner {
   std::condition_variable changed_;
   std::deque<Delivery> deliveries_;
   bool cancelled_ = false;
+  bool too_late_ = false;            // to cancel
   JobPipeline* pipeline_ = nullptr;  // while it may be cancelled
   std::thread thread_;               // last: it uses the others
 };

@@ -81,7 +81,7 @@ class ScenePipeline : public JobPipeline {
     return progress;
   }
 
-  void Cancel() override { cancelled_ = true; }
+  bool Cancel() override { return EndAs(End::kCancelled); }
 
   absl::StatusOr<JobOutcome> Finish() override {
     report_.plan = &plan_;
@@ -102,6 +102,13 @@ class ScenePipeline : public JobPipeline {
 
  private:
   enum class Wave { kSurvey, kCluster, kSample, kFill, kAssemble };
+  enum class End { kOpen, kCancelled, kComplete };
+
+  // Whether the output ends so: it is complete, or the job was cancelled, whichever came first.
+  bool EndAs(End end) {
+    End open = End::kOpen;
+    return end_.compare_exchange_strong(open, end) || open == end;
+  }
 
   absl::Status FinishOutput(JobOutcome& outcome) {
     if (scene_.found_by_name) {
@@ -112,7 +119,7 @@ class ScenePipeline : public JobPipeline {
     }
     outcome.report = absl::StrCat(output_->path(), "/report.json");
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
-    if (cancelled_) {
+    if (!EndAs(End::kComplete)) {
       TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
       return absl::CancelledError("the job was cancelled");
     }
@@ -412,7 +419,7 @@ class ScenePipeline : public JobPipeline {
   int32_t layer_ = 0;
   size_t waiting_ = 0;
   bool done_ = false;
-  std::atomic<bool> cancelled_{false};
+  std::atomic<End> end_{End::kOpen};
   int64_t cells_done_ = 0;
   std::string phase_;
   Stopwatch watch_;

@@ -4,8 +4,12 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
+#include <memory>
 
+#include "absl/synchronization/notification.h"
 #include "common/rpc/status_proto.h"
+#include "common/util/error_info.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 #include "coordinator/service/scene_pipeline.h"
@@ -136,6 +140,72 @@ TEST_F(SceneFailureTest, ResultsThatNameNoHoleFailTheJobOnly) {
       });
   EXPECT_EQ(job.state(), v1::FAILED);
   EXPECT_THAT(job.error().message(), HasSubstr("cannot be read"));
+}
+
+// The pipeline of a scene, but for a call before and one after its Finish.
+class FinishWatcher : public JobPipeline {
+ public:
+  FinishWatcher(std::unique_ptr<JobPipeline> pipeline, std::function<void()> before, std::function<void()> after)
+      : pipeline_(std::move(pipeline)), before_(std::move(before)), after_(std::move(after)) {}
+  absl::StatusOr<std::vector<NewTask>> Start() override { return pipeline_->Start(); }
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+    return pipeline_->OnTaskDone(std::move(result));
+  }
+  bool Done() const override { return pipeline_->Done(); }
+  Progress GetProgress() const override { return pipeline_->GetProgress(); }
+  bool Cancel() override { return pipeline_->Cancel(); }
+  absl::StatusOr<JobOutcome> Finish() override {
+    before_();
+    auto outcome = pipeline_->Finish();
+    after_();
+    return outcome;
+  }
+
+ private:
+  const std::unique_ptr<JobPipeline> pipeline_;
+  const std::function<void()> before_, after_;
+};
+
+// A job is cancelled, or its output is complete: never both, never neither.
+TEST(SceneCancelTest, AtTheVeryEndItIsCancelledOrComplete) {
+  for (const bool before : {true, false}) {
+    absl::StatusOr<v1::Job> cancelled = absl::UnknownError("not tried");
+    absl::Notification finished;
+    TestCluster* all = nullptr;
+    const auto cancel = [&] {
+      v1::CancelJobRequest request;
+      request.set_name(all->impl().ListJobs({})->jobs(0).name());
+      cancelled = all->impl().CancelJob(request);
+    };
+    ClusterOptions options;
+    options.factory = [&, scenes = ScenePipelineFactory()](const JobSpec& spec) {
+      auto pipeline = scenes(spec);
+      if (!pipeline.ok()) return pipeline;
+      const auto at_start = [&] {
+        if (before) cancel();
+      };
+      const auto at_end = [&] {
+        if (!before) cancel();
+        finished.Notify();
+      };
+      return absl::StatusOr<std::unique_ptr<JobPipeline>>(
+          std::make_unique<FinishWatcher>(*std::move(pipeline), at_start, at_end));
+    };
+    TestCluster cluster(options);
+    all = &cluster;
+    const std::string scene = cluster.folder() / "scene";
+    WriteMade(SmallScene(Cut::kClipped), scene);
+    cluster.AddWorker("worker", 2, SceneStageRunner());
+    const std::string name = cluster.Submit(scene).name();
+    const v1::Job job = cluster.WaitFor(name);
+    finished.WaitForNotification();  // a cancelled job is over before
+    EXPECT_EQ(cancelled.ok(), before) << cancelled.status();
+    EXPECT_EQ(job.state(), before ? v1::CANCELLED : v1::DONE);
+    EXPECT_EQ(ErrorReason(cancelled.status()), before ? "" : "JOB_OVER");
+    const std::string out = job.spec().out();
+    EXPECT_EQ(std::filesystem::exists(out + "/.tilemend-job"), before);
+    EXPECT_EQ(std::filesystem::exists(out + "/report.json"), !before);
+  }
 }
 
 }  // namespace
