@@ -94,8 +94,8 @@ class ScenePipeline : public JobPipeline {
     const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
     outcome.partial = holes_left && !spec_.dry_run;
     outcome.message = spec_.dry_run ? absl::StrCat(plan_.holes.size(), " holes found, nothing written")
-                                    : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled, ",
-                                                   left.size(), " rows left");
+                                    : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled",
+                                                   left.empty() ? "" : "; the report lists what is left open");
     if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(outcome));
     return outcome;
   }
