@@ -29,7 +29,8 @@ constexpr size_t kLeastBlocks = 4;
 constexpr double kThinning = 1.2;
 constexpr double kStandardErrors = 0.75;
 constexpr double kWidthShare = 0.5;
-// Variance of the samples, over the kernel's range: the matrix stays positive definite where points all but coincide.
+// Variance of a sample, over the largest of the kernel: the matrix stays positive definite where points all but
+// coincide.
 constexpr double kNugget = 1e-12;
 
 using BlockKey = std::pair<int64_t, int64_t>;
@@ -156,10 +157,11 @@ Eigen::MatrixXd InverseOf(const std::vector<Point3>& samples, double width, doub
     for (Eigen::Index j = 0; j < i; ++j) {
       matrix(i, j) = matrix(j, i) = Kernel((samples[i] - samples[j]).head<2>().norm() / width, tension);
     }
-    matrix(i, i) = Kernel(0, tension) + kNugget;
+    matrix(i, i) = Kernel(0, tension);
     drift(i, 0) = 1;
     for (Eigen::Index k = 1; k < drift_count; ++k) drift(i, k) = (samples[i] - samples[0])[k - 1] / width;
   }
+  matrix.diagonal().array() += kNugget * matrix.cwiseAbs().maxCoeff();
   const Eigen::HouseholderQR<Eigen::MatrixXd> reflections(drift);
   matrix.applyOnTheLeft(reflections.householderQ().adjoint());
   matrix.applyOnTheRight(reflections.householderQ());
