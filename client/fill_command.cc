@@ -12,6 +12,7 @@
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "common/util/files.h"
+#include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "coordinator/plan/cell_work.h"
@@ -75,6 +76,7 @@ absl::StatusOr<Filled> FillMesh(const std::string& path, const FillOptions& opti
   report.cells = 1;
   report.given_tension = options.tension;
   report.surface = options.surface == Surface::kThinPlate ? "thin-plate" : "wang";
+  KeepHeap();
   Stopwatch watch;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));

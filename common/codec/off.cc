@@ -19,70 +19,29 @@ struct TextRange {
   size_t end = 0;
 };
 
-// Where the parts of a file lie.
-struct OffLayout {
-  TextRange vertex_count;  // the header's number
+struct OffHeader {
+  int64_t vertices = 0;
+  int64_t faces = 0;
+  TextRange vertex_count;  // the number of vertices in the text
   TextRange face_count;
-  int extra_columns = 0;                // of a vertex, by the keyword
-  bool vertex_lines = true;             // a vertex a line, else several
-  bool face_lines = true;               // a face a line, else several
-  std::vector<TextRange> vertex_extra;  // per vertex: from its third coordinate to its last column
-  size_t vertices_end = 0;              // just after the last vertex: its line with the ending, or its last column
-  size_t faces_end = 0;                 // just after the last face, likewise
+  int extra_columns = 0;  // of a vertex, by the keyword
 };
 
-class OffReader {
+// Goes through the text of a file: the header, then tokens and lines.
+class OffCursor {
  public:
-  // `layout`, if given, is filled.
-  OffReader(std::string_view bytes, const std::string& name, OffLayout* layout)
+  OffCursor(std::string_view bytes, const std::string& name)
       : bytes_(bytes),
         name_(name),
-        layout_(layout),
         newline_(LineEndingOf(bytes) == "\r" ? '\r' : '\n'),
         p_(bytes.data()),
-        end_(bytes.data() + bytes.size()) {
-    file_.format = MeshFormat::kOff;
-    file_.file_bytes = static_cast<int64_t>(bytes.size());
-  }
+        end_(bytes.data() + bytes.size()) {}
 
-  absl::StatusOr<MeshFile> Read() {
-    TILEMEND_RETURN_IF_ERROR(CheckLineLengths());
-    TILEMEND_RETURN_IF_ERROR(ReadKeyword());
-    TextRange where;
-    TILEMEND_ASSIGN_OR_RETURN(const int64_t vertices, ReadCount("the number of vertices", &where));
-    own_layout_.vertex_count = where;
-    TILEMEND_ASSIGN_OR_RETURN(const int64_t faces, ReadCount("the number of faces", &where));
-    own_layout_.face_count = where;
-    TILEMEND_RETURN_IF_ERROR(ReadCount("the number of edges", &where).status());
-    TILEMEND_RETURN_IF_ERROR(CheckCounts(vertices, faces));
-    TILEMEND_RETURN_IF_ERROR(ReadVertices(vertices, faces));
-    TILEMEND_RETURN_IF_ERROR(ReadFaces(faces));
-    if (layout_ != nullptr) *layout_ = std::move(own_layout_);
-    return std::move(file_);
-  }
-
- private:
+ protected:
   size_t Offset() const { return static_cast<size_t>(p_ - bytes_.data()); }
   absl::Status Expected(std::string_view what) const { return LineError(name_, bytes_, Offset(), what); }
   bool IsTokenEnd(const char* p) const { return p == end_ || IsSpace(*p) || *p == '#'; }
   bool AtLineEnd() const { return p_ == end_ || *p_ == newline_ || *p_ == '#'; }
-
-  absl::Status CheckLineLengths() const {
-    for (const char* line = p_; line < end_;) {
-      const char* stop = FindLineEnd(line);
-      if (static_cast<size_t>(stop - line) > kMaxLineBytes) {
-        return LineProblem(name_, bytes_, static_cast<size_t>(line - bytes_.data()),
-                           absl::StrCat("the line is longer than ", kMaxLineBytes, " bytes"));
-      }
-      line = stop == end_ ? end_ : stop + 1;
-    }
-    return absl::OkStatus();
-  }
-
-  const char* FindLineEnd(const char* from) const {
-    const void* found = from == end_ ? nullptr : std::memchr(from, newline_, static_cast<size_t>(end_ - from));
-    return found == nullptr ? end_ : static_cast<const char*>(found);
-  }
 
   void SkipBlanks() {
     while (p_ < end_ && IsSpace(*p_) && *p_ != newline_) ++p_;
@@ -95,17 +54,61 @@ class OffReader {
   void SkipToToken() {
     for (SkipBlanks(); p_ < end_ && AtLineEnd(); SkipBlanks()) SkipLine();
   }
+  void SkipToken() {
+    while (!IsTokenEnd(p_)) ++p_;
+  }
 
   // Lines from here on that hold more than a comment.
   int64_t CountDataLines() const {
-    OffReader ahead(bytes_, name_, nullptr);
-    ahead.p_ = p_;
+    OffCursor ahead = *this;
     int64_t lines = 0;
     for (ahead.SkipToToken(); ahead.p_ < end_; ahead.SkipToToken()) {
       ++lines;
       ahead.SkipLine();
     }
     return lines;
+  }
+
+  absl::Status ReadHeader() {
+    TILEMEND_RETURN_IF_ERROR(CheckLineLengths());
+    TILEMEND_RETURN_IF_ERROR(ReadKeyword());
+    TILEMEND_ASSIGN_OR_RETURN(header_.vertices, ReadCount("the number of vertices", &header_.vertex_count));
+    TILEMEND_ASSIGN_OR_RETURN(header_.faces, ReadCount("the number of faces", &header_.face_count));
+    TextRange unused;
+    TILEMEND_RETURN_IF_ERROR(ReadCount("the number of edges", &unused).status());
+    TILEMEND_RETURN_IF_ERROR(CheckCounts());
+    data_lines_ = CountDataLines();
+    return absl::OkStatus();
+  }
+
+  // Whether vertices, and faces after all vertices are read, have a line each; else several share one.
+  bool VertexLines() const { return data_lines_ >= header_.vertices + header_.faces; }
+  bool FaceLines() const {
+    return (VertexLines() ? data_lines_ - header_.vertices : CountDataLines()) >= header_.faces;
+  }
+
+  const std::string_view bytes_;
+  const std::string& name_;
+  const char newline_;
+  const char* p_;
+  const char* const end_;
+  OffHeader header_;
+
+ private:
+  absl::Status CheckLineLengths() const {
+    for (size_t line = 0; bytes_.size() - line > kMaxLineBytes;) {
+      const size_t last = bytes_.substr(line, kMaxLineBytes + 1).rfind(newline_);
+      if (last == std::string_view::npos) {
+        return LineProblem(name_, bytes_, line, absl::StrCat("the line is longer than ", kMaxLineBytes, " bytes"));
+      }
+      line += last + 1;
+    }
+    return absl::OkStatus();
+  }
+
+  const char* FindLineEnd(const char* from) const {
+    const void* found = from == end_ ? nullptr : std::memchr(from, newline_, static_cast<size_t>(end_ - from));
+    return found == nullptr ? end_ : static_cast<const char*>(found);
   }
 
   absl::Status ReadKeyword() {
@@ -118,9 +121,9 @@ class OffReader {
       if (found) length += prefix.size();
       return found;
     };
-    if (take("ST")) own_layout_.extra_columns += 2;
-    if (take("C")) own_layout_.extra_columns += 4;
-    if (take("N")) own_layout_.extra_columns += 3;
+    if (take("ST")) header_.extra_columns += 2;
+    if (take("C")) header_.extra_columns += 4;
+    if (take("N")) header_.extra_columns += 3;
     if (!take("OFF")) return Expected("OFF, COFF, NOFF or STOFF");
     p_ += length;
     return absl::OkStatus();
@@ -139,32 +142,49 @@ class OffReader {
   }
 
   // The shortest vertex is "0 0 0", the shortest face "0", each with a separator.
-  absl::Status CheckCounts(int64_t vertices, int64_t faces) const {
+  absl::Status CheckCounts() const {
     constexpr int64_t kLeastVertexBytes = 6;
     constexpr int64_t kLeastFaceBytes = 2;
-    if (vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no vertices"));
-    if (vertices * kLeastVertexBytes + faces * kLeastFaceBytes > end_ - p_ + 1) {
-      return LineProblem(name_, bytes_, own_layout_.vertex_count.begin,
-                         absl::StrCat("expected data of ", vertices, " vertices and ", faces, " faces, found only ",
-                                      end_ - p_, " bytes"));
+    if (header_.vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no vertices"));
+    if (header_.vertices * kLeastVertexBytes + header_.faces * kLeastFaceBytes > end_ - p_ + 1) {
+      return LineProblem(name_, bytes_, header_.vertex_count.begin,
+                         absl::StrCat("expected data of ", header_.vertices, " vertices and ", header_.faces,
+                                      " faces, found only ", end_ - p_, " bytes"));
     }
     return absl::OkStatus();
   }
 
-  absl::Status ReadVertices(int64_t count, int64_t faces) {
-    own_layout_.vertex_lines = CountDataLines() >= count + faces;
-    file_.mesh.points.reserve(static_cast<size_t>(count));
-    if (layout_ != nullptr) own_layout_.vertex_extra.reserve(static_cast<size_t>(count));
-    for (int64_t k = 0; k < count; ++k) TILEMEND_RETURN_IF_ERROR(ReadVertex());
-    own_layout_.vertices_end = own_layout_.faces_end = Offset();
-    return absl::OkStatus();
+  int64_t data_lines_ = 0;  // after the header
+};
+
+class OffReader : private OffCursor {
+ public:
+  OffReader(std::string_view bytes, const std::string& name) : OffCursor(bytes, name) {
+    file_.format = MeshFormat::kOff;
+    file_.file_bytes = static_cast<int64_t>(bytes.size());
   }
 
+  absl::StatusOr<MeshFile> Read() {
+    TILEMEND_RETURN_IF_ERROR(ReadHeader());
+    vertex_lines_ = VertexLines();
+    file_.mesh.points.reserve(static_cast<size_t>(header_.vertices));
+    for (int64_t k = 0; k < header_.vertices; ++k) TILEMEND_RETURN_IF_ERROR(ReadVertex());
+    face_lines_ = FaceLines();
+    // A triangle takes at least "3 0 1 2".
+    file_.mesh.triangles.reserve(static_cast<size_t>(std::min<int64_t>(header_.faces, (end_ - p_) / 7 + 1)));
+    for (int64_t k = 0; k < header_.faces; ++k) TILEMEND_RETURN_IF_ERROR(ReadFace());
+    if (face_lines_) return std::move(file_);
+    SkipToToken();
+    if (p_ < end_) return Expected(absl::StrCat("the end after ", header_.faces, " faces"));
+    return std::move(file_);
+  }
+
+ private:
   absl::Status ReadVertex() {
     SkipToToken();
     Point3 point;
     for (int axis = 0; axis < 3; ++axis) {
-      own_layout_.vertex_lines ? SkipBlanks() : SkipToToken();
+      vertex_lines_ ? SkipBlanks() : SkipToToken();
       const ParsedDouble number = ParseDoubleAt(p_, end_);
       if (number.stop == nullptr || !IsTokenEnd(number.stop)) return Expected("a coordinate");
       if (!IsValidCoordinate(number.value)) return Expected("a coordinate of at most 1e9 m");
@@ -172,37 +192,15 @@ class OffReader {
       p_ = number.stop;
     }
     file_.mesh.points.push_back(point);
-    TextRange extra{Offset(), Offset()};
-    if (own_layout_.vertex_lines) {
-      for (SkipBlanks(); !AtLineEnd(); SkipBlanks()) extra.end = SkipToken();
+    if (vertex_lines_) {
       SkipLine();
-    } else {
-      for (int column = 0; column < own_layout_.extra_columns; ++column) {
-        SkipToToken();
-        if (p_ == end_) return Expected("a further column of a vertex");
-        extra.end = SkipToken();
-      }
+      return absl::OkStatus();
     }
-    if (layout_ != nullptr) own_layout_.vertex_extra.push_back(extra);
-    return absl::OkStatus();
-  }
-
-  size_t SkipToken() {
-    while (!IsTokenEnd(p_)) ++p_;
-    return Offset();
-  }
-
-  absl::Status ReadFaces(int64_t count) {
-    own_layout_.face_lines = CountDataLines() >= count;
-    // A triangle takes at least "3 0 1 2".
-    file_.mesh.triangles.reserve(static_cast<size_t>(std::min<int64_t>(count, (end_ - p_) / 7 + 1)));
-    for (int64_t k = 0; k < count; ++k) {
-      TILEMEND_RETURN_IF_ERROR(ReadFace());
-      own_layout_.faces_end = Offset();
+    for (int column = 0; column < header_.extra_columns; ++column) {
+      SkipToToken();
+      if (p_ == end_) return Expected("a further column of a vertex");
+      SkipToken();
     }
-    if (own_layout_.face_lines) return absl::OkStatus();
-    SkipToToken();
-    if (p_ < end_) return Expected(absl::StrCat("the end after ", count, " faces"));
     return absl::OkStatus();
   }
 
@@ -210,7 +208,7 @@ class OffReader {
     SkipToToken();
     const ParsedInteger count = ParseIntegerAt(p_, end_);
     // With several faces on a line, a face without corners is more likely a colour that was left over.
-    const int64_t least = own_layout_.face_lines ? 0 : 1;
+    const int64_t least = face_lines_ ? 0 : 1;
     if (count.stop == nullptr || !IsTokenEnd(count.stop) || count.value < least || count.value > kMaxListCount) {
       return Expected("the number of corners of a face");
     }
@@ -218,7 +216,7 @@ class OffReader {
     corners_.clear();
     const int64_t vertices = static_cast<int64_t>(file_.mesh.points.size());
     for (int64_t k = 0; k < count.value; ++k) {
-      own_layout_.face_lines ? SkipBlanks() : SkipToToken();
+      face_lines_ ? SkipBlanks() : SkipToToken();
       const ParsedInteger index = ParseIntegerAt(p_, end_);
       if (index.stop == nullptr || !IsTokenEnd(index.stop) || index.value < 0 || index.value >= vertices) {
         return Expected(absl::StrCat("a vertex index in 0 to ", vertices - 1));
@@ -227,19 +225,75 @@ class OffReader {
       p_ = index.stop;
     }
     AddPolygon(corners_, file_);
-    if (own_layout_.face_lines) SkipLine();
+    if (face_lines_) SkipLine();
     return absl::OkStatus();
   }
 
-  const std::string_view bytes_;
-  const std::string& name_;
-  OffLayout* const layout_;
-  const char newline_;
-  const char* p_;
-  const char* const end_;
   MeshFile file_;
-  OffLayout own_layout_;
+  bool vertex_lines_ = true;
+  bool face_lines_ = true;
   std::vector<int32_t> corners_;
+};
+
+// Where the parts of a file lie.
+struct OffLayout {
+  OffHeader header;
+  bool vertex_lines = true;    // a vertex a line, else several
+  bool face_lines = true;      // a face a line, else several
+  std::vector<size_t> vertex;  // per vertex: its first column
+  size_t vertices_end = 0;     // just after the last vertex: its line with the ending, or its last column
+  size_t faces_end = 0;        // just after the last face, likewise
+};
+
+// Finds the parts of a file that OffReader reads, without reading a coordinate or an index again.
+class OffLayoutFinder : private OffCursor {
+ public:
+  using OffCursor::OffCursor;
+
+  absl::StatusOr<OffLayout> Find() {
+    TILEMEND_RETURN_IF_ERROR(ReadHeader());
+    layout_.header = header_;
+    layout_.vertex_lines = VertexLines();
+    layout_.vertex.reserve(static_cast<size_t>(header_.vertices));
+    for (int64_t k = 0; k < header_.vertices; ++k) {
+      SkipToToken();
+      if (p_ == end_) return Expected("a coordinate");
+      layout_.vertex.push_back(Offset());
+      layout_.vertex_lines ? SkipLine() : SkipTokens(kCoordinates + header_.extra_columns);
+    }
+    layout_.vertices_end = layout_.faces_end = Offset();
+    layout_.face_lines = FaceLines();
+    for (int64_t k = 0; k < header_.faces; ++k) {
+      SkipToToken();
+      if (p_ == end_) return Expected("the number of corners of a face");
+      layout_.face_lines ? SkipLine()
+                         : SkipTokens(1 + std::clamp<int64_t>(ParseIntegerAt(p_, end_).value, 0, kMaxListCount));
+      layout_.faces_end = Offset();
+    }
+    return std::move(layout_);
+  }
+
+  // The further columns of a vertex, each after a space.
+  std::string FurtherColumnsOf(const OffLayout& layout, int32_t vertex) {
+    p_ = bytes_.data() + layout.vertex[static_cast<size_t>(vertex)];
+    SkipTokens(kCoordinates);
+    const size_t begin = Offset();
+    layout.vertex_lines ? SkipLine() : SkipTokens(layout.header.extra_columns);
+    return FurtherColumns(bytes_.substr(begin, Offset() - begin), newline_, true);
+  }
+
+ private:
+  static constexpr int kCoordinates = 3;
+
+  // To the end of the last of `count` tokens.
+  void SkipTokens(int64_t count) {
+    for (int64_t k = 0; k < count && p_ < end_; ++k) {
+      SkipToToken();
+      SkipToken();
+    }
+  }
+
+  OffLayout layout_;
 };
 
 // Writes the records of a patch so that the file keeps its way of lines: where records have lines of their own, so have
@@ -265,8 +319,8 @@ class RecordWriter {
   bool first_ = true;
 };
 
-void AppendVertices(std::string_view bytes, const FilePatch& patch, const OffLayout& layout, std::string& out) {
-  const std::string_view eol = LineEndingOf(bytes);
+void AppendVertices(std::string_view eol, const FilePatch& patch, const OffLayout& layout, OffLayoutFinder& finder,
+                    std::string& out) {
   RecordWriter writer(layout.vertex_lines, eol, out);
   for (size_t k = 0; k < patch.new_points.size(); ++k) {
     writer.Begin();
@@ -275,10 +329,9 @@ void AppendVertices(std::string_view bytes, const FilePatch& patch, const OffLay
       AppendNumber(patch.new_points[k][axis], out);
     }
     if (patch.like[k] >= 0) {
-      const TextRange extra = layout.vertex_extra[static_cast<size_t>(patch.like[k])];
-      out += FurtherColumns(bytes.substr(extra.begin, extra.end - extra.begin), eol.back(), true);
+      out += finder.FurtherColumnsOf(layout, patch.like[k]);
     } else {
-      for (int column = 0; column < layout.extra_columns; ++column) out += " 0";
+      for (int column = 0; column < layout.header.extra_columns; ++column) out += " 0";
     }
     writer.End();
   }
@@ -300,16 +353,14 @@ void AppendFaces(std::string_view eol, const FilePatch& patch, bool own_lines, s
 }  // namespace
 
 absl::StatusOr<MeshFile> ParseOff(std::string_view bytes, const std::string& name) {
-  return OffReader(bytes, name, nullptr).Read();
+  return OffReader(bytes, name).Read();
 }
 
 absl::StatusOr<std::string> AppendToOff(std::string_view bytes, const FilePatch& patch, const std::string& name) {
-  OffLayout layout;
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, OffReader(bytes, name, &layout).Read());
-  TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, file.mesh.points.size(), name));
-  const auto count_of = [bytes](TextRange range) {
-    return ParseIntegerAt(bytes.data() + range.begin, bytes.data() + range.end).value;
-  };
+  OffLayoutFinder finder(bytes, name);
+  TILEMEND_ASSIGN_OR_RETURN(const OffLayout layout, finder.Find());
+  TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, layout.vertex.size(), name));
+  const std::string_view eol = LineEndingOf(bytes);
   constexpr size_t kBytesPerRecord = 64;  // a usual vertex line, to reserve for
   std::string out;
   out.reserve(bytes.size() + kBytesPerRecord * (patch.new_points.size() + patch.triangles.size() + 1));
@@ -318,16 +369,16 @@ absl::StatusOr<std::string> AppendToOff(std::string_view bytes, const FilePatch&
     out += bytes.substr(done, offset - done);
     done = offset;
   };
-  copy_to(layout.vertex_count.begin);
-  AppendNumber(count_of(layout.vertex_count) + static_cast<int64_t>(patch.new_points.size()), out);
-  done = layout.vertex_count.end;
-  copy_to(layout.face_count.begin);
-  AppendNumber(count_of(layout.face_count) + static_cast<int64_t>(patch.triangles.size()), out);
-  done = layout.face_count.end;
+  copy_to(layout.header.vertex_count.begin);
+  AppendNumber(layout.header.vertices + static_cast<int64_t>(patch.new_points.size()), out);
+  done = layout.header.vertex_count.end;
+  copy_to(layout.header.face_count.begin);
+  AppendNumber(layout.header.faces + static_cast<int64_t>(patch.triangles.size()), out);
+  done = layout.header.face_count.end;
   copy_to(layout.vertices_end);
-  if (!patch.new_points.empty()) AppendVertices(bytes, patch, layout, out);
+  if (!patch.new_points.empty()) AppendVertices(eol, patch, layout, finder, out);
   copy_to(layout.faces_end);
-  if (!patch.triangles.empty()) AppendFaces(LineEndingOf(bytes), patch, layout.face_lines, out);
+  if (!patch.triangles.empty()) AppendFaces(eol, patch, layout.face_lines, out);
   copy_to(bytes.size());
   return out;
 }

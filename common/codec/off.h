@@ -16,7 +16,8 @@ namespace tilemend {
 absl::StatusOr<MeshFile> ParseOff(std::string_view bytes, const std::string& name);
 
 // `bytes` with the counts updated, new vertices after the originals (with the further columns of the vertex that they
-// are like, or zeros) and new faces, without colour, after the last face.
+// are like, or zeros) and new faces, without colour, after the last face. Precondition: ParseOff takes `bytes`; numbers
+// are not read again.
 absl::StatusOr<std::string> AppendToOff(std::string_view bytes, const FilePatch& patch, const std::string& name);
 
 }  // namespace tilemend

@@ -13,7 +13,9 @@ bool HasRepeatedCorner(const std::vector<int32_t>& corners) {
   constexpr size_t kFewCorners = 8;  // up to here comparing all pairs beats sorting
   if (corners.size() <= kFewCorners) {
     for (size_t i = 1; i < corners.size(); ++i) {
-      if (std::find(corners.begin(), corners.begin() + i, corners[i]) != corners.begin() + i) return true;
+      for (size_t k = 0; k < i; ++k) {
+        if (corners[k] == corners[i]) return true;
+      }
     }
     return false;
   }

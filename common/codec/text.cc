@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <system_error>
 
 #include "absl/strings/str_cat.h"
 
@@ -25,14 +24,6 @@ void AppendChars(Number value, std::string& out) {
 }
 
 }  // namespace
-
-ParsedInteger ParseIntegerAt(const char* begin, const char* end) {
-  if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
-  ParsedInteger result;
-  const std::from_chars_result parsed = std::from_chars(begin, end, result.value);
-  if (parsed.ec == std::errc()) result.stop = parsed.ptr;
-  return result;
-}
 
 void AppendNumber(double value, std::string& out) { AppendChars(value, out); }
 void AppendNumber(int64_t value, std::string& out) { AppendChars(value, out); }

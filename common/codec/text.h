@@ -2,12 +2,14 @@
 #ifndef TILEMEND_COMMON_CODEC_TEXT_H_
 #define TILEMEND_COMMON_CODEC_TEXT_H_
 
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "absl/status/status.h"
 #include "fast_float/fast_float.h"
@@ -43,7 +45,13 @@ struct ParsedInteger {
   int64_t value = 0;
   const char* stop = nullptr;
 };
-ParsedInteger ParseIntegerAt(const char* begin, const char* end);
+inline ParsedInteger ParseIntegerAt(const char* begin, const char* end) {
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
+  ParsedInteger result;
+  const std::from_chars_result parsed = std::from_chars(begin, end, result.value);
+  if (parsed.ec == std::errc()) result.stop = parsed.ptr;
+  return result;
+}
 
 // Appends the shortest decimal text that reads back as `value`.
 void AppendNumber(double value, std::string& out);

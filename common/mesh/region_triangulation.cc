@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 
@@ -82,6 +81,7 @@ class RegionBuilder {
   std::vector<bool> used_;             // per point: a segment ends there
   std::vector<bool> skip_;             // per segment: reported already
   std::vector<int32_t> sorted_;        // segments by (from, to, index)
+  std::vector<int32_t> first_from_;    // per point: in sorted_, the first segment from it
   std::vector<int32_t> half_edge_of_;  // per segment: the half-edge that has it, in the triangle on its left
   std::vector<int32_t> part_;          // per triangle: the part of the plane between segments it belongs to
   struct FreePoint {
@@ -93,7 +93,11 @@ class RegionBuilder {
 };
 
 RegionBuilder::RegionBuilder(std::span<const LatticePoint> points, std::span<const RegionSegment> segments)
-    : segments_(segments), used_(points.size(), false), skip_(segments.size(), false), sorted_(segments.size()) {
+    : segments_(segments),
+      used_(points.size(), false),
+      skip_(segments.size(), false),
+      sorted_(segments.size()),
+      first_from_(points.size() + 1, 0) {
   const auto count = static_cast<int32_t>(points.size());
   mesh_.points.reserve(points.size());
   for (const LatticePoint& p : points) {
@@ -103,19 +107,21 @@ RegionBuilder::RegionBuilder(std::span<const LatticePoint> points, std::span<con
   for (const RegionSegment& s : segments_) {
     Require(s.from >= 0 && s.from < count && s.to >= 0 && s.to < count, "segment ends are points");
     used_[s.from] = used_[s.to] = true;
+    ++first_from_[s.from + 1];
   }
-  std::iota(sorted_.begin(), sorted_.end(), 0);
-  std::sort(sorted_.begin(), sorted_.end(), [&](int32_t a, int32_t b) {
-    return std::tie(segments_[a].from, segments_[a].to, a) < std::tie(segments_[b].from, segments_[b].to, b);
-  });
+  std::partial_sum(first_from_.begin(), first_from_.end(), first_from_.begin());
+  std::vector<int32_t> next(first_from_.begin(), first_from_.end() - 1);
+  for (size_t s = 0; s < segments_.size(); ++s) sorted_[next[segments_[s].from]++] = static_cast<int32_t>(s);
+  for (int32_t v = 0; v < count; ++v) {
+    std::sort(sorted_.begin() + first_from_[v], sorted_.begin() + first_from_[v + 1],
+              [&](int32_t a, int32_t b) { return std::pair(segments_[a].to, a) < std::pair(segments_[b].to, b); });
+  }
 }
 
 int32_t RegionBuilder::Find(int32_t u, int32_t v) const {
-  const auto it = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(u, v), [&](int32_t s, auto key) {
-    return std::pair(segments_[s].from, segments_[s].to) < key;
-  });
-  if (it == sorted_.end() || segments_[*it].from != u || segments_[*it].to != v) return -1;
-  return *it;
+  const auto begin = sorted_.begin() + first_from_[u], end = sorted_.begin() + first_from_[u + 1];
+  const auto it = std::lower_bound(begin, end, v, [&](int32_t s, int32_t to) { return segments_[s].to < to; });
+  return it == end || segments_[*it].to != v ? -1 : *it;
 }
 
 RegionMesh RegionBuilder::Build() && {

@@ -45,29 +45,33 @@ class PatchMerger {
   // Hands the tile's own vertices on from corner to corner, ring by ring from the rim.
   void SpreadLikes() {
     const auto like = [&](int32_t v) { return v < tile_vertices_ ? v : result_.like[v - tile_vertices_]; };
-    std::vector<std::vector<int32_t>> at(result_.like.size());
-    std::vector<int32_t> ring;
-    for (size_t t = 0; t < result_.triangles.size(); ++t) {
-      for (const int32_t v : result_.triangles[t]) {
-        if (v >= tile_vertices_) {
-          at[v - tile_vertices_].push_back(static_cast<int32_t>(t));
-        } else {
-          ring.push_back(static_cast<int32_t>(t));
-        }
+    const std::vector<Triangle>& triangles = result_.triangles;
+    std::vector<int32_t> ring, first(result_.like.size() + 1, 0);  // first: per new vertex, in `at`
+    for (size_t t = 0; t < triangles.size(); ++t) {
+      for (const int32_t v : triangles[t]) {
+        v >= tile_vertices_ ? void(++first[v - tile_vertices_ + 1]) : ring.push_back(static_cast<int32_t>(t));
+      }
+    }
+    for (size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    std::vector<int32_t> at(static_cast<size_t>(first.back())), next(first.begin(), first.end() - 1);
+    for (size_t t = 0; t < triangles.size(); ++t) {
+      for (const int32_t v : triangles[t]) {
+        if (v >= tile_vertices_) at[next[v - tile_vertices_]++] = static_cast<int32_t>(t);
       }
     }
     while (!ring.empty()) {
-      std::vector<int32_t> next;
+      std::vector<int32_t> next_ring;
       for (const int32_t t : ring) {
         int32_t known = -1;
-        for (const int32_t v : result_.triangles[t]) known = known < 0 ? like(v) : known;
-        for (const int32_t v : result_.triangles[t]) {
+        for (const int32_t v : triangles[t]) known = known < 0 ? like(v) : known;
+        for (const int32_t v : triangles[t]) {
           if (like(v) >= 0) continue;
-          result_.like[v - tile_vertices_] = known;
-          next.insert(next.end(), at[v - tile_vertices_].begin(), at[v - tile_vertices_].end());
+          const int32_t k = v - tile_vertices_;
+          result_.like[k] = known;
+          next_ring.insert(next_ring.end(), at.begin() + first[k], at.begin() + first[k + 1]);
         }
       }
-      ring = std::move(next);
+      ring = std::move(next_ring);
     }
   }
 

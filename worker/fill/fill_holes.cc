@@ -87,8 +87,9 @@ class HoleFiller {
     full_ring_.assign(rim_.size(), true);
     for (size_t i = 0; i < segments_.size(); ++i) {
       if (hole_.segments[i].seam) full_ring_[segments_[i].from] = full_ring_[segments_[i].to] = false;
-      boundary_.insert(Undirected(segments_[i].from, segments_[i].to));
+      boundary_.push_back(Undirected(segments_[i].from, segments_[i].to));
     }
+    std::sort(boundary_.begin(), boundary_.end());
   }
 
   const RimVertex& Rim(int32_t local) const { return cell_.vertices[rim_[local]]; }
@@ -125,7 +126,8 @@ class HoleFiller {
 
   // Whether a new edge may join two local vertices: the surface or the boundary may have it already.
   bool MayJoin(int32_t a, int32_t b) const {
-    return a != b && !boundary_.contains(Undirected(a, b)) && !band_.HasEdge(rim_[a], rim_[b]);
+    return a != b && !std::binary_search(boundary_.begin(), boundary_.end(), Undirected(a, b)) &&
+           !band_.HasEdge(rim_[a], rim_[b]);
   }
 
   // Triangulation, refinement, adjustment and fairing over the plane of `frame`.
@@ -172,14 +174,16 @@ class HoleFiller {
   // The triangle edges between two rim vertices, none of the segments around the triangles, that the surface, the
   // hole's boundary or a chord has already.
   std::set<Edge> RepeatedEdges(const std::vector<Triangle>& triangles, const CutBoundary& cut) const {
-    std::set<Edge> segments, repeated;
-    for (const RegionSegment& s : cut.segments) segments.insert(Undirected(s.from, s.to));
+    std::vector<Edge> segments;
+    for (const RegionSegment& s : cut.segments) segments.push_back(Undirected(s.from, s.to));
+    std::sort(segments.begin(), segments.end());
+    std::set<Edge> repeated;
     const std::set<Edge> taken = Chords(cut);
     const auto count = static_cast<int32_t>(rim_.size());
     for (const Triangle& t : triangles) {
       for (int k = 0; k < 3; ++k) {
         const int32_t a = t[k], b = t[(k + 1) % 3];
-        if (a > b || b >= count || segments.contains({a, b})) continue;
+        if (a > b || b >= count || std::binary_search(segments.begin(), segments.end(), Edge(a, b))) continue;
         if (taken.contains({a, b}) || !MayJoin(a, b)) repeated.insert({a, b});
       }
     }
@@ -370,10 +374,12 @@ class HoleFiller {
   // The band triangles at the hole's rim, in the frame.
   void AddBand(const ProjectionFrame& frame, FairingProblem& problem) const {
     std::unordered_map<int32_t, int32_t> number = local_;
-    std::set<int32_t> used;
+    std::vector<int32_t> used;
     for (size_t i = 0; i < rim_.size(); ++i) {
-      if (full_ring_[i]) used.insert(band_.At(rim_[i]).begin(), band_.At(rim_[i]).end());
+      if (full_ring_[i]) used.insert(used.end(), band_.At(rim_[i]).begin(), band_.At(rim_[i]).end());
     }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
     for (const int32_t t : used) {
       Triangle out;
       for (int k = 0; k < 3; ++k) {
@@ -512,7 +518,7 @@ class HoleFiller {
   std::unordered_map<int32_t, int32_t> local_;
   std::vector<RegionSegment> segments_;
   std::vector<bool> full_ring_;
-  std::set<Edge> boundary_;
+  std::vector<Edge> boundary_;  // sorted
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "worker/fill/hold_out.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +11,10 @@
 #include <numbers>
 #include <set>
 #include <unordered_map>
-#include <unsupported/Eigen/SpecialFunctions>
 #include <utility>
 #include <vector>
+
+#include "worker/fill/bessel_k0.h"
 
 namespace tilemend {
 namespace {
@@ -26,6 +29,9 @@ constexpr size_t kLeastBlocks = 4;
 constexpr double kThinning = 1.2;
 constexpr double kStandardErrors = 0.75;
 constexpr double kWidthShare = 0.5;
+// Variance of a sample, over the largest of the kernel: the matrix stays positive definite where points all but
+// coincide.
+constexpr double kNugget = 1e-12;
 
 using BlockKey = std::pair<int64_t, int64_t>;
 
@@ -63,6 +69,7 @@ std::vector<int32_t> Thinned(const ThinPlateProblem& problem, const std::vector<
     kept.clear();
     for (const int32_t v : rim) {
       if (taken.insert(KeyOf(problem.points[v], step, 0, 0)).second) kept.push_back(v);
+      if (kept.size() > kMostRimPoints) break;
     }
   }
   return kept;
@@ -70,25 +77,25 @@ std::vector<int32_t> Thinned(const ThinPlateProblem& problem, const std::vector<
 
 // The rim points and, for each, the farthest point beside it: the two together tell the slope there.
 std::vector<Point3> Samples(const ThinPlateProblem& problem, const std::vector<int32_t>& rim) {
-  std::map<int32_t, int32_t> beside;
-  for (const int32_t v : rim) beside.emplace(v, -1);
+  constexpr int32_t kNotAsked = -2, kNone = -1;
+  std::vector<int32_t> beside(problem.points.size(), kNotAsked);
+  for (const int32_t v : rim) beside[v] = kNone;
   const auto distance = [&](int32_t a, int32_t b) { return (problem.points[a] - problem.points[b]).head<2>().norm(); };
   for (const Triangle& t : problem.band) {
     for (const int32_t v : t) {
-      const auto it = beside.find(v);
-      if (it == beside.end()) continue;
+      int32_t& best = beside[v];
+      if (best == kNotAsked) continue;
       for (const int32_t u : t) {
         if (IsRim(problem, u)) continue;
-        int32_t& best = it->second;
         const double gain = best < 0 ? 1 : distance(v, u) - distance(v, best);
         if (gain > 0 || (gain == 0 && IsLess(problem.points[u], problem.points[best]))) best = u;
       }
     }
   }
   std::set<int32_t> used;
-  for (const auto& [v, u] : beside) {
+  for (const int32_t v : rim) {
     used.insert(v);
-    if (u >= 0) used.insert(u);
+    if (beside[v] != kNone) used.insert(beside[v]);
   }
   std::vector<Point3> samples;
   for (const int32_t v : used) samples.push_back(problem.points[v]);
@@ -117,27 +124,54 @@ double Kernel(double r, double tension) {
   constexpr double kFar = 30;  // K0 is below 1e-13 there, and slow
   // ln r + K0(x) tends to ln(2 / scale) - Euler's constant.
   const double value = x > kFar   ? std::log(r)
-                       : x > 1e-9 ? std::log(r) + Eigen::numext::bessel_k0(x)
+                       : x > 1e-9 ? std::log(r) + BesselK0(x)
                                   : std::log(2 / scale) - std::numbers::egamma;
   return -value / (2 * std::numbers::pi * tension);
 }
 
-// The inverse of the kriging matrix of the samples.
+// The inverse of a positive definite matrix. Both halves of the work, L^-1 and L^-T L^-1, leave out what is zero.
+Eigen::MatrixXd InverseOfPositive(const Eigen::MatrixXd& matrix) {
+  constexpr Eigen::Index kColumns = 32;
+  const Eigen::Index n = matrix.rows();
+  const Eigen::MatrixXd lower = matrix.llt().matrixL();
+  Eigen::MatrixXd lower_inverse = Eigen::MatrixXd::Zero(n, n), upper_half = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index j = 0; j < n; j += kColumns) {
+    const Eigen::Index width = std::min(kColumns, n - j);
+    auto columns = lower_inverse.block(j, j, n - j, width);
+    columns.setIdentity();
+    lower.bottomRightCorner(n - j, n - j).triangularView<Eigen::Lower>().solveInPlace(columns);
+    upper_half.block(0, j, j + width, width).noalias() =
+        lower_inverse.block(j, 0, n - j, j + width).transpose() * columns;
+  }
+  return upper_half.selfadjointView<Eigen::Upper>();
+}
+
+// The inverse of the kriging matrix of the samples, without the rows and columns of the drift. The kernel is positive
+// definite on what is orthogonal to the drift (Wahba 1990, 2.4), the last coordinates after reflections that take the
+// drift to the first.
 Eigen::MatrixXd InverseOf(const std::vector<Point3>& samples, double width, double tension) {
   const auto n = static_cast<Eigen::Index>(samples.size());
-  const Eigen::Index drift = tension == 0 ? 3 : 1;
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + drift, n + drift);
+  const Eigen::Index drift_count = tension == 0 ? 3 : 1;
+  Eigen::MatrixXd matrix(n, n), drift(n, drift_count);
   for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      const double r = (samples[i] - samples[j]).head<2>().norm() / width;
-      matrix(i, j) = matrix(j, i) = Kernel(r, tension);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      matrix(i, j) = matrix(j, i) = Kernel((samples[i] - samples[j]).head<2>().norm() / width, tension);
     }
-    matrix(i, n) = matrix(n, i) = 1;
-    for (Eigen::Index k = 1; k < drift; ++k) {
-      matrix(i, n + k) = matrix(n + k, i) = (samples[i] - samples[0])[k - 1] / width;
-    }
+    matrix(i, i) = Kernel(0, tension);
+    drift(i, 0) = 1;
+    for (Eigen::Index k = 1; k < drift_count; ++k) drift(i, k) = (samples[i] - samples[0])[k - 1] / width;
   }
-  return matrix.partialPivLu().inverse();
+  matrix.diagonal().array() += kNugget * matrix.cwiseAbs().maxCoeff();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> reflections(drift);
+  matrix.applyOnTheLeft(reflections.householderQ().adjoint());
+  matrix.applyOnTheRight(reflections.householderQ());
+  const Eigen::Index free = n - drift_count;
+  const Eigen::MatrixXd inverse = InverseOfPositive(matrix.bottomRightCorner(free, free));
+  matrix.setZero();
+  matrix.bottomRightCorner(free, free) = inverse;
+  matrix.applyOnTheLeft(reflections.householderQ());
+  matrix.applyOnTheRight(reflections.householderQ().adjoint());
+  return matrix;
 }
 
 // The mean |error| of each block of each division, when it is left out.
@@ -145,7 +179,7 @@ std::vector<Eigen::VectorXd> BlockErrors(const std::vector<Point3>& samples,
                                          const std::vector<std::vector<std::vector<int>>>& divisions, double width,
                                          double tension) {
   const Eigen::MatrixXd inverse = InverseOf(samples, width, tension);
-  Eigen::VectorXd heights = Eigen::VectorXd::Zero(inverse.rows());
+  Eigen::VectorXd heights(inverse.rows());
   for (size_t i = 0; i < samples.size(); ++i) heights[static_cast<Eigen::Index>(i)] = samples[i].z() - samples[0].z();
   const Eigen::VectorXd weights = inverse * heights;
   std::vector<Eigen::VectorXd> errors;

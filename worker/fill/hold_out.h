@@ -23,7 +23,7 @@ namespace tilemend {
 //
 // The problem's known points with a full ring are its rim, its band's other points lie beside it. A rim of fewer than
 // kLeastRimForHoldOut points, or too short for several blocks, gets tension 0 untested. The choice does not depend on
-// the order of points. Cost bounded: at most 100 rim points are looked at (about 20 ms).
+// the order of points. Cost bounded: at most 100 rim points are looked at (about 10 ms).
 //   width  of the hole, metres (HoleWidth); 0: not tested
 HoldOut ChooseTension(const ThinPlateProblem& problem, double width);
 

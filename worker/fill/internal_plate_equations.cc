@@ -172,36 +172,39 @@ double PlateEquations::Energy(const PointValues& heights) const {
   return energy;
 }
 
-Eigen::SparseMatrix<double> PlateEquations::Matrix() const {
-  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-  const auto rows = static_cast<Eigen::Index>(column_.size());
-  Rows stiffness(rows, unknown_count()), taut(unknown_count(), unknown_count());
-  stiffness.reserve(static_cast<Eigen::Index>(to_.size() + unknown_.size()));
-  const auto store = [&](int32_t v, Eigen::Index row, Rows& matrix) {
-    matrix.startVec(row);
-    bool diagonal = column_[v] < 0;  // stored already, or not wanted
-    for (int32_t i = start_[v]; i < start_[v + 1]; ++i) {
-      if (!diagonal && to_[i] > v) matrix.insertBack(row, column_[v]) = diagonal_[v], diagonal = true;
-      if (column_[to_[i]] >= 0) matrix.insertBack(row, column_[to_[i]]) = weight_[i];
+// Column by column. K is symmetric, so that row v has column v of K as well.
+Eigen::SparseMatrix<double> PlateEquations::LowerMatrix() const {
+  Eigen::SparseMatrix<double> matrix(unknown_count(), unknown_count());
+  matrix.reserve(static_cast<Eigen::Index>(2 * to_.size()));
+  std::vector<double> value(unknown_.size());
+  std::vector<int32_t> stored(unknown_.size(), -1);  // the column that `value` is of
+  std::vector<int32_t> rows;
+  for (int32_t column = 0; column < unknown_count(); ++column) {
+    const auto add = [&](int32_t point, double more) {
+      const int32_t row = column_[point];
+      if (row < column) return;  // -1 is known
+      if (stored[row] != column) {
+        stored[row] = column;
+        value[row] = 0;
+        rows.push_back(row);
+      }
+      value[row] += more;
+    };
+    EachInRow(unknown_[column], [&](int32_t u, double weight) {
+      if (inverse_mass_[u] <= 0) return;
+      const double scaled = inverse_mass_[u] * weight;
+      EachInRow(u, [&](int32_t point, double other) { add(point, other * scaled); });
+    });
+    if (tension_ > 0) {
+      EachInRow(unknown_[column], [&](int32_t point, double weight) { add(point, -(tension_ * weight)); });
     }
-    if (!diagonal) matrix.insertBack(row, column_[v]) = diagonal_[v];
-  };
-  for (int32_t v = 0; v < rows; ++v) {
-    if (inverse_mass_[v] > 0) {
-      store(v, v, stiffness);
-    } else {
-      stiffness.startVec(v);
-    }
+    std::sort(rows.begin(), rows.end());
+    matrix.startVec(column);
+    for (const int32_t row : rows) matrix.insertBack(row, column) = value[row];
+    rows.clear();
   }
-  stiffness.finalize();
-  const Rows scaled = inverse_mass_.asDiagonal() * stiffness;
-  Eigen::SparseMatrix<double> result = stiffness.transpose() * scaled;
-  if (tension_ > 0) {
-    for (const int32_t v : unknown_) store(v, column_[v], taut);
-    taut.finalize();
-    result -= tension_ * Eigen::SparseMatrix<double>(taut);
-  }
-  return result;
+  matrix.finalize();
+  return matrix;
 }
 
 Eigen::VectorXd PlateEquations::Gather(const PointValues& values) const {
@@ -217,7 +220,7 @@ PointValues PlateEquations::Spread(const Eigen::VectorXd& unknown_only) const {
 }
 
 PlateFactorization::PlateFactorization(const PlateEquations& equations)
-    : equations_(equations), solver_(equations.Matrix()) {}
+    : equations_(equations), solver_(equations.LowerMatrix()) {}
 
 PointValues PlateFactorization::Solve(const PointValues& residual) const {
   return equations_.Spread(solver_.solve(equations_.Gather(residual)));

@@ -1,6 +1,7 @@
 #include "worker/fill/rim_loops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -55,19 +56,31 @@ std::vector<RimLoop> LoopsOf(const CellHoles& cell, const CellHole& hole, const 
 }
 
 std::vector<Eigen::Vector3d> EvenNormals(const RimLoop& loop) {
-  const int32_t n = loop.size(), reach = std::min(kReach, n / 2);
-  std::vector<Eigen::Vector3d> normals;
+  const int32_t n = loop.size(), width = 2 * std::min(kReach, n / 2);
+  std::vector<bool> none(static_cast<size_t>(n));
+  for (int32_t i = 0; i < n; ++i) none[i] = loop.outside[i].isZero();
+  // From the normal at each place to those at the `width` places from there on; 0 if one is missing.
+  std::vector<double> apart(static_cast<size_t>(n) * width, 0);
   for (int32_t i = 0; i < n; ++i) {
-    const auto at = [&](int32_t k) -> const Eigen::Vector3d& { return loop.outside[(i + k + n) % n]; };
+    for (int32_t d = 1; d < width; ++d) {
+      const int32_t j = (i + d) % n;
+      if (!none[i] && !none[j]) apart[i * width + d] = (loop.outside[i] - loop.outside[j]).norm();
+    }
+  }
+  std::vector<Eigen::Vector3d> normals;
+  std::array<int32_t, 2 * kReach> place{};  // those within reach, in order
+  for (int32_t i = 0; i < n; ++i) {
+    for (int32_t k = 0; k < width; ++k) place[k] = (i + k - width / 2 + n) % n;
     Eigen::Vector3d best = Eigen::Vector3d::Zero();
     double least = INFINITY;
-    for (int32_t m = -reach; m < reach; ++m) {
-      if (at(m).isZero()) continue;
+    for (int32_t m = 0; m < width; ++m) {
+      if (none[place[m]]) continue;
       double sum = 0;
-      for (int32_t k = -reach; k < reach; ++k) sum += at(k).isZero() ? 0 : (at(k) - at(m)).norm();
+      for (int32_t k = 0; k < m; ++k) sum += apart[place[k] * width + m - k];
+      for (int32_t k = m + 1; k < width; ++k) sum += apart[place[m] * width + k - m];
       if (sum >= least) continue;
       least = sum;
-      best = at(m);
+      best = loop.outside[place[m]];
     }
     normals.push_back(best);
   }

@@ -60,6 +60,26 @@ TEST(OffTest, AppendsBetweenAndAfterOriginalLines) {
             "3 0 1 2 0.5 0.5 0.5\n3 0 3 4\n3 0 1 3\n");
 }
 
+TEST(OffTest, FindsFurtherColumnsOfVerticesThatShareALine) {
+  EXPECT_EQ(Appended("COFF 3 1 0 0 0 0 9 8 7\n1 1 0 0 6 5 # c\n4 1 0 1 0 3 2 1 1 3 0 1 2", kPatch),
+            "COFF 5 3 0 0 0 0 9 8 7\n1 1 0 0 6 5 # c\n4 1 0 1 0 3 2 1 1 0.1 2 3 6 5 4 1\n4 5 6 0 0 0 0 3 0 1 2\n"
+            "3 0 3 4\n3 0 1 3\n");
+}
+
+TEST(OffTest, DoesNotAppendToTextThatEndsBeforeItsData) {
+  for (const char* text : {"OFF\n3 1 0\n0 0 0      \n1 0 0        \n", "OFF 3 9 0 0 0 0 1 0 0 0 1 0 3 0 1 2 3 0 1 2   ",
+                           "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}) {
+    const absl::StatusOr<std::string> out = AppendPatch(MeshFormat::kOff, text, kPatch, "a.off");
+    EXPECT_EQ(out.status().code(), absl::StatusCode::kInvalidArgument) << text;
+  }
+}
+
+TEST(OffTest, TakesLinesOfTheGreatestLength) {
+  const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n", tail = "\n0 1 0\n3 0 1 2\n";
+  EXPECT_TRUE(Parse(head + "#" + std::string((1 << 20) - 1, 'c') + tail).ok());
+  EXPECT_THAT(MessageOf(head + "#" + std::string(1 << 20, 'c') + tail), HasSubstr("line 5: the line is longer than"));
+}
+
 TEST(OffTest, FansPolygonsAndSkipsFacesWithoutSurface) {
   const auto file = Parse("OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 0 1\n3 0 1 0\n0\n");
   ASSERT_TRUE(file.ok()) << file.status();

@@ -65,6 +65,21 @@ TEST(ChooseTensionTest, RoughGroundWantsSome) {
   EXPECT_LT(choice.error, 0.9 * choice.error_at_start);
 }
 
+TEST(ChooseTensionTest, TakesPointsThatAllButCoincide) {
+  for (const double gap : {1e-3, 1e-6, 1e-9}) {
+    for (const double width : {32.0, 1.0}) {
+      ThinPlateProblem problem = SquareHole(16, Rough);
+      for (Point3& p : problem.points) {
+        const double reach = p.head<2>().cwiseAbs().maxCoeff();
+        if (reach > 16) p.head<2>() *= (16 + gap) / reach;
+      }
+      const HoldOut choice = ChooseTension(problem, width);
+      EXPECT_TRUE(std::isfinite(choice.error)) << gap << " " << width;
+      EXPECT_GT(choice.error, 0) << gap << " " << width;
+    }
+  }
+}
+
 TEST(ChooseTensionTest, TheScaleOfLengthsAndHeightsIsOfNoImportance) {
   ThinPlateProblem problem = SquareHole(16, Rough);
   const HoldOut choice = ChooseTension(problem, 32);

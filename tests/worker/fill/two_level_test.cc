@@ -112,9 +112,9 @@ TEST(PlateEquationsTest, TheMatrixIsTheOperator) {
     const Plate plate = MakePlate(Hills, Everywhere, Nowhere);
     const PlateEquations equations(plate.problem, true, tension);
     const PointValues x = Noise(plate.problem, false);
-    const Eigen::VectorXd product = equations.Matrix() * equations.Gather(x);
+    const Eigen::VectorXd product = equations.LowerMatrix().selfadjointView<Eigen::Lower>() * equations.Gather(x);
     EXPECT_LT((product - equations.Gather(equations.Apply(x))).cwiseAbs().maxCoeff(), 1e-10);
-    const Eigen::VectorXd diagonal = equations.Matrix().diagonal();
+    const Eigen::VectorXd diagonal = equations.LowerMatrix().diagonal();
     EXPECT_LT((diagonal - equations.Gather(equations.Diagonal())).cwiseAbs().maxCoeff(), 1e-10);
   }
 }

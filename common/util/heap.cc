@@ -1,0 +1,19 @@
+#include "common/util/heap.h"
+
+#include <limits>  // and with it, whether this is glibc
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace tilemend {
+
+void KeepHeap() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, 1 << 20);
+#endif
+}
+
+}  // namespace tilemend
