@@ -59,7 +59,8 @@ class HoleFiller {
     const bool in_parts = !hole_.open && !hole_.level && options_.surface == Surface::kThinPlate;
     const auto in_space = [&](const auto& fill) {
       std::optional<HolePatch> attempt = fill(cell_, hole_, band_, options_);
-      return attempt && StaysNear(*attempt) && !CrossesSurface(*attempt) && done(std::move(*attempt));
+      if (!attempt || !StaysNear(*attempt) || CrossesSurface(*attempt)) return false;
+      return !(FacesDown(*attempt) && LiesInHeightField()) && done(std::move(*attempt));
     };
     const bool steep = in_parts && IsSteepHole(cell_, hole_, band_);
     bool filled = in_parts && (in_space(FillAlongFeatures) || (steep && in_space(FillHoleInSpace)));
@@ -106,6 +107,20 @@ class HoleFiller {
       const auto& triangles = band_.At(v);
       return std::all_of(triangles.begin(), triangles.end(), [&](int32_t t) { return band_.Normal(t).z() > 0; });
     });
+  }
+
+  // Whether the hole is one in a height field: then heights fill it without a fold.
+  bool LiesInHeightField() const {
+    if (!SurroundingsFaceUp()) return false;
+    Point2 lo = Rim(0).position.head<2>(), hi = lo;
+    for (const int32_t v : rim_) {
+      lo = lo.cwiseMin(cell_.vertices[v].position.head<2>());
+      hi = hi.cwiseMax(cell_.vertices[v].position.head<2>());
+    }
+    const LatticeWindow window(lo, hi);
+    std::vector<LatticePoint> points;
+    for (const int32_t v : rim_) points.push_back(window.Round(cell_.vertices[v].position.head<2>()));
+    return TriangulateRegion(points, segments_).conflicts.empty();
   }
 
   std::vector<ProjectionFrame> Frames() const {
@@ -418,6 +433,12 @@ class HoleFiller {
     return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
       return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).squaredNorm() <= 0;
     });
+  }
+
+  bool FacesDown(const HolePatch& patch) const {
+    const auto at = [&](int32_t v) { return v >= 0 ? cell_.vertices[v].position : patch.new_points[-1 - v]; };
+    return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                       [&](const Triangle& t) { return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).z() <= 0; });
   }
 
   bool CrossesSurface(const HolePatch& patch) const {

@@ -33,7 +33,7 @@ struct FillOptions {
 //
 // With kThinPlate closed holes are filled in parts along the sharp edges that go through them (feature_fill.h); those
 // that are steep over every plane, or project on none, are refined in space (chart_fill.h) if that makes a patch that
-// does not pass through itself or the surface around it.
+// does not pass through itself or the surface around it, and if it does not face down where heights fill the hole.
 //
 // Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it;
 // with the surface around it the patch makes no edge with three triangles and no triangle twice; new vertices lie on

@@ -119,6 +119,36 @@ TEST(FillHolesTest, FacesUpOverAHeightField) {
   for (const Triangle& t : patch.triangles) EXPECT_GT(AreaVector2(work, patch, t).z(), 0);
 }
 
+// A closed hole in ground of 45 degrees and more (a ring of an elevation model), which a fill in space folds over.
+TEST(FillHolesTest, DoesNotFoldOverSteepGround) {
+  constexpr int32_t kRim = 18;  // its vertices come first
+  TriMesh mesh;
+  mesh.points = {
+      {-6.62, -1.76, 6.03},  {-5.14, -5.97, 7.86}, {-5.09, 0.96, 10.20},  {-5.02, -3.43, 9.63},   {-4.72, 3.36, 7.51},
+      {-2.49, 6.27, -0.81},  {-2.47, 3.92, 3.15},  {-1.96, -6.90, 2.76},  {0.23, 6.08, -4.19},    {0.42, -7.15, -0.07},
+      {3.19, -6.42, -1.43},  {3.44, 5.59, -7.47},  {3.69, -3.44, 5.20},   {4.97, 6.04, -9.40},    {5.02, -1.36, 6.84},
+      {5.45, -3.85, 1.49},   {5.70, 4.14, -6.46},  {6.07, 0.99, 1.58},    {-10.07, -1.03, -3.22}, {-7.64, -3.50, 3.08},
+      {-7.53, 2.90, 7.76},   {-7.53, -5.97, 4.99}, {-6.95, 0.93, 6.90},   {-6.46, 6.47, 7.94},    {-4.85, 8.07, 3.31},
+      {-4.08, -9.64, -2.74}, {-3.91, 6.07, 2.14},  {-2.68, -9.04, -2.52}, {-1.76, 8.33, -2.54},   {0.09, 8.37, -2.55},
+      {0.45, -8.92, -5.38},  {2.61, -9.41, -8.22}, {2.65, 9.07, -2.21},   {5.48, -6.73, -5.98},   {5.59, 8.67, -7.06},
+      {7.32, -3.37, -0.61},  {7.37, 3.73, -7.00},  {7.57, 6.51, -12.31},  {8.46, -1.25, 1.40},    {8.66, 1.24, -0.72}};
+  mesh.triangles = {{25, 27, 7},  {27, 30, 9},  {30, 31, 9},  {21, 1, 3},   {10, 33, 15}, {19, 3, 0},   {15, 35, 14},
+                    {18, 0, 22},  {14, 38, 39}, {22, 2, 4},   {17, 39, 16}, {20, 4, 23},  {4, 6, 5},    {16, 36, 37},
+                    {26, 5, 24},  {5, 8, 29},   {8, 11, 32},  {11, 13, 32}, {13, 37, 34}, {25, 1, 21},  {25, 7, 1},
+                    {27, 9, 7},   {31, 10, 9},  {31, 33, 10}, {21, 3, 19},  {10, 15, 12}, {33, 35, 15}, {19, 0, 18},
+                    {35, 38, 14}, {0, 2, 22},   {14, 39, 17}, {22, 4, 20},  {39, 36, 16}, {4, 26, 23},  {4, 5, 26},
+                    {16, 37, 13}, {5, 28, 24},  {5, 29, 28},  {8, 32, 29},  {13, 34, 32}};
+  const auto on_rim = [&](const Point3& p) {
+    return std::find(mesh.points.begin(), mesh.points.begin() + kRim, p) != mesh.points.begin() + kRim;
+  };
+  const CellHoles work = WorkOf(mesh, false, [&](const Point3& a, const Point3& b) { return on_rim(a) && on_rim(b); });
+  FillOptions options;
+  options.surface = Surface::kThinPlate;
+  const HolePatch patch = FillHoles(work, options).at(0);
+  ExpectClosesHole(work, work.holes[0], patch);
+  for (const Triangle& t : patch.triangles) EXPECT_GT(AreaVector2(work, patch, t).z(), 0);
+}
+
 TEST(FillHolesTest, StaysOnATiltedPlane) {
   const auto plane = [](double x, double y) { return 0.5 * x - 0.25 * y + 3; };
   const CellHoles work = HoleOf(kSquareHole, plane);
