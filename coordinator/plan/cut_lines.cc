@@ -11,7 +11,6 @@ namespace tilemend {
 namespace {
 
 constexpr double kMostOffset = 0.05;     // of a cell: a tile that ends farther from its side ends at a shore, not a cut
-constexpr double kOnLine = 1e-3;         // metres: a vertex this near a grid line was cut there
 constexpr double kStraight = 2e-3;       // metres: an outline whose vertices are this near one coordinate is straight
 constexpr double kStraightShare = 0.05;  // of a side's length must run along the outline for it to count
 constexpr double kExactShare = 0.9;      // of the boundary near the lines lies on them to the bit: no tolerance needed

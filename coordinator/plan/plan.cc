@@ -79,7 +79,7 @@ class PartPlanner {
     found_.clear();
     chain_left_.clear();
     IndexRimEdges();
-    for (const Seam& seam : layout_.seams) RelabelAlong(seam);
+    RelabelAlongSeams();
     SortSegments();
     for (const CellId cell : area) FindHolesIn(cell);
   }
@@ -168,11 +168,15 @@ class PartPlanner {
       plan_.vertex_of_boundary[cell] = std::move(points);
     }
     for (const RimPoint& p : rim_.points) {
-      plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, 0});
+      plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, 0, false});
     }
     for (size_t i = 0; i < layout_.vertices.size(); ++i) {
       const Point3 p(layout_.vertices[i].x(), layout_.vertices[i].y(), 0);
-      plan_.vertices.push_back({{}, -1, p, 0, layout_.sizes[i], layout_.lines[i]});
+      plan_.vertices.push_back({{}, -1, p, 0, layout_.sizes[i], layout_.lines[i], false});
+      if (const int32_t beside = layout_.beside[i]; beside >= 0) {
+        plan_.vertices.back().position.z() = rim_.points[beside].position.z();
+        plan_.vertices.back().height_given = true;
+      }
     }
     plan_.left.insert(plan_.left.end(), chain_left_.begin(), chain_left_.end());
     for (auto& [cell, found] : found_) StoreHoles(found);
@@ -340,17 +344,43 @@ class PartPlanner {
 
   bool IsRimEdge(int32_t p, int32_t q) const { return rim_edges_.contains({std::min(p, q), std::max(p, q)}); }
 
-  // Where a seam follows a rim edge, that edge bounds the cell on whose side of the seam the hole lies.
-  void RelabelAlong(const Seam& seam) {
-    const bool vertical = seam.a.row == seam.b.row;
-    const CellId left = vertical ? seam.a : seam.b, right = vertical ? seam.b : seam.a;
-    for (size_t i = 0; i + 1 < seam.vertices.size(); ++i) {
-      const int32_t p = seam.vertices[i], q = seam.vertices[i + 1];
-      if (!IsRimEdge(p, q)) continue;
-      RimEdge& e = rim_.edges[rim_edges_.at({std::min(p, q), std::max(p, q)})];
-      const CellId side = e.from == p ? right : left;  // the hole lies to the right of the edge
-      if (input_.cells.contains(side)) e.label = side;
+  // Where a seam follows a rim edge, that edge bounds the cell on whose side of the seam the hole lies. Near a grid
+  // corner several seams may follow one edge: each takes it from the cell on its one side to that on its other.
+  void RelabelAlongSeams() {
+    std::map<int32_t, std::vector<std::pair<CellId, CellId>>> passes;  // of each rim edge: from a cell, to a cell
+    for (const Seam& seam : layout_.seams) {
+      const bool vertical = seam.a.row == seam.b.row;
+      const CellId left = vertical ? seam.a : seam.b, right = vertical ? seam.b : seam.a;
+      for (size_t i = 0; i + 1 < seam.vertices.size(); ++i) {
+        const int32_t p = seam.vertices[i], q = seam.vertices[i + 1];
+        if (!IsRimEdge(p, q)) continue;
+        const int32_t e = rim_edges_.at({std::min(p, q), std::max(p, q)});
+        // The hole lies to the right of the edge.
+        passes[e].push_back(rim_.edges[e].from == p ? std::pair(left, right) : std::pair(right, left));
+      }
     }
+    for (auto& [e, of_edge] : passes) {
+      while (!of_edge.empty()) {
+        const CellId label = rim_.edges[e].label;
+        auto next = std::find_if(of_edge.begin(), of_edge.end(), [&](const auto& pass) { return pass.first == label; });
+        if (next == of_edge.end()) next = of_edge.begin();
+        if (input_.cells.contains(next->second) || LiesOnBorder(rim_.edges[e], next->first, next->second)) {
+          rim_.edges[e].label = next->second;
+        }
+        of_edge.erase(next);
+      }
+    }
+  }
+
+  // Whether an edge lies on the line between a cell of the area and one outside it.
+  bool LiesOnBorder(const RimEdge& e, CellId inside, CellId outside) const {
+    if (!input_.cells.contains(inside)) return false;
+    return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+      const auto on_line = [&](int32_t p) {
+        return std::abs(rim_.points[p].position[AxisOf(side)] - lines_.At(inside, side)) <= kOnLine;
+      };
+      return Across(inside, side) == outside && on_line(e.from) && on_line(e.to);
+    });
   }
 
   void FindHolesIn(CellId cell) {

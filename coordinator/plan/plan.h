@@ -87,7 +87,8 @@ struct PlanVertex {
   Point3 position{0, 0, 0};
   double centroid_height = 0;
   double size = 0;
-  uint8_t lines = 0;  // as RimVertex::lines
+  uint8_t lines = 0;          // as RimVertex::lines
+  bool height_given = false;  // of a seam vertex: it takes the height of a rim vertex a hair beside it
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along

@@ -71,13 +71,18 @@ class Smoother {
   const std::map<int32_t, Merged>& merged_;
 };
 
+double HeightAt(const Plan& plan, int32_t vertex, double found) {
+  const PlanVertex& v = plan.vertices[vertex];
+  return v.height_given ? v.position.z() : std::round(found / plan.lattice_step) * plan.lattice_step;
+}
+
 }  // namespace
 
 void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights) {
   for (const ClusterSample& s : samples) {
     heights.laplacian[{cluster, s.vertex}] = s.laplacian;
     if (plan.vertices[s.vertex].index >= 0) continue;  // an original vertex at the end of a seam
-    heights.height[s.vertex] = std::round(s.height / plan.lattice_step) * plan.lattice_step;
+    heights.height[s.vertex] = HeightAt(plan, s.vertex, s.height);
   }
 }
 
@@ -87,7 +92,7 @@ void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double g
   for (const auto& [vertex, m] : merged) {
     double height = m.height;
     if (const auto it = differences.find(vertex); it != differences.end()) height += gamma * it->second;  // eq. 5
-    heights.height[vertex] = std::round(height / plan.lattice_step) * plan.lattice_step;
+    heights.height[vertex] = HeightAt(plan, vertex, height);
   }
 }
 

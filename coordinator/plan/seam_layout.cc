@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,7 +14,9 @@ namespace tilemend {
 namespace {
 
 constexpr double kRimTolerance = 1e-3;  // metres: a grid corner this near the rim lies on it
-constexpr double kCornerSnap = 0.25;    // of the rim's edge length: a grid corner this near a rim point is that point
+// Metres: places this near one another are one. A few steps of float32 at a few hundred metres.
+constexpr double kSamePlace = 2e-5;
+constexpr double kCornerSnap = 0.25;  // of the rim's edge length: a grid corner this near a rim point is that point
 constexpr double kRimClearance =
     0.4;  // of the wanted edge length: seam vertices nearer than this to the rim are not made
 
@@ -178,10 +181,11 @@ class Layout {
            !area_.contains({c.col - 1, c.row - 1});
   }
 
-  int32_t NewVertex(const Point2& p, uint8_t on_lines) {
+  int32_t NewVertex(const Point2& p, uint8_t on_lines, int32_t beside = -1) {
     result_.vertices.push_back(p);
     result_.sizes.push_back(SizeAt(p));
     result_.lines.push_back(on_lines);
+    result_.beside.push_back(beside);
     return static_cast<int32_t>(rim_.points.size() + result_.vertices.size()) - 1;
   }
 
@@ -226,7 +230,9 @@ class Layout {
   void LayStretch(const Border& border, int32_t from, int32_t to) {
     if (from == to) return;
     std::vector<int32_t> way = {from};
-    for (const Point2& p : SpacedPoints(border, from, to)) way.push_back(NewVertex(p, IsVertical(border) ? 1 : 2));
+    for (const auto& [p, beside] : WayPoints(border, from, to)) {
+      way.push_back(NewVertex(p, IsVertical(border) ? 1 : 2, beside));
+    }
     way.push_back(to);
     const auto position = [this](int32_t v) { return PositionOf(v); };
     auto path = FindSeamPath(way, rim_, index_, position);
@@ -239,20 +245,65 @@ class Layout {
       Fail(border, absl::StrFormat("no way along the grid line through the hole at (%.3f, %.3f)", p.x(), p.y()));
       return;
     }
-    if (MayBend(border)) path = BendToRim(*path, rim_, index_, position);
+    if (options_.seams_over_rim && !lines_.independent) {
+      path = BendToRim(*path, rim_, index_, position, LargestBend(border));
+    }
     result_.seams.push_back({border.first, border.second, *path});
   }
 
-  // Whether a seam may leave its line without need: not at the rim of the area, where what it cedes stayed unfilled.
-  bool MayBend(const Border& border) const {
-    return options_.seams_over_rim && !lines_.independent && area_.contains(border.first) &&
-           area_.contains(border.second);
+  // How far a seam may leave its line without need, metres. At the rim of the area what it cedes stays unfilled.
+  double LargestBend(const Border& border) const {
+    return IsInner(border) ? std::numeric_limits<double>::infinity() : kSamePlace;
   }
+
+  bool IsInner(const Border& border) const { return area_.contains(border.first) && area_.contains(border.second); }
 
   // Whether a path goes over rim points between its ends.
   bool Bends(const std::vector<int32_t>& path) const {
     const auto points = static_cast<int32_t>(rim_.points.size());
     return std::any_of(path.begin() + 1, path.end() - 1, [&](int32_t v) { return v < points; });
+  }
+
+  using WayPoint = std::pair<Point2, int32_t>;  // a place on the line and the rim point a hair beside it, or -1
+
+  // The new vertices between two ends, in order along the line.
+  std::vector<WayPoint> WayPoints(const Border& border, int32_t from, int32_t to) const {
+    std::vector<WayPoint> points;
+    for (const Point2& p : SpacedPoints(border, from, to)) points.emplace_back(p, -1);
+    if (lines_.independent || IsInner(border)) return points;
+    const int along = IsVertical(border) ? 1 : 0;
+    const auto beside = PointsBesideRim(border, from, to);
+    points.insert(points.end(), beside.begin(), beside.end());
+    std::sort(points.begin(), points.end(),
+              [&](const WayPoint& a, const WayPoint& b) { return a.first[along] < b.first[along]; });
+    return points;
+  }
+
+  // Points on the line strictly between two ends, each opposite a rim point that lies a hair off the line.
+  std::vector<WayPoint> PointsBesideRim(const Border& border, int32_t from, int32_t to) const {
+    const int along = IsVertical(border) ? 1 : 0;
+    const double line = LineOf(border);
+    const double t0 = PositionOf(from)[along], t1 = PositionOf(to)[along];
+    Point2 lo, hi;
+    lo[along] = t0, hi[along] = t1;
+    lo[1 - along] = line - kOnLine, hi[1 - along] = line + kOnLine;
+    std::map<double, int32_t> near;  // by place along the line
+    for (const int32_t e : index_.EdgesIn(lo, hi)) {
+      const int32_t v = rim_.edges[e].from;
+      const Point2 p = PositionOf(v);
+      if (std::abs(p[1 - along] - line) <= kOnLine) near.emplace(p[along], v);
+    }
+    std::vector<WayPoint> points;
+    double last = t0;
+    for (const auto& [t, v] : near) {
+      if (t <= last + kOnLine || t >= t1 - kOnLine) continue;
+      last = t;
+      Point2 p = PositionOf(v);
+      if (std::abs(p[1 - along] - line) <= kSamePlace) continue;
+      p[1 - along] = line;
+      points.emplace_back(p, v);
+    }
+    return points;
   }
 
   // Points on the line strictly between two ends, spaced by the wanted size, clear of the rim.

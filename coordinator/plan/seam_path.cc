@@ -43,12 +43,12 @@ class PathFinder {
   }
 
   // The way, which is a path already, bent over rim points beside it.
-  std::vector<int32_t> Bend() const {
+  std::vector<int32_t> Bend(double reach) const {
     std::set<int32_t> taken(way_.begin(), way_.end());
     std::vector<int32_t> path = {way_.front()};
     std::vector<int32_t> ahead(way_.rbegin(), way_.rend() - 1);
     while (!ahead.empty()) {
-      const int32_t beside = PointBeside(path.back(), ahead.back(), taken);
+      const int32_t beside = PointBeside(path.back(), ahead.back(), taken, reach);
       if (beside >= 0) {
         taken.insert(beside);
         ahead.push_back(beside);
@@ -61,15 +61,16 @@ class PathFinder {
   }
 
  private:
-  // The rim point nearest to the line from a to b that the path between them can be bent to; -1: none.
-  int32_t PointBeside(int32_t a, int32_t b, const std::set<int32_t>& taken) const {
+  // The rim point nearest to the line from a to b, and within `reach` of it, that the path between them can be bent to;
+  // -1: none.
+  int32_t PointBeside(int32_t a, int32_t b, const std::set<int32_t>& taken, double reach) const {
     if (IsRimEdge(a, b)) return -1;
     const Point2 p = position_(a), way = position_(b) - p;
-    const double length2 = way.squaredNorm();
-    const Point2 reach = Point2::Constant(kFlat * std::sqrt(length2));
-    double nearest = kFlat * length2;  // distance from the line times length
+    const double length2 = way.squaredNorm(), length = std::sqrt(length2);
+    const Point2 beside = Point2::Constant(std::min(kFlat * length, reach));
+    double nearest = std::min(kFlat * length2, reach * length);  // distance from the line times length
     int32_t best = -1;
-    for (const int32_t i : index_.EdgesIn(p.cwiseMin(p + way) - reach, p.cwiseMax(p + way) + reach)) {
+    for (const int32_t i : index_.EdgesIn(p.cwiseMin(p + way) - beside, p.cwiseMax(p + way) + beside)) {
       const int32_t v = rim_.edges[i].from;
       const Point2 to = position_(v) - p;
       const double off = std::abs(way.x() * to.y() - way.y() * to.x()), along = way.dot(to);
@@ -167,8 +168,8 @@ std::optional<std::vector<int32_t>> FindSeamPath(const std::vector<int32_t>& way
 }
 
 std::vector<int32_t> BendToRim(const std::vector<int32_t>& path, const Rim& rim, const RimIndex& index,
-                               const std::function<Point2(int32_t)>& position) {
-  return PathFinder(path, rim, index, position).Bend();
+                               const std::function<Point2(int32_t)>& position, double reach) {
+  return PathFinder(path, rim, index, position).Bend(reach);
 }
 
 }  // namespace tilemend

@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_PLAN_SEAM_PATH_H_
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,11 +19,12 @@ namespace tilemend {
 std::optional<std::vector<int32_t>> FindSeamPath(const std::vector<int32_t>& way, const Rim& rim, const RimIndex& index,
                                                  const std::function<Point2(int32_t)>& position);
 
-// The same path, bent over rim points that lie beside one of its edges within a fifth of the edge's length, where both
-// halves are free or rim edges: beside a straight edge there would be triangles too flat for use. No vertex comes up
-// twice that did not before.
+// The same path, bent over rim points that lie beside one of its edges within a fifth of the edge's length and within
+// `reach` (metres), where both halves are free or rim edges: beside a straight edge there would be triangles too flat
+// for use. No vertex comes up twice that did not before.
 std::vector<int32_t> BendToRim(const std::vector<int32_t>& path, const Rim& rim, const RimIndex& index,
-                               const std::function<Point2(int32_t)>& position);
+                               const std::function<Point2(int32_t)>& position,
+                               double reach = std::numeric_limits<double>::infinity());
 
 }  // namespace tilemend
 

@@ -17,6 +17,7 @@ namespace tilemend {
 namespace {
 
 using ::testing::Each;
+using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -359,6 +360,35 @@ TEST(MakePlanTest, TakesASeamOverARimVertexCloseBesideTheGridLine) {
   ASSERT_THAT(plan.seams, SizeIs(1));
   const auto& way = plan.seams[0].vertices;
   EXPECT_EQ(std::count_if(way.begin(), way.end(), [&](int32_t v) { return plan.vertices[v].position == tip; }), 1);
+}
+
+// A scene of one cell with two gaps along its north side, and between them a square that ends `off` short of it.
+SurveyedScene SquareShortOfTheNorth(double off) {
+  SurveyedScene scene = PictureScene({"####..#..###", "############", "############", "############",  //
+                                      "############", "############", "############", "############",  //
+                                      "############", "############", "############", "############"},
+                                     12, [](double x, double) { return 0.3 * x; });
+  for (Point3& p : scene.tiles.at({0, 0}).points) {
+    if ((p.x() == 6 || p.x() == 7) && p.y() == 12) p.y() -= off;
+  }
+  return SurveyScene(scene.grid, std::move(scene.tiles));
+}
+
+TEST(MakePlanTest, PutsSeamVerticesBesideRimVerticesAHairOffTheRimOfTheArea) {
+  const Plan plan = PlanOf(SquareShortOfTheNorth(1e-4));
+  ExpectSound(plan);
+  std::vector<Point3> given;
+  for (const PlanVertex& v : plan.vertices) {
+    if (v.height_given) given.push_back(v.position);
+  }
+  EXPECT_THAT(given, ElementsAre(Point3(6, 12, 0.3 * 6), Point3(7, 12, 0.3 * 7)));
+}
+
+TEST(MakePlanTest, TakesASeamOverRimVerticesThatAreAsGoodAsOnTheRimOfTheArea) {
+  const Plan plan = PlanOf(SquareShortOfTheNorth(1e-5));
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 IIB");
+  for (const PlanVertex& v : plan.vertices) EXPECT_FALSE(v.height_given);
 }
 
 TEST(MakePlanTest, SplitsAContinuousHoleWhereItTouchesItself) {

@@ -120,6 +120,22 @@ TEST(SettleLayerTest, RoundsToThePlansLattice) {
   EXPECT_THAT(Settle(plan, {{kWestCell, 1, 3.13}, {kWestCell, 2, -3.1}}, 0), ElementsAre(Pair(1, 3.25), Pair(2, -3.0)));
 }
 
+TEST(SettleLayerTest, KeepsHeightsThatThePlanGave) {
+  Plan plan = OneSeam(2, 0, 0);
+  plan.vertices[1].position.z() = 7.123456789;
+  plan.vertices[1].height_given = true;
+  EXPECT_THAT(Settle(plan, {{kWestCell, 1, 3}, {kWestCell, 2, 4}}, 0), ElementsAre(Pair(1, 7.123456789), Pair(2, 4)));
+}
+
+TEST(SettleClusterTest, KeepsHeightsThatThePlanGave) {
+  Plan plan = OneSeam(2, 0, 0);
+  plan.vertices[1].position.z() = 7.123456789;
+  plan.vertices[1].height_given = true;
+  SeamHeights heights;
+  SettleCluster(plan, 0, std::vector<ClusterSample>{{1, 3, 0.5}, {2, 4, 0.25}}, heights);
+  EXPECT_THAT(heights.height, ElementsAre(Pair(1, 7.123456789), Pair(2, 4)));
+}
+
 TEST(SettleLayerTest, SettlesNothingWithoutSamples) { EXPECT_THAT(Settle(OneSeam(2, 0, 0), {}, 0.5), IsEmpty()); }
 
 }  // namespace

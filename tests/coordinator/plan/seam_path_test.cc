@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 namespace tilemend {
@@ -31,9 +32,11 @@ Rim HoleBelow(const std::vector<Point2>& north) {
   return rim;
 }
 
-std::vector<int32_t> Bent(const Rim& rim, const std::vector<int32_t>& path) {
+std::vector<int32_t> Bent(const Rim& rim, const std::vector<int32_t>& path,
+                          double reach = std::numeric_limits<double>::infinity()) {
   const RimIndex index(rim);
-  return BendToRim(path, rim, index, [&](int32_t v) { return Point2(rim.points[v].position.head<2>()); });
+  return BendToRim(
+      path, rim, index, [&](int32_t v) { return Point2(rim.points[v].position.head<2>()); }, reach);
 }
 
 TEST(BendToRimTest, LeavesAnEdgeAloneThatIsClearOfTheRim) {
@@ -49,6 +52,11 @@ TEST(BendToRimTest, GoesOverAPointCloseBesideIt) {
 TEST(BendToRimTest, GoesOverEveryPointCloseBesideIt) {
   const Rim rim = HoleBelow({{3, 0.4}, {5, 4}, {7, 0.3}});
   EXPECT_THAT(Bent(rim, {0, 4}), ElementsAre(0, 1, 3, 4));
+}
+
+TEST(BendToRimTest, LeavesAlonePointsOutOfReach) {
+  const Rim rim = HoleBelow({{3, 0.1}, {5, 4}, {7, 0.3}});
+  EXPECT_THAT(Bent(rim, {0, 4}, 0.2), ElementsAre(0, 1, 4));
 }
 
 TEST(BendToRimTest, LeavesAlonePointsBeyondItsEnds) {
