@@ -49,6 +49,7 @@ class PartPlanner {
     rim_ = BuildRim(input_, !lines_.independent);
     LabelEdges(input_, lines_, rim_);
     RaiseSmallSizes(plan_.lattice_step, rim_);
+    RaiseSizesAtShortEdges(rim_);
     const RimIndex index(rim_);
     std::set<CellId> area;
     for (const auto& [cell, record] : input_.cells) area.insert(cell);
