@@ -16,7 +16,7 @@ using internal::Next;
 using internal::Previous;
 
 // Triangles of a shape below this are poor. A right triangle with equal legs has 0.87.
-constexpr double kPoorShape = 0.6;
+constexpr double kPoorShape = 0.8;
 // A flip that gains less is not worth it, and could be a matter of rounding.
 constexpr double kLeastGain = 1e-3;
 // A flip must not make a sharper edge than there was; this much is no matter (three degrees, from none).
