@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -21,6 +22,7 @@
 #include "worker/assemble/assemble.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/patch_quality.h"
+#include "worker/fill/surface_index.h"
 
 namespace tilemend {
 namespace {
@@ -50,7 +52,7 @@ struct Filled {
 };
 
 // The patches of all holes that the plan finds no fault with, as one.
-FilePatch FillAll(const MeshInspection& mesh, const FillOptions& options, size_t vertex_count,
+FilePatch FillAll(const MeshInspection& mesh, const FillOptions& options, const SurfaceNear& near, size_t vertex_count,
                   SceneReportInput& report) {
   std::vector<int32_t> holes;
   for (size_t h = 0; h < mesh.plan.holes.size(); ++h) {
@@ -58,7 +60,7 @@ FilePatch FillAll(const MeshInspection& mesh, const FillOptions& options, size_t
   }
   if (holes.empty()) return {};
   const CellHoles work = MakeCellHoles(mesh.plan, mesh.input, SeamHeights(), holes, true);
-  const std::vector<HolePatch> patches = FillHoles(work, options);
+  const std::vector<HolePatch> patches = FillHoles(work, options, near);
   for (const HolePatch& p : patches) {
     if (!p.failure.empty()) report.failures[p.hole] = p.failure;
     report.sizes[p.hole] = {p.new_points.size(), p.triangles.size()};
@@ -85,8 +87,22 @@ absl::StatusOr<Filled> FillMesh(const std::string& path, const FillOptions& opti
   InspectMesh(file, {options.refine.gradation, options.refine.size_limit, options.refine.uniform, water}, mesh);
   report.seconds.emplace_back("survey", watch.Lap());
   const size_t vertex_count = file.mesh.points.size();
-  file = {};  // the fill needs the room
-  const FilePatch patch = FillAll(mesh, options, vertex_count, report);
+  file = {};                            // the fill needs the room
+  std::optional<SurfaceIndex> surface;  // read again for holes that are no heights over the ground
+  absl::Status read;
+  const auto near = [&](const Point3& lo, const Point3& hi) {
+    std::vector<SpaceTriangle> found;
+    if (!surface) {
+      auto again = ParseMesh(format, bytes, path);
+      read = again.status();
+      surface.emplace(again.ok() ? std::move(again->mesh) : TriMesh());
+    }
+    surface->AppendNear(lo, hi, found);
+    return found;
+  };
+  const FilePatch patch = FillAll(mesh, options, near, vertex_count, report);
+  TILEMEND_RETURN_IF_ERROR(read);
+  surface.reset();
   report.seconds.emplace_back("fill", watch.Lap());
   if (patch.triangles.empty()) {
     filled.bytes = std::move(bytes);

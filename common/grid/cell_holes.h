@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COMMON_GRID_CELL_HOLES_H_
 #define TILEMEND_COMMON_GRID_CELL_HOLES_H_
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -68,6 +69,15 @@ struct HolePatch {
   std::vector<Triangle> triangles = {};
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
 };
+
+// The extent of a hole's boundary grown by half its diagonal: where a patch may go that is no height over the ground.
+// Precondition: the hole has segments.
+inline Eigen::AlignedBox3d ReachOf(const CellHoles& cell, const CellHole& hole) {
+  Eigen::AlignedBox3d box;
+  for (const RimSegment& s : hole.segments) box.extend(cell.vertices[s.from].position);
+  const Point3 reach = Point3::Constant(box.diagonal().norm() / 2);
+  return {box.min() - reach, box.max() + reach};
+}
 
 }  // namespace tilemend
 

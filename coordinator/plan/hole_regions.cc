@@ -21,6 +21,10 @@ namespace {
 constexpr double kOuterRim = -0.3;
 // A closed hole is filled over the plane if the surface along it faces up by this much.
 constexpr double kFacesUp = 0.2;
+// A piece that lies in a hole faces the way of the hole by this much.
+constexpr double kFacesAlike = 0.2;
+// No surface is taken to rise from the rim of a hole more steeply than this.
+constexpr double kSteepestRise = 3;
 
 constexpr char kFolds[] = "its boundary crosses itself seen from above, so it cannot be filled as heights";
 constexpr char kUnbounded[] =
@@ -204,7 +208,7 @@ class HoleFinder {
   }
 
   // Makes the outline of a piece an island of the hole that it lies in; without one it is an outer rim.
-  void Place(const ClosedLoop& outline, const std::vector<ClosedLoop>& holes, const std::vector<PlanarRegions>& closed,
+  void Place(const ClosedLoop& outline, const std::vector<ClosedLoop>& holes, std::vector<PlanarRegions>& closed,
              std::vector<std::vector<std::vector<RimSegment>>>& islands) {
     const Point2 p = position_[outline.segments[0].from].head<2>();
     if (outline.normal.z() > kFacesUp) {
@@ -223,8 +227,9 @@ class HoleFinder {
       }
     }
     for (size_t i = 0; i < closed.size(); ++i) {
-      if (!closed[i].triangulation.triangles.empty() || !LiesIn(outline, holes[i])) continue;
+      if (!LiesIn(outline, holes[i])) continue;
       islands[i].push_back(outline.segments);
+      closed[i] = {};  // with the piece it does not project
       return;
     }
     ++result_.outer_rims;
@@ -232,12 +237,36 @@ class HoleFinder {
                             static_cast<int64_t>(outline.segments.size()), false});
   }
 
-  // Whether a piece lies in a hole that does not project on the ground: within its boundary seen along its normal,
-  // less than an edge's length further off its plane than its boundary, and facing the same way.
-  bool LiesIn(const ClosedLoop& piece, const ClosedLoop& hole) const {
-    const Point3 p = position_[piece.segments[0].from];
+  Point3 MiddleOf(const ClosedLoop& loop) const {
+    Point3 middle = Point3::Zero();
+    for (const RimSegment& s : loop.segments) middle += position_[s.from] / static_cast<double>(loop.segments.size());
+    return middle;
+  }
+
+  // How far the surface rises inside a hole, along its normal, if it goes on from the rim as it leans there: positive
+  // over the corner of a box, negative in a pit.
+  double RiseIn(const ClosedLoop& hole) const {
     const Eigen::Vector3d normal = hole.vector_area.normalized();
-    if (piece.normal.dot(normal) <= 0) return false;
+    const Point3 middle = MiddleOf(hole);
+    double slope = 0;
+    for (const RimSegment& s : hole.segments) {
+      Eigen::Vector3d outward = position_[s.from] - middle;
+      outward -= outward.dot(normal) * normal;
+      const Eigen::Vector3d& n = rim_.points[s.from].normal;
+      const double up = n.dot(normal), out = outward.norm() > 0 ? n.dot(outward.normalized()) : 0;
+      if (out != 0) slope += out / std::max(up, std::abs(out) / kSteepestRise);
+    }
+    slope /= static_cast<double>(hole.segments.size());
+    return slope * std::sqrt(hole.vector_area.norm() / std::numbers::pi);
+  }
+
+  // Whether a piece lies in a hole: smaller than it, within its boundary seen along its normal, facing the same way,
+  // and between the boundary and where the surface that leans in from there would be, give or take an edge's length.
+  bool LiesIn(const ClosedLoop& piece, const ClosedLoop& hole) const {
+    if (piece.vector_area.norm() >= hole.vector_area.norm()) return false;
+    const Point3 p = MiddleOf(piece);
+    const Eigen::Vector3d normal = hole.vector_area.normalized();
+    if (piece.normal.dot(normal) <= kFacesAlike) return false;
     double angle = 0, edge = 0, below = INFINITY, above = -INFINITY;
     for (const RimSegment& s : hole.segments) {
       const Eigen::Vector3d a = position_[s.from] - p, b = position_[s.to] - p;
@@ -248,7 +277,8 @@ class HoleFinder {
       below = std::min(below, off);
       above = std::max(above, off);
     }
-    return angle > std::numbers::pi && below < edge && above > -edge;
+    const double rise = RiseIn(hole);
+    return angle > std::numbers::pi && below + std::min(rise, 0.0) < edge && above + std::max(rise, 0.0) > -edge;
   }
 
   void AddClosed(const ClosedLoop& loop, const PlanarRegions& regions,

@@ -1,5 +1,6 @@
 #include "coordinator/service/scene_pipeline.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -372,8 +373,32 @@ class ScenePipeline : public JobPipeline {
     const CellHoles work = MakeCellHoles(plan_, input_, heights_, holes_of_.at(cell), true);
     *input.mutable_holes() = ToProto(work);
     *input.mutable_options() = Options();
+    for (const CellId tile : TilesBeside(work)) *input.add_surface() = Ref(*tiles_.at(tile));
     rims_[cell] = ToProto(work.vertices);
     return {cell, Stage::kFill, input.SerializeAsString()};
+  }
+
+  // The tiles that lie within reach of the cell's closed holes: its own, and those that share its border.
+  std::set<CellId> TilesBeside(const CellHoles& work) const {
+    std::vector<Eigen::AlignedBox3d> holes;
+    for (const CellHole& hole : work.holes) {
+      if (!hole.open && !hole.level) holes.push_back(ReachOf(work, hole));
+    }
+    std::set<CellId> candidates = {work.cell}, tiles;
+    for (const BorderAudit& border : plan_.borders) {
+      if (border.kind != BorderKind::kExact) continue;  // tiles that overlap are each filled for themselves
+      if (border.a == work.cell) candidates.insert(border.b);
+      if (border.b == work.cell) candidates.insert(border.a);
+    }
+    for (const CellId cell : candidates) {
+      const auto record = records_.find(cell);
+      if (record == records_.end()) continue;
+      const Eigen::AlignedBox3d extent(record->second.lo, record->second.hi);
+      if (std::any_of(holes.begin(), holes.end(), [&](const auto& hole) { return hole.intersects(extent); })) {
+        tiles.insert(cell);
+      }
+    }
+    return tiles;
   }
 
   absl::StatusOr<std::vector<NewTask>> AssembleCells() {

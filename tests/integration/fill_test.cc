@@ -14,6 +14,7 @@
 #include "common/util/files.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/process.h"
+#include "tests/support/space_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -151,6 +152,39 @@ INSTANTIATE_TEST_SUITE_P(Formats, FillTest,
                          ::testing::Values(FormatCase{".ply", MeshFormat::kPly}, FormatCase{".obj", MeshFormat::kObj},
                                            FormatCase{".off", MeshFormat::kOff}),
                          [](const auto& format) { return std::string(format.param.extension + 1); });
+
+// The rim of the hole tells nothing of the body that goes through it: the mesh is read again for it, here and by
+// workers.
+TEST(FillCommandTest, LeavesAHoleThatEveryPatchOfCrossesTheSurface) {
+  TriMesh mesh = WithoutHole(BoxMesh(6), [](const Point3& p) { return p.norm() < 2.5; });
+  for (Point3& p : mesh.points) p += Point3(10, 10, 5);
+  TriMesh with_body = mesh;
+  AddMesh(Needle(Point3(10.5, 10.5, 5.5)), with_body);
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "scene");
+  const Json scene = {{"origin", {0, 0, 0}},
+                      {"cell_size", 30},
+                      {"cols", 1},
+                      {"rows", 1},
+                      {"tiles", {{{"col", 0}, {"row", 0}, {"path", "box.ply"}}}}};
+  folder.Write("scene/scene.json", scene.dump());
+  for (const bool body : {false, true}) {
+    folder.Write("scene/box.ply", PlyBytes(body ? with_body : mesh));
+    const int code = body ? 100 : 0;
+    const Ended fill = Process(folder.path(), TILEMEND_CLIENT,
+                               {"fill", folder / "scene/box.ply", "--out", folder / "out.ply", "--overwrite"})
+                           .Wait();
+    EXPECT_EQ(fill.code, code) << fill.err;
+    EXPECT_EQ(absl::StrContains(fill.err, "passes through itself or the surface"), body) << fill.err;
+    const Ended run = Process(folder.path(), TILEMEND_CLIENT,
+                              {"run", folder / "scene", "--out", folder / "out", "--overwrite", "-o", "json"})
+                          .Wait();
+    EXPECT_EQ(run.code, code) << run.err;
+    EXPECT_EQ(
+        absl::StrContains(ReadFile(folder / "out/report.json").value_or(""), "passes through itself or the surface"),
+        body);
+  }
+}
 
 TEST(FillCommandTest, ExitCodes) {
   const TemporaryFolder folder;

@@ -327,9 +327,10 @@ std::vector<Triangle> TriangulateChart(const CellBand& band, const ChartShape& s
   });
 }
 
-// The surface of least bending over the unrolled region; none if it cannot be found.
+// The surface of least bending over the unrolled region, its new points the share `bend` of the way to it from the
+// disc; none if it cannot be found.
 std::optional<std::vector<Point3>> BendInSpace(const CellHoles& cell, const Unrolled& disc, const PlanarRegion& region,
-                                               const ChartShape& shape) {
+                                               const ChartShape& shape, double bend) {
   const size_t rim = disc.flat().size(), count = region.refined.new_points.size();
   FairSurfaceProblem fair;
   std::vector<Point3> flat;
@@ -356,9 +357,12 @@ std::optional<std::vector<Point3>> BendInSpace(const CellHoles& cell, const Unro
     fair.known.push_back(v < rim || v >= rim + count);
     fair.full_ring.push_back(v < rim ? !shape.IsFree(static_cast<int32_t>(v)) : v < rim + count);
   }
-  if (!FairSurface(flat, fair)) return std::nullopt;
   const auto first = fair.points.begin() + static_cast<ptrdiff_t>(rim);
-  return std::vector<Point3>(first, first + static_cast<ptrdiff_t>(count));
+  const std::vector<Point3> lifted(first, first + static_cast<ptrdiff_t>(count));
+  if (bend > 0 && !FairSurface(flat, fair)) return std::nullopt;
+  std::vector<Point3> points;
+  for (size_t k = 0; k < count; ++k) points.push_back(lifted[k] + bend * (fair.points[rim + k] - lifted[k]));
+  return points;
 }
 
 }  // namespace
@@ -385,16 +389,21 @@ bool FillChartInSpace(const CellHoles& cell, const CellBand& band, const FillOpt
                       HolePatch& patch) {
   const ChartShape shape(cell, band, chart, patch);
   if (chart.loops.size() != 1 || shape.size() > kLongestSpatialLoop) return false;
+  return FillChartOver(cell, band, options, chart, TriangulateChart(band, shape), 1, patch);
+}
+
+bool FillChartOver(const CellHoles& cell, const CellBand& band, const FillOptions& options, const Chart& chart,
+                   std::vector<Triangle> triangles, double bend, HolePatch& patch) {
+  const ChartShape shape(cell, band, chart, patch);
+  if (chart.loops.size() != 1 || triangles.empty()) return false;
   const std::vector<int32_t>& loop = shape.loops()[0];
   if (static_cast<int32_t>(loop.size()) != shape.size()) return false;  // it touches itself
   std::vector<Point3> positions;
   for (const int32_t c : loop) positions.push_back(shape.Position(c));
-  std::vector<Triangle> triangles = TriangulateChart(band, shape);
-  if (triangles.empty()) return false;
   const Unrolled disc(positions, std::move(triangles));
   const std::optional<PlanarRegion> region = Refine(disc.flat(), shape.segments(), SizesOf(shape), options.refine);
   if (!region) return false;
-  const auto points = BendInSpace(cell, disc, *region, shape);
+  const auto points = BendInSpace(cell, disc, *region, shape, bend);
   if (!points) return false;
   Store(cell, shape, *points, region->refined.triangulation.triangles, patch);
   return true;

@@ -42,6 +42,12 @@ bool FillChartOverPlane(const CellHoles& cell, const CellBand& band, const FillO
 bool FillChartInSpace(const CellHoles& cell, const CellBand& band, const FillOptions& options, const Chart& chart,
                       HolePatch& patch);
 
+// The same over given triangles of the chart's loop (their corners are places on it), the share `bend` of the way to
+// the surface of least bending: 0 keeps to the triangles, so that the patch crosses little that they do not. False,
+// with the patch as it was, if there are no triangles, or as above.
+bool FillChartOver(const CellHoles& cell, const CellBand& band, const FillOptions& options, const Chart& chart,
+                   std::vector<Triangle> triangles, double bend, HolePatch& patch);
+
 // Whether the surface beside a chart is too steep over every plane for triangles that are well shaped there to be well
 // shaped in space.
 bool IsSteep(const CellHoles& cell, const CellBand& band, const Chart& chart, const HolePatch& patch);

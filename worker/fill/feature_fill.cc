@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "worker/fill/chart_fill.h"
@@ -306,6 +307,14 @@ std::optional<HolePatch> FillHoleInSpace(const CellHoles& cell, const CellHole& 
   const Chart chart = WholeHole(cell, hole, band);
   HolePatch patch;
   if (chart.loops.empty() || !FillChartInSpace(cell, band, options, chart, patch)) return std::nullopt;
+  return patch;
+}
+
+std::optional<HolePatch> FillHoleOver(const CellHoles& cell, const CellHole& hole, const CellBand& band,
+                                      const FillOptions& options, std::vector<Triangle> triangles, double bend) {
+  const Chart chart = WholeHole(cell, hole, band);
+  HolePatch patch;
+  if (!FillChartOver(cell, band, options, chart, std::move(triangles), bend, patch)) return std::nullopt;
   return patch;
 }
 

@@ -21,6 +21,11 @@ std::optional<HolePatch> FillAlongFeatures(const CellHoles& cell, const CellHole
 std::optional<HolePatch> FillHoleInSpace(const CellHoles& cell, const CellHole& hole, const CellBand& band,
                                          const FillOptions& options);
 
+// Fills a closed hole of one loop as one part over given triangles of it (FillChartOver). Nothing if that cannot be
+// done.
+std::optional<HolePatch> FillHoleOver(const CellHoles& cell, const CellHole& hole, const CellBand& band,
+                                      const FillOptions& options, std::vector<Triangle> triangles, double bend);
+
 // Fills a closed hole as one part over a plane (FillChartOverPlane). Nothing if that cannot be done.
 std::optional<HolePatch> FillHoleOverPlane(const CellHoles& cell, const CellHole& hole, const CellBand& band,
                                            const FillOptions& options);

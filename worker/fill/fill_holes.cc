@@ -1,10 +1,12 @@
 #include "worker/fill/fill_holes.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -23,23 +25,34 @@
 #include "worker/fill/projection_frame.h"
 #include "worker/fill/rim_loops.h"
 #include "worker/fill/smooth_on_surface.h"
+#include "worker/fill/sound_triangulation.h"
 #include "worker/fill/thin_plate.h"
 
 namespace tilemend {
 namespace {
 
 using Edge = std::pair<int32_t, int32_t>;
+using Box3 = Eigen::AlignedBox3d;
 
 // Each gains less; a fourth one 0.001 of mean quality.
 constexpr int kSurfaceRounds = 3;
+constexpr char kRimCrosses[] =
+    "the surface around it passes through its boundary, and through every patch that was tried";
+constexpr char kCrosses[] = "every patch that was tried passes through itself or the surface around it";
+
+// How far a patch over triangles of the rim alone bends, tried in this order.
+constexpr double kBends[] = {1, 0.5, 0};
+// Of the ways to tie the first island to the rest of a rim.
+constexpr size_t kBridgesTried = 12;
 constexpr int kSplitRounds = 8;  // each may bring up further edges; more than a few never came up
 
 Edge Undirected(int32_t a, int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 class HoleFiller {
  public:
-  HoleFiller(const CellHoles& cell, const CellHole& hole, const CellBand& band, const FillOptions& options)
-      : cell_(cell), hole_(hole), band_(band), options_(options) {
+  HoleFiller(const CellHoles& cell, const CellHole& hole, const CellBand& band, const FillOptions& options,
+             const SurfaceNear& near, std::span<const HolePatch> earlier)
+      : cell_(cell), hole_(hole), band_(band), options_(options), near_(near), earlier_(earlier) {
     NumberVertices();
   }
 
@@ -48,31 +61,35 @@ class HoleFiller {
   HolePatch Run() {
     const std::vector<ProjectionFrame> frames = Frames();
     HolePatch patch = Failed("its boundary has no area");
+    patch.hole = hole_.id;
     if (std::any_of(rim_.begin(), rim_.end(), [&](int32_t v) { return !cell_.vertices[v].height_known; })) {
-      patch = Failed("no hole gave heights to a seam of it");
-      patch.hole = hole_.id;
+      patch.failure = "no hole gave heights to a seam of it";
       return patch;
     }
-    const auto done = [&](HolePatch attempt) {
+    const auto done = [&](HolePatch attempt, bool in_space) {
       if (attempt.failure.empty()) attempt.failure = Unsound(attempt);
-      patch = std::move(attempt);
-      if (!patch.failure.empty()) patch.new_points.clear(), patch.triangles.clear();
+      if (attempt.failure.empty() && in_space && CrossesSurface(attempt)) attempt.failure = kCrosses;
+      if (attempt.failure.empty() || patch.failure != kCrosses) patch = std::move(attempt);
       return patch.failure.empty();
     };
     const bool in_parts = !hole_.open && !hole_.level && options_.surface == Surface::kThinPlate;
     const auto in_space = [&](const auto& fill) {
       std::optional<HolePatch> attempt = fill(cell_, hole_, band_, options_);
-      if (!attempt || !StaysNear(*attempt) || CrossesSurface(*attempt)) return false;
-      return !(FacesDown(*attempt) && LiesInHeightField()) && done(std::move(*attempt));
+      if (!attempt || !StaysNear(*attempt) || (FacesDown(*attempt) && LiesInHeightField())) return false;
+      return done(std::move(*attempt), true);
     };
     const bool steep = in_parts && IsSteepHole(cell_, hole_, band_);
-    bool filled = in_parts && (in_space(FillAlongFeatures) || (steep && in_space(FillHoleInSpace)));
+    bool finished = in_parts && (in_space(FillAlongFeatures) || (steep && in_space(FillHoleInSpace)));
     for (const bool cut_folds : {false, true}) {
-      for (const ProjectionFrame& frame : frames) filled = filled || done(FillOver(frame, cut_folds));
+      for (const ProjectionFrame& frame : frames) {
+        finished = finished || done(FillOver(frame, cut_folds), !hole_.open && (cut_folds || !frame.upright()));
+      }
       if (hole_.open || cut_folds) continue;
-      filled =
-          filled || (in_parts && (in_space(FillHoleOverPlane) || in_space(FillHoleInSpace))) || done(FillInSpace());
+      finished = finished || (in_parts && (in_space(FillHoleOverPlane) || in_space(FillHoleInSpace))) ||
+                 done(FillInSpace(), true);
     }
+    if (!patch.failure.empty()) patch.new_points.clear(), patch.triangles.clear();
+    if (patch.failure == kCrosses && rim_is_crossed_) patch.failure = kRimCrosses;
     patch.hole = hole_.id;
     return patch;
   }
@@ -325,7 +342,7 @@ class HoleFiller {
     if (!runs.empty()) use(problem.patch);
     for (const std::vector<int32_t>& run : runs) used.insert(Undirected(run.front(), run.back()));
     for (const std::vector<int32_t>& run : runs) {
-      const std::vector<Triangle> triangles = TriangulateInSpace(run, used);
+      const std::vector<Triangle> triangles = OverLoop(TriangulateInSpace(run, used, {}), run);
       use(triangles);
       if (triangles.empty()) {
         StoreFan(run, patch);
@@ -466,31 +483,74 @@ class HoleFiller {
   }
 
   bool FacesDown(const HolePatch& patch) const {
-    const auto at = [&](int32_t v) { return v >= 0 ? cell_.vertices[v].position : patch.new_points[-1 - v]; };
-    return std::any_of(patch.triangles.begin(), patch.triangles.end(),
-                       [&](const Triangle& t) { return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).z() <= 0; });
+    return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
+      const SpaceTriangle corners = InSpace(patch, t);
+      return (corners[1] - corners[0]).cross(corners[2] - corners[0]).z() <= 0;
+    });
   }
 
-  bool CrossesSurface(const HolePatch& patch) const {
+  // The corners of a patch's triangle.
+  SpaceTriangle InSpace(const HolePatch& patch, const Triangle& t) const {
     const auto at = [&](int32_t v) { return v >= 0 ? cell_.vertices[v].position : patch.new_points[-1 - v]; };
-    const auto& points = cell_.band.points;
-    std::vector<SpaceTriangle> inside, around;
-    for (const Triangle& t : patch.triangles) inside.push_back({at(t[0]), at(t[1]), at(t[2])});
-    for (const Triangle& t : cell_.band.triangles) around.push_back({points[t[0]], points[t[1]], points[t[2]]});
-    return PatchCrosses(inside, around);
+    return {at(t[0]), at(t[1]), at(t[2])};
+  }
+
+  // The surface in the box and maybe beyond: that around the hole, and patches made before.
+  const std::vector<SpaceTriangle>& Surroundings(const Box3& box) {
+    if (looked_at_.contains(box)) return surroundings_;
+    looked_at_.extend(box);
+    surroundings_.clear();
+    if (near_) {
+      surroundings_ = near_(looked_at_.min(), looked_at_.max());
+    } else {
+      const auto& points = cell_.band.points;
+      for (const Triangle& t : cell_.band.triangles)
+        surroundings_.push_back({points[t[0]], points[t[1]], points[t[2]]});
+    }
+    for (const HolePatch& patch : earlier_) {
+      for (const Triangle& t : patch.triangles) surroundings_.push_back(InSpace(patch, t));
+    }
+    if (knows_crossed_) LeaveOutCrossed();
+    return surroundings_;
   }
 
   // Whether the patch keeps within half its rim's extent around it.
   bool StaysNear(const HolePatch& patch) const {
-    Point3 lo = Rim(0).position, hi = lo;
-    for (size_t i = 0; i < rim_.size(); ++i) {
-      lo = lo.cwiseMin(Rim(static_cast<int32_t>(i)).position);
-      hi = hi.cwiseMax(Rim(static_cast<int32_t>(i)).position);
+    const Box3 reach = ReachOf(cell_, hole_);
+    return std::all_of(patch.new_points.begin(), patch.new_points.end(),
+                       [&](const Point3& p) { return reach.contains(p); });
+  }
+
+  bool CrossesSurface(const HolePatch& patch) {
+    std::vector<SpaceTriangle> triangles;
+    Box3 box = ReachOf(cell_, hole_);
+    for (const Triangle& t : patch.triangles) {
+      triangles.push_back(InSpace(patch, t));
+      for (const Point3& p : triangles.back()) box.extend(p);
     }
-    const double reach = (hi - lo).norm() / 2;
-    return std::all_of(patch.new_points.begin(), patch.new_points.end(), [&](const Point3& p) {
-      return (p.array() >= lo.array() - reach).all() && (p.array() <= hi.array() + reach).all();
+    if (!PatchCrosses(triangles, Surroundings(box))) return false;
+    if (knows_crossed_) return true;
+    LeaveOutCrossed();
+    return PatchCrosses(triangles, surroundings_);
+  }
+
+  bool IsSound(const HolePatch& patch) { return Unsound(patch).empty() && !CrossesSurface(patch); }
+
+  // Whether a triangle of the surface passes through an edge of the boundary: then it does through any patch.
+  bool PassesThroughRim(const SpaceTriangle& t) const {
+    const auto has = [&](const Point3& p) { return t[0] == p || t[1] == p || t[2] == p; };
+    return std::any_of(segments_.begin(), segments_.end(), [&](const RegionSegment& s) {
+      const Point3 &from = Rim(s.from).position, &to = Rim(s.to).position;
+      return !has(from) && !has(to) && SegmentCrosses(from, to, t);
     });
+  }
+
+  // Such triangles do not count; looked for when a patch is first found to cross any.
+  void LeaveOutCrossed() {
+    knows_crossed_ = true;
+    if (std::erase_if(surroundings_, [&](const SpaceTriangle& t) { return PassesThroughRim(t); }) > 0) {
+      rim_is_crossed_ = true;
+    }
   }
 
   // Why the patch would not be a sound part of the surface; empty if it is.
@@ -522,43 +582,117 @@ class HoleFiller {
     return {};
   }
 
-  // The hole's boundary as one loop of local vertices, if it is one; it may pass a vertex several times.
-  std::vector<int32_t> SingleLoop() const {
-    std::vector<int32_t> loop;
-    for (size_t i = 0; i < segments_.size(); ++i) {
-      if (segments_[i].to != segments_[(i + 1) % segments_.size()].from) return {};
-      loop.push_back(segments_[i].from);
+  // The hole's loops, of local vertices; a loop may pass a vertex several times.
+  std::vector<std::vector<int32_t>> Loops() const {
+    std::vector<std::vector<int32_t>> loops;
+    for (const RimLoop& loop : LoopsOf(cell_, hole_, band_)) {
+      std::vector<int32_t>& local = loops.emplace_back();
+      for (const int32_t v : loop.vertices) local.push_back(local_.at(v));
     }
-    return loop;
+    return loops;
   }
 
-  HolePatch FillInSpace() const {
-    const std::vector<int32_t> loop = SingleLoop();
-    if (loop.empty()) return Failed("it projects on no plane without overlap and has islands");
-    if (static_cast<int32_t>(loop.size()) > kLongestSpatialLoop) {
-      return Failed(absl::StrCat("it projects on no plane without overlap and has ", loop.size(),
+  // A way from a loop to another and back.
+  struct Bridge {
+    size_t from, loop, to;  // place on the first loop, the other loop, place on it
+    double length;
+  };
+
+  // All bridges that may be built, the shortest first.
+  std::vector<Bridge> Bridges(const std::vector<std::vector<int32_t>>& loops) const {
+    std::vector<Bridge> bridges;
+    for (size_t l = 1; l < loops.size(); ++l) {
+      for (size_t i = 0; i < loops[0].size(); ++i) {
+        for (size_t k = 0; k < loops[l].size(); ++k) {
+          const int32_t a = loops[0][i], b = loops[l][k];
+          if (a == b || MayJoin(a, b)) bridges.push_back({i, l, k, (Rim(a).position - Rim(b).position).norm()});
+        }
+      }
+    }
+    std::stable_sort(bridges.begin(), bridges.end(),
+                     [](const Bridge& a, const Bridge& b) { return a.length < b.length; });
+    return bridges;
+  }
+
+  // Makes one loop of two: along the first to the bridge, over it, around the other and back.
+  static void Cross(const Bridge& bridge, std::vector<std::vector<int32_t>>& loops, std::set<Edge>& bridges) {
+    const std::vector<int32_t> other = std::move(loops[bridge.loop]);
+    loops.erase(loops.begin() + static_cast<ptrdiff_t>(bridge.loop));
+    std::vector<int32_t>& loop = loops[0];
+    std::vector<int32_t> around(other.begin() + static_cast<ptrdiff_t>(bridge.to), other.end());
+    around.insert(around.end(), other.begin(), other.begin() + static_cast<ptrdiff_t>(bridge.to));
+    if (loop[bridge.from] != around[0]) {
+      bridges.insert(Undirected(loop[bridge.from], around[0]));
+      around.push_back(around[0]);
+      around.push_back(loop[bridge.from]);
+    } else {
+      around.push_back(around[0]);
+      around.erase(around.begin());
+    }
+    loop.insert(loop.begin() + static_cast<ptrdiff_t>(bridge.from) + 1, around.begin(), around.end());
+  }
+
+  // A triangulation of the rim alone. Islands are tied to the rest of it by bridges, the shortest that lead to a sound
+  // one.
+  HolePatch FillInSpace() {
+    const std::vector<std::vector<int32_t>> loops = Loops();
+    if (loops.empty() || static_cast<int32_t>(segments_.size()) > kLongestSpatialLoop) {
+      return Failed(absl::StrCat("it projects on no plane without overlap and has ", segments_.size(),
                                  " boundary vertices; at most ", kLongestSpatialLoop, " can be filled in space"));
     }
-    const std::vector<Triangle> triangles = TriangulateInSpace(loop, {});
-    if (triangles.empty()) return Failed("no triangulation of its boundary avoids edges that the surface has already");
-    HolePatch patch;
-    StoreTriangles(triangles, patch);
+    Surroundings(ReachOf(cell_, hole_));
+    if (!knows_crossed_) LeaveOutCrossed();
+    if (loops.size() == 1) return FillLoopInSpace(loops[0], {});
+    HolePatch patch = Failed("no way from its islands to the rest of its boundary is free");
+    const std::vector<Bridge> first = Bridges(loops);
+    for (size_t b = 0; b < std::min(first.size(), kBridgesTried); ++b) {
+      std::vector<std::vector<int32_t>> joined = loops;
+      std::set<Edge> used;
+      Cross(first[b], joined, used);
+      while (joined.size() > 1) {
+        const std::vector<Bridge> next = Bridges(joined);
+        if (next.empty()) return patch;
+        Cross(next[0], joined, used);
+      }
+      patch = FillLoopInSpace(joined[0], used);
+      if (patch.failure.empty() && IsSound(patch)) return patch;
+    }
     return patch;
   }
 
-  // A minimum-weight triangulation of a loop of local vertices without the `used` edges inside; empty if there is none.
-  std::vector<Triangle> TriangulateInSpace(const std::vector<int32_t>& loop, const std::set<Edge>& used) const {
+  HolePatch FillLoopInSpace(const std::vector<int32_t>& loop, const std::set<Edge>& used) {
+    const std::vector<Triangle> triangles = TriangulateInSpace(loop, used, Surroundings(ReachOf(cell_, hole_)));
+    if (triangles.empty()) return Failed(kCrosses);
+    HolePatch patch;
+    if (used.empty() && options_.surface == Surface::kThinPlate) {
+      for (const double bend : kBends) {
+        auto refined = FillHoleOver(cell_, hole_, band_, options_, triangles, bend);
+        if (refined && StaysNear(*refined) && IsSound(*refined)) return *std::move(refined);
+      }
+    }
+    StoreTriangles(OverLoop(triangles, loop), patch);
+    return patch;
+  }
+
+  static std::vector<Triangle> OverLoop(std::vector<Triangle> triangles, const std::vector<int32_t>& loop) {
+    for (Triangle& t : triangles) t = {loop[t[0]], loop[t[1]], loop[t[2]]};
+    return triangles;
+  }
+
+  // A minimum-weight triangulation, over places of a loop of local vertices, without the `used` edges inside; empty if
+  // there is none. It crosses nothing of `surface`, or is empty.
+  std::vector<Triangle> TriangulateInSpace(const std::vector<int32_t>& loop, const std::set<Edge>& used,
+                                           std::span<const SpaceTriangle> surface) const {
     std::vector<Point3> positions;
     std::vector<Eigen::Vector3d> outside;
     for (size_t i = 0; i < loop.size(); ++i) {
       positions.push_back(Rim(loop[i]).position);
       outside.push_back(UnitNormalBeside(cell_, band_, rim_[loop[i]], rim_[loop[(i + 1) % loop.size()]]));
     }
-    auto triangles = TriangulateLoop(positions, outside, [&](int32_t a, int32_t b) {
+    const auto allowed = [&](int32_t a, int32_t b) {
       return MayJoin(loop[a], loop[b]) && !used.contains(Undirected(loop[a], loop[b]));
-    });
-    for (Triangle& t : triangles) t = {loop[t[0]], loop[t[1]], loop[t[2]]};
-    return triangles;
+    };
+    return TriangulateSoundly(positions, outside, allowed, surface);
   }
 
   const CellHoles& cell_;
@@ -570,14 +704,23 @@ class HoleFiller {
   std::vector<RegionSegment> segments_;
   std::vector<bool> full_ring_;
   std::vector<Edge> boundary_;  // sorted
+  const SurfaceNear& near_;
+  std::span<const HolePatch> earlier_;
+  Box3 looked_at_;
+  std::vector<SpaceTriangle> surroundings_;  // within looked_at_, without those that pass through the rim once known
+  bool knows_crossed_ = false, rim_is_crossed_ = false;
 };
 
 }  // namespace
 
-std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options) {
-  const CellBand band(cell);
+std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options, const SurfaceNear& near) {
+  CellBand band(cell);
   std::vector<HolePatch> patches;
-  for (const CellHole& hole : cell.holes) patches.push_back(HoleFiller(cell, hole, band, options).Run());
+  for (const CellHole& hole : cell.holes) {
+    HolePatch patch = HoleFiller(cell, hole, band, options, near, patches).Run();
+    if (&hole != &cell.holes.back()) band.Add(hole, patch);
+    patches.push_back(std::move(patch));
+  }
   return patches;
 }
 

@@ -23,8 +23,9 @@ constexpr double kAngleStep = 1.0 / 64;
 class LoopTriangulator {
  public:
   LoopTriangulator(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
-                   const std::function<bool(int32_t, int32_t)>& allowed)
-      : loop_(loop), outside_(outside), allowed_(allowed), n_(static_cast<int32_t>(loop.size())) {
+                   const std::function<bool(int32_t, int32_t)>& allowed,
+                   const std::function<bool(int32_t, int32_t, int32_t)>& fits)
+      : loop_(loop), outside_(outside), allowed_(allowed), fits_(fits), n_(static_cast<int32_t>(loop.size())) {
     best_.resize(static_cast<size_t>(n_) * n_);
     choice_.assign(static_cast<size_t>(n_) * n_, -1);
   }
@@ -86,7 +87,7 @@ class LoopTriangulator {
     double angle = std::max({left.angle, right.angle, Bend(normal, Beyond(i, j)), Bend(normal, Beyond(j, k))});
     if (closing) angle = std::max(angle, Bend(normal, outside_[k]));
     const Weight weight{angle, left.area + right.area + size};
-    if (!(weight < best)) return;
+    if (!(weight < best) || (fits_ && !fits_(i, j, k))) return;
     best = weight;
     choice_[At(i, k)] = j;
   }
@@ -94,6 +95,7 @@ class LoopTriangulator {
   std::span<const Point3> loop_;
   std::span<const Eigen::Vector3d> outside_;
   const std::function<bool(int32_t, int32_t)>& allowed_;
+  const std::function<bool(int32_t, int32_t, int32_t)>& fits_;
   int32_t n_;
   std::vector<Weight> best_;
   std::vector<int32_t> choice_;
@@ -102,9 +104,10 @@ class LoopTriangulator {
 }  // namespace
 
 std::vector<Triangle> TriangulateLoop(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
-                                      const std::function<bool(int32_t, int32_t)>& allowed) {
+                                      const std::function<bool(int32_t, int32_t)>& allowed,
+                                      const std::function<bool(int32_t, int32_t, int32_t)>& fits) {
   if (loop.size() < 3) return {};
-  return LoopTriangulator(loop, outside, allowed).Run();
+  return LoopTriangulator(loop, outside, allowed, fits).Run();
 }
 
 }  // namespace tilemend

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
@@ -15,6 +16,7 @@
 #include "worker/fill/patch_quality.h"
 #include "worker/fill/sample_cluster.h"
 #include "worker/fill/sample_heights.h"
+#include "worker/fill/surface_index.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -71,9 +73,54 @@ absl::StatusOr<std::string> RunSample(const v1::SampleInput& input) {
   return output.SerializeAsString();
 }
 
+// The bytes of a tile as it was surveyed.
+absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile) {
+  const std::string path = PathOf(tile);
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));
+  if (Sha256Hex(bytes) != tile.digest()) {
+    return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
+  }
+  return bytes;
+}
+
+// The surface of tiles, read when it is first asked for.
+class TileSurface {
+ public:
+  explicit TileSurface(const v1::FillInput& input) : input_(input) {}
+
+  std::vector<SpaceTriangle> Near(const Point3& lo, const Point3& hi) {
+    std::vector<SpaceTriangle> found;
+    if (tiles_.empty()) status_ = Read();
+    for (const SurfaceIndex& tile : tiles_) tile.AppendNear(lo, hi, found);
+    return found;
+  }
+
+  // Not OK if a tile could not be read: what was found near then counts for nothing.
+  const absl::Status& status() const { return status_; }
+
+ private:
+  absl::Status Read() {
+    for (const v1::TileRef& tile : input_.surface()) {
+      TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadSurveyed(tile));
+      const std::string path = PathOf(tile);
+      TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+      TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, path));
+      tiles_.emplace_back(std::move(file.mesh));
+    }
+    return absl::OkStatus();
+  }
+
+  const v1::FillInput& input_;
+  std::vector<SurfaceIndex> tiles_;
+  absl::Status status_;
+};
+
 absl::StatusOr<std::string> RunFill(const v1::FillInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
-  const std::vector<HolePatch> patches = FillHoles(holes, OptionsOf(input.options()));
+  TileSurface surface(input);
+  const std::vector<HolePatch> patches = FillHoles(
+      holes, OptionsOf(input.options()), [&](const Point3& lo, const Point3& hi) { return surface.Near(lo, hi); });
+  TILEMEND_RETURN_IF_ERROR(surface.status());
   v1::FillOutput output = ToProto(patches, holes.vertices, holes.lattice_step);
   *output.mutable_quality() = ToProto(TallyQuality(holes, patches));
   return output.SerializeAsString();
@@ -96,10 +143,7 @@ absl::StatusOr<std::string> AssembledBytes(const v1::AssembleInput& input) {
       MergePatches(vertices, patches, cell, has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0);
   if (!has_tile) return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadFile(path));
-  if (Sha256Hex(original) != input.tile().digest()) {
-    return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
-  }
+  TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadSurveyed(input.tile()));
   if (patch.triangles.empty()) return original;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   return AppendPatch(format, original, patch, path);
