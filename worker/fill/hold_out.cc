@@ -9,25 +9,26 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <unordered_map>
+#include <unsupported/Eigen/SpecialFunctions>
 #include <utility>
 #include <vector>
-
-#include "worker/fill/bessel_k0.h"
 
 namespace tilemend {
 namespace {
 
 constexpr std::array<double, 6> kCandidates = {0, 3, 10, 30, 100, 300};  // times 1 / width^2, rising
-constexpr size_t kStart = 3;  // candidate that is taken where hold-out has nothing against it
-constexpr std::array<double, 2> kBlockSides = {0.5, 1.0};  // times width
+constexpr size_t kStart = 2;        // the likeliest candidate before any height is known
+constexpr double kStepPenalty = 1;  // of log-likelihood, for each step away from it
+constexpr double kLeastNoise = 1e-7, kMostNoise = 1, kNoiseStep = 10;  // variances of a height, over the kernel's scale
+constexpr std::array<double, 2> kBlockSides = {0.5, 1.0};              // times width
 constexpr std::array<std::pair<double, double>, 4> kBlockOffsets = {
     {{0, 0}, {0.5, 0.5}, {0.5, 0}, {0, 0.5}}};  // times the side
 constexpr size_t kMostRimPoints = 100;
 constexpr size_t kLeastBlocks = 4;
 constexpr double kThinning = 1.2;
-constexpr double kStandardErrors = 0.75;
 constexpr double kWidthShare = 0.5;
 // Variance of a sample, over the largest of the kernel: the matrix stays positive definite where points all but
 // coincide.
@@ -117,16 +118,18 @@ std::vector<std::vector<int>> Blocks(const std::vector<Point3>& samples, double 
   return list;
 }
 
-// Lengths in units of the hole's width, tension in units of 1 / width^2.
-double Kernel(double r, double tension) {
-  if (tension == 0) return r > 0 ? r * r * std::log(r) / (8 * std::numbers::pi) : 0;
-  const double scale = std::sqrt(tension), x = scale * r;
-  constexpr double kFar = 30;  // K0 is below 1e-13 there, and slow
-  // ln r + K0(x) tends to ln(2 / scale) - Euler's constant.
-  const double value = x > kFar   ? std::log(r)
-                       : x > 1e-9 ? std::log(r) + BesselK0(x)
-                                  : std::log(2 / scale) - std::numbers::egamma;
-  return -value / (2 * std::numbers::pi * tension);
+// The kernel at distances above 0, in units of the hole's width, tension in units of 1 / width^2. ln r + K0(x) tends to
+// ln(2 / scale) - Euler's constant.
+Eigen::ArrayXd Kernel(const Eigen::ArrayXd& r, double tension) {
+  if (tension == 0) return r.square() * r.log() / (8 * std::numbers::pi);
+  constexpr double kFar = 30;  // K0 is below 1e-13 there
+  const Eigen::ArrayXd x = (std::sqrt(tension) * r).min(kFar);
+  return (r.log() + Eigen::bessel_k0(x)) / (-2 * std::numbers::pi * tension);
+}
+
+double KernelAtZero(double tension) {
+  if (tension == 0) return 0;
+  return (std::log(2 / std::sqrt(tension)) - std::numbers::egamma) / (-2 * std::numbers::pi * tension);
 }
 
 // The inverse of a positive definite matrix. Both halves of the work, L^-1 and L^-T L^-1, leave out what is zero.
@@ -146,71 +149,98 @@ Eigen::MatrixXd InverseOfPositive(const Eigen::MatrixXd& matrix) {
   return upper_half.selfadjointView<Eigen::Upper>();
 }
 
-// The inverse of the kriging matrix of the samples, without the rows and columns of the drift. The kernel is positive
-// definite on what is orthogonal to the drift (Wahba 1990, 2.4), the last coordinates after reflections that take the
-// drift to the first.
-Eigen::MatrixXd InverseOf(const std::vector<Point3>& samples, double width, double tension) {
-  const auto n = static_cast<Eigen::Index>(samples.size());
-  const Eigen::Index drift_count = tension == 0 ? 3 : 1;
-  Eigen::MatrixXd matrix(n, n), drift(n, drift_count);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < i; ++j) {
-      matrix(i, j) = matrix(j, i) = Kernel((samples[i] - samples[j]).head<2>().norm() / width, tension);
+// What the plate with one tension foretells of the samples.
+class Kriging {
+ public:
+  Kriging(const std::vector<Point3>& samples, double width, double tension)
+      : matrix_(samples.size(), samples.size()), heights_(samples.size()) {
+    const Eigen::Index n = matrix_.rows();
+    Eigen::MatrixXd drift(n, kDrift);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Point3 p = samples[i] - samples[0];
+      drift.row(i) << 1, p.x() / width, p.y() / width;
+      heights_[i] = p.z();
     }
-    matrix(i, i) = Kernel(0, tension);
-    drift(i, 0) = 1;
-    for (Eigen::Index k = 1; k < drift_count; ++k) drift(i, k) = (samples[i] - samples[0])[k - 1] / width;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Eigen::Index below = n - i - 1;
+      const Eigen::MatrixXd way = drift.bottomRows(below).rowwise() - drift.row(i);
+      matrix_.col(i).tail(below) = Kernel(way.rowwise().norm().array(), tension).matrix();
+      matrix_.row(i).tail(below) = matrix_.col(i).tail(below).transpose();
+    }
+    matrix_.diagonal().setConstant(KernelAtZero(tension));
+    matrix_.diagonal().array() += kNugget * matrix_.cwiseAbs().maxCoeff();
+    reflections_.compute(drift);
+    matrix_.applyOnTheLeft(reflections_.householderQ().adjoint());
+    matrix_.applyOnTheRight(reflections_.householderQ());
   }
-  matrix.diagonal().array() += kNugget * matrix.cwiseAbs().maxCoeff();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> reflections(drift);
-  matrix.applyOnTheLeft(reflections.householderQ().adjoint());
-  matrix.applyOnTheRight(reflections.householderQ());
-  const Eigen::Index free = n - drift_count;
-  const Eigen::MatrixXd inverse = InverseOfPositive(matrix.bottomRightCorner(free, free));
-  matrix.setZero();
-  matrix.bottomRightCorner(free, free) = inverse;
-  matrix.applyOnTheLeft(reflections.householderQ());
-  matrix.applyOnTheRight(reflections.householderQ().adjoint());
-  return matrix;
-}
 
-// The mean |error| of each block of each division, when it is left out.
-std::vector<Eigen::VectorXd> BlockErrors(const std::vector<Point3>& samples,
-                                         const std::vector<std::vector<std::vector<int>>>& divisions, double width,
-                                         double tension) {
-  const Eigen::MatrixXd inverse = InverseOf(samples, width, tension);
-  Eigen::VectorXd heights(inverse.rows());
-  for (size_t i = 0; i < samples.size(); ++i) heights[static_cast<Eigen::Index>(i)] = samples[i].z() - samples[0].z();
-  const Eigen::VectorXd weights = inverse * heights;
-  std::vector<Eigen::VectorXd> errors;
-  for (const auto& blocks : divisions) {
-    Eigen::VectorXd of_division(static_cast<Eigen::Index>(blocks.size()));
-    for (size_t b = 0; b < blocks.size(); ++b) {
-      const Eigen::MatrixXd own = inverse(blocks[b], blocks[b]);
-      const Eigen::VectorXd error = own.partialPivLu().solve(weights(blocks[b]));
-      of_division[static_cast<Eigen::Index>(b)] = error.cwiseAbs().mean();
-    }
-    errors.push_back(std::move(of_division));
+  // Of the heights, but for what the drift explains and for a constant; with the scale of heights that suits them best.
+  //   noise  variance of each height by itself, over that scale
+  double LogLikelihood(double noise) const {
+    const Eigen::Index free = matrix_.rows() - kDrift;
+    Eigen::MatrixXd covariance = matrix_.bottomRightCorner(free, free);
+    covariance.diagonal().array() += noise;
+    const Eigen::LLT<Eigen::MatrixXd> factors(covariance);
+    const Eigen::VectorXd reflected = reflections_.householderQ().adjoint() * heights_;
+    const Eigen::VectorXd whitened = factors.matrixL().solve(reflected.tail(free));
+    const auto n = static_cast<double>(free);
+    return -n / 2 * std::log(whitened.squaredNorm() / n) - factors.matrixLLT().diagonal().array().log().sum();
   }
-  return errors;
+
+  // The mean |error| of each block of each division, when it is left out.
+  std::vector<Eigen::VectorXd> BlockErrors(const std::vector<std::vector<std::vector<int>>>& divisions) const {
+    const Eigen::MatrixXd inverse = Inverse();
+    const Eigen::VectorXd weights = inverse * heights_;
+    std::vector<Eigen::VectorXd> errors;
+    for (const auto& blocks : divisions) {
+      Eigen::VectorXd of_division(static_cast<Eigen::Index>(blocks.size()));
+      for (size_t b = 0; b < blocks.size(); ++b) {
+        const Eigen::MatrixXd own = inverse(blocks[b], blocks[b]);
+        const Eigen::VectorXd error = own.partialPivLu().solve(weights(blocks[b]));
+        of_division[static_cast<Eigen::Index>(b)] = error.cwiseAbs().mean();
+      }
+      errors.push_back(std::move(of_division));
+    }
+    return errors;
+  }
+
+ private:
+  static constexpr Eigen::Index kDrift = 3;  // linear
+
+  // The inverse of the kriging matrix, without the rows and columns of the drift.
+  Eigen::MatrixXd Inverse() const {
+    const Eigen::Index n = matrix_.rows(), free = n - kDrift;
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
+    inverse.bottomRightCorner(free, free) = InverseOfPositive(matrix_.bottomRightCorner(free, free));
+    inverse.applyOnTheLeft(reflections_.householderQ());
+    inverse.applyOnTheRight(reflections_.householderQ().adjoint());
+    return inverse;
+  }
+
+  // The covariances after reflections that take the drift to the first coordinates: positive definite in the others
+  // (Wahba 1990, 2.4).
+  Eigen::MatrixXd matrix_;
+  Eigen::HouseholderQR<Eigen::MatrixXd> reflections_;
+  Eigen::VectorXd heights_;
+};
+
+// The first noise of the ladder that the next one does not better. What is rough at the scale of a triangle says
+// nothing of the hole's.
+double LikeliestNoise(const Kriging& kriging) {
+  double best = 0, likelihood = kriging.LogLikelihood(0);
+  for (double noise = kLeastNoise; noise <= kMostNoise; noise *= kNoiseStep) {
+    const double next = kriging.LogLikelihood(noise);
+    if (next <= likelihood) break;
+    best = noise;
+    likelihood = next;
+  }
+  return best;
 }
 
 double Mean(const std::vector<Eigen::VectorXd>& errors) {
   double sum = 0;
   for (const Eigen::VectorXd& e : errors) sum += e.mean();
   return sum / static_cast<double>(errors.size());
-}
-
-// How far the errors lie above `best` on average, less the standard errors that are allowed for.
-double Excess(const std::vector<Eigen::VectorXd>& errors, const std::vector<Eigen::VectorXd>& best) {
-  double mean = 0, standard_error = 0;
-  for (size_t d = 0; d < errors.size(); ++d) {
-    const Eigen::VectorXd more = errors[d] - best[d];
-    const auto n = static_cast<double>(more.size());
-    mean += more.mean();
-    standard_error += std::sqrt((more.array() - more.mean()).square().sum() / (n - 1) / n);
-  }
-  return mean - kStandardErrors * standard_error;
 }
 
 }  // namespace
@@ -268,20 +298,22 @@ HoldOut ChooseTension(const ThinPlateProblem& problem, double width) {
     }
   }
   if (divisions.empty()) return choice;
-  std::array<std::vector<Eigen::VectorXd>, kCandidates.size()> known;
-  const auto errors = [&](size_t c) -> const std::vector<Eigen::VectorXd>& {
-    if (known[c].empty()) known[c] = BlockErrors(samples, divisions, width, kCandidates[c]);
-    return known[c];
+  const double noise = LikeliestNoise(Kriging(samples, width, kCandidates[kStart]));
+  std::array<std::optional<double>, kCandidates.size()> scores;
+  const auto score = [&](size_t c) {
+    if (!scores[c]) {
+      const auto steps = static_cast<double>(c < kStart ? kStart - c : c - kStart);
+      scores[c] = Kriging(samples, width, kCandidates[c]).LogLikelihood(noise) - kStepPenalty * steps;
+    }
+    return *scores[c];
   };
-  const auto improves = [&](size_t from, size_t to) { return Mean(errors(to)) < Mean(errors(from)); };
-  size_t best = kStart;
-  while (best > 0 && improves(best, best - 1)) --best;
-  while (best >= kStart && best + 1 < kCandidates.size() && improves(best, best + 1)) ++best;
   size_t chosen = kStart;
-  while (chosen != best && Excess(errors(chosen), errors(best)) > 0) chosen = chosen < best ? chosen + 1 : chosen - 1;
+  while (chosen > 0 && score(chosen - 1) > score(chosen)) --chosen;
+  while (chosen >= kStart && chosen + 1 < kCandidates.size() && score(chosen + 1) > score(chosen)) ++chosen;
+  const auto error = [&](size_t c) { return Mean(Kriging(samples, width, kCandidates[c]).BlockErrors(divisions)); };
   choice.tension = kCandidates[chosen] / (width * width);
-  choice.error = Mean(errors(chosen));
-  choice.error_at_start = Mean(errors(kStart));
+  choice.error = error(chosen);
+  choice.error_at_start = chosen == kStart ? choice.error : error(kStart);
   for (const auto& blocks : divisions) choice.blocks += static_cast<int32_t>(blocks.size());
   return choice;
 }

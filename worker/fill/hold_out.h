@@ -10,20 +10,22 @@
 
 namespace tilemend {
 
-// Chooses the tension for `problem` (its own is ignored). Stretches of the rim, about as long as the hole is wide, are
-// left out in turn, and their heights foretold from the rest of the rim and the vertices beside it, as the thin plate
-// with each candidate tension would on an unbounded plane: kriging with the fundamental solution of
-// Laplacian^2 - t Laplacian,
-//   r^2 ln r / (8 pi)                             for t = 0, with a linear drift,
-//   -(ln r + K0(sqrt(t) r)) / (2 pi t)            for t > 0, with a constant drift
-// (Wahba 1990; Mitas and Mitasova 1988). Leaving a block B out costs no further solve: its error is
-// (C_BB)^-1 (C z)_B with C the inverse of the kriging matrix (Dubrule 1983). Candidates are 0 and ladder steps of
-// 1 / width^2, tried from 30 / width^2 on as long as the error falls. Taken is the first on the way to the best of
-// which the error is within three quarters of a standard error of it.
+// Chooses the tension for `problem` (its own is ignored) from the heights of its rim and of the vertices beside it, as
+// the thin plate with each candidate tension would foretell them on an unbounded plane: kriging with a linear drift and
+// the fundamental solution of Laplacian^2 - t Laplacian,
+//   r^2 ln r / (8 pi)                             for t = 0,
+//   -(ln r + K0(sqrt(t) r)) / (2 pi t)            for t > 0
+// (Wahba 1990; Mitas and Mitasova 1988). Candidates are 0 and ladder steps of 1 / width^2, tried from 10 / width^2 on
+// as long as they score better. The score is the restricted log-likelihood of the heights (Patterson and Thompson
+// 1971), the sum of the log-probabilities with which each is foretold from those before it, less 2 for each step of the
+// ladder: the step must make the heights e^2 times as likely. What the choice is worth is told by a second hold-out:
+// stretches of the rim, about as long as the hole is wide, are left out in turn and foretold from the rest. Leaving a
+// block B out costs no further solve: its error is (C_BB)^-1 (C z)_B with C the inverse of the kriging matrix (Dubrule
+// 1983).
 //
 // The problem's known points with a full ring are its rim, its band's other points lie beside it. A rim of fewer than
 // kLeastRimForHoldOut points, or too short for several blocks, gets tension 0 untested. The choice does not depend on
-// the order of points. Cost bounded: at most 100 rim points are looked at (about 10 ms).
+// the order of points. Cost bounded: at most 100 rim points are looked at.
 //   width  of the hole, metres (HoleWidth); 0: not tested
 HoldOut ChooseTension(const ThinPlateProblem& problem, double width);
 
