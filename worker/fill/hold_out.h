@@ -17,8 +17,10 @@ namespace tilemend {
 //   -(ln r + K0(sqrt(t) r)) / (2 pi t)            for t > 0
 // (Wahba 1990; Mitas and Mitasova 1988). Candidates are 0 and ladder steps of 1 / width^2, tried from 10 / width^2 on
 // as long as they score better. The score is the restricted log-likelihood of the heights (Patterson and Thompson
-// 1971), the sum of the log-probabilities with which each is foretold from those before it, less 2 for each step of the
-// ladder: the step must make the heights e^2 times as likely. What the choice is worth is told by a second hold-out:
+// 1971), the sum of the log-probabilities with which each is foretold from those before it, less 1 for each step of the
+// ladder: a step must make the heights e times as likely. Each height has a variance of its own, noise, the likeliest
+// at 10 / width^2.
+// What the choice is worth is told by a second hold-out:
 // stretches of the rim, about as long as the hole is wide, are left out in turn and foretold from the rest. Leaving a
 // block B out costs no further solve: its error is (C_BB)^-1 (C z)_B with C the inverse of the kriging matrix (Dubrule
 // 1983).
