@@ -190,8 +190,10 @@ class Layout {
   }
 
   double SizeAt(const Point2& p) const {
-    const double limit = options_.size_limit * index_.mean_size();
-    return index_.SizeAt(p, options_.uniform ? 0.02 : options_.gradation - 1, limit);
+    // In uniform mode sizes go from those of the rim near by to its mean, slowly: a lone outlier is not followed.
+    constexpr double kUniformGrowth = 0.02;
+    if (options_.uniform) return index_.SizeAt(p, kUniformGrowth, index_.mean_size());
+    return index_.SizeAt(p, options_.gradation - 1, options_.size_limit * index_.mean_size());
   }
 
   Point2 PositionOf(int32_t vertex) const {
