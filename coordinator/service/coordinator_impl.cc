@@ -163,8 +163,7 @@ absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std
 absl::Status CoordinatorImpl::CheckNewJob(const std::string& out_key) const {
   size_t running = 0;
   for (const auto& [id, entry] : entries_) {
-    // A cancelled job may still be writing until its runner has ended.
-    if (entry.runner == nullptr || entry.runner->ended()) continue;
+    if (entry.runner == nullptr || !entry.runner->may_write()) continue;  // a cancelled job may for a while
     ++running;
     if (!out_key.empty() && entry.out_key == out_key) {
       return WithErrorInfo(

@@ -47,6 +47,7 @@ void JobRunner::Run() {
   } catch (const std::exception& error) {
     outcome = absl::InternalError(absl::StrCat("the pipeline threw: ", error.what()));
   }
+  may_write_.store(false);
   bool cancelled = false;
   {
     std::lock_guard<std::mutex> lock(mutex_);

@@ -44,6 +44,9 @@ class JobRunner {
   // False if the pipeline has come to its end before: the job ends as it was about to.
   bool Cancel();
 
+  // True until the pipeline has ended: the job may write to its output, even if cancelled.
+  bool may_write() const { return may_write_.load(); }
+
   // True once nothing runs any more.
   bool ended() const { return ended_.load(); }
 
@@ -66,6 +69,7 @@ class JobRunner {
   const Sink sink_;
   int64_t outstanding_ = 0;  // tasks given out and not yet taken back; the job's thread only
   std::atomic<size_t> queued_bytes_{0};
+  std::atomic<bool> may_write_{true};
   std::atomic<bool> ended_{false};
 
   std::mutex mutex_;

@@ -40,7 +40,9 @@ Reach ReachOf(const ThinPlateProblem& problem) {
     }
   }
   std::vector<double> slopes = {0};
-  for (const Triangle& t : problem.band) slopes.push_back(std::min(Slope(problem, t), kSteepest));
+  for (const Triangle& t : problem.band) {
+    if (const double slope = Slope(problem, t); slope <= kSteepest) slopes.push_back(slope);
+  }
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::nth_element(slopes.begin(), middle, slopes.end());
   reach.extent = (hi - lo).norm();

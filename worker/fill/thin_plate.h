@@ -48,8 +48,8 @@ std::optional<std::vector<double>> SolveThinPlate(ThinPlateProblem& problem);
 void FreeSteepRim(ThinPlateProblem& problem);
 
 // SolveThinPlate with as much more tension, by tens from 10 / extent^2 on, as it takes to keep the heights within reach
-// of the rim: half its range of heights, and a quarter of the extent times the median slope beside it, above and
-// below. Leaves the tension that was used in the problem.
+// of the rim: half its range of heights, and a quarter of the extent times the median slope beside it but for walls,
+// above and below. Leaves the tension that was used in the problem.
 std::optional<std::vector<double>> SolveWithinReach(ThinPlateProblem& problem);
 
 }  // namespace tilemend

@@ -114,20 +114,36 @@ TEST(SolveWithinReachTest, LeavesASurfaceWithinReachAlone) {
   EXPECT_LT(LargestError(plate, bowl), 1e-6);
 }
 
+double Lowest(const Plate& plate) {
+  double z = 0;
+  for (const Point3& p : plate.problem.points) z = std::min(z, p.z());
+  return z;
+}
+
 TEST(SolveWithinReachTest, TightensASpike) {
   // A slope of 9 on one side of flat ground.
   const auto ramp = [](double x, double) { return x > kHalf ? 9 * (x - kHalf) : 0; };
   Plate slack = MakePlate(ramp, Everywhere, Nowhere), held = slack;
-  const auto lowest = [](const Plate& plate) {
-    double z = 0;
-    for (const Point3& p : plate.problem.points) z = std::min(z, p.z());
-    return z;
-  };
   ASSERT_TRUE(SolveThinPlate(slack.problem).has_value());
-  EXPECT_LT(lowest(slack), -9);
+  EXPECT_LT(Lowest(slack), -9);
   ASSERT_TRUE(SolveWithinReach(held.problem).has_value());
   EXPECT_GT(held.problem.tension, 0);
-  EXPECT_GT(lowest(held), -0.5);
+  EXPECT_GT(Lowest(held), -0.5);
+}
+
+TEST(SolveWithinReachTest, TakesNoReachFromWalls) {
+  // Walls on three sides; on the fourth flat ground with a slope of 9 in its middle.
+  const auto street = [](double x, double y) {
+    if (x > kHalf) return std::abs(y) < kHalf / 3 ? 9 * (x - kHalf) : 0;
+    return 50 * std::max(0.0, std::max(std::abs(x), std::abs(y)) - kHalf);
+  };
+  Plate slack = MakePlate(street, Everywhere, Nowhere);
+  FreeSteepRim(slack.problem);
+  Plate held = slack;
+  ASSERT_TRUE(SolveThinPlate(slack.problem).has_value());
+  EXPECT_LT(Lowest(slack), -4);
+  ASSERT_TRUE(SolveWithinReach(held.problem).has_value());
+  EXPECT_GT(Lowest(held), -0.5);
 }
 
 }  // namespace
