@@ -539,6 +539,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   } else {
     PartPlanner(input, area, lines, options, plan).Run();
   }
+  plan.tiles_apart = lines.independent;
   StoreLayers(lines.independent, plan);
   LeaveFailedHoles(plan);
   FindWater(input, options.water, plan);

@@ -126,10 +126,10 @@ struct Plan {
   std::vector<LeftOpen> left;
   int32_t clusters = 0;
   int32_t layers = 0;
-  int32_t continuous =
-      0;  // groups of holes that touch at a vertex (Zhang: continuous holes), each split into single ones
-  int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
-  double lattice_step = 0;  // power of two, metres
+  int32_t continuous = 0;    // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
+  bool tiles_apart = false;  // the tiles share no vertices, they overlap or part: each is filled for itself
+  int64_t outer_rims = 0;    // loops that are the outline of a detached piece, not a hole
+  double lattice_step = 0;   // power of two, metres
   std::map<CellId, std::vector<int32_t>>
       vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record
 };

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -212,6 +213,14 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   for (const int32_t area : plan.idle_water_areas) {
     warnings.push_back(absl::StrFormat(
         "--water: area %d of the file (from 0) covers no hole by more than half and decides nothing", area));
+  }
+  const bool has_open = std::any_of(plan.holes.begin(), plan.holes.end(),
+                                    [](const PlannedHole& hole) { return hole.kind != HoleKind::kClosed; });
+  if (plan.tiles_apart && has_open) {
+    warnings.push_back(
+        "the tiles overlap or part and share no vertices: each is filled for itself, and the fills of two tiles may "
+        "meet "
+        "in a step");
   }
   return warnings;
 }

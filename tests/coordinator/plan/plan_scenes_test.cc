@@ -247,6 +247,7 @@ TEST(BorderAuditTest, TellsTilesThatOverlap) {
   const Plan plan = PlanOf(GrownTiles(0.1));
   ASSERT_THAT(plan.borders, SizeIs(1));
   EXPECT_EQ(plan.borders[0].kind, BorderKind::kOverlap);
+  EXPECT_TRUE(plan.tiles_apart);
   EXPECT_NEAR(plan.borders[0].offset, 0.2, 1e-3);
 }
 
@@ -259,6 +260,7 @@ TEST(BorderAuditTest, TellsTilesWithAGapBetween) {
 
 TEST(BorderAuditTest, TellsABorderWithoutSurface) {
   const Plan plan = PlanOf(PictureScene({"##|..", "##|.."}, 2));
+  EXPECT_FALSE(plan.tiles_apart);
   ASSERT_THAT(plan.borders, SizeIs(1));
   EXPECT_EQ(plan.borders[0].kind, BorderKind::kOpen);
 }
