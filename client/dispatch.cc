@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <new>
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
@@ -49,7 +50,13 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
   for (const std::string& name : command.required_flags) {
     if (args->Text(name).empty()) return UsageError(absl::StrCat(command.name, ": --", name, " is needed"));
   }
-  return command.run(*args);
+  try {
+    return command.run(*args);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "tilemend: %s: out of memory; use larger triangles (no --uniform) or a larger machine\n",
+                 command.name.c_str());
+    return kExitRetryable;
+  }
 }
 
 }  // namespace

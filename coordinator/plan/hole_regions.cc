@@ -34,6 +34,7 @@ struct ClosedLoop {
   std::vector<RimSegment> segments;
   Eigen::Vector3d vector_area{0, 0, 0};
   Eigen::Vector3d normal{0, 0, 0};  // mean along the loop
+  bool faces_up = false;
   bool outer_rim = false;
 };
 
@@ -193,13 +194,17 @@ class HoleFinder {
       c.vector_area = VectorArea(loop, position_);
       for (const RimSegment& s : loop) c.normal += rim_.points[s.from].normal.normalized();
       if (c.normal.norm() > 0) c.normal.normalize();
-      c.outer_rim = c.vector_area.dot(c.normal) < kOuterRim * c.vector_area.norm();
+      // Of heights, however steep, the way around seen from above tells a hole from an outline.
+      const bool heights = std::all_of(loop.begin(), loop.end(),
+                                       [&](const RimSegment& s) { return rim_.points[s.from].normal.z() > 0; });
+      c.faces_up = heights || c.normal.z() > kFacesUp;
+      c.outer_rim = heights ? c.vector_area.z() < 0 : c.vector_area.dot(c.normal) < kOuterRim * c.vector_area.norm();
       (c.outer_rim ? outlines : holes).push_back(std::move(c));
     }
     std::vector<PlanarRegions> regions(holes.size());
     std::vector<std::vector<std::vector<RimSegment>>> islands(holes.size());
     for (size_t i = 0; i < holes.size(); ++i) {
-      if (holes[i].normal.z() > kFacesUp && holes[i].vector_area.z() > 0) {
+      if (holes[i].faces_up && holes[i].vector_area.z() > 0) {
         regions[i] = FindPlanarRegions(holes[i].segments, position_);
       }
     }
@@ -211,7 +216,7 @@ class HoleFinder {
   void Place(const ClosedLoop& outline, const std::vector<ClosedLoop>& holes, std::vector<PlanarRegions>& closed,
              std::vector<std::vector<std::vector<RimSegment>>>& islands) {
     const Point2 p = position_[outline.segments[0].from].head<2>();
-    if (outline.normal.z() > kFacesUp) {
+    if (outline.faces_up) {
       for (size_t i = 0; i < open_places_.size(); ++i) {
         if (!Contains(open_regions_[open_places_[i].first], open_places_[i].second, p, position_)) continue;
         PlannedHole& hole = result_.holes[open_holes_[i]];
@@ -290,7 +295,8 @@ class HoleFinder {
     if (hole.projects) hole.area = std::accumulate(regions.area.begin(), regions.area.end(), 0.0);
     for (const std::vector<RimSegment>& island : islands) {
       hole.segments.insert(hole.segments.end(), island.begin(), island.end());
-      hole.area -= VectorArea(island, position_).norm();
+      const Eigen::Vector3d area = VectorArea(island, position_);
+      hole.area -= hole.projects ? -area.z() : area.norm();
     }
     result_.holes.push_back(std::move(hole));
   }

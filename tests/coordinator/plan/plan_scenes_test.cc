@@ -227,6 +227,29 @@ TEST_P(MadeSceneTest, MovesAlongWithASceneMovedByWholeCells) {
   EXPECT_EQ(FiguresOf(moved, {}, {0, 0, 0}), FiguresOf(PlanOf(scene), shift, move));
 }
 
+// So steep that normals say little of what is up.
+TEST(SteepGroundTest, HolesAreToldFromIslandsSeenFromAbove) {
+  const auto kept = [](int32_t x, int32_t y) {
+    const bool in_hole = x >= 3 && x < 9 && y >= 3 && y < 9, in_island = x >= 5 && x < 7 && y >= 5 && y < 7;
+    return !in_hole || in_island;
+  };
+  Grid grid;
+  grid.cell_size = Point2(12, 12);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> height(-20, 20);
+    TriMesh mesh = SquaresMesh(0, 12, 0, 12, kept);
+    for (Point3& p : mesh.points) p.z() = height(random);
+    const Plan plan = PlanOf(SurveyScene(grid, {{{0, 0}, mesh}}));
+    ASSERT_THAT(plan.holes, SizeIs(1));
+    EXPECT_EQ(plan.holes[0].kind, HoleKind::kClosed);
+    EXPECT_NEAR(plan.holes[0].area, 36 - 4, 1e-9);
+    EXPECT_EQ(plan.holes[0].segments.size(), 24U + 8U);
+    EXPECT_EQ(plan.outer_rims, 0);
+  }
+}
+
 // A tile of a 250 m cell grown by `margin` on every side, with its own vertices, as ContextCapture writes them.
 SurveyedScene GrownTiles(double margin) {
   std::map<CellId, TriMesh> tiles;
