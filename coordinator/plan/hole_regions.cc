@@ -21,6 +21,8 @@ namespace {
 constexpr double kOuterRim = -0.3;
 // A closed hole is filled over the plane if the surface along it faces up by this much.
 constexpr double kFacesUp = 0.2;
+// So many normals of a wall do not point up by chance.
+constexpr int kTellingEdges = 8;
 // A piece that lies in a hole faces the way of the hole by this much.
 constexpr double kFacesAlike = 0.2;
 // No surface is taken to rise from the rim of a hole more steeply than this.
@@ -194,11 +196,17 @@ class HoleFinder {
       c.vector_area = VectorArea(loop, position_);
       for (const RimSegment& s : loop) c.normal += rim_.points[s.from].normal.normalized();
       if (c.normal.norm() > 0) c.normal.normalize();
-      // Of heights, however steep, the way around seen from above tells a hole from an outline.
-      const bool heights = std::all_of(loop.begin(), loop.end(),
-                                       [&](const RimSegment& s) { return rim_.points[s.from].normal.z() > 0; });
-      c.faces_up = heights || c.normal.z() > kFacesUp;
-      c.outer_rim = heights ? c.vector_area.z() < 0 : c.vector_area.dot(c.normal) < kOuterRim * c.vector_area.norm();
+      c.faces_up = c.normal.z() > kFacesUp;
+      const double along = c.vector_area.dot(c.normal), up = c.vector_area.z();
+      c.outer_rim = along < kOuterRim * c.vector_area.norm();
+      // Of heights, however steep, the way around seen from above tells a hole from an outline. Along few edges of a
+      // rough wall all normals may point up by chance.
+      const bool many = static_cast<int>(loop.size()) >= kTellingEdges;
+      const bool doubtful = c.outer_rim != (up < 0) && (many || std::abs(up) > std::abs(along));
+      if ((!c.faces_up || doubtful) && BoundsHeights(c)) {
+        c.faces_up = true;
+        if (doubtful) c.outer_rim = up < 0;
+      }
       (c.outer_rim ? outlines : holes).push_back(std::move(c));
     }
     std::vector<PlanarRegions> regions(holes.size());
@@ -210,6 +218,19 @@ class HoleFinder {
     }
     for (const ClosedLoop& outline : outlines) Place(outline, holes, regions, islands);
     for (size_t i = 0; i < holes.size(); ++i) AddClosed(holes[i], regions[i], islands[i]);
+  }
+
+  // Whether the surface along a loop faces up, and the loop does not cross itself seen from above.
+  bool BoundsHeights(const ClosedLoop& loop) const {
+    if (std::any_of(loop.segments.begin(), loop.segments.end(),
+                    [&](const RimSegment& s) { return rim_.points[s.from].normal.z() <= 0; })) {
+      return false;
+    }
+    std::vector<RimSegment> around = loop.segments;
+    if (loop.vector_area.z() < 0) {
+      for (RimSegment& s : around) std::swap(s.from, s.to);
+    }
+    return FindPlanarRegions(around, position_).triangulation.conflicts.empty();
   }
 
   // Makes the outline of a piece an island of the hole that it lies in; without one it is an outer rim.
