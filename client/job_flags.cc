@@ -55,7 +55,7 @@ absl::StatusOr<double> WaterToleranceFromFlags(const Args& args) { return args.N
 FlagSpec OutputFlag() { return {"output", "FORMAT", "table or json", "table", 'o'}; }
 
 FlagSpec TensionFlag() {
-  return {"tension", "auto|X", "tautness of the thin-plate surface, 1/m^2, 0 to 1000; auto: by hold-out", "auto"};
+  return {"tension", "auto|X", "tautness of the thin-plate surface, 1/m^2, 0 to 1000; auto: from the rim", "auto"};
 }
 
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {

@@ -3,7 +3,7 @@
 
     render.py SCENE OUT picture.png [--width PIXELS] [--grid]
 
-SCENE is a folder with scene.json, or any folder of tiles; OUT is the output folder of `tilemend run` (the same relative paths, and
+SCENE is a folder with scene.json, any folder of tiles, or one mesh (PLY, OBJ); OUT is the output of `tilemend run` or `fill` (the same paths, and
 tiles of its own for cells that had none). Original surface is a grey hillshade, holes are dark red, filled triangles (the
 mark tilemend_filled of the output's files) are blue; --grid draws the borders of the cells. Needs numpy only (Debian: python3-numpy).
 """
@@ -23,6 +23,7 @@ NUMBERS = {'char': 'i1', 'int8': 'i1', 'uchar': 'u1', 'uint8': 'u1', 'short': '<
 HOLE = np.array([96, 18, 22], float)
 ORIGINAL = np.array([232, 230, 224], float)
 FILLED = np.array([104, 164, 236], float)
+OUTSIDE = np.array([255, 255, 255], float)
 GAP = 12  # pixels between the two pictures
 
 
@@ -136,6 +137,20 @@ def read_folder(folder):
     return np.concatenate(corners), np.concatenate(marks)
 
 
+def read(path):
+    """The soup of a folder of tiles or of one mesh file, PLY or OBJ. Ends the program if there is none."""
+    if os.path.isfile(path) and path.endswith(('.ply', '.obj')):
+        points, faces, filled = (read_obj if path.endswith('.obj') else read_ply)(path)
+        soup = points[faces], filled
+    else:
+        soup = read_folder(path)
+    if not len(soup[0]):
+        print(f'render.py: {path}: ' + ('no triangles in it' if os.path.exists(path) else 'no such folder or file'),
+              file=sys.stderr)
+        sys.exit(3)
+    return soup
+
+
 def outline(scene, corners):
     """x0, y0, x1, y1 of the picture in metres: the grid's, or without scene.json the bounds of the tiles; and the number of
     columns and rows of cells in it, 1 if it is not known."""
@@ -160,6 +175,20 @@ def draw_grid(image, cells):
         image[round(height * k / cells[1])] *= 0.72
 
 
+def blank_outside(image, scene, cells):
+    """Whitens the holes in cells that a scene.json does not name: they are no part of the area."""
+    path = os.path.join(scene, 'scene.json')
+    if not os.path.exists(path):
+        return
+    with open(path, encoding='utf-8') as file:
+        named = np.array([[t['col'], t['row']] for t in json.load(file)['tiles']])
+    inside = np.zeros(cells, bool)
+    inside[tuple((named - named.min(0)).T)] = True
+    height, width = image.shape[:2]
+    col, row = np.arange(width) * cells[0] // width, (height - 1 - np.arange(height)) * cells[1] // height
+    image[~inside[col[None, :], row[:, None]] & (image == HOLE).all(2)] = OUTSIDE
+
+
 def shades(corners):
     """Lambert light from the north-west at 45 degrees, slopes exaggerated so that gentle terrain shows."""
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -167,7 +196,7 @@ def shades(corners):
     normal[:, :2] *= 2
     length = np.linalg.norm(normal, axis=1)
     light = np.array([-0.5, 0.5, 0.7071])
-    return np.clip(normal @ light / np.where(length > 0, length, 1), 0, 1) * 0.9 + 0.15
+    return np.clip(normal @ light / np.where(length > 0, length, 1), 0, 1) * 0.8 + 0.25
 
 
 def rasterise(corners, box, shape):
@@ -195,10 +224,10 @@ def rasterise(corners, box, shape):
 def draw(xy, z, owner, px, py, pixel, owner_image, z_image):
     a, b, c = (xy[owner, k] for k in range(3))
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (b[:, 1] - a[:, 1])
-    with np.errstate(divide='ignore', invalid='ignore'):
+    with np.errstate(divide='ignore', over='ignore', invalid='ignore'):
         u = ((px - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (py - a[:, 1])) / area
         v = ((b[:, 0] - a[:, 0]) * (py - a[:, 1]) - (px - a[:, 0]) * (b[:, 1] - a[:, 1])) / area
-    inside = np.flatnonzero((u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9))
+        inside = np.flatnonzero((u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9))
     owner, pixel, u, v = owner[inside], pixel[inside], u[inside], v[inside]
     depth = z[owner, 0] + u * (z[owner, 1] - z[owner, 0]) + v * (z[owner, 2] - z[owner, 0])
     order = np.lexsort((depth, pixel))
@@ -241,15 +270,14 @@ def main():
     parser.add_argument('--width', type=int, default=1400, help='of the whole picture, in pixels')
     parser.add_argument('--grid', action='store_true', help='draw the borders of the cells (of a scene.json)')
     a = parser.parse_args()
-    before, after = read_folder(a.scene), read_folder(a.out)
-    if not len(before[0]) and not len(after[0]):
-        sys.exit(f'render.py: no triangles in {a.scene} nor in {a.out}')
+    before, after = read(a.scene), read(a.out)
     box, cells = outline(a.scene, before[0])
     width = 2 * max(1, (a.width - GAP) // 2)
     shape = (2 * max(1, round(width / 2 * (box[3] - box[1]) / (box[2] - box[0]))), width)
     images = [halve(picture(*soup, box, shape)) for soup in (before, after)]
-    if a.grid:
-        for image in images:
+    for image in images:
+        blank_outside(image, a.scene, cells)
+        if a.grid:
             draw_grid(image, cells)
     gap = np.full((images[0].shape[0], GAP, 3), 255.)
     write_png(a.picture, np.concatenate([images[0], gap, images[1]], 1))
