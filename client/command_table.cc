@@ -25,8 +25,8 @@ std::vector<Command> ServiceCommands() {
       {"work", "DIR", "where to put intermediate files (default: the system's temporary folder)", ""}};
   const std::vector<FlagSpec> shape = {{"surface", "NAME", "thin-plate or wang", "thin-plate"},
                                        TensionFlag(),
-                                       {"gradation", "F", "growth of the triangles inward from the rim", "1.3"},
-                                       {"size-limit", "F", "largest edge over the rim's mean edge", "16"},
+                                       GradationFlag(),
+                                       SizeLimitFlag(),
                                        {"uniform", "", "triangles as large as the rim's throughout", ""},
                                        {"out", "FILE", "where to write the filled mesh", ""},
                                        {"overwrite", "", "replace an existing output", ""},

@@ -120,12 +120,13 @@ void PrintSummary(const Filled& filled, const std::string& out) {
     vertices += size.first;
     triangles += size.second;
   }
-  std::fputs(
-      absl::StrFormat("%d of %d holes filled with %d new vertices and %d triangles; %d outer rims\nwritten: %s\n",
-                      plan.holes.size() - filled.report.failures.size(), plan.holes.size(), vertices, triangles,
-                      plan.outer_rims, out)
-          .c_str(),
-      stdout);
+  std::fputs(absl::StrFormat("%d of %s filled with %s and %s; %s\nwritten: %s\n",
+                             plan.holes.size() - filled.report.failures.size(), Counted(plan.holes.size(), "hole"),
+                             vertices == 1 ? "1 new vertex" : absl::StrCat(vertices, " new vertices"),
+                             Counted(static_cast<size_t>(triangles), "triangle"),
+                             Counted(static_cast<size_t>(plan.outer_rims), "outer rim"), out)
+                 .c_str(),
+             stdout);
   for (const std::string& w : PlanWarnings(plan)) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
   for (const LeftOpen& l : LeftOf(filled.report))
     std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());

@@ -33,8 +33,8 @@ std::vector<FlagSpec> JobFlags() {
       {"surface", "NAME", "thin-plate or wang", defaults.surface},
       {"uniform", "", "triangles as large as the rim's throughout", ""},
       TensionFlag(),
-      {"gradation", "X", "growth of the triangles inward, 1 to 10", absl::StrCat(defaults.gradation)},
-      {"size-limit", "X", "largest edge over the rim's mean edge", absl::StrCat(defaults.size_limit)},
+      GradationFlag(),
+      SizeLimitFlag(),
       {"seam-smoothing", "X", "smoothing of the seams, 0 to 1", absl::StrCat(defaults.seam_smoothing)},
       {"overwrite", "", "write into a folder that is not empty; files of other names stay", ""},
       {"dry-run", "", "survey and plan only, write nothing", ""},
@@ -55,7 +55,17 @@ absl::StatusOr<double> WaterToleranceFromFlags(const Args& args) { return args.N
 FlagSpec OutputFlag() { return {"output", "FORMAT", "table or json", "table", 'o'}; }
 
 FlagSpec TensionFlag() {
-  return {"tension", "auto|X", "tautness of the thin-plate surface, 1/m^2, 0 to 1000; auto: from the rim", "auto"};
+  return {"tension", "auto|X",
+          "tautness of the thin-plate surface, 1/m^2, 0 to 1000; auto: chosen from the surface around each hole",
+          "auto"};
+}
+
+FlagSpec GradationFlag() {
+  return {"gradation", "X", "growth of the triangles inward, 1 to 10", absl::StrCat(JobSpec().gradation)};
+}
+
+FlagSpec SizeLimitFlag() {
+  return {"size-limit", "X", "largest edge over the rim's mean edge, 1 to 1e6", absl::StrCat(JobSpec().size_limit)};
 }
 
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {

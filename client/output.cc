@@ -81,6 +81,10 @@ std::string Table(const std::vector<std::string>& headings, const std::vector<st
   return text;
 }
 
+std::string Counted(size_t count, const std::string& noun) {
+  return absl::StrCat(count, " ", noun, count == 1 ? "" : "s");
+}
+
 std::string JobText(const v1::Job& job, OutputFormat format) {
   if (format == OutputFormat::kJson) return Dump(JobJson(job));
   const v1::Progress& p = job.progress();

@@ -16,6 +16,9 @@ enum class OutputFormat { kTable, kJson };
 // Rows under their headings, columns lined up.
 std::string Table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows);
 
+// "1 tension", "2 tensions".
+std::string Counted(size_t count, const std::string& noun);
+
 std::string JobText(const v1::Job& job, OutputFormat format);
 std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format);
 

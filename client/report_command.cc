@@ -38,7 +38,7 @@ void AddRows(const Json& value, const std::string& name, std::vector<std::vector
   }
 }
 
-// The tensions that were chosen, and what they are worth on the rim itself.
+// The tensions that were chosen from the rim; the error of a hold-out is there for information.
 std::string TensionText(const Json& report) {
   const auto choices = report.find("tension");
   if (choices == report.end() || !choices->is_array() || choices->empty()) return "";
@@ -49,7 +49,7 @@ std::string TensionText(const Json& report) {
     rows.push_back({absl::StrCat(kind, " ", Text(choice.value(kind, Json()))), Rounded(choice.value("tension", Json())),
                     Text(choice.value("hold_out_error_m", Json()))});
   }
-  return absl::StrCat("\n", choices->size(), choices->size() == 1 ? " tension" : " tensions", " chosen from the rim\n",
+  return absl::StrCat("\n", Counted(choices->size(), "tension"), " chosen from the rim\n",
                       Table({"", "tension, 1/m2", "hold-out error, m"}, rows));
 }
 

@@ -82,7 +82,7 @@ TEST_P(FillTest, FillsTheHoleAndKeepsTheMesh) {
   const std::string in = WriteSheet(), before = *ReadFile(in);
   const Ended ended = Tilemend({"fill", in, "--out", Out()});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("1 of 1 holes filled"));
+  EXPECT_THAT(ended.out, HasSubstr("1 of 1 hole filled"));
   EXPECT_EQ(*ReadFile(in), before);
   const auto a = ReadMeshFile(in), b = ReadMeshFile(Out());
   ASSERT_TRUE(a.ok() && b.ok()) << a.status() << b.status();

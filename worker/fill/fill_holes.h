@@ -17,7 +17,7 @@ enum class Surface { kWang, kThinPlate };
 
 struct FillOptions {
   Surface surface = Surface::kWang;
-  std::optional<double> tension;  // of the thin-plate surface, 1 / metre^2; none: chosen by hold-out (hold_out.h)
+  std::optional<double> tension;  // of the thin-plate surface, 1 / metre^2; none: chosen from the rim (hold_out.h)
   RefineOptions refine;
 };
 

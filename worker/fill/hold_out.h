@@ -1,4 +1,4 @@
-// The tension of a thin-plate surface, chosen by hold-out on the surface around the hole.
+// The tension of a thin-plate surface, the likeliest for the heights of the rim; told beside it, a hold-out error.
 #ifndef TILEMEND_WORKER_FILL_HOLD_OUT_H_
 #define TILEMEND_WORKER_FILL_HOLD_OUT_H_
 
