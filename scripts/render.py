@@ -2,10 +2,13 @@
 """Draw a scene and its filled output side by side, from above, as a PNG.
 
     render.py SCENE OUT picture.png [--width PIXELS] [--grid]
+    render.py MESH FILLED picture.png [--width PIXELS]
 
-SCENE is a folder with scene.json, any folder of tiles, or one mesh (PLY, OBJ); OUT is the output of `tilemend run` or `fill` (the same paths, and
-tiles of its own for cells that had none). Original surface is a grey hillshade, holes are dark red, filled triangles (the
-mark tilemend_filled of the output's files) are blue; --grid draws the borders of the cells. Needs numpy only (Debian: python3-numpy).
+SCENE is a folder with scene.json, or any folder of tiles; OUT is the output folder of `tilemend run` (the same relative paths, and
+tiles of its own for cells that had none). MESH and FILLED are single files, before and after `tilemend fill`. Original surface
+is a grey hillshade, holes are dark red, filled triangles (the mark tilemend_filled of the output's files; in OFF, that has no
+marks, the faces after those of MESH) are blue; cells that scene.json does not list are white. --grid draws the borders of the
+cells. Needs numpy only (Debian: python3-numpy). Exit codes: 2 usage, 3 a path is not there, 4 no triangles or no mesh.
 """
 import argparse
 import glob
@@ -20,10 +23,11 @@ import numpy as np
 NUMBERS = {'char': 'i1', 'int8': 'i1', 'uchar': 'u1', 'uint8': 'u1', 'short': '<i2', 'int16': '<i2', 'ushort': '<u2',
            'uint16': '<u2', 'int': '<i4', 'int32': '<i4', 'uint': '<u4', 'uint32': '<u4', 'float': '<f4',
            'float32': '<f4', 'double': '<f8', 'float64': '<f8'}
+NOT_FOUND, INVALID = 3, 4  # exit codes, as of tilemend
+OUTSIDE = np.array([255, 255, 255], float)
 HOLE = np.array([96, 18, 22], float)
 ORIGINAL = np.array([232, 230, 224], float)
 FILLED = np.array([104, 164, 236], float)
-OUTSIDE = np.array([255, 255, 255], float)
 GAP = 12  # pixels between the two pictures
 
 
@@ -126,29 +130,38 @@ def read_obj(path):
     return np.array(points, float).reshape(-1, 3), np.array(faces, int).reshape(-1, 3), np.array(filled, bool)
 
 
+def read_off(path):
+    """The format has no marks: none is filled."""
+    with open(path, encoding='latin-1') as file:
+        lines = [words for words in (line.split('#')[0].split() for line in file) if words]
+    if not lines or not lines[0][0].endswith('OFF'):
+        raise ValueError(f'{path}: no OFF header')
+    lines = [lines[0][1:], *lines[1:]] if len(lines[0]) > 1 else lines[1:]
+    vertices, count = int(lines[0][0]), int(lines[0][1])
+    points = np.array([[float(w) for w in words[:3]] for words in lines[1:1 + vertices]]).reshape(-1, 3)
+    faces = []
+    for words in lines[1 + vertices:1 + vertices + count]:
+        corners = [int(w) for w in words[1:1 + int(words[0])]]
+        faces += [[corners[0], corners[k - 1], corners[k]] for k in range(2, len(corners))]
+    return points, np.array(faces, int).reshape(-1, 3), np.zeros(len(faces), bool)
+
+
+READERS = {'.ply': read_ply, '.obj': read_obj, '.off': read_off}
+
+
 def read_folder(folder):
-    """All tiles below a folder as one soup: corner positions (n x 3 x 3) and the mark of each triangle."""
-    paths = sorted(p for pattern in ('*.ply', '*.obj') for p in glob.glob(os.path.join(folder, '**', pattern), recursive=True))
+    """All tiles below a folder, or one mesh file, as one soup: corner positions (n x 3 x 3) and the mark of each triangle."""
+    paths = [folder] if os.path.isfile(folder) else sorted(
+        p for pattern in ('*.ply', '*.obj') for p in glob.glob(os.path.join(folder, '**', pattern), recursive=True))
     corners, marks = [np.zeros((0, 3, 3))], [np.zeros(0, bool)]
     for path in paths:
-        points, faces, filled = (read_obj if path.endswith('.obj') else read_ply)(path)
+        reader = READERS.get(os.path.splitext(path)[1].lower())
+        if reader is None:
+            raise ValueError(f'{path}: expected .ply, .obj or .off')
+        points, faces, filled = reader(path)
         corners.append(points[faces])
         marks.append(filled)
     return np.concatenate(corners), np.concatenate(marks)
-
-
-def read(path):
-    """The soup of a folder of tiles or of one mesh file, PLY or OBJ. Ends the program if there is none."""
-    if os.path.isfile(path) and path.endswith(('.ply', '.obj')):
-        points, faces, filled = (read_obj if path.endswith('.obj') else read_ply)(path)
-        soup = points[faces], filled
-    else:
-        soup = read_folder(path)
-    if not len(soup[0]):
-        print(f'render.py: {path}: ' + ('no triangles in it' if os.path.exists(path) else 'no such folder or file'),
-              file=sys.stderr)
-        sys.exit(3)
-    return soup
 
 
 def outline(scene, corners):
@@ -166,6 +179,23 @@ def outline(scene, corners):
     return np.concatenate([corners[:, :, :2].min((0, 1)), corners[:, :, :2].max((0, 1))]), np.array([1, 1])
 
 
+def paint_outside(image, scene):
+    """Paints the cells that scene.json does not list: they lie outside the area and are no holes."""
+    path = os.path.join(scene, 'scene.json')
+    if not os.path.exists(path):
+        return
+    with open(path, encoding='utf-8') as file:
+        listed = np.array([[t['col'], t['row']] for t in json.load(file)['tiles']])
+    low, cells = listed.min(0), listed.max(0) + 1 - listed.min(0)
+    is_outside = np.ones(cells[::-1], bool)
+    is_outside[tuple((listed - low).T[::-1])] = False
+    height, width = image.shape[:2]
+    rows = (np.arange(height)[::-1] * cells[1]) // height
+    cols = (np.arange(width) * cells[0]) // width
+    # Surface that reaches over the border of its cell stays.
+    image[is_outside[rows][:, cols] & (image == HOLE).all(2)] = OUTSIDE
+
+
 def draw_grid(image, cells):
     """Darkens the pixels on the borders between the cells."""
     height, width = image.shape[:2]
@@ -175,20 +205,6 @@ def draw_grid(image, cells):
         image[round(height * k / cells[1])] *= 0.72
 
 
-def blank_outside(image, scene, cells):
-    """Whitens the holes in cells that a scene.json does not name: they are no part of the area."""
-    path = os.path.join(scene, 'scene.json')
-    if not os.path.exists(path):
-        return
-    with open(path, encoding='utf-8') as file:
-        named = np.array([[t['col'], t['row']] for t in json.load(file)['tiles']])
-    inside = np.zeros(cells, bool)
-    inside[tuple((named - named.min(0)).T)] = True
-    height, width = image.shape[:2]
-    col, row = np.arange(width) * cells[0] // width, (height - 1 - np.arange(height)) * cells[1] // height
-    image[~inside[col[None, :], row[:, None]] & (image == HOLE).all(2)] = OUTSIDE
-
-
 def shades(corners):
     """Lambert light from the north-west at 45 degrees, slopes exaggerated so that gentle terrain shows."""
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -196,7 +212,7 @@ def shades(corners):
     normal[:, :2] *= 2
     length = np.linalg.norm(normal, axis=1)
     light = np.array([-0.5, 0.5, 0.7071])
-    return np.clip(normal @ light / np.where(length > 0, length, 1), 0, 1) * 0.8 + 0.25
+    return np.clip(normal @ light / np.where(length > 0, length, 1), 0, 1) * 0.75 + 0.3
 
 
 def rasterise(corners, box, shape):
@@ -224,10 +240,10 @@ def rasterise(corners, box, shape):
 def draw(xy, z, owner, px, py, pixel, owner_image, z_image):
     a, b, c = (xy[owner, k] for k in range(3))
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (b[:, 1] - a[:, 1])
-    with np.errstate(divide='ignore', over='ignore', invalid='ignore'):
-        u = ((px - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (py - a[:, 1])) / area
-        v = ((b[:, 0] - a[:, 0]) * (py - a[:, 1]) - (px - a[:, 0]) * (b[:, 1] - a[:, 1])) / area
-        inside = np.flatnonzero((u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9))
+    seen = np.where(area != 0, area, 1)  # upright triangles cover no pixel
+    u = ((px - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (py - a[:, 1])) / seen
+    v = ((b[:, 0] - a[:, 0]) * (py - a[:, 1]) - (px - a[:, 0]) * (b[:, 1] - a[:, 1])) / seen
+    inside = np.flatnonzero((area != 0) & (u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9))
     owner, pixel, u, v = owner[inside], pixel[inside], u[inside], v[inside]
     depth = z[owner, 0] + u * (z[owner, 1] - z[owner, 0]) + v * (z[owner, 2] - z[owner, 0])
     order = np.lexsort((depth, pixel))
@@ -262,6 +278,11 @@ def halve(image):
     return (image[0::2, 0::2] + image[1::2, 0::2] + image[0::2, 1::2] + image[1::2, 1::2]) / 4
 
 
+def fail(code, message):
+    print(f'render.py: {message}', file=sys.stderr)
+    sys.exit(code)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n', maxsplit=1)[0])
     parser.add_argument('scene')
@@ -270,14 +291,27 @@ def main():
     parser.add_argument('--width', type=int, default=1400, help='of the whole picture, in pixels')
     parser.add_argument('--grid', action='store_true', help='draw the borders of the cells (of a scene.json)')
     a = parser.parse_args()
-    before, after = read(a.scene), read(a.out)
+    for path in (a.scene, a.out):
+        if not os.path.exists(path):
+            fail(NOT_FOUND, f'{path}: no such file or folder')
+    try:
+        before, after = read_folder(a.scene), read_folder(a.out)
+    except ValueError as error:
+        fail(INVALID, str(error))
+    for path, soup in ((a.scene, before), (a.out, after)):
+        if not len(soup[0]):
+            fail(INVALID, f'{path}: no triangles')
+    if a.out.lower().endswith('.off'):
+        after[1][len(before[0]):] = True
     box, cells = outline(a.scene, before[0])
     width = 2 * max(1, (a.width - GAP) // 2)
     shape = (2 * max(1, round(width / 2 * (box[3] - box[1]) / (box[2] - box[0]))), width)
-    images = [halve(picture(*soup, box, shape)) for soup in (before, after)]
-    for image in images:
-        blank_outside(image, a.scene, cells)
-        if a.grid:
+    pictures = [np.array(picture(*soup, box, shape)) for soup in (before, after)]
+    for image in pictures:
+        paint_outside(image, a.scene)
+    images = [halve(image) for image in pictures]
+    if a.grid:
+        for image in images:
             draw_grid(image, cells)
     gap = np.full((images[0].shape[0], GAP, 3), 255.)
     write_png(a.picture, np.concatenate([images[0], gap, images[1]], 1))
