@@ -1,13 +1,17 @@
 // `tilemend inspect`: what a scene or a mesh holds, without writing anything.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "absl/strings/str_join.h"
 #include "client/commands.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
+#include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_table.h"
 #include "coordinator/service/scene_report.h"
@@ -46,23 +50,27 @@ Json RecordJson(const SurveyRecord& record) {
   return json;
 }
 
-std::string HolesLine(const Json& plan) {
-  const Json& h = plan["holes"];
-  const auto types = [](const Json& t) {
-    return absl::StrFormat("A %d, B %d, C %d, D %d", t["A"].get<int>(), t["B"].get<int>(), t["C"].get<int>(),
-                           t["D"].get<int>());
-  };
-  return absl::StrFormat("holes: %d closed; open I: %s; open II: %s\nclusters: %d, layers: %d, continuous: %d\n",
-                         h["closed"].get<int>(), types(h["I"]), types(h["II"]), plan["clusters"].get<int>(),
-                         plan["layers"].get<int>(), plan["continuous"].get<int>());
+// "closed 3", "I C 2": the counts that are not zero.
+void AddCounts(const Json& counts, const std::string& name, std::vector<std::string>& parts) {
+  for (const auto& [key, value] : counts.items()) {
+    const std::string full = name.empty() ? key : absl::StrCat(name, " ", key);
+    if (value.is_object()) {
+      AddCounts(value, full, parts);
+    } else if (value.is_number_integer() && value != 0) {
+      parts.push_back(absl::StrCat(full, " ", value.get<int64_t>()));
+    }
+  }
 }
 
-std::string LeftText(const Json& plan) {
-  std::vector<std::vector<std::string>> rows;
-  for (const Json& l : plan["left"]) {
-    rows.push_back({l["cell"].dump(), absl::StrCat(l["open_edges"].get<int64_t>()), l["reason"].get<std::string>()});
-  }
-  return rows.empty() ? "" : absl::StrCat("\nwould be left open\n", Table({"cell", "edges", "reason"}, rows));
+std::string CountsText(const Json& counts) {
+  std::vector<std::string> parts;
+  AddCounts(counts, "", parts);
+  return parts.empty() ? "none" : absl::StrJoin(parts, ", ");
+}
+
+std::string HolesLine(const Json& plan) {
+  return absl::StrFormat("holes: %s\nclusters: %d, layers: %d, continuous: %d\n", CountsText(plan["holes"]),
+                         plan["clusters"].get<int>(), plan["layers"].get<int>(), plan["continuous"].get<int>());
 }
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {
@@ -84,16 +92,14 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
       scene.origin.x(), scene.origin.y(), scene.origin.z(), triangles, HolesLine(plan));
   if (!scene.area_known) absl::StrAppend(&text, "area: not given, so its rim stays open\n");
   const Json& b = plan["borders"];
-  absl::StrAppend(
-      &text, absl::StrFormat("borders: %d exact, %d near, %d overlap, %d gap, %d open\n", b["exact"].get<int>(),
-                             b["near"].get<int>(), b["overlap"].get<int>(), b["gap"].get<int>(), b["open"].get<int>()));
+  absl::StrAppend(&text, "borders: ", CountsText(b), "\n");
   for (const Json& row : b["inexact"]) {
     absl::StrAppend(&text, "  ", row["cells"].dump(), ": ", row["kind"].get<std::string>(), ", ",
                     row["offset_m"].dump(), " m\n");
   }
   absl::StrAppend(&text, "\n",
                   Table({"tile", "vertices", "triangles", "boundary edges", "non-manifold", "heights, m"}, rows),
-                  WaterText(plan, "would be filled flat as water"), LeftText(plan));
+                  WaterText(plan, "would be filled flat as water"), LeftText(plan, "would be left open"));
   return text;
 }
 
@@ -146,7 +152,7 @@ int InspectMeshAt(const std::string& path, const PlanOptions& options, OutputFor
                       "triangles without area: %d\nholes: %d closed, outer rims: %d, continuous: %d\n%s",
                       path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(), r.nonmanifold_edges,
                       r.degenerate_triangles, mesh.plan.holes.size(), mesh.plan.outer_rims, mesh.plan.continuous,
-                      WaterText(plan, "would be filled flat as water") + LeftText(plan))
+                      WaterText(plan, "would be filled flat as water") + LeftText(plan, "would be left open"))
           .c_str(),
       stdout);
   return kExitDone;
@@ -158,6 +164,9 @@ int InspectCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   const std::string& path = args.arguments().front();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error) && !error)
+    return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
   const auto tolerance = WaterToleranceFromFlags(args);
   if (!tolerance.ok()) return PrintUsageError(tolerance.status());
   const bool mesh = IsSingleMesh(path);

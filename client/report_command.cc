@@ -8,6 +8,7 @@
 #include "absl/strings/str_format.h"
 #include "client/commands.h"
 #include "client/job_flags.h"
+#include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_table.h"
 #include "common/util/files.h"
@@ -17,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kMaxLeftRows = 50;
 constexpr size_t kMaxTensionRows = 10;
 
 std::string Text(const Json& value) {
@@ -28,13 +28,39 @@ std::string Rounded(const Json& value) {
   return value.is_number() ? absl::StrFormat("%.4g", value.get<double>()) : Text(value);
 }
 
-// Numbers and strings as rows; groups of them with their path as a name, but no lists.
-void AddRows(const Json& value, const std::string& name, std::vector<std::vector<std::string>>& rows) {
+using Rows = std::vector<std::vector<std::string>>;
+
+// Numbers and strings as rows, groups of them with their path as a name, but no lists; of `counts` no zeros.
+void AddRows(const Json& value, const std::string& name, bool counts, Rows& rows) {
   if (value.is_object()) {
-    for (const auto& [key, member] : value.items())
-      AddRows(member, name.empty() ? key : absl::StrCat(name, " ", key), rows);
-  } else if (!value.is_array()) {
+    for (const auto& [key, member] : value.items()) AddRows(member, absl::StrCat(name, " ", key), counts, rows);
+  } else if (!value.is_array() && !(counts && value.is_number() && value == 0)) {
     rows.push_back({name, Text(value)});
+  }
+}
+
+int64_t Total(const Json& counts) {
+  if (counts.is_number_integer()) return counts.get<int64_t>();
+  int64_t total = 0;
+  if (counts.is_object()) {
+    for (const Json& member : counts) total += Total(member);
+  }
+  return total;
+}
+
+// The members of the report in units for people.
+void AddMember(const std::string& key, const Json& value, Rows& rows) {
+  const bool sums = key == "holes" || key == "filled";
+  if (sums) rows.push_back({key, absl::StrCat(Total(value))});
+  if (key == "seconds" && value.is_object()) {
+    for (const auto& [stage, seconds] : value.items())
+      rows.push_back({absl::StrCat("seconds ", stage),
+                      seconds.is_number() ? absl::StrFormat("%.3f", seconds.get<double>()) : Text(seconds)});
+  } else if (key == "peak_rss_bytes" && value.is_number()) {
+    rows.push_back({"peak memory, MB", absl::StrFormat("%.0f", value.get<double>() / 1e6)});
+  } else {
+    const bool counts = sums || key == "single" || key == "borders" || key == "continuous" || key == "outer_rims";
+    AddRows(value, key, counts, rows);
   }
 }
 
@@ -54,20 +80,10 @@ std::string TensionText(const Json& report) {
 }
 
 std::string ReportText(const Json& report) {
-  std::vector<std::vector<std::string>> rows;
-  AddRows(report, "", rows);
-  std::string text = Table({"report", ""}, rows);
-  text += WaterText(report, "filled flat as water");
-  text += TensionText(report);
-  const auto left = report.find("left");
-  if (left == report.end() || !left->is_array() || left->empty()) return text;
-  std::vector<std::vector<std::string>> left_rows;
-  for (const Json& item : *left) {
-    if (!item.is_object() || left_rows.size() == kMaxLeftRows) continue;
-    left_rows.push_back({Text(item.value("cell", Json())), Text(item.value("reason", Json()))});
-  }
-  absl::StrAppend(&text, "\n", left->size(), " left\n", Table({"cell", "reason"}, left_rows));
-  return text;
+  Rows rows;
+  for (const auto& [key, value] : report.items()) AddMember(key, value, rows);
+  return absl::StrCat(Table({"report", ""}, rows), WaterText(report, "filled flat as water"), TensionText(report),
+                      LeftText(report, "left"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "client/output.h"
 
 namespace tilemend {
@@ -18,6 +19,12 @@ double AreaOf(const Json& body) {
   return area != body.end() && area->is_number() ? area->get<double>() : 0;
 }
 
+// Metres with three decimals: a number, or "lowest to highest" of two.
+std::string Millimetres(const Json& value) {
+  if (value.is_array() && value.size() == 2) return absl::StrCat(Millimetres(value[0]), " to ", Millimetres(value[1]));
+  return value.is_number() ? absl::StrFormat("%.3f", value.get<double>()) : value.dump();
+}
+
 }  // namespace
 
 std::string WaterText(const Json& report, const std::string& title) {
@@ -30,9 +37,8 @@ std::string WaterText(const Json& report, const std::string& title) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& body : bodies) {
     std::vector<std::string> row;
-    for (const char* field : {"level_m", "spread_m", "rim_m", "rim_vertices", "area_m2", "cells"}) {
-      row.push_back(body.value(field, Json()).dump());
-    }
+    for (const char* field : {"level_m", "spread_m", "rim_m"}) row.push_back(Millimetres(body.value(field, Json())));
+    for (const char* field : {"rim_vertices", "area_m2", "cells"}) row.push_back(body.value(field, Json()).dump());
     const Json decided_by = body.value("decided_by", Json());
     row.push_back(decided_by.is_string() ? decided_by.get<std::string>() : decided_by.dump());
     rows.push_back(std::move(row));

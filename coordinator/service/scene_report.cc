@@ -242,6 +242,7 @@ std::string SceneReport(const SceneReportInput& input) {
     Json row = {{"cell", CellJson(l.cell)}, {"reason", l.reason}};
     if (l.hole >= 0) row["hole"] = l.hole;
     row["open_edges"] = l.edges;
+    if (!l.is_hole) row["open_by_right"] = true;
     left.push_back(row);
   }
   Json seconds;

@@ -160,7 +160,7 @@ std::vector<BadScene> BadGrids() {
          json["tiles"][1]["path"] = nullptr;
        }),
        4, "which is the file of tiles[0]"},
-      {"NothingThere", [](const auto& scene) { fs::remove_all(scene); }, 3, "no such scene"},
+      {"NothingThere", [](const auto& scene) { fs::remove_all(scene); }, 3, "no such "},
       {"NoTiles", [](const auto& scene) { fs::remove_all(scene), fs::create_directory(scene); }, 3,
        "no tile named like"},
   };
