@@ -27,8 +27,11 @@
 namespace tilemend {
 namespace {
 
-absl::Status CheckOutput(const std::string& in, const std::string& out, bool overwrite) {
+absl::Status CheckPaths(const std::string& in, const std::string& out, bool overwrite) {
   std::error_code error;
+  if (std::filesystem::is_directory(in, error)) {
+    return absl::InvalidArgumentError(absl::StrCat(in, ": is a folder; `tilemend run` fills scenes"));
+  }
   if (std::filesystem::equivalent(in, out, error) && !error) {
     return absl::InvalidArgumentError(
         absl::StrCat(out, ": the output would be written over the input; choose another --out"));
@@ -161,7 +164,7 @@ int FillCommand(const Args& args) {
   options.refine.uniform = args.Switch("uniform");
   const std::string& in = args.arguments().front();
   const std::string out = args.Text("out");
-  if (const absl::Status status = CheckOutput(in, out, args.Switch("overwrite")); !status.ok())
+  if (const absl::Status status = CheckPaths(in, out, args.Switch("overwrite")); !status.ok())
     return PrintError(status);
   const auto water = ReadWaterChoice(args.Text("water"), *water_tolerance);
   if (!water.ok()) return PrintError(water.status());

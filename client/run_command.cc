@@ -103,7 +103,9 @@ int RunCommand(const Args& args) {
   if (LeftUnfinished(*job)) {
     std::fprintf(stderr, "tilemend: %s is not complete; the same command goes on there\n", spec->out().c_str());
   }
-  std::fputs(JobText(*job, *format).c_str(), stdout);
+  // A job that failed before its first phase has nothing more to tell.
+  const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
+  if (!only_error || *format == OutputFormat::kJson) std::fputs(JobText(*job, *format).c_str(), stdout);
   return ExitCodeOf(*job);
 }
 

@@ -79,6 +79,32 @@ TEST_F(CommandTest, HelpAndVersionAreData) {
   EXPECT_EQ(Run({"run", "--help"}).code, 0);
 }
 
+TEST_F(CommandTest, AJobThatNeverBeganPrintsItsErrorOnce) {
+  const Ended ended = Run({"run", "no-such-scene", "--out", folder_ / "out"});
+  EXPECT_THAT(ended.out, IsEmpty());
+  EXPECT_THAT(ended.err, HasSubstr("no-such-scene: no such scene"));
+  const Ended json = Run({"run", "no-such-scene", "--out", folder_ / "out", "-o", "json"});
+  EXPECT_TRUE(nlohmann::json::parse(json.out, nullptr, false).is_object()) << json.out;
+}
+
+TEST_F(CommandTest, WrongPathsAreCalledWhatTheyAre) {
+  Ended ended = Run({"inspect", folder_ / "a.stl"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("a.stl: no such file or folder"));
+  ended = Run({"fill", folder_.path().string(), "--out", folder_ / "x.ply"});
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.err, HasSubstr("is a folder; `tilemend run`"));
+}
+
+TEST_F(CommandTest, FillAndRunTellTheSameOfTheirFlags) {
+  for (const char* command : {"run", "fill"}) {
+    const std::string help = Run({"help", command}).out;
+    EXPECT_THAT(help, HasSubstr("1 to 10"));
+    EXPECT_THAT(help, HasSubstr("1 to 1e6"));
+    EXPECT_THAT(help, HasSubstr("chosen from the surface around each hole"));
+  }
+}
+
 TEST_F(CommandTest, CtrlCCancelsARunAndLeavesNothing) {
   Process process(folder_.path().string(), TOY_CLIENT,
                   {"run", "toy://20x20?sleep_ms=10000", "--out", folder_ / "out", "--work", folder_ / "work"});

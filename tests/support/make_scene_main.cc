@@ -1,4 +1,5 @@
 // tilemend-make-scene: writes a made scene with holes and a known surface.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -157,6 +158,10 @@ absl::StatusOr<Command> Parse(const std::vector<std::string>& arguments) {
 }
 
 int Main(const std::vector<std::string>& arguments) {
+  if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end()) {
+    std::fputs(kUsage, stdout);
+    return 0;
+  }
   const absl::StatusOr<Command> command = Parse(arguments);
   if (!command.ok()) {
     const std::string message(command.status().message());
