@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "absl/strings/str_format.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -163,7 +164,7 @@ TEST_F(WaterRunTest, ABadFileIsNamedWithItsPlaceAndNothingIsWritten) {
 TEST_F(WaterRunTest, InspectAndReportTellOfIt) {
   const std::string scene = WriteMade(LakeOverNineCells(Cut::kRagged), folder_ / "scene"), out = folder_ / "out";
   const Json report = Run(scene, out);
-  const std::string level = report["water"][0]["level_m"].dump();
+  const std::string level = absl::StrFormat("%.3f", report["water"][0]["level_m"].get<double>());
   const Ended inspected = Tilemend({"inspect", scene});
   EXPECT_THAT(inspected.out, HasSubstr("1 would be filled flat as water"));
   EXPECT_THAT(inspected.out, HasSubstr(level));
