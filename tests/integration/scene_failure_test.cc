@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 
-#include "absl/synchronization/notification.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/exit_codes.h"
@@ -167,7 +166,7 @@ class FinishWatcher : public JobPipeline {
 TEST(SceneCancelTest, AtTheVeryEndItIsCancelledOrComplete) {
   for (const bool before : {true, false}) {
     absl::StatusOr<v1::Job> cancelled = absl::UnknownError("not tried");
-    absl::Notification finished;
+    std::atomic<bool> finished{false};
     TestCluster* all = nullptr;
     const auto cancel = [&] {
       v1::CancelJobRequest request;
@@ -183,7 +182,8 @@ TEST(SceneCancelTest, AtTheVeryEndItIsCancelledOrComplete) {
       };
       const auto at_end = [&] {
         if (!before) cancel();
-        finished.Notify();
+        finished = true;
+        finished.notify_all();
       };
       return absl::StatusOr<std::unique_ptr<JobPipeline>>(
           std::make_unique<FinishWatcher>(*std::move(pipeline), at_start, at_end));
@@ -195,7 +195,7 @@ TEST(SceneCancelTest, AtTheVeryEndItIsCancelledOrComplete) {
     cluster.AddWorker("worker", 2, SceneStageRunner());
     const std::string name = cluster.Submit(scene).name();
     const v1::Job job = cluster.WaitFor(name);
-    finished.WaitForNotification();  // a cancelled job is over before
+    finished.wait(false);  // a cancelled job is over before
     EXPECT_EQ(cancelled.ok(), before) << cancelled.status();
     EXPECT_EQ(job.state(), before ? v1::CANCELLED : v1::DONE);
     EXPECT_EQ(ErrorReason(cancelled.status()), before ? "" : "JOB_OVER");

@@ -361,7 +361,7 @@ std::optional<std::vector<Point3>> BendInSpace(const CellHoles& cell, const Unro
   const std::vector<Point3> lifted(first, first + static_cast<ptrdiff_t>(count));
   if (bend > 0 && !FairSurface(flat, fair)) return std::nullopt;
   std::vector<Point3> points;
-  for (size_t k = 0; k < count; ++k) points.push_back(lifted[k] + bend * (fair.points[rim + k] - lifted[k]));
+  for (size_t k = 0; k < count; ++k) points.emplace_back(lifted[k] + bend * (fair.points[rim + k] - lifted[k]));
   return points;
 }
 

@@ -201,8 +201,9 @@ void Refiner::Run() {
   const auto count = static_cast<int32_t>(mesh_.triangles.size());
   for (int32_t t = 0; t < count; ++t) mesh_.triangles[t].flags = IsSmall(t) ? kDone : kWaiting;
   for (int32_t t = 0; t < count; ++t) Enqueue(t);
-  for (size_t head = 0; head < queue_.size(); ++head) {
-    const int32_t t = queue_[head];
+  size_t head = 0;
+  while (head < queue_.size()) {  // it grows
+    const int32_t t = queue_[head++];
     if (mesh_.triangles[t].flags != kQueued) continue;
     if (static_cast<int64_t>(mesh_.points.size() - original_points_) >= options_.max_new_points) break;
     mesh_.triangles[t].flags = kWaiting;

@@ -38,7 +38,7 @@ class SoundTriangulator {
     }
     for (const SpaceTriangle& t : surface) {
       const Box3 box = BoxOf(t);
-      if (box.intersects(extent) && AreaOf(t) > 0) surface_.push_back({box, &t});
+      if (box.intersects(extent) && AreaOf(t) > 0) surface_.emplace_back(box, &t);
     }
   }
 
