@@ -298,19 +298,24 @@ HoldOut ChooseTension(const ThinPlateProblem& problem, double width) {
     }
   }
   if (divisions.empty()) return choice;
-  const double noise = LikeliestNoise(Kriging(samples, width, kCandidates[kStart]));
+  std::array<std::optional<Kriging>, kCandidates.size()> krigings;
+  const auto kriging = [&](size_t c) -> const Kriging& {
+    if (!krigings[c]) krigings[c].emplace(samples, width, kCandidates[c]);
+    return *krigings[c];
+  };
+  const double noise = LikeliestNoise(kriging(kStart));
   std::array<std::optional<double>, kCandidates.size()> scores;
   const auto score = [&](size_t c) {
     if (!scores[c]) {
       const auto steps = static_cast<double>(c < kStart ? kStart - c : c - kStart);
-      scores[c] = Kriging(samples, width, kCandidates[c]).LogLikelihood(noise) - kStepPenalty * steps;
+      scores[c] = kriging(c).LogLikelihood(noise) - kStepPenalty * steps;
     }
     return *scores[c];
   };
   size_t chosen = kStart;
   while (chosen > 0 && score(chosen - 1) > score(chosen)) --chosen;
   while (chosen >= kStart && chosen + 1 < kCandidates.size() && score(chosen + 1) > score(chosen)) ++chosen;
-  const auto error = [&](size_t c) { return Mean(Kriging(samples, width, kCandidates[c]).BlockErrors(divisions)); };
+  const auto error = [&](size_t c) { return Mean(kriging(c).BlockErrors(divisions)); };
   choice.tension = kCandidates[chosen] / (width * width);
   choice.error = error(chosen);
   choice.error_at_start = chosen == kStart ? choice.error : error(kStart);
