@@ -475,24 +475,26 @@ class HoleFiller {
     }
   }
 
-  bool HasFlatTriangle(const HolePatch& patch) const {
-    const auto at = [&](int32_t v) { return v >= 0 ? cell_.vertices[v].position : patch.new_points[-1 - v]; };
-    return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
-      return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).squaredNorm() <= 0;
-    });
-  }
-
-  bool FacesDown(const HolePatch& patch) const {
-    return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
-      const SpaceTriangle corners = InSpace(patch, t);
-      return (corners[1] - corners[0]).cross(corners[2] - corners[0]).z() <= 0;
-    });
-  }
-
   // The corners of a patch's triangle.
   SpaceTriangle InSpace(const HolePatch& patch, const Triangle& t) const {
     const auto at = [&](int32_t v) { return v >= 0 ? cell_.vertices[v].position : patch.new_points[-1 - v]; };
     return {at(t[0]), at(t[1]), at(t[2])};
+  }
+
+  // Twice the vector area of a patch's triangle.
+  Eigen::Vector3d NormalIn(const HolePatch& patch, const Triangle& t) const {
+    const SpaceTriangle corners = InSpace(patch, t);
+    return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  }
+
+  bool HasFlatTriangle(const HolePatch& patch) const {
+    return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                       [&](const Triangle& t) { return NormalIn(patch, t).squaredNorm() <= 0; });
+  }
+
+  bool FacesDown(const HolePatch& patch) const {
+    return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                       [&](const Triangle& t) { return NormalIn(patch, t).z() <= 0; });
   }
 
   // The surface in the box and maybe beyond: that around the hole, and patches made before.
