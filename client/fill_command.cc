@@ -16,13 +16,13 @@
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
-#include "coordinator/plan/cell_work.h"
-#include "coordinator/service/scene_report.h"
-#include "coordinator/service/water_choice.h"
+#include "coordinator/plan/make_cell_holes.h"
+#include "coordinator/report/scene_report.h"
+#include "coordinator/report/water_choice.h"
 #include "worker/assemble/assemble.h"
 #include "worker/fill/fill_holes.h"
-#include "worker/fill/patch_quality.h"
-#include "worker/fill/surface_index.h"
+#include "worker/fill/shape/patch_quality.h"
+#include "worker/fill/space/surface_index.h"
 
 namespace tilemend {
 namespace {

@@ -14,8 +14,8 @@
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_table.h"
-#include "coordinator/service/scene_report.h"
-#include "coordinator/service/water_choice.h"
+#include "coordinator/report/scene_report.h"
+#include "coordinator/report/water_choice.h"
 
 namespace tilemend {
 namespace {

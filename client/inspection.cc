@@ -9,7 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
-#include "coordinator/service/tile_checks.h"
+#include "coordinator/report/tile_checks.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {

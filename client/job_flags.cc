@@ -7,9 +7,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
+#include "coordinator/report/water_choice.h"
 #include "coordinator/service/job_pipeline.h"
 #include "coordinator/service/job_proto.h"
-#include "coordinator/service/water_choice.h"
 
 namespace tilemend {
 namespace {

@@ -23,39 +23,61 @@ IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition
           'semaphore', 'latch', 'barrier', 'atomic', 'iostream', 'cstdio', 'unistd.h', 'fcntl.h', 'stdio.h', 'pthread.h'}
 IMPURE_ABSL = ('absl/synchronization/', 'absl/time/clock')
 
-GEOMETRY = ['common/util', 'common/mesh', 'common/grid', 'common/codec']
-SERVICE = ['common/util', 'common/mesh', 'common/grid', 'common/codec', 'common/store', 'common/metrics', 'common/rpc']
+GEOMETRY = ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/grid', 'common/records', 'common/codec']
+SERVICE = GEOMETRY + ['common/store', 'common/metrics', 'common/rpc']
+PLAN = ['common/util', 'common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types']
+FILL = ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/grid', 'common/records']
 
 
 def rule(folders, libraries, pure=False):
     return {'folders': set(folders), 'libraries': set(libraries), 'pure': pure}
 
 
-# Each folder may include itself. The rule of the longest folder that holds a file counts.
+# Each folder may include itself. Every folder has a rule of its own.
 RULES = {
     'common/util': rule([], ['absl']),
     'common/mesh': rule(['common/util'], ['absl', 'eigen']),
+    'common/mesh/triangulation': rule(['common/util', 'common/mesh'], ['absl', 'eigen']),
     'common/grid': rule(['common/util', 'common/mesh'], ['absl', 'eigen', 'json', 'pugixml']),
+    'common/records': rule(['common/mesh', 'common/grid'], ['eigen']),
     'common/codec': rule(['common/util', 'common/mesh'], ['absl', 'eigen', 'draco', 'fast_float']),
     'common/store': rule(['common/util'], ['absl', 'openssl']),
     'common/metrics': rule(['common/util'], ['absl', 'prometheus']),
-    'common/rpc': rule(['common/util', 'common/mesh', 'common/grid', 'common/codec', 'common/store'],
-                       ['absl', 'eigen', 'openssl', 'grpc', 'protobuf']),
+    'common/rpc': rule(GEOMETRY + ['common/store'], ['absl', 'eigen', 'openssl', 'grpc', 'protobuf']),
     'worker/survey': rule(GEOMETRY, ['absl', 'eigen']),
-    'worker/fill': rule(GEOMETRY + ['worker/survey'], ['absl', 'eigen']),
-    'worker/assemble': rule(GEOMETRY + ['worker/survey', 'worker/fill'], ['absl', 'eigen']),
-    'worker/service': rule(SERVICE + ['worker/survey', 'worker/fill', 'worker/assemble'],
-                           ['absl', 'eigen', 'grpc', 'protobuf']),
+    'worker/fill/region': rule(FILL, ['eigen']),
+    'worker/fill/hole': rule(FILL + ['worker/fill/region'], ['eigen']),
+    'worker/fill/surface': rule(FILL + ['worker/fill/hole'], ['absl', 'eigen']),
+    'worker/fill/shape': rule(FILL, ['eigen']),
+    'worker/fill/space': rule(FILL, ['eigen']),
+    'worker/fill/crease': rule(FILL + ['worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/space'],
+                               ['eigen']),
+    'worker/fill/seam': rule(FILL + ['worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'], ['eigen']),
+    'worker/fill': rule(GEOMETRY + ['worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/shape',
+                                    'worker/fill/space', 'worker/fill/crease', 'worker/fill/seam'], ['absl', 'eigen']),
+    'worker/assemble': rule(GEOMETRY, ['absl', 'eigen']),
+    'worker/service': rule(SERVICE + ['worker/survey', 'worker/fill', 'worker/fill/hole', 'worker/fill/seam', 'worker/fill/shape',
+                                      'worker/fill/space', 'worker/assemble'], ['absl', 'eigen', 'grpc', 'protobuf']),
     'worker': rule(SERVICE + ['worker/service'], ['absl', 'grpc']),
-    'coordinator/plan': rule(['common/util', 'common/mesh', 'common/grid'], ['absl', 'eigen'], pure=True),
-    'coordinator/state': rule(['common/util', 'common/mesh', 'common/grid', 'coordinator/plan'], ['absl', 'eigen'],
-                              pure=True),
-    'coordinator/service': rule(SERVICE + ['coordinator/plan', 'coordinator/state'],
-                                ['absl', 'eigen', 'json', 'grpc', 'protobuf', 'sqlite']),
+    'coordinator/plan/types': rule(['common/mesh', 'common/grid', 'common/records'], ['eigen'], pure=True),
+    'coordinator/plan/rim': rule(PLAN, ['absl', 'eigen'], pure=True),
+    'coordinator/plan/seam': rule(PLAN + ['coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
+    'coordinator/plan/hole': rule(PLAN + ['common/mesh/triangulation', 'coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
+    'coordinator/plan/pieces': rule(PLAN + ['coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
+    'coordinator/plan/water': rule(PLAN + ['coordinator/plan/seam'], ['absl', 'eigen'], pure=True),
+    'coordinator/plan': rule(PLAN + ['coordinator/plan/rim', 'coordinator/plan/seam', 'coordinator/plan/hole',
+                                     'coordinator/plan/pieces', 'coordinator/plan/water'], ['absl', 'eigen'], pure=True),
+    'coordinator/state': rule(['common/util', 'common/grid'], ['absl', 'eigen'], pure=True),
+    'coordinator/report': rule(GEOMETRY + ['common/store', 'coordinator/plan', 'coordinator/plan/types'],
+                               ['absl', 'eigen', 'json']),
+    'coordinator/service': rule(SERVICE + ['coordinator/plan', 'coordinator/plan/types', 'coordinator/plan/seam',
+                                           'coordinator/plan/water', 'coordinator/state', 'coordinator/report'],
+                                ['absl', 'eigen', 'grpc', 'protobuf']),
     'coordinator': rule(SERVICE + ['coordinator/service'], ['absl', 'grpc']),
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
-    'client': rule(SERVICE + ['coordinator/plan', 'coordinator/service', 'worker/service', 'worker/survey', 'worker/fill',
-                              'worker/assemble'],
+    'client': rule(SERVICE + ['coordinator/plan', 'coordinator/plan/types', 'coordinator/plan/seam', 'coordinator/report',
+                              'coordinator/service', 'worker/service', 'worker/survey', 'worker/fill', 'worker/fill/hole',
+                              'worker/fill/shape', 'worker/fill/space', 'worker/assemble'],
                    ['absl', 'eigen', 'json', 'grpc', 'protobuf']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
@@ -64,9 +86,7 @@ OURS = ('common/', 'worker/', 'coordinator/', 'client/', 'tests/')
 
 def rule_of(folder):
     """The name of the rule for a folder, None if there is none."""
-    while folder and folder not in RULES:
-        folder = os.path.dirname(folder)
-    return folder or None
+    return folder if folder in RULES else None
 
 
 def library_of(header):
@@ -129,12 +149,14 @@ FORBIDDEN = [
     ('coordinator/state/a.cc', 'thread'), ('coordinator/state/a.h', 'absl/synchronization/mutex.h'),
     ('coordinator/state/a.cc', 'tilemend/v1/job.pb.h'), ('coordinator/state/a.cc', 'coordinator/service/a.h'),
     ('common/grid/a.cc', 'tests/support/scene_maker.h'), ('common/grid/a.cc', 'boost/graph.hpp'),
-    ('common/newcomer/a.cc', 'vector'),
+    ('common/newcomer/a.cc', 'vector'), ('worker/fill/hole/a.cc', 'worker/fill/fill_holes.h'),
+    ('coordinator/plan/rim/a.cc', 'coordinator/plan/hole/a.h'), ('coordinator/plan/types/a.h', 'coordinator/plan/plan.h'),
+    ('worker/fill/newcomer/a.cc', 'vector'),
 ]
 ALLOWED = [
     ('common/mesh/a.h', 'Eigen/Core'), ('common/grid/a.cc', 'common/mesh/tri_mesh.h'), ('common/util/a.cc', 'sys/stat.h'),
-    ('worker/fill/a.cc', 'worker/survey/a.h'), ('worker/fill/a.cc', 'filesystem'), ('coordinator/plan/a.cc', 'map'),
-    ('coordinator/state/a.cc', 'coordinator/plan/a.h'), ('worker/main.cc', 'worker/service/a.h'),
+    ('worker/fill/a.cc', 'worker/fill/hole/a.h'), ('worker/fill/a.cc', 'filesystem'), ('coordinator/plan/a.cc', 'map'),
+    ('coordinator/plan/water/a.cc', 'coordinator/plan/seam/a.h'), ('worker/main.cc', 'worker/service/a.h'),
     ('client/a.cc', 'coordinator/service/a.h'), ('client/a.cc', 'worker/service/a.h'),
 ]
 

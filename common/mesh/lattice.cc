@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/mesh/internal_predicates.h"
+#include "common/mesh/predicates.h"
 
 namespace tilemend {
 namespace {

@@ -16,6 +16,9 @@ using Point2 = Eigen::Vector2d;
 // Corner indices into the points, counter-clockwise seen from outside (from above, on terrain).
 using Triangle = std::array<int32_t, 3>;
 
+// A triangle by the positions of its corners.
+using SpaceTriangle = std::array<Point3, 3>;
+
 // A triangle soup with shared vertices. No promise about manifoldness, orientation or duplicate positions: tiles
 // come as they are. Every index is in [0, points.size()) in any TriMesh that a reader or a stage returned.
 struct TriMesh {

@@ -9,9 +9,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/grid/cell_holes.h"
-#include "common/grid/survey_record.h"
 #include "common/mesh/quality_tally.h"
+#include "common/records/cell_holes.h"
+#include "common/records/survey_record.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {

@@ -6,15 +6,15 @@
 #include <unordered_map>
 #include <utility>
 
-#include "coordinator/plan/cut_lines.h"
-#include "coordinator/plan/hole_regions.h"
-#include "coordinator/plan/labels.h"
-#include "coordinator/plan/layers.h"
-#include "coordinator/plan/outline_chains.h"
-#include "coordinator/plan/rim.h"
-#include "coordinator/plan/rim_index.h"
-#include "coordinator/plan/seam_layout.h"
-#include "coordinator/plan/water.h"
+#include "coordinator/plan/hole/hole_regions.h"
+#include "coordinator/plan/hole/layers.h"
+#include "coordinator/plan/pieces/outline_chains.h"
+#include "coordinator/plan/rim/closing_cells.h"
+#include "coordinator/plan/rim/grid_lines.h"
+#include "coordinator/plan/rim/rim.h"
+#include "coordinator/plan/rim/rim_index.h"
+#include "coordinator/plan/seam/seam_layout.h"
+#include "coordinator/plan/water/water.h"
 
 namespace tilemend {
 namespace {

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "tests/worker/fill/refine_quality.h"
+#include "tests/worker/fill/region/refine_quality.h"
 
 namespace tilemend {
 namespace {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "coordinator/plan/cell_work.h"
+#include "coordinator/plan/make_cell_holes.h"
 #include "coordinator/plan/plan.h"
 #include "tests/support/scene_maker.h"
 #include "tests/support/surveyed_scene.h"
-#include "worker/fill/sample_cluster.h"
+#include "worker/fill/seam/sample_cluster.h"
 
 namespace tilemend {
 namespace {

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "coordinator/plan/cell_work.h"
+#include "coordinator/plan/make_cell_holes.h"
 #include "coordinator/plan/plan.h"
 #include "tests/support/space_meshes.h"
 #include "worker/fill/fill_holes.h"
-#include "worker/fill/surface_index.h"
+#include "worker/fill/space/surface_index.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "common/mesh/position_index.h"
-#include "coordinator/plan/cell_work.h"
-#include "coordinator/plan/water.h"
+#include "coordinator/plan/make_cell_holes.h"
+#include "coordinator/plan/water/water.h"
 #include "worker/assemble/assemble.h"
-#include "worker/fill/sample_heights.h"
+#include "worker/fill/seam/sample_heights.h"
 
 namespace tilemend {
 namespace {

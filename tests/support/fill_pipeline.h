@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "common/grid/cell_holes.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/records/cell_holes.h"
 #include "coordinator/plan/plan.h"
-#include "coordinator/plan/seam_heights.h"
+#include "coordinator/plan/seam/seam_heights.h"
 #include "tests/support/surveyed_scene.h"
 #include "worker/fill/fill_holes.h"
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/grid/cell_holes.h"
+#include "common/records/cell_holes.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {

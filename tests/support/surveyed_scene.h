@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/grid/scene.h"
-#include "common/grid/survey_record.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/records/survey_record.h"
 #include "coordinator/plan/plan.h"
 #include "tests/support/mesh_builders.h"
 #include "tests/support/scene_maker.h"

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "common/codec/mesh_file.h"
-#include "common/grid/cell_holes.h"
+#include "common/records/cell_holes.h"
 
 namespace tilemend {
 

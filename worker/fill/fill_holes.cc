@@ -13,20 +13,20 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/rounding.h"
-#include "worker/fill/cell_band.h"
-#include "worker/fill/edge_lists.h"
-#include "worker/fill/fair_heights.h"
-#include "worker/fill/feature_fill.h"
-#include "worker/fill/flip_edges.h"
-#include "worker/fill/fold_cutting.h"
-#include "worker/fill/hold_out.h"
-#include "worker/fill/minimum_weight.h"
-#include "worker/fill/patch_crossings.h"
-#include "worker/fill/projection_frame.h"
-#include "worker/fill/rim_loops.h"
-#include "worker/fill/smooth_on_surface.h"
-#include "worker/fill/sound_triangulation.h"
-#include "worker/fill/thin_plate.h"
+#include "worker/fill/crease/crease_fill.h"
+#include "worker/fill/hole/cell_band.h"
+#include "worker/fill/hole/edge_lists.h"
+#include "worker/fill/hole/projection_frame.h"
+#include "worker/fill/hole/rim_loops.h"
+#include "worker/fill/region/fold_cutting.h"
+#include "worker/fill/shape/flip_edges.h"
+#include "worker/fill/shape/smooth_on_surface.h"
+#include "worker/fill/space/minimum_weight.h"
+#include "worker/fill/space/patch_crossings.h"
+#include "worker/fill/space/sound_triangulation.h"
+#include "worker/fill/surface/choose_tension.h"
+#include "worker/fill/surface/fair_heights.h"
+#include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {
 namespace {
@@ -105,9 +105,9 @@ class HoleFiller {
       const int32_t from = local(s.from);
       segments_.push_back({from, local(s.to)});
     }
-    full_ring_.assign(rim_.size(), true);
+    has_equation_.assign(rim_.size(), true);
     for (size_t i = 0; i < segments_.size(); ++i) {
-      if (hole_.segments[i].seam) full_ring_[segments_[i].from] = full_ring_[segments_[i].to] = false;
+      if (hole_.segments[i].seam) has_equation_[segments_[i].from] = has_equation_[segments_[i].to] = false;
       boundary_.push_back(Undirected(segments_[i].from, segments_[i].to));
     }
     std::sort(boundary_.begin(), boundary_.end());
@@ -314,9 +314,9 @@ class HoleFiller {
     }
     problem.patch = std::move(region.triangulation.triangles);
     region = {};  // the largest piece of memory before the solve
-    problem.full_ring = full_ring_;
+    problem.has_equation = has_equation_;
     for (const std::vector<int32_t>& run : runs) {
-      for (const int32_t v : run) problem.full_ring[v] = false;
+      for (const int32_t v : run) problem.has_equation[v] = false;
     }
     HolePatch patch;
     if (!FindHeights(frame, problem, patch.hold_out)) return Failed("the equations of its surface have no solution");
@@ -406,11 +406,11 @@ class HoleFiller {
     const auto rim = static_cast<size_t>(problem.rim_count), all = rim + static_cast<size_t>(problem.new_count);
     for (size_t v = 0; v < plate.points.size(); ++v) {
       plate.known.push_back(v < rim || v >= all);
-      plate.full_ring.push_back(v < rim ? static_cast<bool>(problem.full_ring[v]) : v < all);
+      plate.has_equation.push_back(v < rim ? static_cast<bool>(problem.has_equation[v]) : v < all);
     }
     for (size_t v = 0; v < rim; ++v) {
       const RimVertex& vertex = Rim(static_cast<int32_t>(v));
-      if (problem.full_ring[v] || !vertex.laplacian_known || !frame.upright()) continue;
+      if (problem.has_equation[v] || !vertex.laplacian_known || !frame.upright()) continue;
       plate.laplacian.resize(plate.points.size());
       plate.laplacian[v] = vertex.laplacian;
     }
@@ -438,7 +438,7 @@ class HoleFiller {
     std::unordered_map<int32_t, int32_t> number = local_;
     std::vector<int32_t> used;
     for (size_t i = 0; i < rim_.size(); ++i) {
-      if (full_ring_[i]) used.insert(used.end(), band_.At(rim_[i]).begin(), band_.At(rim_[i]).end());
+      if (has_equation_[i]) used.insert(used.end(), band_.At(rim_[i]).begin(), band_.At(rim_[i]).end());
     }
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -704,7 +704,7 @@ class HoleFiller {
   std::vector<int32_t> rim_;  // local -> cell
   std::unordered_map<int32_t, int32_t> local_;
   std::vector<RegionSegment> segments_;
-  std::vector<bool> full_ring_;
+  std::vector<bool> has_equation_;
   std::vector<Edge> boundary_;  // sorted
   const SurfaceNear& near_;
   std::span<const HolePatch> earlier_;

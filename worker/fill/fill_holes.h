@@ -2,27 +2,12 @@
 #ifndef TILEMEND_WORKER_FILL_FILL_HOLES_H_
 #define TILEMEND_WORKER_FILL_FILL_HOLES_H_
 
-#include <functional>
-#include <optional>
 #include <vector>
 
-#include "common/grid/cell_holes.h"
-#include "worker/fill/patch_crossings.h"
-#include "worker/fill/refine_region.h"
+#include "common/records/cell_holes.h"
+#include "worker/fill/hole/fill_options.h"
 
 namespace tilemend {
-
-// How the heights inside a patch are found: Wang 2021, eq. 1 to 4, or the thin-plate surface (thin_plate.h).
-enum class Surface { kWang, kThinPlate };
-
-struct FillOptions {
-  Surface surface = Surface::kWang;
-  std::optional<double> tension;  // of the thin-plate surface, 1 / metre^2; none: chosen from the rim (hold_out.h)
-  RefineOptions refine;
-};
-
-// The original triangles of all tiles whose extents meet the box from `lo` to `hi`, at their positions in the tiles.
-using SurfaceNear = std::function<std::vector<SpaceTriangle>(const Point3& lo, const Point3& hi)>;
 
 // Fills each hole with new triangles that close on its rim (Wang 2021, 3.3: triangulation, refinement, adjustment,
 // fairing).
@@ -37,8 +22,8 @@ using SurfaceNear = std::function<std::vector<SpaceTriangle>(const Point3& lo, c
 //
 // New vertices of water (CellHole::level) all get its level; the rest is the same.
 //
-// With kThinPlate closed holes are filled in parts along the sharp edges that go through them (feature_fill.h); those
-// that are steep over every plane, or project on none, are refined in space (chart_fill.h), if that makes a patch that
+// With kThinPlate closed holes are filled in parts along the sharp edges that go through them (crease_fill.h); those
+// that are steep over every plane, or project on none, are refined in space (part_fill.h), if that makes a patch that
 // does not face down where heights fill the hole.
 //
 // A patch of a closed hole that is no height over the ground is taken only if it crosses neither itself, nor `near`,

@@ -13,10 +13,10 @@
 #include "tilemend/v1/stages.pb.h"
 #include "worker/assemble/assemble.h"
 #include "worker/fill/fill_holes.h"
-#include "worker/fill/patch_quality.h"
-#include "worker/fill/sample_cluster.h"
-#include "worker/fill/sample_heights.h"
-#include "worker/fill/surface_index.h"
+#include "worker/fill/seam/sample_cluster.h"
+#include "worker/fill/seam/sample_heights.h"
+#include "worker/fill/shape/patch_quality.h"
+#include "worker/fill/space/surface_index.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {

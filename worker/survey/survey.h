@@ -2,8 +2,8 @@
 #ifndef TILEMEND_WORKER_SURVEY_SURVEY_H_
 #define TILEMEND_WORKER_SURVEY_SURVEY_H_
 
-#include "common/grid/survey_record.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/records/survey_record.h"
 
 namespace tilemend {
 

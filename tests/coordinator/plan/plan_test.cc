@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "coordinator/plan/cell_work.h"
+#include "coordinator/plan/make_cell_holes.h"
 #include "tests/support/surveyed_scene.h"
 
 namespace tilemend {

@@ -1,0 +1,84 @@
+// The holes of one cell, as they travel from the plan to the workers that sample and fill them.
+#ifndef TILEMEND_COMMON_RECORDS_CELL_HOLES_H_
+#define TILEMEND_COMMON_RECORDS_CELL_HOLES_H_
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/grid/scene.h"
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// A vertex on the boundary of a hole: an original vertex of some tile (often this cell's own; a neighbour's where the
+// hole closes on the neighbour's border), or a seam vertex that the plan made.
+struct RimVertex {
+  CellId tile;               // whose vertex it is; meaningless for a seam vertex
+  int32_t index = -1;        // in that tile; -1: a seam vertex
+  int32_t seam_vertex = -1;  // the plan's number of a vertex that lies on a seam or at the end of one; else -1
+  uint8_t lines = 0;  // of a seam vertex: 1 if it lies on a line x = const, 2 if on y = const, 3 on a grid corner
+  Point3 position{0, 0, 0};  // exact for originals; z of a seam vertex counts when height_known
+  bool height_known = true;
+  double centroid_height = 0;    // originals: see BoundaryVertex
+  double size = 0;               // wanted edge length here, metres
+  bool laplacian_known = false;  // on seams, from the surface of the whole cluster: its Laplacian here, 1 / metre
+  double laplacian = 0;
+};
+
+// A segment of a hole's boundary; seen from above, the hole lies to the left of from -> to.
+struct RimSegment {
+  int32_t from = 0;  // into CellHoles::vertices
+  int32_t to = 0;
+  bool seam = false;  // a stretch of grid boundary; else an original edge
+};
+
+// A tension of the thin-plate surface and how well it foretold heights that were left out (worker/fill/hold_out.h).
+struct HoldOut {
+  double tension = 0;         // 1 / metre^2
+  double error = 0;           // mean |error| with it, metres
+  double error_at_start = 0;  // with the tension that the search begins with
+  int32_t blocks = 0;         // stretches left out; 0: not tested, the errors mean nothing
+};
+
+struct CellHole {
+  int32_t id = 0;     // in the plan
+  bool open = false;  // reaches the cell's grid boundary: filled as heights over the plane
+  std::vector<RimSegment> segments = {};
+  std::optional<double> tension = {};  // that of its cluster, where it has been chosen
+  std::optional<double> level = {};    // water: the height of every new vertex, metres, on the lattice
+};
+
+struct CellHoles {
+  CellId cell;
+  bool float32 = true;      // number type of the output tile
+  double lattice_step = 0;  // power of two, metres: where new vertices lie
+  std::vector<RimVertex> vertices;
+  std::vector<CellHole> holes;
+  // The original triangles around the holes. band.points[0 .. vertices.size()) stand for the rim vertices.
+  TriMesh band;
+};
+
+// New geometry for one hole. A corner k >= 0 is rim vertex k of the CellHoles; -1 - k is new_points[k].
+struct HolePatch {
+  int32_t hole = 0;
+  std::string failure = {};  // not empty: the hole stays open, for this reason
+  std::vector<Point3> new_points = {};
+  std::vector<Triangle> triangles = {};
+  std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
+};
+
+// The extent of a hole's boundary grown by half its diagonal: where a patch may go that is no height over the ground.
+// Precondition: the hole has segments.
+inline Eigen::AlignedBox3d ReachOf(const CellHoles& cell, const CellHole& hole) {
+  Eigen::AlignedBox3d box;
+  for (const RimSegment& s : hole.segments) box.extend(cell.vertices[s.from].position);
+  const Point3 reach = Point3::Constant(box.diagonal().norm() / 2);
+  return {box.min() - reach, box.max() + reach};
+}
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_RECORDS_CELL_HOLES_H_

@@ -1,0 +1,48 @@
+// What the survey of one tile tells: everything that planning and filling need to know of it.
+#ifndef TILEMEND_COMMON_RECORDS_SURVEY_RECORD_H_
+#define TILEMEND_COMMON_RECORDS_SURVEY_RECORD_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// A vertex of a boundary edge. Vertices of the tile at one position are one boundary vertex (texture seams double
+// them).
+struct BoundaryVertex {
+  int32_t index = 0;  // in the tile: the lowest at this position
+  Point3 position{0, 0, 0};
+  Eigen::Vector3d normal{0, 0,
+                         1};   // unit, area-weighted mean of the triangles at the vertex; zero if they have no area
+  double centroid_height = 0;  // mean height of the centroids of the triangles at the vertex (Wang 3.3, figure 8b)
+};
+
+// A boundary edge, directed as its triangle is: surface on the left, hole (or outside) on the right.
+struct BoundaryEdge {
+  int32_t from = 0;  // into SurveyRecord::vertices
+  int32_t to = 0;
+};
+
+// The record of one tile. Size is linear in the tile's boundary, not in the tile.
+struct SurveyRecord {
+  int64_t vertex_count = 0;
+  int64_t triangle_count = 0;
+  int64_t doubled_vertices = 0;      // near the boundary: further vertices at one position
+  int64_t degenerate_triangles = 0;  // two corners at one position
+  int64_t nonmanifold_edges = 0;     // with three or more triangles
+  bool float32 = true;               // the tile's number type
+  Point3 lo{0, 0, 0}, hi{0, 0, 0};   // bounds; lo > hi in x when there is no vertex
+
+  std::vector<BoundaryVertex> vertices;
+  std::vector<BoundaryEdge> edges;
+
+  // The triangles within two rings of the boundary. The first vertices.size() points are the boundary vertices, in
+  // order.
+  TriMesh band;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_RECORDS_SURVEY_RECORD_H_

@@ -1,0 +1,208 @@
+#include "coordinator/plan/hole/region_shape.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <unordered_map>
+
+#include "common/mesh/lattice.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kCrackAngle_rad = 10.0 * std::numbers::pi / 180;  // Zhang 2022, 4.1 (1): 5 to 10 degrees
+constexpr double kDislocation = 5e-4;                              // metres; Zhang 2022, 4.1 (2): 0.1 to 0.5 mm
+constexpr double kAnnularLength = 0.5;  // an inner loop at least this share of the outer one's length makes a ring
+
+double Length(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
+  double sum = 0;
+  for (const RimSegment& s : loop) sum += (position[s.to] - position[s.from]).norm();
+  return sum;
+}
+
+Point3 Centre(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
+  Point3 sum = Point3::Zero();
+  for (const RimSegment& s : loop) sum += position[s.from];
+  return sum / static_cast<double>(loop.size());
+}
+
+// Every edge within the threshold of the direction of the first, either way round.
+bool IsCrack(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
+  const Eigen::Vector3d axis = (position[loop[0].to] - position[loop[0].from]).normalized();
+  return std::all_of(loop.begin(), loop.end(), [&](const RimSegment& s) {
+    const Eigen::Vector3d d = (position[s.to] - position[s.from]).normalized();
+    return std::abs(d.dot(axis)) >= std::cos(kCrackAngle_rad);
+  });
+}
+
+double DistanceToSegment(const Point3& p, const Point3& a, const Point3& b) {
+  const Eigen::Vector3d d = b - a;
+  const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (p - a - t * d).norm();
+}
+
+// Every vertex within the threshold of some edge that it is no end of. Stops at the first that is not, so it is cheap
+// on holes.
+bool IsDislocation(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
+  return std::all_of(loop.begin(), loop.end(), [&](const RimSegment& v) {
+    return std::any_of(loop.begin(), loop.end(), [&](const RimSegment& s) {
+      return s.from != v.from && s.to != v.from &&
+             DistanceToSegment(position[v.from], position[s.from], position[s.to]) < kDislocation;
+    });
+  });
+}
+
+// Place along the cell's outline, counter-clockwise from its south-west corner, in sides: [0, 4).
+double OutlinePlace(const Point3& p, int side, const Point2& lo, const Point2& hi) {
+  const double u = std::clamp((p.x() - lo.x()) / (hi.x() - lo.x()), 0.0, 1.0);
+  const double v = std::clamp((p.y() - lo.y()) / (hi.y() - lo.y()), 0.0, 1.0);
+  switch (side) {
+    case kSouth:
+      return u;
+    case kEast:
+      return 1 + v;
+    case kNorth:
+      return 2 + (1 - u);
+    default:
+      return std::fmod(3 + (1 - v), 4.0);
+  }
+}
+
+struct Stretch {
+  double begin, end;  // places on the outline, counter-clockwise
+};
+
+// Joins the segments along the outline to stretches. Empty if they go all the way round.
+std::vector<Stretch> OutlineStretches(std::span<const BoundarySegment> segments, const Point2& lo, const Point2& hi,
+                                      const std::vector<Point3>& position) {
+  std::unordered_multimap<int32_t, size_t> from, to;
+  for (size_t i = 0; i < segments.size(); ++i) {
+    if (segments[i].side < 0) continue;
+    from.emplace(segments[i].segment.from, i);
+    to.emplace(segments[i].segment.to, i);
+  }
+  std::vector<Stretch> stretches;
+  for (size_t i = 0; i < segments.size(); ++i) {
+    if (segments[i].side < 0 || to.contains(segments[i].segment.from)) continue;
+    size_t last = i;
+    for (size_t guard = 0; guard < segments.size(); ++guard) {
+      const auto next = from.find(segments[last].segment.to);
+      if (next == from.end()) break;
+      last = next->second;
+    }
+    stretches.push_back({OutlinePlace(position[segments[i].segment.from], segments[i].side, lo, hi),
+                         OutlinePlace(position[segments[last].segment.to], segments[last].side, lo, hi)});
+  }
+  std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
+  return stretches;
+}
+
+// How many sides the arc from a to b (counter-clockwise) touches with more than `tolerance` of a side.
+int SidesTouched(double a, double b, double tolerance) {
+  if (b <= a) b += 4;
+  int count = 0;
+  for (int side = 0; side < 4; ++side) {
+    double along = 0;
+    for (const double shift : {0.0, 4.0}) {
+      along += std::max(0.0, std::min(b, side + 1 + shift) - std::max(a, side + shift));
+    }
+    count += along > tolerance;
+  }
+  return count;
+}
+
+}  // namespace
+
+PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std::vector<Point3>& position) {
+  PlanarRegions regions;
+  if (segments.empty()) return regions;
+  std::unordered_map<int32_t, int32_t> number;
+  std::vector<RegionSegment> local;
+  const auto vertex = [&](int32_t v) {
+    const auto [it, fresh] = number.try_emplace(v, static_cast<int32_t>(regions.vertices.size()));
+    if (fresh) regions.vertices.push_back(v);
+    return it->second;
+  };
+  for (const RimSegment& s : segments) {
+    const int32_t from = vertex(s.from);
+    local.push_back({from, vertex(s.to)});
+  }
+  Point2 lo = position[regions.vertices[0]].head<2>(), hi = lo;
+  for (const int32_t v : regions.vertices) {
+    lo = lo.cwiseMin(position[v].head<2>());
+    hi = hi.cwiseMax(position[v].head<2>());
+  }
+  const LatticeWindow window(lo, hi);
+  std::vector<LatticePoint> points;
+  for (const int32_t v : regions.vertices) points.push_back(window.Round(position[v].head<2>()));
+  regions.triangulation = TriangulateRegion(points, local);
+  regions.area.assign(static_cast<size_t>(regions.triangulation.component_count), 0.0);
+  for (size_t t = 0; t < regions.triangulation.triangles.size(); ++t) {
+    const Triangle& tri = regions.triangulation.triangles[t];
+    const Point3& a = position[regions.vertices[tri[0]]];
+    const Eigen::Vector3d n = (position[regions.vertices[tri[1]]] - a).cross(position[regions.vertices[tri[2]]] - a);
+    regions.area[regions.triangulation.component[t]] += n.z() / 2;
+  }
+  return regions;
+}
+
+bool Contains(const PlanarRegions& regions, int32_t component, const Point2& p, const std::vector<Point3>& position) {
+  const auto turn = [](const Point2& a, const Point2& b, const Point2& c) {
+    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+  };
+  for (size_t t = 0; t < regions.triangulation.triangles.size(); ++t) {
+    if (regions.triangulation.component[t] != component) continue;
+    const Triangle& tri = regions.triangulation.triangles[t];
+    const auto at = [&](int k) { return Point2(position[regions.vertices[tri[k]]].head<2>()); };
+    const Point2 a = at(0), b = at(1), c = at(2);
+    if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return true;
+  }
+  return false;
+}
+
+Eigen::Vector3d VectorArea(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const Point3& origin = position[loop[0].from];
+  for (const RimSegment& s : loop) sum += (position[s.from] - origin).cross(position[s.to] - origin);
+  return sum / 2;
+}
+
+SingleType ClassifySingle(std::span<const RimSegment> outer, const std::vector<std::vector<RimSegment>>& islands,
+                          const std::vector<Point3>& position) {
+  if (islands.size() == 1) {
+    const bool inner_is_long = Length(islands[0], position) >= kAnnularLength * Length(outer, position);
+    const double reach = Length(outer, position) / (2 * std::numbers::pi);
+    const bool centred = (Centre(islands[0], position) - Centre(outer, position)).norm() < reach;
+    if (inner_is_long && centred) return SingleType::kAnnular;
+  }
+  if (!islands.empty()) return SingleType::kIsland;
+  if (IsCrack(outer, position)) return SingleType::kCrack;
+  if (IsDislocation(outer, position)) return SingleType::kDislocation;
+  return SingleType::kSimple;
+}
+
+HoleType ClassifyOpen(std::span<const BoundarySegment> segments, CellId cell, bool has_surface, const CutLines& lines,
+                      const std::vector<Point3>& position) {
+  if (!has_surface) return HoleType::kA;
+  const Point2 lo(lines.At(cell, kWest), lines.At(cell, kSouth));
+  const Point2 hi(lines.At(cell, kEast), lines.At(cell, kNorth));
+  const std::vector<Stretch> stretches = OutlineStretches(segments, lo, hi, position);
+  constexpr double kTouch = 1e-4;     // of a side
+  constexpr double kBackward = 0.05;  // of a side: two stretches of a ragged cut that overlap by less than this touch
+  int parts = 0, least = 4;
+  for (size_t i = 0; i < stretches.size(); ++i) {
+    const double end = stretches[i].end, begin = stretches[(i + 1) % stretches.size()].begin;
+    const double gap = std::fmod(begin - end + 8, 4.0);
+    if (stretches.size() > 1 && (gap == 0 || gap > 4 - kBackward)) continue;
+    const int sides = SidesTouched(end, begin, kTouch);
+    if (sides == 0) continue;
+    ++parts;
+    least = std::min(least, sides);
+  }
+  if (parts <= 1) return HoleType::kB;
+  return least >= 3 ? HoleType::kC : HoleType::kD;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,155 @@
+#include "coordinator/plan/make_cell_holes.h"
+
+#include <set>
+#include <unordered_map>
+
+namespace tilemend {
+namespace {
+
+class CellWorkBuilder {
+ public:
+  CellWorkBuilder(const Plan& plan, const PlanInput& input, const SeamHeights& heights)
+      : plan_(plan), input_(input), heights_(heights) {}
+
+  CellHoles Build(const std::vector<int32_t>& holes, bool with_band) {
+    work_.cell = plan_.holes[holes.front()].cell;
+    work_.lattice_step = plan_.lattice_step;
+    work_.float32 = NumberTypeOf(work_.cell);
+    IndexOwnVertices();
+    for (const int32_t h : holes) AddHole(h);
+    if (with_band) {
+      for (const RimVertex& v : work_.vertices) work_.band.points.push_back(v.position);
+      for (const CellId tile : CellsAround(holes)) AddBand(tile);
+    }
+    return std::move(work_);
+  }
+
+ private:
+  std::set<CellId> CellsAround(const std::vector<int32_t>& holes) const {
+    std::set<CellId> cells;
+    for (const int32_t h : holes) {
+      const CellId c = plan_.holes[h].cell;
+      for (int dr = -1; dr <= 1; ++dr) {
+        for (int dc = -1; dc <= 1; ++dc) cells.insert({c.col + dc, c.row + dr});
+      }
+    }
+    return cells;
+  }
+
+  const SurveyRecord* RecordOf(CellId cell) const {
+    const auto it = input_.cells.find(cell);
+    return it == input_.cells.end() ? nullptr : it->second;
+  }
+
+  // A cell without a tile takes the number type of the scene: float32 unless every tile has float64.
+  bool NumberTypeOf(CellId cell) const {
+    if (const SurveyRecord* own = RecordOf(cell)) return own->float32;
+    bool any = false;
+    for (const auto& [other, record] : input_.cells) {
+      if (record == nullptr) continue;
+      if (record->float32) return true;
+      any = true;
+    }
+    return !any;
+  }
+
+  void IndexOwnVertices() {
+    const SurveyRecord* own = RecordOf(work_.cell);
+    if (own == nullptr) return;
+    const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(work_.cell);
+    for (size_t i = 0; i < of.size(); ++i) own_index_.emplace(of[i], own->vertices[i].index);
+  }
+
+  int32_t Vertex(int32_t plan_vertex) {
+    const auto [it, fresh] = number_.try_emplace(plan_vertex, static_cast<int32_t>(work_.vertices.size()));
+    if (!fresh) return it->second;
+    const PlanVertex& p = plan_.vertices[plan_vertex];
+    RimVertex v;
+    v.tile = p.tile;
+    v.index = p.index;
+    v.position = p.position;
+    v.centroid_height = p.centroid_height;
+    v.size = p.size;
+    v.lines = p.lines;
+    if (const auto own = own_index_.find(plan_vertex); own != own_index_.end()) {
+      v.tile = work_.cell;
+      v.index = own->second;
+    }
+    if (p.index < 0) {
+      v.seam_vertex = plan_vertex;
+      const auto height = heights_.height.find(plan_vertex);
+      v.height_known = height != heights_.height.end();
+      if (v.height_known) v.position.z() = height->second;
+    }
+    work_.vertices.push_back(v);
+    return it->second;
+  }
+
+  void AddHole(int32_t h) {
+    const PlannedHole& planned = plan_.holes[h];
+    CellHole hole;
+    hole.id = h;
+    hole.open = planned.kind != HoleKind::kClosed;
+    if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
+    if (planned.water >= 0) hole.level = plan_.water[planned.water].level;
+    for (const RimSegment& s : planned.segments) {
+      const int32_t from = Vertex(s.from);
+      const int32_t to = Vertex(s.to);
+      hole.segments.push_back({from, to, s.seam});
+      if (!s.seam) continue;
+      SetSeamVertex(work_.vertices[from], planned.cluster, s.from);
+      SetSeamVertex(work_.vertices[to], planned.cluster, s.to);
+    }
+    work_.holes.push_back(std::move(hole));
+  }
+
+  // An original vertex at which seams of several clusters end keeps the Laplacian of the first.
+  void SetSeamVertex(RimVertex& v, int32_t cluster, int32_t plan_vertex) const {
+    v.seam_vertex = plan_vertex;
+    const auto it = heights_.laplacian.find({cluster, plan_vertex});
+    if (it == heights_.laplacian.end() || v.laplacian_known) return;
+    v.laplacian_known = true;
+    v.laplacian = it->second;
+  }
+
+  void AddBand(CellId tile) {
+    const SurveyRecord* record = RecordOf(tile);
+    if (record == nullptr) return;
+    const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(tile);
+    std::unordered_map<int32_t, int32_t> number;  // band point -> work band point
+    const auto rim_vertex = [&](int32_t v) {
+      if (v >= static_cast<int32_t>(of.size())) return -1;
+      const auto it = number_.find(of[v]);
+      return it == number_.end() ? -1 : it->second;
+    };
+    for (const Triangle& t : record->band.triangles) {
+      const int32_t rim[3] = {rim_vertex(t[0]), rim_vertex(t[1]), rim_vertex(t[2])};
+      if (rim[0] < 0 && rim[1] < 0 && rim[2] < 0) continue;
+      Triangle out;
+      for (int k = 0; k < 3; ++k) {
+        out[k] = rim[k];
+        if (rim[k] >= 0) continue;
+        const auto [it, fresh] = number.try_emplace(t[k], static_cast<int32_t>(work_.band.points.size()));
+        if (fresh) work_.band.points.push_back(record->band.points[t[k]]);
+        out[k] = it->second;
+      }
+      work_.band.triangles.push_back(out);
+    }
+  }
+
+  const Plan& plan_;
+  const PlanInput& input_;
+  const SeamHeights& heights_;
+  CellHoles work_;
+  std::unordered_map<int32_t, int32_t> number_;     // plan vertex -> vertex of the work
+  std::unordered_map<int32_t, int32_t> own_index_;  // plan vertex -> index in the cell's own tile
+};
+
+}  // namespace
+
+CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
+                        const std::vector<int32_t>& holes, bool with_band) {
+  return CellWorkBuilder(plan, input, heights).Build(holes, with_band);
+}
+
+}  // namespace tilemend

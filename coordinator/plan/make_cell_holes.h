@@ -1,0 +1,20 @@
+// Takes from the plan and the survey records what a worker needs for the holes of one cell.
+#ifndef TILEMEND_COORDINATOR_PLAN_MAKE_CELL_HOLES_H_
+#define TILEMEND_COORDINATOR_PLAN_MAKE_CELL_HOLES_H_
+
+#include <vector>
+
+#include "common/records/cell_holes.h"
+#include "coordinator/plan/plan.h"
+#include "coordinator/plan/seam/seam_heights.h"
+
+namespace tilemend {
+
+// The given holes (of one cell, or of one cluster; without failure) with their vertices and, if `with_band`, the
+// triangles around them: of the cell's own tile and of its neighbours', two rings from the holes' own vertices at most.
+CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
+                        const std::vector<int32_t>& holes, bool with_band);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_MAKE_CELL_HOLES_H_

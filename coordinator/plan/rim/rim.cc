@@ -1,0 +1,226 @@
+#include "coordinator/plan/rim/rim.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <unordered_map>
+
+#include "common/mesh/position_index.h"
+
+namespace tilemend {
+namespace {
+
+// Rounding a height by half a step tilts a triangle of this many steps by less than half a degree.
+constexpr double kLeastSizeInSteps = 64;
+// Of the length of an edge: the least size at its ends. A mean of two edges is below it if one is five times the other.
+constexpr double kShareOfLongEdge = 0.6;
+
+uint64_t EdgeKey(int32_t from, int32_t to) {
+  return static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32 | static_cast<uint32_t>(to);
+}
+
+// All boundary vertices and edges of all tiles, before matching.
+void CollectEdges(const PlanInput& input, bool weld_tiles, Rim& rim) {
+  PositionIndex index;
+  for (const auto& [cell, record] : input.cells) {
+    if (record == nullptr) continue;
+    PositionIndex own;
+    PositionIndex& used = weld_tiles ? index : own;
+    const int32_t base = weld_tiles ? 0 : static_cast<int32_t>(rim.points.size());
+    std::vector<int32_t>& number = rim.point_of[cell];
+    number.reserve(record->vertices.size());
+    for (const BoundaryVertex& v : record->vertices) {
+      const int32_t n = base + used.Insert(v.position);
+      if (n == static_cast<int32_t>(rim.points.size())) {
+        rim.points.push_back({cell, v.index, v.position, v.normal, v.centroid_height, 0});
+      } else {
+        rim.points[n].normal += v.normal;
+      }
+      number.push_back(n);
+    }
+    for (const BoundaryEdge& e : record->edges) rim.edges.push_back({number[e.from], number[e.to], cell, cell});
+  }
+}
+
+// Drops every pair of edges that run between the same points: in opposite directions, two tiles meet there.
+void DropMatched(Rim& rim) {
+  std::unordered_map<uint64_t, int32_t> count;
+  count.reserve(rim.edges.size());
+  const auto key = [](const RimEdge& e) { return EdgeKey(std::min(e.from, e.to), std::max(e.from, e.to)); };
+  for (const RimEdge& e : rim.edges) ++count[key(e)];
+  std::erase_if(rim.edges, [&](const RimEdge& e) { return count[key(e)] != 1; });
+}
+
+// The angle of `d` around axis `normal`, in (-pi, pi], from a direction fixed by the normal.
+class AngleAround {
+ public:
+  explicit AngleAround(Eigen::Vector3d normal) {
+    if (normal.norm() == 0) normal = Eigen::Vector3d::UnitZ();
+    normal.normalize();
+    const Eigen::Vector3d helper = std::abs(normal.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+    u_ = (helper - normal * helper.dot(normal)).normalized();
+    v_ = normal.cross(u_);
+  }
+  double operator()(const Eigen::Vector3d& d) const { return std::atan2(d.dot(v_), d.dot(u_)); }
+
+ private:
+  Eigen::Vector3d u_, v_;
+};
+
+// For the edges that arrive at and leave one point: which leaves after which arrives. Turning counter-clockwise from
+// the way back along an arriving edge one crosses the hole; the first leaving edge met bounds the same hole.
+void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving, const std::vector<int32_t>& leaving,
+            std::vector<int32_t>& next) {
+  if (arriving.size() == 1 && leaving.size() == 1) {
+    next[arriving[0]] = leaving[0];
+    return;
+  }
+  const AngleAround angle(rim.points[point].normal);
+  std::vector<bool> taken(leaving.size(), false);
+  for (const int32_t a : arriving) {
+    const double back = angle(rim.points[rim.edges[a].from].position - rim.points[point].position);
+    double best = 10;
+    size_t choice = leaving.size();
+    for (size_t k = 0; k < leaving.size(); ++k) {
+      if (taken[k]) continue;
+      double turn = angle(rim.points[rim.edges[leaving[k]].to].position - rim.points[point].position) - back;
+      if (turn <= 0) turn += 2 * std::numbers::pi;
+      if (turn < best) {
+        best = turn;
+        choice = k;
+      }
+    }
+    if (choice == leaving.size()) continue;
+    taken[choice] = true;
+    next[a] = leaving[choice];
+  }
+}
+
+std::vector<int32_t> LinkEdges(const Rim& rim, std::vector<uint8_t>& touching) {
+  std::vector<std::vector<int32_t>> arriving(rim.points.size()), leaving(rim.points.size());
+  for (size_t e = 0; e < rim.edges.size(); ++e) {
+    leaving[rim.edges[e].from].push_back(static_cast<int32_t>(e));
+    arriving[rim.edges[e].to].push_back(static_cast<int32_t>(e));
+  }
+  std::vector<int32_t> next(rim.edges.size(), -1);
+  for (size_t p = 0; p < rim.points.size(); ++p) {
+    if (arriving[p].empty()) continue;
+    LinkAt(rim, static_cast<int32_t>(p), arriving[p], leaving[p], next);
+    touching[p] = arriving[p].size() > 1;
+  }
+  return next;
+}
+
+void TraceLoops(const std::vector<int32_t>& next, Rim& rim) {
+  std::vector<uint8_t> seen(rim.edges.size(), 0);
+  for (size_t start = 0; start < rim.edges.size(); ++start) {
+    if (seen[start]) continue;
+    std::vector<int32_t> loop;
+    int32_t e = static_cast<int32_t>(start);
+    while (e >= 0 && !seen[e]) {
+      seen[e] = 1;
+      loop.push_back(e);
+      e = next[e];
+    }
+    if (e == static_cast<int32_t>(start)) {
+      rim.loops.push_back(std::move(loop));
+    } else {
+      rim.unlinked.insert(rim.unlinked.end(), loop.begin(), loop.end());
+    }
+  }
+}
+
+// Counts the groups of two or more loops that share a point.
+int32_t CountTouchingGroups(const Rim& rim, const std::vector<uint8_t>& touching) {
+  std::vector<int32_t> parent(rim.loops.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto find = [&](int32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  std::unordered_map<int32_t, int32_t> loop_at;
+  for (size_t l = 0; l < rim.loops.size(); ++l) {
+    for (const int32_t e : rim.loops[l]) {
+      const int32_t p = rim.edges[e].from;
+      if (!touching[p]) continue;
+      const auto [it, fresh] = loop_at.try_emplace(p, static_cast<int32_t>(l));
+      if (!fresh) parent[find(static_cast<int32_t>(l))] = find(it->second);
+    }
+  }
+  std::vector<int32_t> members(rim.loops.size(), 0);
+  for (size_t l = 0; l < rim.loops.size(); ++l) ++members[find(static_cast<int32_t>(l))];
+  return static_cast<int32_t>(std::count_if(members.begin(), members.end(), [](int32_t n) { return n > 1; }));
+}
+
+void StoreSizes(Rim& rim) {
+  std::vector<int32_t> count(rim.points.size(), 0);
+  for (const RimEdge& e : rim.edges) {
+    const double length = (rim.points[e.to].position - rim.points[e.from].position).norm();
+    for (const int32_t p : {e.from, e.to}) {
+      rim.points[p].size += length;
+      ++count[p];
+    }
+  }
+  for (size_t p = 0; p < rim.points.size(); ++p) {
+    if (count[p] > 0) rim.points[p].size /= count[p];
+  }
+}
+
+}  // namespace
+
+Rim BuildRim(const PlanInput& input, bool weld_tiles) {
+  Rim rim;
+  CollectEdges(input, weld_tiles, rim);
+  DropMatched(rim);
+  StoreSizes(rim);
+  std::vector<uint8_t> touching(rim.points.size(), 0);
+  const std::vector<int32_t> next = LinkEdges(rim, touching);
+  TraceLoops(next, rim);
+  rim.continuous = CountTouchingGroups(rim, touching);
+  return rim;
+}
+
+namespace {
+
+// The least size at the end of an edge, by that at its beginning.
+double LeastSizeBehind(const Rim& rim, const RimEdge& e, double before) {
+  const double length = (rim.points[e.to].position - rim.points[e.from].position).norm();
+  return std::max(kShareOfLongEdge * length, before - length);
+}
+
+}  // namespace
+
+void RaiseSmallSizes(double lattice_step, Rim& rim) {
+  double sum = 0;
+  int64_t count = 0;
+  for (const RimPoint& p : rim.points) {
+    sum += p.size;
+    if (p.size > 0) ++count;
+  }
+  if (count == 0) return;
+  const double least = std::min(kLeastSizeInSteps * lattice_step, sum / static_cast<double>(count) / 2);
+  for (RimPoint& p : rim.points) p.size = std::max(p.size, least);
+}
+
+void RaiseSizesAtShortEdges(Rim& rim) {
+  for (const std::vector<int32_t>& loop : rim.loops) {
+    const size_t n = loop.size();
+    // Twice around, so that the first edges know the last ones; then the other way.
+    double least = 0;
+    for (size_t i = 0; i < 2 * n; ++i) {
+      const RimEdge& e = rim.edges[loop[i % n]];
+      least = LeastSizeBehind(rim, e, least);
+      rim.points[e.to].size = std::max(rim.points[e.to].size, least);
+    }
+    least = 0;
+    for (size_t i = 2 * n; i-- > 0;) {
+      const RimEdge& e = rim.edges[loop[i % n]];
+      least = LeastSizeBehind(rim, e, least);
+      rim.points[e.from].size = std::max(rim.points[e.from].size, least);
+    }
+  }
+}
+
+}  // namespace tilemend

@@ -1,0 +1,46 @@
+// Heights of the seam vertices: one agreed height each.
+#ifndef TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_HEIGHTS_H_
+#define TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_HEIGHTS_H_
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+// A height that the holes of one cell give to a seam vertex.
+struct SeamSample {
+  CellId cell;
+  int32_t vertex = 0;  // into Plan::vertices
+  double height = 0;   // metres
+};
+
+struct SeamHeights {
+  std::map<int32_t, double> height = {};                         // of the seam vertices that are settled
+  std::map<std::pair<int32_t, int32_t>, double> laplacian = {};  // by cluster and vertex on a seam, where it is known
+  std::map<int32_t, double> tension = {};                        // by cluster, where it has been chosen
+};
+
+// The surface of a cluster at a vertex on a seam or at the end of one.
+struct ClusterSample {
+  int32_t vertex = 0;    // into Plan::vertices
+  double height = 0;     // metres
+  double laplacian = 0;  // 1 / metre
+};
+
+// Settles the seam vertices of a cluster whose surface is known. Heights are rounded to the plan's lattice.
+void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights);
+
+// Settles the seam vertices that one layer sampled: the mean of the samples; along seams between two cells of the
+// layer, where both gave heights, Laplacian-smoothed once (Wang 2021, eq. 5 and 6) with factor `gamma`, 0 <= gamma <=
+// 1, over the two neighbours on either side. Heights are rounded to the plan's lattice. Samples of vertices that are
+// settled already are ignored. The order of samples is of no importance.
+void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double gamma, SeamHeights& heights);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_HEIGHTS_H_

@@ -1,0 +1,130 @@
+// What a plan is made from and what it says.
+#ifndef TILEMEND_COORDINATOR_PLAN_TYPES_PLAN_TYPES_H_
+#define TILEMEND_COORDINATOR_PLAN_TYPES_PLAN_TYPES_H_
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/grid/scene.h"
+#include "common/grid/water_areas.h"
+#include "common/records/cell_holes.h"
+#include "common/records/survey_record.h"
+
+namespace tilemend {
+
+// What is taken for water (water.h).
+struct WaterOptions {
+  bool find = true;              // else only where an area says so
+  double tolerance = 0.1;        // metres, > 0: how far the rim of water may be off its level
+  std::vector<WaterArea> areas;  // the last one that covers more than half of a hole decides on it
+};
+
+struct PlanOptions {
+  // Seam vertices grow apart from the rim inward by this factor per edge (>= 1), up to size_limit times the rim's mean
+  // edge.
+  double gradation = 1.3;
+  double size_limit = 16.0;
+  bool uniform = false;
+  WaterOptions water;
+  bool seams_over_rim = true;  // seams take rim vertices close beside them
+};
+
+struct PlanInput {
+  Grid grid;
+  bool area_known = true;                       // else the rim of the area stays open
+  bool has_grid = true;                         // false: one mesh, each loop a closed hole or an outer rim
+  std::map<CellId, const SurveyRecord*> cells;  // the area; null: no surface
+};
+
+// How the tiles of two neighbouring cells meet (design, "two kinds of input cut").
+enum class BorderKind { kExact, kNear, kOverlap, kGap, kOpen };  // kOpen: one or both have no surface there
+
+struct BorderAudit {
+  CellId a, b;  // b is east or north of a
+  BorderKind kind = BorderKind::kOpen;
+  int64_t shared_vertices = 0;
+  double offset = 0;  // metres: > 0 overlap, < 0 gap; kNear: the largest distance between unmatched border vertices
+};
+
+enum class HoleKind { kClosed, kOpenI, kOpenII };
+enum class HoleType { kNone, kA, kB, kC, kD };                                      // open holes: Wang 3.1, figure 5
+enum class SingleType { kNone, kCrack, kDislocation, kAnnular, kIsland, kSimple };  // Zhang 2022, 4.1
+
+struct PlannedHole {
+  CellId cell;
+  HoleKind kind = HoleKind::kClosed;
+  HoleType type = HoleType::kNone;
+  SingleType single = SingleType::kNone;
+  bool projects = true;  // its boundary is simple seen from above
+  int32_t cluster = -1;  // open holes
+  int32_t layer = 0;     // open holes: from 1
+  double area = 0;       // m2, seen from above (closed holes that do not project: of the boundary's vector area)
+  double perimeter = 0;  // metres of original boundary
+  int32_t boundary_vertices = 0;
+  Point2 centre{0, 0};
+  int32_t water = -1;                // into Plan::water; -1: no water
+  std::string failure;               // not empty: it can't be filled, for this reason
+  std::vector<RimSegment> segments;  // into Plan::vertices
+};
+
+// A vertex of a hole boundary: a vertex of one or more tiles, or a new one on a seam.
+struct PlanVertex {
+  CellId tile;
+  int32_t index = -1;  // -1: a seam vertex
+  Point3 position{0, 0, 0};
+  double centroid_height = 0;
+  double size = 0;
+  uint8_t lines = 0;          // as RimVertex::lines
+  bool height_given = false;  // of a seam vertex: it takes the height of a rim vertex a hair beside it
+};
+
+// A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along
+// the line.
+struct Seam {
+  CellId a, b;                    // b is east or north of a; one of them may lie outside the area
+  std::vector<int32_t> vertices;  // into Plan::vertices
+};
+
+// A body of water: a cluster of open holes, or a closed hole, that is filled flat.
+struct WaterBody {
+  std::vector<int32_t> holes;      // into Plan::holes, ascending
+  double level = 0;                // metres, on the lattice
+  double spread = 0;               // metres: of the rim's heights (RimLevel::spread)
+  double lowest = 0, highest = 0;  // of the rim's heights
+  int64_t rim_vertices = 0;
+  bool forced = false;  // an area says that it is water
+};
+
+struct LeftOpen {
+  CellId cell;
+  std::string reason;
+  int32_t hole = -1;    // -1: found before there was a hole
+  int64_t edges = 0;    // boundary edges that stay open
+  bool is_hole = true;  // false: the outline of a detached piece, open by right
+};
+
+struct Plan {
+  std::vector<PlanVertex> vertices;
+  std::vector<PlannedHole> holes;  // by cell, then in order of their first segment
+  std::vector<Seam> seams;
+  std::vector<WaterBody> water;           // in order of their first hole
+  std::vector<int32_t> idle_water_areas;  // of WaterOptions::areas: those that cover no hole by more than half
+  std::vector<BorderAudit> borders;
+  std::vector<LeftOpen> left;
+  int32_t clusters = 0;
+  int32_t layers = 0;
+  int32_t continuous = 0;    // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
+  bool tiles_apart = false;  // the tiles share no vertices, they overlap or part: each is filled for itself
+  int64_t outer_rims = 0;    // loops that are the outline of a detached piece, not a hole
+  double lattice_step = 0;   // power of two, metres
+  std::map<CellId, std::vector<int32_t>>
+      vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_TYPES_PLAN_TYPES_H_

@@ -1,0 +1,170 @@
+#include "coordinator/plan/water/shore.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "coordinator/plan/water/rim_level.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
+
+using Edge = std::pair<int32_t, int32_t>;
+
+// Walks the directed edges, each once: first along chains from their beginning, then around loops.
+class EdgeWalk {
+ public:
+  explicit EdgeWalk(std::vector<Edge> edges) : edges_(std::move(edges)), used_(edges_.size(), false) {
+    std::sort(edges_.begin(), edges_.end());
+  }
+
+  std::vector<int32_t> Run() {
+    std::vector<int32_t> targets;
+    for (const Edge& e : edges_) targets.push_back(e.second);
+    std::sort(targets.begin(), targets.end());
+    for (size_t e = 0; e < edges_.size(); ++e) {
+      if (!std::binary_search(targets.begin(), targets.end(), edges_[e].first)) Follow(e);
+    }
+    for (size_t e = 0; e < edges_.size(); ++e) Follow(e);
+    return std::move(visited_);
+  }
+
+ private:
+  void Follow(size_t e) {
+    while (!used_[e]) {
+      used_[e] = true;
+      const auto [from, to] = edges_[e];
+      visited_.push_back(from);
+      auto next = std::lower_bound(edges_.begin(), edges_.end(), Edge{to, 0});
+      while (next != edges_.end() && next->first == to && used_[next - edges_.begin()]) ++next;
+      if (next == edges_.end() || next->first != to) {
+        if (next == edges_.begin() || std::prev(next)->first != to) visited_.push_back(to);  // the end of a chain
+        return;
+      }
+      e = static_cast<size_t>(next - edges_.begin());
+    }
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<bool> used_;
+  std::vector<int32_t> visited_;
+};
+
+// How far four points are from a plane, in standard deviations' units: their heights' combination that is zero for a
+// plane, with coefficients of length one. NaN if they lie on a line seen from above.
+double OffPlane(const std::array<Point3, 4>& p) {
+  const auto area = [&](int a, int b, int c) {
+    const Point2 u = (p[b] - p[a]).head<2>(), v = (p[c] - p[a]).head<2>();
+    return u.x() * v.y() - u.y() * v.x();
+  };
+  const Eigen::Vector4d weights(area(1, 2, 3), -area(0, 2, 3), area(0, 1, 3), -area(0, 1, 2));
+  const Eigen::Vector4d heights(0, p[1].z() - p[0].z(), p[2].z() - p[0].z(), p[3].z() - p[0].z());
+  return std::abs(weights.dot(heights)) / weights.norm();
+}
+
+class GroundFinder {
+ public:
+  GroundFinder(const Plan& plan, std::span<const std::vector<int32_t>> shores)
+      : shores_(shores),
+        shore_of_(plan.vertices.size(), -1),
+        sum_(shore_of_.size(), 0),
+        count_(shore_of_.size(), 0),
+        off_plane_(shores.size()) {
+    for (size_t s = shores.size(); s-- > 0;) {
+      for (const int32_t v : shores[s]) shore_of_[v] = static_cast<int32_t>(s);
+    }
+  }
+
+  void AddTile(const SurveyRecord& record, const std::vector<int32_t>& plan_vertex) {
+    std::map<Edge, std::pair<int32_t, int32_t>> open;  // edge -> the corner across it, the shore
+    for (const Triangle& t : record.band.triangles) {
+      const std::array<int32_t, 3> at = {OnShore(t[0], plan_vertex), OnShore(t[1], plan_vertex),
+                                         OnShore(t[2], plan_vertex)};
+      const int32_t shore = ShoreAt(at);
+      if (shore < 0) continue;
+      AddBank(record.band, t, at);
+      for (int k = 0; k < 3; ++k) {
+        const Edge edge = std::minmax(t[k], t[(k + 1) % 3]);
+        const int32_t across = t[(k + 2) % 3];
+        const auto [it, fresh] = open.try_emplace(edge, across, shore);
+        if (fresh || it->second.second != shore) continue;
+        const auto& p = record.band.points;
+        const double off = OffPlane({p[edge.first], p[edge.second], p[across], p[it->second.first]});
+        if (std::isfinite(off)) off_plane_[shore].push_back(off);
+        open.erase(it);
+      }
+    }
+  }
+
+  std::vector<ShoreGround> Run() {
+    std::vector<ShoreGround> grounds(shores_.size());
+    for (size_t s = 0; s < shores_.size(); ++s) {
+      for (const int32_t v : shores_[s]) {
+        grounds[s].bank.push_back(count_[v] > 0 ? sum_[v] / count_[v] : std::numeric_limits<double>::quiet_NaN());
+      }
+      if (!off_plane_[s].empty()) grounds[s].noise = kDeviationsPerMedian * Quantile(off_plane_[s], 0.5);
+    }
+    return grounds;
+  }
+
+ private:
+  // The plan's number of a band point that is a shore vertex; else -1.
+  int32_t OnShore(int32_t point, const std::vector<int32_t>& plan_vertex) const {
+    if (point >= std::ssize(plan_vertex)) return -1;
+    const int32_t v = plan_vertex[point];
+    return shore_of_[v] < 0 ? -1 : v;
+  }
+
+  int32_t ShoreAt(const std::array<int32_t, 3>& corners) const {
+    for (const int32_t v : corners) {
+      if (v >= 0) return shore_of_[v];
+    }
+    return -1;
+  }
+
+  void AddBank(const TriMesh& band, const Triangle& t, const std::array<int32_t, 3>& at) {
+    for (int k = 0; k < 3; ++k) {
+      if (at[k] < 0) continue;
+      for (int j = 0; j < 3; ++j) {
+        if (at[j] >= 0) continue;
+        sum_[at[k]] += band.points[t[j]].z();
+        ++count_[at[k]];
+      }
+    }
+  }
+
+  std::span<const std::vector<int32_t>> shores_;
+  std::vector<int32_t> shore_of_;  // of the plan's vertices
+  std::vector<double> sum_;        // of the heights one edge landward
+  std::vector<int32_t> count_;
+  std::vector<std::vector<double>> off_plane_;  // by shore
+};
+
+}  // namespace
+
+std::vector<int32_t> ShoreOf(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::vector<Edge> edges;
+  for (const int32_t h : holes) {
+    for (const RimSegment& s : plan.holes[h].segments) {
+      if (!s.seam) edges.emplace_back(s.from, s.to);
+    }
+  }
+  return EdgeWalk(std::move(edges)).Run();
+}
+
+std::vector<ShoreGround> FindGround(const Plan& plan, const PlanInput& input,
+                                    std::span<const std::vector<int32_t>> shores) {
+  GroundFinder finder(plan, shores);
+  for (const auto& [cell, record] : input.cells) {
+    const auto plan_vertex = plan.vertex_of_boundary.find(cell);
+    if (record != nullptr && plan_vertex != plan.vertex_of_boundary.end()) finder.AddTile(*record, plan_vertex->second);
+  }
+  return finder.Run();
+}
+
+}  // namespace tilemend

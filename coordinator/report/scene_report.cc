@@ -1,0 +1,272 @@
+#include "coordinator/report/scene_report.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_format.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 4> kTypes = {"A", "B", "C", "D"};
+
+const char* SingleName(SingleType type) {
+  switch (type) {
+    case SingleType::kCrack:
+      return "crack";
+    case SingleType::kDislocation:
+      return "dislocation";
+    case SingleType::kAnnular:
+      return "annular";
+    case SingleType::kIsland:
+      return "island";
+    case SingleType::kSimple:
+      return "simple";
+    default:
+      return nullptr;
+  }
+}
+
+// To `digits` decimals.
+double Rounded(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return std::round(value * scale) / scale;
+}
+
+Json EmptyCounts() {
+  Json types;
+  for (const char* t : kTypes) types[t] = 0;
+  return {{"closed", 0}, {"I", types}, {"II", types}};
+}
+
+void Count(const PlannedHole& hole, Json& counts) {
+  if (hole.kind == HoleKind::kClosed) {
+    counts["closed"] = counts["closed"].get<int>() + 1;
+  } else if (const char* type = TypeName(hole.type)) {
+    Json& n = counts[KindName(hole.kind)][type];
+    n = n.get<int>() + 1;
+  }
+}
+
+Json CellJson(CellId cell) { return Json::array({cell.col, cell.row}); }
+
+std::string FailureOf(const SceneReportInput& input, int32_t hole) {
+  const auto it = input.failures.find(hole);
+  return it != input.failures.end() ? it->second : input.plan->holes[hole].failure;
+}
+
+Json HoleRow(const SceneReportInput& input, int32_t h) {
+  const PlannedHole& hole = input.plan->holes[h];
+  const std::string failure = FailureOf(input, h);
+  Json row = {{"id", h}, {"cell", CellJson(hole.cell)}, {"kind", KindName(hole.kind)}};
+  if (const char* type = TypeName(hole.type)) row["type"] = type;
+  if (const char* single = SingleName(hole.single)) row["single"] = single;
+  if (hole.kind != HoleKind::kClosed) {
+    row["cluster"] = hole.cluster;
+    row["layer"] = hole.layer;
+  }
+  row["centre"] = {Rounded(hole.centre.x(), 3), Rounded(hole.centre.y(), 3)};
+  row["area_m2"] = Rounded(hole.area, 3);
+  row["perimeter_m"] = Rounded(hole.perimeter, 3);
+  row["boundary_vertices"] = hole.boundary_vertices;
+  row["method"] = hole.water >= 0 ? "water" : input.surface;
+  row["outcome"] = failure.empty() ? "filled" : "left";
+  if (!failure.empty()) row["reason"] = failure;
+  if (const auto size = input.sizes.find(h); size != input.sizes.end() && failure.empty()) {
+    row["new_vertices"] = size->second.first;
+    row["triangles"] = size->second.second;
+  }
+  return row;
+}
+
+// The tensions that were put to a test.
+Json Tensions(const SceneReportInput& input) {
+  Json rows = Json::array();
+  const auto add = [&](const char* what, const std::map<int32_t, HoldOut>& choices) {
+    for (const auto& [id, choice] : choices) {
+      if (choice.blocks == 0) continue;
+      rows.push_back({{what, id},
+                      {"tension", Rounded(choice.tension, 9)},
+                      {"hold_out_error_m", Rounded(choice.error, 4)},
+                      {"hold_out_error_at_start_m", Rounded(choice.error_at_start, 4)},
+                      {"blocks", choice.blocks}});
+    }
+  };
+  add("cluster", input.of_clusters);
+  add("hole", input.of_holes);
+  return rows;
+}
+
+// The bodies of water that were filled so.
+Json WaterRows(const SceneReportInput& input) {
+  Json rows = Json::array();
+  for (const WaterBody& body : input.plan->water) {
+    Json holes = Json::array();
+    double area = 0;
+    std::set<CellId> cells;
+    for (const int32_t h : body.holes) {
+      if (!FailureOf(input, h).empty()) continue;
+      holes.push_back(h);
+      area += input.plan->holes[h].area;
+      cells.insert(input.plan->holes[h].cell);
+    }
+    if (holes.empty()) continue;
+    const PlannedHole& first = input.plan->holes[body.holes.front()];
+    Json row;
+    if (first.kind != HoleKind::kClosed) row["cluster"] = first.cluster;
+    row.update({{"level_m", body.level},
+                {"spread_m", Rounded(body.spread, 4)},
+                {"rim_m", {Rounded(body.lowest, 4), Rounded(body.highest, 4)}},
+                {"rim_vertices", body.rim_vertices},
+                {"area_m2", Rounded(area, 3)},
+                {"cells", cells.size()},
+                {"decided_by", body.forced ? "area" : "rim"},
+                {"holes", holes}});
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Json Borders(const Plan& plan) {
+  std::map<std::string, int64_t> counts;
+  Json rows = Json::array();
+  for (const BorderAudit& border : plan.borders) {
+    ++counts[BorderName(border.kind)];
+    if (border.kind == BorderKind::kExact || border.kind == BorderKind::kOpen) continue;
+    rows.push_back({{"cells", {CellJson(border.a), CellJson(border.b)}},
+                    {"kind", BorderName(border.kind)},
+                    {"offset_m", Rounded(border.offset, 6)}});
+  }
+  Json result;
+  for (const char* kind : {"exact", "near", "overlap", "gap", "open"}) result[kind] = counts[kind];
+  result["inexact"] = rows;
+  return result;
+}
+
+Json QualityJson(const QualityTally& quality) {
+  Json json = {{"triangles", quality.triangles}};
+  if (quality.triangles > 0) {
+    json["least"] = Rounded(quality.least, 4);
+    json["mean"] = Rounded(quality.Mean(), 4);
+    json["fifth_percentile"] = Rounded(quality.Quantile(0.05), 4);
+  }
+  json["poor"] = quality.poor;
+  json["poor_forced_by_rim"] = quality.poor_forced;
+  return json;
+}
+
+int64_t PeakRssBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<int64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace
+
+const char* TypeName(HoleType type) { return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1]; }
+
+const char* KindName(HoleKind kind) {
+  switch (kind) {
+    case HoleKind::kClosed:
+      return "closed";
+    case HoleKind::kOpenI:
+      return "I";
+    default:
+      return "II";
+  }
+}
+
+const char* BorderName(BorderKind kind) {
+  switch (kind) {
+    case BorderKind::kExact:
+      return "exact";
+    case BorderKind::kNear:
+      return "near";
+    case BorderKind::kOverlap:
+      return "overlap";
+    case BorderKind::kGap:
+      return "gap";
+    default:
+      return "open";
+  }
+}
+
+std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
+  std::vector<LeftOpen> left = input.plan->left;
+  for (const auto& [hole, reason] : input.failures) {
+    const PlannedHole& planned = input.plan->holes[hole];
+    left.push_back({planned.cell, reason, hole, planned.boundary_vertices});
+  }
+  return left;
+}
+
+std::vector<std::string> PlanWarnings(const Plan& plan) {
+  std::vector<std::string> warnings;
+  for (const int32_t area : plan.idle_water_areas) {
+    warnings.push_back(absl::StrFormat(
+        "--water: area %d of the file (from 0) covers no hole by more than half and decides nothing", area));
+  }
+  const bool has_open = std::any_of(plan.holes.begin(), plan.holes.end(),
+                                    [](const PlannedHole& hole) { return hole.kind != HoleKind::kClosed; });
+  if (plan.tiles_apart && has_open) {
+    warnings.push_back(
+        "the tiles overlap or part and share no vertices: each is filled for itself, and the fills of two tiles may "
+        "meet "
+        "in a step");
+  }
+  return warnings;
+}
+
+std::string SceneReport(const SceneReportInput& input) {
+  const Plan& plan = *input.plan;
+  std::vector<std::string> warnings = input.warnings;
+  for (std::string& warning : PlanWarnings(plan)) warnings.push_back(std::move(warning));
+  Json holes = EmptyCounts(), filled = EmptyCounts(), rows = Json::array(), single, left = Json::array();
+  for (const char* name : {"crack", "dislocation", "annular", "island", "simple"}) single[name] = 0;
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    const auto id = static_cast<int32_t>(h);
+    Count(plan.holes[h], holes);
+    if (FailureOf(input, id).empty()) Count(plan.holes[h], filled);
+    if (const char* name = SingleName(plan.holes[h].single)) single[name] = single[name].get<int>() + 1;
+    rows.push_back(HoleRow(input, id));
+  }
+  for (const LeftOpen& l : LeftOf(input)) {
+    Json row = {{"cell", CellJson(l.cell)}, {"reason", l.reason}};
+    if (l.hole >= 0) row["hole"] = l.hole;
+    row["open_edges"] = l.edges;
+    if (!l.is_hole) row["open_by_right"] = true;
+    left.push_back(row);
+  }
+  Json seconds;
+  for (const auto& [stage, value] : input.seconds) seconds[stage] = Rounded(value, 6);
+  Json report = {{"cells", input.cells},
+                 {"clusters", plan.clusters},
+                 {"layers", plan.layers},
+                 {"holes", holes},
+                 {"filled", filled},
+                 {"single", single},
+                 {"continuous", plan.continuous},
+                 {"outer_rims", plan.outer_rims},
+                 {"water", WaterRows(input)},
+                 {"left", left},
+                 {"quality", QualityJson(input.quality)},
+                 {"borders", Borders(plan)},
+                 {"warnings", warnings},
+                 {"surface", input.surface},
+                 {"tension", Tensions(input)},
+                 {"seconds", seconds},
+                 {"peak_rss_bytes", PeakRssBytes()},
+                 {"per_hole", rows}};
+  if (input.given_tension) report["tension_given"] = *input.given_tension;
+  return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tilemend

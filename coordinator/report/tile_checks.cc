@@ -1,0 +1,40 @@
+#include "coordinator/report/tile_checks.h"
+
+#include "absl/strings/str_format.h"
+#include "common/codec/mesh_file.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+// A tile may reach this share of a cell beyond its own cell: whole triangles on a ragged cut, overlap of neighbours.
+constexpr double kReachBeyondCell = 0.25;
+
+}  // namespace
+
+absl::StatusOr<Box> ReadTileBounds(const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+  Box box{file.mesh.points[0], file.mesh.points[0]};
+  for (const Point3& p : file.mesh.points) {
+    box.lo = box.lo.cwiseMin(p);
+    box.hi = box.hi.cwiseMax(p);
+  }
+  return box;
+}
+
+absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const SceneTile& tile,
+                             const std::string& path) {
+  const Point2 lo = grid.corner + Point2(tile.cell.col * grid.cell_size.x(), tile.cell.row * grid.cell_size.y());
+  const Point2 reach = kReachBeyondCell * grid.cell_size;
+  const Point2 hi = lo + grid.cell_size;
+  const bool inside = (record.lo.head<2>().array() >= (lo - reach).array()).all() &&
+                      (record.hi.head<2>().array() <= (hi + reach).array()).all();
+  if (inside) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrFormat(
+      "%s: outside its cell %s: the tile spans x %.10g to %.10g, y %.10g to %.10g, the cell x %.10g to %.10g, "
+      "y %.10g to %.10g; check grid_corner and cell_size in scene.json",
+      path, ToString(tile.cell), record.lo.x(), record.hi.x(), record.lo.y(), record.hi.y(), lo.x(), hi.x(), lo.y(),
+      hi.y()));
+}
+
+}  // namespace tilemend

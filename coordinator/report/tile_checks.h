@@ -1,0 +1,24 @@
+// Checks of single tiles against their scene.
+#ifndef TILEMEND_COORDINATOR_REPORT_TILE_CHECKS_H_
+#define TILEMEND_COORDINATOR_REPORT_TILE_CHECKS_H_
+
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/grid/scene.h"
+#include "common/records/survey_record.h"
+
+namespace tilemend {
+
+// The bounds of a mesh file, for LoadScene on folders without scene.json.
+absl::StatusOr<Box> ReadTileBounds(const std::string& path);
+
+// kInvalidArgument, naming `path` and both extents, if the tile does not lie in its cell or at most a quarter cell
+// beyond it.
+absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const SceneTile& tile,
+                             const std::string& path);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_REPORT_TILE_CHECKS_H_

@@ -1,0 +1,257 @@
+#include "coordinator/plan/water/water.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "coordinator/plan/water/shore.h"
+#include "tests/support/surveyed_scene.h"
+#include "tests/support/water_scenes.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+Plan PlanOf(const SceneMakerOptions& scene, const WaterOptions& water = {}) {
+  PlanOptions options;
+  options.water = water;
+  return MakePlan(SurveyScene(MakeScene(scene)).Input(), options);
+}
+
+std::vector<Point2> Box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+SceneMakerOptions ValleyOverNineCells(Cut cut, double slope) {
+  return HoleOverNineCells(
+      cut, [slope](double d, double x, double) { return kWaterLevel + slope * x + 0.1 * std::fmax(d, 0); });
+}
+
+// The direction of (x, y) from the middle of the hole, as a share of the full circle.
+double Bearing(double x, double y) { return std::atan2(y - 59, x - 61) / (2 * std::numbers::pi) + 0.5; }
+
+class WaterTest : public ::testing::TestWithParam<Cut> {};
+
+TEST_P(WaterTest, ALakeOverNineCellsHasOneLevel) {
+  for (const double bank : {0.0, 0.03, 0.1, 0.4}) {
+    const Plan plan = PlanOf(LakeOverNineCells(GetParam(), bank));
+    ASSERT_THAT(plan.water, SizeIs(1)) << bank;
+    const WaterBody& lake = plan.water[0];
+    EXPECT_NEAR(lake.level, kWaterLevel, 0.02) << bank;
+    EXPECT_EQ(std::fmod(lake.level, plan.lattice_step), 0);
+    EXPECT_FALSE(lake.forced);
+    EXPECT_GT(lake.rim_vertices, 100);
+    EXPECT_LT(lake.spread, 0.03);
+    std::set<CellId> cells;
+    for (const int32_t h : lake.holes) cells.insert(plan.holes[h].cell);
+    EXPECT_THAT(cells, SizeIs(9));
+    for (const PlannedHole& hole : plan.holes) EXPECT_EQ(hole.water, 0);
+  }
+}
+
+TEST_P(WaterTest, WithoutNoiseNoRimVertexIsBelowTheLevel) {
+  SceneMakerOptions scene = LakeOverNineCells(GetParam());
+  scene.noise = 0;
+  const Plan plan = PlanOf(scene);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.002);
+  EXPECT_LE(plan.water[0].level, plan.water[0].lowest);
+}
+
+TEST_P(WaterTest, SeamsTakeTheLevel) {
+  const Plan plan = PlanOf(LakeOverNineCells(GetParam()));
+  ASSERT_THAT(plan.water, SizeIs(1));
+  SeamHeights heights;
+  SettleWater(plan, heights);
+  size_t seam_vertices = 0;
+  for (const PlanVertex& v : plan.vertices) seam_vertices += v.index < 0;
+  EXPECT_GT(seam_vertices, 0U);
+  EXPECT_THAT(heights.height, SizeIs(seam_vertices));
+  for (const auto& [vertex, height] : heights.height) EXPECT_EQ(height, plan.water[0].level);
+}
+
+TEST_P(WaterTest, ASlopingValleyIsNoWater) {
+  for (const double slope : {0.002, 0.005, 0.02, 0.1}) {
+    EXPECT_THAT(PlanOf(ValleyOverNineCells(GetParam(), slope)).water, IsEmpty()) << slope;
+  }
+}
+
+TEST_P(WaterTest, ALevelRimWhoseGroundFallsAwayIsNoWater) {
+  const auto mesa = [](double d, double, double) { return kWaterLevel - 0.05 * std::fmax(d, 0); };
+  EXPECT_THAT(PlanOf(HoleOverNineCells(GetParam(), mesa)).water, IsEmpty());
+}
+
+TEST_P(WaterTest, HillsAreNoWater) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    for (const double noise : {0.0, 0.05}) {
+      SceneMakerOptions scene;
+      scene.cut = GetParam();
+      scene.seed = seed;
+      scene.noise = noise;
+      scene.lakes = scene.islands = scene.river = true;
+      scene.small_per_cell = 6;
+      const Plan plan = PlanOf(scene);
+      EXPECT_GT(plan.holes.size(), 30U);
+      EXPECT_THAT(plan.water, IsEmpty()) << seed << ", noise " << noise;
+    }
+  }
+}
+
+TEST_P(WaterTest, AnIslandBelongsToTheShore) {
+  SceneMakerOptions scene = LakeOverNineCells(GetParam());
+  const int64_t without = PlanOf(scene).water.at(0).rim_vertices;
+  scene.ellipses.clear();
+  // A ring of boxes around a square island, which is land at the level.
+  scene.boxes = {{{10, 10}, {110, 50}}, {{10, 70}, {110, 110}}, {{10, 50}, {50, 70}}, {{70, 50}, {110, 70}}};
+  scene.terrain = [](double, double) { return kWaterLevel; };
+  const Plan plan = PlanOf(scene);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.02);
+  EXPECT_GT(plan.water[0].rim_vertices, without);
+}
+
+TEST_P(WaterTest, AQuayAlongATenthOfTheShoreIsNoObstacle) {
+  const auto ground = [](double d, double x, double y) {
+    return kWaterLevel + 0.1 * std::fmax(d, 0) + (Bearing(x, y) < 0.1 ? 1.5 : 0);
+  };
+  const Plan plan = PlanOf(HoleOverNineCells(GetParam(), ground));
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.02);
+  EXPECT_GT(plan.water[0].highest, kWaterLevel + 1.4);
+}
+
+TEST_P(WaterTest, TheToleranceSaysHowMuchTheRimMayScatter) {
+  SceneMakerOptions scene = LakeOverNineCells(GetParam());
+  scene.noise = 0.6;
+  EXPECT_THAT(PlanOf(scene).water, IsEmpty());
+  WaterOptions wide;
+  wide.tolerance = 0.4;
+  const Plan plan = PlanOf(scene, wide);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.1);
+}
+
+TEST_P(WaterTest, AreasForceAndForbid) {
+  const SceneMakerOptions valley = ValleyOverNineCells(GetParam(), 0.02);
+  WaterOptions water;
+  water.areas = {{true, {Box(0, 0, 120, 120)}}};
+  const Plan forced = PlanOf(valley, water);
+  ASSERT_THAT(forced.water, SizeIs(1));
+  EXPECT_TRUE(forced.water[0].forced);
+  EXPECT_LT(forced.water[0].level, kWaterLevel + 0.02 * 120);
+  water.areas[0].water = false;
+  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, IsEmpty());
+  water.areas.push_back({true, {Box(0, 0, 120, 120)}});
+  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1)) << "the last area decides";
+}
+
+TEST_P(WaterTest, AnAreaOverLessThanHalfDecidesNothing) {
+  WaterOptions water;
+  water.areas = {{false, {Box(0, 0, 120, 50)}}, {true, {Box(500, 500, 600, 600)}}, {true, {Box(0, 0, 120, 100)}}};
+  const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
+  EXPECT_THAT(plan.water, SizeIs(1));
+  EXPECT_THAT(plan.idle_water_areas, ElementsAre(0, 1));
+}
+
+TEST_P(WaterTest, OffFindsNothingButWhatAreasSay) {
+  WaterOptions off;
+  off.find = false;
+  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), off).water, IsEmpty());
+  off.areas = {{true, {Box(0, 0, 120, 120)}}};
+  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), off).water, SizeIs(1));
+}
+
+TEST_P(WaterTest, EachLakeHasItsOwnLevel) {
+  SceneMakerOptions scene = LakeOverNineCells(GetParam());
+  scene.ellipses = {{{30, 60}, {25, 30}}, {{90, 60}, {25, 30}}};
+  scene.terrain = [](double x, double y) {
+    const double west = Point2((x - 30) / 25, (y - 60) / 30).norm(), east = Point2((x - 90) / 25, (y - 60) / 30).norm();
+    return x < 60 ? 5 + std::fmax(west - 1, 0) : 7 + std::fmax(east - 1, 0);
+  };
+  const Plan plan = PlanOf(scene);
+  ASSERT_THAT(plan.water, SizeIs(2));
+  std::vector<double> levels = {plan.water[0].level, plan.water[1].level};
+  std::sort(levels.begin(), levels.end());
+  EXPECT_NEAR(levels[0], 5, 0.02);
+  EXPECT_NEAR(levels[1], 7, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, WaterTest, ::testing::Values(Cut::kClipped, Cut::kRagged), [](const auto& cut) {
+  return std::string(cut.param == Cut::kClipped ? "Clipped" : "Ragged");
+});
+
+// A wall of 40 x 12 squares of 1 m by 5 cm with a slit: its rim is level within 10 cm.
+TEST(WaterOfMeshesTest, ASlitInAWallIsNoWater) {
+  std::vector<std::string> picture(12, std::string(40, '#'));
+  for (const int row : {5, 6}) picture[row].replace(4, 32, 32, '.');
+  const TriMesh wall = Moved(PictureMesh(picture), [](const Point3& p) { return Point3(p.x(), 0, 0.05 * p.y()); });
+  Grid grid;
+  grid.cell_size = Point2(60, 60);
+  SurveyedScene scene = SurveyScene(grid, {{CellId{0, 0}, wall}});
+  PlanInput input = scene.Input();
+  input.has_grid = input.area_known = false;
+  PlanOptions options;
+  options.water.areas = {{true, {Box(-100, -100, 100, 100)}}};
+  const Plan plan = MakePlan(input, options);
+  EXPECT_EQ(plan.holes.size(), 1U);
+  EXPECT_THAT(plan.water, IsEmpty());
+}
+
+TEST(WaterOfMeshesTest, AFewRimVerticesTellTooLittle) {
+  // A pond of 3 x 3 squares in a bowl.
+  const auto bowl = [](double x, double y) { return std::fmax(std::fmax(std::abs(x - 6.5), std::abs(y - 6.5)), 1.5); };
+  std::vector<std::string> picture(13, std::string(13, '#'));
+  for (int row = 5; row < 8; ++row) picture[row].replace(5, 3, "...");
+  const SurveyedScene scene = PictureScene(picture, 13, bowl);
+  const Plan plan = MakePlan(scene.Input(), {});
+  EXPECT_EQ(plan.holes.size(), 1U);
+  EXPECT_THAT(plan.water, IsEmpty());
+  PlanOptions forced;
+  forced.water.areas = {{true, {Box(0, 0, 13, 13)}}};
+  const Plan pond = MakePlan(scene.Input(), forced);
+  ASSERT_THAT(pond.water, SizeIs(1));
+  EXPECT_EQ(pond.water[0].level, 1.5);
+}
+
+TEST(ShoreTest, GoesAlongTheRim) {
+  const SurveyedScene scene = PictureScene({"####|####", "#..#|#..#", "#...|...#", "####|####", "----+----",  //
+                                            "####|####", "####|####", "####|####", "####|####"},
+                                           4);
+  const Plan plan = MakePlan(scene.Input(), {});
+  std::vector<int32_t> holes;
+  for (size_t h = 0; h < plan.holes.size(); ++h) holes.push_back(static_cast<int32_t>(h));
+  const std::vector<int32_t> shore = ShoreOf(plan, holes);
+  EXPECT_THAT(shore, SizeIs(18));  // two squares of 2 m by 2 m and a passage of 1 m by 2 m between them
+  EXPECT_THAT(std::set<int32_t>(shore.begin(), shore.end()), SizeIs(18));
+  for (size_t i = 0; i < shore.size(); ++i) {
+    const Point3 step = plan.vertices[shore[(i + 1) % shore.size()]].position - plan.vertices[shore[i]].position;
+    EXPECT_NEAR(step.norm(), 1, 1e-12);
+  }
+}
+
+TEST(ShoreTest, TellsNoiseFromSlopes) {
+  for (const double noise : {0.0, 0.05, 0.2}) {
+    SceneMakerOptions options = ValleyOverNineCells(Cut::kClipped, 0.05);
+    options.noise = noise;
+    options.terrain = [](double x, double y) { return 0.05 * x - 0.02 * y; };
+    const SurveyedScene scene = SurveyScene(MakeScene(options));
+    const PlanInput input = scene.Input();
+    const Plan plan = MakePlan(input, {});
+    std::vector<int32_t> holes;
+    for (size_t h = 0; h < plan.holes.size(); ++h) holes.push_back(static_cast<int32_t>(h));
+    const std::vector<std::vector<int32_t>> shores = {ShoreOf(plan, holes)};
+    const ShoreGround ground = FindGround(plan, input, shores).at(0);
+    EXPECT_NEAR(ground.noise, noise / std::sqrt(12), 0.2 * noise / std::sqrt(12) + 1e-5);
+    EXPECT_EQ(ground.bank.size(), shores[0].size());
+  }
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,79 @@
+#include "worker/fill/seam/sample_cluster.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+// Two holes, west and east of a seam at x = 5 from y = 0 to y = 10, in a level surface at height 3, with rim edges of
+// 1 m. `steps` vertical edges of 1 mm in the west side.
+CellHoles Cluster(int steps) {
+  CellHoles work;
+  work.lattice_step = 0x1p-10;
+  const auto add = [&](double x, double y, double z, bool seam) {
+    RimVertex v;
+    v.position = Point3(x, y, z);
+    v.size = 1;
+    (seam ? v.seam_vertex : v.index) = static_cast<int32_t>(work.vertices.size());
+    v.height_known = !seam;
+    work.vertices.push_back(v);
+    return static_cast<int32_t>(work.vertices.size()) - 1;
+  };
+  std::vector<int32_t> south_west, south_east, north_east, north_west, seam;
+  for (int k = 5; k >= 0; --k) north_west.push_back(add(k, 10, 3, false));
+  for (int k = 9; k > 0; --k) {
+    north_west.push_back(add(0, k, 3, false));
+    if (k <= steps) north_west.push_back(add(0, k, 3.001, false));
+  }
+  for (int k = 0; k <= 5; ++k) south_west.push_back(add(k, 0, 3, false));
+  for (int k = 6; k <= 10; ++k) south_east.push_back(add(k, 0, 3, false));
+  for (int k = 1; k <= 10; ++k) south_east.push_back(add(10, k, 3, false));
+  for (int k = 9; k > 5; --k) north_east.push_back(add(k, 10, 3, false));
+  for (int k = 1; k < 10; ++k) seam.push_back(add(5, k, 0, true));
+
+  CellHole west, east;
+  const auto join = [](CellHole& hole, const std::vector<int32_t>& way, bool is_seam) {
+    for (size_t k = 1; k < way.size(); ++k) hole.segments.push_back({way[k - 1], way[k], is_seam});
+  };
+  std::vector<int32_t> up = {south_west.back()};
+  up.insert(up.end(), seam.begin(), seam.end());
+  up.push_back(north_west.front());
+  std::vector<int32_t> rim = north_west;
+  rim.insert(rim.end(), south_west.begin(), south_west.end());
+  join(west, rim, false);
+  join(west, up, true);
+  rim = {south_west.back()};
+  rim.insert(rim.end(), south_east.begin(), south_east.end());
+  rim.insert(rim.end(), north_east.begin(), north_east.end());
+  rim.push_back(north_west.front());
+  join(east, rim, false);
+  join(east, {up.rbegin(), up.rend()}, true);
+  work.holes = {west, east};
+  for (const RimVertex& v : work.vertices) work.band.points.push_back(v.position);
+  return work;
+}
+
+FillOptions Untaut() {
+  FillOptions options;
+  options.tension = 0;
+  return options;
+}
+
+TEST(SampleClusterTest, GivesASeamInALevelSurfaceItsHeight) {
+  const auto surface = SampleCluster(Cluster(0), Untaut());
+  ASSERT_TRUE(surface.has_value());
+  ASSERT_GE(surface->samples.size(), 9U);
+  for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 1e-6);
+}
+
+TEST(SampleClusterTest, DoesSoWhereTheBoundaryHasVerticalEdges) {
+  const auto surface = SampleCluster(Cluster(3), Untaut());
+  ASSERT_TRUE(surface.has_value());
+  ASSERT_GE(surface->samples.size(), 9U);
+  for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 0.01);
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,151 @@
+#include "worker/fill/surface/choose_tension.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/mesh_builders.h"
+
+namespace tilemend {
+namespace {
+
+// A square hole of side 2 half in a mesh of unit squares, with one ring of triangles around it.
+ThinPlateProblem SquareHole(int32_t half, const HeightFunction& height) {
+  const TriMesh mesh = SquaresMesh(-half - 1, half + 1, -half - 1, half + 1, [](int32_t, int32_t) { return true; });
+  ThinPlateProblem problem;
+  const auto reach = [](const Point3& p) { return p.head<2>().cwiseAbs().maxCoeff(); };
+  for (const Point3& p : mesh.points) {
+    problem.known.push_back(reach(p) >= half);
+    problem.has_equation.push_back(reach(p) <= half);
+    problem.points.emplace_back(p.x(), p.y(), reach(p) >= half ? height(p.x(), p.y()) : 0);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    const bool band = std::all_of(t.begin(), t.end(), [&](int32_t v) { return reach(mesh.points[v]) >= half; });
+    (band ? problem.band : problem.patch).push_back(t);
+  }
+  return problem;
+}
+
+double Hill(double x, double y) { return 2 * std::sin(x / 30 + 0.3) * std::cos(y / 40); }
+
+// Waves much shorter than the hole is wide: where a slope says nothing of what is far from it.
+double Rough(double x, double y) {
+  return std::sin(1.3 * x + 0.4 * y) + std::cos(0.9 * y - 1.1 * x + 1) + 0.7 * std::sin(2.1 * y + 0.3 * x + 2);
+}
+
+// The problem with its points in reverse order.
+ThinPlateProblem Reversed(const ThinPlateProblem& problem) {
+  ThinPlateProblem reversed = problem;
+  const auto last = static_cast<int32_t>(problem.points.size()) - 1;
+  std::reverse(reversed.points.begin(), reversed.points.end());
+  std::reverse(reversed.known.begin(), reversed.known.end());
+  std::reverse(reversed.has_equation.begin(), reversed.has_equation.end());
+  for (auto* triangles : {&reversed.patch, &reversed.band}) {
+    for (Triangle& t : *triangles) {
+      for (int32_t& v : t) v = last - v;
+    }
+    std::reverse(triangles->begin(), triangles->end());
+  }
+  return reversed;
+}
+
+TEST(ChooseTensionTest, ASmoothHillWantsNone) {
+  const HoldOut choice = ChooseTension(SquareHole(16, Hill), 32);
+  EXPECT_EQ(choice.tension, 0);
+  EXPECT_GT(choice.blocks, 8);
+  EXPECT_LT(choice.error, choice.error_at_start);
+  EXPECT_LT(choice.error, 0.2);
+}
+
+TEST(ChooseTensionTest, RoughGroundWantsSome) {
+  const HoldOut choice = ChooseTension(SquareHole(16, Rough), 32);
+  EXPECT_GT(choice.tension, 30.0 / (32 * 32));
+  EXPECT_LT(choice.error, 0.9 * choice.error_at_start);
+}
+
+TEST(ChooseTensionTest, TakesPointsThatAllButCoincide) {
+  for (const double gap : {1e-3, 1e-6, 1e-9}) {
+    for (const double width : {32.0, 1.0}) {
+      ThinPlateProblem problem = SquareHole(16, Rough);
+      for (Point3& p : problem.points) {
+        const double reach = p.head<2>().cwiseAbs().maxCoeff();
+        if (reach > 16) p.head<2>() *= (16 + gap) / reach;
+      }
+      const HoldOut choice = ChooseTension(problem, width);
+      EXPECT_TRUE(std::isfinite(choice.error)) << gap << " " << width;
+      EXPECT_GT(choice.error, 0) << gap << " " << width;
+    }
+  }
+}
+
+TEST(ChooseTensionTest, TheScaleOfLengthsAndHeightsIsOfNoImportance) {
+  ThinPlateProblem problem = SquareHole(16, Rough);
+  const HoldOut choice = ChooseTension(problem, 32);
+  for (Point3& p : problem.points) p *= 4;
+  const HoldOut larger = ChooseTension(problem, 128);
+  EXPECT_NEAR(larger.tension * 16, choice.tension, 1e-12 * choice.tension);
+  EXPECT_NEAR(larger.error, 4 * choice.error, 1e-6 * choice.error);
+}
+
+TEST(ChooseTensionTest, DoesNotDependOnTheOrderOfPoints) {
+  const ThinPlateProblem problem = SquareHole(20, Rough);
+  const HoldOut choice = ChooseTension(problem, 40), again = ChooseTension(Reversed(problem), 40);
+  EXPECT_EQ(choice.tension, again.tension);
+  EXPECT_EQ(choice.error, again.error);
+  EXPECT_EQ(choice.blocks, again.blocks);
+}
+
+TEST(ChooseTensionTest, ASmallRimIsNotTested) {
+  const HoldOut choice = ChooseTension(SquareHole(7, Rough), 14);  // 56 rim points
+  EXPECT_EQ(choice.blocks, 0);
+  EXPECT_EQ(choice.tension, 0);
+}
+
+TEST(ChooseTensionTest, HeightsFarFromZeroChangeNothing) {
+  const HoldOut choice = ChooseTension(SquareHole(16, Rough), 32);
+  const HoldOut high = ChooseTension(SquareHole(16, [](double x, double y) { return Rough(x, y) + 4096; }), 32);
+  EXPECT_EQ(high.tension, choice.tension);
+  EXPECT_NEAR(high.error, choice.error, 1e-6);
+}
+
+// The outline of a polygon; clockwise ones are islands.
+void AddLoop(const std::vector<Point3>& corners, std::vector<Point3>& points, std::vector<RegionSegment>& segments) {
+  const auto first = static_cast<int32_t>(points.size()), n = static_cast<int32_t>(corners.size());
+  points.insert(points.end(), corners.begin(), corners.end());
+  for (int32_t k = 0; k < n; ++k) segments.push_back({first + k, first + (k + 1) % n});
+}
+
+TEST(HoleWidthTest, IsTheDiameterOfADiscAndTheWidthOfAStrip) {
+  std::vector<Point3> disc, strip;
+  for (int k = 0; k < 90; ++k) disc.emplace_back(20 * std::cos(k * M_PI / 45) + 7, 20 * std::sin(k * M_PI / 45), k);
+  for (int k = 0; k < 200; ++k) strip.emplace_back(k, 0, 0);
+  for (int k = 200; k > 0; --k) strip.emplace_back(k - 0.5, 12, 0);
+  for (const auto& [corners, width] : {std::pair(disc, 40.0), std::pair(strip, 12.0)}) {
+    std::vector<Point3> points;
+    std::vector<RegionSegment> segments;
+    AddLoop(corners, points, segments);
+    EXPECT_NEAR(HoleWidth(points, segments), width, 0.02 * width);
+  }
+}
+
+TEST(HoleWidthTest, AnIslandMakesARing) {
+  std::vector<Point3> points;
+  std::vector<RegionSegment> segments;
+  std::vector<Point3> outer, island;
+  for (int k = 0; k < 90; ++k) outer.emplace_back(20 * std::cos(k * M_PI / 45), 20 * std::sin(k * M_PI / 45), 0);
+  for (int k = 90; k > 0; --k) island.emplace_back(12 * std::cos(k * M_PI / 45), 12 * std::sin(k * M_PI / 45), 0);
+  AddLoop(outer, points, segments);
+  AddLoop(island, points, segments);
+  EXPECT_NEAR(HoleWidth(points, segments), 8, 0.5);
+}
+
+TEST(HoleWidthTest, SegmentsThatBoundNothingHaveNone) {
+  const std::vector<Point3> points = {{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 4, 0}};
+  EXPECT_EQ(HoleWidth(points, std::vector<RegionSegment>{{0, 1}, {1, 2}, {2, 3}, {3, 0}}), 0);
+  EXPECT_EQ(HoleWidth(points, std::vector<RegionSegment>{}), 0);
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,63 @@
+#include "worker/fill/surface/fair_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "tests/support/mesh_builders.h"
+
+namespace tilemend {
+namespace {
+
+// A disc in five rings: the inner three unknown and displaced, the outer two known, of which the last is the band.
+FairSurfaceProblem DiscProblem(const std::function<Point3(const Point3&)>& shape, const Point3& off) {
+  const int32_t sectors = 12;
+  const TriMesh mesh = DiscMesh(5, sectors);
+  FairSurfaceProblem problem;
+  for (size_t v = 0; v < mesh.points.size(); ++v) {
+    const int ring = v == 0 ? 0 : static_cast<int>((v - 1) / sectors) + 1;
+    problem.known.push_back(ring > 3);
+    problem.has_equation.push_back(ring <= 4);
+    problem.points.push_back(shape(mesh.points[v]) + (ring > 3 ? Point3(0, 0, 0) : off));
+  }
+  for (const Triangle& t : mesh.triangles) {
+    const int32_t most = std::max({t[0], t[1], t[2]});
+    (most > 4 * sectors ? problem.band : problem.patch).push_back(t);
+  }
+  return problem;
+}
+
+TEST(FairSurfaceTest, StaysOnATiltedPlane) {
+  const auto plane = [](const Point3& p) { return Point3(p.x(), p.y(), 0.5 * p.x() - 2 * p.y() + 3); };
+  const std::vector<Point3> truth = DiscProblem(plane, {0, 0, 0}).points;
+  FairSurfaceProblem problem = DiscProblem(plane, {0.1, -0.2, 0.7});
+  ASSERT_TRUE(FairSurface(truth, problem));
+  for (size_t v = 0; v < truth.size(); ++v) EXPECT_NEAR(problem.points[v].z(), plane(problem.points[v]).z(), 1e-9);
+}
+
+TEST(FairSurfaceTest, BulgesLikeTheSphereAroundIt) {
+  const auto sphere = [](const Point3& p) {
+    const double r = p.head<2>().norm(), angle = r / 8;
+    const double s = r > 0 ? 8 * std::sin(angle) / r : 1;
+    return Point3(s * p.x(), s * p.y(), 8 * std::cos(angle));
+  };
+  const std::vector<Point3> truth = DiscProblem(sphere, {0, 0, 0}).points;
+  FairSurfaceProblem problem = DiscProblem(sphere, {0, 0, -1});
+  ASSERT_TRUE(FairSurface(truth, problem));
+  for (size_t v = 0; v < truth.size(); ++v) EXPECT_NEAR(problem.points[v].norm(), 8, 0.05);
+}
+
+TEST(FairSurfaceTest, LeavesKnownPointsAlone) {
+  const auto flat = [](const Point3& p) { return p; };
+  FairSurfaceProblem problem = DiscProblem(flat, {0, 0, 1});
+  problem.known.assign(problem.points.size(), true);
+  const std::vector<Point3> before = problem.points;
+  ASSERT_TRUE(FairSurface(before, problem));
+  EXPECT_EQ(problem.points, before);
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,73 @@
+// The triangles at the rim vertices of a cell's holes: the original ones, and those of patches made before.
+#ifndef TILEMEND_WORKER_FILL_HOLE_CELL_BAND_H_
+#define TILEMEND_WORKER_FILL_HOLE_CELL_BAND_H_
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/records/cell_holes.h"
+
+namespace tilemend {
+
+// Looks up band triangles by rim vertex, and edges between rim vertices. The CellHoles must outlive it.
+class CellBand {
+ public:
+  explicit CellBand(const CellHoles& cell) : cell_(cell), at_(cell.vertices.size()) {
+    for (size_t t = 0; t < cell.band.triangles.size(); ++t) {
+      for (const int32_t v : cell.band.triangles[t]) {
+        if (v < static_cast<int32_t>(at_.size())) at_[v].push_back(static_cast<int32_t>(t));
+      }
+    }
+  }
+
+  // Takes note of the edges inside a patch that run between rim vertices.
+  void Add(const CellHole& hole, const HolePatch& patch) {
+    std::vector<std::pair<int32_t, int32_t>> boundary;
+    for (const RimSegment& s : hole.segments) boundary.emplace_back(std::minmax(s.from, s.to));
+    std::sort(boundary.begin(), boundary.end());
+    for (const Triangle& t : patch.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const std::pair<int32_t, int32_t> edge = std::minmax(t[k], t[(k + 1) % 3]);
+        if (edge.first < 0 || std::binary_search(boundary.begin(), boundary.end(), edge)) continue;
+        patched_.insert(edge);
+      }
+    }
+  }
+
+  const std::vector<int32_t>& At(int32_t vertex) const { return at_[vertex]; }
+
+  Eigen::Vector3d Normal(int32_t triangle) const {
+    const Triangle& t = cell_.band.triangles[triangle];
+    const auto& p = cell_.band.points;
+    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+  }
+
+  bool HasEdge(int32_t a, int32_t b) const { return CountEdge(a, b) > 0; }
+
+  // The triangles at an edge between two rim vertices.
+  int CountEdge(int32_t a, int32_t b) const {
+    const auto originals = std::count_if(at_[a].begin(), at_[a].end(), [&](int32_t t) {
+      const Triangle& tri = cell_.band.triangles[t];
+      return std::find(tri.begin(), tri.end(), b) != tri.end();
+    });
+    return static_cast<int>(originals) + (patched_.contains(std::minmax(a, b)) ? 2 : 0);
+  }
+
+  bool HasTriangle(const Triangle& t) const {
+    return std::any_of(at_[t[0]].begin(), at_[t[0]].end(), [&](int32_t other) {
+      return std::is_permutation(t.begin(), t.end(), cell_.band.triangles[other].begin());
+    });
+  }
+
+ private:
+  const CellHoles& cell_;
+  std::vector<std::vector<int32_t>> at_;
+  std::set<std::pair<int32_t, int32_t>> patched_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_HOLE_CELL_BAND_H_

@@ -1,0 +1,29 @@
+// How holes are to be filled.
+#ifndef TILEMEND_WORKER_FILL_HOLE_FILL_OPTIONS_H_
+#define TILEMEND_WORKER_FILL_HOLE_FILL_OPTIONS_H_
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+#include "worker/fill/region/refine_region.h"
+
+namespace tilemend {
+
+// How the heights inside a patch are found: Wang 2021, eq. 1 to 4, or the thin-plate surface (thin_plate.h).
+enum class Surface { kWang, kThinPlate };
+
+struct FillOptions {
+  Surface surface = Surface::kWang;
+  std::optional<double>
+      tension;  // of the thin-plate surface, 1 / metre^2; none: chosen from the rim (choose_tension.h)
+  RefineOptions refine;
+};
+
+// The original triangles of all tiles whose extents meet the box from `lo` to `hi`, at their positions in the tiles.
+using SurfaceNear = std::function<std::vector<SpaceTriangle>(const Point3& lo, const Point3& hi)>;
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_HOLE_FILL_OPTIONS_H_

@@ -1,0 +1,30 @@
+// Heights along the grid boundaries of a cell's holes: what a layer hands on to the next.
+#ifndef TILEMEND_WORKER_FILL_SEAM_SAMPLE_HEIGHTS_H_
+#define TILEMEND_WORKER_FILL_SEAM_SAMPLE_HEIGHTS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "common/records/cell_holes.h"
+
+namespace tilemend {
+
+// A boundary height sample: the height that one hole gives to one seam vertex, metres.
+struct HeightSample {
+  int32_t seam_vertex = 0;
+  double height = 0;
+};
+
+// Height projection transformation (Wang 2021, 3.3, figure 8): every boundary point of a hole whose height is known is
+// projected onto the grid boundaries; a seam vertex takes the height at its place among the projections, linear between
+// them, the point nearest to the grid line counting where several project to one place. An original boundary point
+// gives the mean height of the centroids of the triangles at it, or its own height where a seam begins at it. The
+// corners of the cell part its grid boundary: a seam vertex at a corner takes the mean of both sides.
+//
+// Returns one sample for every seam vertex of unknown height, in order of the holes and of their vertices. Cost O(n log
+// n).
+std::vector<HeightSample> SampleHeights(const CellHoles& cell);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_SEAM_SAMPLE_HEIGHTS_H_

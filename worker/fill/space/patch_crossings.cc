@@ -1,0 +1,167 @@
+#include "worker/fill/space/patch_crossings.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/exact_signs.h"
+
+namespace tilemend {
+namespace {
+
+// Triangles at an edge that lie closer together than the angle with this sine are folded onto each other.
+constexpr double kFoldSine = 0.02;
+
+bool Has(const SpaceTriangle& t, const Point3& p) { return t[0] == p || t[1] == p || t[2] == p; }
+
+// Points of one plane seen along the axis that is most nearly across it.
+class FlatView {
+ public:
+  explicit FlatView(const SpaceTriangle& t) {
+    int axis = 0;
+    (t[1] - t[0]).cross(t[2] - t[0]).cwiseAbs().maxCoeff(&axis);
+    u_ = (axis + 1) % 3;
+    v_ = (axis + 2) % 3;
+  }
+  Point2 operator()(const Point3& p) const { return {p[u_], p[v_]}; }
+
+ private:
+  int u_ = 0, v_ = 1;
+};
+
+bool SegmentsMeet(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
+  const int at_a = TurnOf(p, q, a), at_b = TurnOf(p, q, b), at_p = TurnOf(a, b, p), at_q = TurnOf(a, b, q);
+  if (at_a * at_b > 0 || at_p * at_q > 0) return false;
+  if (at_a != 0 || at_b != 0) return true;
+  return (p.cwiseMin(q).array() <= a.cwiseMax(b).array()).all() &&  // on one line
+         (a.cwiseMin(b).array() <= p.cwiseMax(q).array()).all();
+}
+
+// Whether segment pq meets a triangle in its plane.
+bool MeetsInPlane(const Point3& p, const Point3& q, const SpaceTriangle& t) {
+  const FlatView view(t);
+  const Point2 from = view(p), to = view(q), corners[3] = {view(t[0]), view(t[1]), view(t[2])};
+  const int turns[3] = {TurnOf(corners[0], corners[1], from), TurnOf(corners[1], corners[2], from),
+                        TurnOf(corners[2], corners[0], from)};
+  const auto [least, most] = std::minmax({turns[0], turns[1], turns[2]});
+  if (least >= 0 || most <= 0) return true;  // p lies in it
+  return SegmentsMeet(from, to, corners[0], corners[1]) || SegmentsMeet(from, to, corners[1], corners[2]) ||
+         SegmentsMeet(from, to, corners[2], corners[0]);
+}
+
+bool HasArea(const SpaceTriangle& t) {
+  for (int k = 0; k < 3; ++k) {
+    const auto view = [&](const Point3& p) { return Point2(p[k], p[(k + 1) % 3]); };
+    if (TurnOf(view(t[0]), view(t[1]), view(t[2])) != 0) return true;
+  }
+  return false;
+}
+
+bool SegmentMeets(const Point3& p, const Point3& q, const SpaceTriangle& t) {
+  const int from = SideOfPlane(t[0], t[1], t[2], p), to = SideOfPlane(t[0], t[1], t[2], q);
+  if (from * to > 0) return false;
+  if (from == 0 && to == 0) return MeetsInPlane(p, q, t);
+  const auto [least, most] =
+      std::minmax({SideOfPlane(p, q, t[0], t[1]), SideOfPlane(p, q, t[1], t[2]), SideOfPlane(p, q, t[2], t[0])});
+  return least >= 0 || most <= 0;
+}
+
+// Whether an edge of a between corners that b does not have meets b.
+bool EdgeMeets(const SpaceTriangle& a, const SpaceTriangle& b) {
+  for (int k = 0; k < 3; ++k) {
+    const Point3 &p = a[k], &q = a[(k + 1) % 3];
+    if (!Has(b, p) && !Has(b, q) && SegmentMeets(p, q, b)) return true;
+  }
+  return false;
+}
+
+bool IsFolded(const SpaceTriangle& a, const SpaceTriangle& b) {
+  const auto own = [](const SpaceTriangle& t, const SpaceTriangle& other) {
+    int k = 0;
+    while (k < 2 && Has(other, t[k])) ++k;
+    return k;
+  };
+  const int k = own(a, b);
+  const Point3& p = a[(k + 1) % 3];
+  const Eigen::Vector3d edge = (a[(k + 2) % 3] - p).normalized();
+  const auto across = [&](const Point3& q) { return Eigen::Vector3d((q - p) - (q - p).dot(edge) * edge).normalized(); };
+  const Eigen::Vector3d u = across(a[k]), v = across(b[own(b, a)]);
+  return u.dot(v) > 0 && u.cross(v).norm() < kFoldSine;
+}
+
+}  // namespace
+
+bool SegmentCrosses(const Point3& p, const Point3& q, const SpaceTriangle& t) {
+  return HasArea(t) && SegmentMeets(p, q, t);
+}
+
+bool TrianglesCross(const SpaceTriangle& a, const SpaceTriangle& b) {
+  const auto shared = std::count_if(a.begin(), a.end(), [&](const Point3& p) { return Has(b, p); });
+  if (shared == 2) return IsFolded(a, b);
+  return shared > 2 || EdgeMeets(a, b) || EdgeMeets(b, a);
+}
+
+namespace {
+
+struct Boxed {
+  Point3 lo, hi;
+  const SpaceTriangle* triangle;
+  int32_t of_patch;  // its number in the patch; -1: of the surface
+};
+
+Boxed Box(const SpaceTriangle& t, int32_t of_patch) {
+  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]), &t, of_patch};
+}
+
+bool Overlap(const Boxed& a, const Boxed& b) {
+  return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
+}
+
+// Calls found(a, b) for the numbers of triangles that cross until it returns true; returns whether it did.
+template <typename Found>
+bool FindCrossing(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface, const Found& found) {
+  if (patch.empty()) return false;
+  std::vector<Boxed> boxes;
+  Boxed all = Box(patch[0], 0);
+  for (size_t t = 0; t < patch.size(); ++t) {
+    boxes.push_back(Box(patch[t], static_cast<int32_t>(t)));
+    all.lo = all.lo.cwiseMin(boxes.back().lo);
+    all.hi = all.hi.cwiseMax(boxes.back().hi);
+  }
+  for (const SpaceTriangle& t : surface) {
+    if (Overlap(Box(t, -1), all) && HasArea(t)) boxes.push_back(Box(t, -1));
+  }
+  int axis = 0;
+  (all.hi - all.lo).maxCoeff(&axis);
+  std::stable_sort(boxes.begin(), boxes.end(), [&](const Boxed& a, const Boxed& b) { return a.lo[axis] < b.lo[axis]; });
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    for (size_t k = i + 1; k < boxes.size() && boxes[k].lo[axis] <= boxes[i].hi[axis]; ++k) {
+      const int32_t a = boxes[i].of_patch, b = boxes[k].of_patch;
+      if (a < 0 && b < 0) continue;
+      if (Overlap(boxes[i], boxes[k]) && TrianglesCross(*boxes[i].triangle, *boxes[k].triangle) && found(a, b)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool PatchCrosses(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface) {
+  return FindCrossing(patch, surface, [](int32_t, int32_t) { return true; });
+}
+
+std::vector<std::pair<int32_t, int32_t>> SelfCrossings(std::span<const SpaceTriangle> patch) {
+  std::vector<std::pair<int32_t, int32_t>> crossings;
+  FindCrossing(patch, {}, [&](int32_t a, int32_t b) {
+    crossings.emplace_back(std::minmax(a, b));
+    return false;
+  });
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,33 @@
+// Whether a patch passes through itself or through the surface around it.
+#ifndef TILEMEND_WORKER_FILL_SPACE_PATCH_CROSSINGS_H_
+#define TILEMEND_WORKER_FILL_SPACE_PATCH_CROSSINGS_H_
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// Whether segment pq has a point in common with a triangle. Exact; false for a triangle without area.
+bool SegmentCrosses(const Point3& p, const Point3& q, const SpaceTriangle& t);
+
+// Whether two triangles have a point in common besides their common corners and edge, or are folded onto each other at
+// their edge (closer than the angle with sine 0.02), or are one. Corners at equal positions are one vertex. Exact, but
+// for the folds. Precondition: they have area.
+bool TrianglesCross(const SpaceTriangle& a, const SpaceTriangle& b);
+
+// Whether two triangles of the patch cross, or one of the patch and one of the surface (TrianglesCross). Surface
+// triangles without area are passed over. Precondition: patch triangles have area. O(n log n + pairs whose extents
+// along the longest axis overlap).
+bool PatchCrosses(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface);
+
+// The pairs of triangles of the patch that cross, the lower number first, in order. Precondition and cost as above.
+std::vector<std::pair<int32_t, int32_t>> SelfCrossings(std::span<const SpaceTriangle> patch);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_SPACE_PATCH_CROSSINGS_H_

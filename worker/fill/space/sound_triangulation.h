@@ -1,0 +1,29 @@
+// Triangulation of a loop in space that crosses neither itself nor the surface around it.
+#ifndef TILEMEND_WORKER_FILL_SPACE_SOUND_TRIANGULATION_H_
+#define TILEMEND_WORKER_FILL_SPACE_SOUND_TRIANGULATION_H_
+
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+#include "worker/fill/space/patch_crossings.h"
+
+namespace tilemend {
+
+// Loops longer than this are triangulated without regard to crossings.
+inline constexpr int32_t kLongestSoundLoop = 160;
+
+// As TriangulateLoop, without triangles that cross one of `surface`. Triangulations that cross themselves are avoided
+// by search: of two triangles that cross, the larger one is forbidden, and the loop is triangulated again; likewise
+// where a loop that passes a vertex twice gets an edge with more than two triangles. The result is empty if there is
+// none without crossings of the surface, and may still cross itself if the search ends first.
+// O(n^3) triangles are looked at, and all of `surface` within the extent of each.
+std::vector<Triangle> TriangulateSoundly(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
+                                         const std::function<bool(int32_t, int32_t)>& allowed,
+                                         std::span<const SpaceTriangle> surface);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_SPACE_SOUND_TRIANGULATION_H_

@@ -1,0 +1,229 @@
+#include "worker/fill/surface/plate_equations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tilemend::internal {
+namespace {
+
+// Needles in the band are given the area of a triangle with this angle, so that they cannot outweigh everything else.
+constexpr double kLeastSine = 1e-3;
+
+// Stiffness of one triangle and its area, in the plane.
+struct Element {
+  std::array<double, 3> half_cotangent;  // of the angle at each corner
+  double area;
+};
+
+Element ElementOf(const Point3& a, const Point3& b, const Point3& c) {
+  const std::array<Point2, 3> p = {a.head<2>(), b.head<2>(), c.head<2>()};
+  Element e;
+  double longest2 = 0;
+  for (int k = 0; k < 3; ++k) longest2 = std::max(longest2, (p[(k + 1) % 3] - p[k]).squaredNorm());
+  const Point2 u = p[1] - p[0], v = p[2] - p[0];
+  const double area2 = std::max(std::abs(u.x() * v.y() - u.y() * v.x()), kLeastSine * longest2);
+  e.area = area2 / 2;
+  for (int k = 0; k < 3; ++k) {
+    const Point2 s = p[(k + 1) % 3] - p[k], t = p[(k + 2) % 3] - p[k];
+    e.half_cotangent[k] = s.dot(t) / area2 / 2;
+  }
+  return e;
+}
+
+// The corners of all triangles by point: corner 3 t + k is corner k of triangle t, the patch's before the band's.
+struct Corners {
+  explicit Corners(const ThinPlateProblem& problem) : start(problem.points.size() + 1, 0) {
+    const auto each = [&](const auto& use) {
+      int32_t c = 0;
+      for (const auto* triangles : {&problem.patch, &problem.band}) {
+        for (const Triangle& t : *triangles) {
+          for (const int32_t v : t) use(v, c++);
+        }
+      }
+    };
+    each([&](int32_t v, int32_t) { ++start[v + 1]; });
+    for (size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+    corner.resize(start.back());
+    std::vector<int32_t> next(start.begin(), start.end() - 1);
+    each([&](int32_t v, int32_t c) { corner[next[v]++] = c; });
+  }
+
+  std::vector<int32_t> start, corner;
+};
+
+// Collects the points that v is joined with, twice where two triangles have the edge, each time with half a cotangent.
+// Returns the mass at v.
+double CollectRow(const ThinPlateProblem& problem, const Corners& corners, int32_t v,
+                  std::vector<std::pair<int32_t, double>>& row) {
+  const auto patch_corners = static_cast<int32_t>(3 * problem.patch.size());
+  double mass = 0;
+  row.clear();
+  for (int32_t i = corners.start[v]; i < corners.start[v + 1]; ++i) {
+    const int32_t c = corners.corner[i], k = c % 3, next = (k + 1) % 3, last = (k + 2) % 3;
+    const Triangle& t = c < patch_corners ? problem.patch[c / 3] : problem.band[(c - patch_corners) / 3];
+    const Element e = ElementOf(problem.points[t[0]], problem.points[t[1]], problem.points[t[2]]);
+    mass += e.area / 3;
+    row.emplace_back(t[next], e.half_cotangent[last]);
+    row.emplace_back(t[last], e.half_cotangent[next]);
+  }
+  std::sort(row.begin(), row.end());
+  return mass;
+}
+
+}  // namespace
+
+PlateEquations::PlateEquations(const ThinPlateProblem& problem, bool bends, double tension)
+    : column_(problem.points.size(), -1), tension_(tension) {
+  const auto count = static_cast<int32_t>(problem.points.size());
+  diagonal_ = inverse_mass_ = given_ = Eigen::VectorXd::Zero(count);
+  start_.assign(1, 0);
+  const Corners corners(problem);
+  std::vector<std::pair<int32_t, double>> row;
+  for (int32_t v = 0; v < count; ++v) {
+    const bool equation = bends && problem.has_equation[v];
+    if (equation || !problem.known[v]) {
+      const double mass = CollectRow(problem, corners, v, row);
+      if (equation && mass > 0) inverse_mass_[v] = 1 / mass;
+      StoreRow(v, row);
+    }
+    start_.push_back(static_cast<int32_t>(to_.size()));
+    if (bends && !equation && !problem.laplacian.empty()) given_[v] = problem.laplacian[v].value_or(0);
+    if (problem.known[v]) continue;
+    column_[v] = unknown_count();
+    unknown_.push_back(v);
+  }
+}
+
+// Appends a sorted row, equal points as one.
+void PlateEquations::StoreRow(int32_t v, const std::vector<std::pair<int32_t, double>>& row) {
+  for (const auto& [to, weight] : row) {
+    if (to_.size() > static_cast<size_t>(start_.back()) && to_.back() == to) {
+      weight_.back() += weight;
+    } else {
+      to_.push_back(to);
+      weight_.push_back(weight);
+    }
+    diagonal_[v] -= weight;
+  }
+}
+
+// Row v of -K times x.
+double PlateEquations::Row(int32_t v, const PointValues& x) const {
+  double sum = diagonal_[v] * x[v];
+  for (int32_t i = start_[v]; i < start_[v + 1]; ++i) sum += weight_[i] * x[to_[i]];
+  return sum;
+}
+
+PointValues PlateEquations::Laplacians(const PointValues& heights) const {
+  PointValues result = given_;
+  for (int32_t v = 0; v < result.size(); ++v) {
+    if (inverse_mass_[v] > 0) result[v] = inverse_mass_[v] * Row(v, heights);
+  }
+  return result;
+}
+
+// (K M^-1 K + tension K) x at the unknown points.
+PointValues PlateEquations::Product(const PointValues& x, const PointValues& laplacians) const {
+  PointValues result = PointValues::Zero(x.size());
+  for (const int32_t v : unknown_) {
+    result[v] = Row(v, laplacians);
+    if (tension_ > 0) result[v] -= tension_ * Row(v, x);
+  }
+  return result;
+}
+
+PointValues PlateEquations::Residual(const PointValues& heights) const {
+  return -Product(heights, Laplacians(heights));
+}
+
+PointValues PlateEquations::Apply(const PointValues& x) const {
+  PointValues laplacians = PointValues::Zero(x.size());
+  for (int32_t v = 0; v < x.size(); ++v) {
+    if (inverse_mass_[v] > 0) laplacians[v] = inverse_mass_[v] * Row(v, x);
+  }
+  return Product(x, laplacians);
+}
+
+PointValues PlateEquations::Diagonal() const {
+  PointValues result = PointValues::Ones(diagonal_.size());
+  for (const int32_t v : unknown_) {
+    result[v] = diagonal_[v] * diagonal_[v] * inverse_mass_[v] - tension_ * diagonal_[v];
+    for (int32_t i = start_[v]; i < start_[v + 1]; ++i) {
+      result[v] += weight_[i] * weight_[i] * inverse_mass_[to_[i]];
+    }
+  }
+  return result;
+}
+
+double PlateEquations::Energy(const PointValues& heights) const {
+  double energy = 0;
+  for (int32_t v = 0; v < heights.size(); ++v) {
+    const double row = inverse_mass_[v] > 0 ? Row(v, heights) : 0;
+    energy += row * row * inverse_mass_[v];
+  }
+  for (const int32_t v : unknown_) {
+    for (int32_t i = start_[v]; i < start_[v + 1]; ++i) {
+      const double rise = heights[to_[i]] - heights[v];
+      energy += tension_ * weight_[i] * rise * rise / 2;
+    }
+  }
+  return energy;
+}
+
+// Column by column. K is symmetric, so that row v has column v of K as well.
+Eigen::SparseMatrix<double> PlateEquations::LowerMatrix() const {
+  Eigen::SparseMatrix<double> matrix(unknown_count(), unknown_count());
+  matrix.reserve(static_cast<Eigen::Index>(2 * to_.size()));
+  std::vector<double> value(unknown_.size());
+  std::vector<int32_t> stored(unknown_.size(), -1);  // the column that `value` is of
+  std::vector<int32_t> rows;
+  for (int32_t column = 0; column < unknown_count(); ++column) {
+    const auto add = [&](int32_t point, double more) {
+      const int32_t row = column_[point];
+      if (row < column) return;  // -1 is known
+      if (stored[row] != column) {
+        stored[row] = column;
+        value[row] = 0;
+        rows.push_back(row);
+      }
+      value[row] += more;
+    };
+    EachInRow(unknown_[column], [&](int32_t u, double weight) {
+      if (inverse_mass_[u] <= 0) return;
+      const double scaled = inverse_mass_[u] * weight;
+      EachInRow(u, [&](int32_t point, double other) { add(point, other * scaled); });
+    });
+    if (tension_ > 0) {
+      EachInRow(unknown_[column], [&](int32_t point, double weight) { add(point, -(tension_ * weight)); });
+    }
+    std::sort(rows.begin(), rows.end());
+    matrix.startVec(column);
+    for (const int32_t row : rows) matrix.insertBack(row, column) = value[row];
+    rows.clear();
+  }
+  matrix.finalize();
+  return matrix;
+}
+
+Eigen::VectorXd PlateEquations::Gather(const PointValues& values) const {
+  Eigen::VectorXd result(unknown_count());
+  for (int32_t i = 0; i < unknown_count(); ++i) result[i] = values[unknown_[i]];
+  return result;
+}
+
+PointValues PlateEquations::Spread(const Eigen::VectorXd& unknown_only) const {
+  PointValues result = PointValues::Zero(static_cast<Eigen::Index>(column_.size()));
+  for (int32_t i = 0; i < unknown_count(); ++i) result[unknown_[i]] = unknown_only[i];
+  return result;
+}
+
+PlateFactorization::PlateFactorization(const PlateEquations& equations)
+    : equations_(equations), solver_(equations.LowerMatrix()) {}
+
+PointValues PlateFactorization::Solve(const PointValues& residual) const {
+  return equations_.Spread(solver_.solve(equations_.Gather(residual)));
+}
+
+}  // namespace tilemend::internal
