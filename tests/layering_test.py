@@ -45,6 +45,7 @@ RULES = {
     'common/metrics': rule(['common/util'], ['absl', 'prometheus']),
     'common/rpc': rule(GEOMETRY + ['common/store'], ['absl', 'eigen', 'openssl', 'grpc', 'protobuf']),
     'worker/survey': rule(GEOMETRY, ['absl', 'eigen']),
+    'worker/fill/mesh': rule(['common/mesh'], ['eigen', 'openmesh']),
     'worker/fill/region': rule(FILL, ['eigen']),
     'worker/fill/hole': rule(FILL + ['worker/fill/region'], ['eigen']),
     'worker/fill/surface': rule(FILL + ['worker/fill/hole'], ['absl', 'eigen']),
