@@ -2,7 +2,7 @@
 //
 // Guarantees
 //  - Positions are read at the file's own precision (float32, float64 or decimal text, correctly rounded to double).
-//  - WriteFilled keeps every original vertex, face, property, material, texture coordinate and comment: binary PLY
+//  - AppendPatch keeps every original vertex, face, property, material, texture coordinate and comment: binary PLY
 //    records and OBJ/ASCII lines are copied byte for byte, the patch is appended.
 //  - A reader never crashes, hangs or takes memory out of proportion to the file on malformed input; it returns
 //    kInvalidArgument with path, place (line or byte offset) and what was expected.
@@ -16,14 +16,12 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/mesh/rounding.h"
 #include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
 
 enum class MeshFormat { kPly, kObj, kOff };
-
-// What the file can hold in a coordinate; new vertices are rounded to it before they are written.
-enum class NumberType { kFloat32, kFloat64 };
 
 struct MeshFile {
   MeshFormat format = MeshFormat::kPly;
@@ -59,7 +57,7 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
 //   OBJ: every original line kept byte for byte; then `v` lines with 17 digits where needed (shortest that round-trip),
 //        `g tilemend_filled`, `usemtl tilemend_filled`, `f` lines.
 //   OFF: counts in the header updated, vertices inserted after the originals, faces appended.
-// New coordinates are rounded to the file's number type.
+// New coordinates are rounded to the file's number type (common/mesh/rounding.h).
 absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view original_bytes, const FilePatch& patch,
                                         const std::string& name);
 

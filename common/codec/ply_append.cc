@@ -6,8 +6,8 @@
 #include "common/codec/ply.h"
 #include "common/codec/ply_source.h"
 #include "common/codec/polygons.h"
-#include "common/codec/rounding.h"
 #include "common/codec/text.h"
+#include "common/mesh/rounding.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {

@@ -1,18 +1,9 @@
 #include "common/mesh/quality_tally.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 namespace tilemend {
-
-double TriangleQuality(const Point3& a, const Point3& b, const Point3& c) {
-  const double la = (c - b).norm(), lb = (a - c).norm(), lc = (b - a).norm();
-  const double area2 = (b - a).cross(c - a).norm();
-  // r = A / s and R = a b c / (4 A), with A = area2 / 2 and s the half perimeter.
-  const double divisor = (la + lb + lc) * la * lb * lc;
-  return divisor > 0 ? 4 * area2 * area2 / divisor : 0;
-}
 
 void QualityTally::Add(double quality, bool forced) {
   ++triangles;

@@ -5,15 +5,10 @@
 #include <array>
 #include <cstdint>
 
-#include "common/mesh/tri_mesh.h"
-
 namespace tilemend {
 
-// Triangles of a quality below this are poor.
+// Triangles of a quality (TriangleQuality, triangle_shape.h) below this are poor.
 inline constexpr double kPoorQuality = 0.2;
-
-// 2 * inradius / circumradius: 1 for an equilateral triangle, 0 for one without area.
-double TriangleQuality(const Point3& a, const Point3& b, const Point3& c);
 
 // A plain sum of triangles; all of it but `least` is in integers, so that merging in any order gives the same bits.
 struct QualityTally {

@@ -7,6 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/draco_mesh.h"
+#include "common/mesh/rounding.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -283,8 +284,7 @@ v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<
   *proto.mutable_mesh() = EncodeMesh(points, triangles, lattice_step);
   const double step = proto.mesh().step();
   for (size_t i = vertices.size(); i < points.size(); ++i) {
-    const Point3 on_lattice = (points[i] / step).array().round().matrix() * step;
-    if (on_lattice == points[i]) continue;
+    if (RoundedToLattice(points[i], step) == points[i]) continue;
     proto.add_off_lattice(static_cast<int64_t>(i - vertices.size()));
     AddPoint(points[i], proto.mutable_off_lattice_position());
   }

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "common/codec/rounding.h"
+#include "common/mesh/rounding.h"
 
 namespace tilemend {
 namespace {

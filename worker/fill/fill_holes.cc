@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/codec/rounding.h"
+#include "common/mesh/rounding.h"
 #include "worker/fill/crease/crease_fill.h"
 #include "worker/fill/hole/cell_band.h"
 #include "worker/fill/hole/edge_lists.h"

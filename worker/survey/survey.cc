@@ -1,6 +1,5 @@
 #include "worker/survey/survey.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "common/mesh/position_index.h"
+#include "common/mesh/triangle_shape.h"
 
 namespace tilemend {
 namespace {
@@ -174,7 +174,7 @@ void StoreVertexFigures(SurveyRecord& record) {
   for (BoundaryVertex& v : record.vertices) v.normal.setZero();
   const auto& points = record.band.points;
   for (const Triangle& t : record.band.triangles) {
-    const Eigen::Vector3d normal = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+    const Eigen::Vector3d normal = TwiceVectorArea(points, t);
     const double height = (points[t[0]].z() + points[t[1]].z() + points[t[2]].z()) / 3;
     for (const int32_t corner : t) {
       if (corner >= static_cast<int32_t>(record.vertices.size())) continue;

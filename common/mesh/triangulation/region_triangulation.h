@@ -16,16 +16,14 @@
 #include <span>
 #include <vector>
 
+#include "common/mesh/edge_loops.h"
 #include "common/mesh/lattice.h"
 #include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
 
 // A boundary segment between two points; the region lies to the left of from -> to.
-struct RegionSegment {
-  int32_t from = 0;
-  int32_t to = 0;
-};
+using RegionSegment = DirectedEdge;
 
 // Why a set of segments bounds no region.
 struct RegionConflict {

@@ -6,8 +6,6 @@
 #include <fstream>
 #include <string>
 
-#include "common/codec/rounding.h"
-
 namespace tilemend {
 namespace {
 
@@ -40,12 +38,6 @@ TEST(ReadMeshFileTest, ReadsWhatIsThere) {
   EXPECT_EQ(file->file_bytes, static_cast<int64_t>(text.size()));
   EXPECT_EQ(ReadMeshFile(path + "x.obj").status().code(), absl::StatusCode::kNotFound);
   EXPECT_EQ(ReadMeshFile(::testing::TempDir() + "/x.stl").status().code(), absl::StatusCode::kInvalidArgument);
-}
-
-// g++ 12 leaves out neighbouring conversions to float and back.
-TEST(RoundedToTest, RoundsEveryCoordinate) {
-  EXPECT_EQ(RoundedTo(NumberType::kFloat32, Point3(0.1, 0.1, 0.1)), Point3(0.1f, 0.1f, 0.1f));
-  EXPECT_EQ(RoundedTo(NumberType::kFloat64, Point3(0.1, 0.2, 0.3)), Point3(0.1, 0.2, 0.3));
 }
 
 }  // namespace

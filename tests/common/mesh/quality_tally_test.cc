@@ -7,14 +7,6 @@
 namespace tilemend {
 namespace {
 
-TEST(TriangleQualityTest, KnownTriangles) {
-  EXPECT_NEAR(TriangleQuality({0, 0, 0}, {2, 0, 0}, {1, 0, std::sqrt(3.0)}), 1, 1e-12);
-  // Legs 3 and 4: r = 1, R = 2.5.
-  EXPECT_NEAR(TriangleQuality({0, 0, 0}, {3, 0, 0}, {0, 4, 0}), 0.8, 1e-12);
-  EXPECT_EQ(TriangleQuality({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), 0);
-  EXPECT_EQ(TriangleQuality({1, 1, 1}, {1, 1, 1}, {1, 1, 1}), 0);
-}
-
 TEST(QualityTallyTest, IsZeroWithoutTriangles) {
   const QualityTally tally;
   EXPECT_EQ(tally.triangles, 0);

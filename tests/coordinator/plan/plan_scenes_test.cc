@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/rounding.h"
 #include "coordinator/plan/plan.h"
 #include "tests/support/scene_maker.h"
 #include "tests/support/surveyed_scene.h"
@@ -213,7 +214,7 @@ TEST_P(MadeSceneTest, DoesNotDependOnTheOrderOfVerticesAndTriangles) {
 TEST_P(MadeSceneTest, MovesAlongWithASceneMovedByWholeCells) {
   MadeScene made = MakeScene(EveryKindOfHole(cut(), seed()));
   for (MadeTile& tile : made.tiles) {  // to a grid that stays exact where it is moved to
-    for (Point3& p : tile.mesh.points) p = (p * 0x1p10).array().round().matrix() * 0x1p-10;
+    for (Point3& p : tile.mesh.points) p = RoundedToLattice(p, 0x1p-10);
   }
   const SurveyedScene scene = SurveyScene(made);
   const CellId shift{3, -2};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/mesh/triangle_shape.h"
+
 namespace tilemend {
 namespace {
 

@@ -1,0 +1,103 @@
+// Finds things by where they lie in the plane.
+#ifndef TILEMEND_COMMON_MESH_BIN_GRID_H_
+#define TILEMEND_COMMON_MESH_BIN_GRID_H_
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// A uniform grid of square bins over a box; each bin lists the things whose boxes meet it, by their numbers, rising.
+// What lies outside the grid counts to the nearest bins. Building is linear in the entries (a thing has one in every
+// bin that it meets); memory is 4 bytes an entry and a bin. Deterministic; exact up to which bin a coordinate within a
+// rounding error of a line falls in, so that a search must not depend on that.
+class BinGrid {
+ public:
+  // Bins of `step` metres over `extent` (not empty) for things 0 to count - 1; box_of(i) is thing i's
+  // Eigen::AlignedBox2d. step > 0, and the bins must be fewer than 2^31.
+  template <typename BoxOf>
+  BinGrid(const Eigen::AlignedBox2d& extent, double step, int32_t count, const BoxOf& box_of);
+
+  double step() const { return step_; }
+  int64_t columns() const { return columns_; }
+  int64_t rows() const { return rows_; }
+  const Point2& lo() const { return lo_; }
+
+  // The bin that p lies in, row by row from the south-west.
+  int64_t BinOf(const Point2& p) const {
+    return BinAt(p.y() - lo_.y(), rows_) * columns_ + BinAt(p.x() - lo_.x(), columns_);
+  }
+
+  // Calls visit(bin, things) for every bin that `box` meets, rising. A thing comes in all of its bins; to take it once,
+  // take it in BinOf the lower corner of what its box has in common with `box`.
+  template <typename Visit>
+  void ForBins(const Eigen::AlignedBox2d& box, const Visit& visit) const;
+
+  // The things in the bins that `box` meets (more than those whose boxes meet it), each once, rising.
+  std::vector<int32_t> In(const Eigen::AlignedBox2d& box) const;
+
+ private:
+  int64_t BinAt(double offset, int64_t count) const {
+    return static_cast<int64_t>(std::clamp(offset / step_, 0.0, static_cast<double>(count - 1)));
+  }
+  template <typename Visit>
+  void ForBinNumbers(const Eigen::AlignedBox2d& box, const Visit& visit) const;
+
+  Point2 lo_;
+  double step_;
+  int64_t columns_, rows_;
+  std::vector<int32_t> first_;   // of each bin into things_
+  std::vector<int32_t> things_;  // bin by bin
+};
+
+template <typename BoxOf>
+BinGrid::BinGrid(const Eigen::AlignedBox2d& extent, double step, int32_t count, const BoxOf& box_of)
+    : lo_(extent.min()),
+      step_(step),
+      columns_(static_cast<int64_t>(extent.sizes().x() / step) + 1),
+      rows_(static_cast<int64_t>(extent.sizes().y() / step) + 1),
+      first_(static_cast<size_t>(columns_ * rows_) + 1, 0) {
+  for (int32_t i = 0; i < count; ++i) {
+    ForBinNumbers(box_of(i), [&](int64_t bin) { ++first_[bin + 1]; });
+  }
+  for (size_t bin = 1; bin < first_.size(); ++bin) first_[bin] += first_[bin - 1];
+  things_.resize(first_.back());
+  std::vector<int32_t> next(first_.begin(), first_.end() - 1);
+  for (int32_t i = 0; i < count; ++i) {
+    ForBinNumbers(box_of(i), [&](int64_t bin) { things_[next[bin]++] = i; });
+  }
+}
+
+template <typename Visit>
+void BinGrid::ForBinNumbers(const Eigen::AlignedBox2d& box, const Visit& visit) const {
+  const Point2 lo = box.min() - lo_, hi = box.max() - lo_;
+  const int64_t first = BinAt(lo.x(), columns_), last = BinAt(hi.x(), columns_), top = BinAt(hi.y(), rows_);
+  for (int64_t row = BinAt(lo.y(), rows_); row <= top; ++row) {
+    for (int64_t column = first; column <= last; ++column) visit(row * columns_ + column);
+  }
+}
+
+template <typename Visit>
+void BinGrid::ForBins(const Eigen::AlignedBox2d& box, const Visit& visit) const {
+  ForBinNumbers(box, [&](int64_t bin) {
+    visit(bin, std::span(things_).subspan(first_[bin], static_cast<size_t>(first_[bin + 1] - first_[bin])));
+  });
+}
+
+inline std::vector<int32_t> BinGrid::In(const Eigen::AlignedBox2d& box) const {
+  std::vector<int32_t> found;
+  ForBins(box,
+          [&](int64_t, std::span<const int32_t> things) { found.insert(found.end(), things.begin(), things.end()); });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_MESH_BIN_GRID_H_

@@ -1,0 +1,48 @@
+// Links directed edges, head to tail, to loops.
+#ifndef TILEMEND_COMMON_MESH_EDGE_LOOPS_H_
+#define TILEMEND_COMMON_MESH_EDGE_LOOPS_H_
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace tilemend {
+
+struct DirectedEdge {
+  int32_t from = 0;
+  int32_t to = 0;
+};
+
+// Edges by their numbers, each running on into the next.
+struct EdgeWalk {
+  std::vector<int32_t> edges;
+  bool closed = false;  // a loop: the last edge runs on into the first
+};
+
+// Of several edges that leave the vertex where `edge` ends: the one that it runs on into. `candidates` are those not
+// walked yet and, if it leaves there, the first edge of the walk, which closes it; rising, at least one.
+using ChooseEdge = std::function<int32_t(int32_t edge, std::span<const int32_t> candidates)>;
+
+// Walks along all edges, each once. An edge runs on into the one that follows it in the list if that begins where it
+// ends, else into the first in the list that does and is not walked yet. So a loop that the list has in one piece stays
+// one, however often it passes a vertex.
+//
+// The walks begin with the chains, each at an edge that none leads to, in order of these; then come the loops, each
+// from the lowest edge that is left. If as many edges leave every vertex as arrive at it, all walks are closed; else a
+// walk may also end, open, where all edges that leave are walked already.
+//
+// Vertices are any numbers. Cost O(n log n), and for each vertex the square of its edges. Deterministic: depends on the
+// list alone.
+std::vector<EdgeWalk> LinkEdges(std::span<const DirectedEdge> edges);
+
+// The same with `choose` at every vertex: for loops that are to turn in a certain way where they touch.
+std::vector<EdgeWalk> LinkEdges(std::span<const DirectedEdge> edges, const ChooseEdge& choose);
+
+// The same where it is known which edge each runs on into; next[e] is -1 if edge e ends a chain. No two edges run on
+// into the same one. Cost O(n).
+std::vector<EdgeWalk> FollowEdges(std::span<const int32_t> next);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_MESH_EDGE_LOOPS_H_
