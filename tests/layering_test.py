@@ -5,7 +5,8 @@
 
 All third-party headers share one include path, so that the compiler finds a forbidden one as easily as an allowed one.
 RULES says for each folder which of our folders and which third-party libraries it may include. A folder without a rule is an
-error: a new folder needs a decision. Tests may include everything.
+error: a new folder needs a decision. So is a rule that no source needs, a permission that no include uses, and a circle
+of folders that include each other. Tests may include everything.
 """
 import os
 import re
@@ -23,63 +24,108 @@ IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition
           'semaphore', 'latch', 'barrier', 'atomic', 'iostream', 'cstdio', 'unistd.h', 'fcntl.h', 'stdio.h', 'pthread.h'}
 IMPURE_ABSL = ('absl/synchronization/', 'absl/time/clock')
 
-GEOMETRY = ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/grid', 'common/records', 'common/codec']
-SERVICE = GEOMETRY + ['common/store', 'common/metrics', 'common/rpc']
-PLAN = ['common/util', 'common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types']
-FILL = ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/grid', 'common/records']
-
 
 def rule(folders, libraries, pure=False):
     return {'folders': set(folders), 'libraries': set(libraries), 'pure': pure}
 
 
-# Each folder may include itself. Every folder has a rule of its own.
+# Each folder may include itself. Every folder has a rule of its own, which names what it includes and no more.
 RULES = {
     'common/util': rule([], ['absl']),
-    'common/mesh': rule(['common/util'], ['absl', 'eigen']),
-    'common/mesh/triangulation': rule(['common/util', 'common/mesh'], ['absl', 'eigen']),
-    'common/grid': rule(['common/util', 'common/mesh'], ['absl', 'eigen', 'json', 'pugixml']),
+
+    'common/mesh': rule([], ['eigen']),
+
+    'common/mesh/triangulation': rule(['common/mesh'], []),
+
+    'common/grid': rule(['common/util', 'common/mesh'], ['absl', 'json', 'pugixml']),
+
     'common/records': rule(['common/mesh', 'common/grid'], ['eigen']),
-    'common/codec': rule(['common/util', 'common/mesh'], ['absl', 'eigen', 'draco', 'fast_float']),
+
+    'common/codec': rule(['common/util', 'common/mesh'], ['absl', 'draco', 'fast_float']),
+
     'common/store': rule(['common/util'], ['absl', 'openssl']),
-    'common/metrics': rule(['common/util'], ['absl', 'prometheus']),
-    'common/rpc': rule(GEOMETRY + ['common/store'], ['absl', 'eigen', 'openssl', 'grpc', 'protobuf']),
-    'worker/survey': rule(GEOMETRY, ['absl', 'eigen']),
-    'worker/fill/mesh': rule(['common/mesh'], ['eigen', 'openmesh']),
-    'worker/fill/region': rule(FILL, ['eigen']),
-    'worker/fill/hole': rule(FILL + ['worker/fill/region'], ['eigen']),
-    'worker/fill/surface': rule(FILL + ['worker/fill/hole'], ['absl', 'eigen']),
-    'worker/fill/shape': rule(FILL, ['eigen']),
-    'worker/fill/space': rule(FILL, ['eigen']),
-    'worker/fill/crease': rule(FILL + ['worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/space'],
-                               ['eigen']),
-    'worker/fill/seam': rule(FILL + ['worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'], ['eigen']),
-    'worker/fill': rule(GEOMETRY + ['worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/shape',
-                                    'worker/fill/space', 'worker/fill/crease', 'worker/fill/seam'], ['absl', 'eigen']),
-    'worker/assemble': rule(GEOMETRY, ['absl', 'eigen']),
-    'worker/service': rule(SERVICE + ['worker/survey', 'worker/fill', 'worker/fill/hole', 'worker/fill/seam', 'worker/fill/shape',
-                                      'worker/fill/space', 'worker/assemble'], ['absl', 'eigen', 'grpc', 'protobuf']),
-    'worker': rule(SERVICE + ['worker/service'], ['absl', 'grpc']),
-    'coordinator/plan/types': rule(['common/mesh', 'common/grid', 'common/records'], ['eigen'], pure=True),
-    'coordinator/plan/rim': rule(PLAN, ['absl', 'eigen'], pure=True),
-    'coordinator/plan/seam': rule(PLAN + ['coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
-    'coordinator/plan/hole': rule(PLAN + ['common/mesh/triangulation', 'coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
-    'coordinator/plan/pieces': rule(PLAN + ['coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
-    'coordinator/plan/water': rule(PLAN + ['coordinator/plan/seam'], ['absl', 'eigen'], pure=True),
-    'coordinator/plan': rule(PLAN + ['coordinator/plan/rim', 'coordinator/plan/seam', 'coordinator/plan/hole',
-                                     'coordinator/plan/pieces', 'coordinator/plan/water'], ['absl', 'eigen'], pure=True),
-    'coordinator/state': rule(['common/util', 'common/grid'], ['absl', 'eigen'], pure=True),
-    'coordinator/report': rule(GEOMETRY + ['common/store', 'coordinator/plan', 'coordinator/plan/types'],
-                               ['absl', 'eigen', 'json']),
-    'coordinator/service': rule(SERVICE + ['coordinator/plan', 'coordinator/plan/types', 'coordinator/plan/seam',
-                                           'coordinator/plan/water', 'coordinator/state', 'coordinator/report'],
-                                ['absl', 'eigen', 'grpc', 'protobuf']),
-    'coordinator': rule(SERVICE + ['coordinator/service'], ['absl', 'grpc']),
+
+    'common/metrics': rule([], ['absl', 'prometheus']),
+
+    'common/rpc': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'protobuf']),
+
+    'worker/survey': rule(['common/mesh', 'common/records'], []),
+
+    'worker/fill/mesh': rule(['common/mesh'], ['openmesh']),
+
+    'worker/fill/region': rule(['common/mesh/triangulation'], []),
+
+    'worker/fill/hole': rule(['common/mesh', 'common/records', 'worker/fill/region'], ['eigen']),
+
+    'worker/fill/surface': rule(
+        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/hole'],
+        ['eigen']),
+
+    'worker/fill/shape': rule(['common/mesh', 'common/mesh/triangulation', 'common/records'], ['eigen']),
+
+    'worker/fill/space': rule(['common/mesh'], ['eigen']),
+
+    'worker/fill/crease': rule(
+        ['common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/space'],
+        ['eigen']),
+
+    'worker/fill/seam': rule(['common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'], []),
+
+    'worker/fill': rule(
+        ['common/mesh', 'common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
+         'worker/fill/shape', 'worker/fill/space', 'worker/fill/crease'],
+        ['absl', 'eigen']),
+
+    'worker/assemble': rule(['common/records', 'common/codec'], []),
+
+    'worker/service': rule(
+        ['common/util', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
+         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/assemble'],
+        ['absl', 'grpc', 'protobuf']),
+
+    'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'worker/service'], ['absl']),
+
+    'coordinator/plan/types': rule(['common/grid', 'common/records'], [], pure=True),
+
+    'coordinator/plan/rim': rule(['common/mesh', 'coordinator/plan/types'], ['eigen'], pure=True),
+
+    'coordinator/plan/seam': rule(['coordinator/plan/types', 'coordinator/plan/rim'], ['absl'], pure=True),
+
+    'coordinator/plan/hole': rule(
+        ['common/mesh', 'common/mesh/triangulation', 'coordinator/plan/types', 'coordinator/plan/rim'],
+        ['eigen'], pure=True),
+
+    'coordinator/plan/pieces': rule(['coordinator/plan/types', 'coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
+
+    'coordinator/plan/water': rule(
+        ['common/grid', 'coordinator/plan/types', 'coordinator/plan/seam'],
+        ['eigen'], pure=True),
+
+    'coordinator/plan': rule(
+        ['common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/seam',
+         'coordinator/plan/hole', 'coordinator/plan/pieces', 'coordinator/plan/water'],
+        [], pure=True),
+
+    'coordinator/state': rule(['common/util', 'common/grid'], ['absl'], pure=True),
+
+    'coordinator/report': rule(
+        ['common/util', 'common/mesh', 'common/grid', 'common/records', 'common/codec', 'common/store',
+         'coordinator/plan'],
+        ['absl', 'json']),
+
+    'coordinator/service': rule(
+        ['common/util', 'common/grid', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/plan/seam',
+         'coordinator/plan/water', 'coordinator/plan', 'coordinator/state', 'coordinator/report'],
+        ['absl', 'eigen', 'protobuf']),
+
+    'coordinator': rule(['common/util', 'common/metrics', 'common/rpc', 'coordinator/service'], ['absl']),
+
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
-    'client': rule(SERVICE + ['coordinator/plan', 'coordinator/plan/types', 'coordinator/plan/seam', 'coordinator/report',
-                              'coordinator/service', 'worker/service', 'worker/survey', 'worker/fill', 'worker/fill/hole',
-                              'worker/fill/shape', 'worker/fill/space', 'worker/assemble'],
-                   ['absl', 'eigen', 'json', 'grpc', 'protobuf']),
+    'client': rule(
+        ['common/util', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
+         'worker/fill', 'worker/assemble', 'worker/service', 'coordinator/plan', 'coordinator/report',
+         'coordinator/service'],
+        ['absl', 'grpc', 'json', 'protobuf']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 OURS = ('common/', 'worker/', 'coordinator/', 'client/', 'tests/')
@@ -130,6 +176,45 @@ def check_text(path, text):
     return faults
 
 
+def arrows(files):
+    """What is used: {rule: its folders' and libraries' names that an include points to}; of files as (path, text)."""
+    used = {}
+    for path, text in files:
+        name = rule_of(os.path.dirname(path))
+        targets = used.setdefault(name, set())
+        for match in INCLUDE.finditer(text):
+            header = match.group(2)
+            target = rule_of(os.path.dirname(header)) if header.startswith(OURS) else library_of(header)
+            if target and target != name:
+                targets.add(target)
+    return used
+
+
+def check_unused(rules, used):
+    """The rules without a source and the permissions that no include uses, as lines."""
+    faults = [f'{name}: a rule without a source' for name in rules if name not in used]
+    for name, targets in used.items():
+        for target in sorted((rules[name]['folders'] | rules[name]['libraries']) - targets if name in rules else ()):
+            faults.append(f'{name}: may include {target}, which no source does; take the permission away')
+    return faults
+
+
+def check_circles(used):
+    """The circles of folders that include each other, as lines: from every folder back to itself, the shortest way."""
+    faults = []
+    for start in sorted(name for name in used if name):
+        way = {target: [start] for target in sorted(used[start])}
+        open_ends = sorted(used[start])
+        for name in open_ends:
+            for target in sorted(used.get(name, ())):
+                if target not in way:
+                    way[target] = way[name] + [name]
+                    open_ends.append(target)
+        if start in way and start == min(way[start]):  # each circle once
+            faults.append('a circle of folders: ' + ' -> '.join(way[start] + [start]))
+    return faults
+
+
 def sources(root):
     for top in ('common', 'worker', 'coordinator', 'client'):
         for folder, _, names in os.walk(os.path.join(root, top)):
@@ -171,21 +256,41 @@ def check_itself():
                 faults.append(f'self-check: {path} could include {header}')
     for path, header in ALLOWED:
         faults += [f'self-check: {f}' for f in check_text(path, f'#include <{header}>\n')]
+    return faults + check_arrows_itself()
+
+
+def check_arrows_itself():
+    text = '#include "common/grid/b.h"\n#include <Eigen/Core>\n#include <vector>\n#include "worker/survey/own.h"\n'
+    used = arrows([('worker/survey/a.cc', text), ('worker/survey/a.h', ''), ('common/grid/a.cc', '')])
+    faults = []
+    if used != {'worker/survey': {'common/grid', 'eigen'}, 'common/grid': set()}:
+        faults.append(f'self-check: arrows {used}')
+    rules = {'worker/survey': rule(['common/grid', 'common/mesh'], ['eigen', 'absl']), 'common/grid': rule([], []),
+             'client': rule([], [])}
+    if (found := [f.split(':')[0] + f.split('include')[-1][:12] for f in check_unused(rules, used)]) != [
+            'clientclient: a ru', 'worker/survey absl, which', 'worker/survey common/mesh']:
+        faults.append(f'self-check: unused {found}')
+    circles = check_circles({'a': {'b', 'd'}, 'b': {'c'}, 'c': {'a', 'd'}, 'd': {'e'}, 'e': set(), 'f': {'g'}, 'g': {'f'}})
+    if circles != ['a circle of folders: a -> b -> c -> a', 'a circle of folders: f -> g -> f']:
+        faults.append(f'self-check: circles {circles}')
     return faults
 
 
 def main():
     root = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    faults, count = check_itself(), 0
+    faults, files = check_itself(), []
     for path in sources(root):
         with open(os.path.join(root, path), encoding='utf-8') as file:
-            faults += check_text(path, file.read())
-        count += 1
-    if not count:
+            files.append((path, file.read()))
+    for path, text in files:
+        faults += check_text(path, text)
+    used = arrows(files)
+    faults += check_unused(RULES, used) + check_circles(used)
+    if not files:
         faults.append(f'{root}: no sources found')
     for line in faults:
         print(line)
-    print(f'{count} files, {len(faults)} faults')
+    print(f'{len(files)} files, {len(faults)} faults')
     sys.exit(1 if faults else 0)
 
 
