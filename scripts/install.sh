@@ -1,16 +1,16 @@
 #!/bin/bash
 # Installs the Debian packages of packages.txt that are missing; quick if none is.
 #
-#   install.sh          what building and testing need
-#   install.sh --lint   the lint tools as well
+#   install.sh               what building and testing need
+#   install.sh --lint        the lint tools as well
+#   install.sh --coverage    the tools that measure coverage as well
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
 
-if [[ "${1:-}" == --lint ]]; then
-  wanted=$(grep -Ev '^(#|$)' "$list")
-else
-  wanted=$(sed '/^# \[lint\]/,$d' "$list" | grep -Ev '^(#|$)')
-fi
+# What stands before the first section, and the section that is asked for.
+wanted=$(awk -v section="${1:-}" '
+  /^# \[/ {name = "--" substr($2, 2, length($2) - 2)}
+  !/^(#|$)/ && (name == "" || name == section)' "$list")
 
 if ! command -v dpkg-query >/dev/null; then
   echo "install.sh: not a Debian system; install these yourself: $(echo $wanted)" >&2
