@@ -6,50 +6,57 @@
 namespace tilemend {
 namespace {
 
-FlagSpec CoordinatorFlag() { return {"coordinator", "HOST:PORT", "where the coordinator listens", "127.0.0.1:7070"}; }
-FlagSpec RequestIdFlag() { return {"request-id", "ID", "makes a repeated submit give the same job", ""}; }
-FlagSpec WaitFlag() { return {"wait", "", "wait for the end of the job", ""}; }
-
 std::vector<FlagSpec> Join(std::vector<FlagSpec> first, const std::vector<FlagSpec>& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
 
+FlagSpec CoordinatorFlag() { return {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"}; }
+
+// Of commands that start a job on a cluster.
+std::vector<FlagSpec> StartFlags() {
+  return {CoordinatorFlag(),
+          {"wait", "", "wait for the end of the job; the exit code is the job's", ""},
+          {"request-id", "ID", "a second call with the same ID gives the same job", ""}};
+}
+
+std::vector<FlagSpec> LocalFlags() {
+  return {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
+          {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}};
+}
+
+std::vector<FlagSpec> FillFlags() {
+  std::vector<FlagSpec> flags = {{"out", "FILE", "file to write, in the format of MESH", ""},
+                                 {"overwrite", "", "replace FILE if it exists", ""}};
+  flags = Join(std::move(flags), SurfaceFlags());
+  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
+  return Join(std::move(flags), WaterFlags("off"));
+}
+
 }  // namespace
 
 std::vector<Command> ServiceCommands() {
+  const std::vector<FlagSpec> output = {OutputFlag()};
   const std::vector<FlagSpec> cluster = {CoordinatorFlag(), OutputFlag()};
-  const std::vector<FlagSpec> start = {CoordinatorFlag(), WaitFlag(), RequestIdFlag()};
-  const std::vector<FlagSpec> local = {
-      {"workers", "N", "tasks at once (default: the machine's cores)", ""},
-      {"work", "DIR", "where to put intermediate files (default: the system's temporary folder)", ""}};
-  const std::vector<FlagSpec> shape = {{"surface", "NAME", "thin-plate or wang", "thin-plate"},
-                                       TensionFlag(),
-                                       GradationFlag(),
-                                       SizeLimitFlag(),
-                                       {"uniform", "", "triangles as large as the rim's throughout", ""},
-                                       {"out", "FILE", "where to write the filled mesh", ""},
-                                       {"overwrite", "", "replace an existing output", ""},
-                                       OutputFlag()};
-  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
-  const std::vector<FlagSpec> fill = Join(shape, WaterFlags("off"));
+  const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);
+  const std::vector<FlagSpec> submit = Join(Join(JobFlags(), StartFlags()), output);
   return {
       {"inspect",
        "SCENE|MESH",
-       "show tiles, borders and holes; writes nothing",
+       "show tiles, borders and holes; write nothing",
        1,
        {},
-       Join({OutputFlag()}, WaterFlags("")),
+       Join(WaterFlags(""), output),
        InspectCommand},
-      {"fill", "MESH --out FILE", "fill the holes of one mesh", 1, {"out"}, fill, FillCommand},
-      {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, Join(JobFlags(), local), RunCommand},
-      {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, Join(JobFlags(), start), SubmitCommand},
+      {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
+      {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, Join(FillFlags(), output), FillCommand},
+      {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},
+      {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, submit, SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},
       {"list", "", "show all jobs, newest first", 0, {}, cluster, ListCommand},
       {"watch", "JOB", "follow a job to its end", 1, {}, cluster, WatchCommand},
-      {"cancel", "JOB", "end a job", 1, {}, cluster, CancelCommand},
-      {"retry", "JOB", "start a job that is over again", 1, {}, Join(start, {OutputFlag()}), RetryCommand},
-      {"report", "OUT", "show the report of an output", 1, {}, {OutputFlag()}, ReportCommand},
+      {"cancel", "JOB", "cancel a job", 1, {}, cluster, CancelCommand},
+      {"retry", "JOB", "start a finished job again", 1, {}, Join(StartFlags(), output), RetryCommand},
   };
 }
 

@@ -34,10 +34,12 @@ int CancelCommand(const Args& args);
 int RetryCommand(const Args& args);
 int ReportCommand(const Args& args);
 
-// Flags that say what a job is to do, and -o.
+// Flags that say what a job is to do.
 std::vector<FlagSpec> JobFlags();
+// Flags that say what the filled surface is like: --surface, --tension, --gradation, --size-limit, --uniform.
+std::vector<FlagSpec> SurfaceFlags();
 FlagSpec OutputFlag();
-// --water and --water-tolerance.
+// --water and --water-tolerance. Without a default the command chooses by what it is given.
 std::vector<FlagSpec> WaterFlags(const std::string& default_value);
 
 // All above, for the table of main.

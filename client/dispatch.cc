@@ -19,16 +19,19 @@ std::string Help(const std::vector<Command>& commands) {
     absl::StrAppend(&text, left, command.summary, "\n");
   }
   absl::StrAppend(&text,
-                  "  help COMMAND                    the flags of a command\n"
-                  "  --version                       the release\n\n"
+                  "  help COMMAND                    show the flags of a command\n"
+                  "  --version                       show the release\n\n"
                   "Exit codes: 0 done, 2 usage, 3 not found, 4 invalid input, 5 try again, 6 failed, 7 cancelled,\n"
                   "100 done but some holes or cells are left.\n");
   return text;
 }
 
+std::string UsageOf(const Command& command) {
+  return absl::StrCat("tilemend ", command.name, command.arguments.empty() ? "" : " ", command.arguments);
+}
+
 std::string HelpOf(const Command& command) {
-  return absl::StrCat("Usage: tilemend ", command.name, " ", command.arguments, "\n\n", command.summary, "\n\n",
-                      FlagsHelp(command.flags));
+  return absl::StrCat("Usage: ", UsageOf(command), " [FLAGS]\n\n", command.summary, "\n\n", FlagsHelp(command.flags));
 }
 
 int UsageError(const std::string& text) {
@@ -40,9 +43,9 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
   const auto args = Args::Parse(command.flags, words);
   if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));
   if (args->arguments().size() != command.argument_count) {
-    return UsageError(absl::StrCat(command.name, ": expected ", command.argument_count, " argument(s), got ",
-                                   args->arguments().size(), "; usage: tilemend ", command.name, " ",
-                                   command.arguments));
+    return UsageError(absl::StrCat(command.name, ": expected ", command.argument_count,
+                                   command.argument_count == 1 ? " argument" : " arguments", ", got ",
+                                   args->arguments().size(), "; usage: ", UsageOf(command)));
   }
   for (const std::string& argument : args->arguments()) {
     if (argument.empty()) return UsageError(absl::StrCat(command.name, ": an argument is empty"));

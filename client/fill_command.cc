@@ -39,12 +39,12 @@ absl::Status CheckPaths(const std::string& in, const std::string& out, bool over
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat from, MeshFormatOf(in));
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat to, MeshFormatOf(out));
   if (from != to)
-    return absl::InvalidArgumentError(absl::StrCat(out, ": the output has the format of the input: ", in));
+    return absl::InvalidArgumentError(absl::StrCat(out, ": expected a file name with the format of the input, ", in));
   if (std::filesystem::is_directory(out, error)) {
     return absl::InvalidArgumentError(absl::StrCat(out, ": the output is a folder; choose another --out"));
   }
   if (!overwrite && std::filesystem::exists(out, error)) {
-    return absl::AlreadyExistsError(absl::StrCat(out, ": is there already; choose another --out, or give --overwrite"));
+    return absl::AlreadyExistsError(absl::StrCat(out, ": exists already; choose another --out, or give --overwrite"));
   }
   return absl::OkStatus();
 }
@@ -123,11 +123,11 @@ void PrintSummary(const Filled& filled, const std::string& out) {
     vertices += size.first;
     triangles += size.second;
   }
-  std::fputs(absl::StrFormat("%d of %s filled with %s and %s; %s\nwritten: %s\n",
+  std::fputs(absl::StrFormat("%d of %s filled with %s and %s; %s left open\nwritten: %s\n",
                              plan.holes.size() - filled.report.failures.size(), Counted(plan.holes.size(), "hole"),
                              vertices == 1 ? "1 new vertex" : absl::StrCat(vertices, " new vertices"),
                              Counted(static_cast<size_t>(triangles), "triangle"),
-                             Counted(static_cast<size_t>(plan.outer_rims), "outer rim"), out)
+                             Counted(static_cast<size_t>(plan.outer_rims), "outline"), out)
                  .c_str(),
              stdout);
   for (const std::string& w : PlanWarnings(plan)) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
@@ -144,7 +144,7 @@ int FillCommand(const Args& args) {
   const std::string surface = args.Text("surface");
   if (surface != "wang" && surface != "thin-plate") {
     return PrintUsageError(
-        absl::InvalidArgumentError(absl::StrCat("--surface '", surface, "': expected wang or thin-plate")));
+        absl::InvalidArgumentError(absl::StrCat("--surface '", surface, "': expected thin-plate or wang")));
   }
   options.surface = surface == "thin-plate" ? Surface::kThinPlate : Surface::kWang;
   const auto tension = TensionFromFlags(args);

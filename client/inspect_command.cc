@@ -90,7 +90,7 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
       scene.root, scene.cols, scene.rows, scene.grid.cell_size.x(), scene.grid.cell_size.y(), scene.grid.corner.x(),
       scene.grid.corner.y(), scene.tiles.size(), inspection.records.size(), scene.crs.empty() ? "not given" : scene.crs,
       scene.origin.x(), scene.origin.y(), scene.origin.z(), triangles, HolesLine(plan));
-  if (!scene.area_known) absl::StrAppend(&text, "area: not given, so its rim stays open\n");
+  if (!scene.area_known) absl::StrAppend(&text, "area: not given; holes that reach its rim are left\n");
   const Json& b = plan["borders"];
   absl::StrAppend(&text, "borders: ", CountsText(b), "\n");
   for (const Json& row : b["inexact"]) {
@@ -148,8 +148,9 @@ int InspectMeshAt(const std::string& path, const PlanOptions& options, OutputFor
   }
   const SurveyRecord& r = mesh.record;
   std::fputs(
-      absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, polygons: %d\nboundary edges: %d, non-manifold edges: %d, "
-                      "triangles without area: %d\nholes: %d closed, outer rims: %d, continuous: %d\n%s",
+      absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, faces with more corners: %d\nboundary edges: %d, "
+                      "non-manifold edges: %d, "
+                      "triangles without area: %d\nholes: %d closed, outlines: %d, continuous: %d\n%s",
                       path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(), r.nonmanifold_edges,
                       r.degenerate_triangles, mesh.plan.holes.size(), mesh.plan.outer_rims, mesh.plan.continuous,
                       WaterText(plan, "would be filled flat as water") + LeftText(plan, "would be left open"))

@@ -54,7 +54,7 @@ int WatchToEnd(Session& session, const std::string& name) {
     session.signals->Stop();
   }
   if (absl::IsCancelled(job.status())) {
-    std::fprintf(stderr, "tilemend: %s goes on; `tilemend cancel %s` ends it\n", name.c_str(), name.c_str());
+    std::fprintf(stderr, "tilemend: %s goes on; `tilemend cancel %s` cancels it\n", name.c_str(), name.c_str());
     return kExitCancelled;
   }
   const int printed = PrintJob(job, session.format);

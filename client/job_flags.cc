@@ -30,43 +30,36 @@ std::vector<FlagSpec> JobFlags() {
   const JobSpec defaults;
   std::vector<FlagSpec> flags = {
       {"out", "DIR", "folder to write to", ""},
-      {"surface", "NAME", "thin-plate or wang", defaults.surface},
-      {"uniform", "", "triangles as large as the rim's throughout", ""},
-      TensionFlag(),
-      GradationFlag(),
-      SizeLimitFlag(),
-      {"seam-smoothing", "X", "smoothing of the seams, 0 to 1", absl::StrCat(defaults.seam_smoothing)},
-      {"overwrite", "", "write into a folder that is not empty; files of other names stay", ""},
-      {"dry-run", "", "survey and plan only, write nothing", ""},
-      OutputFlag(),
-  };
+      {"overwrite", "", "write to DIR even if it is not empty; files of other names stay", ""}};
+  for (FlagSpec& flag : SurfaceFlags()) flags.push_back(std::move(flag));
+  flags.push_back(
+      {"seam-smoothing", "X", "of wang: how much seams are smoothed, 0 to 1", absl::StrCat(defaults.seam_smoothing)});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
+  flags.push_back({"dry-run", "", "find and count the holes, write nothing", ""});
   return flags;
 }
 
+std::vector<FlagSpec> SurfaceFlags() {
+  const JobSpec defaults;
+  return {{"surface", "NAME", "thin-plate, or wang for comparison", defaults.surface},
+          {"tension", "auto|X", "of thin-plate: how taut it is, 0 to 1000 per m^2; auto: from the rim", "auto"},
+          {"gradation", "X", "growth of triangles from edge to edge inward, 1 to 10", absl::StrCat(defaults.gradation)},
+          {"size-limit", "X", "longest edge as a multiple of the rim's mean edge, 1 to 1e6",
+           absl::StrCat(defaults.size_limit)},
+          {"uniform", "", "keep the boundary's triangle size inside, no growth", ""}};
+}
+
 std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
-  return {{"water", "auto|off|FILE", "fill level water flat; FILE: GeoJSON of where it is and is not", default_value},
+  std::string help = "fill level water flat; FILE: GeoJSON areas with and without water";
+  if (default_value.empty()) help += " (default auto, for single meshes off)";
+  return {{"water", "auto|off|FILE", help, default_value},
           {"water-tolerance", "METRES", "how far the rim of water may be off its level, 0.001 to 10",
            absl::StrCat(JobSpec().water_tolerance)}};
 }
 
 absl::StatusOr<double> WaterToleranceFromFlags(const Args& args) { return args.Number("water-tolerance", 0.001, 10); }
 
-FlagSpec OutputFlag() { return {"output", "FORMAT", "table or json", "table", 'o'}; }
-
-FlagSpec TensionFlag() {
-  return {"tension", "auto|X",
-          "tautness of the thin-plate surface, 1/m^2, 0 to 1000; auto: chosen from the surface around each hole",
-          "auto"};
-}
-
-FlagSpec GradationFlag() {
-  return {"gradation", "X", "growth of the triangles inward, 1 to 10", absl::StrCat(JobSpec().gradation)};
-}
-
-FlagSpec SizeLimitFlag() {
-  return {"size-limit", "X", "largest edge over the rim's mean edge, 1 to 1e6", absl::StrCat(JobSpec().size_limit)};
-}
+FlagSpec OutputFlag() { return {"output", "FORMAT", "format on stdout: table or json", "table", 'o'}; }
 
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {
   if (args.Text("tension") == "auto") return std::nullopt;

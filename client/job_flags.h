@@ -16,10 +16,7 @@ namespace tilemend {
 absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args);
 
 // --tension auto|X; none for auto.
-FlagSpec TensionFlag();
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args);
-FlagSpec GradationFlag();
-FlagSpec SizeLimitFlag();
 absl::StatusOr<double> WaterToleranceFromFlags(const Args& args);
 
 absl::StatusOr<OutputFormat> FormatFromFlags(const Args& args);

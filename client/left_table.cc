@@ -71,7 +71,7 @@ std::string LeftText(const Json& report, const std::string& title) {
     text += Table({"hole", "cell", "centre, m", "area, m2", "edges", "reason"}, rows);
     if (items.size() > kMostRows) absl::StrAppend(&text, "and ", items.size() - kMostRows, " more\n");
   }
-  if (outlines > 0) absl::StrAppend(&text, "\n", Counted(outlines, "outline"), " of detached pieces, open by right\n");
+  if (outlines > 0) absl::StrAppend(&text, "\n", Counted(outlines, "outline"), " of detached pieces: no holes\n");
   return text;
 }
 

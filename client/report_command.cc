@@ -96,7 +96,7 @@ int ReportCommand(const Args& args) {
   const auto content = ReadFile(path.string());
   if (absl::IsNotFound(content.status()) && std::filesystem::exists(path.parent_path() / ".tilemend-job")) {
     return PrintError(absl::NotFoundError(absl::StrCat(
-        path.string(), ": not there yet: the output is not complete; run the same job again to complete it")));
+        path.string(), ": not there yet; the output is not complete. Run the same job again to complete it")));
   }
   if (!content.ok()) return PrintError(content.status());
   const Json report = Json::parse(*content, nullptr, false);

@@ -101,7 +101,7 @@ int RunCommand(const Args& args) {
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
   if (LeftUnfinished(*job)) {
-    std::fprintf(stderr, "tilemend: %s is not complete; the same command goes on there\n", spec->out().c_str());
+    std::fprintf(stderr, "tilemend: %s is not complete; the same command completes it\n", spec->out().c_str());
   }
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();

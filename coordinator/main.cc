@@ -22,13 +22,13 @@ namespace {
 
 std::vector<FlagSpec> CoordinatorFlags() {
   return {
-      {"listen", "HOST:PORT", "where clients and workers call", "127.0.0.1:7070"},
-      {"metrics", "HOST:PORT", "serve metrics on http://HOST:PORT/metrics", ""},
-      {"work", "DIR", "folder for intermediate files", ""},
-      {"lease", "SECONDS", "a worker not heard of for so long has lost its tasks", "30"},
-      {"max-jobs", "N", "jobs that run at once", "64"},
-      {"version", "", "print the release", ""},
-      {"help", "", "print this", "", 'h'},
+      {"listen", "HOST:PORT", "address for clients and workers", "127.0.0.1:7070"},
+      {"metrics", "HOST:PORT", "serve Prometheus metrics on http://HOST:PORT/metrics", ""},
+      {"work", "DIR", "folder for intermediate files; needed", ""},
+      {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
+      {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
+      {"version", "", "show the release", ""},
+      {"help", "", "show this", "", 'h'},
   };
 }
 

@@ -22,11 +22,11 @@ namespace {
 
 std::vector<FlagSpec> WorkerFlags() {
   return {
-      {"coordinator", "HOST:PORT", "where the coordinator listens", "127.0.0.1:7070"},
-      {"threads", "N", "tasks at once (default: the machine's cores)", ""},
-      {"metrics", "HOST:PORT", "serve metrics on http://HOST:PORT/metrics", ""},
-      {"version", "", "print the release", ""},
-      {"help", "", "print this", "", 'h'},
+      {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"},
+      {"threads", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
+      {"metrics", "HOST:PORT", "serve Prometheus metrics on http://HOST:PORT/metrics", ""},
+      {"version", "", "show the release", ""},
+      {"help", "", "show this", "", 'h'},
   };
 }
 

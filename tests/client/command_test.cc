@@ -101,7 +101,7 @@ TEST_F(CommandTest, FillAndRunTellTheSameOfTheirFlags) {
     const std::string help = Run({"help", command}).out;
     EXPECT_THAT(help, HasSubstr("1 to 10"));
     EXPECT_THAT(help, HasSubstr("1 to 1e6"));
-    EXPECT_THAT(help, HasSubstr("chosen from the surface around each hole"));
+    EXPECT_THAT(help, HasSubstr("auto: from the rim"));
   }
 }
 
@@ -142,7 +142,7 @@ TEST_F(CommandTest, ReportShowsLeftovers) {
                                    "hole  cell   centre, m  area, m2  edges  reason\n"
                                    "7     [1,2]  [1.5,2.5]  33.25     9      too wild\n"
                                    "      [3,4]                       1      no loop\n"
-                                   "\n1 outline of detached pieces, open by right\n"));
+                                   "\n1 outline of detached pieces: no holes\n"));
   ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json", "[").ok());
   EXPECT_EQ(Run({"report", folder_ / "out"}).code, 4);
 }
