@@ -56,11 +56,6 @@ std::vector<std::string> Paths(const Scene& scene) {
   return paths;
 }
 
-TEST(CellIdTest, IsWrittenAsInTileNames) {
-  EXPECT_EQ(ToString({3, 1}), "+003_+001");
-  EXPECT_EQ(ToString({-2, 1234}), "-002_+1234");
-}
-
 TEST_F(SceneJsonTest, ReadsEveryField) {
   const auto scene = Load(kScene);
   ASSERT_TRUE(scene.ok()) << scene.status();

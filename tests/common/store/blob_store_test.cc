@@ -23,27 +23,6 @@ class BlobStoreTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST(DigestTest, IsSha256) {
-  EXPECT_EQ(Sha256Hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(Sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-}
-
-TEST(DigestTest, DoesNotDependOnThePieces) {
-  Sha256 sha;
-  sha.Update("a");
-  sha.Update("");
-  sha.Update("bc");
-  EXPECT_EQ(sha.FinishHex(), Sha256Hex("abc"));
-}
-
-TEST(DigestTest, KnowsItsForm) {
-  EXPECT_TRUE(IsDigest(Sha256Hex("x")));
-  EXPECT_FALSE(IsDigest(""));
-  EXPECT_FALSE(IsDigest(std::string(63, 'a')));
-  EXPECT_FALSE(IsDigest(std::string(64, 'A')));
-  EXPECT_FALSE(IsDigest(std::string(64, '/')));
-}
-
 TEST_F(BlobStoreTest, ReturnsWhatWasPut) {
   const BlobStore store = Open();
   for (const std::string& bytes : {std::string(), std::string("a\0b", 3), std::string(3 << 20, 'x')}) {

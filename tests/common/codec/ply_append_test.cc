@@ -1,0 +1,151 @@
+// Appending to PLY files, and new ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "common/codec/mesh_file.h"
+#include "common/codec/ply.h"
+#include "tests/common/codec/odd_ply.h"
+
+namespace tilemend {
+namespace {
+
+using testing::Bytes;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using testing::Join;
+using testing::kAsciiHeader;
+using testing::OddPly;
+
+absl::StatusOr<MeshFile> Parse(const std::string& bytes) { return ParseMesh(MeshFormat::kPly, bytes, "a.ply"); }
+
+class PlyAppendTest : public ::testing::TestWithParam<std::tuple<bool, std::string>> {};
+
+TEST_P(PlyAppendTest, KeepsEveryOriginalRecordByteForByte) {
+  OddPly odd = {.big_endian = std::get<0>(GetParam()), .eol = std::get<1>(GetParam())};
+  const std::string before = odd.Header() + Join(odd.Vertices()) + Join(odd.Faces()) + odd.Edges();
+  const FilePatch patch = {.new_points = {{5, 6, 0.7}, {8, 9, 10}}, .like = {1, -1}, .triangles = {{3, 4, 5}}};
+  const auto after = AppendPatch(MeshFormat::kPly, before, patch, "a.ply");
+  ASSERT_TRUE(after.ok()) << after.status();
+  const std::string zero(1, '\0');
+  odd.vertex_count = "6";
+  odd.face_count = "4";
+  odd.filled_property = "property uchar tilemend_filled|";
+  const std::string expected = odd.Header() + Join(odd.Vertices()) + odd.Vertex(2, 5, 6, {7, -8}, 0.7) +
+                               odd.Vertex(0, 8, 9, {}, 10) + Join(odd.Faces(), zero) + odd.Face(0, {3, 4, 5}, {}) +
+                               '\1' + odd.Edges();
+  EXPECT_EQ(*after, expected);
+  // A second patch keeps the marks of the first and adds no second property.
+  const auto again = AppendPatch(MeshFormat::kPly, *after, {{}, {}, {{0, 1, 3}}}, "a.ply");
+  ASSERT_TRUE(again.ok()) << again.status();
+  odd.face_count = "5";
+  EXPECT_EQ(*again, odd.Header() + Join(odd.Vertices()) + odd.Vertex(2, 5, 6, {7, -8}, 0.7) +
+                        odd.Vertex(0, 8, 9, {}, 10) + Join(odd.Faces(), zero) + odd.Face(0, {3, 4, 5}, {}) + '\1' +
+                        odd.Face(0, {0, 1, 3}, {}) + '\1' + odd.Edges());
+}
+
+INSTANTIATE_TEST_SUITE_P(EncodingsAndLineEndings, PlyAppendTest,
+                         ::testing::Combine(::testing::Bool(), ::testing::Values("\n", "\r\n", "\r")));
+
+TEST(PlyAppendTextTest, AppendsBehindOriginalText) {
+  const std::string before = std::string(kAsciiHeader) + "0.10 0 0  7\n1e0 0 0 8\r\n0\t1 0 9\n3 0 1 2\n2 5 6\n";
+  const auto after =
+      AppendPatch(MeshFormat::kPly, before, {{{0.1, 1.0 / 3, 2}, {1, 2, 3}}, {1, -1}, {{2, 3, 4}}}, "a.ply");
+  ASSERT_TRUE(after.ok()) << after.status();
+  EXPECT_THAT(*after, HasSubstr("element vertex 5\n"));
+  EXPECT_THAT(*after, HasSubstr("vertex_indices\nproperty uchar tilemend_filled\nelement note"));
+  EXPECT_THAT(*after, EndsWith("end_header\n0.10 0 0  7\n1e0 0 0 8\r\n0\t1 0 9\n0.1 0.3333333333333333 2 8\n1 2 3 0\n"
+                               "3 0 1 2 0\n3 2 3 4 1\n2 5 6\n"));
+}
+
+TEST(PlyAppendTextTest, AppendsFirstFaceToFileWithoutAny) {
+  const std::string header = "ply\nformat ascii 1.0\nelement face 0\nproperty list uchar int vertex_indices\n";
+  const std::string before = header +
+                             "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                             "end_header\n0 0 0\n1 0 0\n0 1 0\n";
+  const auto after = AppendPatch(MeshFormat::kPly, before, {{}, {}, {{0, 1, 2}}}, "a.ply");
+  ASSERT_TRUE(after.ok()) << after.status();
+  EXPECT_THAT(*after, EndsWith("end_header\n3 0 1 2 1\n0 0 0\n1 0 0\n0 1 0\n"));
+}
+
+TEST(PlyAppendBinaryTest, NewFileReadsBackRoundedToItsNumberType) {
+  const FilePatch patch = {{{0.1, 0.2, 0.3}, {1, 0, 0}, {0, 1, 0}}, {-1, -1, -1}, {{0, 1, 2}}};
+  const auto narrow = Parse(NewPlyFile(patch, NumberType::kFloat32));
+  const auto wide = Parse(NewPlyFile(patch, NumberType::kFloat64));
+  ASSERT_TRUE(narrow.ok() && wide.ok());
+  EXPECT_EQ(narrow->number_type, NumberType::kFloat32);
+  EXPECT_EQ(narrow->mesh.points[0], Point3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(wide->number_type, NumberType::kFloat64);
+  EXPECT_EQ(wide->mesh.points[0], Point3(0.1, 0.2, 0.3));
+  EXPECT_EQ(narrow->mesh.triangles, patch.triangles);
+}
+
+TEST(PlyAppendBinaryTest, WidensIndicesThatDoNotFit) {
+  std::string before =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 255\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 2\nproperty list uchar uchar vertex_indices\nend_header\n";
+  for (int i = 0; i < 255 * 3; ++i) before += Bytes(static_cast<float>(i), false);
+  before += std::string("\3\0\1\2", 4) + "\3\xfe\1\2";
+  const FilePatch patch = {{{0, 0, 0}, {1, 1, 1}}, {0, 0}, {{254, 255, 256}}};
+  const auto after = AppendPatch(MeshFormat::kPly, before, patch, "a.ply");
+  ASSERT_TRUE(after.ok()) << after.status();
+  const auto file = Parse(*after);
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{254, 1, 2}, Triangle{254, 255, 256}));
+  EXPECT_THAT(*after, HasSubstr("property list uchar int vertex_indices\nproperty uchar tilemend_filled\n"));
+}
+
+TEST(PlyAppendBinaryTest, WidensIndicesOfEverySmallTypeAmongOtherProperties) {
+  for (const std::string type : {"char", "short", "ushort"}) {
+    const int vertices = type == "char" ? 128 : type == "short" ? 32768 : 65536;
+    for (const bool big : {false, true}) {
+      std::string before = "ply\nformat binary_" + std::string(big ? "big" : "little") +
+                           "_endian 1.0\nelement vertex " + std::to_string(vertices) +
+                           "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                           "property list uchar short spare\nproperty list uchar " +
+                           type + " vertex_indices\nproperty double area\nend_header\n";
+      for (int i = 0; i < 3 * vertices; ++i) before += Bytes(static_cast<float>(i), big);
+      before += std::string("\1", 1) + Bytes(int16_t{-3}, big) + "\3";
+      for (const int corner : {2, 1, 0}) {
+        before += type == "char" ? std::string(1, static_cast<char>(corner)) : Bytes(static_cast<int16_t>(corner), big);
+      }
+      before += Bytes(0.5, big);
+      const auto after = AppendPatch(MeshFormat::kPly, before, {{{1, 2, 3}}, {-1}, {{0, 1, vertices}}}, "a.ply");
+      ASSERT_TRUE(after.ok()) << after.status();
+      const auto file = Parse(*after);
+      ASSERT_TRUE(file.ok()) << file.status();
+      EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{2, 1, 0}, Triangle{0, 1, vertices})) << type;
+      EXPECT_THAT(*after, HasSubstr(Bytes(int16_t{-3}, big) + "\3" + Bytes(int32_t{2}, big))) << type;
+    }
+  }
+}
+
+TEST(PlyAppendTextTest, CopiesTheListsOfTheVertexThatANewOneIsLike) {
+  const std::string before =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty list uchar int seen\nproperty double x\nproperty double y\n"
+      "property double z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 1 2 3 10\n2 -7 8 4 5 6 20\n1 9 7 8 9 30\n3 0 1 2\n";
+  const auto after = AppendPatch(MeshFormat::kPly, before, {{{0, 0, 1}, {0, 0, 2}}, {1, -1}, {}}, "a.ply");
+  ASSERT_TRUE(after.ok()) << after.status();
+  EXPECT_THAT(*after, HasSubstr("1 9 7 8 9 30\n2 -7 8 0 0 1 20\n0 0 0 2 0\n3 0 1 2 0\n"));
+}
+
+TEST(PlyAppendTextTest, RefusesABadPatch) {
+  const std::string file = std::string(kAsciiHeader) + "0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n0\n";
+  const auto message = [&file](const FilePatch& patch) {
+    return std::string(AppendPatch(MeshFormat::kPly, file, patch, "a.ply").status().message());
+  };
+  EXPECT_THAT(message({{{0, 0, 0}}, {}, {}}), HasSubstr("1 new points but 0 models"));
+  EXPECT_THAT(message({{{0, 0, 0}}, {3}, {}}), HasSubstr("no vertex 3 to be like"));
+  EXPECT_THAT(message({{}, {}, {{0, 1, 3}}}), HasSubstr("no vertex 3"));
+  EXPECT_THAT(message({{}, {}, {{0, 1, -1}}}), HasSubstr("no vertex -1"));
+  EXPECT_THAT(message({{{0, 0, std::nan("")}}, {0}, {}}), HasSubstr("coordinate nan"));
+}
+
+}  // namespace
+}  // namespace tilemend

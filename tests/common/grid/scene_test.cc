@@ -1,0 +1,59 @@
+#include "common/grid/scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "common/grid/scene_sources.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr char kScene[] = R"({"cell_size": 10, "cols": 1, "rows": 1, "tiles": [{"col": 0, "row": 0, "path": null}]})";
+
+TEST(SortTilesTest, GoesByRowThenColumn) {
+  std::vector<SceneTile> tiles = {{{1, 1}, "d"}, {{0, 1}, "c"}, {{1, 0}, "b"}, {{0, 0}, "a"}};
+  SortTiles(&tiles);
+  std::string order;
+  for (const SceneTile& tile : tiles) order += tile.path;
+  EXPECT_EQ(order, "abcd");
+}
+
+TEST(IsTileFormatTest, TakesPlyAndObjInAnyCase) {
+  for (const char* path : {"a.ply", "b/c.OBJ", "x.y.Ply"}) EXPECT_TRUE(IsTileFormat(path)) << path;
+  for (const char* path : {"", "ply", "a.off", "a.ply.gz", "obj/a"}) EXPECT_FALSE(IsTileFormat(path)) << path;
+}
+
+TEST(OutputPathTest, IsTheTilesOwnOrAfterItsCell) {
+  EXPECT_EQ(OutputPath({{3, -1}, "deep/a.obj"}), "deep/a.obj");
+  EXPECT_EQ(OutputPath({{3, -1}, ""}), "tiles/Tile_+003_-001.ply");
+}
+
+TEST(LoadSceneTest, TakesTheFolderOrItsFile) {
+  TemporaryFolder folder;
+  folder.Write("scene.json", kScene);
+  const auto by_folder = LoadScene(folder.path(), nullptr), by_file = LoadScene(folder / "scene.json", nullptr);
+  ASSERT_TRUE(by_folder.ok() && by_file.ok()) << by_folder.status() << by_file.status();
+  EXPECT_EQ(by_folder->root, folder.path());
+  EXPECT_EQ(by_file->root, folder.path());
+  EXPECT_EQ(SceneJson(*by_folder), SceneJson(*by_file));
+}
+
+TEST(LoadSceneTest, SaysWhatIsNoScene) {
+  TemporaryFolder folder;
+  const absl::Status none = LoadScene(folder / "none", nullptr).status();
+  EXPECT_EQ(none.code(), absl::StatusCode::kNotFound);
+  EXPECT_EQ(none.message(), folder / "none: no such scene");
+  const absl::Status mesh = LoadScene(folder.Write("a.ply", "ply"), nullptr).status();
+  EXPECT_EQ(mesh.code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(mesh.message()), HasSubstr("one mesh is for `tilemend fill`"));
+  EXPECT_FALSE(LoadScene(std::string(5000, 'x'), nullptr).ok());
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,105 @@
+#include "common/util/files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::vector<std::string> NamesIn(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
+class FilesTest : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+};
+
+TEST_F(FilesTest, ReadsBackWhatWasWritten) {
+  for (const std::string& content : {std::string(), std::string("a\0\r\n\xff", 5), std::string(3 << 20, 'x')}) {
+    for (const Sync sync : {Sync::kYes, Sync::kNo}) {
+      ASSERT_TRUE(WriteFileAtomically(folder_ / "file", content, sync).ok());
+      EXPECT_EQ(ReadFile(folder_ / "file").value(), content);
+    }
+  }
+  EXPECT_THAT(NamesIn(folder_.path()), ElementsAre("file")) << "nothing else is left behind";
+}
+
+TEST_F(FilesTest, MakesTheFoldersAbove) {
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "a/b/c", "x").ok());
+  EXPECT_EQ(ReadFile(folder_ / "a/b/c").value(), "x");
+}
+
+TEST_F(FilesTest, ReadingNamesTheFileAndTheReason) {
+  const auto status = [this](const std::string& name) { return ReadFile(folder_ / name).status(); };
+  folder_.Write("file", "x");
+  EXPECT_EQ(status("none").code(), absl::StatusCode::kNotFound);
+  EXPECT_THAT(std::string(status("none").message()), StartsWith(folder_ / "none: cannot open: "));
+  EXPECT_EQ(status("file/below").code(), absl::StatusCode::kNotFound);
+  EXPECT_EQ(status(".").code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(status(".").message()), HasSubstr("not a regular file"));
+  EXPECT_EQ(status(std::string(5000, 'x')).code(), absl::StatusCode::kInvalidArgument);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(status("pipe").code(), absl::StatusCode::kInvalidArgument) << "nobody writes to it: must not hang";
+  fs::create_symlink("loop", folder_ / "loop");
+  EXPECT_EQ(status("loop").code(), absl::StatusCode::kInvalidArgument);
+}
+
+TEST_F(FilesTest, WritingNamesTheFileAndLeavesNothing) {
+  folder_.Write("file", "kept");
+  fs::create_directory(folder_ / "folder");
+  EXPECT_EQ(WriteFileAtomically(folder_ / "file/below", "x").code(), absl::StatusCode::kInvalidArgument);
+  const absl::Status onto_folder = WriteFileAtomically(folder_ / "folder", "x");
+  EXPECT_EQ(onto_folder.code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(onto_folder.message()), StartsWith(folder_ / "folder: cannot rename into place: "));
+  EXPECT_EQ(WriteFileAtomically(folder_ / std::string(5000, 'x'), "x").code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(ReadFile(folder_ / "file").value(), "kept");
+  EXPECT_THAT(NamesIn(folder_.path()), testing::UnorderedElementsAre("file", "folder"));
+  EXPECT_TRUE(fs::is_empty(folder_ / "folder"));
+}
+
+TEST_F(FilesTest, WritesNowhereThatItMayNot) {
+  EXPECT_EQ(WriteFileAtomically("/proc/tilemend/x", "x").code(), absl::StatusCode::kPermissionDenied);
+  if (::geteuid() == 0) return;  // may write anywhere
+  fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_EQ(WriteFileAtomically(folder_ / "x", "x").code(), absl::StatusCode::kPermissionDenied);
+  fs::permissions(folder_.path(), fs::perms::owner_all);
+}
+
+TEST_F(FilesTest, AReaderSeesAWholeFileWhileManyWrite) {
+  const std::string path = folder_ / "file";
+  ASSERT_TRUE(WriteFileAtomically(path, std::string(1000, 'a'), Sync::kNo).ok());
+  std::vector<std::thread> writers;
+  for (const char c : {'a', 'b', 'c', 'd'}) {
+    writers.emplace_back([&path, c] {
+      for (int i = 0; i < 100; ++i) EXPECT_TRUE(WriteFileAtomically(path, std::string(1000, c), Sync::kNo).ok());
+    });
+  }
+  for (int i = 0; i < 200; ++i) {
+    const std::string content = ReadFile(path).value();
+    ASSERT_EQ(content, std::string(1000, content[0]));
+  }
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_THAT(NamesIn(folder_.path()), ElementsAre("file"));
+}
+
+}  // namespace
+}  // namespace tilemend
