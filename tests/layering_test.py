@@ -58,10 +58,11 @@ RULES = {
     'worker/fill/hole': rule(['common/mesh', 'common/records', 'worker/fill/region'], ['eigen']),
 
     'worker/fill/surface': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/hole'],
+        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'],
         ['eigen']),
 
-    'worker/fill/shape': rule(['common/mesh', 'common/mesh/triangulation', 'common/records'], ['eigen']),
+    'worker/fill/shape': rule(
+        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'], ['eigen']),
 
     'worker/fill/space': rule(['common/mesh'], ['eigen']),
 
@@ -76,7 +77,7 @@ RULES = {
          'worker/fill/shape', 'worker/fill/space', 'worker/fill/crease'],
         ['absl', 'eigen']),
 
-    'worker/assemble': rule(['common/records', 'common/codec'], []),
+    'worker/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
 
     'worker/service': rule(
         ['common/util', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',

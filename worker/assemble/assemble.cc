@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "common/mesh/vertex_lists.h"
+
 namespace tilemend {
 namespace {
 
@@ -46,19 +48,19 @@ class PatchMerger {
   void SpreadLikes() {
     const auto like = [&](int32_t v) { return v < tile_vertices_ ? v : result_.like[v - tile_vertices_]; };
     const std::vector<Triangle>& triangles = result_.triangles;
-    std::vector<int32_t> ring, first(result_.like.size() + 1, 0);  // first: per new vertex, in `at`
+    std::vector<int32_t> ring;  // triangles
     for (size_t t = 0; t < triangles.size(); ++t) {
       for (const int32_t v : triangles[t]) {
-        v >= tile_vertices_ ? void(++first[v - tile_vertices_ + 1]) : ring.push_back(static_cast<int32_t>(t));
+        if (v < tile_vertices_) ring.push_back(static_cast<int32_t>(t));
       }
     }
-    for (size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<int32_t> at(static_cast<size_t>(first.back())), next(first.begin(), first.end() - 1);
-    for (size_t t = 0; t < triangles.size(); ++t) {
-      for (const int32_t v : triangles[t]) {
-        if (v >= tile_vertices_) at[next[v - tile_vertices_]++] = static_cast<int32_t>(t);
+    const VertexLists around(result_.like.size(), [&](const auto& use) {
+      for (size_t t = 0; t < triangles.size(); ++t) {
+        for (const int32_t v : triangles[t]) {
+          if (v >= tile_vertices_) use(v - tile_vertices_, static_cast<int32_t>(t));
+        }
       }
-    }
+    });
     while (!ring.empty()) {
       std::vector<int32_t> next_ring;
       for (const int32_t t : ring) {
@@ -66,9 +68,9 @@ class PatchMerger {
         for (const int32_t v : triangles[t]) known = known < 0 ? like(v) : known;
         for (const int32_t v : triangles[t]) {
           if (like(v) >= 0) continue;
-          const int32_t k = v - tile_vertices_;
-          result_.like[k] = known;
-          next_ring.insert(next_ring.end(), at.begin() + first[k], at.begin() + first[k + 1]);
+          result_.like[v - tile_vertices_] = known;
+          const std::span<const int32_t> reached = around.Of(v - tile_vertices_);
+          next_ring.insert(next_ring.end(), reached.begin(), reached.end());
         }
       }
       ring = std::move(next_ring);

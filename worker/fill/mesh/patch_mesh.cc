@@ -3,6 +3,8 @@
 #include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
 
+#include "common/mesh/vertex_lists.h"
+
 namespace tilemend {
 namespace {
 
@@ -17,13 +19,121 @@ void SilenceOpenMesh() {
 
 bool HasRepeatedCorner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
+// Links a list of triangles at once: to add them one at a time takes OpenMesh three times as long, of which a fill of a
+// large patch would notice. Half-edge 4 t + k of the list runs from corner k of triangle t to the next.
+class Linker {
+ public:
+  using HalfedgeHandle = PatchMesh::HalfedgeHandle;
+  using VertexHandle = PatchMesh::VertexHandle;
+  using FaceHandle = PatchMesh::FaceHandle;
+
+  // Precondition: the mesh has vertices and nothing else. It must outlive the linker.
+  Linker(std::span<const Triangle> triangles, PatchMesh& mesh)
+      : triangles_(triangles), mesh_(mesh), leaving_(CornersAt(triangles, mesh.n_vertices())) {}
+
+  // False, with links that are worth nothing, if the triangles form no manifold.
+  bool Run() {
+    if (!NumberHalfEdges()) return false;
+    mesh_.resize(mesh_.n_vertices(), static_cast<size_t>(edges_), triangles_.size());
+    LinkTriangles();
+    for (const VertexHandle v : mesh_.all_vertices()) {
+      if (!LinkFans(v)) return false;
+    }
+    return true;
+  }
+
+ private:
+  static int32_t Next(int32_t h) { return (h & 3) == 2 ? h - 2 : h + 1; }
+  int32_t Origin(int32_t h) const { return triangles_[h >> 2][h & 3]; }
+  int32_t Target(int32_t h) const { return Origin(Next(h)); }
+
+  // The next one of the list: every fourth number stands for none.
+  static int32_t Following(int32_t h) { return (h & 3) == 2 ? h + 2 : h + 1; }
+
+  // One from one vertex to another, -1 if there is none, -2 if there are several.
+  int32_t Find(int32_t from, int32_t to) const {
+    int32_t found = -1;
+    for (const int32_t h : leaving_.Of(from)) {
+      if (Target(h) == to) found = found == -1 ? h : -2;
+    }
+    return found;
+  }
+
+  // Numbers the edges with their two sides. False if an edge has more or such as run the same way.
+  bool NumberHalfEdges() {
+    number_.assign(4 * triangles_.size(), -1);
+    const auto end = static_cast<int32_t>(number_.size());
+    for (int32_t h = 0; h < end; h = Following(h)) {
+      if (number_[h] >= 0) continue;
+      const int32_t from = Origin(h), to = Target(h), twin = Find(to, from);
+      if (from == to || twin == -2 || (twin == -1 && Find(from, to) != h)) return false;
+      if (twin >= 0 && number_[twin] >= 0) return false;
+      number_[h] = 2 * edges_++;
+      if (twin >= 0) number_[twin] = number_[h] + 1;
+    }
+    return true;
+  }
+
+  void LinkTriangles() {
+    const auto end = static_cast<int32_t>(number_.size());
+    for (int32_t h = 0; h < end; h = Following(h)) {
+      const HalfedgeHandle own(number_[h]), other = mesh_.opposite_halfedge_handle(own);
+      mesh_.set_vertex_handle(own, VertexHandle(Target(h)));
+      mesh_.set_vertex_handle(other, VertexHandle(Origin(h)));
+      mesh_.set_face_handle(own, FaceHandle(h >> 2));
+      mesh_.set_next_halfedge_handle(own, HalfedgeHandle(number_[Next(h)]));
+      mesh_.set_halfedge_handle(VertexHandle(Origin(h)), own);
+    }
+    for (int32_t h = 0; h < end; h += 4) mesh_.set_halfedge_handle(FaceHandle(h >> 2), HalfedgeHandle(number_[h]));
+  }
+
+  // Links the boundary from each open fan around a vertex to the next one. False if one of several fans is closed.
+  bool LinkFans(VertexHandle v) {
+    const std::span<const int32_t> leaving = leaving_.Of(v.idx());
+    size_t faces = 0;
+    fans_.clear();
+    for (const int32_t h : leaving) {
+      const HalfedgeHandle first(number_[h]), in = mesh_.opposite_halfedge_handle(first);
+      if (mesh_.is_boundary(in)) fans_.emplace_back(in, FanEnd(first, faces));
+    }
+    if (fans_.empty() && !leaving.empty()) FanEnd(HalfedgeHandle(number_[leaving[0]]), faces);
+    for (size_t i = 0; i < fans_.size(); ++i) {
+      mesh_.set_next_halfedge_handle(fans_[i].first, fans_[(i + 1) % fans_.size()].second);
+    }
+    if (!fans_.empty()) mesh_.set_halfedge_handle(v, fans_[0].second);
+    return faces == leaving.size();
+  }
+
+  // The half-edge at which the fan from `first` on ends: on the boundary, or `first` again.
+  HalfedgeHandle FanEnd(HalfedgeHandle first, size_t& faces) const {
+    HalfedgeHandle h = first;
+    do {
+      h = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(h));
+      ++faces;
+    } while (h != first && !mesh_.is_boundary(h));
+    return h;
+  }
+
+  std::span<const Triangle> triangles_;
+  PatchMesh& mesh_;
+  const VertexLists leaving_;    // half-edges by origin
+  std::vector<int32_t> number_;  // of each half-edge in the mesh
+  int32_t edges_ = 0;
+  std::vector<std::pair<HalfedgeHandle, HalfedgeHandle>> fans_;  // the boundary into each and out of it
+};
+
 }  // namespace
 
 PatchMesh::PatchMesh(std::span<const Point3> points, std::span<const Triangle> triangles) {
   SilenceOpenMesh();
-  // Euler: about three edges for two triangles; more where the boundary is long.
-  reserve(points.size(), triangles.size() + triangles.size() / 2 + points.size() / 4, triangles.size());
-  for (const Point3& p : points) add_vertex(Point(p.x(), p.y(), p.z()));
+  resize(points.size(), 0, 0);
+  for (size_t v = 0; v < points.size(); ++v) SetPosition(VertexHandle(static_cast<int>(v)), points[v]);
+  if (Linker(triangles, *this).Run()) {
+    added_ = static_cast<int32_t>(triangles.size());
+    return;
+  }
+  resize(points.size(), 0, 0);
+  for (const VertexHandle v : all_vertices()) set_isolated(v);
   AddTriangles(triangles);
 }
 

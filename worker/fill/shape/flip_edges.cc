@@ -1,19 +1,13 @@
 #include "worker/fill/shape/flip_edges.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "common/mesh/triangulation/delaunay.h"
+#include "common/mesh/triangle_shape.h"
+#include "worker/fill/mesh/patch_mesh.h"
 
 namespace tilemend {
 namespace {
-
-using internal::DelaunayMesh;
-using internal::MeshTriangle;
-using internal::Next;
-using internal::Previous;
 
 // Triangles of a shape below this are poor. A right triangle with equal legs has 0.87.
 constexpr double kPoorShape = 0.8;
@@ -21,107 +15,75 @@ constexpr double kPoorShape = 0.8;
 constexpr double kLeastGain = 1e-3;
 // A flip must not make a sharper edge than there was; this much is no matter (three degrees, from none).
 constexpr double kLargestCosineLoss = 1e-3;
-constexpr int32_t kWall = -1;
 
 class Flipper {
  public:
-  Flipper(const std::vector<Triangle>& triangles, std::span<const LatticePoint> plane, std::span<const Point3> points,
+  using HalfEdge = PatchMesh::HalfedgeHandle;
+  using Face = PatchMesh::FaceHandle;
+
+  Flipper(PatchMesh& mesh, std::span<const LatticePoint> plane, std::span<const Point3> points,
           std::span<const RegionSegment> walls, const std::function<bool(int32_t, int32_t)>& may_join)
-      : points_(points), may_join_(may_join) {
-    for (const LatticePoint& p : plane) mesh_.points.push_back(internal::Narrow(p));
+      : mesh_(mesh), plane_(plane), points_(points), may_join_(may_join) {
     for (const RegionSegment& s : walls) walls_.emplace_back(std::minmax(s.from, s.to));
     std::sort(walls_.begin(), walls_.end());
-    mesh_.triangles.reserve(triangles.size());
-    for (const Triangle& t : triangles) mesh_.triangles.push_back({t, 0, {kWall, kWall, kWall}, 0});
-    LinkTriangles();
   }
 
-  std::vector<Triangle> Run() {
-    const auto count = static_cast<int32_t>(mesh_.triangles.size());
-    for (int32_t t = 0; t < count; ++t) {
-      if (ShapeOf(t) < kPoorShape) FlipFrom(t);
+  void Run() {
+    for (const Face face : mesh_.all_faces()) {
+      if (ShapeOf(face) < kPoorShape) FlipFrom(face);
     }
-    std::vector<Triangle> result;
-    result.reserve(mesh_.triangles.size());
-    for (const MeshTriangle& t : mesh_.triangles) result.push_back(t.corner);
-    return result;
   }
 
  private:
-  // Finds the twin of each half-edge among those that leave its target.
-  void LinkTriangles() {
-    std::vector<int32_t> first(mesh_.points.size() + 1, 0);
-    const auto for_half_edges = [&](auto&& visit) {
-      const auto count = static_cast<int32_t>(mesh_.triangles.size());
-      for (int32_t t = 0; t < count; ++t) {
-        for (int32_t e = 4 * t; e < 4 * t + 3; ++e) visit(e);
-      }
-    };
-    for_half_edges([&](int32_t e) { ++first[static_cast<size_t>(mesh_.Origin(e)) + 1]; });
-    for (size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<int32_t> leaving(3 * mesh_.triangles.size());
-    std::vector<int32_t> next(first.begin(), first.end() - 1);
-    for_half_edges([&](int32_t e) { leaving[static_cast<size_t>(next[mesh_.Origin(e)]++)] = e; });
-    for_half_edges([&](int32_t e) {
-      for (int32_t i = first[mesh_.Target(e)]; i < first[mesh_.Target(e) + 1]; ++i) {
-        if (mesh_.Target(leaving[i]) == mesh_.Origin(e)) mesh_.triangles[e >> 2].twin[e & 3] = leaving[i];
-      }
-    });
-  }
+  double Shape(int32_t a, int32_t b, int32_t c) const { return TriangleShape(points_[a], points_[b], points_[c]); }
 
-  double Shape(int32_t a, int32_t b, int32_t c) const {
-    const Eigen::Vector3d ab = points_[b] - points_[a], ac = points_[c] - points_[a];
-    return 2 * std::sqrt(3.0) * ab.cross(ac).norm() / (ab.squaredNorm() + ac.squaredNorm() + (ac - ab).squaredNorm());
-  }
-
-  double ShapeOf(int32_t t) const {
-    const auto& [a, b, c] = mesh_.triangles[t].corner;
+  double ShapeOf(Face face) const {
+    const auto [a, b, c] = mesh_.Corners(face);
     return Shape(a, b, c);
   }
 
-  Eigen::Vector3d Normal(const Triangle& t) const {
-    return (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]).normalized();
+  double CosineBetween(const Triangle& s, const Triangle& t) const {
+    return TwiceVectorArea(points_, s).normalized().dot(TwiceVectorArea(points_, t).normalized());
   }
 
-  double CosineBetween(const Triangle& s, const Triangle& t) const { return Normal(s).dot(Normal(t)); }
+  bool Turns(int32_t a, int32_t b, int32_t c) const { return Orientation(plane_[a], plane_[b], plane_[c]) > 0; }
 
-  bool Turns(int32_t a, int32_t b, int32_t c) const {
-    return internal::Turn(mesh_.points[a], mesh_.points[b], mesh_.points[c]) > 0;
-  }
-
-  bool Gains(int32_t e) const {
-    const int32_t twin = mesh_.Twin(e);
-    if (twin < 0) return false;
-    const int32_t a = mesh_.Origin(e), b = mesh_.Target(e), p = mesh_.Apex(e), q = mesh_.Apex(twin);
+  bool Gains(HalfEdge e) const {
+    const HalfEdge twin = mesh_.opposite_halfedge_handle(e);
+    if (mesh_.is_boundary(twin)) return false;
+    const int32_t a = mesh_.to_vertex_handle(twin).idx(), b = mesh_.to_vertex_handle(e).idx();
+    const int32_t p = mesh_.Apex(e), q = mesh_.Apex(twin);
     if (!Turns(p, a, q) || !Turns(q, b, p)) return false;
-    const double before = std::min(ShapeOf(e >> 2), ShapeOf(twin >> 2));
+    const double before = std::min(ShapeOf(mesh_.face_handle(e)), ShapeOf(mesh_.face_handle(twin)));
     return std::min(Shape(p, a, q), Shape(q, b, p)) > before + kLeastGain &&
            CosineBetween({p, a, q}, {q, b, p}) >= CosineBetween({p, a, b}, {q, b, a}) - kLargestCosineLoss &&
            !std::binary_search(walls_.begin(), walls_.end(), std::pair<int32_t, int32_t>(std::minmax(a, b))) &&
-           may_join_(p, q);
+           may_join_(p, q) && mesh_.is_flip_ok(mesh_.edge_handle(e));
   }
 
   // Flips what gains around a triangle, then around what that changed.
-  void FlipFrom(int32_t first) {
+  void FlipFrom(Face first) {
     todo_.assign(1, first);
     while (!todo_.empty()) {
-      const int32_t t = todo_.back();
+      const Face face = todo_.back();
       todo_.pop_back();
-      for (int32_t e = 4 * t; e < 4 * t + 3; ++e) {
+      const HalfEdge start = mesh_.halfedge_handle(face);
+      for (const HalfEdge e : {mesh_.next_halfedge_handle(start), mesh_.prev_halfedge_handle(start), start}) {
         if (!Gains(e)) continue;
-        const int32_t u = mesh_.Twin(e) >> 2;
-        mesh_.Flip(e);
-        todo_.insert(todo_.end(), {t, u});
+        const Face other = mesh_.opposite_face_handle(e);
+        mesh_.FlipEdge(mesh_.edge_handle(e));
+        todo_.insert(todo_.end(), {face, other});
         break;
       }
     }
   }
 
-  DelaunayMesh mesh_;
+  PatchMesh& mesh_;
+  std::span<const LatticePoint> plane_;
   std::span<const Point3> points_;
   const std::function<bool(int32_t, int32_t)>& may_join_;
   std::vector<std::pair<int32_t, int32_t>> walls_;
-  std::vector<int32_t> todo_;
+  std::vector<Face> todo_;
 };
 
 }  // namespace
@@ -129,7 +91,9 @@ class Flipper {
 std::vector<Triangle> FlipForShape(const std::vector<Triangle>& triangles, std::span<const LatticePoint> plane,
                                    std::span<const Point3> points, std::span<const RegionSegment> walls,
                                    const std::function<bool(int32_t, int32_t)>& may_join) {
-  return Flipper(triangles, plane, points, walls, may_join).Run();
+  PatchMesh mesh(points.first(plane.size()), triangles);
+  Flipper(mesh, plane, points, walls, may_join).Run();
+  return mesh.Triangles();
 }
 
 }  // namespace tilemend

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
+
+#include "common/mesh/triangle_shape.h"
+#include "common/mesh/vertex_lists.h"
 
 namespace tilemend {
 namespace {
@@ -18,21 +20,16 @@ constexpr double kGoodShape = 0.7;
 // A move that gains less in the sum of shapes is not worth it, and could be a matter of rounding.
 constexpr double kLeastGain = 1e-3;
 
-double Shape(const Point3& a, const Point3& b, const Point3& c) {
-  const Eigen::Vector3d ab = b - a, ac = c - a;
-  return 2 * std::sqrt(3.0) * ab.cross(ac).norm() / (ab.squaredNorm() + ac.squaredNorm() + (ac - ab).squaredNorm());
-}
-
-Eigen::Vector3d Normal(const std::vector<Point3>& points, const Triangle& t) {
-  return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
-}
-
 class Smoother {
  public:
   Smoother(const std::vector<Triangle>& triangles, int32_t first_movable, const PlacePoint& place,
            std::vector<LatticePoint>& plane, std::vector<Point3>& points)
-      : triangles_(triangles), first_(first_movable), place_(place), plane_(plane), points_(points) {
-    ListStars();
+      : triangles_(triangles),
+        first_(first_movable),
+        place_(place),
+        plane_(plane),
+        points_(points),
+        corners_(CornersAt(triangles, plane.size())) {
     FindSlopes();
   }
 
@@ -46,23 +43,6 @@ class Smoother {
     double sum = 0;
   };
 
-  void ListStars() {
-    start_.assign(plane_.size() + 1, 0);
-    for (const Triangle& t : triangles_) {
-      for (const int32_t v : t) ++start_[static_cast<size_t>(v) + 1];
-    }
-    for (size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-    around_.resize(3 * triangles_.size());
-    std::vector<int32_t> next(start_.begin(), start_.end() - 1);
-    for (size_t t = 0; t < triangles_.size(); ++t) {
-      for (const int32_t v : triangles_[t]) around_[static_cast<size_t>(next[v]++)] = static_cast<int32_t>(t);
-    }
-  }
-
-  std::span<const int32_t> Around(int32_t v) const {
-    return {around_.begin() + start_[v], around_.begin() + start_[static_cast<size_t>(v) + 1]};
-  }
-
   void FindSlopes() {
     for (size_t v = 0; v < plane_.size(); ++v) slope_.push_back(SlopeAt(static_cast<int32_t>(v)));
   }
@@ -70,21 +50,21 @@ class Smoother {
   // The gradient of the sum of the normals around v.
   Point2 SlopeAt(int32_t v) const {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    for (const int32_t t : Around(v)) normal += Normal(points_, triangles_[t]);
+    for (const int32_t c : corners_.Of(v)) normal += TwiceVectorArea(points_, triangles_[c >> 2]);
     return normal.z() > 0 ? Point2(-normal.head<2>() / normal.z()) : Point2(0, 0);
   }
 
-  // The two corners of a triangle behind v.
-  std::pair<int32_t, int32_t> Behind(const Triangle& t, int32_t v) const {
-    const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    return {t[(k + 1) % 3], t[(k + 2) % 3]};
+  // The two corners of a corner's triangle behind it.
+  std::pair<int32_t, int32_t> Behind(int32_t corner) const {
+    const Triangle& t = triangles_[corner >> 2];
+    return {t[((corner & 3) + 1) % 3], t[((corner & 3) + 2) % 3]};
   }
 
   StarShape ShapeAt(int32_t v, const Point3& p) const {
     StarShape result;
-    for (const int32_t t : Around(v)) {
-      const auto [a, b] = Behind(triangles_[t], v);
-      const double shape = Shape(p, points_[a], points_[b]);
+    for (const int32_t c : corners_.Of(v)) {
+      const auto [a, b] = Behind(c);
+      const double shape = TriangleShape(p, points_[a], points_[b]);
       result.worst = std::min(result.worst, shape);
       result.sum += shape;
     }
@@ -92,20 +72,20 @@ class Smoother {
   }
 
   bool StaysUpright(int32_t v, const LatticePoint& p) const {
-    return std::all_of(Around(v).begin(), Around(v).end(), [&](int32_t t) {
-      const auto [a, b] = Behind(triangles_[t], v);
+    return std::ranges::all_of(corners_.Of(v), [&](int32_t c) {
+      const auto [a, b] = Behind(c);
       return Orientation(p, plane_[a], plane_[b]) > 0;
     });
   }
 
-  // Where the sum of shapes around v has no gradient, its denominators held fixed (as in internal_smoothing.cc), on the
+  // Where the sum of shapes around v has no gradient, its denominators held fixed (as in smooth_region.cc), on the
   // tangent plane; seen from above, relative to v.
   Point2 Pull(int32_t v) const {
     const Eigen::Vector3d normal = Eigen::Vector3d(-slope_[v].x(), -slope_[v].y(), 1).normalized();
     const Eigen::Vector3d e = Eigen::Vector3d(1, 0, slope_[v].x()).normalized(), f = normal.cross(e);
     double sum = 0, x = 0, y = 0;
-    for (const int32_t t : Around(v)) {
-      const auto [from, to] = Behind(triangles_[t], v);
+    for (const int32_t c : corners_.Of(v)) {
+      const auto [from, to] = Behind(c);
       const Eigen::Vector3d p = points_[from] - points_[v], q = points_[to] - points_[v];
       const double ax = p.dot(e), ay = p.dot(f), bx = q.dot(e), by = q.dot(f);
       const double squares = 2 * (ax * (ax - bx) + ay * (ay - by) + bx * bx + by * by);
@@ -120,12 +100,13 @@ class Smoother {
   // The height of the surface at a place near v.
   double HeightAt(int32_t v, const Point2& place) const {
     double best = -std::numeric_limits<double>::infinity(), height = points_[v].z();
-    for (const int32_t t : Around(v)) {
-      const std::array<double, 3> share = Shares(triangles_[t], place);
+    for (const int32_t c : corners_.Of(v)) {
+      const Triangle& t = triangles_[c >> 2];
+      const std::array<double, 3> share = Shares(t, place);
       const double least = *std::min_element(share.begin(), share.end());
       if (!(least > best)) continue;
       best = least;
-      height = HeightOn(triangles_[t], share, place);
+      height = HeightOn(t, share, place);
     }
     return height;
   }
@@ -178,7 +159,7 @@ class Smoother {
   const PlacePoint& place_;
   std::vector<LatticePoint>& plane_;
   std::vector<Point3>& points_;
-  std::vector<int32_t> start_, around_;  // the triangles around each point
+  const VertexLists corners_;
   std::vector<Point2> slope_;
 };
 
@@ -187,7 +168,7 @@ class Smoother {
 bool IsSteepPatch(const std::vector<Triangle>& triangles, const std::vector<Point3>& points) {
   double area = 0, slope2 = 0;
   for (const Triangle& t : triangles) {
-    const Eigen::Vector3d normal = Normal(points, t);
+    const Eigen::Vector3d normal = TwiceVectorArea(points, t);
     if (normal.z() <= 0) continue;
     area += normal.z();
     slope2 += normal.head<2>().squaredNorm() / normal.z();

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/mesh/triangulation/region_triangulation.h"
-#include "worker/fill/hole/edge_lists.h"
+#include "common/mesh/vertex_lists.h"
 
 namespace tilemend::internal {
 namespace {
@@ -25,11 +25,12 @@ constexpr double kReach = 1.4;
 constexpr double kDamping = 1e-3;
 
 // The edges of a patch that one triangle has, with the patch on the left.
-std::vector<RegionSegment> BoundaryOf(const std::vector<Triangle>& patch, const EdgeLists& edges) {
+std::vector<RegionSegment> BoundaryOf(const std::vector<Triangle>& patch, const VertexLists& edges) {
   std::vector<RegionSegment> boundary;
   for (const Triangle& t : patch) {
     for (int k = 0; k < 3; ++k) {
-      if (edges.Count(t[(k + 1) % 3], t[k]) == 0) boundary.push_back({t[k], t[(k + 1) % 3]});
+      const int32_t from = t[k], to = t[(k + 1) % 3];
+      if (std::ranges::find(edges.Of(to), from) == edges.Of(to).end()) boundary.push_back({from, to});
     }
   }
   return boundary;
@@ -51,7 +52,7 @@ class PlateCoarsener {
  public:
   explicit PlateCoarsener(const ThinPlateProblem& fine)
       : fine_(fine),
-        edges_(fine.patch, fine.points.size()),
+        edges_(EdgeEndsFrom(fine.patch, fine.points.size())),
         boundary_(BoundaryOf(fine.patch, edges_)),
         size_(fine.points.size(), 0),
         reached_(fine.points.size(), -1),
@@ -78,7 +79,7 @@ class PlateCoarsener {
     for (size_t head = 0; head < flood_.size(); ++head) {
       const int32_t u = flood_[head];
       use(u);
-      for (const int32_t next : edges_.From(u)) {
+      for (const int32_t next : edges_.Of(u)) {
         if (reached_[next] == v) continue;
         reached_[next] = v;
         if ((At(next) - At(v)).squaredNorm() < radius * radius) flood_.push_back(next);
@@ -102,14 +103,14 @@ class PlateCoarsener {
     const double mean = sum / static_cast<double>(boundary_.size());
     for (size_t v = 0; v < size_.size(); ++v) {
       const bool inside = count[v] == 0;
-      if (edges_.From(static_cast<int32_t>(v)).empty() || (inside && !fine_.known[v])) continue;
+      if (edges_.Of(static_cast<int32_t>(v)).empty() || (inside && !fine_.known[v])) continue;
       size_[v] = inside ? mean : size_[v] / count[v];
       order_.push_back(static_cast<int32_t>(v));
     }
     first_inner_ = order_.size();
     for (size_t head = 0; head < order_.size(); ++head) {
       const int32_t v = order_[head];
-      for (const int32_t to : edges_.From(v)) {
+      for (const int32_t to : edges_.Of(v)) {
         const double size = std::min(size_[v] + kSlope * (At(v) - At(to)).norm(), kLongest * mean);
         if (size_[to] == 0) order_.push_back(to);
         if (size_[to] == 0 || size < size_[to]) size_[to] = size;
@@ -190,13 +191,13 @@ class PlateCoarsener {
     PlateInterpolation& result = coarse_.interpolation;
     std::vector<Triangle> triangles = coarse_.problem.patch;
     triangles.insert(triangles.end(), coarse_.problem.band.begin(), coarse_.problem.band.end());
-    const EdgeLists edges(triangles, coarse_.problem.points.size());
+    const VertexLists edges = EdgeEndsFrom(triangles, coarse_.problem.points.size());
     for (size_t i = 0; i < chosen_.size(); ++i) {
       auto& patch = result.patches_[i];
       patch.first_neighbor = static_cast<int32_t>(result.neighbor_.size());
       Eigen::Matrix<double, 5, 5> normal = Eigen::Vector<double, 5>(0, 0, 1, 1, 1).asDiagonal() * kDamping;
-      Eigen::Matrix<double, 5, Eigen::Dynamic> right(5, edges.From(static_cast<int32_t>(i)).size());
-      for (const int32_t to : edges.From(static_cast<int32_t>(i))) {
+      Eigen::Matrix<double, 5, Eigen::Dynamic> right(5, edges.Of(static_cast<int32_t>(i)).size());
+      for (const int32_t to : edges.Of(static_cast<int32_t>(i))) {
         const Point2 d = (coarse_.problem.points[to].head<2>() - patch.centre) * patch.inverse_size;
         const auto terms = QuadraticTerms(d);
         auto column = right.col(static_cast<int32_t>(result.neighbor_.size()) - patch.first_neighbor);
@@ -212,7 +213,7 @@ class PlateCoarsener {
   }
 
   const ThinPlateProblem& fine_;
-  const EdgeLists edges_;  // of the patch: enough to reach every point of it from any other
+  const VertexLists edges_;  // of the patch: enough to reach every point of it from any other
   const std::vector<RegionSegment> boundary_;
   std::vector<double> size_;      // per fine point: the distance to the next coarse points that is wanted there
   std::vector<int32_t> order_;    // the points of the patch, from the boundary inward

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "worker/fill/mesh/patch_mesh.h"
+
 namespace tilemend {
 namespace {
 
@@ -13,44 +15,18 @@ namespace {
 constexpr double kLeastWeight = 1e-3;
 constexpr double kMostWeight = 1e3;
 
-// Neighbours of every vertex, sorted, without repeats.
-class Neighbours {
- public:
-  Neighbours(size_t vertices, std::span<const Triangle> triangles) : start_(vertices + 1, 0) {
-    std::vector<std::pair<int32_t, int32_t>> pairs;
-    pairs.reserve(triangles.size() * 6);
-    for (const Triangle& t : triangles) {
-      for (int k = 0; k < 3; ++k) {
-        pairs.emplace_back(t[k], t[(k + 1) % 3]);
-        pairs.emplace_back(t[(k + 1) % 3], t[k]);
-      }
-    }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    for (const auto& [a, b] : pairs) {
-      ++start_[a + 1];
-      items_.push_back(b);
-    }
-    for (size_t v = 0; v < vertices; ++v) start_[v + 1] += start_[v];
+// The neighbours and theirs, each once in rising order, without v.
+std::vector<int32_t> FirstAndSecondOf(const PatchMesh& mesh, PatchMesh::VertexHandle v) {
+  std::vector<int32_t> all;
+  for (const auto n : mesh.vv_range(v)) {
+    all.push_back(n.idx());
+    for (const auto second : mesh.vv_range(n)) all.push_back(second.idx());
   }
-  std::span<const int32_t> Of(int32_t v) const {
-    return {items_.data() + start_[v], static_cast<size_t>(start_[v + 1] - start_[v])};
-  }
-
-  // The neighbours and theirs, each once, without v.
-  std::vector<int32_t> FirstAndSecondOf(int32_t v) const {
-    std::vector<int32_t> all(Of(v).begin(), Of(v).end());
-    for (const int32_t n : Of(v)) all.insert(all.end(), Of(n).begin(), Of(n).end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    std::erase(all, v);
-    return all;
-  }
-
- private:
-  std::vector<int64_t> start_;
-  std::vector<int32_t> items_;
-};
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::erase(all, v.idx());
+  return all;
+}
 
 double PlanarDistance(const Point3& a, const Point3& b) { return std::max((a - b).head<2>().norm(), 1e-9); }
 
@@ -156,7 +132,7 @@ class UmbrellaBuilder {
 
 void AdjustHeights(FairingProblem& problem) {
   const int32_t end = problem.rim_count + problem.new_count;
-  const Neighbours neighbours(problem.points.size(), problem.patch);
+  const PatchMesh mesh(problem.points, problem.patch);
   std::vector<bool> placed(problem.points.size(), false);
   std::vector<int32_t> ring;
   for (int32_t v = 0; v < problem.rim_count; ++v) {
@@ -167,16 +143,16 @@ void AdjustHeights(FairingProblem& problem) {
     std::vector<int32_t> inner;
     std::vector<bool> waiting(static_cast<size_t>(end), false);
     for (const int32_t v : ring) {
-      for (const int32_t n : neighbours.Of(v)) {
-        if (placed[n] || waiting[n]) continue;
-        waiting[n] = true;
-        inner.push_back(n);
+      for (const auto n : mesh.vv_range(PatchMesh::VertexHandle(v))) {
+        if (placed[n.idx()] || waiting[n.idx()]) continue;
+        waiting[n.idx()] = true;
+        inner.push_back(n.idx());
       }
     }
     std::sort(inner.begin(), inner.end());
     for (const int32_t v : inner) {
       double sum = 0, weights = 0;
-      for (const int32_t n : neighbours.FirstAndSecondOf(v)) {
+      for (const int32_t n : FirstAndSecondOf(mesh, PatchMesh::VertexHandle(v))) {
         if (!placed[n]) continue;
         const double w = 1 / PlanarDistance(problem.points[v], problem.points[n]);
         sum += w * problem.points[n].z();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/mesh/vertex_lists.h"
+
 namespace tilemend::internal {
 namespace {
 
@@ -32,37 +34,29 @@ Element ElementOf(const Point3& a, const Point3& b, const Point3& c) {
   return e;
 }
 
-// The corners of all triangles by point: corner 3 t + k is corner k of triangle t, the patch's before the band's.
-struct Corners {
-  explicit Corners(const ThinPlateProblem& problem) : start(problem.points.size() + 1, 0) {
-    const auto each = [&](const auto& use) {
-      int32_t c = 0;
-      for (const auto* triangles : {&problem.patch, &problem.band}) {
-        for (const Triangle& t : *triangles) {
-          for (const int32_t v : t) use(v, c++);
-        }
+// The corners of all triangles at each point: corner 4 t + k is corner k of triangle t, the patch's before the band's.
+VertexLists CornersOf(const ThinPlateProblem& problem) {
+  return VertexLists(problem.points.size(), [&](const auto& use) {
+    int32_t corner = 0;
+    for (const auto* triangles : {&problem.patch, &problem.band}) {
+      for (const Triangle& t : *triangles) {
+        for (int k = 0; k < 3; ++k) use(t[k], corner + k);
+        corner += 4;
       }
-    };
-    each([&](int32_t v, int32_t) { ++start[v + 1]; });
-    for (size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-    corner.resize(start.back());
-    std::vector<int32_t> next(start.begin(), start.end() - 1);
-    each([&](int32_t v, int32_t c) { corner[next[v]++] = c; });
-  }
-
-  std::vector<int32_t> start, corner;
-};
+    }
+  });
+}
 
 // Collects the points that v is joined with, twice where two triangles have the edge, each time with half a cotangent.
 // Returns the mass at v.
-double CollectRow(const ThinPlateProblem& problem, const Corners& corners, int32_t v,
+double CollectRow(const ThinPlateProblem& problem, const VertexLists& corners, int32_t v,
                   std::vector<std::pair<int32_t, double>>& row) {
-  const auto patch_corners = static_cast<int32_t>(3 * problem.patch.size());
+  const auto patch_count = static_cast<int32_t>(problem.patch.size());
   double mass = 0;
   row.clear();
-  for (int32_t i = corners.start[v]; i < corners.start[v + 1]; ++i) {
-    const int32_t c = corners.corner[i], k = c % 3, next = (k + 1) % 3, last = (k + 2) % 3;
-    const Triangle& t = c < patch_corners ? problem.patch[c / 3] : problem.band[(c - patch_corners) / 3];
+  for (const int32_t c : corners.Of(v)) {
+    const int32_t number = c >> 2, next = ((c & 3) + 1) % 3, last = ((c & 3) + 2) % 3;
+    const Triangle& t = number < patch_count ? problem.patch[number] : problem.band[number - patch_count];
     const Element e = ElementOf(problem.points[t[0]], problem.points[t[1]], problem.points[t[2]]);
     mass += e.area / 3;
     row.emplace_back(t[next], e.half_cotangent[last]);
@@ -79,7 +73,7 @@ PlateEquations::PlateEquations(const ThinPlateProblem& problem, bool bends, doub
   const auto count = static_cast<int32_t>(problem.points.size());
   diagonal_ = inverse_mass_ = given_ = Eigen::VectorXd::Zero(count);
   start_.assign(1, 0);
-  const Corners corners(problem);
+  const VertexLists corners = CornersOf(problem);
   std::vector<std::pair<int32_t, double>> row;
   for (int32_t v = 0; v < count; ++v) {
     const bool equation = bends && problem.has_equation[v];

@@ -24,6 +24,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
+using ::testing::UnorderedElementsAreArray;
 
 using Triangles = std::vector<Triangle>;
 using VertexHandle = PatchMesh::VertexHandle;
@@ -215,6 +216,22 @@ TEST(PatchMeshTest, TakesTheBandAfterThePatch) {
   mesh.AddTriangles(Triangles{{1, 0, 3}, {0, 1, 4}, {2, 1, 5}});
   EXPECT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{2, Refusal::kEdge}));
   EXPECT_EQ(mesh.Apex(mesh.HalfEdge(2, 1)), 5);
+}
+
+TEST(PatchMeshTest, IsLinkedTheSameAtOnceAndTriangleByTriangle) {
+  Triangles triangles = Grid(7, 5);
+  std::erase_if(triangles, [](const Triangle& t) { return t[0] == 9 || t[0] == 18 || t[1] == 29; });  // pinches some
+  const PatchMesh at_once = MeshOf(48, triangles);
+  PatchMesh one_by_one = MeshOf(48, {});
+  for (const Triangle& t : triangles) one_by_one.AddTriangles(std::span(&t, 1));
+  EXPECT_EQ(FaultsOf(at_once), "");
+  EXPECT_EQ(at_once.n_edges(), one_by_one.n_edges());
+  EXPECT_EQ(at_once.Triangles(), one_by_one.Triangles());
+  EXPECT_EQ(at_once.BoundaryEdges(), one_by_one.BoundaryEdges());
+  for (int v = 0; v < 48; ++v) {
+    EXPECT_THAT(Neighbours(at_once, v), UnorderedElementsAreArray(Neighbours(one_by_one, v)));
+    EXPECT_EQ(FacesAround(at_once, v), FacesAround(one_by_one, v));
+  }
 }
 
 TEST(PatchMeshTest, PutsTheNewCornerWhereTheOldOneWas) {
