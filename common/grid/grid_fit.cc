@@ -118,9 +118,8 @@ double ShareInside(const PlacedTile& tile, const Grid& grid, int axis) {
 absl::Status CheckTile(const PlacedTile& tile, const Grid& grid) {
   if (ShareInside(tile, grid, 0) * ShareInside(tile, grid, 1) >= 0.5) return absl::OkStatus();
   return absl::InvalidArgumentError(
-      absl::StrFormat("%s: lies mostly outside cell %s of the grid that the other tiles tell (cell size %g x %g, "
-                      "corner %g, %g): its bounds "
-                      "are x %.3f to %.3f, y %.3f to %.3f",
+      absl::StrFormat("%s: lies mostly outside cell %s of the grid that was found from the other tiles (cell size %g x "
+                      "%g, corner %g, %g): its bounds are x %.3f to %.3f, y %.3f to %.3f",
                       tile.name, ToString(tile.cell), grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(),
                       grid.corner.y(), Low(tile, 0), High(tile, 0), Low(tile, 1), High(tile, 1)));
 }

@@ -192,7 +192,7 @@ void ShiftToZero(Scene* scene) {
   for (SceneTile& tile : scene->tiles) tile.cell = {tile.cell.col - least.col, tile.cell.row - least.row};
   scene->grid.corner += scene->grid.cell_size.cwiseProduct(Point2(least.col, least.row));
   scene->warnings.push_back(
-      absl::StrCat("the tiles' names have negative indices: cell ", ToString(least), " is numbered +000_+000 here"));
+      absl::StrCat("the tiles' names have negative indices; cell ", ToString(least), " is numbered +000_+000 here"));
 }
 
 void SetExtent(Scene* scene) {
@@ -215,8 +215,7 @@ std::string GridWarning(const Scene& scene) {
   const Grid& grid = scene.grid;
   return absl::StrFormat(
       "%s: no scene.json; from the names and bounds of %d tiles: cell size %.10g x %.10g, grid corner %.10g, %.10g; "
-      "the area "
-      "is taken as these cells and its rim stays open",
+      "the area is not known, so holes that reach the rim of these cells are left",
       scene.root, scene.tiles.size(), grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(), grid.corner.y());
 }
 

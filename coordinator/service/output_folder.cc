@@ -80,9 +80,10 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
   if (empty) return absl::OkStatus();  // or not there, or a path that cannot be: that shows when it is made
   const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
   if (marker.ok() && *marker == key) return absl::OkStatus();
-  return absl::AlreadyExistsError(absl::StrCat(
-      path, ": is there already", marker.ok() ? ", unfinished, of a job with another scene or other options" : "",
-      "; choose another --out, or give --overwrite to replace the files that the job writes"));
+  return absl::AlreadyExistsError(
+      absl::StrCat(path, ": exists already",
+                   marker.ok() ? ", an unfinished output of a job with another scene or other options" : "",
+                   "; choose another --out, or give --overwrite to replace the files that the job writes"));
 }
 
 absl::Status CheckFolder(const std::string& path) {
