@@ -1,4 +1,4 @@
-// The coordinator's mind: jobs, their tasks and the workers that hold them, changed by events alone.
+// The coordinator's state: jobs, their tasks and the workers that hold them, changed by events alone.
 //
 // Guarantees
 //  - Execution at least once, commit exactly once: a result counts only if it carries the token of the task's present

@@ -1,4 +1,4 @@
-// Everything that can happen to the coordinator's mind. An event carries every decision and the time, so that the same
+// Everything that can happen to the coordinator's state. An event carries every decision and the time, so that the same
 // events give the same state.
 #ifndef TILEMEND_COORDINATOR_STATE_EVENT_H_
 #define TILEMEND_COORDINATOR_STATE_EVENT_H_

@@ -1,4 +1,4 @@
-// Plain records of the coordinator's mind: jobs, tasks, workers.
+// Plain records of the coordinator's state: jobs, tasks, workers.
 #ifndef TILEMEND_COORDINATOR_STATE_JOB_H_
 #define TILEMEND_COORDINATOR_STATE_JOB_H_
 
