@@ -12,11 +12,6 @@
 namespace tilemend {
 namespace {
 
-// Rounding a height by half a step tilts a triangle of this many steps by less than half a degree.
-constexpr double kLeastSizeInSteps = 64;
-// Of the length of an edge: the least size at its ends. A mean of two edges is below it if one is five times the other.
-constexpr double kShareOfLongEdge = 0.6;
-
 uint64_t EdgeKey(int32_t from, int32_t to) {
   return static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32 | static_cast<uint32_t>(to);
 }
@@ -40,7 +35,7 @@ void CollectEdges(const PlanInput& input, bool weld_tiles, Rim& rim) {
       }
       number.push_back(n);
     }
-    for (const BoundaryEdge& e : record->edges) rim.edges.push_back({number[e.from], number[e.to], cell, cell});
+    for (const BoundaryEdge& e : record->edges) rim.edges.push_back({number[e.from], number[e.to], cell});
   }
 }
 
@@ -182,45 +177,10 @@ Rim BuildRim(const PlanInput& input, bool weld_tiles) {
   return rim;
 }
 
-namespace {
-
-// The least size at the end of an edge, by that at its beginning.
-double LeastSizeBehind(const Rim& rim, const RimEdge& e, double before) {
-  const double length = (rim.points[e.to].position - rim.points[e.from].position).norm();
-  return std::max(kShareOfLongEdge * length, before - length);
-}
-
-}  // namespace
-
-void RaiseSmallSizes(double lattice_step, Rim& rim) {
-  double sum = 0;
-  int64_t count = 0;
-  for (const RimPoint& p : rim.points) {
-    sum += p.size;
-    if (p.size > 0) ++count;
-  }
-  if (count == 0) return;
-  const double least = std::min(kLeastSizeInSteps * lattice_step, sum / static_cast<double>(count) / 2);
-  for (RimPoint& p : rim.points) p.size = std::max(p.size, least);
-}
-
-void RaiseSizesAtShortEdges(Rim& rim) {
-  for (const std::vector<int32_t>& loop : rim.loops) {
-    const size_t n = loop.size();
-    // Twice around, so that the first edges know the last ones; then the other way.
-    double least = 0;
-    for (size_t i = 0; i < 2 * n; ++i) {
-      const RimEdge& e = rim.edges[loop[i % n]];
-      least = LeastSizeBehind(rim, e, least);
-      rim.points[e.to].size = std::max(rim.points[e.to].size, least);
-    }
-    least = 0;
-    for (size_t i = 2 * n; i-- > 0;) {
-      const RimEdge& e = rim.edges[loop[i % n]];
-      least = LeastSizeBehind(rim, e, least);
-      rim.points[e.from].size = std::max(rim.points[e.from].size, least);
-    }
-  }
+std::vector<RimSegment> Reversed(const Rim& rim, std::span<const int32_t> edges) {
+  std::vector<RimSegment> segments;
+  for (auto e = edges.rbegin(); e != edges.rend(); ++e) segments.push_back({rim.edges[*e].to, rim.edges[*e].from});
+  return segments;
 }
 
 }  // namespace tilemend

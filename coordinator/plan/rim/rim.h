@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,6 @@ struct RimPoint {
 struct RimEdge {
   int32_t from = 0, to = 0;  // points; surface on the left
   CellId owner;              // whose triangle it bounds
-  CellId label;              // the cell that closes on it; a square outside the area: nobody
 };
 
 struct Rim {
@@ -37,18 +37,12 @@ struct Rim {
 
 // Puts the tiles together: matches boundary edges of different tiles at equal positions (`weld_tiles`), drops the
 // matched ones, and links the others to loops. Where several holes touch at a vertex each loop turns back into its own
-// hole (Zhang 2022, 3.3).
+// hole (Zhang 2022, 3.3). Cost linear in the boundary edges, but for the maps.
 Rim BuildRim(const PlanInput& input, bool weld_tiles);
 
-// New vertices lie on a lattice of `lattice_step` metres: triangles of a few steps would be bent by rounding. Raises
-// sizes below 64 steps to that, or to half the mean size of the points on edges if this is less. (Clipped tiles have
-// slivers along their borders, with edges far below a millimetre.)
-void RaiseSmallSizes(double lattice_step, Rim& rim);
-
-// Raises sizes at short runs of short edges between long ones, to 0.6 of a long edge's length less the way from it
-// along the loop. A short edge between long ones makes one triangle poor, whatever is done; triangles of its size
-// around it would make those on the long edges poor as well, and many of them.
-void RaiseSizesAtShortEdges(Rim& rim);
+// Edges in a row as boundary segments of the hole, in the order of a walk that has it on the left (an edge has it on
+// the right).
+std::vector<RimSegment> Reversed(const Rim& rim, std::span<const int32_t> edges);
 
 }  // namespace tilemend
 

@@ -108,6 +108,14 @@ std::vector<int32_t> RimIndex::EdgesIn(const Point2& lo, const Point2& hi) const
   return found;
 }
 
+int32_t RimIndex::EdgeBetween(int32_t a, int32_t b) const {
+  for (const int32_t i : EdgesIn(At(a).cwiseMin(At(b)), At(a).cwiseMax(At(b)))) {
+    const RimEdge& e = rim_.edges[i];
+    if ((e.from == a && e.to == b) || (e.from == b && e.to == a)) return i;
+  }
+  return -1;
+}
+
 bool RimIndex::LeavesIntoHole(int32_t point, const Point2& direction) const {
   const auto angle = [](const Point2& d) { return std::atan2(d.y(), d.x()); };
   const auto turn = [](double a) { return a <= 0 ? a + 2 * std::numbers::pi : a; };

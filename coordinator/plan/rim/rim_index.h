@@ -19,6 +19,9 @@ class RimIndex {
   // Edges that may touch the box [lo, hi] (a superset), each once, ascending.
   std::vector<int32_t> EdgesIn(const Point2& lo, const Point2& hi) const;
 
+  // The edge between two points, either way round; -1 if there is none. Of several the first.
+  int32_t EdgeBetween(int32_t a, int32_t b) const;
+
   // Whether the open segment between p and q stays inside the hole: it meets no rim edge, and leaves from rim points
   // into a hole's corner. `p_point` and `q_point` are the rim points at the ends, or -1.
   bool IsFree(const Point2& p, int32_t p_point, const Point2& q, int32_t q_point) const;

@@ -2,39 +2,42 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_LAYOUT_H_
 #define TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_LAYOUT_H_
 
-#include <set>
-#include <string>
+#include <cstdint>
 #include <vector>
 
-#include "coordinator/plan/rim/grid_lines.h"
-#include "coordinator/plan/rim/rim.h"
-#include "coordinator/plan/rim/rim_index.h"
+#include "coordinator/plan/rim/closing_cells.h"
+#include "coordinator/plan/seam/seam_site.h"
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
 
+// Seams take rim vertices close beside them, or keep to the line where they can.
+enum class SeamsOverRim { kYes, kNo };
+
+// A new vertex on a seam.
+struct SeamVertex {
+  Point2 position;
+  double size = 0;      // wanted edge length, metres
+  uint8_t lines = 0;    // as RimVertex::lines
+  int32_t beside = -1;  // the rim point a hair beside it, of which it takes the height; -1: none
+};
+
 struct SeamLayout {
-  // New vertices; vertex k of the layout has number rim.points.size() + k in Seam::vertices.
-  std::vector<Point2> vertices;
-  std::vector<double> sizes;
-  std::vector<uint8_t> lines;   // as RimVertex::lines
-  std::vector<int32_t> beside;  // the rim point a hair beside it, of which it takes the height; -1: none
+  std::vector<SeamVertex> vertices;  // vertex k has number rim.points.size() + k in Seam::vertices
   std::vector<Seam> seams;
   // Stretches that could not be laid: the holes of these cells there cannot be bounded.
   std::vector<LeftOpen> failures;
   std::vector<Point2> trouble;  // the junctions there
 };
 
-// Lays a seam on every stretch of grid line inside a hole, between the cells of `area` and between them and the
-// outside.
+// Lays a seam on every stretch of grid line inside a hole, between the cells of the area and between them and the
+// outside. Loops that `left_out` (by loop) names take no part.
 //
-// A stretch runs from junction to junction (where RimEdge::label changes along a loop) or to a grid corner that lies in
-// the hole. Its vertices lie on the line, as far apart as the triangles there will be large (PlanOptions); where the
-// straight way would meet the rim it bends over rim points (Wang 3.3, closure cases 1 to 3: on a ragged cut a stretch
-// begins and ends off the line). At the rim of the area, where a seam must keep to the line, it has a vertex beside
-// each rim point that lies within kOnLine of it: a straight edge there would be the base of upright hairline triangles.
-SeamLayout LaySeams(const std::set<CellId>& area, const CutLines& lines, const Rim& rim, const RimIndex& index,
-                    const PlanOptions& options, double lattice_step);
+// A stretch runs from junction to junction (junctions.h) or to a grid corner that lies in the hole. Its vertices lie on
+// the line (seam_vertices.h); where the straight way would meet the rim it bends over rim points (Wang 2021, 3.3,
+// closure cases 1 to 3: on a ragged cut a stretch begins and ends off the line). Deterministic.
+SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, const std::vector<bool>& left_out,
+                    SeamsOverRim over_rim);
 
 }  // namespace tilemend
 

@@ -84,15 +84,7 @@ class PathFinder {
 
   int32_t RimPointOf(int32_t v) const { return v < points_ ? v : -1; }
 
-  bool IsRimEdge(int32_t a, int32_t b) const {
-    if (a >= points_ || b >= points_) return false;
-    const Point2 p = position_(a), q = position_(b);
-    for (const int32_t i : index_.EdgesIn(p.cwiseMin(q), p.cwiseMax(q))) {
-      const RimEdge& e = rim_.edges[i];
-      if ((e.from == a && e.to == b) || (e.from == b && e.to == a)) return true;
-    }
-    return false;
-  }
+  bool IsRimEdge(int32_t a, int32_t b) const { return a < points_ && b < points_ && index_.EdgeBetween(a, b) >= 0; }
 
   bool Joined(int32_t a, int32_t b) const {
     return index_.IsFree(position_(a), RimPointOf(a), position_(b), RimPointOf(b)) || IsRimEdge(a, b);

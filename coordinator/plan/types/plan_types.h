@@ -30,7 +30,6 @@ struct PlanOptions {
   double size_limit = 16.0;
   bool uniform = false;
   WaterOptions water;
-  bool seams_over_rim = true;  // seams take rim vertices close beside them
 };
 
 struct PlanInput {
@@ -40,7 +39,7 @@ struct PlanInput {
   std::map<CellId, const SurveyRecord*> cells;  // the area; null: no surface
 };
 
-// How the tiles of two neighbouring cells meet (design, "two kinds of input cut").
+// How the tiles of two neighbouring cells meet (docs/architecture.md, "Two kinds of cut").
 enum class BorderKind { kExact, kNear, kOverlap, kGap, kOpen };  // kOpen: one or both have no surface there
 
 struct BorderAudit {

@@ -26,7 +26,7 @@ Rim HoleBelow(const std::vector<Point2>& north) {
     rim.points.emplace_back();
     rim.points.back().position << way[static_cast<size_t>(i)], 0;
     rim.points.back().size = 1;
-    rim.edges.push_back({i, (i + 1) % n, {}, {}});
+    rim.edges.push_back({i, (i + 1) % n, {}});
     rim.loops[0].push_back(i);
   }
   return rim;

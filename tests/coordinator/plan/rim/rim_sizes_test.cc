@@ -1,4 +1,4 @@
-#include "coordinator/plan/rim/rim.h"
+#include "coordinator/plan/rim/rim_sizes.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ Rim RunOfEdges(const std::vector<double>& lengths) {
     rim.points.back().position = Point3(x, 0, 0);
     rim.points.back().size = (lengths[i > 0 ? i - 1 : 0] + lengths[i < n ? i : n - 1]) / 2;
     if (i == n) break;
-    rim.edges.push_back({static_cast<int32_t>(i), static_cast<int32_t>(i) + 1, {}, {}});
+    rim.edges.push_back({static_cast<int32_t>(i), static_cast<int32_t>(i) + 1, {}});
     rim.loops[0].push_back(static_cast<int32_t>(i));
     x += lengths[i];
   }

@@ -1,0 +1,182 @@
+#include "coordinator/plan/division.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "coordinator/plan/hole/hole_regions.h"
+#include "coordinator/plan/hole/sort_boundary.h"
+#include "coordinator/plan/pieces/open_runs.h"
+#include "coordinator/plan/pieces/outline_chains.h"
+#include "coordinator/plan/pieces/piece_borders.h"
+#include "coordinator/plan/rim/rim_index.h"
+#include "coordinator/plan/seam/seams_along_rim.h"
+
+namespace tilemend {
+namespace {
+
+// Readings of a ragged cut that are tried.
+constexpr int kAttempts = 4;
+
+class Divider {
+ public:
+  explicit Divider(const Part& part) : part_(part), index_(part.rim) {
+    for (const auto& [cell, record] : part.input.cells) area_.insert(cell);
+  }
+
+  Division DivideScene(const ClosingCells& closing) const {
+    SeamsOverRim over_rim = SeamsOverRim::kYes;
+    Division division = Divide(closing, over_rim);
+    // Seams that take rim vertices beside them may cede the last of a hole.
+    if (CountFailures(division) > 0) {
+      Division on_lines = Divide(closing, SeamsOverRim::kNo);
+      if (CountFailures(on_lines) < CountFailures(division)) {
+        division = std::move(on_lines);
+        over_rim = SeamsOverRim::kNo;
+      }
+    }
+    return part_.lines.clipped ? division : TryOtherReadings(std::move(division), over_rim);
+  }
+
+  Division DivideTile(const ClosingCells& closing) const {
+    const std::vector<std::vector<int32_t>>& loops = part_.rim.loops;
+    const std::vector<double> piece_border = FindPieceBorders(part_.rim, index_, closing, part_.lines.piece_reach);
+    std::vector<bool> chained;
+    for (const std::vector<int32_t>& loop : loops) {
+      chained.push_back(std::any_of(loop.begin(), loop.end(), [&](int32_t e) { return piece_border[e] >= 0; }));
+    }
+    SeamLayout seams = LaySeams(Site(), closing, chained, SeamsOverRim::kYes);
+    if (!seams.failures.empty()) {
+      for (size_t l = 0; l < loops.size(); ++l) {
+        if (chained[l] || !ReachesOutline(loops[l], closing)) continue;
+        chained[l] = CloseChains(loops[l], part_.rim, part_.lines, closing, piece_border).open_runs.empty();
+      }
+      seams = LaySeams(Site(), closing, chained, SeamsOverRim::kYes);
+    }
+    return FindHolesOfTile(closing, chained, piece_border, std::move(seams));
+  }
+
+ private:
+  SeamSite Site() const { return {area_, part_.lines, part_.rim, index_, part_.options, part_.lattice_step}; }
+
+  Division Divide(ClosingCells closing, SeamsOverRim over_rim) const {
+    const std::vector<bool> none(part_.rim.loops.size(), false);
+    Division division;
+    division.seams = LaySeams(Site(), closing, none, over_rim);
+    CloseAlongSeams(Site(), division.seams.seams, closing);
+    CellBoundaries boundaries;
+    for (const auto& loop : part_.rim.loops) AddLoop(part_.input, part_.lines, part_.rim, closing, loop, boundaries);
+    FindHolesOfCells(boundaries, division);
+    return division;
+  }
+
+  // The zigzag of a border can be read in more than one way, and the reading of the closing cells may bound no regions
+  // near grid corners. There, edges go back to their owners, ever farther around.
+  Division TryOtherReadings(Division first, SeamsOverRim over_rim) const {
+    std::vector<Point2> trouble = TroubleOf(first);
+    if (trouble.empty()) return first;
+    ClosingCells closing = FindClosingCells(part_.input, part_.lines, part_.rim);
+    Division best = first, last = std::move(first);
+    for (int attempt = 1; attempt <= kAttempts && !trouble.empty(); ++attempt) {
+      GiveBackNear(part_.input, part_.rim, trouble, 2 * attempt * index_.mean_size(), closing);
+      last = Divide(closing, over_rim);
+      trouble = TroubleOf(last);
+      if (CountFailures(last) < CountFailures(best)) best = last;
+    }
+    return CountFailures(last) == CountFailures(best) ? last : best;
+  }
+
+  static size_t CountFailures(const Division& division) {
+    size_t count = 0;
+    for (const auto& [cell, found] : division.holes) {
+      for (const PlannedHole& hole : found.holes) count += !hole.failure.empty();
+    }
+    return count;
+  }
+
+  // Where seams could not be laid, or end on the boundary of a hole that failed.
+  std::vector<Point2> TroubleOf(const Division& division) const {
+    std::vector<Point2> points = division.seams.trouble;
+    for (const auto& [cell, found] : division.holes) {
+      for (const PlannedHole& hole : found.holes) {
+        if (!hole.failure.empty()) AddSeamEnds(hole, points);
+      }
+    }
+    return points;
+  }
+
+  void AddSeamEnds(const PlannedHole& hole, std::vector<Point2>& points) const {
+    for (const RimSegment& s : hole.segments) {
+      if (!s.seam) continue;
+      for (const int32_t v : {s.from, s.to}) {
+        if (v < std::ssize(part_.rim.points)) points.emplace_back(part_.rim.points[v].position.head<2>());
+      }
+    }
+  }
+
+  bool ReachesOutline(const std::vector<int32_t>& loop, const ClosingCells& closing) const {
+    return std::any_of(loop.begin(), loop.end(), [&](int32_t e) { return closing[e] != part_.rim.edges[e].owner; });
+  }
+
+  Division FindHolesOfTile(ClosingCells closing, const std::vector<bool>& chained,
+                           const std::vector<double>& piece_border, SeamLayout seams) const {
+    Division division;
+    division.seams = std::move(seams);
+    CloseAlongSeams(Site(), division.seams.seams, closing);
+    CellBoundaries boundaries;
+    std::vector<std::vector<int32_t>> open_runs;
+    std::vector<LeftOpen> left;
+    for (size_t l = 0; l < chained.size(); ++l) {
+      const std::vector<int32_t>& loop = part_.rim.loops[l];
+      if (!chained[l]) {
+        AddLoop(part_.input, part_.lines, part_.rim, closing, loop, boundaries);
+        continue;
+      }
+      OutlineChains chains = CloseChains(loop, part_.rim, part_.lines, closing, piece_border);
+      AddClosed(loop, chains.loops, boundaries);
+      left.insert(left.end(), chains.left.begin(), chains.left.end());
+      open_runs.insert(open_runs.end(), chains.open_runs.begin(), chains.open_runs.end());
+    }
+    LinkedRuns linked = LinkRuns(open_runs, part_.rim, part_.lines);
+    if (!linked.loops.empty()) AddClosed(open_runs[0], linked.loops, boundaries);
+    division.left = std::move(linked.left);
+    division.left.insert(division.left.end(), left.begin(), left.end());
+    FindHolesOfCells(boundaries, division);
+    return division;
+  }
+
+  // Adds loops made of a tile's own edges, as those in `edges` are.
+  void AddClosed(const std::vector<int32_t>& edges, const std::vector<std::vector<RimSegment>>& loops,
+                 CellBoundaries& boundaries) const {
+    auto& closed = boundaries[part_.rim.edges[edges[0]].owner].closed_loops;
+    closed.insert(closed.end(), loops.begin(), loops.end());
+  }
+
+  void FindHolesOfCells(CellBoundaries& boundaries, Division& division) const {
+    for (const Seam& seam : division.seams.seams) AddSeam(part_.input, part_.rim, index_, seam, boundaries);
+    std::vector<Point3> position;
+    for (const RimPoint& p : part_.rim.points) position.push_back(p.position);
+    for (const SeamVertex& v : division.seams.vertices) position.emplace_back(v.position.x(), v.position.y(), 0);
+    const HoleSite site{part_.scene_area, part_.lines, part_.rim, position};
+    for (auto& [cell, boundary] : boundaries) {
+      boundary.cell = cell;
+      for (const LeftOpen& failure : division.seams.failures) {
+        if (failure.cell == cell && boundary.seam_failure.empty()) boundary.seam_failure = failure.reason;
+      }
+      const SurveyRecord* record = part_.input.cells.at(cell);
+      boundary.has_surface = record != nullptr && record->triangle_count > 0;
+      division.holes[cell] = FindHoles(site, boundary);
+    }
+  }
+
+  const Part& part_;
+  const RimIndex index_;
+  std::set<CellId> area_;
+};
+
+}  // namespace
+
+Division DivideScene(const Part& part, const ClosingCells& closing) { return Divider(part).DivideScene(closing); }
+
+Division DivideTile(const Part& part, const ClosingCells& closing) { return Divider(part).DivideTile(closing); }
+
+}  // namespace tilemend

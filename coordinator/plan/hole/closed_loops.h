@@ -1,0 +1,32 @@
+// What a loop inside one cell bounds: a hole, or a piece of surface.
+#ifndef TILEMEND_COORDINATOR_PLAN_HOLE_CLOSED_LOOPS_H_
+#define TILEMEND_COORDINATOR_PLAN_HOLE_CLOSED_LOOPS_H_
+
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+#include "common/records/cell_holes.h"
+#include "coordinator/plan/hole/hole_site.h"
+
+namespace tilemend {
+
+struct ClosedLoop {
+  std::vector<RimSegment> segments;  // a hole on the left, or all around
+  Eigen::Vector3d vector_area{0, 0, 0};
+  Eigen::Vector3d normal{0, 0, 0};  // mean of the surface along the loop
+  bool faces_up = false;            // the surface does
+  bool outer_rim = false;           // the outline of a piece, and no hole in it
+};
+
+// Reads a loop of rim points. It is an outline if it runs the wrong way round for the normals along it; where the
+// surface along it is a height field, if it does so seen from above.
+ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments);
+
+// Whether a piece of surface lies in a hole: smaller than it, within its boundary seen along its normal, facing the
+// same way, and between the boundary and where the surface that leans in from there would be, give or take an edge's
+// length.
+bool LiesIn(const HoleSite& site, const ClosedLoop& piece, const ClosedLoop& hole);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_HOLE_CLOSED_LOOPS_H_

@@ -1,0 +1,150 @@
+#include "coordinator/plan/hole/open_holes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "coordinator/plan/hole/hole_types.h"
+#include "coordinator/plan/hole/measure_hole.h"
+
+namespace tilemend {
+namespace {
+
+constexpr char kFolds[] = "its boundary crosses itself seen from above, so it cannot be filled as heights";
+constexpr char kUnbounded[] =
+    "it reaches the rim of the area, which is not known: name the area's cells in scene.json to fill it";
+
+using Segments = std::vector<BoundarySegment>;
+
+// Without segments that are there both ways, where two seams or a seam and the rim pass over the same vertices: nothing
+// lies between, and the cells beyond close on each other.
+Segments WithoutDoubled(const Segments& open) {
+  std::set<std::pair<int32_t, int32_t>> directed;
+  for (const BoundarySegment& s : open) directed.insert({s.segment.from, s.segment.to});
+  Segments single;
+  std::copy_if(open.begin(), open.end(), std::back_inserter(single), [&](const BoundarySegment& s) {
+    return !directed.contains({s.segment.to, s.segment.from});
+  });
+  return single;
+}
+
+// Connected groups of segments, by shared vertices, in order of their first segment.
+std::vector<Segments> GroupsOf(const Segments& open) {
+  std::unordered_map<int32_t, size_t> last_at;
+  std::vector<size_t> parent(open.size());
+  std::iota(parent.begin(), parent.end(), size_t{0});
+  const auto find = [&](size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (size_t i = 0; i < open.size(); ++i) {
+    for (const int32_t v : {open[i].segment.from, open[i].segment.to}) {
+      const auto [it, fresh] = last_at.try_emplace(v, i);
+      if (fresh) continue;
+      const size_t a = find(i), b = find(it->second);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<Segments> groups;
+  std::unordered_map<size_t, size_t> group_of;
+  for (size_t i = 0; i < open.size(); ++i) {
+    const auto [it, fresh] = group_of.try_emplace(find(i), groups.size());
+    if (fresh) groups.emplace_back();
+    groups[it->second].push_back(open[i]);
+  }
+  return groups;
+}
+
+// Whether as many segments end at every vertex as begin there, so that they form loops.
+bool IsBalanced(const Segments& open) {
+  std::unordered_map<int32_t, int32_t> balance;
+  for (const BoundarySegment& s : open) {
+    ++balance[s.segment.from];
+    --balance[s.segment.to];
+  }
+  return std::all_of(balance.begin(), balance.end(), [](const auto& b) { return b.second == 0; });
+}
+
+std::vector<RimSegment> RimSegmentsOf(const Segments& open) {
+  std::vector<RimSegment> segments;
+  for (const BoundarySegment& s : open) segments.push_back(s.segment);
+  return segments;
+}
+
+class OpenHoleFinder {
+ public:
+  OpenHoleFinder(const HoleSite& site, const CellBoundary& boundary) : site_(site), boundary_(boundary) {}
+
+  OpenHoles Run() {
+    const Segments open = WithoutDoubled(boundary_.open);
+    if (open.empty() || AddRegions(open)) return std::move(found_);
+    const std::vector<Segments> groups = GroupsOf(open);
+    for (const Segments& group : groups) {
+      if (groups.size() == 1 || !AddRegions(group)) AddWithoutRegion(group);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // Adds the holes that the segments bound; nothing if they bound none.
+  bool AddRegions(const Segments& open) {
+    PlanarRegions regions = FindPlanarRegions(RimSegmentsOf(open), site_.position);
+    const RegionTriangulation& triangulation = regions.triangulation;
+    crosses_ = std::any_of(triangulation.conflicts.begin(), triangulation.conflicts.end(),
+                           [](const RegionConflict& c) { return c.kind != RegionConflict::Kind::kInsideOut; });
+    if (!triangulation.conflicts.empty()) return false;
+    std::vector<Segments> parts(regions.area.size());
+    for (size_t i = 0; i < open.size(); ++i) {
+      parts[triangulation.component[triangulation.segment_triangle[i]]].push_back(open[i]);
+    }
+    for (size_t c = 0; c < parts.size(); ++c) {
+      found_.places.push_back({found_.regions.size(), static_cast<int32_t>(c), found_.holes.size()});
+      found_.holes.push_back(NewHole(parts[c]));
+      found_.holes.back().area = regions.area[c];
+    }
+    found_.regions.push_back(std::move(regions));
+    return true;
+  }
+
+  // Adds a hole whose boundary crosses itself seen from above, for the filler to cut the folds off, or one that fails.
+  void AddWithoutRegion(const Segments& group) {
+    PlannedHole hole = NewHole(group);
+    hole.projects = false;
+    if (crosses_ && boundary_.seam_failure.empty() && IsBalanced(group)) {
+      hole.area = std::abs(VectorArea(hole.segments, site_.position).z());
+    } else if (crosses_) {
+      hole.failure = kFolds;
+    } else {
+      hole.failure = boundary_.seam_failure.empty() ? kUnbounded : boundary_.seam_failure;
+    }
+    found_.holes.push_back(std::move(hole));
+  }
+
+  PlannedHole NewHole(const Segments& part) const {
+    PlannedHole hole = MeasureHole(boundary_.cell, RimSegmentsOf(part), site_.position);
+    const bool external = std::any_of(part.begin(), part.end(), [&](const BoundarySegment& s) {
+      return s.side >= 0 && !site_.area.contains(s.across);
+    });
+    hole.kind = external ? HoleKind::kOpenII : HoleKind::kOpenI;
+    hole.type = ClassifyOpen(part, boundary_.cell, boundary_.has_surface, site_.lines, site_.position);
+    return hole;
+  }
+
+  const HoleSite& site_;
+  const CellBoundary& boundary_;
+  bool crosses_ = false;  // the segments that were tried last cross seen from above
+  OpenHoles found_;
+};
+
+}  // namespace
+
+OpenHoles FindOpenHoles(const HoleSite& site, const CellBoundary& boundary) {
+  return OpenHoleFinder(site, boundary).Run();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,40 @@
+#include "coordinator/plan/seam/grid_borders.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tilemend {
+
+std::vector<Border> BordersOf(const std::set<CellId>& area) {
+  std::vector<Border> borders;
+  for (const CellId cell : area) {
+    for (const Side side : kSides) borders.push_back(std::minmax(cell, Across(cell, side)));
+  }
+  std::sort(borders.begin(), borders.end());
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  return borders;
+}
+
+double LineOf(const Border& border, const std::set<CellId>& area, const GridLines& lines) {
+  const bool vertical = IsVertical(border);
+  if (area.contains(border.first)) return lines.At(border.first, vertical ? kEast : kNorth);
+  return lines.At(border.second, vertical ? kWest : kSouth);
+}
+
+Point2 CornerPosition(Corner c, const std::set<CellId>& area, const GridLines& lines) {
+  const CellId west{c.col - 1, c.row}, south{c.col, c.row - 1}, south_west{c.col - 1, c.row - 1};
+  // By the border north or east of the corner, unless that has no cell in the area.
+  const auto line = [&](const Border& preferred, const Border& other) {
+    const bool known = area.contains(preferred.first) || area.contains(preferred.second);
+    return LineOf(known ? preferred : other, area, lines);
+  };
+  return {line({west, c}, {south_west, south}), line({south, c}, {south_west, west})};
+}
+
+bool TouchesOutside(Corner c, const std::set<CellId>& area) {
+  const std::array<CellId, 4> around = {c, CellId{c.col - 1, c.row}, CellId{c.col, c.row - 1},
+                                        CellId{c.col - 1, c.row - 1}};
+  return !std::all_of(around.begin(), around.end(), [&](CellId cell) { return area.contains(cell); });
+}
+
+}  // namespace tilemend

@@ -1,0 +1,119 @@
+#include "coordinator/plan/seam/junctions.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "absl/strings/str_format.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kRimTolerance = 1e-3;  // metres: a grid corner this near the rim lies on it
+
+bool LiesInHole(const SeamSite& site, Corner corner) {
+  return !site.index.InSurface(CornerPosition(corner, site.area, site.lines), kRimTolerance);
+}
+
+// The rim passes from cell a to its neighbour b at `point`, with the hole on the right.
+void AddJunction(const SeamSite& site, CellId a, CellId b, int32_t point, Junctions& junctions) {
+  const bool forward = a < b;
+  const Border border = std::minmax(a, b);
+  const auto it = junctions.along.find(border);
+  if (it == junctions.along.end()) return;  // neither cell is in the area
+  // Going east over a vertical line the hole is to the south; going north over a horizontal line it is to the east.
+  const bool start = IsVertical(border) ? !forward : forward;
+  it->second.push_back({site.rim.points[point].position[AxisAlong(border)], point, start});
+}
+
+void Pass(const SeamSite& site, CellId a, CellId b, int32_t point, Junctions& junctions) {
+  if (a == b) return;
+  if (std::abs(b.col - a.col) + std::abs(b.row - a.row) == 1) {
+    AddJunction(site, a, b, point, junctions);
+  } else if (AreDiagonal(a, b)) {
+    const CellId right = RightOfDiagonal(a, b);
+    AddJunction(site, a, right, point, junctions);
+    AddJunction(site, right, b, point, junctions);
+  } else if (site.area.contains(a) || site.area.contains(b)) {
+    const Point3& p = site.rim.points[point].position;
+    junctions.failures.push_back(
+        {site.area.contains(a) ? a : b,
+         absl::StrFormat("at (%.3f, %.3f) one edge of the surface reaches over a whole cell", p.x(), p.y())});
+  }
+}
+
+// Whether the border begins in a hole, by its first junctions.
+bool StartsInside(const SeamSite& site, const Border& border, std::span<const Junction> first) {
+  const auto starts = std::count_if(first.begin(), first.end(), [](const Junction& j) { return j.start; });
+  const auto ends = std::ssize(first) - starts;
+  return starts != ends ? ends > starts : LiesInHole(site, LowCorner(border));
+}
+
+// Makes starts and ends take turns, as far as there are some of each.
+void Alternate(std::span<Junction> together, bool& inside) {
+  for (size_t i = 0; i < together.size(); ++i) {
+    size_t next = i;
+    while (next < together.size() && together[next].start == inside) ++next;
+    if (next < together.size()) {
+      const auto begin = together.begin();
+      std::rotate(begin + static_cast<ptrdiff_t>(i), begin + static_cast<ptrdiff_t>(next),
+                  begin + static_cast<ptrdiff_t>(next) + 1);
+    }
+    inside = together[i].start;
+  }
+}
+
+void SortJunctions(const SeamSite& site, const Border& border, std::vector<Junction>& junctions) {
+  std::sort(junctions.begin(), junctions.end(), [](const Junction& a, const Junction& b) {
+    if (a.t != b.t) return a.t < b.t;
+    if (a.start != b.start) return !a.start;  // one hole ends before the next begins
+    return a.point < b.point;
+  });
+  bool inside = false;
+  for (size_t begin = 0; begin < junctions.size();) {
+    size_t end = begin + 1;
+    while (end < junctions.size() && junctions[end].t - junctions[end - 1].t <= site.lines.tolerance) ++end;
+    const std::span<Junction> together(junctions.data() + begin, end - begin);
+    if (begin == 0) inside = StartsInside(site, border, together);
+    Alternate(together, inside);
+    begin = end;
+  }
+}
+
+}  // namespace
+
+Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing, const std::vector<bool>& left_out) {
+  Junctions junctions;
+  for (const Border& border : BordersOf(site.area)) junctions.along[border];
+  for (size_t l = 0; l < site.rim.loops.size(); ++l) {
+    if (left_out[l]) continue;
+    const std::vector<int32_t>& loop = site.rim.loops[l];
+    for (size_t k = 0; k < loop.size(); ++k) {
+      const int32_t next = loop[(k + 1) % loop.size()];
+      Pass(site, closing[loop[k]], closing[next], site.rim.edges[loop[k]].to, junctions);
+    }
+  }
+  for (auto& [border, of_border] : junctions.along) SortJunctions(site, border, of_border);
+  return junctions;
+}
+
+std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const Junctions& junctions) {
+  struct Votes {
+    int hole = 0, surface = 0;
+  };
+  std::map<Corner, Votes> votes;
+  for (const auto& [border, of_border] : junctions.along) {
+    Votes& low = votes[LowCorner(border)];
+    Votes& high = votes[HighCorner(border)];
+    if (of_border.empty()) continue;
+    ++(of_border.front().start ? low.surface : low.hole);
+    ++(of_border.back().start ? high.hole : high.surface);
+  }
+  std::map<Corner, bool> in_hole;
+  for (const auto& [corner, vote] : votes) {
+    in_hole[corner] = vote.hole != vote.surface ? vote.hole > vote.surface : LiesInHole(site, corner);
+  }
+  return in_hole;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,34 @@
+// Where the new vertices of a seam lie.
+#ifndef TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_VERTICES_H_
+#define TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_VERTICES_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "coordinator/plan/seam/grid_borders.h"
+#include "coordinator/plan/seam/seam_site.h"
+
+namespace tilemend {
+
+// Places this near one another are one, metres. A few steps of float32 at a few hundred metres.
+inline constexpr double kSamePlace = 2e-5;
+
+// A place on a line, and the rim point a hair beside it of which it takes the height; -1: none.
+struct SeamPlace {
+  Point2 position;
+  int32_t beside = -1;
+};
+
+// The wanted edge length at a place, metres: it grows from the rim inward (PlanOptions).
+double SeamSizeAt(const SeamSite& site, const Point2& p);
+
+// The places strictly between two ends of a stretch of a border's line, in order along it, spaced by the wanted edge
+// length and clear of the rim. At the rim of the area, where a seam must keep to the line, also one opposite each rim
+// point that lies within kOnLine of the line, but not on it: a straight edge there would be the base of upright
+// hairline triangles. Cost in proportion to the places and the edges near them.
+std::vector<SeamPlace> PlaceSeamVertices(const SeamSite& site, const Border& border, const Point2& from,
+                                         const Point2& to);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_VERTICES_H_

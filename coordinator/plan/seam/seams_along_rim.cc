@@ -1,0 +1,62 @@
+#include "coordinator/plan/seam/seams_along_rim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "coordinator/plan/seam/grid_borders.h"
+
+namespace tilemend {
+namespace {
+
+// A seam takes an edge from one cell to another.
+struct Passing {
+  CellId from, to;
+};
+
+std::map<int32_t, std::vector<Passing>> FindPassings(const SeamSite& site, std::span<const Seam> seams) {
+  const auto rim_points = static_cast<int32_t>(site.rim.points.size());
+  std::map<int32_t, std::vector<Passing>> passings;  // by rim edge
+  for (const Seam& seam : seams) {
+    const CellId left = LeftOf({seam.a, seam.b}), right = RightOf({seam.a, seam.b});
+    for (size_t i = 0; i + 1 < seam.vertices.size(); ++i) {
+      const int32_t p = seam.vertices[i], q = seam.vertices[i + 1];
+      const int32_t e = p < rim_points && q < rim_points ? site.index.EdgeBetween(p, q) : -1;
+      if (e < 0) continue;
+      // The hole lies to the right of the edge.
+      passings[e].push_back(site.rim.edges[e].from == p ? Passing{left, right} : Passing{right, left});
+    }
+  }
+  return passings;
+}
+
+// Whether an edge lies on the line between a cell of the area and one outside it.
+bool LiesOnBorder(const SeamSite& site, const RimEdge& e, CellId inside, CellId outside) {
+  if (!site.area.contains(inside)) return false;
+  return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+    const auto on_line = [&](int32_t p) {
+      return std::abs(site.rim.points[p].position[AxisOf(side)] - site.lines.At(inside, side)) <= kOnLine;
+    };
+    return Across(inside, side) == outside && on_line(e.from) && on_line(e.to);
+  });
+}
+
+}  // namespace
+
+void CloseAlongSeams(const SeamSite& site, std::span<const Seam> seams, ClosingCells& closing) {
+  for (auto& [e, passings] : FindPassings(site, seams)) {
+    while (!passings.empty()) {
+      auto next =
+          std::find_if(passings.begin(), passings.end(), [&](const Passing& p) { return p.from == closing[e]; });
+      if (next == passings.end()) next = passings.begin();
+      if (site.area.contains(next->to) || LiesOnBorder(site, site.rim.edges[e], next->from, next->to)) {
+        closing[e] = next->to;
+      }
+      passings.erase(next);
+    }
+  }
+}
+
+}  // namespace tilemend
