@@ -90,16 +90,18 @@ RULES = {
 
     'coordinator/plan/rim': rule(['common/mesh', 'coordinator/plan/types'], ['eigen'], pure=True),
 
-    'coordinator/plan/seam': rule(['coordinator/plan/types', 'coordinator/plan/rim'], ['absl'], pure=True),
+    'coordinator/plan/seam': rule(['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'], ['absl'], pure=True),
 
     'coordinator/plan/hole': rule(
         ['common/mesh', 'common/mesh/triangulation', 'coordinator/plan/types', 'coordinator/plan/rim'],
         ['eigen'], pure=True),
 
-    'coordinator/plan/pieces': rule(['coordinator/plan/types', 'coordinator/plan/rim'], ['absl', 'eigen'], pure=True),
+    'coordinator/plan/pieces': rule(
+        ['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'],
+        ['absl', 'eigen'], pure=True),
 
     'coordinator/plan/water': rule(
-        ['common/grid', 'coordinator/plan/types', 'coordinator/plan/seam'],
+        ['common/mesh', 'common/grid', 'coordinator/plan/types', 'coordinator/plan/seam'],
         ['eigen'], pure=True),
 
     'coordinator/plan': rule(

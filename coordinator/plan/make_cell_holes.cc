@@ -6,22 +6,22 @@
 namespace tilemend {
 namespace {
 
-class CellWorkBuilder {
+class CellHolesBuilder {
  public:
-  CellWorkBuilder(const Plan& plan, const PlanInput& input, const SeamHeights& heights)
+  CellHolesBuilder(const Plan& plan, const PlanInput& input, const SeamHeights& heights)
       : plan_(plan), input_(input), heights_(heights) {}
 
   CellHoles Build(const std::vector<int32_t>& holes, bool with_band) {
-    work_.cell = plan_.holes[holes.front()].cell;
-    work_.lattice_step = plan_.lattice_step;
-    work_.float32 = NumberTypeOf(work_.cell);
+    result_.cell = plan_.holes[holes.front()].cell;
+    result_.lattice_step = plan_.lattice_step;
+    result_.float32 = NumberTypeOf(result_.cell);
     IndexOwnVertices();
     for (const int32_t h : holes) AddHole(h);
     if (with_band) {
-      for (const RimVertex& v : work_.vertices) work_.band.points.push_back(v.position);
+      for (const RimVertex& v : result_.vertices) result_.band.points.push_back(v.position);
       for (const CellId tile : CellsAround(holes)) AddBand(tile);
     }
-    return std::move(work_);
+    return std::move(result_);
   }
 
  private:
@@ -54,14 +54,14 @@ class CellWorkBuilder {
   }
 
   void IndexOwnVertices() {
-    const SurveyRecord* own = RecordOf(work_.cell);
+    const SurveyRecord* own = RecordOf(result_.cell);
     if (own == nullptr) return;
-    const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(work_.cell);
+    const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(result_.cell);
     for (size_t i = 0; i < of.size(); ++i) own_index_.emplace(of[i], own->vertices[i].index);
   }
 
   int32_t Vertex(int32_t plan_vertex) {
-    const auto [it, fresh] = number_.try_emplace(plan_vertex, static_cast<int32_t>(work_.vertices.size()));
+    const auto [it, fresh] = number_.try_emplace(plan_vertex, static_cast<int32_t>(result_.vertices.size()));
     if (!fresh) return it->second;
     const PlanVertex& p = plan_.vertices[plan_vertex];
     RimVertex v;
@@ -72,7 +72,7 @@ class CellWorkBuilder {
     v.size = p.size;
     v.lines = p.lines;
     if (const auto own = own_index_.find(plan_vertex); own != own_index_.end()) {
-      v.tile = work_.cell;
+      v.tile = result_.cell;
       v.index = own->second;
     }
     if (p.index < 0) {
@@ -81,7 +81,7 @@ class CellWorkBuilder {
       v.height_known = height != heights_.height.end();
       if (v.height_known) v.position.z() = height->second;
     }
-    work_.vertices.push_back(v);
+    result_.vertices.push_back(v);
     return it->second;
   }
 
@@ -97,10 +97,10 @@ class CellWorkBuilder {
       const int32_t to = Vertex(s.to);
       hole.segments.push_back({from, to, s.seam});
       if (!s.seam) continue;
-      SetSeamVertex(work_.vertices[from], planned.cluster, s.from);
-      SetSeamVertex(work_.vertices[to], planned.cluster, s.to);
+      SetSeamVertex(result_.vertices[from], planned.cluster, s.from);
+      SetSeamVertex(result_.vertices[to], planned.cluster, s.to);
     }
-    work_.holes.push_back(std::move(hole));
+    result_.holes.push_back(std::move(hole));
   }
 
   // An original vertex at which seams of several clusters end keeps the Laplacian of the first.
@@ -116,7 +116,7 @@ class CellWorkBuilder {
     const SurveyRecord* record = RecordOf(tile);
     if (record == nullptr) return;
     const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(tile);
-    std::unordered_map<int32_t, int32_t> number;  // band point -> work band point
+    std::unordered_map<int32_t, int32_t> number;  // band point -> the result's
     const auto rim_vertex = [&](int32_t v) {
       if (v >= static_cast<int32_t>(of.size())) return -1;
       const auto it = number_.find(of[v]);
@@ -129,19 +129,19 @@ class CellWorkBuilder {
       for (int k = 0; k < 3; ++k) {
         out[k] = rim[k];
         if (rim[k] >= 0) continue;
-        const auto [it, fresh] = number.try_emplace(t[k], static_cast<int32_t>(work_.band.points.size()));
-        if (fresh) work_.band.points.push_back(record->band.points[t[k]]);
+        const auto [it, fresh] = number.try_emplace(t[k], static_cast<int32_t>(result_.band.points.size()));
+        if (fresh) result_.band.points.push_back(record->band.points[t[k]]);
         out[k] = it->second;
       }
-      work_.band.triangles.push_back(out);
+      result_.band.triangles.push_back(out);
     }
   }
 
   const Plan& plan_;
   const PlanInput& input_;
   const SeamHeights& heights_;
-  CellHoles work_;
-  std::unordered_map<int32_t, int32_t> number_;     // plan vertex -> vertex of the work
+  CellHoles result_;
+  std::unordered_map<int32_t, int32_t> number_;     // plan vertex -> vertex of the result
   std::unordered_map<int32_t, int32_t> own_index_;  // plan vertex -> index in the cell's own tile
 };
 
@@ -149,7 +149,7 @@ class CellWorkBuilder {
 
 CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
                         const std::vector<int32_t>& holes, bool with_band) {
-  return CellWorkBuilder(plan, input, heights).Build(holes, with_band);
+  return CellHolesBuilder(plan, input, heights).Build(holes, with_band);
 }
 
 }  // namespace tilemend

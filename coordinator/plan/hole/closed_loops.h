@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
-#include "common/records/cell_holes.h"
 #include "coordinator/plan/hole/hole_site.h"
+#include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
 

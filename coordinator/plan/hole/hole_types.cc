@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
+
+#include "common/mesh/edge_loops.h"
 
 namespace tilemend {
 namespace {
@@ -74,23 +75,19 @@ struct Stretch {
 // Joins the segments along the outline to stretches. Empty if they go all the way round.
 std::vector<Stretch> OutlineStretches(std::span<const BoundarySegment> segments, const Point2& lo, const Point2& hi,
                                       const std::vector<Point3>& position) {
-  std::unordered_multimap<int32_t, size_t> from, to;
-  for (size_t i = 0; i < segments.size(); ++i) {
-    if (segments[i].side < 0) continue;
-    from.emplace(segments[i].segment.from, i);
-    to.emplace(segments[i].segment.to, i);
+  std::vector<BoundarySegment> along;
+  std::vector<DirectedEdge> edges;
+  for (const BoundarySegment& s : segments) {
+    if (s.side < 0) continue;
+    along.push_back(s);
+    edges.push_back({s.segment.from, s.segment.to});
   }
   std::vector<Stretch> stretches;
-  for (size_t i = 0; i < segments.size(); ++i) {
-    if (segments[i].side < 0 || to.contains(segments[i].segment.from)) continue;
-    size_t last = i;
-    for (size_t guard = 0; guard < segments.size(); ++guard) {
-      const auto next = from.find(segments[last].segment.to);
-      if (next == from.end()) break;
-      last = next->second;
-    }
-    stretches.push_back({OutlinePlace(position[segments[i].segment.from], segments[i].side, lo, hi),
-                         OutlinePlace(position[segments[last].segment.to], segments[last].side, lo, hi)});
+  for (const EdgeWalk& walk : LinkEdges(edges)) {
+    if (walk.closed) continue;
+    const BoundarySegment &first = along[walk.edges.front()], &last = along[walk.edges.back()];
+    stretches.push_back({OutlinePlace(position[first.segment.from], first.side, lo, hi),
+                         OutlinePlace(position[last.segment.to], last.side, lo, hi)});
   }
   std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
   return stretches;

@@ -3,26 +3,22 @@
 #include <algorithm>
 #include <deque>
 
+#include "common/mesh/disjoint_sets.h"
+
 namespace tilemend {
 namespace {
 
-using Adjacency = std::vector<std::vector<int32_t>>;
-
-void NumberClusters(const std::vector<bool>& open, const Adjacency& next, Layering& result) {
-  for (size_t start = 0; start < open.size(); ++start) {
-    if (!open[start] || result.cluster[start] >= 0) continue;
-    std::vector<int32_t> stack = {static_cast<int32_t>(start)};
-    result.cluster[start] = result.clusters;
-    while (!stack.empty()) {
-      const int32_t hole = stack.back();
-      stack.pop_back();
-      for (const int32_t n : next[hole]) {
-        if (result.cluster[n] >= 0) continue;
-        result.cluster[n] = result.clusters;
-        stack.push_back(n);
-      }
-    }
-    ++result.clusters;
+// In order of their lowest holes.
+void NumberClusters(const std::vector<bool>& open, std::span<const std::pair<int32_t, int32_t>> touching,
+                    Layering& result) {
+  const auto count = static_cast<int32_t>(open.size());
+  DisjointSets sets(count);
+  for (const auto& [a, b] : touching) sets.Join(a, b);
+  result.cluster.assign(open.size(), -1);
+  for (int32_t i = 0; i < count; ++i) {
+    if (!open[i]) continue;
+    const int32_t lowest = sets.LowestOf(i);
+    result.cluster[i] = lowest == i ? result.clusters++ : result.cluster[lowest];
   }
 }
 
@@ -31,14 +27,13 @@ void NumberClusters(const std::vector<bool>& open, const Adjacency& next, Layeri
 Layering LayerHoles(const std::vector<bool>& open, const std::vector<bool>& outermost,
                     std::span<const std::pair<int32_t, int32_t>> touching) {
   Layering result;
-  result.cluster.assign(open.size(), -1);
+  NumberClusters(open, touching, result);
   result.layer.assign(open.size(), 0);
-  Adjacency next(open.size());
+  std::vector<std::vector<int32_t>> next(open.size());
   for (const auto& [a, b] : touching) {
     next[a].push_back(b);
     next[b].push_back(a);
   }
-  NumberClusters(open, next, result);
   std::vector<bool> has_start(static_cast<size_t>(result.clusters), false);
   for (size_t i = 0; i < open.size(); ++i) {
     if (open[i] && outermost[i]) has_start[result.cluster[i]] = true;

@@ -20,8 +20,8 @@ struct Layering {
 // are in layer 1, those that share a grid boundary with layer n and are in no layer up to n are in layer n + 1.
 //   open        whether hole i is an open hole
 //   outermost   whether it has original surface on its boundary; a cluster without any starts at its lowest hole
-//   touching    pairs of holes that share a stretch of grid boundary
-// Cost O(holes + pairs).
+//   touching    pairs of open holes that share a stretch of grid boundary
+// Cost O(holes + pairs log holes).
 Layering LayerHoles(const std::vector<bool>& open, const std::vector<bool>& outermost,
                     std::span<const std::pair<int32_t, int32_t>> touching);
 

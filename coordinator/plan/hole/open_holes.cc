@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
+#include "common/mesh/disjoint_sets.h"
 #include "coordinator/plan/hole/hole_types.h"
 #include "coordinator/plan/hole/measure_hole.h"
 
@@ -35,27 +35,18 @@ Segments WithoutDoubled(const Segments& open) {
 
 // Connected groups of segments, by shared vertices, in order of their first segment.
 std::vector<Segments> GroupsOf(const Segments& open) {
-  std::unordered_map<int32_t, size_t> last_at;
-  std::vector<size_t> parent(open.size());
-  std::iota(parent.begin(), parent.end(), size_t{0});
-  const auto find = [&](size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (size_t i = 0; i < open.size(); ++i) {
+  DisjointSets sets(static_cast<int32_t>(open.size()));
+  std::unordered_map<int32_t, int32_t> first_at;
+  for (int32_t i = 0; i < std::ssize(open); ++i) {
     for (const int32_t v : {open[i].segment.from, open[i].segment.to}) {
-      const auto [it, fresh] = last_at.try_emplace(v, i);
-      if (fresh) continue;
-      const size_t a = find(i), b = find(it->second);
-      parent[std::max(a, b)] = std::min(a, b);
+      sets.Join(i, first_at.try_emplace(v, i).first->second);
     }
   }
+  const std::vector<int32_t> group_of = sets.Groups();
   std::vector<Segments> groups;
-  std::unordered_map<size_t, size_t> group_of;
   for (size_t i = 0; i < open.size(); ++i) {
-    const auto [it, fresh] = group_of.try_emplace(find(i), groups.size());
-    if (fresh) groups.emplace_back();
-    groups[it->second].push_back(open[i]);
+    if (group_of[i] == std::ssize(groups)) groups.emplace_back();
+    groups[group_of[i]].push_back(open[i]);
   }
   return groups;
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/mesh/edge_loops.h"
 #include "coordinator/plan/pieces/outline_sides.h"
 
 namespace tilemend {
@@ -35,37 +36,27 @@ std::vector<Link> FindLinks(const Runs& runs, const Rim& rim, const GridLines& l
   return links;
 }
 
-// The run after each run along its hole, and that before it; -1: none.
-struct Order {
-  std::vector<int32_t> next, before;
-};
-
-Order Choose(const std::vector<Link>& links, size_t runs) {
-  Order order{std::vector<int32_t>(runs, -1), std::vector<int32_t>(runs, -1)};
+// The run after each run along its hole; -1: none.
+std::vector<int32_t> ChooseNext(const std::vector<Link>& links, size_t runs) {
+  std::vector<int32_t> next(runs, -1);
+  std::vector<bool> led_to(runs, false);
   for (const Link& link : links) {
-    if (order.next[link.from] >= 0 || order.before[link.to] >= 0) continue;
-    order.next[link.from] = static_cast<int32_t>(link.to);
-    order.before[link.to] = static_cast<int32_t>(link.from);
+    if (next[link.from] >= 0 || led_to[link.to]) continue;
+    next[link.from] = static_cast<int32_t>(link.to);
+    led_to[link.to] = true;
   }
-  return order;
-}
-
-// The runs of the path or cycle through `start`: a path from its beginning, a cycle from the run after `start`.
-std::vector<int32_t> Trace(const Order& order, int32_t start) {
-  int32_t first = start;
-  while (order.before[first] >= 0 && order.before[first] != start) first = order.before[first];
-  std::vector<int32_t> traced = {first};
-  for (int32_t r = order.next[first]; r >= 0 && r != first; r = order.next[r]) traced.push_back(r);
-  return traced;
+  return next;
 }
 
 // The runs of a cycle, one after the other, with straight segments between their ends.
-std::vector<RimSegment> Join(const std::vector<int32_t>& cycle, const Order& order, const Runs& runs, const Rim& rim) {
+std::vector<RimSegment> Join(const std::vector<int32_t>& cycle, const std::vector<int32_t>& next, const Runs& runs,
+                             const Rim& rim) {
   std::vector<RimSegment> loop;
-  for (const int32_t k : cycle) {
+  for (const int32_t before : cycle) {
+    const int32_t k = next[before];
     const std::vector<RimSegment> run = Reversed(rim, runs[k]);
     loop.insert(loop.end(), run.begin(), run.end());
-    const int32_t to = rim.edges[runs[order.next[k]].back()].to;
+    const int32_t to = rim.edges[runs[next[k]].back()].to;
     if (loop.back().to != to) loop.push_back({loop.back().to, to, true});
   }
   return loop;
@@ -77,18 +68,14 @@ LinkedRuns LinkRuns(const Runs& runs, const Rim& rim, const GridLines& lines) {
   LinkedRuns result;
   if (runs.empty()) return result;
   const CellId tile = rim.edges[runs[0][0]].owner;
-  const Order order = Choose(FindLinks(runs, rim, lines), runs.size());
+  const std::vector<int32_t> next = ChooseNext(FindLinks(runs, rim, lines), runs.size());
   int64_t left = 0, chords = 0;
-  std::vector<bool> seen(runs.size(), false);
-  for (size_t start = 0; start < runs.size(); ++start) {
-    if (seen[start]) continue;
-    const std::vector<int32_t> traced = Trace(order, static_cast<int32_t>(start));
-    for (const int32_t r : traced) seen[r] = true;
-    if (order.next[traced.back()] >= 0) {
-      chords += std::ssize(traced);
-      result.loops.push_back(Join(traced, order, runs, rim));
+  for (const EdgeWalk& walk : FollowEdges(next)) {
+    if (walk.closed) {
+      chords += std::ssize(walk.edges);
+      result.loops.push_back(Join(walk.edges, next, runs, rim));
     } else {
-      for (const int32_t r : traced) left += std::ssize(runs[r]);
+      for (const int32_t r : walk.edges) left += std::ssize(runs[r]);
     }
   }
   if (left > 0) {

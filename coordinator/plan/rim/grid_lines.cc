@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/mesh/rounding.h"
+
 namespace tilemend {
 namespace {
 
@@ -78,8 +80,7 @@ void PlaceOnLines(const PlanInput& input, const std::map<Line, double>& found, d
     for (const Side side : kSides) {
       const auto line = found.find(LineOf(cell, side));
       lines.coordinate[{cell, side}] =
-          line != found.end() ? line->second
-                              : std::round(NominalLine(input.grid, cell, side) / lattice_step) * lattice_step;
+          line != found.end() ? line->second : RoundedToLattice(NominalLine(input.grid, cell, side), lattice_step);
     }
   }
 }
@@ -94,7 +95,7 @@ void PlaceOnOutlines(const PlanInput& input, const BorderFindings& borders, doub
       const double expected = NominalLine(input.grid, cell, side) + OutwardOf(side) * usual;
       lines.coordinate[{cell, side}] = borders.offsets.contains({cell, side})
                                            ? (side % 2 == 0 ? record->lo : record->hi)[AxisOf(side)]
-                                           : std::round(expected / lattice_step) * lattice_step;
+                                           : RoundedToLattice(expected, lattice_step);
     }
   }
 }

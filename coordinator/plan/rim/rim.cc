@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <unordered_map>
+#include <utility>
 
+#include "common/mesh/disjoint_sets.h"
+#include "common/mesh/edge_loops.h"
 #include "common/mesh/position_index.h"
 
 namespace tilemend {
@@ -93,7 +95,7 @@ void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving,
   }
 }
 
-std::vector<int32_t> LinkEdges(const Rim& rim, std::vector<uint8_t>& touching) {
+std::vector<int32_t> LinkAtPoints(const Rim& rim, std::vector<uint8_t>& touching) {
   std::vector<std::vector<int32_t>> arriving(rim.points.size()), leaving(rim.points.size());
   for (size_t e = 0; e < rim.edges.size(); ++e) {
     leaving[rim.edges[e].from].push_back(static_cast<int32_t>(e));
@@ -109,43 +111,29 @@ std::vector<int32_t> LinkEdges(const Rim& rim, std::vector<uint8_t>& touching) {
 }
 
 void TraceLoops(const std::vector<int32_t>& next, Rim& rim) {
-  std::vector<uint8_t> seen(rim.edges.size(), 0);
-  for (size_t start = 0; start < rim.edges.size(); ++start) {
-    if (seen[start]) continue;
-    std::vector<int32_t> loop;
-    int32_t e = static_cast<int32_t>(start);
-    while (e >= 0 && !seen[e]) {
-      seen[e] = 1;
-      loop.push_back(e);
-      e = next[e];
-    }
-    if (e == static_cast<int32_t>(start)) {
-      rim.loops.push_back(std::move(loop));
+  for (EdgeWalk& walk : FollowEdges(next)) {
+    if (walk.closed) {
+      rim.loops.push_back(std::move(walk.edges));
     } else {
-      rim.unlinked.insert(rim.unlinked.end(), loop.begin(), loop.end());
+      rim.unlinked.insert(rim.unlinked.end(), walk.edges.begin(), walk.edges.end());
     }
   }
 }
 
 // Counts the groups of two or more loops that share a point.
 int32_t CountTouchingGroups(const Rim& rim, const std::vector<uint8_t>& touching) {
-  std::vector<int32_t> parent(rim.loops.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](int32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets groups(static_cast<int32_t>(rim.loops.size()));
   std::unordered_map<int32_t, int32_t> loop_at;
   for (size_t l = 0; l < rim.loops.size(); ++l) {
     for (const int32_t e : rim.loops[l]) {
       const int32_t p = rim.edges[e].from;
       if (!touching[p]) continue;
       const auto [it, fresh] = loop_at.try_emplace(p, static_cast<int32_t>(l));
-      if (!fresh) parent[find(static_cast<int32_t>(l))] = find(it->second);
+      if (!fresh) groups.Join(static_cast<int32_t>(l), it->second);
     }
   }
   std::vector<int32_t> members(rim.loops.size(), 0);
-  for (size_t l = 0; l < rim.loops.size(); ++l) ++members[find(static_cast<int32_t>(l))];
+  for (const int32_t group : groups.Groups()) ++members[group];
   return static_cast<int32_t>(std::count_if(members.begin(), members.end(), [](int32_t n) { return n > 1; }));
 }
 
@@ -171,7 +159,7 @@ Rim BuildRim(const PlanInput& input, bool weld_tiles) {
   DropMatched(rim);
   StoreSizes(rim);
   std::vector<uint8_t> touching(rim.points.size(), 0);
-  const std::vector<int32_t> next = LinkEdges(rim, touching);
+  const std::vector<int32_t> next = LinkAtPoints(rim, touching);
   TraceLoops(next, rim);
   rim.continuous = CountTouchingGroups(rim, touching);
   return rim;

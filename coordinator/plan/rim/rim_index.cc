@@ -8,6 +8,7 @@ namespace tilemend {
 namespace {
 
 constexpr int64_t kMaxBins = 1 << 22;
+constexpr double kLeastMean = 1e-6;  // metres
 
 double Cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -30,37 +31,35 @@ double SegmentDistance(const Point2& p, const Point2& a, const Point2& b) {
   return (p - a - t * d).norm();
 }
 
+Point2 PlaceOf(const Rim& rim, int32_t point) { return rim.points[point].position.head<2>(); }
+
+// Seen from above; never zero.
+double MeanLength(const Rim& rim) {
+  double sum = 0;
+  for (const RimEdge& e : rim.edges) sum += (PlaceOf(rim, e.to) - PlaceOf(rim, e.from)).norm();
+  return rim.edges.empty() ? 1 : std::max(sum / static_cast<double>(rim.edges.size()), kLeastMean);
+}
+
+BinGrid BinsOf(const Rim& rim, double mean_size) {
+  const auto box_of = [&](int32_t e) {
+    const Point2 a = PlaceOf(rim, rim.edges[e].from), b = PlaceOf(rim, rim.edges[e].to);
+    return Eigen::AlignedBox2d(a.cwiseMin(b), a.cwiseMax(b));
+  };
+  const auto count = static_cast<int32_t>(rim.edges.size());
+  Eigen::AlignedBox2d extent;
+  for (int32_t e = 0; e < count; ++e) extent.extend(box_of(e));
+  if (extent.isEmpty()) extent.extend(Point2(0, 0));
+  const Point2 sides = extent.sizes();
+  const double most = static_cast<double>(kMaxBins);
+  const double step =
+      std::max({4 * mean_size, std::sqrt((sides.x() * sides.y() + 1) / most), sides.maxCoeff() / (most / 4)});
+  return BinGrid(extent, step, count, box_of);
+}
+
 }  // namespace
 
-RimIndex::RimIndex(const Rim& rim) : rim_(rim), corners_(rim.points.size()) {
-  Point2 hi{0, 0};
-  if (!rim.edges.empty()) lo_ = hi = At(rim.edges[0].from);
-  for (const RimEdge& e : rim.edges) {
-    lo_ = lo_.cwiseMin(At(e.from)).cwiseMin(At(e.to));
-    hi = hi.cwiseMax(At(e.from)).cwiseMax(At(e.to));
-    mean_size_ += (At(e.to) - At(e.from)).norm();
-  }
-  mean_size_ = rim.edges.empty() ? 1 : std::max(mean_size_ / static_cast<double>(rim.edges.size()), 1e-6);
-  const Point2 extent = hi - lo_;
-  bin_ = std::max(4 * mean_size_, std::sqrt((extent.x() * extent.y() + 1) / static_cast<double>(kMaxBins)));
-  bin_ = std::max(bin_, extent.maxCoeff() / (static_cast<double>(kMaxBins) / 4));
-  columns_ = static_cast<int64_t>(extent.x() / bin_) + 1;
-  rows_ = static_cast<int64_t>(extent.y() / bin_) + 1;
-  const auto for_bins = [&](const RimEdge& e, auto&& visit) {
-    const auto [c0, r0] = BinOf(At(e.from).cwiseMin(At(e.to)));
-    const auto [c1, r1] = BinOf(At(e.from).cwiseMax(At(e.to)));
-    for (int64_t r = r0; r <= r1; ++r) {
-      for (int64_t c = c0; c <= c1; ++c) visit(static_cast<size_t>(r * columns_ + c));
-    }
-  };
-  start_.assign(static_cast<size_t>(columns_ * rows_) + 1, 0);
-  for (const RimEdge& e : rim.edges) for_bins(e, [&](size_t b) { ++start_[b + 1]; });
-  for (size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
-  items_.resize(static_cast<size_t>(start_.back()));
-  std::vector<int32_t> fill(start_.begin(), start_.end() - 1);
-  for (size_t i = 0; i < rim.edges.size(); ++i) {
-    for_bins(rim.edges[i], [&](size_t b) { items_[static_cast<size_t>(fill[b]++)] = static_cast<int32_t>(i); });
-  }
+RimIndex::RimIndex(const Rim& rim)
+    : rim_(rim), mean_size_(MeanLength(rim)), bins_(BinsOf(rim, mean_size_)), corners_(rim.points.size()) {
   for (const std::vector<int32_t>& loop : rim.loops) {
     for (size_t k = 0; k < loop.size(); ++k) {
       const int32_t point = rim.edges[loop[k]].to;
@@ -86,27 +85,7 @@ int32_t RimIndex::After(const std::vector<int32_t>& loop, size_t k) const {
   return rim_.edges[loop[i]].to;
 }
 
-std::pair<int64_t, int64_t> RimIndex::BinOf(const Point2& p) const {
-  const auto bin = [&](double d, int64_t n) {
-    return std::clamp<int64_t>(static_cast<int64_t>(std::floor(std::clamp(d / bin_, -1.0, 1e9))), 0, n - 1);
-  };
-  return {bin(p.x() - lo_.x(), columns_), bin(p.y() - lo_.y(), rows_)};
-}
-
-std::vector<int32_t> RimIndex::EdgesIn(const Point2& lo, const Point2& hi) const {
-  std::vector<int32_t> found;
-  const auto [c0, r0] = BinOf(lo);
-  const auto [c1, r1] = BinOf(hi);
-  for (int64_t r = r0; r <= r1; ++r) {
-    for (int64_t c = c0; c <= c1; ++c) {
-      const auto b = static_cast<size_t>(r * columns_ + c);
-      found.insert(found.end(), items_.begin() + start_[b], items_.begin() + start_[b + 1]);
-    }
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
+std::vector<int32_t> RimIndex::EdgesIn(const Point2& lo, const Point2& hi) const { return bins_.In({lo, hi}); }
 
 int32_t RimIndex::EdgeBetween(int32_t a, int32_t b) const {
   for (const int32_t i : EdgesIn(At(a).cwiseMin(At(b)), At(a).cwiseMax(At(b)))) {
@@ -160,7 +139,7 @@ double RimIndex::Distance(const Point2& p, double limit) const {
 
 double RimIndex::SizeAt(const Point2& p, double growth, double limit) const {
   double best = limit;
-  double radius = 4 * bin_;
+  double radius = 4 * bins_.step();
   // Points farther than `radius` cannot give less than growth * radius: search wider until that is no gain.
   for (double done = 0; growth * done < best; done = radius, radius *= 2) {
     const Point2 reach = Point2::Constant(radius);
@@ -168,7 +147,7 @@ double RimIndex::SizeAt(const Point2& p, double growth, double limit) const {
       const RimPoint& v = rim_.points[rim_.edges[i].from];
       best = std::min(best, v.size + growth * (v.position.head<2>() - p).norm());
     }
-    if (radius > bin_ * static_cast<double>(columns_ + rows_) * 2) break;
+    if (radius > bins_.step() * static_cast<double>(bins_.columns() + bins_.rows()) * 2) break;
   }
   return best;
 }
@@ -176,7 +155,7 @@ double RimIndex::SizeAt(const Point2& p, double growth, double limit) const {
 bool RimIndex::InSurface(const Point2& p, double tolerance) const {
   if (Distance(p, 2 * tolerance) <= tolerance) return true;
   int winding = 0;
-  const Point2 far(lo_.x() + bin_ * static_cast<double>(columns_), p.y());
+  const Point2 far(bins_.lo().x() + bins_.step() * static_cast<double>(bins_.columns()), p.y());
   for (const int32_t i : EdgesIn(p, far)) {
     const Point2 a = At(rim_.edges[i].from), b = At(rim_.edges[i].to);
     const double side = Cross(b - a, p - a);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/bin_grid.h"
 #include "coordinator/plan/rim/rim.h"
 
 namespace tilemend {
@@ -42,17 +43,13 @@ class RimIndex {
 
  private:
   Point2 At(int32_t point) const { return rim_.points[point].position.head<2>(); }
-  std::pair<int64_t, int64_t> BinOf(const Point2& p) const;
   int32_t Before(const std::vector<int32_t>& loop, size_t k) const;
   int32_t After(const std::vector<int32_t>& loop, size_t k) const;
   bool LeavesIntoHole(int32_t point, const Point2& direction) const;
 
   const Rim& rim_;
-  double mean_size_ = 0;
-  double bin_ = 1;
-  Point2 lo_{0, 0};
-  int64_t columns_ = 1, rows_ = 1;
-  std::vector<int32_t> start_, items_;  // bins: edges whose box touches them
+  double mean_size_;
+  BinGrid bins_;  // of the edges
   std::vector<std::vector<std::pair<int32_t, int32_t>>>
       corners_;  // per point: the points before and after it along its loops, elsewhere seen from above
 };

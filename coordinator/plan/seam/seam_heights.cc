@@ -1,8 +1,9 @@
 #include "coordinator/plan/seam/seam_heights.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
+
+#include "common/mesh/rounding.h"
 
 namespace tilemend {
 namespace {
@@ -73,7 +74,7 @@ class Smoother {
 
 double HeightAt(const Plan& plan, int32_t vertex, double found) {
   const PlanVertex& v = plan.vertices[vertex];
-  return v.height_given ? v.position.z() : std::round(found / plan.lattice_step) * plan.lattice_step;
+  return v.height_given ? v.position.z() : RoundedToLattice(found, plan.lattice_step);
 }
 
 }  // namespace

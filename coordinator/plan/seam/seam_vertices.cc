@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "common/mesh/rounding.h"
+
 namespace tilemend {
 namespace {
 
@@ -51,7 +53,7 @@ std::vector<SeamPlace> SpacedPlaces(const SeamSite& site, const Stretch& stretch
     while (k + 1 < steps.size() && steps[k + 1].second < share) ++k;
     const double f = (share - steps[k].second) / (steps[k + 1].second - steps[k].second);
     const double t = steps[k].first + f * (steps[k + 1].first - steps[k].first);
-    const Point2 p = stretch.At(std::round(t / site.lattice_step) * site.lattice_step);
+    const Point2 p = stretch.At(RoundedToLattice(t, site.lattice_step));
     if (p[stretch.axis] <= stretch.begin || p[stretch.axis] >= stretch.end) continue;
     const double size = SeamSizeAt(site, p);
     if (site.index.Distance(p, size) < kRimClearance * size) continue;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
+#include "common/mesh/edge_loops.h"
 #include "coordinator/plan/water/rim_level.h"
 
 namespace tilemend {
@@ -15,45 +17,6 @@ namespace {
 constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
 
 using Edge = std::pair<int32_t, int32_t>;
-
-// Walks the directed edges, each once: first along chains from their beginning, then around loops.
-class EdgeWalk {
- public:
-  explicit EdgeWalk(std::vector<Edge> edges) : edges_(std::move(edges)), used_(edges_.size(), false) {
-    std::sort(edges_.begin(), edges_.end());
-  }
-
-  std::vector<int32_t> Run() {
-    std::vector<int32_t> targets;
-    for (const Edge& e : edges_) targets.push_back(e.second);
-    std::sort(targets.begin(), targets.end());
-    for (size_t e = 0; e < edges_.size(); ++e) {
-      if (!std::binary_search(targets.begin(), targets.end(), edges_[e].first)) Follow(e);
-    }
-    for (size_t e = 0; e < edges_.size(); ++e) Follow(e);
-    return std::move(visited_);
-  }
-
- private:
-  void Follow(size_t e) {
-    while (!used_[e]) {
-      used_[e] = true;
-      const auto [from, to] = edges_[e];
-      visited_.push_back(from);
-      auto next = std::lower_bound(edges_.begin(), edges_.end(), Edge{to, 0});
-      while (next != edges_.end() && next->first == to && used_[next - edges_.begin()]) ++next;
-      if (next == edges_.end() || next->first != to) {
-        if (next == edges_.begin() || std::prev(next)->first != to) visited_.push_back(to);  // the end of a chain
-        return;
-      }
-      e = static_cast<size_t>(next - edges_.begin());
-    }
-  }
-
-  std::vector<Edge> edges_;
-  std::vector<bool> used_;
-  std::vector<int32_t> visited_;
-};
 
 // How far four points are from a plane, in standard deviations' units: their heights' combination that is zero for a
 // plane, with coefficients of length one. NaN if they lie on a line seen from above.
@@ -148,13 +111,24 @@ class GroundFinder {
 }  // namespace
 
 std::vector<int32_t> ShoreOf(const Plan& plan, const std::vector<int32_t>& holes) {
-  std::vector<Edge> edges;
+  std::vector<DirectedEdge> edges;
   for (const int32_t h : holes) {
     for (const RimSegment& s : plan.holes[h].segments) {
-      if (!s.seam) edges.emplace_back(s.from, s.to);
+      if (!s.seam) edges.push_back({s.from, s.to});
     }
   }
-  return EdgeWalk(std::move(edges)).Run();
+  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
+    return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+  });
+  std::vector<int32_t> shore;
+  for (const EdgeWalk& walk : LinkEdges(edges)) {
+    for (const int32_t e : walk.edges) shore.push_back(edges[e].from);
+    const int32_t end = edges[walk.edges.back()].to;
+    const auto leaving =
+        std::partition_point(edges.begin(), edges.end(), [&](const DirectedEdge& e) { return e.from < end; });
+    if (leaving == edges.end() || leaving->from != end) shore.push_back(end);  // the end of a chain
+  }
+  return shore;
 }
 
 std::vector<ShoreGround> FindGround(const Plan& plan, const PlanInput& input,
