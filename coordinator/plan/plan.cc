@@ -82,7 +82,7 @@ void LeaveUnlinked(const Rim& rim, Plan& plan) {
   std::map<CellId, int64_t> count;
   for (const int32_t e : rim.unlinked) ++count[rim.edges[e].owner];
   for (const auto& [cell, edges] : count) {
-    plan.left.push_back({cell, "boundary edges that close to no loop: the surface is not manifold there", -1, edges});
+    plan.left.push_back({cell, "boundary edges that form no loop: the surface is not manifold there", -1, edges});
   }
 }
 

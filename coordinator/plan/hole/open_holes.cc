@@ -15,9 +15,9 @@
 namespace tilemend {
 namespace {
 
-constexpr char kFolds[] = "its boundary crosses itself seen from above, so it cannot be filled as heights";
+constexpr char kFolds[] = "its boundary crosses itself seen from above";
 constexpr char kUnbounded[] =
-    "it reaches the rim of the area, which is not known: name the area's cells in scene.json to fill it";
+    "it reaches the rim of the area, which is not known; list the cells of the area in scene.json to fill it";
 
 using Segments = std::vector<BoundarySegment>;
 

@@ -80,13 +80,12 @@ LinkedRuns LinkRuns(const Runs& runs, const Rim& rim, const GridLines& lines) {
   }
   if (left > 0) {
     result.left.push_back({tile,
-                           "its boundary runs from one side of the tile's outline to another, and where the surface "
-                           "between them ends is not known",
+                           "its boundary runs from one side of the tile's outline to another, and it is not known "
+                           "where the surface between them ends",
                            -1, left});
   }
   if (chords > 0) {
-    result.left.push_back(
-        {tile, "where a hole was filled up to the outline of a piece of the tile: the new outline", -1, chords});
+    result.left.push_back({tile, "the new outline of a piece of the tile, up to which a hole was filled", -1, chords});
   }
   return result;
 }

@@ -76,12 +76,11 @@ class ChainCloser {
   void LeaveOutlines() {
     if (border_edges_ > 0) {
       const double mean = measured_ > 0 ? border_sum_ / static_cast<double>(measured_) : 0;
-      Leave(absl::StrFormat("the outline of a piece of the tile that ends along another piece %.2f m away, sharing no "
-                            "vertices: no hole",
-                            mean),
+      Leave(absl::StrFormat(
+                "the outline of a piece of the tile, %.2f m from another piece that shares no vertices: no hole", mean),
             border_edges_);
     }
-    if (short_edges_ > 0) Leave("single edges off the tile's outline: they bound no area", short_edges_);
+    if (short_edges_ > 0) Leave("single boundary edges beside the tile's outline: they enclose no area", short_edges_);
   }
 
   void Leave(std::string reason, int64_t edges) { result_.left.push_back({tile_, std::move(reason), -1, edges}); }

@@ -38,7 +38,7 @@ void Pass(const SeamSite& site, CellId a, CellId b, int32_t point, Junctions& ju
     const Point3& p = site.rim.points[point].position;
     junctions.failures.push_back(
         {site.area.contains(a) ? a : b,
-         absl::StrFormat("at (%.3f, %.3f) one edge of the surface reaches over a whole cell", p.x(), p.y())});
+         absl::StrFormat("at (%.3f, %.3f) an edge of the surface spans a whole cell", p.x(), p.y())});
   }
 }
 

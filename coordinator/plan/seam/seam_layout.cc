@@ -48,7 +48,7 @@ class SeamLayer {
     for (size_t i = 0; i < ends.size(); ++i) fits &= ends[i].start == (i % 2 == 0);
     if (!fits) {
       for (const Junction& j : junctions) result_.trouble.push_back(PositionOf(j.point));
-      Fail(border, "the rim folds over itself at the grid line, so that inside and outside cannot be told apart");
+      Fail(border, "its boundary crosses itself at the grid line, so that it has no inside there");
       return;
     }
     for (size_t i = 0; i + 1 < ends.size(); i += 2) LayStretch(border, ends[i].vertex, ends[i + 1].vertex);
@@ -69,7 +69,7 @@ class SeamLayer {
     if (!path) {
       const Point2 p = PositionOf(from);
       result_.trouble.insert(result_.trouble.end(), {p, PositionOf(to)});
-      Fail(border, absl::StrFormat("no way along the grid line through the hole at (%.3f, %.3f)", p.x(), p.y()));
+      Fail(border, absl::StrFormat("no seam can be laid along the grid line at (%.3f, %.3f)", p.x(), p.y()));
       return;
     }
     if (over_rim_ == SeamsOverRim::kYes && !site_.lines.independent) {
