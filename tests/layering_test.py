@@ -53,9 +53,11 @@ RULES = {
 
     'worker/fill/mesh': rule(['common/mesh'], ['openmesh']),
 
-    'worker/fill/region': rule(['common/mesh/triangulation'], []),
+    'worker/fill/region': rule(['common/mesh', 'common/mesh/triangulation'], []),
 
-    'worker/fill/hole': rule(['common/mesh', 'common/records', 'worker/fill/region'], ['eigen']),
+    'worker/fill/hole': rule(
+        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/region'],
+        ['eigen']),
 
     'worker/fill/surface': rule(
         ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'],
@@ -64,18 +66,24 @@ RULES = {
     'worker/fill/shape': rule(
         ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'], ['eigen']),
 
-    'worker/fill/space': rule(['common/mesh'], ['eigen']),
+    'worker/fill/space': rule(
+        ['common/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'],
+        ['eigen']),
+
+    'worker/fill/plane': rule(
+        ['common/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/shape',
+         'worker/fill/space'],
+        []),
 
     'worker/fill/crease': rule(
-        ['common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/space'],
+        ['common/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/plane'],
         ['eigen']),
 
     'worker/fill/seam': rule(['common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'], []),
 
     'worker/fill': rule(
-        ['common/mesh', 'common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/crease'],
-        ['absl', 'eigen']),
+        ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/plane', 'worker/fill/crease'],
+        []),
 
     'worker/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
 

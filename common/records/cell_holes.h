@@ -35,7 +35,8 @@ struct RimSegment {
   bool seam = false;  // a stretch of grid boundary; else an original edge
 };
 
-// A tension of the thin-plate surface and how well it foretold heights that were left out (worker/fill/hold_out.h).
+// A tension of the thin-plate surface and how well it foretold heights that were left out
+// (worker/fill/surface/choose_tension.h).
 struct HoldOut {
   double tension = 0;         // 1 / metre^2
   double error = 0;           // mean |error| with it, metres
@@ -61,10 +62,24 @@ struct CellHoles {
   TriMesh band;
 };
 
+// How a hole was filled.
+enum class FillWay : uint8_t {
+  kNone,         // it was not
+  kWater,        // flat, at the level of the water
+  kGround,       // heights over the ground
+  kOwnPlane,     // heights over the plane of its own boundary
+  kFacingPlane,  // heights over a plane that the surface around it faces
+  kCreases,      // in parts, along sharp edges
+  kUnrolled,     // its boundary unrolled into a plane, bent in space
+  kSpace,        // triangles of its boundary in space
+  kFoldsCut,     // heights over a plane, with folds of its boundary cut off
+};
+
 // New geometry for one hole. A corner k >= 0 is rim vertex k of the CellHoles; -1 - k is new_points[k].
 struct HolePatch {
   int32_t hole = 0;
   std::string failure = {};  // not empty: the hole stays open, for this reason
+  FillWay way = FillWay::kNone;
   std::vector<Point3> new_points = {};
   std::vector<Triangle> triangles = {};
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone

@@ -10,27 +10,26 @@
 namespace tilemend {
 
 // Fills each hole with new triangles that close on its rim (Wang 2021, 3.3: triangulation, refinement, adjustment,
-// fairing).
+// fairing). The ways that are tried, in this order, each where it applies; the first sound patch is taken:
 //
-// Open holes are heights over the plane: constrained Delaunay triangulation of the region that rim and seams bound,
-// refined, with heights by eq. 1 and eq. 2 to 4. Closed holes take the same way over the plane if the surface around
-// them faces up, else over the plane of their own boundary; a boundary that projects without overlap on neither is
-// triangulated in space (minimum weight, sound_triangulation.h), if it has at most kLongestSpatialLoop vertices;
-// islands are tied to the rest of it. Boundaries that cross themselves on the plane (facades, trees, vertical edges)
-// have their folds cut off (fold_cutting.h): the folds are closed in space, by a minimum-weight triangulation or about
-// a new vertex, the rest over the plane.
+//   FillWay       holes                                     see
+//   kCreases      closed, thin plate                        crease_fill.h
+//   kUnrolled     closed, thin plate, steep all around      unrolled_fill.h
+//   kGround       open; closed if all around it faces up    plane_fill.h (kWater with CellHole::level)
+//   kOwnPlane     closed                                    plane_fill.h
+//   kFacingPlane  closed, thin plate                        plane_fill.h
+//   kUnrolled     closed, thin plate, not steep             unrolled_fill.h
+//   kSpace        closed                                    space_fill.h
+//   kFoldsCut     all, over the same planes                 plane_fill.h, fold_cutting.h
 //
 // New vertices of water (CellHole::level) all get its level; the rest is the same.
 //
-// With kThinPlate closed holes are filled in parts along the sharp edges that go through them (crease_fill.h); those
-// that are steep over every plane, or project on none, are refined in space (part_fill.h), if that makes a patch that
-// does not face down where heights fill the hole.
-//
 // A patch of a closed hole that is no height over the ground is taken only if it crosses neither itself, nor `near`,
-// nor the patches of the cell's holes before it, and folds back on none (patch_crossings.h); else the next way is
+// nor the patches of the cell's holes before it, and folds back on none (patch_soundness.h); else the next way is
 // tried. `near` is asked only then; without it the band stands for the surface. Open holes are not checked for
 // crossings, nor those that project on the ground: their patches cannot cross themselves or what goes on from their
-// rim.
+// rim. In parts, unrolled or over the facing plane no patch may face down where heights fill the hole, nor go further
+// than half the hole's extent from it.
 //
 // Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it;
 // with the surface around it the patch makes no edge with three triangles and no triangle twice; new vertices lie on

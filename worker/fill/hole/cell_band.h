@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/triangle_shape.h"
 #include "common/records/cell_holes.h"
 
 namespace tilemend {
@@ -40,9 +41,18 @@ class CellBand {
   const std::vector<int32_t>& At(int32_t vertex) const { return at_[vertex]; }
 
   Eigen::Vector3d Normal(int32_t triangle) const {
-    const Triangle& t = cell_.band.triangles[triangle];
-    const auto& p = cell_.band.points;
-    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+    return TwiceVectorArea(cell_.band.points, cell_.band.triangles[triangle]);
+  }
+
+  // Unit normal of the original triangle at the edge between rim vertices a and b; zero if there is none.
+  Eigen::Vector3d UnitNormalBeside(int32_t a, int32_t b) const {
+    for (const int32_t t : at_[a]) {
+      const Triangle& corners = cell_.band.triangles[t];
+      if (std::find(corners.begin(), corners.end(), b) == corners.end()) continue;
+      const Eigen::Vector3d normal = Normal(t);
+      return normal.norm() > 0 ? Eigen::Vector3d(normal.normalized()) : Eigen::Vector3d::Zero();
+    }
+    return Eigen::Vector3d::Zero();
   }
 
   bool HasEdge(int32_t a, int32_t b) const { return CountEdge(a, b) > 0; }

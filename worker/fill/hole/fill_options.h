@@ -2,6 +2,7 @@
 #ifndef TILEMEND_WORKER_FILL_HOLE_FILL_OPTIONS_H_
 #define TILEMEND_WORKER_FILL_HOLE_FILL_OPTIONS_H_
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -13,6 +14,9 @@ namespace tilemend {
 
 // How the heights inside a patch are found: Wang 2021, eq. 1 to 4, or the thin-plate surface (thin_plate.h).
 enum class Surface { kWang, kThinPlate };
+
+// Loops longer than this are not filled in space: the cost is cubic.
+inline constexpr int32_t kLongestSpatialLoop = 400;
 
 struct FillOptions {
   Surface surface = Surface::kWang;

@@ -5,11 +5,12 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "worker/fill/hole/cell_band.h"
+#include "worker/fill/hole/local_hole.h"
 #include "worker/fill/region/fold_cutting.h"
+#include "worker/fill/region/planar_region.h"
 #include "worker/fill/seam/seam_chains.h"
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/thin_plate.h"
@@ -26,13 +27,17 @@ constexpr double kCoarseGradation = 1.3;
 class ClusterSampler {
  public:
   ClusterSampler(const CellHoles& cluster, const FillOptions& options, double coarsening)
-      : cluster_(cluster), options_(options), coarsening_(coarsening), chains_(SeamChains(cluster)) {
-    NumberVertices();
-  }
+      : cluster_(cluster),
+        band_(cluster),
+        options_(options),
+        coarsening_(coarsening),
+        chains_(SeamChains(cluster)),
+        hole_(NumberVertices(cluster, band_, ThinnedSegments())) {}
 
   // Whether the triangulation has no more unknowns than the budget allows. False also where there is none.
   bool Triangulate(int64_t most_unknowns) {
-    const auto seam_vertices = std::count_if(rim_.begin(), rim_.end(), [&](int32_t v) { return !IsKnown(v); });
+    const auto seam_vertices =
+        std::count_if(hole_.vertices.begin(), hole_.vertices.end(), [&](int32_t v) { return !IsKnown(v); });
     const int64_t budget = most_unknowns - seam_vertices;
     if (budget < 0) return false;
     Refine(budget + 1);
@@ -49,8 +54,8 @@ class ClusterSampler {
     problem.tension = options_.tension ? *options_.tension : surface.hold_out->tension;
     if (!external_.empty()) {
       if (!SolveMembrane(problem)) return std::nullopt;
-      for (size_t i = 0; i < rim_.size(); ++i) {
-        if (external_.contains(rim_[i])) problem.known[i] = true;
+      for (size_t i = 0; i < hole_.vertices.size(); ++i) {
+        if (external_.contains(hole_.vertices[i])) problem.known[i] = true;
       }
     }
     const auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
@@ -65,58 +70,45 @@ class ClusterSampler {
  private:
   bool IsKnown(int32_t v) const { return cluster_.vertices[v].index >= 0; }
 
-  void NumberVertices() {
+  // The segments of the cluster, those at seams between the vertices that are kept.
+  std::vector<RimSegment> ThinnedSegments() {
+    std::vector<RimSegment> segments;
     for (const CellHole& hole : cluster_.holes) {
-      for (const RimSegment& s : hole.segments) {
-        if (!s.seam) AddSegment(s.from, s.to);
-      }
+      std::copy_if(hole.segments.begin(), hole.segments.end(), std::back_inserter(segments),
+                   [](const RimSegment& s) { return !s.seam; });
     }
     for (const SeamChain& chain : chains_) {
       kept_.push_back(ThinnedChain(cluster_, chain, coarsening_ > 1 ? coarsening_ : 0));
       for (size_t i = 0; i + 1 < kept_.back().size(); ++i) {
         const int32_t a = chain.vertices[kept_.back()[i]], b = chain.vertices[kept_.back()[i + 1]];
-        if (chain.forward) AddSegment(a, b);
-        if (chain.backward) AddSegment(b, a);
+        if (chain.forward) segments.push_back({a, b, true});
+        if (chain.backward) segments.push_back({b, a, true});
         if (chain.forward != chain.backward) external_.insert({a, b});
       }
     }
+    return segments;
   }
 
   // The cluster's outline: segments without those that it has on both sides.
   std::vector<RegionSegment> OutlineSegments() const {
     std::set<std::pair<int32_t, int32_t>> directed;
-    for (const RegionSegment& s : segments_) directed.insert({s.from, s.to});
+    for (const RegionSegment& s : hole_.segments) directed.insert({s.from, s.to});
     std::vector<RegionSegment> outline;
-    std::copy_if(segments_.begin(), segments_.end(), std::back_inserter(outline), [&](const RegionSegment& s) {
-      return !directed.contains({s.to, s.from});
-    });
+    std::copy_if(hole_.segments.begin(), hole_.segments.end(), std::back_inserter(outline),
+                 [&](const RegionSegment& s) {
+                   return !directed.contains({s.to, s.from});
+                 });
     return outline;
   }
 
-  void AddSegment(int32_t from, int32_t to) {
-    const int32_t local = Local(from);
-    segments_.push_back({local, Local(to)});
-  }
-
-  int32_t Local(int32_t v) {
-    const auto [it, fresh] = number_.try_emplace(v, static_cast<int32_t>(rim_.size()));
-    if (fresh) rim_.push_back(v);
-    return it->second;
-  }
-
   void Refine(int64_t most_new_points) {
-    Point2 lo = cluster_.vertices[rim_[0]].position.head<2>(), hi = lo;
-    for (const int32_t v : rim_) {
-      lo = lo.cwiseMin(cluster_.vertices[v].position.head<2>());
-      hi = hi.cwiseMax(cluster_.vertices[v].position.head<2>());
+    std::vector<Point2> flat;
+    std::vector<double> sizes;
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      flat.push_back(hole_.positions[v].head<2>());
+      sizes.push_back(coarsening_ * hole_.sizes[v]);
     }
-    window_.emplace(lo, hi);
-    std::vector<LatticePoint> points;
-    std::vector<double> size;
-    for (const int32_t v : rim_) {
-      points.push_back(window_->Round(cluster_.vertices[v].position.head<2>()));
-      size.push_back(coarsening_ * cluster_.vertices[v].size / window_->step());
-    }
+    planar_.emplace(RoundToWindow(flat, sizes));
     RefineOptions refine = options_.refine;
     refine.max_new_points = std::min(refine.max_new_points, most_new_points);
     if (coarsening_ > 1) {
@@ -124,17 +116,17 @@ class ClusterSampler {
       refine.gradation = std::max(refine.gradation, kCoarseGradation);
       refine.size_limit *= coarsening_;
     }
-    region_ = RefineRegion(points, segments_, size, refine);
+    region_ = RefineRegion(planar_->points, hole_.segments, planar_->sizes, refine);
     if (!has_conflicts()) return;
-    const std::vector<RegionSegment> simple = WithoutFolds(points);
-    if (!simple.empty()) region_ = RefineRegion(points, simple, size, refine);
+    const std::vector<RegionSegment> simple = WithoutFolds();
+    if (!simple.empty()) region_ = RefineRegion(planar_->points, simple, planar_->sizes, refine);
   }
 
   // The segments with the folds of the outline cut off, as FillHoles does; none where that does not help, or where a
   // new vertex of a seam is in a fold.
-  std::vector<RegionSegment> WithoutFolds(const std::vector<LatticePoint>& points) {
+  std::vector<RegionSegment> WithoutFolds() {
     const std::vector<RegionSegment> outline = OutlineSegments();
-    CutBoundary cut = CutFolds(points, outline, [](int32_t, int32_t) { return true; });
+    CutBoundary cut = CutFolds(planar_->points, outline, [](int32_t, int32_t) { return true; });
     if (!cut.simple) return {};
     std::set<int32_t> left, cut_off;
     for (const RegionSegment& s : cut.segments) left.insert({s.from, s.to});
@@ -145,29 +137,34 @@ class ClusterSampler {
     }
     std::set<std::pair<int32_t, int32_t>> on_outline;
     for (const RegionSegment& s : outline) on_outline.insert({s.from, s.to});
-    for (const RegionSegment& s : segments_) {
+    for (const RegionSegment& s : hole_.segments) {
       const bool inner = !on_outline.contains({s.from, s.to});
       if (inner && !cut_off.contains(s.from) && !cut_off.contains(s.to)) cut.segments.push_back(s);
     }
-    if (!std::all_of(cut_off.begin(), cut_off.end(), [&](int32_t v) { return IsKnown(rim_[v]); })) return {};
+    if (!std::all_of(cut_off.begin(), cut_off.end(), [&](int32_t v) { return IsKnown(hole_.vertices[v]); })) return {};
     return cut.segments;
   }
 
   ThinPlateProblem Problem() const {
     ThinPlateProblem problem;
-    for (const int32_t v : rim_) {
-      problem.points.push_back(cluster_.vertices[v].position);
-      problem.known.push_back(IsKnown(v));
-      problem.has_equation.push_back(!external_.contains(v) && !at_fold_.contains(number_.at(v)));
+    problem.points = hole_.positions;
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      problem.known.push_back(IsKnown(hole_.vertices[v]));
+      problem.has_equation.push_back(!external_.contains(hole_.vertices[v]) && !at_fold_.contains(v));
     }
     for (const LatticePoint& p : region_.new_points) {
-      const Point2 q = window_->ToMetres(p);
+      const Point2 q = planar_->window.ToMetres(p);
       problem.points.emplace_back(q.x(), q.y(), 0);
     }
     problem.known.resize(problem.points.size(), false);
     problem.has_equation.resize(problem.points.size(), true);
     problem.patch = region_.triangulation.triangles;
-    AddBand(problem);
+    const BandTriangles band =
+        BandAt(hole_, std::vector<bool>(hole_.vertices.size(), true), static_cast<int32_t>(problem.points.size()));
+    problem.band = band.triangles;
+    for (const int32_t v : band.others) problem.points.push_back(cluster_.band.points[v]);
+    problem.known.resize(problem.points.size(), true);
+    problem.has_equation.resize(problem.points.size(), false);
     return problem;
   }
 
@@ -175,6 +172,8 @@ class ClusterSampler {
   std::map<int32_t, std::pair<double, double>> AtSeams(const ThinPlateProblem& problem,
                                                        const std::vector<double>& laplacian) const {
     std::map<int32_t, std::pair<double, double>> values;
+    std::map<int32_t, int32_t> number;
+    for (int32_t v = 0; v < hole_.size(); ++v) number.emplace(hole_.vertices[v], v);
     for (size_t c = 0; c < chains_.size(); ++c) {
       const std::vector<int32_t>& vertices = chains_[c].vertices;
       std::vector<double> along = {0}, knots, heights, laplacians;
@@ -183,7 +182,7 @@ class ClusterSampler {
         along.push_back(along.back() + (b - a).head<2>().norm());
       }
       for (const size_t i : kept_[c]) {
-        const int32_t local = number_.at(vertices[i]);
+        const int32_t local = number.at(vertices[i]);
         knots.push_back(along[i]);
         heights.push_back(problem.points[local].z());
         laplacians.push_back(laplacian[local]);
@@ -195,40 +194,17 @@ class ClusterSampler {
     return values;
   }
 
-  // The original triangles at the rim vertices with a full ring.
-  void AddBand(ThinPlateProblem& problem) const {
-    const CellBand band(cluster_);
-    std::unordered_map<int32_t, int32_t> number = number_;
-    std::set<int32_t> used;
-    for (const int32_t v : rim_) used.insert(band.At(v).begin(), band.At(v).end());
-    for (const int32_t t : used) {
-      Triangle out;
-      for (int k = 0; k < 3; ++k) {
-        const int32_t v = cluster_.band.triangles[t][k];
-        const auto [it, fresh] = number.try_emplace(v, static_cast<int32_t>(problem.points.size()));
-        if (fresh) {
-          problem.points.push_back(cluster_.band.points[v]);
-          problem.known.push_back(true);
-          problem.has_equation.push_back(false);
-        }
-        out[k] = it->second;
-      }
-      problem.band.push_back(out);
-    }
-  }
-
   const CellHoles& cluster_;
+  const CellBand band_;
   const FillOptions& options_;
   const double coarsening_;
   const std::vector<SeamChain> chains_;
   std::vector<std::vector<size_t>> kept_;  // of each chain
-  std::optional<LatticeWindow> window_;
+  std::set<int32_t> external_;             // vertices on seams with the cluster on one side only
+  const LocalHole hole_;                   // all holes of the cluster as one
+  std::optional<PlanarPoints> planar_;
   RefinedRegion region_;
-  std::vector<int32_t> rim_;  // local -> cluster
-  std::unordered_map<int32_t, int32_t> number_;
-  std::vector<RegionSegment> segments_;
-  std::set<int32_t> at_fold_;   // local vertices at and in the folds that were cut off
-  std::set<int32_t> external_;  // vertices on seams with the cluster on one side only
+  std::set<int32_t> at_fold_;  // local vertices at and in the folds that were cut off
 };
 
 }  // namespace

@@ -10,9 +10,6 @@
 
 namespace tilemend {
 
-// Loops longer than this are refused by the filler: the cost is cubic.
-inline constexpr int32_t kLongestSpatialLoop = 400;
-
 // Triangulates the loop without new vertices, of all ways the one whose worst dihedral angle (among the triangles and
 // with the surroundings) is least, and of those the one of least area (Liepa 2003, 3; dynamic programming after
 // Klincsek 1980).

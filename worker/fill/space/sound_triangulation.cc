@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/mesh/position_index.h"
+#include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/minimum_weight.h"
 
 namespace tilemend {
@@ -25,7 +26,7 @@ Box3 BoxOf(const SpaceTriangle& t) {
   return box;
 }
 
-double AreaOf(const SpaceTriangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
+double AreaOf(const SpaceTriangle& t) { return TriangleArea(t[0], t[1], t[2]); }
 
 class SoundTriangulator {
  public:

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <ostream>
 #include <string>
 
 #include "tests/support/folded_meshes.h"
 #include "tests/support/patch_checks.h"
 #include "worker/fill/fill_holes.h"
-#include "worker/fill/hole/cell_band.h"
+#include "worker/fill/hole/local_hole.h"
 
 namespace tilemend {
 namespace {
@@ -76,7 +75,7 @@ TEST_P(FoldedSheetTest, FollowsAnUprightBuildingTurnedOver) {
       work, Fill(work), [&](const Point3& p) { return DistanceToBuilding(back(p)); }, c.noise > 0 ? kTolerance : 0.002);
 }
 
-TEST(FeatureFillTest, PutsAVertexOnTheCornerOfABox) {
+TEST(CreaseFillTest, PutsAVertexOnTheCornerOfABox) {
   const CellHoles work = WorkOfBoxCorner(6, kNoise);
   const HolePatch patch = Fill(work);
   const auto distance = [](const Point3& p) {
@@ -94,7 +93,7 @@ TEST(FeatureFillTest, PutsAVertexOnTheCornerOfABox) {
   EXPECT_TRUE(has_corner);
 }
 
-TEST(FeatureFillTest, LeavesAnIslandOnARoofsEdge) {
+TEST(CreaseFillTest, LeavesAnIslandOnARoofsEdge) {
   const auto ring = [](double u, double v) {
     const double r = std::hypot(u, v - kWallHeight);
     return r > 2.2 && r < 7;
@@ -106,7 +105,7 @@ TEST(FeatureFillTest, LeavesAnIslandOnARoofsEdge) {
   EXPECT_NEAR(PatchArea(work, patch), PatchArea(whole, Fill(whole)) - 16, 0.5) << "16 squares stay";
 }
 
-TEST(FeatureFillTest, LeavesAnIslandOnTheRoof) {
+TEST(CreaseFillTest, LeavesAnIslandOnTheRoof) {
   const auto hole = [](double u, double v) {
     return std::hypot(u, v - kWallHeight) < 7 && std::hypot(u - 1, v - kWallHeight - 3) > 1.5;
   };
@@ -115,7 +114,7 @@ TEST(FeatureFillTest, LeavesAnIslandOnTheRoof) {
 }
 
 // Three quarters of the way round a tank: over no plane.
-TEST(FeatureFillTest, RefinesAHoleAroundATank) {
+TEST(CreaseFillTest, RefinesAHoleAroundATank) {
   const double radius = 5;
   const auto tank = [&](const Point3& p) {
     const double angle = (p.y() - 5) / radius;
@@ -127,7 +126,7 @@ TEST(FeatureFillTest, RefinesAHoleAroundATank) {
       work, Fill(work), [&](const Point3& p) { return std::abs(std::hypot(p.y(), p.z()) - radius); }, 0.4);
 }
 
-TEST(FeatureFillTest, RefinesADome) {
+TEST(CreaseFillTest, RefinesADome) {
   const double radius = 6;
   const auto dome = [&](const Point3& p) {  // from the pole at (0, 5), distances along meridians
     const Point2 off = p.head<2>() - Point2(0, 5);
@@ -142,17 +141,18 @@ TEST(FeatureFillTest, RefinesADome) {
   for (const Point3& p : patch.new_points) EXPECT_NEAR(p.norm(), radius, 0.15 * radius) << p.transpose();
 }
 
-TEST(FeatureFillTest, HasNothingToDoOnAHill) {
+TEST(CreaseFillTest, HasNothingToDoOnAHill) {
   const auto hill = [](const Point3& p) {
     return Point3(p.x(), p.y(), 12 * std::exp(-(p - Point3(0, 5, 0)).squaredNorm() / 60));
   };
   const CellHoles work = WorkOfSheet(Disc(2, 8, 5), hill, 0.02);
   const CellBand band(work);
-  EXPECT_FALSE(FillAlongFeatures(work, work.holes[0], band, ThinPlate()).has_value());
-  EXPECT_FALSE(IsSteepHole(work, work.holes[0], band));
+  const LocalHole local = MakeLocalHole(work, band, work.holes[0]);
+  EXPECT_EQ(FillAlongCreases(local, ThinPlate()).failure, FillFailure::kNotApplicable);
+  EXPECT_EQ(Fill(work).way, FillWay::kGround);
 }
 
-TEST(FeatureFillTest, KeepsTheRimsSizeAlongCreasesWhenUniform) {
+TEST(CreaseFillTest, KeepsTheRimsSizeAlongCreasesWhenUniform) {
   const CellHoles work = WorkOfSheet(Disc(0, kWallHeight, 8), FoldToBuilding, kNoise);
   FillOptions options = ThinPlate();
   options.refine.uniform = true;
@@ -164,14 +164,14 @@ TEST(FeatureFillTest, KeepsTheRimsSizeAlongCreasesWhenUniform) {
   EXPECT_LT(Fill(work).triangles.size(), patch.triangles.size());
 }
 
-TEST(FeatureFillTest, GivesTheSameBitsEveryTime) {
+TEST(CreaseFillTest, GivesTheSameBitsEveryTime) {
   const CellHoles work = WorkOfSheet(Disc(0, kWallHeight / 2, 8), FoldToBuilding, kNoise);
   const HolePatch a = Fill(work), b = Fill(work);
   EXPECT_EQ(a.new_points, b.new_points);
   EXPECT_EQ(a.triangles, b.triangles);
 }
 
-TEST(FeatureFillTest, LeavesThePapersSurfaceAlone) {
+TEST(CreaseFillTest, LeavesThePapersSurfaceAlone) {
   const CellHoles work = WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, kNoise);
   FillOptions wang;
   wang.surface = Surface::kWang;

@@ -1,36 +1,22 @@
-#include "worker/fill/crease/crease_curves.h"
+#include "worker/fill/crease/crease_network.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <tuple>
+#include <utility>
+
+#include "worker/fill/crease/crease_measures.h"
 
 namespace tilemend {
 namespace {
 
 using Eigen::Vector3d;
+using internal::AngleBetween;
+using internal::kDegree;
+using internal::kOnCrease;
+using internal::Wrap;
 
-constexpr double kDegree = std::numbers::pi / 180;
-// Vertex noise of 1 % of the edge length turns normals by a few degrees; edges of buildings mostly have 90.
-constexpr double kLeastCreaseAngle = 30 * kDegree;
-// Numbers of rim edges that are looked at on either side: the short one for small parts, the long one outvotes bites
-// of a triangle or two along a crease.
-constexpr std::array<int32_t, 2> kReaches = {4, 8};
-// Of half that angle: no two normals that are nearer than this to a third make a crease.
-constexpr double kSmoothCosine = 0.966;
-// At a crease all normals are near one of two. Their mean angle to the nearer of the two, as a share of the angle
-// between the two: 0 between planes, 1/4 where the bend is spread evenly (a round wall).
-constexpr double kMostSpread = 0.125;
-// How well a place parts the normals of the two: 1 if they change there once for all, less where the rim weaves about
-// the crease, 0 if they are mixed alike on both sides.
-constexpr double kLeastSharpness = 0.4;
-// Places closer together than this show one crease.
-constexpr int32_t kApart = 3;
-// A vertex is on a crease if it is this close to both planes, in edge lengths.
-constexpr double kOnCrease = 0.25;
 // How far the normals of one smooth part may differ between two ends.
 constexpr double kSamePart = 20 * kDegree;
 // How far a crease may turn on its way, from each end to the chord, and the difference between the two.
@@ -50,214 +36,14 @@ constexpr double kLeastCornerVolume = 0.15;
 constexpr int kCurvePieces = 64;
 constexpr double kCornerAim = 20 * kDegree;
 
-double AngleBetween(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
-// The members of a cyclic sequence by any index.
-int32_t Wrap(int32_t i, int32_t n) { return ((i % n) + n) % n; }
-
-// A bend of the surface at a place of the rim, seen over `reach` edges on either side.
-struct Bend {
-  int32_t place = 0;
-  int32_t reach = 0;
-  double angle = 0;
-  double sharpness = 0;
-  Vector3d before, after;
-};
-
-class EndFinder {
- public:
-  EndFinder(const RimLoop& loop, int32_t number) : loop_(loop), number_(number), n_(loop.size()) {}
-
-  std::vector<FeatureEnd> Run() {
-    std::vector<Bend> bends = SharpBends();
-    std::vector<FeatureEnd> ends;
-    for (size_t k = 0; k < bends.size(); ++k) {
-      const int32_t back = Wrap(bends[k].place - bends[Wrap(static_cast<int32_t>(k) - 1, Count(bends))].place, n_);
-      const int32_t on = Wrap(bends[Wrap(static_cast<int32_t>(k) + 1, Count(bends))].place - bends[k].place, n_);
-      AddEnds(bends[k], back > 0 ? back : n_ / 2, on > 0 ? on : n_ / 2, ends);
-    }
-    std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
-    const auto same = [](const auto& a, const auto& b) { return a.place == b.place; };
-    ends.erase(std::unique(ends.begin(), ends.end(), same), ends.end());
-    return ends;
-  }
-
- private:
-  static int32_t Count(const std::vector<Bend>& bends) { return static_cast<int32_t>(bends.size()); }
-  const Vector3d& Normal(int32_t edge) const { return loop_.outside[Wrap(edge, n_)]; }
-  const Point3& At(int32_t place) const { return loop_.positions[Wrap(place, n_)]; }
-  double Length(int32_t edge) const { return (At(edge + 1) - At(edge)).norm(); }
-
-  // The normal among edges [begin, end) with the least sum of angles to the others, and that sum.
-  std::pair<Vector3d, double> Middle(int32_t begin, int32_t end) const {
-    std::pair<Vector3d, double> best{Vector3d::Zero(), INFINITY};
-    for (int32_t m = begin; m < end; ++m) {
-      double sum = 0;
-      for (int32_t e = begin; e < end; ++e) sum += AngleBetween(Normal(m), Normal(e));
-      if (sum < best.second) best = {Normal(m), sum};
-    }
-    return best;
-  }
-
-  // Most places are on smooth surface: all normals near that of the place itself.
-  bool IsSmooth(int32_t place, int32_t reach) const {
-    for (int32_t e = place - reach; e < place + reach; ++e) {
-      if (Normal(e).dot(Normal(place)) < kSmoothCosine) return false;
-    }
-    return true;
-  }
-
-  Bend BendAt(int32_t place, int32_t reach) const {
-    const auto before = Middle(place - reach, place), after = Middle(place, place + reach);
-    Bend bend{place, reach, AngleBetween(before.first, after.first), 0, before.first, after.first};
-    if (bend.angle < kLeastCreaseAngle) return bend;
-    double off = 0;
-    for (int32_t e = place - reach; e < place + reach; ++e) {
-      off += std::min(AngleBetween(Normal(e), bend.before), AngleBetween(Normal(e), bend.after));
-    }
-    if (off > kMostSpread * 2 * reach * bend.angle) return bend;
-    const double together = Middle(place - reach, place + reach).second;
-    bend.sharpness = (together - before.second - after.second) / (reach * bend.angle);
-    return bend;
-  }
-
-  // Sharp bends in order of place, the sharpest of those that lie close together.
-  std::vector<Bend> SharpBends() const {
-    std::vector<Bend> sharp;
-    for (int32_t i = 0; i < n_; ++i) {
-      std::optional<Bend> best;
-      for (const int32_t reach : kReaches) {
-        if (2 * reach > n_ || IsSmooth(i, reach)) continue;
-        const Bend bend = BendAt(i, reach);
-        if (bend.sharpness >= kLeastSharpness && (!best || bend.sharpness > best->sharpness)) best = bend;
-      }
-      if (best) sharp.push_back(*best);
-    }
-    std::stable_sort(sharp.begin(), sharp.end(),
-                     [](const Bend& a, const Bend& b) { return a.sharpness * a.angle > b.sharpness * b.angle; });
-    std::vector<Bend> chosen;
-    for (const Bend& b : sharp) {
-      const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](const Bend& c) {
-        return std::min(Wrap(b.place - c.place, n_), Wrap(c.place - b.place, n_)) >= kApart;
-      });
-      if (apart) chosen.push_back(b);
-    }
-    std::sort(chosen.begin(), chosen.end(), [](const Bend& a, const Bend& b) { return a.place < b.place; });
-    return chosen;
-  }
-
-  // The planes of a crease near the rim and the line where they meet.
-  struct Crease {
-    Vector3d before, after;      // unit normals
-    Point3 on_before, on_after;  // points of the planes
-    Vector3d tangent;            // into the hole
-    double edge = 0;             // mean length
-  };
-
-  // Mean normal and position of the edges of [begin, end) that face like `like`.
-  std::pair<Vector3d, Point3> PlaneOf(int32_t begin, int32_t end, const Vector3d& like, double tolerance) const {
-    Vector3d normal = Vector3d::Zero();
-    Point3 sum = Point3::Zero();
-    double weight = 0;
-    for (int32_t e = begin; e < end; ++e) {
-      if (AngleBetween(Normal(e), like) > tolerance) continue;
-      const double length = Length(e);
-      normal += length * Normal(e);
-      sum += length / 2 * (At(e) + At(e + 1));
-      weight += length;
-    }
-    return {normal.normalized(), sum / weight};
-  }
-
-  // None if the rim does not cross the crease from one plane to the other, or the two disagree on which side the hole
-  // is.
-  std::optional<Crease> CreaseOf(const Bend& bend, int32_t back, int32_t on) const {
-    Crease c;
-    std::tie(c.before, c.on_before) = PlaneOf(bend.place - back, bend.place, bend.before, bend.angle / 2);
-    std::tie(c.after, c.on_after) = PlaneOf(bend.place, bend.place + on, bend.after, bend.angle / 2);
-    const Vector3d line = c.before.cross(c.after).normalized();
-    if (!line.allFinite() || !c.on_before.allFinite() || !c.on_after.allFinite()) return std::nullopt;
-    const Point3& p = At(bend.place);
-    for (int32_t e = bend.place - back; e < bend.place + on; ++e) c.edge += Length(e) / (back + on);
-    // The hole is to the left of the way across the crease. One of the two is about zero where the rim runs along it.
-    const double from = c.before.cross(p - c.on_before).dot(line), to = c.after.cross(c.on_after - p).dot(line);
-    c.tangent = from + to > 0 ? line : Vector3d(-line);
-    const double contrary = from + to > 0 ? -std::min(from, to) : std::max(from, to);
-    if (contrary > kOnCrease * c.edge) return std::nullopt;
-    return c;
-  }
-
-  bool IsOn(const Crease& c, int32_t place) const {
-    return std::abs(c.before.dot(At(place) - c.on_before)) <= kOnCrease * c.edge &&
-           std::abs(c.after.dot(At(place) - c.on_after)) <= kOnCrease * c.edge;
-  }
-
-  // On which side of the crease the hole is at each edge: 1 after, -1 before; unknown sides are those of the edge
-  // before. It is the side of the surface beside the edge, except on the way along the crease from one side to the
-  // other: there the crease goes on into the hole at the far end.
-  std::vector<int> Sides(const Crease& c) const {
-    std::vector<int> sides;
-    for (int32_t e = 0; e < n_; ++e) {
-      const double before = AngleBetween(Normal(e), c.before), after = AngleBetween(Normal(e), c.after);
-      const bool known = std::min(before, after) <= AngleBetween(c.before, c.after) / 2;
-      sides.push_back(known ? (after < before ? 1 : -1) : 0);
-    }
-    for (int32_t e = 1; e < 2 * n_; ++e) {
-      if (sides[Wrap(e, n_)] == 0) sides[Wrap(e, n_)] = sides[Wrap(e - 1, n_)];
-    }
-    const std::vector<int> beside = sides;
-    const auto along = [&](int32_t e) { return IsOn(c, e) && IsOn(c, e + 1); };
-    for (int32_t e = 0; e < n_; ++e) {
-      if (!along(e) || along(e - 1)) continue;
-      int32_t end = e;
-      while (end < e + n_ && along(end)) ++end;
-      if (beside[Wrap(e - 1, n_)] == beside[Wrap(end, n_)]) continue;
-      for (int32_t k = e; k < end; ++k) sides[Wrap(k, n_)] = -beside[Wrap(k, n_)];
-    }
-    return sides;
-  }
-
-  // One end where the rim crosses the crease once; where it weaves about the crease, one for each time that it crosses.
-  //   back, on  edges to the neighbouring bends
-  void AddEnds(const Bend& bend, int32_t back, int32_t on, std::vector<FeatureEnd>& ends) const {
-    back = std::min(back, bend.reach);
-    on = std::min(on, bend.reach);
-    const std::optional<Crease> crease = CreaseOf(bend, back, on);
-    if (!crease) return;
-    const std::vector<int> sides = Sides(*crease);
-    std::vector<FeatureEnd> crossings;
-    for (int32_t e = 0; e < n_; ++e) {
-      const int side = sides[e];
-      if (side == sides[Wrap(e - 1, n_)]) continue;
-      if (IsOn(*crease, e)) {
-        crossings.push_back(EndAt(*crease, e, side));
-      } else if (Wrap(e - bend.place + back, n_) < back + on) {  // no vertex of the rim is on the crease
-        ends.push_back(EndAt(*crease, bend.place, 1));
-        return;
-      }
-    }
-    ends.insert(ends.end(), crossings.begin(), crossings.end());
-  }
-
-  // The end at a place where the rim crosses a crease to the side given.
-  FeatureEnd EndAt(const Crease& c, int32_t place, int side) const {
-    place = Wrap(place, n_);
-    if (side > 0) return {number_, place, 0, c.before, c.after, c.tangent};
-    return {number_, place, 0, c.after, c.before, -c.tangent};
-  }
-
-  const RimLoop& loop_;
-  const int32_t number_, n_;
-};
-
 class NetworkBuilder {
  public:
   explicit NetworkBuilder(std::span<const RimLoop> loops) : loops_(loops) {
-    network_.ends = FindFeatureEnds(loops);
+    network_.ends = FindCreaseEnds(loops);
     used_.assign(network_.ends.size(), false);
   }
 
-  FeatureNetwork Run() {
+  CreaseNetwork Run() {
     JoinPairs(kGentleTurn);
     for (const int32_t number : {3, 4}) {
       while (JoinMeeting(number)) {
@@ -270,11 +56,11 @@ class NetworkBuilder {
   }
 
  private:
-  const Point3& At(const FeatureEnd& end) const { return loops_[end.loop].positions[end.place]; }
+  const Point3& At(const CreaseEnd& end) const { return loops_[end.loop].positions[end.place]; }
   int32_t Count() const { return static_cast<int32_t>(network_.ends.size()); }
 
-  std::optional<FeatureCurve> CurveBetween(int32_t from, int32_t to, double most_turn) const {
-    const FeatureEnd &a = network_.ends[from], &b = network_.ends[to];
+  std::optional<CreaseCurve> CurveBetween(int32_t from, int32_t to, double most_turn) const {
+    const CreaseEnd &a = network_.ends[from], &b = network_.ends[to];
     const Vector3d chord = At(b) - At(a);
     const double turn_a = AngleBetween(a.tangent, chord), turn_b = AngleBetween(b.tangent, -chord);
     if (std::max(turn_a, turn_b) > most_turn || std::abs(turn_a - turn_b) > kUnevenTurn) return std::nullopt;
@@ -282,7 +68,7 @@ class NetworkBuilder {
     if (AngleBetween(turn * a.after, b.before) > kSamePart || AngleBetween(turn * a.before, b.after) > kSamePart) {
       return std::nullopt;
     }
-    FeatureCurve curve{from, to, At(a), At(b), chord, chord};
+    CreaseCurve curve{from, to, At(a), At(b), chord, chord};
     if (std::max(turn_a, turn_b) > kStraight) {  // slopes of the cubic nearest to a circular arc
       curve.start_slope = 2 * chord.norm() / (1 + std::cos(turn_a)) * a.tangent;
       curve.finish_slope = -2 * chord.norm() / (1 + std::cos(turn_b)) * b.tangent;
@@ -309,12 +95,12 @@ class NetworkBuilder {
 
   // Whether a curve between two ends would cross one that has all its ends on the same loop.
   bool Crosses(int32_t from, int32_t to) const {
-    const FeatureEnd &a = network_.ends[from], &b = network_.ends[to];
+    const CreaseEnd &a = network_.ends[from], &b = network_.ends[to];
     if (a.loop != b.loop) return false;
     const int32_t n = loops_[a.loop].size();
     for (int32_t k = 0; k < static_cast<int32_t>(network_.curves.size()); ++k) {
       if (network_.curves[k].from < 0) continue;
-      const FeatureEnd &c = network_.ends[network_.curves[k].from], &d = network_.ends[PartnerOf(k)];
+      const CreaseEnd &c = network_.ends[network_.curves[k].from], &d = network_.ends[PartnerOf(k)];
       if (c.loop != a.loop || d.loop != a.loop) continue;
       if (Between(c.place, a.place, b.place, n) != Between(d.place, a.place, b.place, n)) return true;
     }
@@ -322,10 +108,10 @@ class NetworkBuilder {
   }
 
   void JoinPairs(double most_turn) {
-    std::vector<std::pair<double, FeatureCurve>> candidates;
+    std::vector<std::pair<double, CreaseCurve>> candidates;
     for (int32_t a = 0; a < Count(); ++a) {
       for (int32_t b = a + 1; b < Count(); ++b) {
-        const std::optional<FeatureCurve> curve = CurveBetween(a, b, most_turn);
+        const std::optional<CreaseCurve> curve = CurveBetween(a, b, most_turn);
         if (curve) candidates.emplace_back((curve->finish - curve->start).norm(), *curve);
       }
     }
@@ -344,7 +130,7 @@ class NetworkBuilder {
   };
 
   // The plane of the flat part that the rim borders on from one end to another. None if it is not flat.
-  std::optional<Plane> PlaneBetween(const FeatureEnd& a, const FeatureEnd& b) const {
+  std::optional<Plane> PlaneBetween(const CreaseEnd& a, const CreaseEnd& b) const {
     if (AngleBetween(a.after, b.before) > kSamePart) return std::nullopt;
     const RimLoop& loop = loops_[a.loop];
     const int32_t n = loop.size(), length = Wrap(b.place - a.place, n), reach = std::min(kPlaneReach, length);
@@ -399,7 +185,7 @@ class NetworkBuilder {
     const size_t n = ends.size();
     std::vector<Plane> planes;  // after each end
     for (size_t k = 0; k < n; ++k) {
-      const FeatureEnd &a = network_.ends[ends[k]], &b = network_.ends[ends[(k + 1) % n]];
+      const CreaseEnd &a = network_.ends[ends[k]], &b = network_.ends[ends[(k + 1) % n]];
       if (a.loop != b.loop || Crosses(ends[k], ends[(k + 1) % n])) return std::nullopt;
       const std::optional<Plane> plane = PlaneBetween(a, b);
       if (!plane) return std::nullopt;
@@ -463,11 +249,11 @@ class NetworkBuilder {
 
   bool HasEnd(const Touch& touch) const {
     return std::any_of(network_.ends.begin(), network_.ends.end(),
-                       [&](const FeatureEnd& e) { return e.loop == touch.loop && e.place == touch.place; });
+                       [&](const CreaseEnd& e) { return e.loop == touch.loop && e.place == touch.place; });
   }
 
   // The first place of the rim that lies on a curve and is no end.
-  std::optional<Touch> TouchOf(const FeatureCurve& curve) const {
+  std::optional<Touch> TouchOf(const CreaseCurve& curve) const {
     std::vector<Point3> line;
     for (int k = 0; k <= kCurvePieces; ++k) line.push_back(curve.At(static_cast<double>(k) / kCurvePieces));
     for (size_t l = 0; l < loops_.size(); ++l) {
@@ -498,8 +284,8 @@ class NetworkBuilder {
 
   // Whether the rim at a touch of curve c lies to the right of it. The curve starts at an end.
   bool IsRight(const Touch& touch, int32_t c) const {
-    const FeatureCurve& curve = network_.curves[c];
-    const FeatureEnd& from = network_.ends[curve.from];
+    const CreaseCurve& curve = network_.curves[c];
+    const CreaseEnd& from = network_.ends[curve.from];
     const RimLoop& loop = loops_[touch.loop];
     const int32_t n = loop.size(), i = touch.place, to = PartnerOf(c);
     if (from.loop == touch.loop && network_.ends[to].loop == touch.loop) {
@@ -516,14 +302,14 @@ class NetworkBuilder {
       while (network_.curves[c].from >= 0) {
         const std::optional<Touch> touch = TouchOf(network_.curves[c]);
         if (!touch) break;
-        const FeatureCurve curve = network_.curves[c];
+        const CreaseCurve curve = network_.curves[c];
         const bool right = IsRight(*touch, static_cast<int32_t>(c));
         const Point3& p = loops_[touch->loop].positions[touch->place];
-        const FeatureEnd& from = network_.ends[curve.from];
+        const CreaseEnd& from = network_.ends[curve.from];
         const double t = touch->at;
         const Vector3d slope = curve.SlopeAt(t), way = slope.normalized();
-        const FeatureEnd near{touch->loop, touch->place, right ? 0 : 1, from.after, from.before, -way};
-        const FeatureEnd far{touch->loop, touch->place, right ? 1 : 0, from.before, from.after, way};
+        const CreaseEnd near{touch->loop, touch->place, right ? 0 : 1, from.after, from.before, -way};
+        const CreaseEnd far{touch->loop, touch->place, right ? 1 : 0, from.before, from.after, way};
         network_.ends.push_back(near);
         network_.ends.push_back(far);
         network_.curves[c] = {curve.from, Count() - 2, curve.start, p, t * curve.start_slope, t * slope};
@@ -537,54 +323,45 @@ class NetworkBuilder {
     }
   }
 
-  bool IsRimEdge(const FeatureCurve& curve) const {
+  bool IsRimEdge(const CreaseCurve& curve) const {
     if (curve.from < 0 || curve.to < 0) return false;
-    const FeatureEnd &a = network_.ends[curve.from], &b = network_.ends[curve.to];
+    const CreaseEnd &a = network_.ends[curve.from], &b = network_.ends[curve.to];
     const int32_t way = Wrap(a.place - b.place, loops_[a.loop].size());
     return a.loop == b.loop && (way == 1 || way == loops_[a.loop].size() - 1);
   }
 
   // A curve along a single edge of the rim parts nothing.
   void LeaveOutRimEdges() {
-    std::vector<FeatureCurve> kept;
+    std::vector<CreaseCurve> kept;
     std::vector<int32_t> number;
-    for (const FeatureCurve& curve : network_.curves) {
+    for (const CreaseCurve& curve : network_.curves) {
       number.push_back(static_cast<int32_t>(kept.size()));
       if (!IsRimEdge(curve)) kept.push_back(curve);
     }
     network_.curves = std::move(kept);
-    for (FeatureCorner& corner : network_.corners) {
+    for (CreaseCorner& corner : network_.corners) {
       for (int32_t& c : corner.curves) c = number[c];
     }
   }
 
   std::span<const RimLoop> loops_;
-  FeatureNetwork network_;
+  CreaseNetwork network_;
   std::vector<bool> used_;  // per end
 };
 
 }  // namespace
 
-Point3 FeatureCurve::At(double t) const {
+Point3 CreaseCurve::At(double t) const {
   const double s = 1 - t;
   return s * s * (1 + 2 * t) * start + s * s * t * start_slope + t * t * (1 + 2 * s) * finish -
          t * t * s * finish_slope;
 }
 
-Vector3d FeatureCurve::SlopeAt(double t) const {
+Vector3d CreaseCurve::SlopeAt(double t) const {
   const double s = 1 - t;
   return 6 * s * t * (finish - start) + s * (s - 2 * t) * start_slope + t * (t - 2 * s) * finish_slope;
 }
 
-std::vector<FeatureEnd> FindFeatureEnds(std::span<const RimLoop> loops) {
-  std::vector<FeatureEnd> ends;
-  for (size_t l = 0; l < loops.size(); ++l) {
-    const std::vector<FeatureEnd> found = EndFinder(loops[l], static_cast<int32_t>(l)).Run();
-    ends.insert(ends.end(), found.begin(), found.end());
-  }
-  return ends;
-}
-
-FeatureNetwork FindFeatures(std::span<const RimLoop> loops) { return NetworkBuilder(loops).Run(); }
+CreaseNetwork FindCreases(std::span<const RimLoop> loops) { return NetworkBuilder(loops).Run(); }
 
 }  // namespace tilemend

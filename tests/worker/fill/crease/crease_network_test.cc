@@ -1,15 +1,13 @@
-#include "worker/fill/crease/crease_curves.h"
+#include "worker/fill/crease/crease_network.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "tests/support/folded_meshes.h"
-#include "worker/fill/hole/cell_band.h"
-#include "worker/fill/hole/rim_loops.h"
+#include "worker/fill/hole/local_hole.h"
 
 namespace tilemend {
 namespace {
@@ -17,34 +15,20 @@ namespace {
 // Vertices a few millimetres off, where edges are 1 m: like surveyed buildings with edges of 0.25 m.
 constexpr double kNoise = 0.01;
 
-std::vector<RimLoop> LoopsOf(const CellHoles& work) { return LoopsOf(work, work.holes[0], CellBand(work)); }
+std::vector<RimLoop> LoopsOf(const CellHoles& work) { return MakeLocalHole(work, CellBand(work), work.holes[0]).loops; }
 
-FeatureNetwork FeaturesOf(const CellHoles& work) { return FindFeatures(LoopsOf(work)); }
+CreaseNetwork CreasesOf(const CellHoles& work) { return FindCreases(LoopsOf(work)); }
 
-TEST(FeatureCurvesTest, FindsWhereARoofsEdgeEntersAHole) {
-  const CellHoles work = WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, kNoise);
-  const std::vector<RimLoop> loops = LoopsOf(work);
-  const std::vector<FeatureEnd> ends = FindFeatureEnds(loops);
-  ASSERT_EQ(ends.size(), 2u);
-  for (const FeatureEnd& end : ends) {
-    const Point3& p = loops[end.loop].positions[end.place];
-    EXPECT_NEAR(p.y(), 0, kNoise);
-    EXPECT_NEAR(p.z(), kWallHeight, kNoise);
-    EXPECT_NEAR(end.tangent.x(), p.x() < 0 ? 1 : -1, 0.01) << "into the hole";
-    EXPECT_NEAR(std::abs(end.before.z() - end.after.z()), 1, 0.05) << "roof and wall";
-  }
-}
-
-TEST(FeatureCurvesTest, CarriesARoofsEdgeThroughAHole) {
-  const FeatureNetwork network = FeaturesOf(WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, kNoise));
+TEST(CreaseNetworkTest, CarriesARoofsEdgeThroughAHole) {
+  const CreaseNetwork network = CreasesOf(WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, kNoise));
   ASSERT_EQ(network.curves.size(), 1u);
   const Point3 middle = network.curves[0].At(0.5);
   EXPECT_NEAR(middle.y(), 0, kNoise);
   EXPECT_NEAR(middle.z(), kWallHeight, kNoise);
 }
 
-TEST(FeatureCurvesTest, CarriesARoofsEdgeAndTheFootOfTheWallThroughOneHole) {
-  const FeatureNetwork network = FeaturesOf(WorkOfSheet(Disc(0, kWallHeight / 2, 8), FoldToBuilding, kNoise));
+TEST(CreaseNetworkTest, CarriesARoofsEdgeAndTheFootOfTheWallThroughOneHole) {
+  const CreaseNetwork network = CreasesOf(WorkOfSheet(Disc(0, kWallHeight / 2, 8), FoldToBuilding, kNoise));
   ASSERT_EQ(network.curves.size(), 2u);
   std::vector<double> heights = {network.curves[0].At(0.5).z(), network.curves[1].At(0.5).z()};
   std::sort(heights.begin(), heights.end());
@@ -52,29 +36,29 @@ TEST(FeatureCurvesTest, CarriesARoofsEdgeAndTheFootOfTheWallThroughOneHole) {
   EXPECT_NEAR(heights[1], kWallHeight, kNoise);
 }
 
-TEST(FeatureCurvesTest, JoinsCreasesOnlyAcrossIslands) {
+TEST(CreaseNetworkTest, JoinsCreasesOnlyAcrossIslands) {
   const auto ring = [](double u, double v) {
     const double r = std::hypot(u, v - kWallHeight);
     return r > 2.2 && r < 7;
   };
-  const FeatureNetwork network = FeaturesOf(WorkOfSheet(ring, FoldToBuilding, kNoise));
+  const CreaseNetwork network = CreasesOf(WorkOfSheet(ring, FoldToBuilding, kNoise));
   ASSERT_EQ(network.ends.size(), 4u);
   ASSERT_EQ(network.curves.size(), 2u);
-  for (const FeatureCurve& c : network.curves) {
+  for (const CreaseCurve& c : network.curves) {
     EXPECT_NE(network.ends[c.from].loop, network.ends[c.to].loop);
     EXPECT_LT((c.finish - c.start).norm(), 7);
   }
 }
 
-TEST(FeatureCurvesTest, MeetsInTheCornerOfABox) {
-  const FeatureNetwork network = FeaturesOf(WorkOfBoxCorner(6, kNoise));
+TEST(CreaseNetworkTest, MeetsInTheCornerOfABox) {
+  const CreaseNetwork network = CreasesOf(WorkOfBoxCorner(6, kNoise));
   ASSERT_EQ(network.corners.size(), 1u);
   EXPECT_NEAR(network.corners[0].position.norm(), 0, 3 * kNoise);
   EXPECT_EQ(network.curves.size(), 3u);
 }
 
 // The rim crosses the roof's edge three times at the one side, and touches it from below in the middle.
-TEST(FeatureCurvesTest, FollowsARimThatWeavesAboutTheCrease) {
+TEST(CreaseNetworkTest, FollowsARimThatWeavesAboutTheCrease) {
   const auto hole = [](double u, double v) {
     const bool bite = u > 4 && u < 6 && v > kWallHeight - 2, tooth = u < -5 && v > kWallHeight && v < kWallHeight + 2;
     const bool peninsula = std::abs(u) < 1 && v < kWallHeight;
@@ -82,10 +66,10 @@ TEST(FeatureCurvesTest, FollowsARimThatWeavesAboutTheCrease) {
   };
   const CellHoles work = WorkOfSheet(hole, FoldToBuilding, kNoise);
   const std::vector<RimLoop> loops = LoopsOf(work);
-  const FeatureNetwork network = FindFeatures(loops);
+  const CreaseNetwork network = FindCreases(loops);
   ASSERT_FALSE(network.curves.empty());
   double length = 0;
-  for (const FeatureCurve& c : network.curves) {
+  for (const CreaseCurve& c : network.curves) {
     for (const double t : {0.0, 0.5, 1.0}) {
       EXPECT_NEAR(c.At(t).y(), 0, 2 * kNoise);
       EXPECT_NEAR(c.At(t).z(), kWallHeight, 2 * kNoise);
@@ -102,7 +86,7 @@ TEST(FeatureCurvesTest, FollowsARimThatWeavesAboutTheCrease) {
 }
 
 // A round tower with a flat roof: the crease between them is a circle.
-TEST(FeatureCurvesTest, FollowsACurvedCrease) {
+TEST(CreaseNetworkTest, FollowsACurvedCrease) {
   const double radius = 15;
   const auto tower = [&](const Point3& p) {
     const double angle = p.x() / radius, r = radius - 0.7 * std::max(0.0, p.y());
@@ -110,7 +94,7 @@ TEST(FeatureCurvesTest, FollowsACurvedCrease) {
   };
   const std::vector<RimLoop> rim = LoopsOf(WorkOfSheet(Disc(0, 0, 6), tower, 0));
   ASSERT_EQ(rim.size(), 1u);
-  const FeatureNetwork network = FindFeatures(rim);
+  const CreaseNetwork network = FindCreases(rim);
   ASSERT_EQ(network.curves.size(), 1u);
   for (const double t : {0.25, 0.5, 0.75}) {
     const Point3 p = network.curves[0].At(t);
@@ -119,39 +103,24 @@ TEST(FeatureCurvesTest, FollowsACurvedCrease) {
   }
 }
 
-TEST(FeatureCurvesTest, FindsNoCreaseOnAHill) {
-  const auto hill = [](const Point3& p) {
-    return Point3(p.x(), p.y(), 12 * std::exp(-(p - Point3(0, 5, 0)).squaredNorm() / 60));
-  };
-  EXPECT_TRUE(FindFeatureEnds(LoopsOf(WorkOfSheet(Disc(2, 8, 5), hill, 0.02))).empty());
-}
-
-TEST(FeatureCurvesTest, FindsNoCreaseOnARoundWall) {
-  const auto tank = [](const Point3& p) {
-    const double angle = p.y() / 6;
-    return Point3(p.x(), 6 * std::sin(angle), 6 * std::cos(angle));
-  };
-  EXPECT_TRUE(FindFeatureEnds(LoopsOf(WorkOfSheet(Disc(0, 5, 6), tank, kNoise))).empty());
-}
-
 // Photogrammetry of vegetation: neighbouring triangles stand at any angle to each other.
-TEST(FeatureCurvesTest, CarriesNothingThroughRoughGround) {
+TEST(CreaseNetworkTest, CarriesNothingThroughRoughGround) {
   const auto same = [](const Point3& p) { return p; };
   for (const double noise : {0.1, 0.2, 0.35}) {
     for (const double u : {-6.0, 0.0, 5.0}) {
-      const FeatureNetwork network = FeaturesOf(WorkOfSheet(Disc(u, 5, 6), same, noise));
+      const CreaseNetwork network = CreasesOf(WorkOfSheet(Disc(u, 5, 6), same, noise));
       EXPECT_TRUE(network.curves.empty()) << noise << " " << u;
     }
   }
 }
 
 // A crease that fades out inside the hole leads nowhere.
-TEST(FeatureCurvesTest, LeavesASingleEndAlone) {
+TEST(CreaseNetworkTest, LeavesASingleEndAlone) {
   const auto half = [](const Point3& p) {
     const double fold = std::clamp(0.5 - p.x() / 20, 0.0, 1.0);
     return Point3(p.x(), p.y(), -fold * std::max(0.0, p.y() - 5));
   };
-  const FeatureNetwork network = FeaturesOf(WorkOfSheet(Disc(0, 5, 7), half, kNoise));
+  const CreaseNetwork network = CreasesOf(WorkOfSheet(Disc(0, 5, 7), half, kNoise));
   EXPECT_EQ(network.ends.size(), 1u);
   EXPECT_TRUE(network.curves.empty());
 }

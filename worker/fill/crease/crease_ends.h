@@ -1,0 +1,33 @@
+// Where sharp edges of the surface end at the rim of a hole.
+//
+// A crease is where two smooth parts of the surface meet at an angle: a roof's edge, the foot of a wall.
+#ifndef TILEMEND_WORKER_FILL_CREASE_CREASE_ENDS_H_
+#define TILEMEND_WORKER_FILL_CREASE_CREASE_ENDS_H_
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "worker/fill/hole/rim_loops.h"
+
+namespace tilemend {
+
+// A crease that ends at the rim.
+struct CreaseEnd {
+  int32_t loop = 0;
+  int32_t place = 0;        // in the loop: where the rim crosses the crease
+  int32_t order = 0;        // among the ends at one place, along the rim
+  Eigen::Vector3d before;   // unit normal of the surface beside the rim before the place
+  Eigen::Vector3d after;    // and after it
+  Eigen::Vector3d tangent;  // unit, along the crease into the hole
+};
+
+// Where creases end at the rim of a hole, in order of loop and place. A crease is a place where the normals beside the
+// rim change by at least 30 degrees, are alike before it and alike after it: rough ground and round walls have none.
+// O(rim * bends).
+std::vector<CreaseEnd> FindCreaseEnds(std::span<const RimLoop> loops);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_CREASE_CREASE_ENDS_H_

@@ -1,0 +1,74 @@
+#include "worker/fill/hole/facing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <vector>
+
+#include "common/mesh/lattice.h"
+
+namespace tilemend {
+namespace {
+
+using Eigen::Vector3d;
+
+// Enough for a direction to within about a degree.
+constexpr int kViewSteps = 200;
+// Over a plane triangles are stretched by one over the cosine of the slope; twice is too much if at more than a tenth
+// of the rim.
+constexpr double kSteepCosine = 0.5;
+constexpr double kSteepShare = 0.1;
+
+}  // namespace
+
+Vector3d FacingOf(const LocalHole& hole) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& normal : hole.normals) sum += normal;
+  return sum;
+}
+
+Vector3d WidestView(const LocalHole& hole) {
+  std::vector<Vector3d> normals;
+  for (const RimLoop& loop : hole.loops) normals.insert(normals.end(), loop.outside.begin(), loop.outside.end());
+  Vector3d view = FacingOf(hole).normalized();
+  for (int k = 2; k < kViewSteps; ++k) {
+    const Vector3d* furthest = nullptr;
+    for (const Vector3d& n : normals) {
+      if (!n.isZero() && (furthest == nullptr || n.dot(view) < furthest->dot(view))) furthest = &n;
+    }
+    if (furthest != nullptr) view = (view + (*furthest - view) / k).normalized();
+  }
+  return view;
+}
+
+bool IsSteep(const LocalHole& hole) {
+  const Vector3d facing = FacingOf(hole).normalized();
+  int32_t steep = 0, rim = 0;
+  for (const Vector3d& normal : hole.normals) {
+    if (normal.isZero()) continue;
+    ++rim;
+    steep += normal.dot(facing) < kSteepCosine;
+  }
+  return steep > kSteepShare * rim;
+}
+
+bool FacesUp(const LocalHole& hole) {
+  return std::all_of(hole.vertices.begin(), hole.vertices.end(), [&](int32_t v) {
+    const std::vector<int32_t>& triangles = hole.band->At(v);
+    return std::all_of(triangles.begin(), triangles.end(), [&](int32_t t) { return hole.band->Normal(t).z() > 0; });
+  });
+}
+
+bool LiesInHeightField(const LocalHole& hole) {
+  if (!FacesUp(hole)) return false;
+  Point2 lo = hole.positions[0].head<2>(), hi = lo;
+  for (const Point3& p : hole.positions) {
+    lo = lo.cwiseMin(p.head<2>());
+    hi = hi.cwiseMax(p.head<2>());
+  }
+  const LatticeWindow window(lo, hi);
+  std::vector<LatticePoint> points;
+  for (const Point3& p : hole.positions) points.push_back(window.Round(p.head<2>()));
+  return TriangulateRegion(points, hole.segments).conflicts.empty();
+}
+
+}  // namespace tilemend

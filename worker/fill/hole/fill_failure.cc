@@ -1,0 +1,48 @@
+#include "worker/fill/hole/fill_failure.h"
+
+#include <cstddef>
+#include <string>
+
+#include "worker/fill/hole/fill_options.h"
+
+namespace tilemend {
+
+std::string TextOf(FillFailure failure, size_t boundary_edges) {
+  switch (failure) {
+    case FillFailure::kNone:
+    case FillFailure::kNotApplicable:
+      return "";
+    case FillFailure::kNoArea:
+      return "its boundary has no area";
+    case FillFailure::kUnknownHeights:
+      return "no hole gave heights to a seam of it";
+    case FillFailure::kCrossesSeenFromAbove:
+      return "its boundary crosses itself seen from above";
+    case FillFailure::kCrossesOnItsPlane:
+      return "its boundary crosses itself on its own plane";
+    case FillFailure::kRepeatsEdges:
+      return "its boundary is joined by edges of the surface already";
+    case FillFailure::kNoSolution:
+      return "the equations of its surface have no solution";
+    case FillFailure::kTooLongForSpace:
+      return "it projects on no plane without overlap and has " + std::to_string(boundary_edges) +
+             " boundary vertices; at most " + std::to_string(kLongestSpatialLoop) + " can be filled in space";
+    case FillFailure::kNoBridge:
+      return "no way from its islands to the rest of its boundary is free";
+    case FillFailure::kCrosses:
+      return "every patch that was tried passes through itself or the surface around it";
+    case FillFailure::kRimIsCrossed:
+      return "the surface around it passes through its boundary, and through every patch that was tried";
+    case FillFailure::kFlatTriangle:
+      return "a triangle of its patch would have no area";
+    case FillFailure::kRepeatsTriangle:
+      return "its patch would repeat a triangle of the surface";
+    case FillFailure::kOverfullEdge:
+      return "its patch would make an edge with three triangles";
+    case FillFailure::kNotClosed:
+      return "its patch would not close on its whole boundary";
+  }
+  return "";
+}
+
+}  // namespace tilemend

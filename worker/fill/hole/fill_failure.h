@@ -1,0 +1,34 @@
+// Why a way to fill a hole leads to no patch.
+#ifndef TILEMEND_WORKER_FILL_HOLE_FILL_FAILURE_H_
+#define TILEMEND_WORKER_FILL_HOLE_FILL_FAILURE_H_
+
+#include <string>
+
+namespace tilemend {
+
+enum class FillFailure {
+  kNone,
+  kNotApplicable,  // no way for this hole; never the reason why one stays open
+  kNoArea,
+  kUnknownHeights,
+  kCrossesSeenFromAbove,
+  kCrossesOnItsPlane,
+  kRepeatsEdges,
+  kNoSolution,
+  kTooLongForSpace,
+  kNoBridge,
+  kCrosses,
+  kRimIsCrossed,
+  kFlatTriangle,
+  kRepeatsTriangle,
+  kOverfullEdge,
+  kNotClosed,
+};
+
+// For people.
+//   boundary_edges  of the hole
+std::string TextOf(FillFailure failure, size_t boundary_edges);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_HOLE_FILL_FAILURE_H_

@@ -1,0 +1,27 @@
+#include "worker/fill/hole/local_patch.h"
+
+#include <utility>
+
+namespace tilemend {
+
+void AddPart(const HolePart& part, const LocalPatch& of_part, const LocalHole& hole, LocalPatch& patch) {
+  const auto first = hole.size() + static_cast<int32_t>(patch.new_points.size());
+  patch.new_points.insert(patch.new_points.end(), of_part.new_points.begin(), of_part.new_points.end());
+  for (Triangle t : of_part.triangles) {
+    for (int32_t& v : t) v = v < part.hole.size() ? part.vertices[v] : first + v - part.hole.size();
+    patch.triangles.push_back(t);
+  }
+}
+
+HolePatch ToHolePatch(const LocalHole& hole, LocalPatch patch) {
+  HolePatch out;
+  out.new_points = std::move(patch.new_points);
+  out.triangles = std::move(patch.triangles);
+  out.hold_out = patch.hold_out;
+  for (Triangle& t : out.triangles) {
+    for (int32_t& v : t) v = v < hole.size() ? hole.vertices[v] : hole.size() - 1 - v;
+  }
+  return out;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,99 @@
+#include "worker/fill/plane/plane_heights.h"
+
+#include <utility>
+
+#include "worker/fill/surface/choose_tension.h"
+#include "worker/fill/surface/fair_heights.h"
+#include "worker/fill/surface/thin_plate.h"
+
+namespace tilemend {
+namespace {
+
+// Adds the points of the band after all others; returns its triangles.
+std::vector<Triangle> AddBand(const LocalHole& hole, const ProjectionFrame& frame,
+                              const std::vector<bool>& has_equation, std::vector<Point3>& points) {
+  BandTriangles band = BandAt(hole, has_equation, static_cast<int32_t>(points.size()));
+  for (const int32_t v : band.others) points.push_back(frame.ToFrame(hole.cell->band.points[v]));
+  return std::move(band.triangles);
+}
+
+bool SolveAsWang(const LocalHole& hole, const ProjectionFrame& frame, PlanePatch& patch) {
+  FairingProblem problem;
+  problem.rim_count = hole.size();
+  problem.new_count = static_cast<int32_t>(patch.points.size()) - hole.size();
+  problem.points = std::move(patch.points);
+  problem.patch = std::move(patch.triangles);
+  problem.has_equation = patch.has_equation;
+  const size_t count = problem.points.size();
+  problem.band = AddBand(hole, frame, hole.has_equation, problem.points);
+  AdjustHeights(problem);
+  const bool solved = FairHeights(problem);
+  patch.points = std::move(problem.points);
+  patch.points.resize(count);
+  patch.triangles = std::move(problem.patch);
+  return solved;
+}
+
+// Laplacians that are known from the surface of the whole cluster, at seams.
+void AddLaplacians(const LocalHole& hole, const std::vector<bool>& has_equation, ThinPlateProblem& plate) {
+  for (int32_t v = 0; v < hole.size(); ++v) {
+    if (has_equation[v] || hole.vertices[v] < 0) continue;
+    const RimVertex& vertex = hole.cell->vertices[hole.vertices[v]];
+    if (!vertex.laplacian_known) continue;
+    plate.laplacian.resize(plate.points.size());
+    plate.laplacian[v] = vertex.laplacian;
+  }
+}
+
+bool SolveWhole(const LocalHole& hole, const FillOptions& options, ThinPlateProblem& plate,
+                std::optional<HoldOut>& chosen) {
+  FreeSteepRim(plate);
+  if (options.tension || hole.tension) {
+    plate.tension = options.tension ? *options.tension : *hole.tension;
+    return SolveThinPlate(plate).has_value();
+  }
+  chosen = ChooseTension(plate, hole.size() < kLeastRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments));
+  plate.tension = chosen->tension;
+  const bool solved = SolveWithinReach(plate).has_value();
+  chosen->tension = plate.tension;
+  return solved;
+}
+
+bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
+                      PlanePatch& patch, std::optional<HoldOut>& chosen) {
+  ThinPlateProblem plate;
+  const auto rim = static_cast<size_t>(hole.size()), all = patch.points.size();
+  plate.points = std::move(patch.points);
+  plate.patch = std::move(patch.triangles);
+  plate.band = AddBand(hole, frame, hole.has_equation, plate.points);
+  for (size_t v = 0; v < plate.points.size(); ++v) {
+    plate.known.push_back(v < rim || v >= all);
+    plate.has_equation.push_back(v < rim ? static_cast<bool>(patch.has_equation[v]) : v < all);
+  }
+  if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
+  bool solved = false;
+  if (use == RimUse::kWhole) {
+    solved = SolveWhole(hole, options, plate, chosen);
+  } else {
+    plate.tension = options.tension.value_or(0);
+    solved = SolveThinPlate(plate).has_value();
+  }
+  patch.points = std::move(plate.points);
+  patch.points.resize(all);
+  patch.triangles = std::move(plate.patch);
+  return solved;
+}
+
+}  // namespace
+
+bool FindHeights(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
+                 PlanePatch& patch, std::optional<HoldOut>& chosen) {
+  if (hole.level) {
+    for (size_t v = static_cast<size_t>(hole.size()); v < patch.points.size(); ++v) patch.points[v].z() = *hole.level;
+    return true;
+  }
+  if (options.surface == Surface::kWang) return SolveAsWang(hole, frame, patch);
+  return SolveAsThinPlate(hole, frame, options, use, patch, chosen);
+}
+
+}  // namespace tilemend

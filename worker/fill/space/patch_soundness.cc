@@ -1,0 +1,113 @@
+#include "worker/fill/space/patch_soundness.h"
+
+#include <algorithm>
+
+#include "common/mesh/triangle_shape.h"
+#include "worker/fill/hole/edge_lists.h"
+#include "worker/fill/space/patch_crossings.h"
+
+namespace tilemend {
+namespace {
+
+using Eigen::AlignedBox3d;
+
+bool HasFlatTriangle(const LocalHole& hole, const LocalPatch& patch) {
+  return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                     [&](const Triangle& t) { return TwiceVectorArea(InSpace(hole, patch, t)).squaredNorm() <= 0; });
+}
+
+bool IsOfSurface(const LocalHole& hole, const Triangle& t) {
+  if (std::any_of(t.begin(), t.end(), [&](int32_t v) { return v >= hole.size() || hole.vertices[v] < 0; })) {
+    return false;
+  }
+  return hole.band->HasTriangle({hole.vertices[t[0]], hole.vertices[t[1]], hole.vertices[t[2]]});
+}
+
+}  // namespace
+
+FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch) {
+  if (HasFlatTriangle(hole, patch)) return FillFailure::kFlatTriangle;
+  if (std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                  [&](const Triangle& t) { return IsOfSurface(hole, t); })) {
+    return FillFailure::kRepeatsTriangle;
+  }
+  const EdgeLists edges(patch.triangles, static_cast<size_t>(hole.size()) + patch.new_points.size());
+  for (const Triangle& t : patch.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int32_t a = t[k], b = t[(k + 1) % 3];
+      const int others = a < hole.size() && b < hole.size() ? hole.TrianglesBeside(a, b) : 0;
+      const int times = edges.Count(a, b);
+      if (times > 1 || times + edges.Count(b, a) + others > 2) return FillFailure::kOverfullEdge;
+    }
+  }
+  const bool closes = std::all_of(hole.segments.begin(), hole.segments.end(),
+                                  [&](const RegionSegment& s) { return edges.Count(s.from, s.to) > 0; });
+  return closes ? FillFailure::kNone : FillFailure::kNotClosed;
+}
+
+bool FacesDown(const LocalHole& hole, const LocalPatch& patch) {
+  return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                     [&](const Triangle& t) { return TwiceVectorArea(InSpace(hole, patch, t)).z() <= 0; });
+}
+
+const std::vector<SpaceTriangle>& CrossingCheck::Surroundings(const AlignedBox3d& box) {
+  if (looked_at_.contains(box)) return surroundings_;
+  looked_at_.extend(box);
+  surroundings_.clear();
+  const CellHoles& cell = *hole_.cell;
+  if (near_) {
+    surroundings_ = near_(looked_at_.min(), looked_at_.max());
+  } else {
+    const std::vector<Point3>& points = cell.band.points;
+    for (const Triangle& t : cell.band.triangles) surroundings_.push_back({points[t[0]], points[t[1]], points[t[2]]});
+  }
+  for (const HolePatch& patch : earlier_) {
+    const auto at = [&](int32_t v) { return v >= 0 ? cell.vertices[v].position : patch.new_points[-1 - v]; };
+    for (const Triangle& t : patch.triangles) surroundings_.push_back({at(t[0]), at(t[1]), at(t[2])});
+  }
+  if (knows_crossed_) LeaveOutCrossed();
+  return surroundings_;
+}
+
+bool CrossingCheck::StaysNear(const LocalPatch& patch) const {
+  return std::all_of(patch.new_points.begin(), patch.new_points.end(),
+                     [&](const Point3& p) { return reach_.contains(p); });
+}
+
+bool CrossingCheck::Crosses(const LocalPatch& patch) {
+  std::vector<SpaceTriangle> triangles;
+  AlignedBox3d box = reach_;
+  for (const Triangle& t : patch.triangles) {
+    triangles.push_back(InSpace(hole_, patch, t));
+    for (const Point3& p : triangles.back()) box.extend(p);
+  }
+  if (!PatchCrosses(triangles, Surroundings(box))) return false;
+  if (knows_crossed_) return true;
+  LeaveOutCrossed();
+  return PatchCrosses(triangles, surroundings_);
+}
+
+std::span<const SpaceTriangle> CrossingCheck::Surface() {
+  Surroundings(reach_);
+  if (!knows_crossed_) LeaveOutCrossed();
+  return surroundings_;
+}
+
+// Whether a triangle of the surface passes through an edge of the boundary.
+bool CrossingCheck::PassesThroughRim(const SpaceTriangle& t) const {
+  const auto has = [&](const Point3& p) { return t[0] == p || t[1] == p || t[2] == p; };
+  return std::any_of(hole_.segments.begin(), hole_.segments.end(), [&](const RegionSegment& s) {
+    const Point3 &from = hole_.positions[s.from], &to = hole_.positions[s.to];
+    return !has(from) && !has(to) && SegmentCrosses(from, to, t);
+  });
+}
+
+// They are looked for when a patch is first found to cross any surface.
+void CrossingCheck::LeaveOutCrossed() {
+  knows_crossed_ = true;
+  if (std::erase_if(surroundings_, [&](const SpaceTriangle& t) { return PassesThroughRim(t); }) > 0) {
+    rim_is_crossed_ = true;
+  }
+}
+
+}  // namespace tilemend

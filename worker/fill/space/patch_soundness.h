@@ -1,0 +1,60 @@
+// Whether a patch is a sound part of the surface around it.
+#ifndef TILEMEND_WORKER_FILL_SPACE_PATCH_SOUNDNESS_H_
+#define TILEMEND_WORKER_FILL_SPACE_PATCH_SOUNDNESS_H_
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "worker/fill/hole/fill_options.h"
+#include "worker/fill/hole/local_patch.h"
+
+namespace tilemend {
+
+// Why the patch would not close its hole to a manifold surface with area everywhere: a flat triangle, one that the
+// surface has already, an edge with three triangles, a rim segment without one. O(n).
+FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch);
+
+// Whether a triangle of the patch does not face up.
+bool FacesDown(const LocalHole& hole, const LocalPatch& patch);
+
+// Finds patches of one hole that pass through themselves, the surface around it, or patches made before.
+//
+// Triangles of the surface that pass through the hole's boundary do so through any patch: they do not count.
+class CrossingCheck {
+ public:
+  //   reach    where a patch may go (ReachOf)
+  //   near     gives the surface; without it the band stands for it. Asked when a patch is first tested
+  //   earlier  patches of the cell's holes before
+  // All but `reach` must outlive it.
+  CrossingCheck(const LocalHole& hole, const Eigen::AlignedBox3d& reach, const SurfaceNear& near,
+                std::span<const HolePatch> earlier)
+      : hole_(hole), reach_(reach), near_(near), earlier_(earlier) {}
+
+  // Whether the patch keeps within reach.
+  bool StaysNear(const LocalPatch& patch) const;
+  bool Crosses(const LocalPatch& patch);
+  // Neither a fault nor a crossing.
+  bool IsSound(const LocalPatch& patch) { return FaultOf(hole_, patch) == FillFailure::kNone && !Crosses(patch); }
+  // The surface within reach, without what passes through the boundary.
+  std::span<const SpaceTriangle> Surface();
+  // Whether any surface was found to pass through the boundary.
+  bool rim_is_crossed() const { return rim_is_crossed_; }
+
+ private:
+  const std::vector<SpaceTriangle>& Surroundings(const Eigen::AlignedBox3d& box);
+  bool PassesThroughRim(const SpaceTriangle& t) const;
+  void LeaveOutCrossed();
+
+  const LocalHole& hole_;
+  const Eigen::AlignedBox3d reach_;
+  const SurfaceNear& near_;
+  std::span<const HolePatch> earlier_;
+  Eigen::AlignedBox3d looked_at_;
+  std::vector<SpaceTriangle> surroundings_;  // within looked_at_, without those that pass through the rim once known
+  bool knows_crossed_ = false, rim_is_crossed_ = false;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_SPACE_PATCH_SOUNDNESS_H_

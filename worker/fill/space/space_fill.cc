@@ -1,0 +1,115 @@
+#include "worker/fill/space/space_fill.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "worker/fill/space/sound_triangulation.h"
+#include "worker/fill/space/unrolled_fill.h"
+
+namespace tilemend {
+namespace {
+
+using Loop = std::vector<int32_t>;  // of vertices; may pass one several times
+
+// How far a patch over triangles of the rim alone bends, tried in this order.
+constexpr double kBends[] = {1, 0.5, 0};
+// Of the ways to tie the first island to the rest of a rim.
+constexpr size_t kBridgesTried = 12;
+
+// A way from a loop to another and back.
+struct Bridge {
+  size_t from, loop, to;  // place on the first loop, the other loop, place on it
+  double length;
+};
+
+// All bridges that may be built, the shortest first.
+std::vector<Bridge> BridgesFrom(const LocalHole& hole, const std::vector<Loop>& loops) {
+  std::vector<Bridge> bridges;
+  for (size_t l = 1; l < loops.size(); ++l) {
+    for (size_t i = 0; i < loops[0].size(); ++i) {
+      for (size_t k = 0; k < loops[l].size(); ++k) {
+        const int32_t a = loops[0][i], b = loops[l][k];
+        if (a == b || hole.MayJoin(a, b)) bridges.push_back({i, l, k, (hole.positions[a] - hole.positions[b]).norm()});
+      }
+    }
+  }
+  std::stable_sort(bridges.begin(), bridges.end(),
+                   [](const Bridge& a, const Bridge& b) { return a.length < b.length; });
+  return bridges;
+}
+
+// Makes one loop of two: along the first to the bridge, over it, around the other and back.
+void Cross(const Bridge& bridge, std::vector<Loop>& loops, std::set<VertexPair>& bridges) {
+  const Loop other = std::move(loops[bridge.loop]);
+  loops.erase(loops.begin() + static_cast<ptrdiff_t>(bridge.loop));
+  Loop& loop = loops[0];
+  Loop around(other.begin() + static_cast<ptrdiff_t>(bridge.to), other.end());
+  around.insert(around.end(), other.begin(), other.begin() + static_cast<ptrdiff_t>(bridge.to));
+  if (loop[bridge.from] != around[0]) {
+    bridges.insert(Undirected(loop[bridge.from], around[0]));
+    around.push_back(around[0]);
+    around.push_back(loop[bridge.from]);
+  } else {
+    around.push_back(around[0]);
+    around.erase(around.begin());
+  }
+  loop.insert(loop.begin() + static_cast<ptrdiff_t>(bridge.from) + 1, around.begin(), around.end());
+}
+
+LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& bridges,
+                    const FillOptions& options, CrossingCheck& check) {
+  LocalPatch patch;
+  patch.triangles = TriangulateInSpace(hole, loop, bridges, check.Surface());
+  if (patch.triangles.empty()) return {FillFailure::kCrosses};
+  if (!bridges.empty() || options.surface != Surface::kThinPlate) return patch;
+  for (const double bend : kBends) {
+    LocalPatch refined = FillOver(patch.triangles, bend, hole, options);
+    if (refined.ok() && check.StaysNear(refined) && check.IsSound(refined)) return refined;
+  }
+  return patch;
+}
+
+}  // namespace
+
+std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vector<int32_t>& loop,
+                                         const std::set<VertexPair>& used, std::span<const SpaceTriangle> surface) {
+  std::vector<Point3> positions;
+  std::vector<Eigen::Vector3d> outside;
+  for (size_t i = 0; i < loop.size(); ++i) {
+    positions.push_back(hole.positions[loop[i]]);
+    outside.push_back(hole.NormalBeside(loop[i], loop[(i + 1) % loop.size()]));
+  }
+  const auto allowed = [&](int32_t a, int32_t b) {
+    return hole.MayJoin(loop[a], loop[b]) && !used.contains(Undirected(loop[a], loop[b]));
+  };
+  std::vector<Triangle> triangles = TriangulateSoundly(positions, outside, allowed, surface);
+  for (Triangle& t : triangles) t = {loop[t[0]], loop[t[1]], loop[t[2]]};
+  return triangles;
+}
+
+LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check) {
+  if (hole.loops.empty() || hole.segments.size() > kLongestSpatialLoop) return {FillFailure::kTooLongForSpace};
+  std::vector<Loop> loops;
+  for (const RimLoop& loop : hole.loops) loops.push_back(loop.vertices);
+  check.Surface();  // tells whether the rim is crossed, even if there is no bridge
+  if (loops.size() == 1) return FillLoop(hole, loops[0], {}, options, check);
+  LocalPatch patch{FillFailure::kNoBridge};
+  const std::vector<Bridge> first = BridgesFrom(hole, loops);
+  for (size_t b = 0; b < std::min(first.size(), kBridgesTried); ++b) {
+    std::vector<Loop> joined = loops;
+    std::set<VertexPair> used;
+    Cross(first[b], joined, used);
+    while (joined.size() > 1) {
+      const std::vector<Bridge> next = BridgesFrom(hole, joined);
+      if (next.empty()) return patch;
+      Cross(next[0], joined, used);
+    }
+    patch = FillLoop(hole, joined[0], used, options, check);
+    if (patch.ok() && check.IsSound(patch)) return patch;
+  }
+  return patch;
+}
+
+}  // namespace tilemend

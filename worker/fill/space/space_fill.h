@@ -1,0 +1,30 @@
+// Fills a hole with triangles of its boundary in space, over no plane.
+#ifndef TILEMEND_WORKER_FILL_SPACE_SPACE_FILL_H_
+#define TILEMEND_WORKER_FILL_SPACE_SPACE_FILL_H_
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "worker/fill/hole/fill_options.h"
+#include "worker/fill/hole/local_patch.h"
+#include "worker/fill/space/patch_soundness.h"
+
+namespace tilemend {
+
+// A triangulation of a loop of vertices of the hole that has no edge twice, makes none of `used` inside, and crosses
+// nothing of `surface` (sound_triangulation.h); empty if there is none.
+std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vector<int32_t>& loop,
+                                         const std::set<VertexPair>& used, std::span<const SpaceTriangle> surface);
+
+// Triangulates the boundary so that the patch crosses neither itself nor the surface. Islands are tied to the rest by
+// bridges, the shortest that lead to a sound patch. With the thin plate, a hole of one loop is refined over these
+// triangles with all, half or none of the bending (unrolled_fill.h), whichever is sound first.
+//   hole     closed, its vertices at folds without an equation
+// A patch may yet be unsound: the caller checks it. Failures: too long a boundary, no bridge, none without a crossing.
+LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_SPACE_SPACE_FILL_H_
