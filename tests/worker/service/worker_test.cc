@@ -1,0 +1,343 @@
+#include "worker/service/worker.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "common/metrics/prometheus_registry.h"
+#include "common/rpc/limits.h"
+#include "common/rpc/status_proto.h"
+#include "common/store/digest.h"
+#include "common/util/error_info.h"
+#include "tests/worker/service/fake_link.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::SizeIs;
+
+absl::StatusOr<std::string> Echo(Stage, const std::string& input, const CancelToken&) { return "out of " + input; }
+
+// Runs until it is cancelled.
+absl::StatusOr<std::string> UntilCancelled(Stage, const std::string&, const CancelToken& cancel) {
+  while (!cancel.cancelled()) std::this_thread::yield();
+  return absl::CancelledError("cancelled");
+}
+
+v1::TaskRef Ref(uint64_t token) {
+  v1::TaskRef ref;
+  ref.set_job("job");
+  ref.set_task(static_cast<int64_t>(token));
+  ref.set_attempt_token(token);
+  return ref;
+}
+
+v1::Task TaskOf(uint64_t token, const std::string& input) {
+  v1::Task task;
+  *task.mutable_ref() = Ref(token);
+  task.set_stage(static_cast<v1::Stage>(Stage::kFill));
+  task.mutable_input()->set_content(input);
+  task.mutable_input()->set_size(static_cast<int64_t>(input.size()));
+  return task;
+}
+
+v1::SyncResponse Start(const std::vector<v1::Task>& tasks) {
+  v1::SyncResponse response;
+  for (const v1::Task& task : tasks) *response.add_start() = task;
+  return response;
+}
+
+v1::SyncResponse Keep(const v1::SyncRequest& request) {
+  v1::SyncResponse response;
+  *response.mutable_keep() = request.held();
+  return response;
+}
+
+v1::SyncResponse Acknowledge(const v1::SyncRequest& request) {
+  v1::SyncResponse response = Keep(request);
+  for (const v1::FinishedTask& finished : request.finished()) *response.add_acknowledged() = finished.ref();
+  return response;
+}
+
+// A call with results is never interrupted: the answer comes at once. So a worker must have told all before it is left.
+v1::SyncResponse AcknowledgementOf(const v1::Task& task) {
+  v1::SyncResponse response;
+  *response.add_acknowledged() = task.ref();
+  return response;
+}
+
+bool HasFinished(const v1::SyncRequest& request) { return request.finished_size() > 0; }
+bool HoldsNothing(const v1::SyncRequest& request) { return request.held_size() == 0 && !HasFinished(request); }
+
+class WorkerTest : public testing::Test {
+ protected:
+  std::unique_ptr<Worker> NewWorker(StageRunner runner, int threads = 1) {
+    WorkerOptions options;
+    options.id = "w";
+    options.threads = threads;
+    options.prefetch = 1;
+    options.first_backoff = backoff_;
+    options.max_backoff = backoff_;
+    return std::make_unique<Worker>(options, coordinator_.NewLink(), std::move(runner), metrics_);
+  }
+
+  // What the worker reports of one task.
+  v1::FinishedTask Run(StageRunner runner, const v1::Task& task) {
+    const auto worker = NewWorker(std::move(runner));
+    coordinator_.Answer(Start({task}));
+    const v1::SyncRequest request = coordinator_.Answer(AcknowledgementOf(task), HasFinished);
+    worker->Abandon();
+    return request.finished(0);
+  }
+
+  FakeCoordinator coordinator_;
+  PrometheusRegistry metrics_;
+  absl::Duration backoff_ = absl::Milliseconds(1);
+};
+
+TEST(NewWorkerIdTest, NamesHostAndProcessAndIsNew) {
+  EXPECT_THAT(NewWorkerId(), MatchesRegex(".+-[0-9]+-[0-9a-f]+"));
+  EXPECT_NE(NewWorkerId(), NewWorkerId());
+}
+
+TEST_F(WorkerTest, SaysWhoItIsAndWhatItTakes) {
+  const auto worker = NewWorker(Echo, 3);
+  const v1::SyncRequest first = coordinator_.Answer(v1::SyncResponse());
+  EXPECT_EQ(first.protocol(), kProtocolVersion);
+  EXPECT_EQ(first.worker(), "w");
+  EXPECT_EQ(first.threads(), 4);
+  EXPECT_FALSE(first.draining());
+  EXPECT_EQ(first.wait_ms(), absl::ToInt64Milliseconds(kMaxPoll));
+  const v1::SyncRequest second = coordinator_.Answer(v1::SyncResponse());
+  EXPECT_GT(second.sequence(), first.sequence());
+  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 1\n"));
+  worker->Abandon();
+}
+
+TEST_F(WorkerTest, ReportsAResultUntilItIsAcknowledged) {
+  const auto worker = NewWorker(Echo);
+  coordinator_.Answer(Start({TaskOf(7, "input")}));
+  for (int call = 0; call < 3; ++call) {
+    const v1::SyncRequest request = coordinator_.Answer(absl::UnavailableError("lost"), HasFinished);
+    ASSERT_THAT(request.finished(), SizeIs(1));
+    EXPECT_EQ(request.finished(0).ref().attempt_token(), 7u);
+    EXPECT_EQ(request.finished(0).output().content(), "out of input");
+    EXPECT_EQ(request.finished(0).output().size(), 12);
+    EXPECT_EQ(request.held_size(), 0);
+  }
+  coordinator_.Answer(AcknowledgementOf(TaskOf(7, "")), HasFinished);
+  coordinator_.Answer(v1::SyncResponse(), HoldsNothing);
+  worker->Abandon();
+}
+
+TEST_F(WorkerTest, TakesATaskOnceThatItIsToldTwice) {
+  std::atomic<int> runs = 0;
+  const auto worker = NewWorker([&runs](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
+    ++runs;
+    return "";
+  });
+  coordinator_.Answer(Start({TaskOf(1, "a"), TaskOf(1, "a")}));
+  coordinator_.Answer(Start({TaskOf(1, "a")}), HasFinished);
+  const v1::SyncRequest request = coordinator_.Answer(AcknowledgementOf(TaskOf(1, "")), HasFinished);
+  EXPECT_THAT(request.finished(), SizeIs(1));
+  EXPECT_EQ(request.held_size(), 0);
+  worker->Abandon();
+  EXPECT_TRUE(worker->Join().ok());
+  EXPECT_EQ(runs, 1);
+}
+
+TEST_F(WorkerTest, ReportsAnErrorAsItIs) {
+  const absl::Status error = WithErrorInfo(absl::NotFoundError("a.ply: no such file"), {"TILE", {}});
+  const auto report = Run([&](Stage, const std::string&, const CancelToken&) { return error; }, TaskOf(1, ""));
+  EXPECT_EQ(StatusFromProto(report.error()), error);
+  EXPECT_EQ(report.stage(), static_cast<v1::Stage>(Stage::kFill));
+  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_failed_total{stage=\"fill\"} 1\n"));
+}
+
+TEST_F(WorkerTest, ReportsWhatAStageThrows) {
+  using Output = absl::StatusOr<std::string>;
+  const auto throws = [](Stage, const std::string&, const CancelToken&) -> Output { throw std::runtime_error("oops"); };
+  EXPECT_EQ(StatusFromProto(Run(throws, TaskOf(1, "")).error()), absl::InternalError("stage fill threw: oops"));
+  const auto starves = [](Stage, const std::string&, const CancelToken&) -> Output { throw std::bad_alloc(); };
+  EXPECT_EQ(StatusFromProto(Run(starves, TaskOf(2, "")).error()),
+            absl::ResourceExhaustedError("the worker is out of memory"));
+}
+
+TEST_F(WorkerTest, ReadsALargeInputAsABlob) {
+  const std::string input(100'000, 'x');
+  v1::Task task = TaskOf(1, "");
+  task.mutable_input()->set_size(static_cast<int64_t>(input.size()));
+  task.mutable_input()->set_digest(Sha256Hex(input));
+  EXPECT_EQ(StatusFromProto(Run(Echo, task).error()).code(), absl::StatusCode::kNotFound);
+  coordinator_.PutBlob(Sha256Hex(input), input);
+  const auto size = [](Stage, const std::string& bytes, const CancelToken&) -> absl::StatusOr<std::string> {
+    return std::to_string(bytes.size());
+  };
+  EXPECT_EQ(Run(size, task).output().content(), "100000");
+  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_input_bytes_total{stage=\"fill\"} 100000\n"));
+}
+
+TEST_F(WorkerTest, WritesALargeOutputAsABlob) {
+  const auto large = [](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
+    return std::string(kInlineBlobBytes + 1, 'y');
+  };
+  const v1::BlobRef output = Run(large, TaskOf(1, "")).output();
+  EXPECT_EQ(output.content(), "");
+  EXPECT_EQ(output.size(), static_cast<int64_t>(kInlineBlobBytes + 1));
+  EXPECT_EQ(coordinator_.Blob(output.digest()), std::string(kInlineBlobBytes + 1, 'y'));
+  coordinator_.FailWrites(absl::ResourceExhaustedError("disk full"));
+  EXPECT_EQ(StatusFromProto(Run(large, TaskOf(2, "")).error()), absl::ResourceExhaustedError("disk full"));
+}
+
+TEST_F(WorkerTest, SendsNoMoreInOneCallThanFits) {
+  const size_t fit = kMaxInlineBytesPerSync / kInlineBlobBytes;
+  const auto worker = NewWorker([](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
+    return std::string(kInlineBlobBytes, 'z');
+  });
+  std::vector<v1::Task> tasks;
+  for (uint64_t token = 1; token <= fit + 2; ++token) tasks.push_back(TaskOf(token, ""));
+  coordinator_.Answer(Start(tasks));
+  v1::SyncRequest request;
+  do {
+    request = coordinator_.Answer(absl::UnavailableError("lost"), HasFinished);
+  } while (request.finished_size() < static_cast<int>(fit));
+  EXPECT_EQ(request.finished_size(), static_cast<int>(fit));
+  EXPECT_EQ(request.held_size(), 2) << "finished or not, the coordinator still counts on them";
+  size_t acknowledged = 0;
+  while (acknowledged < tasks.size()) {
+    request = coordinator_.Answer(absl::AbortedError("a newer call"), HasFinished);
+    v1::SyncResponse response = Acknowledge(coordinator_.Answer(absl::AbortedError("a newer call"), HasFinished));
+    const v1::SyncRequest told = coordinator_.Answer(response, HasFinished);
+    acknowledged += static_cast<size_t>(response.acknowledged_size());
+    EXPECT_LE(told.finished_size(), static_cast<int>(fit));
+  }
+  coordinator_.Answer(v1::SyncResponse(), HoldsNothing);
+  worker->Abandon();
+}
+
+TEST_F(WorkerTest, DropsWhatIsNotToBeKept) {
+  const auto worker = NewWorker(UntilCancelled);
+  coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
+  const auto holds_both = [](const v1::SyncRequest& request) { return request.held_size() == 2; };
+  coordinator_.Answer(v1::SyncResponse(), holds_both);  // one runs, one waits for the thread
+  const v1::SyncRequest request = coordinator_.Answer(v1::SyncResponse(), HoldsNothing);
+  EXPECT_EQ(request.finished_size(), 0);
+  worker->Abandon();
+  EXPECT_TRUE(worker->Join().ok());
+  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_cancelled_total{stage=\"fill\"} 1\n"));
+  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_started_total{stage=\"fill\"} 1\n"));
+}
+
+TEST_F(WorkerTest, AsksForLessWhileItIsBusyWithWhatItDropped) {
+  std::atomic<bool> go_on = false;
+  const auto worker = NewWorker([&](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
+    while (!go_on) std::this_thread::yield();
+    return "late";
+  });
+  coordinator_.Answer(Start({TaskOf(1, "")}));
+  coordinator_.Answer(v1::SyncResponse(), [](const v1::SyncRequest& request) { return request.held_size() == 1; });
+  EXPECT_EQ(coordinator_.Answer(v1::SyncResponse(), HoldsNothing).threads(), 1);
+  go_on = true;
+  const auto all_free = [](const v1::SyncRequest& request) { return request.threads() == 2; };
+  EXPECT_EQ(coordinator_.Answer(v1::SyncResponse(), all_free).finished_size(), 0) << "a late result is not reported";
+  worker->Abandon();
+}
+
+TEST_F(WorkerTest, FinishesAndReportsBeforeItLeaves) {
+  std::atomic<bool> go_on = false;
+  const auto worker = NewWorker([&](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
+    while (!go_on) std::this_thread::yield();
+    return "done";
+  });
+  coordinator_.Answer(Start({TaskOf(1, "")}));
+  worker->Drain();
+  const auto draining = [](const v1::SyncRequest& request) { return request.draining(); };
+  const v1::SyncRequest request = coordinator_.Answer(absl::AbortedError("a newer call"), draining);
+  EXPECT_EQ(request.held_size(), 1);
+  go_on = true;
+  v1::SyncResponse response;
+  *response.add_acknowledged() = Ref(1);
+  const v1::SyncRequest last =
+      coordinator_.Answer(response, [](const v1::SyncRequest& r) { return r.draining() && HasFinished(r); });
+  EXPECT_EQ(last.finished(0).output().content(), "done");
+  response.set_leave(true);
+  coordinator_.Answer(response, HoldsNothing);
+  EXPECT_TRUE(worker->Join().ok());
+}
+
+TEST_F(WorkerTest, StopGivesItsTasksBackAndGoes) {
+  const auto worker = NewWorker(UntilCancelled);
+  coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
+  const auto holds_both = [](const v1::SyncRequest& request) { return request.held_size() == 2; };
+  v1::SyncResponse keep;
+  *keep.add_keep() = Ref(1);
+  *keep.add_keep() = Ref(2);
+  coordinator_.Answer(keep, holds_both);
+  worker->Stop();
+  v1::SyncResponse leave;
+  leave.set_leave(true);
+  const v1::SyncRequest last = coordinator_.Answer(leave, [](const v1::SyncRequest& r) { return r.draining(); });
+  EXPECT_EQ(last.held_size(), 0);
+  EXPECT_EQ(last.finished_size(), 0);
+  EXPECT_TRUE(worker->Join().ok());
+}
+
+TEST_F(WorkerTest, AbandonEndsWithoutAWord) {
+  const auto worker = NewWorker(UntilCancelled);
+  const v1::SyncRequest first = coordinator_.Answer(Start({TaskOf(1, "")}));
+  EXPECT_FALSE(first.draining());
+  worker->Abandon();
+  EXPECT_TRUE(worker->Join().ok());  // nobody has answered a last call
+}
+
+TEST_F(WorkerTest, EndsWithTheReasonIfItIsRefused) {
+  const absl::Status protocol =
+      WithErrorInfo(absl::FailedPreconditionError("protocol 1, but this is 2"), {"PROTOCOL_VERSION", {}});
+  for (const absl::Status& refusal : {protocol, absl::InvalidArgumentError("2049 threads")}) {
+    const auto worker = NewWorker(Echo);
+    coordinator_.Answer(refusal);
+    EXPECT_EQ(worker->Join(), refusal);
+    EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 0\n"));
+  }
+}
+
+TEST_F(WorkerTest, CallsAgainWhenTheCoordinatorCannotBeReached) {
+  const auto worker = NewWorker(Echo);
+  uint64_t sequence = 0;
+  for (const absl::Status& lost : {absl::UnavailableError("gone"), absl::DeadlineExceededError("slow"),
+                                   absl::AbortedError("a newer call"), absl::InternalError("?")}) {
+    const v1::SyncRequest request = coordinator_.Answer(lost);
+    EXPECT_GT(request.sequence(), sequence);
+    sequence = request.sequence();
+  }
+  coordinator_.Answer(v1::SyncResponse());
+  coordinator_.Answer(v1::SyncResponse());
+  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 1\n"));
+  worker->Abandon();
+}
+
+TEST_F(WorkerTest, APauseEndsWithTheWorker) {
+  backoff_ = absl::Hours(1);
+  for (const bool drain : {false, true}) {
+    const auto worker = NewWorker(Echo);
+    coordinator_.Answer(absl::UnavailableError("gone"));
+    if (drain) {
+      worker->Drain();  // nothing is held and nothing to tell: no need to be released
+    } else {
+      worker->Stop();
+    }
+    EXPECT_TRUE(worker->Join().ok());
+  }
+}
+
+}  // namespace
+}  // namespace tilemend
