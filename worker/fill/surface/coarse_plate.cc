@@ -9,7 +9,7 @@
 #include "common/mesh/triangulation/region_triangulation.h"
 #include "common/mesh/vertex_lists.h"
 
-namespace tilemend::internal {
+namespace tilemend {
 namespace {
 
 // Coarse points grow apart by this length per length away from the boundary. More saves coarse unknowns and costs
@@ -271,4 +271,4 @@ PointValues PlateInterpolation::ToCoarse(const PointValues& fine) const {
 
 std::optional<CoarsePlate> CoarsenPlate(const ThinPlateProblem& problem) { return PlateCoarsener(problem).Run(); }
 
-}  // namespace tilemend::internal
+}  // namespace tilemend

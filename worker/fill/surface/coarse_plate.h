@@ -9,7 +9,7 @@
 
 #include "worker/fill/surface/plate_equations.h"
 
-namespace tilemend::internal {
+namespace tilemend {
 
 // Takes heights (or corrections) from a coarse mesh to the points of a finer one. Around every coarse point stands the
 // quadratic that fits the coarse heights there best; a fine point gets the mean of the quadratics around it, with
@@ -60,6 +60,6 @@ struct CoarsePlate {
 // no region on a lattice of its own. Deterministic.
 std::optional<CoarsePlate> CoarsenPlate(const ThinPlateProblem& problem);
 
-}  // namespace tilemend::internal
+}  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_FILL_SURFACE_COARSE_PLATE_H_

@@ -27,9 +27,9 @@ struct FairingProblem {
 void AdjustHeights(FairingProblem& problem);
 
 // Solves U^2(v) = 0 for all new vertices, with the second-order weighted umbrella operator (Wang 2021, eq. 2 and 4) and
-// cotangent weights (eq. 3) in the plane: L D^-1 L h = 0, where a rim vertex with a full ring has an equation of its
-// own, so that the patch goes on with the slope of the band. Sparse Cholesky (Eigen); O(n^1.5). Returns false, with the
-// heights as they were, if the factorisation fails.
+// cotangent weights (eq. 3) in the plane: L D^-1 L h = 0, where a rim vertex that patch and band surround has an
+// equation of its own, so that the patch goes on with the slope of the band. Sparse Cholesky (Eigen); O(n^1.5). Returns
+// false, with the heights as they were, if the factorisation fails.
 bool FairHeights(FairingProblem& problem);
 
 }  // namespace tilemend

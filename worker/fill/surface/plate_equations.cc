@@ -7,7 +7,7 @@
 
 #include "common/mesh/vertex_lists.h"
 
-namespace tilemend::internal {
+namespace tilemend {
 namespace {
 
 // Needles in the band are given the area of a triangle with this angle, so that they cannot outweigh everything else.
@@ -213,11 +213,4 @@ PointValues PlateEquations::Spread(const Eigen::VectorXd& unknown_only) const {
   return result;
 }
 
-PlateFactorization::PlateFactorization(const PlateEquations& equations)
-    : equations_(equations), solver_(equations.LowerMatrix()) {}
-
-PointValues PlateFactorization::Solve(const PointValues& residual) const {
-  return equations_.Spread(solver_.solve(equations_.Gather(residual)));
-}
-
-}  // namespace tilemend::internal
+}  // namespace tilemend

@@ -3,14 +3,14 @@
 #define TILEMEND_WORKER_FILL_SURFACE_PLATE_EQUATIONS_H_
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "worker/fill/surface/thin_plate.h"
+#include "worker/fill/surface/thin_plate_problem.h"
 
-namespace tilemend::internal {
+namespace tilemend {
 
 // A value for each point of the problem.
 using PointValues = Eigen::VectorXd;
@@ -66,30 +66,6 @@ class PlateEquations {
   double tension_;
 };
 
-// Approximate minimum degree on a matrix that is symmetric: Eigen's own adds its transpose to it first.
-struct SymmetricOrdering {
-  using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
-  template <class Matrix>
-  void operator()(const Matrix& matrix, PermutationType& permutation) const {
-    Eigen::AMDOrdering<int>()(matrix.template selfadjointView<Eigen::Lower>(), permutation);
-  }
-};
-
-// A sparse Cholesky factorisation of A (Eigen). About O(n^1.5) for n unknown points at even distances; close to O(n) on
-// graded meshes, whose separators are small.
-class PlateFactorization {
- public:
-  // `equations` must outlive it.
-  explicit PlateFactorization(const PlateEquations& equations);
-  bool ok() const { return solver_.info() == Eigen::Success; }
-  // A^-1 of a residual.
-  PointValues Solve(const PointValues& residual) const;
-
- private:
-  const PlateEquations& equations_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, SymmetricOrdering> solver_;
-};
-
-}  // namespace tilemend::internal
+}  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_FILL_SURFACE_PLATE_EQUATIONS_H_

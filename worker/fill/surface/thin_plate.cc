@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "worker/fill/surface/plate_equations.h"
+#include "worker/fill/surface/direct_solver.h"
 #include "worker/fill/surface/two_level_solver.h"
 
 namespace tilemend {
@@ -59,13 +59,6 @@ bool IsWithin(const ThinPlateProblem& problem, const Reach& reach) {
   }
   return true;
 }
-
-}  // namespace
-
-namespace {
-
-using internal::PlateEquations;
-using internal::PointValues;
 
 // From about here on two levels take less time than one factorisation: with this many unknowns, and this many for each
 // edge of the boundary. Graded meshes have fewer, and small separators, so that their factorisation is near-linear.

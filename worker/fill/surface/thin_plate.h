@@ -2,39 +2,22 @@
 #ifndef TILEMEND_WORKER_FILL_SURFACE_THIN_PLATE_H_
 #define TILEMEND_WORKER_FILL_SURFACE_THIN_PLATE_H_
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "common/mesh/tri_mesh.h"
+#include "worker/fill/surface/thin_plate_problem.h"
 
 namespace tilemend {
-
-// A patch over the plane: x, y of all points, z of those whose height is known.
-struct ThinPlateProblem {
-  std::vector<Point3> points;
-  std::vector<bool> known;      // whether the height of a point is known
-  std::vector<Triangle> patch;  // over known and unknown points
-  std::vector<Triangle> band;   // original triangles at the rim, over known points: give the slope there
-  // Points with an equation of their own: everything around them is in patch and band. Others bend freely.
-  std::vector<bool> has_equation;
-  // The Laplacian at points (1 / metre) where it is known from a larger solve: seam vertices. One entry for each point
-  // or none.
-  std::vector<std::optional<double>> laplacian;
-  // Weight of |gradient|^2 against |Laplacian|^2, 1 / metre^2: the square of an inverse length beyond which the surface
-  // is taut.
-  double tension = 0;
-};
 
 // Heights of least |gradient|^2 over the patch at the unknown points: what a free edge needs, along which the Laplacian
 // alone says nothing (any harmonic surface has none). Same result and errors as SolveThinPlate, without Laplacians.
 bool SolveMembrane(ThinPlateProblem& problem);
 
-// Minimises the integral of |Laplacian|^2 + tension |gradient|^2 over the patch and the ring around it (design,
-// "Surface"), with linear finite elements and lumped masses (mixed method): (K M^-1 K + tension K) h = 0 at the unknown
-// points, where the Laplacian M^-1 K h at a point without a full ring is taken as zero, or as given. A patch that is
-// cut along a line whose heights and Laplacians are known from the whole patch has the solution of the whole patch on
-// either side.
+// Minimises the integral of |Laplacian|^2 + tension |gradient|^2 over the patch and the ring around it
+// (docs/architecture.md, "The thin-plate surface"), with linear finite elements and lumped masses (mixed method):
+// (K M^-1 K + tension K) h = 0 at the unknown points, where the Laplacian M^-1 K h at a point without an equation is
+// taken as zero, or as given. A patch that is cut along a line whose heights and Laplacians are known from the whole
+// patch has the solution of the whole patch on either side.
 //
 // Fills z of the unknown points; returns the Laplacian at every point with an equation (elsewhere what is given of it,
 // or 0), or nothing, with the heights as they were, if the system cannot be factorised.

@@ -4,8 +4,9 @@
 #include <cstdint>
 
 #include "worker/fill/surface/coarse_plate.h"
+#include "worker/fill/surface/direct_solver.h"
 
-namespace tilemend::internal {
+namespace tilemend {
 namespace {
 
 constexpr int kMostIterations = 60;
@@ -13,14 +14,6 @@ constexpr double kHeightError = 1e-6;  // metres: a thousandth of the finest lat
 constexpr int kPowerIterations = 8;
 // Of two over the largest eigenvalue, which is where Jacobi's iteration begins to diverge; the estimate is from below.
 constexpr double kJacobiShare = 0.6;
-
-PointValues HeightsOf(const ThinPlateProblem& problem) {
-  PointValues heights(static_cast<Eigen::Index>(problem.points.size()));
-  for (size_t v = 0; v < problem.points.size(); ++v) {
-    heights[static_cast<Eigen::Index>(v)] = problem.known[v] ? problem.points[v].z() : 0;
-  }
-  return heights;
-}
 
 class TwoLevelPreconditioner {
  public:
@@ -61,24 +54,15 @@ class TwoLevelPreconditioner {
 
 }  // namespace
 
-std::optional<PointValues> SolveDirectly(const ThinPlateProblem& problem, const PlateEquations& equations) {
-  const PlateFactorization factorization(equations);
-  if (!factorization.ok()) return std::nullopt;
-  PointValues heights = HeightsOf(problem);
-  heights += factorization.Solve(equations.Residual(heights));
-  if (!heights.allFinite()) return std::nullopt;
-  return heights;
-}
-
 std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, const PlateEquations& equations) {
   const std::optional<CoarsePlate> coarse = CoarsenPlate(problem);
   if (!coarse) return std::nullopt;
   const PlateEquations coarse_equations(coarse->problem, true, problem.tension);
   const PlateFactorization factorization(coarse_equations);
   if (!factorization.ok()) return std::nullopt;
-  PointValues heights = HeightsOf(coarse->problem);
+  PointValues heights = GivenHeights(coarse->problem);
   heights += factorization.Solve(coarse_equations.Residual(heights));
-  heights = HeightsOf(problem) + coarse->interpolation.ToFine(heights);
+  heights = GivenHeights(problem) + coarse->interpolation.ToFine(heights);
 
   const TwoLevelPreconditioner preconditioner(equations, coarse->interpolation, factorization);
   const double enough = kLeastError * kLeastError * equations.Energy(heights) +
@@ -99,4 +83,4 @@ std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, con
   return heights;
 }
 
-}  // namespace tilemend::internal
+}  // namespace tilemend

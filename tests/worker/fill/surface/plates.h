@@ -11,11 +11,12 @@
 #include <vector>
 
 #include "tests/support/mesh_builders.h"
-#include "worker/fill/surface/thin_plate.h"
+#include "worker/fill/surface/plate_equations.h"
 
 namespace tilemend::testing {
 
 inline constexpr int32_t kHalf = 8;
+inline constexpr int32_t kLarge = 32;  // half a side: 3,969 unknown points, enough for two levels
 
 struct Plate {
   ThinPlateProblem problem;
@@ -52,6 +53,19 @@ inline Plate MakePlate(const HeightFunction& height, const std::function<bool(do
 
 inline bool Everywhere(double, double) { return true; }
 inline bool Nowhere(double, double) { return false; }
+
+inline double Hills(double x, double y) { return std::sin(0.11 * x + 0.2) * std::cos(0.07 * y) + 0.001 * x * y; }
+// With noise from point to point, as rims have it.
+inline double RoughHills(double x, double y) { return Hills(x, y) + 0.05 * std::sin(37.1 * x + 91.7 * y); }
+
+// Values without any pattern, zero at known points.
+inline PointValues Noise(const ThinPlateProblem& problem, bool everywhere) {
+  PointValues values(static_cast<Eigen::Index>(problem.points.size()));
+  for (Eigen::Index v = 0; v < values.size(); ++v) {
+    values[v] = everywhere || !problem.known[v] ? std::sin(12.9898 * static_cast<double>(v + 1) * (v % 7 + 1)) : 0;
+  }
+  return values;
+}
 
 inline double LargestError(const Plate& plate, const HeightFunction& height) {
   double largest = 0;

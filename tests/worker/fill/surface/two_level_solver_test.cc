@@ -8,31 +8,18 @@
 #include <optional>
 
 #include "tests/worker/fill/surface/plates.h"
-#include "worker/fill/surface/coarse_plate.h"
+#include "worker/fill/surface/direct_solver.h"
+#include "worker/fill/surface/thin_plate.h"
 
-namespace tilemend::internal {
+namespace tilemend {
 namespace {
 
 using testing::Everywhere;
-using testing::LargestError;
+using testing::kLarge;
 using testing::MakePlate;
 using testing::Nowhere;
 using testing::Plate;
-
-constexpr int32_t kLarge = 32;  // half a side: 3,969 unknown points
-
-double Hills(double x, double y) { return std::sin(0.11 * x + 0.2) * std::cos(0.07 * y) + 0.001 * x * y; }
-// With noise from point to point, as rims have it.
-double RoughHills(double x, double y) { return Hills(x, y) + 0.05 * std::sin(37.1 * x + 91.7 * y); }
-
-// Values without any pattern, zero at known points.
-PointValues Noise(const ThinPlateProblem& problem, bool everywhere) {
-  PointValues values(static_cast<Eigen::Index>(problem.points.size()));
-  for (Eigen::Index v = 0; v < values.size(); ++v) {
-    values[v] = everywhere || !problem.known[v] ? std::sin(12.9898 * static_cast<double>(v + 1) * (v % 7 + 1)) : 0;
-  }
-  return values;
-}
+using testing::RoughHills;
 
 class TwoLevelTest : public ::testing::TestWithParam<double> {};
 
@@ -108,55 +95,5 @@ TEST(SolveThinPlateTest, ALargeHalfIsNearTheWhole) {
   EXPECT_LT(largest, 0.01 * kRelief);
 }
 
-TEST(PlateEquationsTest, TheMatrixIsTheOperator) {
-  for (const double tension : {0.0, 0.3}) {
-    const Plate plate = MakePlate(Hills, Everywhere, Nowhere);
-    const PlateEquations equations(plate.problem, true, tension);
-    const PointValues x = Noise(plate.problem, false);
-    const Eigen::VectorXd product = equations.LowerMatrix().selfadjointView<Eigen::Lower>() * equations.Gather(x);
-    EXPECT_LT((product - equations.Gather(equations.Apply(x))).cwiseAbs().maxCoeff(), 1e-10);
-    const Eigen::VectorXd diagonal = equations.LowerMatrix().diagonal();
-    EXPECT_LT((diagonal - equations.Gather(equations.Diagonal())).cwiseAbs().maxCoeff(), 1e-10);
-  }
-}
-
-TEST(CoarsenPlateTest, ThinsTheInsideAndKeepsTheBoundary) {
-  const Plate plate = MakePlate(Hills, Everywhere, Nowhere, kLarge);
-  const std::optional<CoarsePlate> coarse = CoarsenPlate(plate.problem);
-  ASSERT_TRUE(coarse.has_value());
-  const PlateEquations fine(plate.problem, true, 0), few(coarse->problem, true, 0);
-  EXPECT_LT(4 * few.unknown_count(), fine.unknown_count());
-  int64_t known = 0, kept = 0;
-  for (size_t v = 0; v < plate.problem.points.size(); ++v)
-    known += plate.problem.known[v] && plate.problem.has_equation[v];
-  for (size_t v = 0; v < coarse->problem.points.size(); ++v) {
-    kept += coarse->problem.known[v] && coarse->problem.has_equation[v];
-  }
-  EXPECT_EQ(kept, known);
-}
-
-TEST(PlateInterpolationTest, KeepsLinearFunctions) {
-  const Plate plate = MakePlate(Hills, Everywhere, Nowhere, kLarge);
-  const std::optional<CoarsePlate> coarse = CoarsenPlate(plate.problem);
-  ASSERT_TRUE(coarse.has_value());
-  const auto linear = [](const Point3& p) { return 3 + 0.5 * p.x() - 0.2 * p.y(); };
-  PointValues values(static_cast<Eigen::Index>(coarse->problem.points.size()));
-  for (Eigen::Index v = 0; v < values.size(); ++v) values[v] = linear(coarse->problem.points[v]);
-  const PointValues fine = coarse->interpolation.ToFine(values);
-  for (size_t v = 0; v < plate.problem.points.size(); ++v) {
-    const double expected = plate.problem.known[v] ? 0 : linear(plate.problem.points[v]);
-    EXPECT_NEAR(fine[static_cast<Eigen::Index>(v)], expected, 1e-5);
-  }
-}
-
-TEST(PlateInterpolationTest, TheWayBackIsTheTranspose) {
-  const Plate plate = MakePlate(Hills, Everywhere, Nowhere, kLarge);
-  const std::optional<CoarsePlate> coarse = CoarsenPlate(plate.problem);
-  ASSERT_TRUE(coarse.has_value());
-  const PointValues up = Noise(coarse->problem, true), down = Noise(plate.problem, false);
-  const double there = coarse->interpolation.ToFine(up).dot(down);
-  EXPECT_NEAR(there, up.dot(coarse->interpolation.ToCoarse(down)), 1e-9 * std::abs(there) + 1e-9);
-}
-
 }  // namespace
-}  // namespace tilemend::internal
+}  // namespace tilemend

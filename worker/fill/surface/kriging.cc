@@ -1,0 +1,110 @@
+#include "worker/fill/surface/kriging.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unsupported/Eigen/SpecialFunctions>
+#include <utility>
+
+namespace tilemend {
+namespace {
+
+// Variance of a sample, over the largest of the kernel: the matrix stays positive definite where points all but
+// coincide.
+constexpr double kNugget = 1e-12;
+
+// The kernel at distances above 0, in units of the hole's width, tension in units of 1 / width^2. ln r + K0(x) tends to
+// ln(2 / scale) - Euler's constant.
+Eigen::ArrayXd Kernel(const Eigen::ArrayXd& r, double tension) {
+  if (tension == 0) return r.square() * r.log() / (8 * std::numbers::pi);
+  constexpr double kFar = 30;  // K0 is below 1e-13 there
+  const Eigen::ArrayXd x = (std::sqrt(tension) * r).min(kFar);
+  return (r.log() + Eigen::bessel_k0(x)) / (-2 * std::numbers::pi * tension);
+}
+
+double KernelAtZero(double tension) {
+  if (tension == 0) return 0;
+  return (std::log(2 / std::sqrt(tension)) - std::numbers::egamma) / (-2 * std::numbers::pi * tension);
+}
+
+// The inverse of a positive definite matrix. Both halves of the work, L^-1 and L^-T L^-1, leave out what is zero.
+Eigen::MatrixXd InverseOfPositive(const Eigen::MatrixXd& matrix) {
+  constexpr Eigen::Index kColumns = 32;
+  const Eigen::Index n = matrix.rows();
+  const Eigen::MatrixXd lower = matrix.llt().matrixL();
+  Eigen::MatrixXd lower_inverse = Eigen::MatrixXd::Zero(n, n), upper_half = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index j = 0; j < n; j += kColumns) {
+    const Eigen::Index width = std::min(kColumns, n - j);
+    auto columns = lower_inverse.block(j, j, n - j, width);
+    columns.setIdentity();
+    lower.bottomRightCorner(n - j, n - j).triangularView<Eigen::Lower>().solveInPlace(columns);
+    upper_half.block(0, j, j + width, width).noalias() =
+        lower_inverse.block(j, 0, n - j, j + width).transpose() * columns;
+  }
+  return upper_half.selfadjointView<Eigen::Upper>();
+}
+
+}  // namespace
+
+Kriging::Kriging(const std::vector<Point3>& samples, double width, double tension)
+    : matrix_(samples.size(), samples.size()), heights_(samples.size()) {
+  const Eigen::Index n = matrix_.rows();
+  Eigen::MatrixXd drift(n, kDrift);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Point3 p = samples[i] - samples[0];
+    drift.row(i) << 1, p.x() / width, p.y() / width;
+    heights_[i] = p.z();
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index below = n - i - 1;
+    const Eigen::MatrixXd way = drift.bottomRows(below).rowwise() - drift.row(i);
+    matrix_.col(i).tail(below) = Kernel(way.rowwise().norm().array(), tension).matrix();
+    matrix_.row(i).tail(below) = matrix_.col(i).tail(below).transpose();
+  }
+  matrix_.diagonal().setConstant(KernelAtZero(tension));
+  matrix_.diagonal().array() += kNugget * matrix_.cwiseAbs().maxCoeff();
+  reflections_.compute(drift);
+  matrix_.applyOnTheLeft(reflections_.householderQ().adjoint());
+  matrix_.applyOnTheRight(reflections_.householderQ());
+}
+
+double Kriging::LogLikelihood(double noise) const {
+  const Eigen::Index free = matrix_.rows() - kDrift;
+  Eigen::MatrixXd covariance = matrix_.bottomRightCorner(free, free);
+  covariance.diagonal().array() += noise;
+  const Eigen::LLT<Eigen::MatrixXd> factors(covariance);
+  const Eigen::VectorXd reflected = reflections_.householderQ().adjoint() * heights_;
+  const Eigen::VectorXd whitened = factors.matrixL().solve(reflected.tail(free));
+  const auto n = static_cast<double>(free);
+  return -n / 2 * std::log(whitened.squaredNorm() / n) - factors.matrixLLT().diagonal().array().log().sum();
+}
+
+std::vector<Eigen::VectorXd> Kriging::BlockErrors(const std::vector<SampleBlocks>& divisions) const {
+  const Eigen::MatrixXd inverse = Inverse();
+  const Eigen::VectorXd weights = inverse * heights_;
+  std::vector<Eigen::VectorXd> errors;
+  for (const SampleBlocks& blocks : divisions) {
+    Eigen::VectorXd of_division(static_cast<Eigen::Index>(blocks.size()));
+    for (size_t b = 0; b < blocks.size(); ++b) {
+      const Eigen::MatrixXd own = inverse(blocks[b], blocks[b]);
+      const Eigen::VectorXd error = own.partialPivLu().solve(weights(blocks[b]));
+      of_division[static_cast<Eigen::Index>(b)] = error.cwiseAbs().mean();
+    }
+    errors.push_back(std::move(of_division));
+  }
+  return errors;
+}
+
+// The inverse of the kriging matrix, without the rows and columns of the drift.
+Eigen::MatrixXd Kriging::Inverse() const {
+  const Eigen::Index n = matrix_.rows(), free = n - kDrift;
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
+  inverse.bottomRightCorner(free, free) = InverseOfPositive(matrix_.bottomRightCorner(free, free));
+  inverse.applyOnTheLeft(reflections_.householderQ());
+  inverse.applyOnTheRight(reflections_.householderQ().adjoint());
+  return inverse;
+}
+
+}  // namespace tilemend
