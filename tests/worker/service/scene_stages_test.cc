@@ -1,0 +1,202 @@
+#include "worker/service/scene_stages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/codec/mesh_file.h"
+#include "common/rpc/stage_payloads.h"
+#include "common/store/digest.h"
+#include "tests/support/mesh_builders.h"
+#include "tests/support/patch_checks.h"
+#include "tests/support/temporary_folder.h"
+#include "tilemend/v1/stages.pb.h"
+
+namespace tilemend {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// A roof with a hole of one square in its middle.
+TriMesh HoledRoof() {
+  const auto keep = [](int32_t i, int32_t j) { return i != 2 || j != 2; };
+  return SquaresMesh(0, 5, 0, 5, keep, [](double x, double y) { return 0.25 * x + 0.125 * y; });
+}
+
+CellHoles HoleOf(const TriMesh& mesh) {
+  const auto inside = [](const Point3& p) { return p.x() > 0.5 && p.x() < 4.5 && p.y() > 0.5 && p.y() < 4.5; };
+  CellHoles work = WorkOf(mesh, false, [&](const Point3& a, const Point3& b) { return inside(a) && inside(b); });
+  work.lattice_step = 0x1p-10;
+  return work;
+}
+
+class SceneStagesTest : public testing::Test {
+ protected:
+  template <typename Input>
+  absl::StatusOr<std::string> Run(Stage stage, const Input& input) {
+    return runner_(stage, input.SerializeAsString(), cancel_);
+  }
+
+  template <typename Output, typename Input>
+  Output RunWell(Stage stage, const Input& input) {
+    const absl::StatusOr<std::string> bytes = Run(stage, input);
+    EXPECT_TRUE(bytes.ok()) << bytes.status();
+    Output output;
+    EXPECT_TRUE(output.ParseFromString(bytes.value_or("")));
+    return output;
+  }
+
+  // A tile of the mesh in the folder.
+  v1::TileRef WriteTile(const TriMesh& mesh, const std::string& name) {
+    const std::vector<int32_t> like(mesh.points.size(), -1);
+    const std::string bytes = NewPlyFile({mesh.points, like, mesh.triangles}, NumberType::kFloat64);
+    folder_.Write(name, bytes);
+    v1::TileRef tile;
+    tile.set_root(folder_.path());
+    tile.set_path(name);
+    tile.set_digest(Sha256Hex(bytes));
+    return tile;
+  }
+
+  v1::FillInput FillInputOf(const CellHoles& work) {
+    v1::FillInput input;
+    *input.mutable_holes() = ToProto(work);
+    input.mutable_options()->set_gradation(1.5);
+    input.mutable_options()->set_size_limit(10);
+    input.mutable_options()->set_thin_plate(true);
+    return input;
+  }
+
+  v1::AssembleInput AssembleInputOf(const TriMesh& mesh, const v1::TileRef& tile) {
+    const CellHoles work = HoleOf(mesh);
+    v1::AssembleInput input;
+    *input.mutable_tile() = tile;
+    input.set_output(folder_ / "out/a.ply");
+    input.set_tile_vertices(static_cast<int64_t>(mesh.points.size()));
+    *input.mutable_vertices() = ToProto(work.vertices);
+    *input.mutable_patches() = RunWell<v1::FillOutput>(Stage::kFill, FillInputOf(work));
+    return input;
+  }
+
+  TemporaryFolder folder_;
+  CancelToken cancel_;
+  const StageRunner runner_ = SceneStageRunner();
+};
+
+TEST_F(SceneStagesTest, SurveysATile) {
+  const v1::TileRef tile = WriteTile(HoledRoof(), "a.ply");
+  v1::SurveyInput input;
+  *input.mutable_tile() = tile;
+  const auto output = RunWell<v1::SurveyOutput>(Stage::kSurvey, input);
+  EXPECT_EQ(output.digest(), tile.digest());
+  EXPECT_FALSE(output.float32());
+  const auto record = FromProto(output);
+  ASSERT_TRUE(record.ok()) << record.status();
+  EXPECT_EQ(record->triangle_count, 48);
+  EXPECT_EQ(record->edges.size(), 20u + 4u);  // around the roof and around the hole
+}
+
+TEST_F(SceneStagesTest, SaysWhichTileCannotBeSurveyed) {
+  v1::SurveyInput input;
+  input.mutable_tile()->set_root(folder_.path());
+  const auto status = [&](const std::string& name) {
+    input.mutable_tile()->set_path(name);
+    return Run(Stage::kSurvey, input).status();
+  };
+  EXPECT_EQ(status("none.ply").code(), absl::StatusCode::kNotFound);
+  EXPECT_THAT(std::string(status("none.ply").message()), HasSubstr(folder_ / "none.ply"));
+  folder_.Write("a.stl", "solid");
+  EXPECT_EQ(status("a.stl").code(), absl::StatusCode::kInvalidArgument);
+  folder_.Write("bad.ply", "ply\n");
+  EXPECT_THAT(std::string(status("bad.ply").message()), HasSubstr("bad.ply: "));
+}
+
+TEST_F(SceneStagesTest, FillsAHoleSoundly) {
+  for (const bool thin_plate : {false, true}) {
+    const CellHoles work = HoleOf(HoledRoof());
+    v1::FillInput input = FillInputOf(work);
+    input.mutable_options()->set_thin_plate(thin_plate);
+    const auto output = RunWell<v1::FillOutput>(Stage::kFill, input);
+    const auto patches = FromProto(output, work.vertices.size());
+    ASSERT_TRUE(patches.ok()) << patches.status();
+    ASSERT_EQ(patches->size(), 1u);
+    ExpectClosesHole(work, work.holes[0], patches->front());
+    EXPECT_EQ(output.quality().triangles(), static_cast<int64_t>(patches->front().triangles.size()));
+  }
+}
+
+TEST_F(SceneStagesTest, SamplesAHoleWithoutSeamsToNothing) {
+  v1::SampleInput input;
+  *input.mutable_holes() = ToProto(HoleOf(HoledRoof()));
+  *input.mutable_options() = FillInputOf(HoleOf(HoledRoof())).options();
+  EXPECT_THAT(RunWell<v1::SampleOutput>(Stage::kSample, input).seam_vertex(), IsEmpty());
+  input.set_whole_cluster(true);
+  input.set_cluster(7);
+  const auto output = RunWell<v1::SampleOutput>(Stage::kSample, input);
+  EXPECT_EQ(output.cluster(), 7);
+  EXPECT_THAT(output.seam_vertex(), IsEmpty());
+}
+
+TEST_F(SceneStagesTest, AssemblesTheTileWithItsPatches) {
+  const TriMesh mesh = HoledRoof();
+  const v1::AssembleInput input = AssembleInputOf(mesh, WriteTile(mesh, "a.ply"));
+  const auto output = RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
+  const std::string written = ReadFile(folder_ / "out/a.ply").value();
+  EXPECT_EQ(output.bytes(), static_cast<int64_t>(written.size()));
+  EXPECT_EQ(output.digest(), Sha256Hex(written));
+  const auto file = ParseMesh(MeshFormat::kPly, written, "a.ply");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_TRUE(std::equal(mesh.triangles.begin(), mesh.triangles.end(), file->mesh.triangles.begin()));
+  EXPECT_GE(file->mesh.triangles.size(), mesh.triangles.size() + 2);
+}
+
+TEST_F(SceneStagesTest, CopiesATileWithoutPatchesByteForByte) {
+  v1::AssembleInput input;
+  *input.mutable_tile() = WriteTile(HoledRoof(), "a.ply");
+  input.set_output(folder_ / "out/a.ply");
+  RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
+  EXPECT_EQ(ReadFile(folder_ / "out/a.ply").value(), ReadFile(folder_ / "a.ply").value());
+}
+
+TEST_F(SceneStagesTest, MakesATileWhereThereWasNone) {
+  v1::AssembleInput input;
+  input.set_output(folder_ / "out/new.ply");
+  input.set_float32(true);
+  RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
+  EXPECT_THAT(ReadFile(folder_ / "out/new.ply").value(), HasSubstr("property float x"));
+}
+
+TEST_F(SceneStagesTest, WritesNothingWhenTheTileHasChangedOrTheTaskIsCancelled) {
+  const TriMesh mesh = HoledRoof();
+  v1::AssembleInput input = AssembleInputOf(mesh, WriteTile(mesh, "a.ply"));
+  cancel_.Cancel();
+  EXPECT_EQ(Run(Stage::kAssemble, input).status().code(), absl::StatusCode::kCancelled);
+  input.mutable_tile()->set_digest(Sha256Hex("another"));
+  const absl::Status changed = Run(Stage::kAssemble, input).status();
+  EXPECT_EQ(changed.code(), absl::StatusCode::kAborted);
+  EXPECT_THAT(std::string(changed.message()), HasSubstr("changed while the job ran"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/a.ply"));
+}
+
+TEST_F(SceneStagesTest, RefusesARimVertexThatTheTileDoesNotHave) {
+  const TriMesh mesh = HoledRoof();
+  v1::AssembleInput input = AssembleInputOf(mesh, WriteTile(mesh, "a.ply"));
+  input.set_tile_vertices(3);
+  EXPECT_THAT(std::string(Run(Stage::kAssemble, input).status().message()), HasSubstr("a rim vertex that the tile"));
+}
+
+TEST_F(SceneStagesTest, RefusesWhatIsNoPayload) {
+  for (const Stage stage : kAllStages) {
+    const absl::Status status = runner_(stage, "\xff\xff", cancel_).status();
+    EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << StageName(stage);
+    EXPECT_THAT(std::string(status.message()), HasSubstr("malformed payload"));
+  }
+  EXPECT_EQ(runner_(static_cast<Stage>(99), "", cancel_).status(), absl::InvalidArgumentError("unknown stage"));
+}
+
+}  // namespace
+}  // namespace tilemend
