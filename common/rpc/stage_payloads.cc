@@ -291,8 +291,10 @@ v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<
   return proto;
 }
 
-absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, size_t vertex_count) {
-  TILEMEND_ASSIGN_OR_RETURN(TriMesh mesh, DecodeMesh(proto.mesh()));
+namespace {
+
+// Whether the counts in the message fit each other and the mesh.
+absl::Status CheckPatchCounts(const v1::FillOutput& proto, size_t vertex_count, const TriMesh& mesh) {
   int64_t points = static_cast<int64_t>(vertex_count), triangles = 0;
   for (const v1::PatchExtent& e : proto.patches()) {
     if (e.new_points() < 0 || e.triangles() < 0 || e.new_points() > DracoLimits().max_points ||
@@ -307,34 +309,49 @@ absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, si
       !AllBelow(proto.off_lattice(), points - static_cast<int64_t>(vertex_count))) {
     return Malformed("patch counts");
   }
+  return absl::OkStatus();
+}
+
+// The patch whose new points begin at `point` and whose triangles begin at `triangle` of the mesh of all patches.
+absl::StatusOr<HolePatch> PatchFrom(const v1::PatchExtent& extent, const TriMesh& mesh, size_t vertex_count,
+                                    int64_t point, int64_t triangle) {
+  HolePatch patch;
+  patch.hole = extent.hole();
+  patch.failure = extent.failure();
+  if (extent.has_hold_out()) {
+    TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
+  }
+  const auto base = static_cast<int32_t>(point);
+  patch.new_points.assign(mesh.points.begin() + point, mesh.points.begin() + point + extent.new_points());
+  for (int64_t k = 0; k < extent.triangles(); ++k) {
+    Triangle t = mesh.triangles[static_cast<size_t>(triangle + k)];
+    for (int32_t& corner : t) {
+      if (corner < static_cast<int32_t>(vertex_count)) continue;
+      if (corner < base || corner >= base + extent.new_points()) return Malformed("patch triangle");
+      corner = base - 1 - corner;
+    }
+    patch.triangles.push_back(t);
+  }
+  return patch;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, size_t vertex_count) {
+  TILEMEND_ASSIGN_OR_RETURN(TriMesh mesh, DecodeMesh(proto.mesh()));
+  TILEMEND_RETURN_IF_ERROR(CheckPatchCounts(proto, vertex_count, mesh));
   for (int i = 0; i < proto.off_lattice_size(); ++i) {
     const Point3 position = PointAt(proto.off_lattice_position(), i);
     if (!position.allFinite()) return Malformed("patch position");
     mesh.points[vertex_count + static_cast<size_t>(proto.off_lattice(i))] = position;
   }
   std::vector<HolePatch> patches;
-  auto point = mesh.points.begin() + static_cast<ptrdiff_t>(vertex_count);
-  auto triangle = mesh.triangles.begin();
-  for (const v1::PatchExtent& e : proto.patches()) {
-    HolePatch patch;
-    patch.hole = e.hole();
-    patch.failure = e.failure();
-    if (e.has_hold_out()) {
-      TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(e.hold_out()));
-    }
-    const auto base = static_cast<int32_t>(point - mesh.points.begin());
-    patch.new_points.assign(point, point + e.new_points());
-    point += e.new_points();
-    for (int64_t k = 0; k < e.triangles(); ++k, ++triangle) {
-      Triangle t = *triangle;
-      for (int32_t& corner : t) {
-        if (corner < static_cast<int32_t>(vertex_count)) continue;
-        if (corner < base || corner >= base + e.new_points()) return Malformed("patch triangle");
-        corner = base - 1 - corner;
-      }
-      patch.triangles.push_back(t);
-    }
+  int64_t point = static_cast<int64_t>(vertex_count), triangle = 0;
+  for (const v1::PatchExtent& extent : proto.patches()) {
+    TILEMEND_ASSIGN_OR_RETURN(HolePatch patch, PatchFrom(extent, mesh, vertex_count, point, triangle));
     patches.push_back(std::move(patch));
+    point += extent.new_points();
+    triangle += extent.triangles();
   }
   return patches;
 }

@@ -76,13 +76,12 @@ CellHoles SomeHoles() {
 }
 
 std::vector<HolePatch> SomePatches() {
-  HolePatch filled{7,
-                   "",
-                   {{0.5, 0.25, 0.125}, {0.1, 0.2, 0.3}, {1e-9, 2, 3}},
-                   {{0, 1, -1}, {-1, -2, -3}, {2, 0, -3}},
-                   HoldOut{0.1, 0.2, 0.3, 4}};
-  HolePatch left{8, "too wild", {}, {}};
-  HolePatch other{9, "", {{3.5, 1.0 / 3, 7}}, {{3, 2, -1}}};
+  HolePatch filled{.hole = 7,
+                   .new_points = {{0.5, 0.25, 0.125}, {0.1, 0.2, 0.3}, {1e-9, 2, 3}},
+                   .triangles = {{0, 1, -1}, {-1, -2, -3}, {2, 0, -3}},
+                   .hold_out = HoldOut{0.1, 0.2, 0.3, 4}};
+  HolePatch left{.hole = 8, .failure = "too wild"};
+  HolePatch other{.hole = 9, .new_points = {{3.5, 1.0 / 3, 7}}, .triangles = {{3, 2, -1}}};
   return {filled, left, other};
 }
 
