@@ -92,6 +92,7 @@ std::vector<Triangle> FlipForShape(const std::vector<Triangle>& triangles, std::
                                    std::span<const Point3> points, std::span<const RegionSegment> walls,
                                    const std::function<bool(int32_t, int32_t)>& may_join) {
   PatchMesh mesh(points.first(plane.size()), triangles);
+  if (!mesh.IsManifold()) return triangles;
   Flipper(mesh, plane, points, walls, may_join).Run();
   return mesh.Triangles();
 }

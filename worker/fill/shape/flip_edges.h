@@ -17,7 +17,7 @@ namespace tilemend {
 // the worse of the two gets a better shape in space (4 sqrt(3) area / sum of squared edges), beginning at the triangles
 // that are poor, and if the angle between the two does not grow. A surface that is nowhere steep keeps its
 // triangulation.
-//   triangles  counter-clockwise in the plane; each directed edge at most once
+//   triangles  counter-clockwise in the plane; left as they are if they form no manifold (patch_mesh.h)
 //   plane      per point: its place in the plane
 //   points     per point: its place in space
 //   walls      edges that stay

@@ -75,5 +75,54 @@ TEST(FlipForShapeTest, MakesNoSharperEdge) {
   EXPECT_THAT(patch.Flipped(), UnorderedElementsAre(Triangle{0, 2, 3}, Triangle{0, 1, 2}));
 }
 
+TEST(FlipForShapeTest, LeavesWhatIsNoManifoldAsItIs) {
+  Patch patch = Diamond();
+  patch.plane.push_back({0, 20});
+  patch.triangles.push_back({0, 2, 4});  // a third triangle at the edge
+  EXPECT_THAT(patch.Flipped(), UnorderedElementsAre(Triangle{0, 2, 3}, Triangle{0, 1, 2}, Triangle{0, 2, 4}));
+}
+
+// A square of squares under a surface that is steep along its diagonal.
+Patch Hillside(int32_t side) {
+  Patch patch;
+  for (int32_t y = 0; y <= side; ++y) {
+    for (int32_t x = 0; x <= side; ++x) patch.plane.push_back({10 * x, 10 * y});
+  }
+  for (int32_t y = 0; y < side; ++y) {
+    for (int32_t x = 0; x < side; ++x) {
+      const int32_t a = y * (side + 1) + x, c = a + side + 1;
+      patch.triangles.push_back({a, a + 1, c + 1});
+      patch.triangles.push_back({a, c + 1, c});
+    }
+  }
+  patch.height = [](double x, double y) { return 3 * (x + y); };
+  return patch;
+}
+
+TEST(FlipForShapeTest, KeepsAreaAndCornersOfALargePatch) {
+  const Patch patch = Hillside(12);
+  const std::vector<Triangle> flipped = patch.Flipped();
+  ASSERT_EQ(flipped.size(), patch.triangles.size());
+  std::vector<int> uses(patch.plane.size(), 0);
+  int64_t twice_area = 0;
+  for (const Triangle& t : flipped) {
+    const LatticePoint &a = patch.plane[t[0]], &b = patch.plane[t[1]], &c = patch.plane[t[2]];
+    const int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    EXPECT_GT(area, 0);
+    twice_area += area;
+    for (const int32_t v : t) ++uses[v];
+  }
+  EXPECT_EQ(twice_area, 2 * 120 * 120);
+  EXPECT_EQ(std::count(uses.begin(), uses.end(), 0), 0);
+  EXPECT_THAT(flipped, ::testing::Contains(Triangle{1, 14, 13}));  // the diagonals that run along the slope are gone
+}
+
+TEST(FlipForShapeTest, IsDoneAfterOneCall) {
+  Patch patch = Hillside(12);
+  const std::vector<Triangle> once = patch.Flipped();
+  patch.triangles = once;
+  EXPECT_EQ(patch.Flipped(), once);
+}
+
 }  // namespace
 }  // namespace tilemend
