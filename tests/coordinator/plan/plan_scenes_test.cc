@@ -251,43 +251,5 @@ TEST(SteepGroundTest, HolesAreToldFromIslandsSeenFromAbove) {
   }
 }
 
-// A tile of a 250 m cell grown by `margin` on every side, with its own vertices, as ContextCapture writes them.
-SurveyedScene GrownTiles(double margin) {
-  std::map<CellId, TriMesh> tiles;
-  for (int32_t col = 0; col < 2; ++col) {
-    const int32_t squares = 25 + col;  // so that no vertices are shared
-    const auto whole = [](int32_t, int32_t) { return true; };
-    const double scale = (250 + 2 * margin) / squares;
-    tiles[{col, 0}] = Moved(SquaresMesh(0, squares, 0, squares, whole), [&](const Point3& p) {
-      return Point3(Point3(p * scale) + Point3(250 * col - margin, -margin, 0)).cast<float>().cast<double>().eval();
-    });
-  }
-  Grid grid;
-  grid.cell_size = Point2(250, 250);
-  return SurveyScene(grid, tiles);
-}
-
-TEST(BorderAuditTest, TellsTilesThatOverlap) {
-  const Plan plan = PlanOf(GrownTiles(0.1));
-  ASSERT_THAT(plan.borders, SizeIs(1));
-  EXPECT_EQ(plan.borders[0].kind, BorderKind::kOverlap);
-  EXPECT_TRUE(plan.tiles_apart);
-  EXPECT_NEAR(plan.borders[0].offset, 0.2, 1e-3);
-}
-
-TEST(BorderAuditTest, TellsTilesWithAGapBetween) {
-  const Plan plan = PlanOf(GrownTiles(-0.1));
-  ASSERT_THAT(plan.borders, SizeIs(1));
-  EXPECT_EQ(plan.borders[0].kind, BorderKind::kGap);
-  EXPECT_NEAR(plan.borders[0].offset, -0.2, 1e-3);
-}
-
-TEST(BorderAuditTest, TellsABorderWithoutSurface) {
-  const Plan plan = PlanOf(PictureScene({"##|..", "##|.."}, 2));
-  EXPECT_FALSE(plan.tiles_apart);
-  ASSERT_THAT(plan.borders, SizeIs(1));
-  EXPECT_EQ(plan.borders[0].kind, BorderKind::kOpen);
-}
-
 }  // namespace
 }  // namespace tilemend

@@ -10,14 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "coordinator/plan/make_cell_holes.h"
 #include "tests/support/surveyed_scene.h"
 
 namespace tilemend {
 namespace {
 
 using ::testing::Each;
-using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -152,23 +150,6 @@ TEST(MakePlanTest, NamesTheVerticesOfNeighboursByTileAndIndex) {
   }
 }
 
-TEST(MakePlanTest, HandsTheOwnVertexOutWhereATileHasOneToo) {
-  const SurveyedScene scene = PictureScene({"##|##",  //
-                                            "##|.#"},
-                                           2);
-  const Plan plan = PlanOf(scene);
-  ASSERT_EQ(CountsOf(plan), "1 IIB");
-  const CellHoles work = MakeCellHoles(plan, scene.Input(), {}, {0}, true);
-  int own = 0, foreign = 0;
-  for (const RimVertex& v : work.vertices) {
-    if (v.index < 0) continue;
-    EXPECT_EQ(scene.tiles.at(v.tile).points.at(v.index), v.position);
-    ++(v.tile == CellId{1, 0} ? own : foreign);
-  }
-  EXPECT_EQ(own, 3) << "the corners of the hole that the cell's own tile has";
-  EXPECT_EQ(foreign, 1) << "the corner on the rim of the area is the west tile's alone";
-}
-
 // Figure 5b.
 TEST(MakePlanTest, FindsTypeBWhereOneSurfaceIsLeft) {
   EXPECT_EQ(CountsOf(PlanOf(Picture{"....",  //
@@ -261,31 +242,6 @@ TEST(MakePlanTest, NumbersTheLayersOfALakeFromItsShoreInward) {
   }
 }
 
-TEST(MakePlanTest, MeetsFourSeamsInOneVertexWhereAGridCornerLiesInAHole) {
-  const Plan plan = PlanOf(Picture{"####|####",  //
-                                   "####|####",  //
-                                   "##..|..##",  //
-                                   "##..|..##",  //
-                                   "----+----",  //
-                                   "##..|..##",  //
-                                   "##..|..##",  //
-                                   "####|####",  //
-                                   "####|####"});
-  ExpectSound(plan);
-  EXPECT_EQ(CountsOf(plan), "4 IB");
-  ASSERT_THAT(plan.seams, SizeIs(4));
-  std::map<int32_t, int> ends;
-  for (const Seam& seam : plan.seams) {
-    ++ends[seam.vertices.front()];
-    ++ends[seam.vertices.back()];
-  }
-  const auto corner = std::find_if(ends.begin(), ends.end(), [](const auto& end) { return end.second == 4; });
-  ASSERT_NE(corner, ends.end());
-  EXPECT_EQ(plan.vertices[corner->first].position.head<2>(), Point2(4, 4));
-  EXPECT_EQ(plan.vertices[corner->first].lines, 3);
-  EXPECT_EQ(plan.vertices[corner->first].index, -1);
-}
-
 TEST(MakePlanTest, CountsAnIslandsShoreToTheBoundaryOfAClosedHole) {
   const Plan plan = PlanOf(Picture{"#######",  //
                                    "#.....#",  //
@@ -328,67 +284,6 @@ TEST(MakePlanTest, CountsAnIslandsShoreToTheBoundaryOfAnOpenHole) {
   ASSERT_EQ(CountsOf(plan), "2 IB");
   EXPECT_DOUBLE_EQ(plan.holes[0].area, 19);
   EXPECT_DOUBLE_EQ(BoundedArea(plan, plan.holes[0]), 19);
-}
-
-TEST(MakePlanTest, PartsTheSeamWhereAnIslandLiesAcrossTheGridLine) {
-  const Plan plan = PlanOf(Picture{"######|######",  //
-                                   "#.....|.....#",  //
-                                   "#.....|.....#",  //
-                                   "#....#|#....#",  //
-                                   "#.....|.....#",  //
-                                   "######|######"},
-                           6);
-  ExpectSound(plan);
-  EXPECT_EQ(CountsOf(plan), "2 ID") << "in either cell the island is a part that touches one side";
-  EXPECT_THAT(plan.seams, SizeIs(2));
-}
-
-TEST(MakePlanTest, TakesASeamOverARimVertexCloseBesideTheGridLine) {
-  SurveyedScene scene = PictureScene({"######|######",  //
-                                      "#.##..|.....#",  //
-                                      "#.##..|.....#",  //
-                                      "#.....|.....#",  //
-                                      "#.....|.....#",  //
-                                      "######|######"},
-                                     6);
-  const Point3 tip(5.9, 3, 0);
-  for (Point3& p : scene.tiles.at({0, 0}).points) {
-    if (p == Point3(4, 3, 0)) p = tip;
-  }
-  const Plan plan = PlanOf(SurveyScene(scene.grid, std::move(scene.tiles)));
-  ExpectSound(plan);
-  ASSERT_THAT(plan.seams, SizeIs(1));
-  const auto& way = plan.seams[0].vertices;
-  EXPECT_EQ(std::count_if(way.begin(), way.end(), [&](int32_t v) { return plan.vertices[v].position == tip; }), 1);
-}
-
-// A scene of one cell with two gaps along its north side, and between them a square that ends `off` short of it.
-SurveyedScene SquareShortOfTheNorth(double off) {
-  SurveyedScene scene = PictureScene({"####..#..###", "############", "############", "############",  //
-                                      "############", "############", "############", "############",  //
-                                      "############", "############", "############", "############"},
-                                     12, [](double x, double) { return 0.3 * x; });
-  for (Point3& p : scene.tiles.at({0, 0}).points) {
-    if ((p.x() == 6 || p.x() == 7) && p.y() == 12) p.y() -= off;
-  }
-  return SurveyScene(scene.grid, std::move(scene.tiles));
-}
-
-TEST(MakePlanTest, PutsSeamVerticesBesideRimVerticesAHairOffTheRimOfTheArea) {
-  const Plan plan = PlanOf(SquareShortOfTheNorth(1e-4));
-  ExpectSound(plan);
-  std::vector<Point3> given;
-  for (const PlanVertex& v : plan.vertices) {
-    if (v.height_given) given.push_back(v.position);
-  }
-  EXPECT_THAT(given, ElementsAre(Point3(6, 12, 0.3 * 6), Point3(7, 12, 0.3 * 7)));
-}
-
-TEST(MakePlanTest, TakesASeamOverRimVerticesThatAreAsGoodAsOnTheRimOfTheArea) {
-  const Plan plan = PlanOf(SquareShortOfTheNorth(1e-5));
-  ExpectSound(plan);
-  EXPECT_EQ(CountsOf(plan), "2 IIB");
-  for (const PlanVertex& v : plan.vertices) EXPECT_FALSE(v.height_given);
 }
 
 TEST(MakePlanTest, SplitsAContinuousHoleWhereItTouchesItself) {

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "coordinator/plan/water/shore.h"
 #include "tests/support/surveyed_scene.h"
 #include "tests/support/water_scenes.h"
 
@@ -218,39 +217,6 @@ TEST(WaterOfMeshesTest, AFewRimVerticesTellTooLittle) {
   const Plan pond = MakePlan(scene.Input(), forced);
   ASSERT_THAT(pond.water, SizeIs(1));
   EXPECT_EQ(pond.water[0].level, 1.5);
-}
-
-TEST(ShoreTest, GoesAlongTheRim) {
-  const SurveyedScene scene = PictureScene({"####|####", "#..#|#..#", "#...|...#", "####|####", "----+----",  //
-                                            "####|####", "####|####", "####|####", "####|####"},
-                                           4);
-  const Plan plan = MakePlan(scene.Input(), {});
-  std::vector<int32_t> holes;
-  for (size_t h = 0; h < plan.holes.size(); ++h) holes.push_back(static_cast<int32_t>(h));
-  const std::vector<int32_t> shore = ShoreOf(plan, holes);
-  EXPECT_THAT(shore, SizeIs(18));  // two squares of 2 m by 2 m and a passage of 1 m by 2 m between them
-  EXPECT_THAT(std::set<int32_t>(shore.begin(), shore.end()), SizeIs(18));
-  for (size_t i = 0; i < shore.size(); ++i) {
-    const Point3 step = plan.vertices[shore[(i + 1) % shore.size()]].position - plan.vertices[shore[i]].position;
-    EXPECT_NEAR(step.norm(), 1, 1e-12);
-  }
-}
-
-TEST(ShoreTest, TellsNoiseFromSlopes) {
-  for (const double noise : {0.0, 0.05, 0.2}) {
-    SceneMakerOptions options = ValleyOverNineCells(Cut::kClipped, 0.05);
-    options.noise = noise;
-    options.terrain = [](double x, double y) { return 0.05 * x - 0.02 * y; };
-    const SurveyedScene scene = SurveyScene(MakeScene(options));
-    const PlanInput input = scene.Input();
-    const Plan plan = MakePlan(input, {});
-    std::vector<int32_t> holes;
-    for (size_t h = 0; h < plan.holes.size(); ++h) holes.push_back(static_cast<int32_t>(h));
-    const std::vector<std::vector<int32_t>> shores = {ShoreOf(plan, holes)};
-    const ShoreGround ground = FindGround(plan, input, shores).at(0);
-    EXPECT_NEAR(ground.noise, noise / std::sqrt(12), 0.2 * noise / std::sqrt(12) + 1e-5);
-    EXPECT_EQ(ground.bank.size(), shores[0].size());
-  }
 }
 
 }  // namespace

@@ -1,0 +1,239 @@
+// How seams part holes, and what is tried where they cannot.
+#include "coordinator/plan/division.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "coordinator/plan/plan.h"
+#include "tests/support/surveyed_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+using Picture = std::vector<std::string>;
+
+Plan PlanOf(const SurveyedScene& scene) { return MakePlan(scene.Input(), {}); }
+Plan PlanOf(const Picture& picture, int32_t squares = 4) { return PlanOf(PictureScene(picture, squares)); }
+
+void ExpectSound(const Plan& plan) {
+  EXPECT_THAT(plan.left, IsEmpty());
+  for (const PlannedHole& hole : plan.holes) EXPECT_EQ(hole.failure, "");
+}
+
+TEST(DivideSceneTest, MeetsFourSeamsInOneVertexWhereAGridCornerLiesInAHole) {
+  const Plan plan = PlanOf(Picture{"####|####",  //
+                                   "####|####",  //
+                                   "##..|..##",  //
+                                   "##..|..##",  //
+                                   "----+----",  //
+                                   "##..|..##",  //
+                                   "##..|..##",  //
+                                   "####|####",  //
+                                   "####|####"});
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "4 IB");
+  ASSERT_THAT(plan.seams, SizeIs(4));
+  std::map<int32_t, int> ends;
+  for (const Seam& seam : plan.seams) {
+    ++ends[seam.vertices.front()];
+    ++ends[seam.vertices.back()];
+  }
+  const auto corner = std::find_if(ends.begin(), ends.end(), [](const auto& end) { return end.second == 4; });
+  ASSERT_NE(corner, ends.end());
+  EXPECT_EQ(plan.vertices[corner->first].position.head<2>(), Point2(4, 4));
+  EXPECT_EQ(plan.vertices[corner->first].lines, 3);
+  EXPECT_EQ(plan.vertices[corner->first].index, -1);
+}
+
+TEST(DivideSceneTest, PartsTheSeamWhereAnIslandLiesAcrossTheGridLine) {
+  const Plan plan = PlanOf(Picture{"######|######",  //
+                                   "#.....|.....#",  //
+                                   "#.....|.....#",  //
+                                   "#....#|#....#",  //
+                                   "#.....|.....#",  //
+                                   "######|######"},
+                           6);
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 ID") << "in either cell the island is a part that touches one side";
+  EXPECT_THAT(plan.seams, SizeIs(2));
+}
+
+TEST(DivideSceneTest, TakesASeamOverARimVertexCloseBesideTheGridLine) {
+  SurveyedScene scene = PictureScene({"######|######",  //
+                                      "#.##..|.....#",  //
+                                      "#.##..|.....#",  //
+                                      "#.....|.....#",  //
+                                      "#.....|.....#",  //
+                                      "######|######"},
+                                     6);
+  const Point3 tip(5.9, 3, 0);
+  for (Point3& p : scene.tiles.at({0, 0}).points) {
+    if (p == Point3(4, 3, 0)) p = tip;
+  }
+  const Plan plan = PlanOf(SurveyScene(scene.grid, std::move(scene.tiles)));
+  ExpectSound(plan);
+  ASSERT_THAT(plan.seams, SizeIs(1));
+  const auto& way = plan.seams[0].vertices;
+  EXPECT_EQ(std::count_if(way.begin(), way.end(), [&](int32_t v) { return plan.vertices[v].position == tip; }), 1);
+}
+
+// A scene of one cell with two gaps along its north side, and between them a square that ends `off` short of it.
+SurveyedScene SquareShortOfTheNorth(double off) {
+  SurveyedScene scene = PictureScene({"####..#..###", "############", "############", "############",  //
+                                      "############", "############", "############", "############",  //
+                                      "############", "############", "############", "############"},
+                                     12, [](double x, double) { return 0.3 * x; });
+  for (Point3& p : scene.tiles.at({0, 0}).points) {
+    if ((p.x() == 6 || p.x() == 7) && p.y() == 12) p.y() -= off;
+  }
+  return SurveyScene(scene.grid, std::move(scene.tiles));
+}
+
+TEST(DivideSceneTest, PutsSeamVerticesBesideRimVerticesAHairOffTheRimOfTheArea) {
+  const Plan plan = PlanOf(SquareShortOfTheNorth(1e-4));
+  ExpectSound(plan);
+  std::vector<Point3> given;
+  for (const PlanVertex& v : plan.vertices) {
+    if (v.height_given) given.push_back(v.position);
+  }
+  EXPECT_THAT(given, ElementsAre(Point3(6, 12, 0.3 * 6), Point3(7, 12, 0.3 * 7)));
+}
+
+TEST(DivideSceneTest, TakesASeamOverRimVerticesThatAreAsGoodAsOnTheRimOfTheArea) {
+  const Plan plan = PlanOf(SquareShortOfTheNorth(1e-5));
+  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "2 IIB");
+  for (const PlanVertex& v : plan.vertices) EXPECT_FALSE(v.height_given);
+}
+
+Division DivideSceneOf(const SurveyedScene& scene, const std::set<CellId>& area, Rim& rim, GridLines& lines) {
+  const PlanInput input = scene.Input();
+  const PlanOptions options;
+  lines = FindGridLines(input, AuditBorders(input), 0x1p-10);
+  rim = BuildRim(input, !lines.independent);
+  const Part part{input, area, lines, options, rim, 0x1p-10};
+  const ClosingCells closing = FindClosingCells(input, lines, rim);
+  return lines.independent ? DivideTile(part, closing) : DivideScene(part, closing);
+}
+
+TEST(DivideSceneTest, PartsAHoleAtTheLineBetweenItsCells) {
+  const SurveyedScene scene = PictureScene({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
+  Rim rim;
+  GridLines lines;
+  const Division division = DivideSceneOf(scene, {{0, 0}, {1, 0}}, rim, lines);
+  EXPECT_THAT(division.seams.seams, SizeIs(1));
+  ASSERT_THAT(division.holes, SizeIs(2));
+  EXPECT_EQ(division.holes.at({0, 0}).holes.at(0).area, 4);
+  EXPECT_EQ(division.holes.at({1, 0}).holes.at(0).area, 2);
+  EXPECT_THAT(division.left, IsEmpty());
+}
+
+TEST(DivideSceneTest, CallsHolesExternalBeyondTheWholeSceneAlone) {
+  const SurveyedScene scene = PictureScene({"####", "##..", "##..", "####"}, 4);
+  Rim rim;
+  GridLines lines;
+  const auto kind_within = [&](const std::set<CellId>& area) {
+    return DivideSceneOf(scene, area, rim, lines).holes.at({0, 0}).holes.at(0).kind;
+  };
+  EXPECT_EQ(kind_within({{0, 0}}), HoleKind::kOpenII);
+  EXPECT_EQ(kind_within({{0, 0}, {1, 0}}), HoleKind::kOpenI);
+}
+
+// Cells of a few edges: the first reading of the zigzag bounds no regions in some places, and another one is tried.
+TEST(DivideSceneTest, BoundsMostHolesOfCoarseRaggedCuts) {
+  size_t holes = 0, failed = 0;
+  for (const uint64_t seed : {24, 31, 41}) {
+    SceneMakerOptions options;
+    options.cols = options.rows = 5;
+    options.cut = Cut::kRagged;
+    options.seed = seed;
+    options.cell_size = seed == 24 ? 20 : 12;
+    options.spacing = 2;
+    options.lakes = options.islands = options.river = true;
+    options.small_per_cell = 5;
+    const Plan plan = PlanOf(SurveyScene(MakeScene(options)));
+    holes += plan.holes.size();
+    for (const PlannedHole& hole : plan.holes) failed += !hole.failure.empty();
+  }
+  EXPECT_GT(holes, 80U);
+  EXPECT_LE(failed, holes / 10);
+}
+
+// Two tiles of 250 m cells, grown by half a metre, with vertices of their own, as ContextCapture writes them. `keep`
+// says which squares of 10 m and some there are.
+SurveyedScene IndependentTiles(const std::function<bool(int32_t, int32_t)>& keep) {
+  std::map<CellId, TriMesh> tiles;
+  for (int32_t col = 0; col < 2; ++col) {
+    const int32_t squares = 25 + col;
+    tiles[{col, 0}] = Moved(SquaresMesh(0, squares, 0, squares, keep), [&](const Point3& p) {
+      return Point3(Point3(p * (251.0 / squares)) + Point3(250 * col - 0.5, -0.5, 0));
+    });
+  }
+  Grid grid;
+  grid.cell_size = Point2(250, 250);
+  return SurveyScene(grid, tiles);
+}
+
+TEST(DivideTileTest, FindsTheHolesOfEachTileOnItsOwn) {
+  const SurveyedScene scene =
+      IndependentTiles([](int32_t i, int32_t j) { return !(i >= 5 && i < 8 && j >= 5 && j < 8); });
+  const Plan plan = PlanOf(scene);
+  EXPECT_TRUE(plan.tiles_apart);
+  EXPECT_EQ(CountsOf(plan), "2 closed");
+  EXPECT_THAT(plan.left, IsEmpty());
+}
+
+TEST(DivideTileTest, PutsHolesThatFaceEachOtherAtABorderIntoOneCluster) {
+  // A band without surface over both tiles.
+  const Plan plan = PlanOf(IndependentTiles([](int32_t, int32_t j) { return j < 10 || j > 12; }));
+  EXPECT_TRUE(plan.tiles_apart);
+  ASSERT_THAT(plan.holes, SizeIs(2));
+  for (const PlannedHole& hole : plan.holes) {
+    EXPECT_NE(hole.kind, HoleKind::kClosed);
+    EXPECT_EQ(hole.failure, "");
+    EXPECT_EQ(hole.cluster, 0);
+  }
+}
+
+// One tile stored as two boxes that overlap by 1 cm, with a hole over both: their outlines along each other are no
+// hole.
+TEST(DivideTileTest, TakesLoopsAlongPiecesApart) {
+  SurveyedScene scene = IndependentTiles([](int32_t, int32_t) { return true; });
+  TriMesh& tile = scene.tiles.at({0, 0});
+  const double side = 251.0 / 25;
+  TriMesh pieces;
+  for (const bool west : {true, false}) {
+    const TriMesh part =
+        Moved(SquaresMesh(west ? 0 : 12, west ? 12 : 25, 0, 25,
+                          [&](int32_t i, int32_t j) { return !((i == 11 || i == 12) && j >= 8 && j < 12); }),
+              [&](const Point3& p) {
+                const double shift = west && p.x() == 12 ? 0.01 : 0;
+                return Point3(p.x() * side - 0.5 + shift, p.y() * side - 0.5 + (west ? 0 : 1e-3), 0);
+              });
+    const auto base = static_cast<int32_t>(pieces.points.size());
+    pieces.points.insert(pieces.points.end(), part.points.begin(), part.points.end());
+    for (const Triangle& t : part.triangles) pieces.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+  tile = pieces;
+  const Plan plan = PlanOf(SurveyScene(scene.grid, scene.tiles));
+  ASSERT_TRUE(plan.tiles_apart);
+  ASSERT_THAT(plan.holes, SizeIs(2)) << "each piece is closed up to its own outline";
+  for (const PlannedHole& hole : plan.holes) {
+    EXPECT_EQ(hole.kind, HoleKind::kClosed);
+    EXPECT_NEAR(hole.area, 4 * side * side, 0.05 * side * side);
+  }
+  EXPECT_THAT(plan.left,
+              ::testing::Contains(::testing::Field(&LeftOpen::reason, ::testing::HasSubstr("another piece"))));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,145 @@
+#include "coordinator/plan/make_cell_holes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/support/surveyed_scene.h"
+
+namespace tilemend {
+namespace {
+
+// A hole over two cells, and a closed one in the eastern cell.
+const std::vector<std::string> kPicture = {"######|######", "###...|..####", "###...|..####",  //
+                                           "######|######", "######|##.###", "######|######"};
+
+struct Planned {
+  Planned() : scene(PictureScene(kPicture, 6)), input(scene.Input()), plan(MakePlan(input, {})) {}
+
+  CellHoles Make(const std::vector<int32_t>& holes, bool with_band = true) const {
+    return MakeCellHoles(plan, input, heights, holes, with_band);
+  }
+
+  SurveyedScene scene;
+  PlanInput input;
+  Plan plan;
+  SeamHeights heights;
+};
+
+int32_t FirstOpenIn(const Plan& plan, CellId cell) {
+  const auto hole = std::find_if(plan.holes.begin(), plan.holes.end(),
+                                 [&](const PlannedHole& h) { return h.cell == cell && h.kind != HoleKind::kClosed; });
+  return static_cast<int32_t>(hole - plan.holes.begin());
+}
+
+int32_t FirstClosed(const Plan& plan) {
+  const auto hole = std::find_if(plan.holes.begin(), plan.holes.end(),
+                                 [](const PlannedHole& h) { return h.kind == HoleKind::kClosed; });
+  return static_cast<int32_t>(hole - plan.holes.begin());
+}
+
+TEST(MakeCellHolesTest, HandsTheOwnVertexOutWhereATileHasOneToo) {
+  const SurveyedScene scene = PictureScene({"##|##",  //
+                                            "##|.#"},
+                                           2);
+  const Plan plan = MakePlan(scene.Input(), {});
+  ASSERT_EQ(CountsOf(plan), "1 IIB");
+  const CellHoles work = MakeCellHoles(plan, scene.Input(), {}, {0}, true);
+  int own = 0, foreign = 0;
+  for (const RimVertex& v : work.vertices) {
+    if (v.index < 0) continue;
+    EXPECT_EQ(scene.tiles.at(v.tile).points.at(v.index), v.position);
+    ++(v.tile == CellId{1, 0} ? own : foreign);
+  }
+  EXPECT_EQ(own, 3) << "the corners of the hole that the cell's own tile has";
+  EXPECT_EQ(foreign, 1) << "the corner on the rim of the area is the west tile's alone";
+}
+
+TEST(MakeCellHolesTest, KeepsTheBoundaryOfThePlan) {
+  const Planned p;
+  const int32_t h = FirstOpenIn(p.plan, {0, 0});
+  const CellHoles made = p.Make({h});
+  ASSERT_EQ(made.holes.size(), 1U);
+  const CellHole& hole = made.holes[0];
+  EXPECT_EQ(hole.id, h);
+  EXPECT_TRUE(hole.open);
+  ASSERT_EQ(hole.segments.size(), p.plan.holes[h].segments.size());
+  for (size_t k = 0; k < hole.segments.size(); ++k) {
+    const RimSegment& planned = p.plan.holes[h].segments[k];
+    EXPECT_EQ(made.vertices[hole.segments[k].from].position, p.plan.vertices[planned.from].position);
+    EXPECT_EQ(made.vertices[hole.segments[k].to].position, p.plan.vertices[planned.to].position);
+    EXPECT_EQ(hole.segments[k].seam, planned.seam);
+  }
+}
+
+TEST(MakeCellHolesTest, GivesSeamVerticesTheHeightsThatAreKnown) {
+  Planned p;
+  const int32_t h = FirstOpenIn(p.plan, {0, 0});
+  for (const RimVertex& v : p.Make({h}).vertices) EXPECT_EQ(v.height_known, v.index >= 0);
+  for (size_t v = 0; v < p.plan.vertices.size(); ++v) {
+    p.heights.height[static_cast<int32_t>(v)] = 7.5;
+    p.heights.laplacian[{p.plan.holes[h].cluster, static_cast<int32_t>(v)}] = 0.25;
+  }
+  p.heights.tension[p.plan.holes[h].cluster] = 0.125;
+  const CellHoles made = p.Make({h});
+  EXPECT_EQ(made.holes[0].tension, 0.125);
+  int on_seam = 0;
+  for (const RimVertex& v : made.vertices) {
+    EXPECT_TRUE(v.height_known);
+    EXPECT_TRUE(v.index >= 0 || v.position.z() == 7.5);
+    EXPECT_EQ(v.laplacian_known, v.seam_vertex >= 0);
+    on_seam += v.seam_vertex >= 0;
+  }
+  EXPECT_GE(on_seam, 2);
+}
+
+TEST(MakeCellHolesTest, TakesTheBandAroundTheHolesFromAllTilesThere) {
+  const Planned p;
+  const int32_t h = FirstOpenIn(p.plan, {0, 0});
+  const CellHoles with = p.Make({h}), without = p.Make({h}, false);
+  EXPECT_TRUE(without.band.triangles.empty());
+  ASSERT_FALSE(with.band.triangles.empty());
+  for (size_t v = 0; v < with.vertices.size(); ++v) EXPECT_EQ(with.band.points[v], with.vertices[v].position);
+  std::set<double> sides;  // of the grid line x = 6
+  for (const Triangle& t : with.band.triangles) {
+    bool at_rim = false;
+    for (const int32_t v : t) at_rim |= v < std::ssize(with.vertices);
+    EXPECT_TRUE(at_rim);
+    sides.insert((with.band.points[t[0]] + with.band.points[t[1]] + with.band.points[t[2]]).x() / 3 < 6 ? -1 : 1);
+  }
+  EXPECT_EQ(sides.size(), 2U) << "triangles of both tiles";
+}
+
+TEST(MakeCellHolesTest, PutsSeveralHolesIntoOneNumbering) {
+  const Planned p;
+  const std::vector<int32_t> both = {FirstOpenIn(p.plan, {1, 0}), FirstClosed(p.plan)};
+  const CellHoles made = p.Make(both);
+  ASSERT_EQ(made.holes.size(), 2U);
+  EXPECT_FALSE(made.holes[1].open);
+  EXPECT_EQ(made.vertices.size(), p.Make({both[0]}).vertices.size() + p.Make({both[1]}).vertices.size());
+}
+
+TEST(MakeCellHolesTest, GivesACellWithoutATileTheNumberTypeOfTheScene) {
+  SurveyedScene scene = PictureScene({"##|..|##", "##|..|##"}, 2);
+  for (const bool float32 : {true, false}) {
+    for (auto& [cell, record] : scene.records) record.float32 = float32;
+    const PlanInput input = scene.Input();
+    const Plan plan = MakePlan(input, {});
+    ASSERT_EQ(plan.holes.size(), 1U);
+    EXPECT_EQ(MakeCellHoles(plan, input, {}, {0}, false).float32, float32);
+  }
+}
+
+TEST(MakeCellHolesTest, GivesWaterItsLevel) {
+  Planned p;
+  const int32_t h = FirstClosed(p.plan);
+  EXPECT_FALSE(p.Make({h}).holes[0].level.has_value());
+  p.plan.water.emplace_back();
+  p.plan.water[0].level = 3.25;
+  p.plan.holes[h].water = 0;
+  EXPECT_EQ(p.Make({h}).holes[0].level, 3.25);
+}
+
+}  // namespace
+}  // namespace tilemend

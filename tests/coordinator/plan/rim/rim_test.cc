@@ -1,0 +1,121 @@
+#include "coordinator/plan/rim/rim.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/support/rim_builders.h"
+#include "tests/support/surveyed_scene.h"
+
+namespace tilemend {
+namespace {
+
+using Picture = std::vector<std::string>;
+
+double SignedArea(const Rim& rim, const std::vector<int32_t>& loop) {
+  double area = 0;
+  for (const int32_t e : loop) {
+    const Point3 &a = rim.points[rim.edges[e].from].position, &b = rim.points[rim.edges[e].to].position;
+    area += (a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  return area;
+}
+
+// By size: outlines are positive, holes negative.
+std::multiset<double> Areas(const Rim& rim) {
+  std::multiset<double> areas;
+  for (const auto& loop : rim.loops) areas.insert(SignedArea(rim, loop));
+  return areas;
+}
+
+Rim RimOfPicture(const Picture& picture, int32_t squares, bool weld = true) {
+  const SurveyedScene scene = PictureScene(picture, squares);
+  return BuildRim(scene.Input(), weld);
+}
+
+TEST(BuildRimTest, DropsTheEdgesAtWhichTilesMeet) {
+  const Rim rim = RimOfPicture({"##|##", "##|##", "--+--", "##|##", "##|##"}, 2);
+  EXPECT_EQ(Areas(rim), std::multiset<double>{16});
+  EXPECT_EQ(rim.edges.size(), 16U);
+  EXPECT_TRUE(rim.unlinked.empty());
+}
+
+TEST(BuildRimTest, KeepsThemWithoutWelding) {
+  const Rim rim = RimOfPicture({"##|##", "##|##"}, 2, false);
+  EXPECT_EQ(Areas(rim), (std::multiset<double>{4, 4}));
+}
+
+TEST(BuildRimTest, LinksTheRimToLoopsWithTheSurfaceOnTheLeft) {
+  const Rim rim = RimOfPicture({"####|####", "#..#|####", "####|##..", "####|####"}, 4);
+  EXPECT_EQ(Areas(rim), (std::multiset<double>{-2, 30}));
+  for (const auto& loop : rim.loops) {
+    for (size_t k = 0; k < loop.size(); ++k) {
+      EXPECT_EQ(rim.edges[loop[k]].to, rim.edges[loop[(k + 1) % loop.size()]].from);
+    }
+  }
+}
+
+TEST(BuildRimTest, TurnsEachLoopBackIntoItsOwnHoleWhereHolesTouch) {
+  const Rim rim = RimOfPicture({"####", "#.##", "##.#", "####"}, 4);
+  EXPECT_EQ(Areas(rim), (std::multiset<double>{-1, -1, 16}));
+  EXPECT_EQ(rim.continuous, 1);
+}
+
+TEST(BuildRimTest, CountsGroupsOfHolesThatTouch) {
+  const Rim rim = RimOfPicture({"########", "#.####.#", "##.##.##", "########",  //
+                                "########", "##..####", "########", "########"},
+                               8);
+  EXPECT_EQ(rim.loops.size(), 6U);
+  EXPECT_EQ(rim.continuous, 2);
+}
+
+TEST(BuildRimTest, KnowsTheOwnerOfEachEdgeAndThePointOfEachBoundaryVertex) {
+  const SurveyedScene scene = PictureScene({"##|##", "##|.."}, 2);
+  const Rim rim = BuildRim(scene.Input(), true);
+  for (const RimEdge& e : rim.edges) {
+    const TriMesh& tile = scene.tiles.at(e.owner);
+    for (const int32_t p : {e.from, e.to}) {
+      EXPECT_EQ(std::count(tile.points.begin(), tile.points.end(), rim.points[p].position), 1);
+    }
+  }
+  for (const auto& [cell, points] : rim.point_of) {
+    for (size_t i = 0; i < points.size(); ++i) {
+      EXPECT_EQ(rim.points[points[i]].position, scene.records.at(cell).vertices[i].position);
+    }
+  }
+}
+
+TEST(BuildRimTest, GivesEachPointTheMeanLengthOfItsEdges) {
+  const Rim rim = RimOfPicture({"###", "#.#", "###"}, 3);
+  for (const RimPoint& p : rim.points) EXPECT_DOUBLE_EQ(p.size, 1);
+}
+
+TEST(BuildRimTest, LeavesChainsThatDoNotCloseUnlinked) {
+  SurveyRecord record;
+  for (int32_t i = 0; i < 4; ++i) {
+    record.vertices.emplace_back();
+    record.vertices.back().position = Point3(i, i * i, 0);
+  }
+  record.edges = {{1, 2}, {0, 1}, {2, 3}};
+  PlanInput input = CellsOf({{0, 0}}, 10);
+  input.cells[{0, 0}] = &record;
+  const Rim rim = BuildRim(input, true);
+  EXPECT_TRUE(rim.loops.empty());
+  EXPECT_EQ(rim.unlinked.size(), 3U);
+}
+
+TEST(ReversedTest, WalksTheOtherWayAlongTheEdges) {
+  const Rim rim = RimOf({{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}}});
+  const std::vector<RimSegment> segments = Reversed(rim, rim.loops[0]);
+  ASSERT_EQ(segments.size(), 3U);
+  EXPECT_EQ(segments[0].from, 0);
+  EXPECT_EQ(segments[0].to, 2);
+  for (size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(segments[k].to, segments[(k + 1) % 3].from);
+    EXPECT_FALSE(segments[k].seam);
+  }
+}
+
+}  // namespace
+}  // namespace tilemend

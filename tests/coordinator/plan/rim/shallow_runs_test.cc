@@ -1,0 +1,94 @@
+#include "coordinator/plan/rim/shallow_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/rim_builders.h"
+
+namespace tilemend {
+namespace {
+
+constexpr CellId kWestCell{0, 0}, kEastCell{1, 0};
+
+// A ragged cut: two cells of 10 m, and a hole of 16 edges in the eastern one whose west side leans `depth` metres over
+// the line between them for `length` of its edges. These alone are closed by the western cell.
+struct Bulge {
+  Bulge(double depth, int32_t length, std::set<CellId> cells = AreaOf(2, 1))
+      : area(std::move(cells)), input(CellsOf(area, 10)), lines(LinesOf(area, 10)) {
+    lines.clipped = false;
+    Loop3 loop;
+    for (int32_t y = 0; y < 8; ++y) loop.emplace_back(y >= 1 && y <= 1 + length ? 10 - depth : 10.5, y + 1, 0);
+    for (int32_t y = 7; y >= 0; --y) loop.emplace_back(16, y + 1, 0);
+    rim = RimOf({loop});
+    closing.assign(rim.edges.size(), kEastCell);
+    for (int32_t e = 1; e < 1 + length; ++e) closing[e] = kWestCell;
+  }
+
+  std::vector<CellId> Close() {
+    CloseShallowRuns(input, lines, rim, rim.loops[0], closing);
+    return closing;
+  }
+
+  std::set<CellId> area;
+  PlanInput input;
+  GridLines lines;
+  Rim rim;
+  std::vector<CellId> closing;
+};
+
+bool AllEast(const std::vector<CellId>& closing) {
+  return std::all_of(closing.begin(), closing.end(), [](CellId c) { return c == kEastCell; });
+}
+
+TEST(CloseShallowRunsTest, GivesARunToTheCellAroundItThatLiesWithinAnEdgesLengthOfIt) {
+  EXPECT_TRUE(AllEast(Bulge(0.5, 3).Close()));
+}
+
+TEST(CloseShallowRunsTest, KeepsARunThatReachesDeep) { EXPECT_FALSE(AllEast(Bulge(4, 3).Close())); }
+
+TEST(CloseShallowRunsTest, AllowsShortRunsTwiceTheDepth) {
+  EXPECT_TRUE(AllEast(Bulge(1.5, 1).Close()));
+  EXPECT_FALSE(AllEast(Bulge(1.5, 4).Close()));
+}
+
+TEST(CloseShallowRunsTest, KeepsARunLongerThanThoseBesideIt) {
+  Bulge bulge(0.5, 3);
+  for (size_t e = 0; e < bulge.closing.size(); ++e) {
+    bulge.closing[e] = e % 8 < 4 ? kWestCell : kEastCell;  // runs of four
+  }
+  bulge.closing[4] = kWestCell;  // five western edges before three eastern ones, which are shallow in neither
+  const std::vector<CellId> closed = bulge.Close();
+  EXPECT_EQ(closed[4], kWestCell);
+}
+
+TEST(CloseShallowRunsTest, GivesNothingOutOfTheArea) {
+  Bulge bulge(0.5, 3, {kWestCell});
+  const std::vector<CellId> before = bulge.closing;
+  EXPECT_EQ(bulge.Close(), before) << "the cell around is none of the area";
+}
+
+TEST(CloseShallowRunsTest, KeepsOnAClippedCutWhatATileEndsAt) {
+  Bulge bulge(0, 3);
+  bulge.lines.clipped = true;
+  for (RimEdge& e : bulge.rim.edges) e.owner = kEastCell;
+  EXPECT_FALSE(AllEast(bulge.Close())) << "the eastern tile ends at the line, with the hole beyond";
+}
+
+TEST(CloseShallowRunsTest, DoesNotDependOnWhereTheLoopStarts) {
+  const Bulge bulge(0.5, 3);
+  for (size_t start = 0; start < bulge.rim.loops[0].size(); ++start) {
+    Bulge turned = bulge;
+    std::rotate(turned.rim.loops[0].begin(), turned.rim.loops[0].begin() + static_cast<ptrdiff_t>(start),
+                turned.rim.loops[0].end());
+    EXPECT_TRUE(AllEast(turned.Close())) << start;
+  }
+}
+
+TEST(CloseShallowRunsTest, LeavesALoopOfOneCellAsItIs) {
+  Bulge bulge(0.5, 0);
+  EXPECT_TRUE(AllEast(bulge.Close()));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,61 @@
+#include "coordinator/plan/seam/grid_borders.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/rim_builders.h"
+
+namespace tilemend {
+namespace {
+
+TEST(BordersOfTest, ListsEveryBorderOnce) {
+  const std::vector<Border> borders = BordersOf(AreaOf(3, 2));
+  EXPECT_EQ(borders.size(), 4U * 2 + 3U * 3);
+  EXPECT_TRUE(std::is_sorted(borders.begin(), borders.end()));
+  EXPECT_EQ(std::adjacent_find(borders.begin(), borders.end()), borders.end());
+  for (const Border& b : borders) {
+    EXPECT_EQ(b.second.col - b.first.col + b.second.row - b.first.row, 1) << "the second lies east or north";
+  }
+}
+
+TEST(GridBordersTest, RunFromCornerToCorner) {
+  const Border vertical{{0, 0}, {1, 0}}, horizontal{{0, 0}, {0, 1}};
+  EXPECT_EQ(LowCorner(vertical), (Corner{1, 0}));
+  EXPECT_EQ(HighCorner(vertical), (Corner{1, 1}));
+  EXPECT_EQ(LowCorner(horizontal), (Corner{0, 1}));
+  EXPECT_EQ(HighCorner(horizontal), (Corner{1, 1}));
+}
+
+TEST(GridBordersTest, HaveTheWesternOrNorthernCellOnTheLeft) {
+  EXPECT_EQ(LeftOf({{0, 0}, {1, 0}}), (CellId{0, 0}));
+  EXPECT_EQ(RightOf({{0, 0}, {1, 0}}), (CellId{1, 0}));
+  EXPECT_EQ(LeftOf({{0, 0}, {0, 1}}), (CellId{0, 1}));
+  EXPECT_EQ(RightOf({{0, 0}, {0, 1}}), (CellId{0, 0}));
+}
+
+TEST(LineOfTest, AsksACellOfTheArea) {
+  const std::set<CellId> area = {{1, 0}};
+  const GridLines lines = LinesOf(area, 10);
+  EXPECT_EQ(LineOf({{0, 0}, {1, 0}}, area, lines), 10);
+  EXPECT_EQ(LineOf({{1, 0}, {2, 0}}, area, lines), 20);
+  EXPECT_EQ(LineOf({{1, 0}, {1, 1}}, area, lines), 10);
+  EXPECT_EQ(LineOf({{1, -1}, {1, 0}}, area, lines), 0);
+}
+
+TEST(CornerPositionTest, HoldsForAllCornersOfAnArea) {
+  const std::set<CellId> area = {{0, 0}, {1, 0}, {1, 1}};
+  const GridLines lines = LinesOf(area, 10);
+  for (const Corner c : {Corner{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}}) {
+    EXPECT_EQ(CornerPosition(c, area, lines), Point2(10 * c.col, 10 * c.row));
+  }
+}
+
+TEST(TouchesOutsideTest, HoldsAtTheRimOfTheArea) {
+  const std::set<CellId> area = AreaOf(2, 2);
+  EXPECT_FALSE(TouchesOutside({1, 1}, area));
+  for (const Corner c : {Corner{0, 0}, {1, 0}, {2, 1}, {2, 2}}) EXPECT_TRUE(TouchesOutside(c, area));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,101 @@
+#include "coordinator/plan/seam/junctions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/rim_builders.h"
+#include "tests/support/seam_scene.h"
+
+namespace tilemend {
+namespace {
+
+constexpr Border kMiddle{{0, 0}, {1, 0}};
+
+size_t Count(const Junctions& junctions) {
+  size_t count = 0;
+  for (const auto& [border, of_border] : junctions.along) count += of_border.size();
+  return count;
+}
+
+TEST(FindJunctionsTest, FindsWhereALineEntersAndLeavesAHole) {
+  const SeamScene s({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
+  const Junctions junctions = FindJunctions(s.Site(), s.closing, s.nothing);
+  const std::vector<Junction>& middle = junctions.along.at(kMiddle);
+  ASSERT_EQ(middle.size(), 2U);
+  EXPECT_EQ(middle[0].t, 1);
+  EXPECT_TRUE(middle[0].start);
+  EXPECT_EQ(s.rim.points[middle[0].point].position, Point3(4, 1, 0));
+  EXPECT_EQ(middle[1].t, 3);
+  EXPECT_FALSE(middle[1].start);
+  EXPECT_EQ(Count(junctions), 2U);
+  EXPECT_TRUE(junctions.failures.empty());
+}
+
+TEST(FindJunctionsTest, ListsEveryBorderOfTheArea) {
+  const SeamScene s({"##|##", "##|##"}, 2);
+  EXPECT_EQ(FindJunctions(s.Site(), s.closing, s.nothing).along.size(), 7U);
+}
+
+TEST(FindJunctionsTest, FindsTheSameOnALineTheOtherWayRound) {
+  const SeamScene s({"####", "#..#", "#..#", "#..#", "----", "#..#", "#..#", "####", "####"}, 4);
+  const std::vector<Junction> along = FindJunctions(s.Site(), s.closing, s.nothing).along.at({{0, 0}, {0, 1}});
+  ASSERT_EQ(along.size(), 2U);
+  EXPECT_EQ(along[0].t, 1);
+  EXPECT_TRUE(along[0].start);
+  EXPECT_EQ(along[1].t, 3);
+  EXPECT_FALSE(along[1].start);
+}
+
+TEST(FindJunctionsTest, MakesStartsAndEndsTakeTurns) {
+  const SeamScene s(
+      {"######|######", "##....|....##", "######|######", "###...|..####", "######|######", "######|######"}, 6);
+  const Junctions junctions = FindJunctions(s.Site(), s.closing, s.nothing);
+  EXPECT_EQ(junctions.along.at(kMiddle).size(), 4U);
+  for (const auto& [border, of_border] : junctions.along) {
+    for (size_t i = 1; i < of_border.size(); ++i) EXPECT_NE(of_border[i - 1].start, of_border[i].start);
+  }
+}
+
+TEST(FindJunctionsTest, LeavesLoopsOut) {
+  const SeamScene s({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
+  const std::vector<bool> all(s.rim.loops.size(), true);
+  EXPECT_EQ(Count(FindJunctions(s.Site(), s.closing, all)), 0U);
+}
+
+// A loop whose edges cells at corners from each other close on, and cells that are no neighbours.
+TEST(FindJunctionsTest, GoesAcrossACornerByTheCellOnTheHolesSide) {
+  const SeamScene s({"####|####", "####|####", "####|####", "####|####"}, 4);
+  const std::set<CellId> area = AreaOf(3, 3);
+  const GridLines lines = LinesOf(area, 4);
+  const Rim rim = RimOf({{{5, 5, 0}, {4, 7, 0}, {6, 6, 0}}});
+  const RimIndex index(rim);
+  const SeamSite site{area, lines, rim, index, s.options, 0x1p-10};
+  const Junctions corner = FindJunctions(site, {{0, 0}, {1, 1}, {1, 1}}, {false});
+  EXPECT_EQ(corner.along.at({{0, 0}, {1, 0}}).size(), 1U) << "from (0, 0) north-east, the hole to the right";
+  EXPECT_EQ(corner.along.at({{1, 0}, {1, 1}}).size(), 1U);
+  EXPECT_EQ(corner.along.at({{0, 0}, {0, 1}}).size(), 1U) << "and back";
+  EXPECT_TRUE(corner.failures.empty());
+  const Junctions far = FindJunctions(site, {{0, 0}, {2, 2}, {2, 2}}, {false});
+  EXPECT_EQ(Count(far), 0U);
+  EXPECT_EQ(far.failures.size(), 2U);
+}
+
+TEST(FindCornersInHolesTest, TellsCornersInHolesFromThoseOnTheSurface) {
+  const SeamScene s({"####|####", "####|####", "##..|.###", "##..|.###", "----+----",  //
+                     "##..|.###", "####|####", "####|####", "####|####"},
+                    4);
+  const auto in_hole = FindCornersInHoles(s.Site(), FindJunctions(s.Site(), s.closing, s.nothing));
+  EXPECT_EQ(in_hole.size(), 9U);
+  for (const auto& [corner, inside] : in_hole) EXPECT_EQ(inside, (corner == Corner{1, 1}));
+}
+
+TEST(FindCornersInHolesTest, AsksTheWindingNumberWithoutJunctions) {
+  const SeamScene s({"####|....|####", "####|....|####", "####|....|####", "####|....|####"}, 4);
+  const Junctions none{.along = FindJunctions(s.Site(), s.closing, std::vector<bool>(s.rim.loops.size(), true)).along,
+                       .failures = {}};
+  for (const auto& [corner, inside] : FindCornersInHoles(s.Site(), none)) EXPECT_FALSE(inside) << "on the rim";
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,139 @@
+#include "coordinator/plan/seam/seam_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/rim_builders.h"
+#include "tests/support/seam_scene.h"
+
+namespace tilemend {
+namespace {
+
+SeamLayout Lay(const SeamScene& s, SeamsOverRim over_rim = SeamsOverRim::kYes) {
+  return LaySeams(s.Site(), s.closing, s.nothing, over_rim);
+}
+
+Point2 PositionOf(const SeamScene& s, const SeamLayout& layout, int32_t v) {
+  const auto points = static_cast<int32_t>(s.rim.points.size());
+  return v < points ? Point2(s.rim.points[v].position.head<2>()) : layout.vertices[v - points].position;
+}
+
+TEST(LaySeamsTest, LaysASeamFromJunctionToJunction) {
+  const SeamScene s({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
+  const SeamLayout layout = Lay(s);
+  ASSERT_EQ(layout.seams.size(), 1U);
+  const Seam& seam = layout.seams[0];
+  EXPECT_EQ(seam.a, (CellId{0, 0}));
+  EXPECT_EQ(seam.b, (CellId{1, 0}));
+  EXPECT_EQ(PositionOf(s, layout, seam.vertices.front()), Point2(4, 1));
+  EXPECT_EQ(PositionOf(s, layout, seam.vertices.back()), Point2(4, 3));
+  EXPECT_TRUE(layout.failures.empty());
+}
+
+TEST(LaySeamsTest, LaysNoneWithoutHolesOverLines) {
+  const SeamScene s({"####|####", "#..#|####", "#..#|####", "####|####"}, 4);
+  const SeamLayout layout = Lay(s);
+  EXPECT_TRUE(layout.seams.empty());
+  EXPECT_TRUE(layout.vertices.empty());
+}
+
+TEST(LaySeamsTest, LaysThemTowardsTheOutsideOfTheAreaToo) {
+  const SeamScene s({"####", "##..", "##..", "####"}, 4);
+  const SeamLayout layout = Lay(s);
+  ASSERT_EQ(layout.seams.size(), 1U);
+  EXPECT_EQ(layout.seams[0].b, (CellId{1, 0}));
+}
+
+TEST(LaySeamsTest, LeavesTheRimOfAnUnknownAreaOpen) {
+  SurveyedScene scene = PictureScene({"####", "##..", "##..", "####"}, 4);
+  scene.area_known = false;
+  EXPECT_TRUE(Lay(SeamScene(std::move(scene))).seams.empty());
+}
+
+TEST(LaySeamsTest, MeetsInOneVertexAtACornerInAHole) {
+  const SeamScene s({"####|####", "#...|...#", "#...|...#", "#...|...#", "----+----",  //
+                     "#...|...#", "#...|...#", "#...|...#", "####|####"},
+                    4);
+  const SeamLayout layout = Lay(s);
+  ASSERT_EQ(layout.seams.size(), 4U);
+  int at_corner = 0;
+  for (const Seam& seam : layout.seams) {
+    for (const int32_t end : {seam.vertices.front(), seam.vertices.back()}) {
+      if (PositionOf(s, layout, end) == Point2(4, 4)) ++at_corner;
+    }
+  }
+  EXPECT_EQ(at_corner, 4);
+  EXPECT_EQ(
+      std::count_if(layout.vertices.begin(), layout.vertices.end(), [](const SeamVertex& v) { return v.lines == 3; }),
+      1);
+}
+
+TEST(LaySeamsTest, TakesRimPointsBesideItsWayOnlyWhereAskedTo) {
+  SurveyedScene scene = PictureScene({"######|######", "#.##..|.....#", "#.##..|.....#", "#.....|.....#",  //
+                                      "#.....|.....#", "######|######"},
+                                     6);
+  const Point3 tip(5.9, 3, 0);
+  for (Point3& p : scene.tiles.at({0, 0}).points) {
+    if (p == Point3(4, 3, 0)) p = tip;
+  }
+  const SeamScene s(SurveyScene(scene.grid, std::move(scene.tiles)));
+  const auto passes = [&](SeamsOverRim over_rim) {
+    const SeamLayout layout = Lay(s, over_rim);
+    const std::vector<int32_t>& way = layout.seams.at(0).vertices;
+    return std::any_of(way.begin(), way.end(), [&](int32_t v) { return PositionOf(s, layout, v) == tip.head<2>(); });
+  };
+  EXPECT_TRUE(passes(SeamsOverRim::kYes));
+  EXPECT_FALSE(passes(SeamsOverRim::kNo));
+}
+
+TEST(LaySeamsTest, LeavesLoopsOut) {
+  const SeamScene s({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
+  const std::vector<bool> all(s.rim.loops.size(), true);
+  EXPECT_TRUE(LaySeams(s.Site(), s.closing, all, SeamsOverRim::kYes).seams.empty());
+}
+
+TEST(LaySeamsTest, SaysWhereInsideAndOutsideCannotBeToldApart) {
+  const SeamScene s(
+      {"######|######", "####..|....##", "####..|.#..##", "####..|....##", "####..|....##", "######|######"}, 6);
+  ClosingCells closing = s.closing;
+  // The east side of the island, as if the western cell closed on it.
+  for (size_t e = 0; e < s.rim.edges.size(); ++e) {
+    const RimEdge& edge = s.rim.edges[e];
+    if (s.rim.points[edge.from].position == Point3(8, 3, 0) && s.rim.points[edge.to].position == Point3(8, 4, 0)) {
+      closing[e] = {0, 0};
+    }
+  }
+  ASSERT_NE(closing, s.closing);
+  const SeamLayout layout = LaySeams(s.Site(), closing, s.nothing, SeamsOverRim::kYes);
+  EXPECT_FALSE(layout.failures.empty());
+  EXPECT_FALSE(layout.trouble.empty());
+  for (const LeftOpen& failure : layout.failures) EXPECT_TRUE(s.area.contains(failure.cell));
+}
+
+// A hole that a quarter turn about the middle of the scene maps to another place: the seams turn with it.
+TEST(LaySeamsTest, TurnsWithTheScene) {
+  const std::vector<std::string> picture = {"########", "#....###", "#....###", "##.....#",  //
+                                            "##.....#", "#####..#", "########", "########"};
+  std::vector<std::string> turned(8, std::string(8, '#'));
+  for (int32_t r = 0; r < 8; ++r) {
+    for (int32_t c = 0; c < 8; ++c) turned[7 - c][r] = picture[r][c];
+  }
+  const SeamScene before(picture, 4), after(turned, 4);
+  const auto lengths = [](const SeamScene& s) {
+    const SeamLayout layout = Lay(s);
+    std::vector<double> of_seams;
+    for (const Seam& seam : layout.seams) {
+      of_seams.push_back(
+          (PositionOf(s, layout, seam.vertices.front()) - PositionOf(s, layout, seam.vertices.back())).norm());
+    }
+    std::sort(of_seams.begin(), of_seams.end());
+    return of_seams;
+  };
+  EXPECT_EQ(lengths(before), lengths(after));
+  EXPECT_EQ(lengths(before).size(), 4U);
+}
+
+}  // namespace
+}  // namespace tilemend
