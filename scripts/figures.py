@@ -105,7 +105,7 @@ def kind_of(head):
         return 'class', match[1]
     if FUNCTION.search(head) and not re.match(r'(?:typedef\s+)?enum\b', head):
         name = NAME.search(head)
-        return 'function', (name[1] or name[2]).replace(', ', '.')
+        return 'function', (name[1] or name[2]).replace(', ', '.') if name else 'operator'
     return 'values', ''
 
 
@@ -280,7 +280,7 @@ class Long : public Base {
     struct Inner {};
     return R"(})" != nullptr ? f({1}) : 0;
   }
-  Point3 operator()(int i) const;
+  bool operator==(const Long&) const { return true; }
 
  private:
   int a_ = 0;
@@ -302,7 +302,7 @@ TEST_F(LongTest, HasAName) {}
 def check_itself():
     found = [(p.kind, p.name, p.line, p.lines) for p in pieces(SAMPLE)]
     wanted = [('function', 'n', 13, 1), ('class', 'Plain', 11, 4), ('function', 'Long', 18, 5), ('function', 'Get', 23, 4),
-              ('class', 'Long', 15, 17), ('function', 'Long::Long', 33, 1), ('function', 'Function', 34, 7),
+              ('function', 'operator', 27, 1), ('class', 'Long', 15, 17), ('function', 'Long::Long', 33, 1), ('function', 'Function', 34, 7),
               ('function', 'LongTest.HasAName', 41, 1)]
     faults = [] if found == wanted else [f'self-check: pieces {found}']
     if (text := bare('a = "{//"; // {\nb = \'{\';')) != 'a =      ;     \nb =    ;':

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "common/mesh/vertex_lists.h"
 
 namespace tilemend {
 
@@ -51,8 +52,7 @@ class BinGrid {
   Point2 lo_;
   double step_;
   int64_t columns_, rows_;
-  std::vector<int32_t> first_;   // of each bin into things_
-  std::vector<int32_t> things_;  // bin by bin
+  VertexLists things_;  // of each bin
 };
 
 template <typename BoxOf>
@@ -61,17 +61,11 @@ BinGrid::BinGrid(const Eigen::AlignedBox2d& extent, double step, int32_t count, 
       step_(step),
       columns_(static_cast<int64_t>(extent.sizes().x() / step) + 1),
       rows_(static_cast<int64_t>(extent.sizes().y() / step) + 1),
-      first_(static_cast<size_t>(columns_ * rows_) + 1, 0) {
-  for (int32_t i = 0; i < count; ++i) {
-    ForBinNumbers(box_of(i), [&](int64_t bin) { ++first_[bin + 1]; });
-  }
-  for (size_t bin = 1; bin < first_.size(); ++bin) first_[bin] += first_[bin - 1];
-  things_.resize(first_.back());
-  std::vector<int32_t> next(first_.begin(), first_.end() - 1);
-  for (int32_t i = 0; i < count; ++i) {
-    ForBinNumbers(box_of(i), [&](int64_t bin) { things_[next[bin]++] = i; });
-  }
-}
+      things_(static_cast<size_t>(columns_ * rows_), [&](const auto& use) {
+        for (int32_t i = 0; i < count; ++i) {
+          ForBinNumbers(box_of(i), [&](int64_t bin) { use(static_cast<int32_t>(bin), i); });
+        }
+      }) {}
 
 template <typename Visit>
 void BinGrid::ForBinNumbers(const Eigen::AlignedBox2d& box, const Visit& visit) const {
@@ -84,9 +78,7 @@ void BinGrid::ForBinNumbers(const Eigen::AlignedBox2d& box, const Visit& visit) 
 
 template <typename Visit>
 void BinGrid::ForBins(const Eigen::AlignedBox2d& box, const Visit& visit) const {
-  ForBinNumbers(box, [&](int64_t bin) {
-    visit(bin, std::span(things_).subspan(first_[bin], static_cast<size_t>(first_[bin + 1] - first_[bin])));
-  });
+  ForBinNumbers(box, [&](int64_t bin) { visit(bin, things_.Of(static_cast<int32_t>(bin))); });
 }
 
 inline std::vector<int32_t> BinGrid::In(const Eigen::AlignedBox2d& box) const {
