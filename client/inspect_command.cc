@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -27,7 +28,6 @@ Json PlanJson(const Plan& plan, int64_t cells) {
   SceneReportInput input;
   input.plan = &plan;
   input.cells = cells;
-  input.surface = "wang";
   Json json = Json::parse(SceneReport(input));
   for (const char* field : {"filled", "quality", "seconds", "peak_rss_bytes", "warnings", "surface"}) json.erase(field);
   for (Json& row : json["per_hole"]) {
@@ -74,10 +74,11 @@ std::string HolesLine(const Json& plan) {
 }
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {
-  const Scene& scene = inspection.scene;
+  const Scene& scene = inspection.waves->scene();
+  const std::map<CellId, SurveyRecord>& records = inspection.waves->records();
   int64_t triangles = 0;
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [cell, r] : inspection.records) {
+  for (const auto& [cell, r] : records) {
     triangles += r.triangle_count;
     rows.push_back({ToString(cell), absl::StrCat(r.vertex_count), absl::StrCat(r.triangle_count),
                     absl::StrCat(r.edges.size()), absl::StrCat(r.nonmanifold_edges),
@@ -88,7 +89,7 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
       "(%.3f, %.3f, %.3f)\n"
       "triangles: %d\n%s",
       scene.root, scene.cols, scene.rows, scene.grid.cell_size.x(), scene.grid.cell_size.y(), scene.grid.corner.x(),
-      scene.grid.corner.y(), scene.tiles.size(), inspection.records.size(), scene.crs.empty() ? "not given" : scene.crs,
+      scene.grid.corner.y(), scene.tiles.size(), records.size(), scene.crs.empty() ? "not given" : scene.crs,
       scene.origin.x(), scene.origin.y(), scene.origin.z(), triangles, HolesLine(plan));
   if (!scene.area_known) absl::StrAppend(&text, "area: not given; holes that reach its rim are left\n");
   const Json& b = plan["borders"];
@@ -110,21 +111,22 @@ void Warn(const std::vector<std::string>& warnings) {
 int InspectSceneAt(const std::string& path, const PlanOptions& options, OutputFormat format) {
   const auto inspection = InspectScene(path, options);
   if (!inspection.ok()) return PrintError(inspection.status());
-  Warn(inspection->scene.warnings);
+  const SceneWaves& waves = *inspection->waves;
+  Warn(waves.scene().warnings);
   ExitCode code = kExitDone;
   for (const absl::Status& error : inspection->errors) code = PrintError(error);
   if (!inspection->errors.empty()) return code;
-  Warn(PlanWarnings(inspection->plan));
-  Json plan = PlanJson(inspection->plan, static_cast<int64_t>(inspection->scene.tiles.size()));
+  Warn(PlanWarnings(waves.plan()));
+  Json plan = PlanJson(waves.plan(), static_cast<int64_t>(waves.scene().tiles.size()));
   if (format == OutputFormat::kTable) {
     std::fputs(SceneText(*inspection, plan).c_str(), stdout);
     return kExitDone;
   }
   Json tiles = Json::array();
-  for (const SceneTile& tile : inspection->scene.tiles) {
+  for (const SceneTile& tile : waves.scene().tiles) {
     Json row = {{"cell", {tile.cell.col, tile.cell.row}}, {"path", tile.path.empty() ? Json() : Json(tile.path)}};
-    const auto it = inspection->records.find(tile.cell);
-    if (it != inspection->records.end()) row.update(RecordJson(it->second));
+    const auto it = waves.records().find(tile.cell);
+    if (it != waves.records().end()) row.update(RecordJson(it->second));
     tiles.push_back(row);
   }
   plan["tiles"] = tiles;
@@ -135,27 +137,30 @@ int InspectSceneAt(const std::string& path, const PlanOptions& options, OutputFo
 int InspectMeshAt(const std::string& path, const PlanOptions& options, OutputFormat format) {
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
-  MeshInspection mesh;
-  InspectMesh(*file, options, mesh);
-  Warn(PlanWarnings(mesh.plan));
-  const Json plan = PlanJson(mesh.plan, 1);
+  WaveOptions wave_options;
+  wave_options.plan = options;
+  wave_options.single_mesh = wave_options.plan_only = true;
+  SceneWaves waves(SceneOfMesh(path), wave_options);
+  while (waves.Next()) waves.TakeSurvey({0, 0}, SurveyOf(*file));
+  Warn(PlanWarnings(waves.plan()));
+  const SurveyRecord& r = waves.records().at({0, 0});
+  const Json plan = PlanJson(waves.plan(), 1);
   if (format == OutputFormat::kJson) {
-    Json json = RecordJson(mesh.record);
+    Json json = RecordJson(r);
     json["polygons"] = file->polygon_count;
     json.update(plan);
     std::fputs((json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n").c_str(), stdout);
     return kExitDone;
   }
-  const SurveyRecord& r = mesh.record;
-  std::fputs(
-      absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, faces with more corners: %d\nboundary edges: %d, "
-                      "non-manifold edges: %d, "
-                      "triangles without area: %d\nholes: %d closed, outlines: %d, continuous: %d\n%s",
-                      path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(), r.nonmanifold_edges,
-                      r.degenerate_triangles, mesh.plan.holes.size(), mesh.plan.outer_rims, mesh.plan.continuous,
-                      WaterText(plan, "would be filled flat as water") + LeftText(plan, "would be left open"))
-          .c_str(),
-      stdout);
+  std::fputs(absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, faces with more corners: %d\nboundary edges: %d, "
+                             "non-manifold edges: %d, "
+                             "triangles without area: %d\nholes: %d closed, outlines: %d, continuous: %d\n%s",
+                             path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(),
+                             r.nonmanifold_edges, r.degenerate_triangles, waves.plan().holes.size(),
+                             waves.plan().outer_rims, waves.plan().continuous,
+                             WaterText(plan, "would be filled flat as water") + LeftText(plan, "would be left open"))
+                 .c_str(),
+             stdout);
   return kExitDone;
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
@@ -16,21 +18,18 @@ namespace tilemend {
 namespace {
 
 absl::StatusOr<SurveyRecord> SurveyFile(const Scene& scene, const SceneTile& tile) {
-  const std::string path = absl::StrCat(scene.root, "/", tile.path);
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
-  SurveyRecord record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32);
-  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(record, scene.grid, tile, path));
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(absl::StrCat(scene.root, "/", tile.path)));
+  SurveyRecord record = SurveyOf(file);
+  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(record, scene, tile));
   return record;
 }
 
-// The records of all tiles, in order; as many threads as cores.
-std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene) {
-  std::vector<absl::StatusOr<SurveyRecord>> results(scene.tiles.size());
+// The records of the tiles, in order; as many threads as cores.
+std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene, const std::vector<const SceneTile*>& tiles) {
+  std::vector<absl::StatusOr<SurveyRecord>> results(tiles.size());
   std::atomic<size_t> next{0};
   const auto work = [&] {
-    for (size_t i = next++; i < scene.tiles.size(); i = next++) {
-      if (!scene.tiles[i].path.empty()) results[i] = SurveyFile(scene, scene.tiles[i]);
-    }
+    for (size_t i = next++; i < tiles.size(); i = next++) results[i] = SurveyFile(scene, *tiles[i]);
   };
   std::vector<std::thread> threads;
   for (unsigned t = 1; t < std::max(1U, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
@@ -41,45 +40,41 @@ std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene) {
 
 }  // namespace
 
+absl::StatusOr<Inspection> InspectScene(const std::string& path, const PlanOptions& options) {
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(path, ReadTileBounds));
+  WaveOptions wave_options;
+  wave_options.plan = options;
+  wave_options.plan_only = true;
+  Inspection inspection;
+  inspection.waves = std::make_unique<SceneWaves>(std::move(scene), std::move(wave_options));
+  SceneWaves& waves = *inspection.waves;
+  std::vector<const SceneTile*> tiles;
+  while (const std::optional<SceneWork> work = waves.Next()) tiles.push_back(std::get<SurveyWork>(*work).tile);
+  auto results = SurveyAll(waves.scene(), tiles);
+  for (size_t i = 0; i < tiles.size(); ++i) {
+    if (results[i].ok()) {
+      waves.TakeSurvey(tiles[i]->cell, *std::move(results[i]));
+    } else {
+      inspection.errors.push_back(results[i].status());
+    }
+  }
+  waves.Next();  // plans, unless a survey is missing
+  return inspection;
+}
+
 bool IsSingleMesh(const std::string& path) {
   std::error_code error;
   const std::filesystem::path p(path);
   return std::filesystem::is_regular_file(p, error) && p.extension() != ".json";
 }
 
-absl::StatusOr<Inspection> InspectScene(const std::string& path, const PlanOptions& options) {
-  Inspection inspection;
-  TILEMEND_ASSIGN_OR_RETURN(inspection.scene, LoadScene(path, ReadTileBounds));
-  const Scene& scene = inspection.scene;
-  auto results = SurveyAll(scene);
-  PlanInput input;
-  input.grid = scene.grid;
-  input.area_known = scene.area_known;
-  for (size_t i = 0; i < scene.tiles.size(); ++i) {
-    const SceneTile& tile = scene.tiles[i];
-    input.cells[tile.cell] = nullptr;
-    if (tile.path.empty()) continue;
-    if (!results[i].ok()) {
-      inspection.errors.push_back(results[i].status());
-      continue;
-    }
-    inspection.records[tile.cell] = *std::move(results[i]);
-    input.cells[tile.cell] = &inspection.records[tile.cell];
-  }
-  if (inspection.errors.empty()) inspection.plan = MakePlan(input, options);
-  return inspection;
+Scene SceneOfMesh(const std::string& path) {
+  Scene scene;
+  scene.cols = scene.rows = 1;
+  scene.tiles = {{{0, 0}, path}};
+  return scene;
 }
 
-void InspectMesh(const MeshFile& file, const PlanOptions& options, MeshInspection& inspection) {
-  inspection.record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32);
-  const SurveyRecord& record = inspection.record;
-  inspection.input.has_grid = false;
-  inspection.input.area_known = false;
-  const Point2 extent = (record.hi - record.lo).head<2>().cwiseMax(Point2(1, 1));
-  inspection.input.grid.corner = record.lo.head<2>() - extent;
-  inspection.input.grid.cell_size = 3 * extent;
-  inspection.input.cells[CellId{0, 0}] = &record;
-  inspection.plan = MakePlan(inspection.input, options);
-}
+SurveyRecord SurveyOf(const MeshFile& file) { return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32); }
 
 }  // namespace tilemend

@@ -2,22 +2,20 @@
 #ifndef TILEMEND_CLIENT_INSPECTION_H_
 #define TILEMEND_CLIENT_INSPECTION_H_
 
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
-#include "coordinator/plan/plan.h"
+#include "coordinator/waves/scene_waves.h"
 
 namespace tilemend {
 
 struct Inspection {
-  Scene scene;
-  std::map<CellId, SurveyRecord> records;
-  std::vector<absl::Status> errors;  // of tiles that cannot be read or do not fit their cell, in order of the cells
-  Plan plan;                         // empty if there are errors
+  std::unique_ptr<SceneWaves> waves;  // planned; of no use beyond the scene if there are errors
+  std::vector<absl::Status> errors;   // of tiles that cannot be read or do not fit their cell, in order of the cells
 };
 
 // Surveys all tiles of a scene, as many at once as there are cores, and plans.
@@ -26,16 +24,10 @@ absl::StatusOr<Inspection> InspectScene(const std::string& path, const PlanOptio
 // Whether `path` is a file and no scene.json: a single mesh.
 bool IsSingleMesh(const std::string& path);
 
-// Surveys and plans one mesh: no grid, one cell (0, 0).
-struct MeshInspection {
-  SurveyRecord record;
-  PlanInput input;  // refers to `record`: not copied
-  Plan plan;
-  MeshInspection() = default;
-  MeshInspection(const MeshInspection&) = delete;
-  MeshInspection& operator=(const MeshInspection&) = delete;
-};
-void InspectMesh(const MeshFile& file, const PlanOptions& options, MeshInspection& inspection);
+// A single mesh as a scene: one cell (0, 0), no grid.
+Scene SceneOfMesh(const std::string& path);
+
+SurveyRecord SurveyOf(const MeshFile& file);
 
 }  // namespace tilemend
 

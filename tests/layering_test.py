@@ -119,22 +119,27 @@ RULES = {
 
     'coordinator/state': rule(['common/util', 'common/grid'], ['absl'], pure=True),
 
+    'coordinator/waves': rule(
+        ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam',
+         'coordinator/plan/water', 'coordinator/plan'],
+        ['absl', 'eigen'], pure=True),
+
     'coordinator/report': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/records', 'common/codec', 'common/store',
-         'coordinator/plan'],
+        ['common/util', 'common/grid', 'common/records', 'common/codec', 'common/store', 'coordinator/plan',
+         'coordinator/waves'],
         ['absl', 'json']),
 
     'coordinator/service': rule(
-        ['common/util', 'common/grid', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/plan/seam',
-         'coordinator/plan/water', 'coordinator/plan', 'coordinator/state', 'coordinator/report'],
-        ['absl', 'eigen', 'protobuf']),
+        ['common/util', 'common/grid', 'common/records', 'common/store', 'common/metrics', 'common/rpc',
+         'coordinator/state', 'coordinator/waves', 'coordinator/report'],
+        ['absl', 'protobuf']),
 
     'coordinator': rule(['common/util', 'common/metrics', 'common/rpc', 'coordinator/service'], ['absl']),
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
-         'worker/fill', 'worker/assemble', 'worker/service', 'coordinator/plan', 'coordinator/report',
+        ['common/util', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
+         'worker/fill', 'worker/assemble', 'worker/service', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),
 }

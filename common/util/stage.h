@@ -3,28 +3,39 @@
 #define TILEMEND_COMMON_UTIL_STAGE_H_
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace tilemend {
 
 // The values are those of tilemend.v1.Stage and do not change.
-enum class Stage { kSurvey = 1, kSample = 2, kFill = 3, kAssemble = 4 };
+enum class Stage { kSurvey = 1, kSampleCluster = 5, kSampleLayer = 6, kFill = 3, kAssemble = 4 };
 
-inline constexpr std::array<Stage, 4> kAllStages = {Stage::kSurvey, Stage::kSample, Stage::kFill, Stage::kAssemble};
+inline constexpr std::array<Stage, 5> kAllStages = {Stage::kSurvey, Stage::kSampleCluster, Stage::kSampleLayer,
+                                                    Stage::kFill, Stage::kAssemble};
 
-// "survey", "sample", "fill" or "assemble"; "unknown" for a value that names none.
+// "survey", "sample_cluster", "sample_layer", "fill" or "assemble"; "unknown" for a value that names none.
 constexpr std::string_view StageName(Stage stage) {
   switch (stage) {
     case Stage::kSurvey:
       return "survey";
-    case Stage::kSample:
-      return "sample";
+    case Stage::kSampleCluster:
+      return "sample_cluster";
+    case Stage::kSampleLayer:
+      return "sample_layer";
     case Stage::kFill:
       return "fill";
     case Stage::kAssemble:
       return "assemble";
   }
   return "unknown";
+}
+
+// Its place in kAllStages; their number for a value that names none.
+constexpr size_t StageIndex(Stage stage) {
+  size_t index = 0;
+  while (index < kAllStages.size() && kAllStages[index] != stage) ++index;
+  return index;
 }
 
 }  // namespace tilemend

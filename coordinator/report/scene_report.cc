@@ -59,8 +59,8 @@ void Count(const PlannedHole& hole, Json& counts) {
 Json CellJson(CellId cell) { return Json::array({cell.col, cell.row}); }
 
 std::string FailureOf(const SceneReportInput& input, int32_t hole) {
-  const auto it = input.failures.find(hole);
-  return it != input.failures.end() ? it->second : input.plan->holes[hole].failure;
+  const auto it = input.outcome.failures.find(hole);
+  return it != input.outcome.failures.end() ? it->second : input.plan->holes[hole].failure;
 }
 
 Json HoleRow(const SceneReportInput& input, int32_t h) {
@@ -77,12 +77,12 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   row["area_m2"] = Rounded(hole.area, 3);
   row["perimeter_m"] = Rounded(hole.perimeter, 3);
   row["boundary_vertices"] = hole.boundary_vertices;
-  row["method"] = hole.water >= 0 ? "water" : input.surface;
+  row["method"] = hole.water >= 0 ? "water" : SurfaceName(input.surface);
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
-  if (const auto size = input.sizes.find(h); size != input.sizes.end() && failure.empty()) {
-    row["new_vertices"] = size->second.first;
-    row["triangles"] = size->second.second;
+  if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
+    row["new_vertices"] = size->second.new_vertices;
+    row["triangles"] = size->second.triangles;
   }
   return row;
 }
@@ -100,8 +100,8 @@ Json Tensions(const SceneReportInput& input) {
                       {"blocks", choice.blocks}});
     }
   };
-  add("cluster", input.of_clusters);
-  add("hole", input.of_holes);
+  add("cluster", input.outcome.of_clusters);
+  add("hole", input.outcome.of_holes);
   return rows;
 }
 
@@ -201,7 +201,8 @@ const char* BorderName(BorderKind kind) {
 
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   std::vector<LeftOpen> left = input.plan->left;
-  for (const auto& [hole, reason] : input.failures) {
+  left.insert(left.end(), input.outcome.unwritten.begin(), input.outcome.unwritten.end());
+  for (const auto& [hole, reason] : input.outcome.failures) {
     const PlannedHole& planned = input.plan->holes[hole];
     left.push_back({planned.cell, reason, hole, planned.boundary_vertices});
   }
@@ -219,8 +220,7 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   if (plan.tiles_apart && has_open) {
     warnings.push_back(
         "the tiles overlap or part and share no vertices: each is filled for itself, and the fills of two tiles may "
-        "meet "
-        "in a step");
+        "meet in a step");
   }
   return warnings;
 }
@@ -257,10 +257,10 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"outer_rims", plan.outer_rims},
                  {"water", WaterRows(input)},
                  {"left", left},
-                 {"quality", QualityJson(input.quality)},
+                 {"quality", QualityJson(input.outcome.quality)},
                  {"borders", Borders(plan)},
                  {"warnings", warnings},
-                 {"surface", input.surface},
+                 {"surface", SurfaceName(input.surface)},
                  {"tension", Tensions(input)},
                  {"seconds", seconds},
                  {"peak_rss_bytes", PeakRssBytes()},

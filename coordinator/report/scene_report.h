@@ -3,30 +3,28 @@
 #define TILEMEND_COORDINATOR_REPORT_SCENE_REPORT_H_
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "common/mesh/quality_tally.h"
+#include "common/records/surface.h"
 #include "coordinator/plan/plan.h"
+#include "coordinator/waves/scene_outcome.h"
 
 namespace tilemend {
 
 struct SceneReportInput {
   const Plan* plan = nullptr;
   int64_t cells = 0;
-  std::map<int32_t, std::string> failures;               // of holes that the workers could not fill
-  std::map<int32_t, std::pair<int64_t, int64_t>> sizes;  // hole -> new vertices, triangles
-  QualityTally quality;                                  // of all filled triangles
-  std::vector<std::pair<std::string, double>> seconds;   // by stage, in order
-  std::string surface;
-  std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen
-  std::optional<double> given_tension;               // by the user, 1 / metre^2
+  SceneOutcome outcome;
+  std::vector<std::pair<std::string, double>> seconds;  // by step, in order
+  Surface surface = kDefaultSurface;
+  std::optional<double> given_tension;  // by the user, 1 / metre^2
   std::vector<std::string> warnings;
 };
 
-// What the report says is left open: of the plan, then of the workers.
+// What the report says is left open: of the plan, then of its outcome.
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
 
 // What the user should know of the plan, one line each.

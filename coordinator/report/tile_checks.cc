@@ -22,8 +22,8 @@ absl::StatusOr<Box> ReadTileBounds(const std::string& path) {
   return box;
 }
 
-absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const SceneTile& tile,
-                             const std::string& path) {
+absl::Status CheckInsideCell(const SurveyRecord& record, const Scene& scene, const SceneTile& tile) {
+  const Grid& grid = scene.grid;
   const Point2 lo = grid.corner + Point2(tile.cell.col * grid.cell_size.x(), tile.cell.row * grid.cell_size.y());
   const Point2 reach = kReachBeyondCell * grid.cell_size;
   const Point2 hi = lo + grid.cell_size;
@@ -31,10 +31,10 @@ absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const
                       (record.hi.head<2>().array() <= (hi + reach).array()).all();
   if (inside) return absl::OkStatus();
   return absl::InvalidArgumentError(absl::StrFormat(
-      "%s: outside its cell %s: the tile spans x %.10g to %.10g, y %.10g to %.10g, the cell x %.10g to %.10g, "
+      "%s/%s: outside its cell %s: the tile spans x %.10g to %.10g, y %.10g to %.10g, the cell x %.10g to %.10g, "
       "y %.10g to %.10g; check grid_corner and cell_size in scene.json",
-      path, ToString(tile.cell), record.lo.x(), record.hi.x(), record.lo.y(), record.hi.y(), lo.x(), hi.x(), lo.y(),
-      hi.y()));
+      scene.root, tile.path, ToString(tile.cell), record.lo.x(), record.hi.x(), record.lo.y(), record.hi.y(), lo.x(),
+      hi.x(), lo.y(), hi.y()));
 }
 
 }  // namespace tilemend

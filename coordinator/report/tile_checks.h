@@ -14,10 +14,9 @@ namespace tilemend {
 // The bounds of a mesh file, for LoadScene on folders without scene.json.
 absl::StatusOr<Box> ReadTileBounds(const std::string& path);
 
-// kInvalidArgument, naming `path` and both extents, if the tile does not lie in its cell or at most a quarter cell
-// beyond it.
-absl::Status CheckInsideCell(const SurveyRecord& record, const Grid& grid, const SceneTile& tile,
-                             const std::string& path);
+// kInvalidArgument, naming the file and both extents, if `tile` of `scene`, with the survey `record`, does not lie in
+// its cell or at most a quarter cell beyond it.
+absl::Status CheckInsideCell(const SurveyRecord& record, const Scene& scene, const SceneTile& tile);
 
 }  // namespace tilemend
 

@@ -33,10 +33,7 @@ CoordinatorMetrics::CoordinatorMetrics(MetricsRegistry& registry) {
   blob_bytes_received_ = registry.AddCounter(prefix + "blob_received_bytes_total", "Bytes of blobs from workers.", {});
 }
 
-CoordinatorMetrics::PerStage& CoordinatorMetrics::Of(Stage stage) {
-  const size_t index = static_cast<size_t>(stage) - 1;
-  return stages_[std::min(index, kAllStages.size())];
-}
+CoordinatorMetrics::PerStage& CoordinatorMetrics::Of(Stage stage) { return stages_[StageIndex(stage)]; }
 
 void CoordinatorMetrics::Settled(const SettledTask& task, absl::Time now) {
   PerStage& stage = Of(task.stage);

@@ -26,7 +26,8 @@ absl::Status JobSpec::Check() const {
   if (out.empty() && !dry_run) return InvalidSpec("out", "no folder is given to write to");
   if (!IsUtf8(scene)) return InvalidSpec("scene", absl::StrCat(Printable(scene), ": a path that is not UTF-8"));
   if (!IsUtf8(out)) return InvalidSpec("out", absl::StrCat(Printable(out), ": a path that is not UTF-8"));
-  if (surface != "wang" && surface != "thin-plate") {
+  const std::optional<Surface> named = SurfaceNamed(surface);
+  if (!named) {
     return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "' is neither wang nor thin-plate"));
   }
   if (water.empty() || !IsUtf8(water)) {
@@ -34,7 +35,7 @@ absl::Status JobSpec::Check() const {
   }
   TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
-  if (tension && surface != "thin-plate") return InvalidSpec("tension", "only the surface thin-plate has a tension");
+  if (tension && named != Surface::kThinPlate) return InvalidSpec("tension", "only the surface thin-plate has a tension");
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
   TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
   return CheckRange("seam_smoothing", seam_smoothing, 0, 1);

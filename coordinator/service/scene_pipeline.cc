@@ -1,16 +1,13 @@
 #include "coordinator/service/scene_pipeline.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <cmath>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
@@ -19,90 +16,139 @@
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
-#include "coordinator/plan/make_cell_holes.h"
-#include "coordinator/plan/plan.h"
-#include "coordinator/plan/seam/seam_heights.h"
-#include "coordinator/plan/water/water.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
 #include "coordinator/service/output_folder.h"
+#include "coordinator/waves/scene_waves.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 namespace {
 
-constexpr char kThinPlate[] = "thin-plate";
+WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water) {
+  WaveOptions options;
+  options.plan.gradation = spec.gradation;
+  options.plan.size_limit = spec.size_limit;
+  options.plan.uniform = spec.uniform;
+  options.plan.water = std::move(water);
+  options.surface = SurfaceNamed(spec.surface).value_or(kDefaultSurface);
+  options.seam_smoothing = spec.seam_smoothing;
+  options.plan_only = spec.dry_run;
+  return options;
+}
 
-// survey (all cells) -> plan -> sample -> fill (all cells with holes) -> assemble (all cells). The surface wang, and
-// what thin-plate leaves unknown, is sampled layer by layer. thin-plate is sampled cluster by cluster, and a cell is
-// filled as soon as its own clusters are known.
+v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
+  v1::ShapeOptions options;
+  options.set_gradation(spec.gradation);
+  options.set_size_limit(spec.size_limit);
+  options.set_uniform(spec.uniform);
+  options.set_thin_plate(spec.surface == SurfaceName(Surface::kThinPlate));
+  if (spec.tension) options.set_tension(*spec.tension);
+  return options;
+}
+
+template <typename Message>
+absl::StatusOr<Message> Parse(const std::string& bytes) {
+  Message message;
+  if (!message.ParseFromString(bytes)) return absl::InvalidArgumentError("not the expected message");
+  return message;
+}
+
+absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output) {
+  if (output.height_size() != output.seam_vertex_size() || output.laplacian_size() != output.seam_vertex_size()) {
+    return absl::InvalidArgumentError("columns of unequal length");
+  }
+  ClusterSamples samples{output.cluster(), {}, {}};
+  for (int i = 0; i < output.height_size(); ++i) {
+    samples.samples.push_back({output.seam_vertex(i), output.height(i), output.laplacian(i)});
+  }
+  if (output.has_hold_out()) {
+    TILEMEND_ASSIGN_OR_RETURN(samples.hold_out, FromProto(output.hold_out()));
+  }
+  return samples;
+}
+
+absl::StatusOr<std::vector<SeamSample>> SamplesOf(const v1::SampleLayerOutput& output, CellId cell) {
+  if (output.height_size() != output.seam_vertex_size()) return absl::InvalidArgumentError("columns of unequal length");
+  std::vector<SeamSample> samples;
+  for (int i = 0; i < output.height_size(); ++i) samples.push_back({cell, output.seam_vertex(i), output.height(i)});
+  return samples;
+}
+
+absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output) {
+  CellPatches patches;
+  for (const v1::PatchExtent& extent : output.patches()) {
+    PatchExtent& patch = patches.patches.emplace_back();
+    patch.hole = extent.hole();
+    patch.failure = extent.failure();
+    patch.new_vertices = extent.new_points();
+    patch.triangles = extent.triangles();
+    if (extent.has_hold_out()) {
+      TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
+    }
+  }
+  TILEMEND_ASSIGN_OR_RETURN(patches.quality, FromProto(output.quality()));
+  return patches;
+}
+
+absl::Status Unreadable(CellId cell, const absl::Status& status) {
+  return absl::InternalError(
+      absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", std::string(status.message())));
+}
+
+// Drives the waves of a scene with tasks: encodes work, decodes results, keeps the patches as they come, and owns the
+// output.
 class ScenePipeline : public JobPipeline {
  public:
   ScenePipeline(JobSpec spec, Scene scene, WaterOptions water, std::optional<OutputFolder> output)
-      : spec_(std::move(spec)), scene_(std::move(scene)), water_(std::move(water)), output_(std::move(output)) {
-    for (const SceneTile& tile : scene_.tiles) tiles_[tile.cell] = &tile;
-  }
+      : spec_(std::move(spec)),
+        shape_(ShapeOptionsOf(spec_)),
+        output_(std::move(output)),
+        waves_(std::move(scene), WaveOptionsOf(spec_, std::move(water)),
+               [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }) {}
 
   absl::StatusOr<std::vector<NewTask>> Start() override {
-    phase_ = "survey";
-    std::vector<NewTask> tasks;
-    for (const SceneTile& tile : scene_.tiles) {
-      if (tile.path.empty()) continue;
-      v1::SurveyInput input;
-      *input.mutable_tile() = Ref(tile);
-      tasks.push_back({tile.cell, Stage::kSurvey, input.SerializeAsString()});
-    }
-    if (tasks.empty())
+    const std::vector<SceneTile>& tiles = waves_.scene().tiles;
+    if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
       return absl::InvalidArgumentError(absl::StrCat(spec_.scene, ": no cell of the scene has a tile"));
-    waiting_ = tasks.size();
-    return tasks;
+    return NextTasks();
   }
 
   absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
-    TILEMEND_RETURN_IF_ERROR(result.output.ok() ? Take(result) : LeaveCell(result));
-    std::vector<NewTask> tasks = std::exchange(ready_, {});
-    --waiting_;
-    while (tasks.empty() && waiting_ == 0 && !done_) {
-      TILEMEND_ASSIGN_OR_RETURN(tasks, NextWave());
-    }
-    waiting_ += tasks.size();
-    return tasks;
+    TILEMEND_RETURN_IF_ERROR(result.output.ok() ? Take(result) : Leave(result));
+    return NextTasks();
   }
 
-  bool Done() const override { return done_; }
+  bool Done() const override { return waves_.done(); }
 
   Progress GetProgress() const override {
     Progress progress;
-    progress.phase = phase_;
-    progress.cells = static_cast<int64_t>(scene_.tiles.size());
-    progress.cells_done = cells_done_;
-    progress.holes = static_cast<int64_t>(plan_.holes.size());
-    progress.holes_filled = static_cast<int64_t>(report_.sizes.size());
+    progress.phase = waves_.phase();
+    progress.cells = static_cast<int64_t>(waves_.scene().tiles.size());
+    progress.cells_done = waves_.cells_done();
+    progress.holes = static_cast<int64_t>(waves_.plan().holes.size());
+    progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
     return progress;
   }
 
   bool Cancel() override { return EndAs(End::kCancelled); }
 
   absl::StatusOr<JobOutcome> Finish() override {
-    report_.plan = &plan_;
-    report_.cells = static_cast<int64_t>(scene_.tiles.size());
-    report_.surface = spec_.surface;
-    report_.given_tension = spec_.tension;
-    report_.warnings = scene_.warnings;
+    const SceneReportInput report = Report();
     JobOutcome outcome;
-    const auto left = LeftOf(report_);
+    const auto left = LeftOf(report);
     const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
+    const size_t holes = waves_.plan().holes.size();
     outcome.partial = holes_left && !spec_.dry_run;
-    outcome.message = spec_.dry_run ? absl::StrCat(plan_.holes.size(), " holes found, nothing written")
-                                    : absl::StrCat(report_.sizes.size(), " of ", plan_.holes.size(), " holes filled",
+    outcome.message = spec_.dry_run ? absl::StrCat(holes, " holes found, nothing written")
+                                    : absl::StrCat(report.outcome.sizes.size(), " of ", holes, " holes filled",
                                                    left.empty() ? "" : "; the report lists what is left open");
-    if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(outcome));
+    if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
     return outcome;
   }
 
  private:
-  enum class Wave { kSurvey, kCluster, kSample, kFill, kAssemble };
   enum class End { kOpen, kCancelled, kComplete };
 
   // Whether the output ends so: it is complete, or the job was cancelled, whichever came first.
@@ -111,26 +157,63 @@ class ScenePipeline : public JobPipeline {
     return end_.compare_exchange_strong(open, end) || open == end;
   }
 
-  absl::Status FinishOutput(JobOutcome& outcome) {
-    if (scene_.found_by_name) {
-      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene_)));
+  absl::StatusOr<std::vector<NewTask>> NextTasks() {
+    std::vector<NewTask> tasks;
+    while (const std::optional<SceneWork> next = waves_.Next()) {
+      const auto task = [this](const auto& work) { return TaskOf(work); };
+      TILEMEND_ASSIGN_OR_RETURN(tasks.emplace_back(), std::visit(task, *next));
     }
-    if (const int64_t others = output_->TidyUp(); others > 0) {
-      absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
+    return tasks;
+  }
+
+  absl::StatusOr<NewTask> TaskOf(const SurveyWork& work) const {
+    v1::SurveyInput input;
+    *input.mutable_tile() = Ref(*work.tile);
+    return NewTask{work.tile->cell, Stage::kSurvey, input.SerializeAsString()};
+  }
+
+  absl::StatusOr<NewTask> TaskOf(const ClusterWork& work) const {
+    v1::SampleClusterInput input;
+    input.set_cluster(work.cluster);
+    *input.mutable_holes() = ToProto(work.holes);
+    *input.mutable_options() = shape_;
+    return NewTask{work.holes.cell, Stage::kSampleCluster, input.SerializeAsString()};
+  }
+
+  absl::StatusOr<NewTask> TaskOf(const LayerWork& work) const {
+    v1::SampleLayerInput input;
+    *input.mutable_holes() = ToProto(work.holes);
+    return NewTask{work.holes.cell, Stage::kSampleLayer, input.SerializeAsString()};
+  }
+
+  absl::StatusOr<NewTask> TaskOf(const FillWork& work) {
+    v1::FillInput input;
+    *input.mutable_holes() = ToProto(work.holes);
+    *input.mutable_options() = shape_;
+    for (const SceneTile* tile : work.surface) *input.add_surface() = Ref(*tile);
+    rims_[work.holes.cell] = ToProto(work.holes.vertices);
+    return NewTask{work.holes.cell, Stage::kFill, input.SerializeAsString()};
+  }
+
+  absl::StatusOr<NewTask> TaskOf(const AssembleWork& work) {
+    if (!writing_) TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
+    writing_ = true;
+    v1::AssembleInput input;
+    *input.mutable_tile() = Ref(*work.tile);
+    input.set_output(absl::StrCat(spec_.out, "/", OutputPath(*work.tile)));
+    input.set_float32(work.float32);
+    input.set_tile_vertices(work.tile_vertices);
+    if (auto patches = patches_.extract(work.tile->cell)) {
+      *input.mutable_vertices() = std::move(rims_.at(work.tile->cell));
+      *input.mutable_patches() = std::move(patches.mapped());
     }
-    outcome.report = absl::StrCat(output_->path(), "/report.json");
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report_)));
-    if (!EndAs(End::kComplete)) {
-      TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
-      return absl::CancelledError("the job was cancelled");
-    }
-    output_->Finish();
-    return absl::OkStatus();
+    rims_.erase(work.tile->cell);
+    return NewTask{work.tile->cell, Stage::kAssemble, input.SerializeAsString()};
   }
 
   v1::TileRef Ref(const SceneTile& tile) const {
     v1::TileRef ref;
-    ref.set_root(scene_.root);
+    ref.set_root(waves_.scene().root);
     ref.set_path(tile.path);
     ref.set_col(tile.cell.col);
     ref.set_row(tile.cell.row);
@@ -139,330 +222,103 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::Status Take(const TaskResult& result) {
-    const std::string& bytes = *result.output;
-    absl::Status malformed =
-        absl::InternalError(absl::StrCat("a worker's result for cell ", ToString(result.cell), " cannot be read"));
-    switch (result.stage) {
-      case Stage::kSurvey: {
-        v1::SurveyOutput output;
-        if (!output.ParseFromString(bytes)) return malformed;
-        digests_[result.cell] = output.digest();
-        TILEMEND_ASSIGN_OR_RETURN(records_[result.cell], FromProto(output));
-        const SceneTile& tile = *tiles_.at(result.cell);
-        return CheckInsideCell(records_[result.cell], scene_.grid, tile, absl::StrCat(scene_.root, "/", tile.path));
-      }
-      case Stage::kSample: {
-        v1::SampleOutput output;
-        if (!output.ParseFromString(bytes) || output.height_size() != output.seam_vertex_size()) return malformed;
-        if (wave_ == Wave::kCluster) return TakeClusterSamples(output);
-        for (int i = 0; i < output.height_size(); ++i) {
-          const int32_t vertex = output.seam_vertex(i);
-          if (vertex < 0 || vertex >= std::ssize(plan_.vertices) || !std::isfinite(output.height(i))) return malformed;
-          samples_.push_back({result.cell, vertex, output.height(i)});
-        }
-        return absl::OkStatus();
-      }
-      case Stage::kFill: {
-        v1::FillOutput output;
-        if (!output.ParseFromString(bytes)) return malformed;
-        for (const v1::PatchExtent& e : output.patches()) {
-          if (e.hole() < 0 || e.hole() >= std::ssize(plan_.holes)) return malformed;
-          if (e.has_hold_out()) {
-            TILEMEND_ASSIGN_OR_RETURN(report_.of_holes[e.hole()], FromProto(e.hold_out()));
-          }
-          if (e.failure().empty()) {
-            report_.sizes[e.hole()] = {e.new_points(), e.triangles()};
-          } else {
-            report_.failures[e.hole()] = e.failure();
-          }
-        }
-        TILEMEND_ASSIGN_OR_RETURN(const QualityTally quality, FromProto(output.quality()));
-        report_.quality.Merge(quality);
-        output.clear_quality();
-        patches_[result.cell] = std::move(output);
-        return absl::OkStatus();
-      }
-      case Stage::kAssemble:
-        ++cells_done_;
-        return absl::OkStatus();
-    }
-    return malformed;
+    const absl::Status status = Decode(result);
+    if (!status.ok()) return Unreadable(result.cell, status);
+    if (result.stage != Stage::kSurvey) return absl::OkStatus();
+    return CheckInsideCell(waves_.records().at(result.cell), waves_.scene(), waves_.tile(result.cell));
   }
 
-  absl::Status TakeClusterSamples(const v1::SampleOutput& output) {
-    if (output.laplacian_size() != output.height_size())
-      return absl::InternalError("a worker's cluster samples are incomplete");
-    if (output.has_hold_out()) {
-      TILEMEND_ASSIGN_OR_RETURN(const HoldOut hold_out, FromProto(output.hold_out()));
-      report_.of_clusters[output.cluster()] = hold_out;
-      heights_.tension[output.cluster()] = hold_out.tension;
-    }
-    std::vector<ClusterSample> samples;
-    for (int i = 0; i < output.height_size(); ++i) {
-      const int32_t vertex = output.seam_vertex(i);
-      if (vertex < 0 || vertex >= std::ssize(plan_.vertices)) {
-        return absl::InternalError("a worker's cluster samples name a vertex that is not in the plan");
+  absl::Status Decode(const TaskResult& result) {
+    switch (result.stage) {
+      case Stage::kSurvey: {
+        TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(*result.output));
+        TILEMEND_ASSIGN_OR_RETURN(SurveyRecord record, FromProto(output));
+        digests_[result.cell] = output.digest();
+        waves_.TakeSurvey(result.cell, std::move(record));
+        return absl::OkStatus();
       }
-      samples.push_back({vertex, output.height(i), output.laplacian(i)});
+      case Stage::kSampleCluster: {
+        TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(*result.output));
+        TILEMEND_ASSIGN_OR_RETURN(const ClusterSamples samples, SamplesOf(output));
+        return waves_.TakeCluster(samples);
+      }
+      case Stage::kSampleLayer: {
+        TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleLayerOutput>(*result.output));
+        TILEMEND_ASSIGN_OR_RETURN(const auto samples, SamplesOf(output, result.cell));
+        return waves_.TakeLayer(samples);
+      }
+      case Stage::kFill: {
+        TILEMEND_ASSIGN_OR_RETURN(auto output, Parse<v1::FillOutput>(*result.output));
+        TILEMEND_ASSIGN_OR_RETURN(const CellPatches patches, PatchesOf(output));
+        output.clear_quality();
+        patches_[result.cell] = std::move(output);
+        return waves_.TakeFill(result.cell, patches);
+      }
+      case Stage::kAssemble:
+        waves_.TakeAssemble();
+        return absl::OkStatus();
+      default:
+        return absl::InvalidArgumentError("unknown stage");
     }
-    SettleCluster(plan_, output.cluster(), samples, heights_);
-    for (const CellId cell : cells_of_cluster_[output.cluster()]) {
-      if (--clusters_left_[cell] == 0 && CanBeFilled(cell)) ready_.push_back(FillTask(cell));
-    }
-    return absl::OkStatus();
   }
 
   // Goes on without a cell that workers died of, or whose filling broke: the failure of a cell is not that of the job.
   // Without its survey or in want of disk space there is no going on.
-  absl::Status LeaveCell(const TaskResult& result) {
+  absl::Status Leave(const TaskResult& result) {
     const absl::Status& error = result.output.status();
-    const bool quarantined = ErrorReason(error) == "QUARANTINED";
-    const bool filling = result.stage == Stage::kSample || result.stage == Stage::kFill;
-    if (!(filling && (quarantined || absl::IsInternal(error))) && !(result.stage == Stage::kAssemble && quarantined)) {
-      return error;
-    }
     const std::string reason(error.message());
-    const auto holes = holes_of_.find(result.cell);
-    if (holes != holes_of_.end()) {
-      for (const int32_t h : holes->second) report_.failures[h] = reason;
-      holes_of_.erase(holes);
+    const bool quarantined = ErrorReason(error) == "QUARANTINED";
+    if (result.stage == Stage::kAssemble && quarantined) {
+      waves_.LeaveTile(result.cell, reason);
+      return absl::OkStatus();
     }
-    if (!filling) plan_.left.push_back({result.cell, absl::StrCat("the tile is not written: ", reason)});
+    const bool filling = result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
+    if (!filling || !(quarantined || absl::IsInternal(error))) return error;
+    waves_.LeaveHoles(result.cell, reason);
     return absl::OkStatus();
   }
 
-  // What comes after the wave that has just ended.
-  absl::StatusOr<std::vector<NewTask>> NextWave() {
-    switch (wave_) {
-      case Wave::kSurvey:
-        report_.seconds.emplace_back("survey", watch_.Lap());
-        MakeThePlan();
-        report_.seconds.emplace_back("plan", watch_.Lap());
-        if (spec_.dry_run) {
-          done_ = true;
-          return std::vector<NewTask>{};
-        }
-        wave_ = Wave::kCluster;
-        return spec_.surface == kThinPlate ? SampleClusters() : std::vector<NewTask>{};
-      case Wave::kCluster:
-        wave_ = Wave::kSample;
-        return SampleLayer(1);
-      case Wave::kSample:
-        SettleLayer(plan_, samples_, spec_.seam_smoothing, heights_);
-        samples_.clear();
-        if (layer_ < plan_.layers) return SampleLayer(layer_ + 1);
-        report_.seconds.emplace_back("sample", watch_.Lap());
-        wave_ = Wave::kFill;
-        return FillCells();
-      case Wave::kFill:
-        report_.seconds.emplace_back("fill", watch_.Lap());
-        wave_ = Wave::kAssemble;
-        return AssembleCells();
-      case Wave::kAssemble:
-        report_.seconds.emplace_back("assemble", watch_.Lap());
-        done_ = true;
-        return std::vector<NewTask>{};
-    }
-    return absl::InternalError("unknown wave");
+  SceneReportInput Report() const {
+    SceneReportInput report;
+    report.plan = &waves_.plan();
+    report.outcome = waves_.outcome();
+    report.cells = static_cast<int64_t>(waves_.scene().tiles.size());
+    report.seconds = seconds_;
+    report.surface = waves_.options().surface;
+    report.given_tension = spec_.tension;
+    report.warnings = waves_.scene().warnings;
+    return report;
   }
 
-  void MakeThePlan() {
-    phase_ = "plan";
-    input_.grid = scene_.grid;
-    input_.area_known = scene_.area_known;
-    for (const SceneTile& tile : scene_.tiles) {
-      const auto it = records_.find(tile.cell);
-      input_.cells[tile.cell] = it == records_.end() ? nullptr : &it->second;
+  absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
+    const Scene& scene = waves_.scene();
+    if (scene.found_by_name) {
+      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene)));
     }
-    PlanOptions options;
-    options.gradation = spec_.gradation;
-    options.size_limit = spec_.size_limit;
-    options.uniform = spec_.uniform;
-    options.water = water_;
-    plan_ = MakePlan(input_, options);
-    SettleWater(plan_, heights_);
-    for (size_t h = 0; h < plan_.holes.size(); ++h) {
-      if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
+    if (const int64_t others = output_->TidyUp(); others > 0) {
+      absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
     }
-  }
-
-  v1::ShapeOptions Options() const {
-    v1::ShapeOptions options;
-    options.set_gradation(spec_.gradation);
-    options.set_size_limit(spec_.size_limit);
-    options.set_uniform(spec_.uniform);
-    options.set_thin_plate(spec_.surface == kThinPlate);
-    if (spec_.tension) options.set_tension(*spec_.tension);
-    return options;
-  }
-
-  // One task for the surface of each cluster, the largest first; cells that need none are filled meanwhile, the others
-  // as soon as the surfaces of all their clusters are known.
-  std::vector<NewTask> SampleClusters() {
-    phase_ = "sample clusters and fill";
-    std::map<int32_t, std::vector<int32_t>> clusters;
-    for (const auto& [cell, holes] : holes_of_) {
-      for (const int32_t h : holes) {
-        if (plan_.holes[h].cluster >= 0 && plan_.holes[h].water < 0) clusters[plan_.holes[h].cluster].push_back(h);
-      }
+    outcome.report = absl::StrCat(output_->path(), "/report.json");
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report)));
+    if (!EndAs(End::kComplete)) {
+      TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
+      return absl::CancelledError("the job was cancelled");
     }
-    std::vector<NewTask> tasks;
-    for (const auto& [cluster, holes] : clusters) {
-      v1::SampleInput input;
-      *input.mutable_holes() = ToProto(MakeCellHoles(plan_, input_, heights_, holes, true));
-      input.set_whole_cluster(true);
-      input.set_cluster(cluster);
-      *input.mutable_options() = Options();
-      tasks.push_back({plan_.holes[holes.front()].cell, Stage::kSample, input.SerializeAsString()});
-      std::set<CellId> cells;
-      for (const int32_t h : holes) cells.insert(plan_.holes[h].cell);
-      for (const CellId cell : cells) ++clusters_left_[cell];
-      cells_of_cluster_[cluster].assign(cells.begin(), cells.end());
-    }
-    std::stable_sort(tasks.begin(), tasks.end(),
-                     [](const NewTask& a, const NewTask& b) { return a.input.size() > b.input.size(); });
-    for (const auto& [cell, holes] : holes_of_) {
-      if (!clusters_left_.contains(cell) && CanBeFilled(cell)) tasks.push_back(FillTask(cell));
-    }
-    return tasks;
-  }
-
-  // Whether all seam vertices of the cell are settled.
-  bool CanBeFilled(CellId cell) const {
-    const auto holes = holes_of_.find(cell);
-    return holes != holes_of_.end() &&
-           std::none_of(holes->second.begin(), holes->second.end(), [&](int32_t h) { return NeedsHeights(h); });
-  }
-
-  // The holes of a layer with seam vertices that are not settled.
-  bool NeedsHeights(int32_t h) const {
-    const auto& segments = plan_.holes[h].segments;
-    return std::any_of(segments.begin(), segments.end(), [&](const RimSegment& s) {
-      return plan_.vertices[s.from].index < 0 && !heights_.height.contains(s.from);
-    });
-  }
-
-  std::vector<NewTask> SampleLayer(int32_t layer) {
-    layer_ = layer;
-    phase_ = absl::StrCat("sample layer ", layer, " of ", plan_.layers);
-    std::vector<NewTask> tasks;
-    for (const auto& [cell, holes] : holes_of_) {
-      std::vector<int32_t> of_layer;
-      std::copy_if(holes.begin(), holes.end(), std::back_inserter(of_layer),
-                   [&](int32_t h) { return plan_.holes[h].layer == layer && NeedsHeights(h); });
-      if (of_layer.empty()) continue;
-      v1::SampleInput input;
-      *input.mutable_holes() = ToProto(MakeCellHoles(plan_, input_, heights_, of_layer, false));
-      tasks.push_back({cell, Stage::kSample, input.SerializeAsString()});
-    }
-    return tasks;
-  }
-
-  std::vector<NewTask> FillCells() {
-    phase_ = "fill";
-    std::vector<NewTask> tasks;
-    for (const auto& [cell, holes] : holes_of_) {
-      if (!filling_.contains(cell)) tasks.push_back(FillTask(cell));
-    }
-    return tasks;
-  }
-
-  NewTask FillTask(CellId cell) {
-    filling_.insert(cell);
-    v1::FillInput input;
-    const CellHoles work = MakeCellHoles(plan_, input_, heights_, holes_of_.at(cell), true);
-    *input.mutable_holes() = ToProto(work);
-    *input.mutable_options() = Options();
-    for (const CellId tile : TilesBeside(work)) *input.add_surface() = Ref(*tiles_.at(tile));
-    rims_[cell] = ToProto(work.vertices);
-    return {cell, Stage::kFill, input.SerializeAsString()};
-  }
-
-  // The tiles that lie within reach of the cell's closed holes: its own, and those that share its border.
-  std::set<CellId> TilesBeside(const CellHoles& work) const {
-    std::vector<Eigen::AlignedBox3d> holes;
-    for (const CellHole& hole : work.holes) {
-      if (!hole.open && !hole.level) holes.push_back(ReachOf(work, hole));
-    }
-    std::set<CellId> candidates = {work.cell}, tiles;
-    for (const BorderAudit& border : plan_.borders) {
-      if (border.kind != BorderKind::kExact) continue;  // tiles that overlap are each filled for themselves
-      if (border.a == work.cell) candidates.insert(border.b);
-      if (border.b == work.cell) candidates.insert(border.a);
-    }
-    for (const CellId cell : candidates) {
-      const auto record = records_.find(cell);
-      if (record == records_.end()) continue;
-      const Eigen::AlignedBox3d extent(record->second.lo, record->second.hi);
-      if (std::any_of(holes.begin(), holes.end(), [&](const auto& hole) { return hole.intersects(extent); })) {
-        tiles.insert(cell);
-      }
-    }
-    return tiles;
-  }
-
-  absl::StatusOr<std::vector<NewTask>> AssembleCells() {
-    phase_ = "assemble";
-    if (output_) TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
-    const bool float32 = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.float32; });
-    std::vector<NewTask> tasks;
-    for (const SceneTile& tile : scene_.tiles) {
-      if (tile.path.empty() && !IsFilled(tile.cell)) {  // nothing to write
-        ++cells_done_;
-        continue;
-      }
-      v1::AssembleInput input;
-      *input.mutable_tile() = Ref(tile);
-      input.set_output(absl::StrCat(spec_.out, "/", OutputPath(tile)));
-      input.set_float32(float32);
-      if (const auto it = records_.find(tile.cell); it != records_.end())
-        input.set_tile_vertices(it->second.vertex_count);
-      if (const auto it = patches_.find(tile.cell); it != patches_.end()) {
-        *input.mutable_vertices() = std::move(rims_.at(tile.cell));
-        *input.mutable_patches() = std::move(it->second);
-      }
-      tasks.push_back({tile.cell, Stage::kAssemble, input.SerializeAsString()});
-    }
-    patches_.clear();
-    rims_.clear();
-    return tasks;
-  }
-
-  // Whether a worker filled a hole of the cell.
-  bool IsFilled(CellId cell) const {
-    const auto it = patches_.find(cell);
-    return it != patches_.end() && std::any_of(it->second.patches().begin(), it->second.patches().end(),
-                                               [](const v1::PatchExtent& e) { return e.failure().empty(); });
+    output_->Finish();
+    return absl::OkStatus();
   }
 
   const JobSpec spec_;
-  const Scene scene_;
-  const WaterOptions water_;
-  std::optional<OutputFolder> output_;
-  std::map<CellId, const SceneTile*> tiles_;
-  Wave wave_ = Wave::kSurvey;
-  int32_t layer_ = 0;
-  size_t waiting_ = 0;
-  bool done_ = false;
+  const v1::ShapeOptions shape_;
+  std::optional<OutputFolder> output_;  // none in a dry run
+  bool writing_ = false;
   std::atomic<End> end_{End::kOpen};
-  int64_t cells_done_ = 0;
-  std::string phase_;
   Stopwatch watch_;
-
-  std::map<CellId, std::string> digests_;
-  std::map<CellId, SurveyRecord> records_;
-  PlanInput input_;
-  Plan plan_;
-  std::map<CellId, std::vector<int32_t>> holes_of_;
-  std::vector<SeamSample> samples_;
-  std::map<int32_t, std::vector<CellId>> cells_of_cluster_;
-  std::map<CellId, int32_t> clusters_left_;  // of which a cell awaits the surface
-  std::set<CellId> filling_;                 // cells with a fill task
-  std::vector<NewTask> ready_;               // what the last result has made possible
-  SeamHeights heights_;
-  std::map<CellId, v1::RimVertices> rims_;
+  std::vector<std::pair<std::string, double>> seconds_;  // by step
+  SceneWaves waves_;
+  std::map<CellId, std::string> digests_;   // of the tiles
+  std::map<CellId, v1::RimVertices> rims_;  // of the cells that are filled, until they are assembled
   std::map<CellId, v1::FillOutput> patches_;
-  SceneReportInput report_;
 };
 
 // What makes two jobs write the same bytes. The file of water areas counts by its content.

@@ -1,4 +1,4 @@
-// The promises of design.md, section 2, on made scenes: the stages in memory, without services.
+// The promises of docs/architecture.md on made scenes, for both surfaces: the waves in memory, without services.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,14 @@ constexpr SceneKind kIslands{"Islands", true, true, false, 0};
 constexpr SceneKind kRiver{"River", false, false, true, 0};
 constexpr SceneKind kAll{"All", true, true, true, 2};
 
-class PipelineTest : public testing::TestWithParam<std::tuple<Cut, SceneKind, uint64_t>> {
+class PipelineTest : public testing::TestWithParam<std::tuple<Surface, Cut, SceneKind, uint64_t>> {
+ public:
+  static std::string NameOf(const ParamType& param) {
+    const auto& [surface, cut, kind, seed] = param;
+    return std::string(surface == Surface::kWang ? "Wang" : "ThinPlate") +
+           (cut == Cut::kClipped ? "Clipped" : "Ragged") + kind.name + std::to_string(seed);
+  }
+
  protected:
   static void SetUpTestSuite() { cache_ = new std::map<std::string, Made>; }
   static void TearDownTestSuite() {
@@ -54,8 +61,8 @@ class PipelineTest : public testing::TestWithParam<std::tuple<Cut, SceneKind, ui
 
   // The scene of this test's parameters, filled once for all tests.
   const Made& Scene() const {
-    const auto& [cut, kind, seed] = GetParam();
-    Made& made = (*cache_)[std::string(kind.name) + (cut == Cut::kClipped ? "C" : "R") + std::to_string(seed)];
+    const auto& [surface, cut, kind, seed] = GetParam();
+    Made& made = (*cache_)[NameOf(GetParam())];
     if (!made.scene.tiles.empty()) return made;
     SceneMakerOptions options;
     options.cols = options.rows = kCells;
@@ -67,7 +74,9 @@ class PipelineTest : public testing::TestWithParam<std::tuple<Cut, SceneKind, ui
     options.river = kind.river;
     options.small_per_cell = kind.small_per_cell;
     made.scene = SurveyScene(MakeScene(options));
-    made.filled = FillScene(made.scene);
+    PipelineOptions pipeline;
+    pipeline.fill.surface = surface;
+    made.filled = FillScene(made.scene, pipeline);
     made.welded = WeldTiles(made.filled.tiles);
     return made;
   }
@@ -79,13 +88,11 @@ class PipelineTest : public testing::TestWithParam<std::tuple<Cut, SceneKind, ui
 std::map<std::string, PipelineTest::Made>* PipelineTest::cache_ = nullptr;
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PipelineTest,
-                         testing::Combine(testing::Values(Cut::kClipped, Cut::kRagged),
+                         testing::Combine(testing::Values(Surface::kThinPlate, Surface::kWang),
+                                          testing::Values(Cut::kClipped, Cut::kRagged),
                                           testing::Values(kSmall, kLakes, kIslands, kRiver, kAll),
                                           testing::Values(1, 2, 5)),
-                         [](const auto& test) {
-                           return std::string(std::get<0>(test.param) == Cut::kClipped ? "Clipped" : "Ragged") +
-                                  std::get<1>(test.param).name + std::to_string(std::get<2>(test.param));
-                         });
+                         [](const auto& test) { return PipelineTest::NameOf(test.param); });
 
 using EdgeUses = std::map<std::pair<int32_t, int32_t>, std::vector<bool>>;  // forward or not, for each triangle
 

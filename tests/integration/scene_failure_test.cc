@@ -48,8 +48,8 @@ StageRunner FailingAt(Stage failing, const absl::Status& error) {
     if (stage == Stage::kFill && failing == stage) {
       v1::FillInput parsed;
       if (parsed.ParseFromString(input)) cell = {parsed.holes().col(), parsed.holes().row()};
-    } else if (stage == Stage::kSample && failing == stage) {
-      v1::SampleInput parsed;
+    } else if (stage == Stage::kSampleCluster && failing == stage) {
+      v1::SampleClusterInput parsed;
       if (parsed.ParseFromString(input)) cell = {parsed.holes().col(), parsed.holes().row()};
     } else if (stage == Stage::kAssemble && failing == stage) {
       v1::AssembleInput parsed;
@@ -79,8 +79,8 @@ TEST_P(BrokenCellTest, IsLeftWithItsReasonAndTheRestIsFilled) {
   EXPECT_EQ(TilesBelow(Out(job)).size(), 12U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Stages, BrokenCellTest, ::testing::Values(Stage::kSample, Stage::kFill),
-                         [](const auto& stage) { return stage.param == Stage::kFill ? "Fill" : "Sample"; });
+INSTANTIATE_TEST_SUITE_P(Stages, BrokenCellTest, ::testing::Values(Stage::kSampleCluster, Stage::kFill),
+                         [](const auto& stage) { return stage.param == Stage::kFill ? "Fill" : "SampleCluster"; });
 
 TEST_F(SceneFailureTest, ADiskThatIsFullEndsTheJobAsRetryable) {
   const v1::Job job = RunWith(FailingAt(Stage::kAssemble, absl::ResourceExhaustedError("No space left on device")));

@@ -1,65 +1,102 @@
 #include "tests/support/fill_pipeline.h"
 
+#include <iterator>
+#include <optional>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "common/mesh/position_index.h"
-#include "coordinator/plan/make_cell_holes.h"
-#include "coordinator/plan/water/water.h"
+#include "coordinator/waves/scene_waves.h"
 #include "worker/assemble/assemble.h"
+#include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
 
 namespace tilemend {
 namespace {
-
-using HolesByCell = std::map<CellId, std::vector<int32_t>>;
-
-// The holes of one layer that can be filled; of all layers, and the closed holes, when `layer` is negative.
-HolesByCell HolesOf(const Plan& plan, int32_t layer) {
-  HolesByCell holes;
-  for (size_t h = 0; h < plan.holes.size(); ++h) {
-    if (!plan.holes[h].failure.empty() || (layer >= 0 && plan.holes[h].layer != layer)) continue;
-    holes[plan.holes[h].cell].push_back(static_cast<int32_t>(h));
-  }
-  return holes;
-}
-
-SeamHeights SettleSeams(const Plan& plan, const PlanInput& input, double gamma) {
-  SeamHeights heights;
-  SettleWater(plan, heights);
-  for (int32_t layer = 1; layer <= plan.layers; ++layer) {
-    std::vector<SeamSample> samples;
-    for (const auto& [cell, holes] : HolesOf(plan, layer)) {
-      const CellHoles work = MakeCellHoles(plan, input, heights, holes, false);
-      for (const HeightSample& s : SampleHeights(work)) samples.push_back({cell, s.seam_vertex, s.height});
-    }
-    SettleLayer(plan, samples, gamma, heights);
-  }
-  return heights;
-}
 
 void Append(const FilePatch& patch, TriMesh& tile) {
   tile.points.insert(tile.points.end(), patch.new_points.begin(), patch.new_points.end());
   tile.triangles.insert(tile.triangles.end(), patch.triangles.begin(), patch.triangles.end());
 }
 
+// Does each piece of work at once.
+class LocalStages {
+ public:
+  LocalStages(const SurveyedScene& scene, const PipelineOptions& options, SceneWaves& waves, FilledScene& filled)
+      : scene_(scene), options_(options), waves_(waves), filled_(filled) {}
+
+  absl::Status operator()(const SurveyWork& work) {
+    waves_.TakeSurvey(work.tile->cell, scene_.records.at(work.tile->cell));
+    return absl::OkStatus();
+  }
+
+  absl::Status operator()(const ClusterWork& work) {
+    ClusterSamples samples{work.cluster, {}, {}};
+    if (const auto surface = SampleCluster(work.holes, options_.fill)) {
+      samples.hold_out = surface->hold_out;
+      for (const SurfaceSample& s : surface->samples) samples.samples.push_back({s.seam_vertex, s.height, s.laplacian});
+    }
+    return waves_.TakeCluster(samples);
+  }
+
+  absl::Status operator()(const LayerWork& work) {
+    std::vector<SeamSample> samples;
+    for (const HeightSample& s : SampleHeights(work.holes)) {
+      samples.push_back({work.holes.cell, s.seam_vertex, s.height});
+    }
+    return waves_.TakeLayer(samples);
+  }
+
+  absl::Status operator()(const FillWork& work) {
+    const std::vector<HolePatch> patches = FillHoles(work.holes, options_.fill);
+    CellPatches result;
+    for (const HolePatch& p : patches) {
+      result.patches.push_back({p.hole, p.failure, std::ssize(p.new_points), std::ssize(p.triangles), p.hold_out});
+      filled_.patches[p.hole] = p;
+    }
+    vertices_[work.holes.cell] = work.holes.vertices;
+    patches_[work.holes.cell] = patches;
+    return waves_.TakeFill(work.holes.cell, result);
+  }
+
+  absl::Status operator()(const AssembleWork& work) {
+    const CellId cell = work.tile->cell;
+    const FilePatch patch =
+        MergePatches(vertices_[cell], patches_[cell], cell, static_cast<int32_t>(work.tile_vertices));
+    TriMesh& tile = filled_.tiles[cell];
+    if (work.tile->path.empty()) tile = TriMesh{};
+    Append(patch, tile);
+    waves_.TakeAssemble();
+    return absl::OkStatus();
+  }
+
+ private:
+  const SurveyedScene& scene_;
+  const PipelineOptions& options_;
+  SceneWaves& waves_;
+  FilledScene& filled_;
+  std::map<CellId, std::vector<RimVertex>> vertices_;
+  std::map<CellId, std::vector<HolePatch>> patches_;
+};
+
 }  // namespace
 
 FilledScene FillScene(const SurveyedScene& scene, const PipelineOptions& options) {
-  const PlanInput input = scene.Input();
+  WaveOptions wave_options;
+  wave_options.plan = options.plan;
+  wave_options.surface = options.fill.surface;
+  wave_options.seam_smoothing = options.gamma;
+  SceneWaves waves(scene.AsScene(), std::move(wave_options));
   FilledScene filled;
-  filled.plan = MakePlan(input, options.plan);
-  filled.heights = SettleSeams(filled.plan, input, options.gamma);
   filled.tiles = scene.tiles;
-  for (const auto& [cell, holes] : HolesOf(filled.plan, -1)) {
-    const CellHoles work = MakeCellHoles(filled.plan, input, filled.heights, holes, true);
-    const std::vector<HolePatch> patches = FillHoles(work, options.fill);
-    TriMesh& tile = filled.tiles[cell];
-    const bool has_tile = scene.records.contains(cell);
-    const auto own = has_tile ? static_cast<int32_t>(tile.points.size()) : 0;
-    if (!has_tile) tile = TriMesh{};
-    Append(MergePatches(work.vertices, patches, cell, own), tile);
-    for (const HolePatch& patch : patches) filled.patches[patch.hole] = patch;
+  LocalStages stages(scene, options, waves, filled);
+  while (const std::optional<SceneWork> work = waves.Next()) {
+    const absl::Status status = std::visit(stages, *work);
+    if (!status.ok()) throw std::logic_error(status.ToString());
   }
+  filled.plan = waves.plan();
+  filled.heights = waves.heights();
   return filled;
 }
 

@@ -1,4 +1,4 @@
-// The stages in memory, one after the other: survey, plan, sample and settle layer by layer, fill, assemble.
+// The waves of a scene in memory, one piece of work after the other.
 #ifndef TILEMEND_TESTS_SUPPORT_FILL_PIPELINE_H_
 #define TILEMEND_TESTS_SUPPORT_FILL_PIPELINE_H_
 
@@ -29,6 +29,7 @@ struct FilledScene {
   std::map<CellId, TriMesh> tiles;       // with their patches: the tile's own vertices and triangles first
 };
 
+// Throws std::logic_error if the waves refuse a result.
 FilledScene FillScene(const SurveyedScene& scene, const PipelineOptions& options = {});
 
 // All tiles as one mesh, equal positions welded.

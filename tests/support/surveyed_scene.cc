@@ -20,6 +20,16 @@ PlanInput SurveyedScene::Input() const {
   return input;
 }
 
+Scene SurveyedScene::AsScene() const {
+  Scene scene;
+  scene.grid = grid;
+  scene.area_known = area_known;
+  for (const auto& [cell, tile] : tiles) {
+    scene.tiles.push_back({cell, records.contains(cell) ? ToString(cell) : std::string()});
+  }
+  return scene;
+}
+
 SurveyedScene SurveyScene(const Grid& grid, std::map<CellId, TriMesh> tiles) {
   SurveyedScene scene;
   scene.grid = grid;

@@ -23,6 +23,8 @@ struct SurveyedScene {
   std::map<CellId, SurveyRecord> records;  // of the tiles
 
   PlanInput Input() const;
+  // As SceneWaves takes it. Tiles have paths that are not there.
+  Scene AsScene() const;
 };
 
 SurveyedScene SurveyScene(const Grid& grid, std::map<CellId, TriMesh> tiles);

@@ -51,24 +51,27 @@ FillOptions OptionsOf(const v1::ShapeOptions& proto) {
   return options;
 }
 
-absl::StatusOr<std::string> RunSample(const v1::SampleInput& input) {
+absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
-  v1::SampleOutput output;
-  if (input.whole_cluster()) {
-    output.set_cluster(input.cluster());
-    const std::optional<ClusterSurface> surface = SampleCluster(holes, OptionsOf(input.options()));
-    if (!surface) return output.SerializeAsString();
-    if (surface->hold_out) *output.mutable_hold_out() = ToProto(*surface->hold_out);
-    for (const SurfaceSample& sample : surface->samples) {
-      output.add_seam_vertex(sample.seam_vertex);
-      output.add_height(sample.height);
-      output.add_laplacian(sample.laplacian);
-    }
-  } else {
-    for (const HeightSample& sample : SampleHeights(holes)) {
-      output.add_seam_vertex(sample.seam_vertex);
-      output.add_height(sample.height);
-    }
+  v1::SampleClusterOutput output;
+  output.set_cluster(input.cluster());
+  const std::optional<ClusterSurface> surface = SampleCluster(holes, OptionsOf(input.options()));
+  if (!surface) return output.SerializeAsString();
+  if (surface->hold_out) *output.mutable_hold_out() = ToProto(*surface->hold_out);
+  for (const SurfaceSample& sample : surface->samples) {
+    output.add_seam_vertex(sample.seam_vertex);
+    output.add_height(sample.height);
+    output.add_laplacian(sample.laplacian);
+  }
+  return output.SerializeAsString();
+}
+
+absl::StatusOr<std::string> RunSampleLayer(const v1::SampleLayerInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
+  v1::SampleLayerOutput output;
+  for (const HeightSample& sample : SampleHeights(holes)) {
+    output.add_seam_vertex(sample.seam_vertex);
+    output.add_height(sample.height);
   }
   return output.SerializeAsString();
 }
@@ -165,9 +168,13 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(bytes));
       return RunSurvey(input);
     }
-    case Stage::kSample: {
-      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleInput>(bytes));
-      return RunSample(input);
+    case Stage::kSampleCluster: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleClusterInput>(bytes));
+      return RunSampleCluster(input);
+    }
+    case Stage::kSampleLayer: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleLayerInput>(bytes));
+      return RunSampleLayer(input);
     }
     case Stage::kFill: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::FillInput>(bytes));

@@ -1,6 +1,5 @@
 #include "worker/service/worker_metrics.h"
 
-#include <algorithm>
 #include <string>
 
 namespace tilemend {
@@ -23,8 +22,6 @@ WorkerMetrics::WorkerMetrics(MetricsRegistry& registry) {
   connected_ = registry.AddGauge(prefix + "connected", "1 while the coordinator answers.", {});
 }
 
-WorkerMetrics::PerStage& WorkerMetrics::Of(Stage stage) {
-  return stages_[std::min(static_cast<size_t>(stage) - 1, kAllStages.size())];
-}
+WorkerMetrics::PerStage& WorkerMetrics::Of(Stage stage) { return stages_[StageIndex(stage)]; }
 
 }  // namespace tilemend

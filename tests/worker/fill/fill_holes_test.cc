@@ -270,13 +270,15 @@ TEST(FillHolesTest, MakesNoEdgeThatTheSurfaceHasAlready) {
   work.holes.push_back({0, false, {{0, 1, false}, {1, 2, false}, {2, 3, false}, {3, 0, false}}});
   work.band.points.emplace_back(2, 2, -4);
   work.band.triangles = {{1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
-  const HolePatch before = Fill(work);
+  FillOptions wang;
+  wang.surface = Surface::kWang;
+  const HolePatch before = FillHoles(work, wang).at(0);
   ExpectClosesHole(work, work.holes[0], before);
   ASSERT_EQ(before.triangles.size(), 2u) << "a square of edges of the wanted size takes one diagonal";
   work.band.points.emplace_back(2, 2, -8);
   work.band.triangles.push_back({0, 2, 5});
   work.band.triangles.push_back({1, 3, 5});
-  const HolePatch patch = Fill(work);
+  const HolePatch patch = FillHoles(work, wang).at(0);
   ExpectClosesHole(work, work.holes[0], patch);
   const auto has = [](const Triangle& t, int32_t v) { return std::find(t.begin(), t.end(), v) != t.end(); };
   for (const Triangle& t : patch.triangles) {

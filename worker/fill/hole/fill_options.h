@@ -8,18 +8,16 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "common/records/surface.h"
 #include "worker/fill/region/refine_region.h"
 
 namespace tilemend {
-
-// How the heights inside a patch are found: Wang 2021, eq. 1 to 4, or the thin-plate surface (thin_plate.h).
-enum class Surface { kWang, kThinPlate };
 
 // Loops longer than this are not filled in space: the cost is cubic.
 inline constexpr int32_t kLongestSpatialLoop = 400;
 
 struct FillOptions {
-  Surface surface = Surface::kWang;
+  Surface surface = kDefaultSurface;
   std::optional<double>
       tension;  // of the thin-plate surface, 1 / metre^2; none: chosen from the rim (choose_tension.h)
   RefineOptions refine;

@@ -1,0 +1,128 @@
+#include "client/mesh_filler.h"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "client/inspection.h"
+#include "common/codec/mesh_file.h"
+#include "common/util/files.h"
+#include "common/util/heap.h"
+#include "common/util/status_macros.h"
+#include "common/util/stopwatch.h"
+#include "worker/assemble/assemble.h"
+#include "worker/fill/shape/patch_quality.h"
+#include "worker/fill/space/surface_index.h"
+
+namespace tilemend {
+namespace {
+
+// Does the work on one mesh, one piece after the other.
+class MeshFiller {
+ public:
+  MeshFiller(const std::string& path, const FillOptions& options, const WaterOptions& water)
+      : path_(path), options_(options) {
+    WaveOptions waves;
+    waves.plan = {options.refine.gradation, options.refine.size_limit, options.refine.uniform, water};
+    waves.surface = options.surface;
+    waves.single_mesh = true;
+    filled_.waves = std::make_unique<SceneWaves>(SceneOfMesh(path), std::move(waves),
+                                                 [this](std::string_view step) { EndStep(step); });
+  }
+
+  absl::StatusOr<FilledMesh> Fill() {
+    TILEMEND_RETURN_IF_ERROR(Read());
+    while (const std::optional<SceneWork> work = filled_.waves->Next()) {
+      TILEMEND_RETURN_IF_ERROR(std::visit([this](const auto& w) { return Do(w); }, *work));
+    }
+    SceneReportInput& report = filled_.report;
+    report.plan = &filled_.waves->plan();
+    report.outcome = filled_.waves->outcome();
+    report.cells = 1;
+    report.surface = options_.surface;
+    report.given_tension = options_.tension;
+    return std::move(filled_);
+  }
+
+ private:
+  absl::Status Read() {
+    TILEMEND_ASSIGN_OR_RETURN(format_, MeshFormatOf(path_));
+    TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ReadFile(path_));
+    TILEMEND_ASSIGN_OR_RETURN(file_, ParseMesh(format_, filled_.bytes, path_));
+    EndStep("read");
+    return absl::OkStatus();
+  }
+
+  absl::Status Do(const SurveyWork& work) {
+    filled_.waves->TakeSurvey(work.tile->cell, SurveyOf(file_));
+    file_ = {};  // the fill needs the room
+    return absl::OkStatus();
+  }
+
+  absl::Status Do(const FillWork& work) {
+    std::optional<SurfaceIndex> surface;  // read again for holes that are no heights over the ground
+    absl::Status read;
+    const auto near = [&](const Point3& lo, const Point3& hi) {
+      std::vector<SpaceTriangle> found;
+      if (!surface) {
+        auto again = ParseMesh(format_, filled_.bytes, path_);
+        read = again.status();
+        surface.emplace(again.ok() ? std::move(again->mesh) : TriMesh());
+      }
+      surface->AppendNear(lo, hi, found);
+      return found;
+    };
+    const std::vector<HolePatch> patches = FillHoles(work.holes, options_, near);
+    TILEMEND_RETURN_IF_ERROR(read);
+    const CellId cell = work.holes.cell;
+    const int64_t vertices = filled_.waves->records().at(cell).vertex_count;
+    patch_ = MergePatches(work.holes.vertices, patches, cell, static_cast<int32_t>(vertices));
+    return filled_.waves->TakeFill(cell, {ExtentsOf(patches), TallyQuality(work.holes, patches)});
+  }
+
+  absl::Status Do(const AssembleWork&) {
+    if (!patch_.triangles.empty()) {
+      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, AppendPatch(format_, filled_.bytes, patch_, path_));
+    }
+    filled_.waves->TakeAssemble();
+    return absl::OkStatus();
+  }
+
+  absl::Status Do(const ClusterWork&) { return NoSeams(); }
+  absl::Status Do(const LayerWork&) { return NoSeams(); }
+  static absl::Status NoSeams() { return absl::InternalError("a mesh without a grid has no seams to sample"); }
+
+  static std::vector<PatchExtent> ExtentsOf(const std::vector<HolePatch>& patches) {
+    std::vector<PatchExtent> extents;
+    for (const HolePatch& p : patches) {
+      extents.push_back({p.hole, p.failure, static_cast<int64_t>(p.new_points.size()),
+                         static_cast<int64_t>(p.triangles.size()), p.hold_out});
+    }
+    return extents;
+  }
+
+  // "survey" is told with the plan.
+  void EndStep(std::string_view step) {
+    if (step == "survey" || step == "sample") return;
+    filled_.report.seconds.emplace_back(step == "plan" ? "survey" : step, watch_.Lap());
+  }
+
+  const std::string path_;
+  const FillOptions options_;
+  Stopwatch watch_;
+  FilledMesh filled_;  // `bytes` are those of the original until the end
+  MeshFormat format_ = MeshFormat::kPly;
+  MeshFile file_;    // until it is surveyed
+  FilePatch patch_;  // of all holes
+};
+
+}  // namespace
+
+absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const FillOptions& options, const WaterOptions& water) {
+  KeepHeap();
+  return MeshFiller(path, options, water).Fill();
+}
+
+}  // namespace tilemend

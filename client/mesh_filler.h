@@ -1,0 +1,28 @@
+// Fills the holes of one mesh in this process, without a grid and without a job.
+#ifndef TILEMEND_CLIENT_MESH_FILLER_H_
+#define TILEMEND_CLIENT_MESH_FILLER_H_
+
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "coordinator/report/scene_report.h"
+#include "coordinator/waves/scene_waves.h"
+#include "worker/fill/fill_holes.h"
+
+namespace tilemend {
+
+struct FilledMesh {
+  std::unique_ptr<SceneWaves> waves;
+  SceneReportInput report;  // refers to the plan of `waves`
+  std::string bytes;        // of the filled mesh, in the format of the original
+};
+
+// Reads, surveys, plans and fills the mesh in the file `path`. Errors of ReadFile and ParseMesh. Holes that cannot be
+// filled are in the report. Holds the file, its survey and its patches; and the mesh once more, if some hole is no
+// height over the ground. Keeps the process's heap (KeepHeap).
+absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const FillOptions& options, const WaterOptions& water);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_MESH_FILLER_H_

@@ -1,0 +1,32 @@
+// What became of the holes of a plan.
+#ifndef TILEMEND_COORDINATOR_WAVES_SCENE_OUTCOME_H_
+#define TILEMEND_COORDINATOR_WAVES_SCENE_OUTCOME_H_
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/mesh/quality_tally.h"
+#include "common/records/cell_holes.h"
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+struct PatchSize {
+  int64_t new_vertices = 0;
+  int64_t triangles = 0;
+};
+
+// By hole or cluster of the plan.
+struct SceneOutcome {
+  std::map<int32_t, PatchSize> sizes;                // of the holes that were filled
+  std::map<int32_t, std::string> failures;           // of the holes that were tried in vain: why
+  std::vector<LeftOpen> unwritten;                   // tiles that could not be written
+  std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen
+  QualityTally quality;                              // of all new triangles
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_WAVES_SCENE_OUTCOME_H_

@@ -1,0 +1,291 @@
+#include "coordinator/waves/scene_waves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "coordinator/plan/make_cell_holes.h"
+#include "coordinator/plan/water/water.h"
+#include "coordinator/waves/tiles_in_reach.h"
+
+namespace tilemend {
+namespace {
+
+// A cell that a mesh lies in the middle of.
+Grid GridAround(const SurveyRecord& record) {
+  const Point2 extent = (record.hi - record.lo).head<2>().cwiseMax(Point2(1, 1));
+  return {record.lo.head<2>() - extent, 3 * extent};
+}
+
+std::set<CellId> CellsOf(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::set<CellId> cells;
+  for (const int32_t h : holes) cells.insert(plan.holes[h].cell);
+  return cells;
+}
+
+size_t SegmentsOf(const Plan& plan, const std::vector<int32_t>& holes) {
+  size_t count = 0;
+  for (const int32_t h : holes) count += plan.holes[h].segments.size();
+  return count;
+}
+
+absl::Status CheckSample(const Plan& plan, int32_t vertex, double height) {
+  if (vertex < 0 || vertex >= std::ssize(plan.vertices)) {
+    return absl::InvalidArgumentError(absl::StrCat("vertex ", vertex, " is not in the plan"));
+  }
+  if (std::isfinite(height)) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat("the height of vertex ", vertex, " is no number"));
+}
+
+}  // namespace
+
+SceneWaves::SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended)
+    : scene_(std::move(scene)), options_(std::move(options)), step_ended_(std::move(step_ended)) {
+  for (const SceneTile& tile : scene_.tiles) {
+    tiles_[tile.cell] = &tile;
+    if (!tile.path.empty()) ready_.push_back({Wave::kSurvey, tile.cell});
+  }
+}
+
+std::optional<SceneWork> SceneWaves::Next() {
+  while (ready_.empty() && awaited_ == 0 && !done()) Advance();
+  if (ready_.empty()) return std::nullopt;
+  const Item item = ready_.front();
+  ready_.pop_front();
+  ++awaited_;
+  return WorkOf(item);
+}
+
+SceneWork SceneWaves::WorkOf(const Item& item) const {
+  switch (item.wave) {
+    case Wave::kCluster:
+      return ClusterWork{item.cluster,
+                         MakeCellHoles(plan_, input_, heights_, holes_of_clusters_.at(item.cluster), true)};
+    case Wave::kLayer:
+      return LayerWork{MakeCellHoles(plan_, input_, heights_, HolesOfLayer(holes_of_.at(item.cell)), false)};
+    case Wave::kFill:
+      return FillWorkOf(item.cell);
+    case Wave::kAssemble:
+      return AssembleWorkOf(item.cell);
+    default:
+      return SurveyWork{tiles_.at(item.cell)};
+  }
+}
+
+FillWork SceneWaves::FillWorkOf(CellId cell) const {
+  FillWork work{MakeCellHoles(plan_, input_, heights_, holes_of_.at(cell), true), {}};
+  for (const CellId tile : TilesInReach(work.holes, plan_, input_)) work.surface.push_back(tiles_.at(tile));
+  return work;
+}
+
+AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
+  AssembleWork work{tiles_.at(cell), float32_};
+  if (const auto record = records_.find(cell); record != records_.end()) {
+    work.tile_vertices = record->second.vertex_count;
+  }
+  return work;
+}
+
+void SceneWaves::TakeSurvey(CellId cell, SurveyRecord record) {
+  records_[cell] = std::move(record);
+  --awaited_;
+}
+
+absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
+  const auto holes = holes_of_clusters_.find(result.cluster);
+  if (holes == holes_of_clusters_.end()) {
+    return absl::InvalidArgumentError(absl::StrCat("cluster ", result.cluster, " is not in the plan"));
+  }
+  for (const ClusterSample& sample : result.samples) {
+    const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
+    if (!status.ok()) return status;
+  }
+  if (result.hold_out) {
+    outcome_.of_clusters[result.cluster] = *result.hold_out;
+    heights_.tension[result.cluster] = result.hold_out->tension;
+  }
+  SettleCluster(plan_, result.cluster, result.samples, heights_);
+  for (const CellId cell : CellsOf(plan_, holes->second)) {
+    if (--clusters_left_[cell] == 0 && CanBeFilled(cell)) QueueFill(cell);
+  }
+  --awaited_;
+  return absl::OkStatus();
+}
+
+absl::Status SceneWaves::TakeLayer(const std::vector<SeamSample>& samples) {
+  for (const SeamSample& sample : samples) {
+    const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
+    if (!status.ok()) return status;
+  }
+  samples_.insert(samples_.end(), samples.begin(), samples.end());
+  --awaited_;
+  return absl::OkStatus();
+}
+
+absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
+  for (const PatchExtent& patch : result.patches) {
+    if (patch.hole < 0 || patch.hole >= std::ssize(plan_.holes)) {
+      return absl::InvalidArgumentError(absl::StrCat("hole ", patch.hole, " is not in the plan"));
+    }
+    if (patch.hold_out) outcome_.of_holes[patch.hole] = *patch.hold_out;
+    if (patch.failure.empty()) {
+      outcome_.sizes[patch.hole] = {patch.new_vertices, patch.triangles};
+      filled_.insert(cell);
+    } else {
+      outcome_.failures[patch.hole] = patch.failure;
+    }
+  }
+  outcome_.quality.Merge(result.quality);
+  --awaited_;
+  return absl::OkStatus();
+}
+
+void SceneWaves::TakeAssemble() {
+  ++cells_done_;
+  --awaited_;
+}
+
+void SceneWaves::LeaveHoles(CellId cell, const std::string& reason) {
+  if (const auto holes = holes_of_.find(cell); holes != holes_of_.end()) {
+    for (const int32_t h : holes->second) outcome_.failures[h] = reason;
+    holes_of_.erase(holes);
+    std::erase_if(ready_, [&](const Item& item) { return item.cell == cell && item.wave != Wave::kCluster; });
+  }
+  --awaited_;
+}
+
+void SceneWaves::LeaveTile(CellId cell, const std::string& reason) {
+  outcome_.unwritten.push_back({cell, absl::StrCat("the tile is not written: ", reason)});
+  --awaited_;
+}
+
+void SceneWaves::Advance() {
+  switch (wave_) {
+    case Wave::kSurvey:
+      EndStep("survey");
+      MakeThePlan();
+      EndStep("plan");
+      wave_ = options_.plan_only ? Wave::kDone : Wave::kCluster;
+      if (!options_.plan_only && options_.surface == Surface::kThinPlate) QueueClusters();
+      return;
+    case Wave::kCluster:
+      wave_ = Wave::kLayer;
+      return QueueLayer(1);
+    case Wave::kLayer:
+      SettleLayer(plan_, samples_, options_.seam_smoothing, heights_);
+      samples_.clear();
+      if (layer_ < plan_.layers) return QueueLayer(layer_ + 1);
+      EndStep("sample");
+      wave_ = Wave::kFill;
+      return QueueFills();
+    case Wave::kFill:
+      EndStep("fill");
+      wave_ = Wave::kAssemble;
+      return QueueAssembles();
+    case Wave::kAssemble:
+      EndStep("assemble");
+      wave_ = Wave::kDone;
+      return;
+    case Wave::kDone:
+      return;
+  }
+}
+
+void SceneWaves::EndStep(std::string_view step) const {
+  if (step_ended_) step_ended_(step);
+}
+
+void SceneWaves::MakeThePlan() {
+  phase_ = "plan";
+  input_.has_grid = !options_.single_mesh;
+  input_.area_known = scene_.area_known;
+  for (const auto& [cell, tile] : tiles_) {
+    const auto record = records_.find(cell);
+    input_.cells[cell] = record == records_.end() ? nullptr : &record->second;
+  }
+  input_.grid = options_.single_mesh ? GridAround(records_.begin()->second) : scene_.grid;
+  plan_ = MakePlan(input_, options_.plan);
+  SettleWater(plan_, heights_);
+  for (size_t h = 0; h < plan_.holes.size(); ++h) {
+    if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
+  }
+}
+
+// Cells that need no surface of a cluster are filled meanwhile.
+void SceneWaves::QueueClusters() {
+  phase_ = "sample clusters and fill";
+  for (const auto& [cell, holes] : holes_of_) {
+    for (const int32_t h : holes) {
+      const PlannedHole& hole = plan_.holes[h];
+      if (hole.cluster >= 0 && hole.water < 0) holes_of_clusters_[hole.cluster].push_back(h);
+    }
+  }
+  std::vector<std::pair<size_t, Item>> clusters;
+  for (const auto& [cluster, holes] : holes_of_clusters_) {
+    clusters.push_back({SegmentsOf(plan_, holes), {Wave::kCluster, plan_.holes[holes.front()].cell, cluster}});
+    for (const CellId cell : CellsOf(plan_, holes)) ++clusters_left_[cell];
+  }
+  std::stable_sort(clusters.begin(), clusters.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [size, item] : clusters) ready_.push_back(item);
+  for (const auto& [cell, holes] : holes_of_) {
+    if (!clusters_left_.contains(cell) && CanBeFilled(cell)) QueueFill(cell);
+  }
+}
+
+void SceneWaves::QueueLayer(int32_t layer) {
+  layer_ = layer;
+  phase_ = absl::StrCat("sample layer ", layer, " of ", plan_.layers);
+  for (const auto& [cell, holes] : holes_of_) {
+    if (!HolesOfLayer(holes).empty()) ready_.push_back({Wave::kLayer, cell});
+  }
+}
+
+void SceneWaves::QueueFills() {
+  phase_ = "fill";
+  for (const auto& [cell, holes] : holes_of_) {
+    if (!filling_.contains(cell)) QueueFill(cell);
+  }
+}
+
+void SceneWaves::QueueFill(CellId cell) {
+  filling_.insert(cell);
+  ready_.push_back({Wave::kFill, cell});
+}
+
+void SceneWaves::QueueAssembles() {
+  phase_ = "assemble";
+  float32_ = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.float32; });
+  for (const SceneTile& tile : scene_.tiles) {
+    if (tile.path.empty() && !filled_.contains(tile.cell)) {
+      ++cells_done_;  // nothing to write
+    } else {
+      ready_.push_back({Wave::kAssemble, tile.cell});
+    }
+  }
+}
+
+// Of this layer: the holes with seam vertices that are not settled.
+std::vector<int32_t> SceneWaves::HolesOfLayer(const std::vector<int32_t>& holes) const {
+  std::vector<int32_t> of_layer;
+  std::copy_if(holes.begin(), holes.end(), std::back_inserter(of_layer),
+               [&](int32_t h) { return plan_.holes[h].layer == layer_ && NeedsHeights(h); });
+  return of_layer;
+}
+
+bool SceneWaves::NeedsHeights(int32_t hole) const {
+  const auto& segments = plan_.holes[hole].segments;
+  return std::any_of(segments.begin(), segments.end(), [&](const RimSegment& s) {
+    return plan_.vertices[s.from].index < 0 && !heights_.height.contains(s.from);
+  });
+}
+
+// Whether all seam vertices of the cell are settled.
+bool SceneWaves::CanBeFilled(CellId cell) const {
+  const auto holes = holes_of_.find(cell);
+  return holes != holes_of_.end() &&
+         std::none_of(holes->second.begin(), holes->second.end(), [&](int32_t h) { return NeedsHeights(h); });
+}
+
+}  // namespace tilemend

@@ -1,0 +1,136 @@
+// The order of the work on a scene: survey, plan, sample clusters, sample layers, fill, assemble.
+#ifndef TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
+#define TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/records/surface.h"
+#include "coordinator/plan/plan.h"
+#include "coordinator/plan/seam/seam_heights.h"
+#include "coordinator/waves/scene_outcome.h"
+#include "coordinator/waves/scene_work.h"
+
+namespace tilemend {
+
+struct WaveOptions {
+  PlanOptions plan;
+  Surface surface = kDefaultSurface;
+  double seam_smoothing = 0.5;  // [0, 1], gamma of Wang eq. 6
+  bool single_mesh = false;     // the scene is one tile without a grid: its cell is made around it
+  bool plan_only = false;       // ends with the plan
+};
+
+// Gives out the pieces of work of one scene as soon as they can be done, and takes what came of them. It computes the
+// plan and the heights of seams itself; all else is done by whoever drives it, in this process or elsewhere:
+//
+//   while (std::optional<SceneWork> work = waves.Next()) ...;  // do it, or have it done
+//   waves.Take...(...)                                         // once for each, in any order; then Next again
+//
+// With the surface wang, and for what thin-plate leaves unknown, seams are sampled layer by layer. With thin-plate they
+// are sampled cluster by cluster, the largest first, and a cell is filled as soon as its own clusters are known. The
+// results do not depend on the order in which they come.
+//
+// It holds the survey records, the plan, the heights of seams and the outcome, but no patch. Pure; one thread at a
+// time.
+class SceneWaves {
+ public:
+  // Hears of the end of each step: "survey", "plan", "sample", "fill", "assemble".
+  using StepEnded = std::function<void(std::string_view step)>;
+
+  SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended = {});
+  SceneWaves(const SceneWaves&) = delete;
+  SceneWaves& operator=(const SceneWaves&) = delete;
+
+  // A piece of work that can be done now; each is given once. None: there is no more until results come, or ever.
+  std::optional<SceneWork> Next();
+  // Whether all work is given out and its results are there, as of the last Next.
+  bool done() const { return wave_ == Wave::kDone; }
+
+  // The results. kInvalidArgument if one names a hole, a vertex or a cluster that is not there, or a height that is no
+  // number; the scene cannot go on then.
+  void TakeSurvey(CellId cell, SurveyRecord record);
+  absl::Status TakeCluster(const ClusterSamples& result);
+  absl::Status TakeLayer(const std::vector<SeamSample>& samples);
+  absl::Status TakeFill(CellId cell, const CellPatches& result);
+  void TakeAssemble();
+
+  // In place of a result of ClusterWork, LayerWork or FillWork: the holes of `cell` stay open, for this reason.
+  void LeaveHoles(CellId cell, const std::string& reason);
+  // In place of a result of AssembleWork.
+  void LeaveTile(CellId cell, const std::string& reason);
+
+  const Scene& scene() const { return scene_; }
+  const SceneTile& tile(CellId cell) const { return *tiles_.at(cell); }  // of the scene
+  const WaveOptions& options() const { return options_; }
+  // By cell, those that have been taken.
+  const std::map<CellId, SurveyRecord>& records() const { return records_; }
+  // Empty until all surveys are taken and Next is called.
+  const Plan& plan() const { return plan_; }
+  const SeamHeights& heights() const { return heights_; }
+  const SceneOutcome& outcome() const { return outcome_; }
+  // What is done now, for people: "survey", "sample layer 1 of 3".
+  const std::string& phase() const { return phase_; }
+  // Cells that are written, or have nothing to write.
+  int64_t cells_done() const { return cells_done_; }
+
+ private:
+  enum class Wave { kSurvey, kCluster, kLayer, kFill, kAssemble, kDone };
+  struct Item {
+    Wave wave = Wave::kSurvey;
+    CellId cell = {};
+    int32_t cluster = -1;
+  };
+
+  SceneWork WorkOf(const Item& item) const;
+  FillWork FillWorkOf(CellId cell) const;
+  AssembleWork AssembleWorkOf(CellId cell) const;
+  // Starts the wave after the one that has ended.
+  void Advance();
+  void EndStep(std::string_view step) const;
+  void MakeThePlan();
+  void QueueClusters();
+  void QueueLayer(int32_t layer);
+  void QueueFills();
+  void QueueFill(CellId cell);
+  void QueueAssembles();
+  std::vector<int32_t> HolesOfLayer(const std::vector<int32_t>& holes) const;
+  bool NeedsHeights(int32_t hole) const;
+  bool CanBeFilled(CellId cell) const;
+
+  const Scene scene_;
+  const WaveOptions options_;
+  const StepEnded step_ended_;
+  std::map<CellId, const SceneTile*> tiles_;
+  Wave wave_ = Wave::kSurvey;
+  int32_t layer_ = 0;
+  std::deque<Item> ready_;
+  int64_t awaited_ = 0;  // results
+  std::string phase_ = "survey";
+  int64_t cells_done_ = 0;
+
+  std::map<CellId, SurveyRecord> records_;
+  PlanInput input_;
+  Plan plan_;
+  SeamHeights heights_;
+  std::map<CellId, std::vector<int32_t>> holes_of_;            // those that the plan finds no fault with
+  std::map<int32_t, std::vector<int32_t>> holes_of_clusters_;  // of the clusters that are sampled as a whole
+  std::map<CellId, int32_t> clusters_left_;                    // of which a cell awaits the surface
+  std::set<CellId> filling_;                                   // cells with a FillWork
+  std::set<CellId> filled_;                                    // cells with a patch
+  bool float32_ = false;                                       // some tile is
+  std::vector<SeamSample> samples_;                            // of this layer
+  SceneOutcome outcome_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
