@@ -25,7 +25,7 @@ inline bool IsOver(JobState state) { return state != JobState::kRunning; }
 
 // How far a job is, as its pipeline tells it.
 struct Progress {
-  std::string phase;  // for people: "survey", "fill layer 2"
+  std::string phase;  // for people: "survey", "sample layer 2 of 3"
   int64_t cells = 0, cells_done = 0;
   int64_t holes = 0, holes_filled = 0;
   bool operator==(const Progress&) const = default;

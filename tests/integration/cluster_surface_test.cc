@@ -1,15 +1,14 @@
-// The surface of a cluster from a bounded number of unknowns: survey, plan and the cluster's solve, in memory.
+// The surface of a cluster from a bounded number of unknowns: the waves up to the cluster, and its solve, in memory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <optional>
 #include <utility>
-#include <vector>
+#include <variant>
 
-#include "coordinator/plan/make_cell_holes.h"
-#include "coordinator/plan/plan.h"
+#include "coordinator/waves/scene_waves.h"
 #include "tests/support/scene_maker.h"
 #include "tests/support/surveyed_scene.h"
 #include "worker/fill/seam/sample_cluster.h"
@@ -20,11 +19,17 @@ namespace {
 // A lake five cells wide in 7 x 7 cells, all of one cluster.
 class ClusterSurfaceTest : public testing::Test {
  protected:
-  ClusterSurfaceTest() : made_(MakeScene(Options())), scene_(SurveyScene(made_)), input_(scene_.Input()) {
-    plan_ = MakePlan(input_, {});
-    std::vector<int32_t> holes(plan_.holes.size());
-    std::iota(holes.begin(), holes.end(), 0);
-    cluster_ = MakeCellHoles(plan_, input_, {}, holes, true);
+  ClusterSurfaceTest() {
+    const SurveyedScene scene = SurveyScene(MakeScene(Options()));
+    SceneWaves waves(scene.AsScene(), {});
+    while (std::optional<SceneWork> work = waves.Next()) {
+      if (const auto* survey = std::get_if<SurveyWork>(&*work)) {
+        waves.TakeSurvey(survey->tile->cell, scene.records.at(survey->tile->cell));
+      } else if (auto* cluster = std::get_if<ClusterWork>(&*work)) {
+        cluster_ = std::move(cluster->holes);
+        ++clusters_;
+      }
+    }
   }
 
   static SceneMakerOptions Options() {
@@ -48,15 +53,12 @@ class ClusterSurfaceTest : public testing::Test {
     return heights;
   }
 
-  const MadeScene made_;
-  const SurveyedScene scene_;
-  const PlanInput input_;
-  Plan plan_;
+  int clusters_ = 0;
   CellHoles cluster_;
 };
 
 TEST_F(ClusterSurfaceTest, SamplesEverySeamVertexOnce) {
-  ASSERT_EQ(plan_.clusters, 1);
+  ASSERT_EQ(clusters_, 1);
   std::map<int32_t, int> seam_vertices;
   for (const RimVertex& v : cluster_.vertices) {
     if (v.seam_vertex >= 0) ++seam_vertices[v.seam_vertex];

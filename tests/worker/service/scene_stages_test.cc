@@ -20,6 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 // A roof with a hole of one square in its middle.
 TriMesh HoledRoof() {
@@ -32,6 +33,31 @@ CellHoles HoleOf(const TriMesh& mesh) {
   CellHoles work = WorkOf(mesh, false, [&](const Point3& a, const Point3& b) { return inside(a) && inside(b); });
   work.lattice_step = 0x1p-10;
   return work;
+}
+
+// An open hole in a level surface; two of its six vertices lie on a seam, and their heights are open.
+CellHoles HoleWithSeam() {
+  CellHoles cell;
+  cell.lattice_step = 0x1p-10;
+  const auto add = [&](double x, double y, bool seam) {
+    RimVertex v;
+    v.index = seam ? -1 : static_cast<int32_t>(cell.vertices.size());
+    v.seam_vertex = seam ? 70 + static_cast<int32_t>(cell.vertices.size()) : -1;
+    v.lines = seam ? 2 : 0;
+    v.position = {x, y, 5};
+    v.centroid_height = 5;
+    v.height_known = !seam;
+    v.size = 1;
+    cell.vertices.push_back(v);
+    cell.band.points.push_back(v.position);
+  };
+  add(0, 0, false), add(1, 0, true), add(2, 0, true), add(3, 0, false), add(2, 2, false), add(1, 2, false);
+  cell.vertices[0].seam_vertex = 90;
+  cell.vertices[3].seam_vertex = 91;
+  cell.holes.push_back({0, true, {{0, 1, true}, {1, 2, true}, {2, 3, true}, {3, 4}, {4, 5}, {5, 0}}});
+  cell.band.points.emplace_back(4, 3, 5);
+  cell.band.triangles = {{4, 3, 6}, {5, 4, 6}};
+  return cell;
 }
 
 class SceneStagesTest : public testing::Test {
@@ -130,15 +156,35 @@ TEST_F(SceneStagesTest, FillsAHoleSoundly) {
 }
 
 TEST_F(SceneStagesTest, SamplesAHoleWithoutSeamsToNothing) {
-  v1::SampleInput input;
-  *input.mutable_holes() = ToProto(HoleOf(HoledRoof()));
-  *input.mutable_options() = FillInputOf(HoleOf(HoledRoof())).options();
-  EXPECT_THAT(RunWell<v1::SampleOutput>(Stage::kSample, input).seam_vertex(), IsEmpty());
-  input.set_whole_cluster(true);
-  input.set_cluster(7);
-  const auto output = RunWell<v1::SampleOutput>(Stage::kSample, input);
+  v1::SampleLayerInput layer;
+  *layer.mutable_holes() = ToProto(HoleOf(HoledRoof()));
+  EXPECT_THAT(RunWell<v1::SampleLayerOutput>(Stage::kSampleLayer, layer).seam_vertex(), IsEmpty());
+  v1::SampleClusterInput cluster;
+  *cluster.mutable_holes() = layer.holes();
+  *cluster.mutable_options() = FillInputOf(HoleOf(HoledRoof())).options();
+  cluster.set_cluster(7);
+  const auto output = RunWell<v1::SampleClusterOutput>(Stage::kSampleCluster, cluster);
   EXPECT_EQ(output.cluster(), 7);
   EXPECT_THAT(output.seam_vertex(), IsEmpty());
+}
+
+TEST_F(SceneStagesTest, SamplesHeightAndLaplacianOfAClusterAtEveryVertexOnASeam) {
+  v1::SampleClusterInput input;
+  *input.mutable_holes() = ToProto(HoleWithSeam());
+  *input.mutable_options() = FillInputOf(HoleWithSeam()).options();
+  const auto output = RunWell<v1::SampleClusterOutput>(Stage::kSampleCluster, input);
+  EXPECT_THAT(output.seam_vertex(), UnorderedElementsAre(71, 72, 90, 91));
+  EXPECT_EQ(output.laplacian_size(), 4);
+  for (const double height : output.height()) EXPECT_NEAR(height, 5, 1e-6) << "the rim is level";
+  EXPECT_TRUE(output.has_hold_out()) << "the tension was open";
+}
+
+TEST_F(SceneStagesTest, SamplesAHeightInALayerForEverySeamVertexThatHasNone) {
+  v1::SampleLayerInput input;
+  *input.mutable_holes() = ToProto(HoleWithSeam());
+  const auto output = RunWell<v1::SampleLayerOutput>(Stage::kSampleLayer, input);
+  EXPECT_THAT(output.seam_vertex(), UnorderedElementsAre(71, 72));
+  for (const double height : output.height()) EXPECT_NEAR(height, 5, 1e-9);
 }
 
 TEST_F(SceneStagesTest, AssemblesTheTileWithItsPatches) {

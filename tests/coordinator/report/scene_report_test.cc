@@ -1,0 +1,146 @@
+#include "coordinator/report/scene_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+PlannedHole Hole(CellId cell, HoleKind kind, HoleType type = HoleType::kNone) {
+  PlannedHole hole;
+  hole.cell = cell;
+  hole.kind = kind;
+  hole.type = type;
+  hole.area = 10.00049;
+  hole.boundary_vertices = 7;
+  if (kind != HoleKind::kClosed) {
+    hole.cluster = 0;
+    hole.layer = 1;
+  }
+  return hole;
+}
+
+// A closed hole, a cluster of two open holes, and a closed hole that the plan finds fault with.
+class SceneReportTest : public ::testing::Test {
+ protected:
+  SceneReportTest() {
+    plan_.holes = {Hole({0, 0}, HoleKind::kClosed), Hole({0, 0}, HoleKind::kOpenI, HoleType::kB),
+                   Hole({1, 0}, HoleKind::kOpenII, HoleType::kD), Hole({1, 0}, HoleKind::kClosed)};
+    plan_.holes[0].single = SingleType::kCrack;
+    plan_.holes[3].failure = "its boundary crosses itself";
+    plan_.left = {{{1, 0}, "its boundary crosses itself", 3, 7}};
+    plan_.clusters = plan_.layers = 1;
+    input_.plan = &plan_;
+    input_.cells = 2;
+    input_.outcome.sizes = {{0, {11, 22}}, {1, {33, 44}}};
+    input_.outcome.failures = {{2, "no way was found"}};
+  }
+  Json Report() const { return Json::parse(SceneReport(input_)); }
+
+  Plan plan_;
+  SceneReportInput input_;
+};
+
+TEST_F(SceneReportTest, CountsHolesByKindAndTypeFoundAndFilled) {
+  const Json report = Report();
+  EXPECT_EQ(report["cells"], 2);
+  EXPECT_EQ(report["holes"]["closed"], 2);
+  EXPECT_EQ(report["holes"]["I"]["B"], 1);
+  EXPECT_EQ(report["holes"]["II"]["D"], 1);
+  EXPECT_EQ(report["filled"]["closed"], 1);
+  EXPECT_EQ(report["filled"]["I"]["B"], 1);
+  EXPECT_EQ(report["filled"]["II"]["D"], 0);
+  EXPECT_EQ(report["single"]["crack"], 1);
+}
+
+TEST_F(SceneReportTest, HasARowForEveryHoleInTheOrderOfThePlan) {
+  const Json rows = Report()["per_hole"];
+  ASSERT_EQ(rows.size(), 4U);
+  for (int h = 0; h < 4; ++h) EXPECT_EQ(rows[h]["id"], h);
+  EXPECT_EQ(rows[0]["outcome"], "filled");
+  EXPECT_EQ(rows[0]["new_vertices"], 11);
+  EXPECT_EQ(rows[0]["triangles"], 22);
+  EXPECT_EQ(rows[0]["area_m2"], 10.0);
+  EXPECT_FALSE(rows[0].contains("cluster"));
+  EXPECT_EQ(rows[1]["cluster"], 0);
+  EXPECT_EQ(rows[2]["outcome"], "left");
+  EXPECT_EQ(rows[2]["reason"], "no way was found");
+  EXPECT_FALSE(rows[2].contains("triangles"));
+  EXPECT_EQ(rows[3]["reason"], "its boundary crosses itself");
+}
+
+TEST_F(SceneReportTest, TellsWhatIsLeftOfThePlanThenOfTilesThenOfHoles) {
+  input_.outcome.unwritten = {{{0, 0}, "the tile is not written: disk", -1, 0}};
+  const Json left = Report()["left"];
+  ASSERT_EQ(left.size(), 3U);
+  EXPECT_EQ(left[0]["hole"], 3);
+  EXPECT_EQ(left[1]["reason"], "the tile is not written: disk");
+  EXPECT_FALSE(left[1].contains("hole"));
+  EXPECT_EQ(left[2]["hole"], 2);
+  EXPECT_EQ(left[2]["open_edges"], 7);
+}
+
+TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
+  plan_.holes[1].water = 0;
+  plan_.water = {{{1}, 12.5, 0.01, 12.4, 12.6, 9, false}};
+  const Json report = Report();
+  EXPECT_EQ(report["per_hole"][1]["method"], "water");
+  EXPECT_EQ(report["water"][0]["level_m"], 12.5);
+  EXPECT_EQ(report["water"][0]["holes"], Json::array({1}));
+  EXPECT_EQ(report["water"][0]["decided_by"], "rim");
+}
+
+TEST_F(SceneReportTest, LeavesOutWaterWhoseHolesAllFailed) {
+  plan_.holes[2].water = 0;
+  plan_.water = {{{2}, 12.5, 0.01, 12.4, 12.6, 9, false}};
+  EXPECT_TRUE(Report()["water"].empty());
+}
+
+TEST_F(SceneReportTest, TellsTheTensionsThatWerePutToATest) {
+  input_.outcome.of_clusters[0] = {0.5, 0.1, 0.2, 6};
+  input_.outcome.of_holes[0] = {0.25, 0, 0, 0};  // not tested
+  input_.given_tension = 3;
+  const Json report = Report();
+  ASSERT_EQ(report["tension"].size(), 1U);
+  EXPECT_EQ(report["tension"][0]["cluster"], 0);
+  EXPECT_EQ(report["tension"][0]["tension"], 0.5);
+  EXPECT_EQ(report["tension_given"], 3.0);
+}
+
+TEST_F(SceneReportTest, NamesTheSurfaceAndTheSecondsOfEachStep) {
+  input_.surface = Surface::kWang;
+  input_.seconds = {{"survey", 1.23456789}, {"plan", 2}};
+  const Json report = Report();
+  EXPECT_EQ(report["surface"], "wang");
+  EXPECT_EQ(report["seconds"]["survey"], 1.234568);
+  EXPECT_EQ(report["seconds"]["plan"], 2.0);
+}
+
+TEST_F(SceneReportTest, PutsTheWarningsOfThePlanAfterThoseGiven) {
+  input_.warnings = {"first"};
+  plan_.idle_water_areas = {4};
+  EXPECT_THAT(Report()["warnings"].get<std::vector<std::string>>(), ElementsAre("first", HasSubstr("area 4")));
+}
+
+TEST_F(SceneReportTest, TextThatIsNotUtf8DoesNotBreakIt) {
+  input_.outcome.failures[2] = "\xff";
+  EXPECT_FALSE(Json::parse(SceneReport(input_), nullptr, false).is_discarded());
+}
+
+TEST(PlanWarningsTest, TellsOfTilesApartOnlyIfAHoleIsOpen) {
+  Plan plan;
+  plan.tiles_apart = true;
+  plan.holes = {Hole({0, 0}, HoleKind::kClosed)};
+  EXPECT_TRUE(PlanWarnings(plan).empty());
+  plan.holes.push_back(Hole({0, 0}, HoleKind::kOpenI));
+  EXPECT_EQ(PlanWarnings(plan).size(), 1U);
+}
+
+}  // namespace
+}  // namespace tilemend

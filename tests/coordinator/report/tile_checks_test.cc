@@ -1,0 +1,66 @@
+#include "coordinator/report/tile_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Cell (2, 1) of a grid of 10 m from (100, 200): x 120 to 130, y 210 to 220.
+class CheckInsideCellTest : public ::testing::Test {
+ protected:
+  CheckInsideCellTest() {
+    scene_.root = "/scene";
+    scene_.grid = {{100, 200}, {10, 10}};
+  }
+  absl::Status Check(double x0, double x1, double y0, double y1) const {
+    SurveyRecord record;
+    record.lo = {x0, y0, -1e6};
+    record.hi = {x1, y1, 1e6};
+    return CheckInsideCell(record, scene_, {{2, 1}, "tiles/a.ply"});
+  }
+  Scene scene_;
+};
+
+TEST_F(CheckInsideCellTest, TakesATileInItsCellAtAnyHeight) { EXPECT_TRUE(Check(120, 130, 210, 220).ok()); }
+
+TEST_F(CheckInsideCellTest, TakesATileThatReachesAQuarterCellBeyond) {
+  EXPECT_TRUE(Check(117.5, 132.5, 207.5, 222.5).ok());
+}
+
+TEST_F(CheckInsideCellTest, RefusesATileBeyondThatOnAnySide) {
+  EXPECT_FALSE(Check(117.4, 130, 210, 220).ok());
+  EXPECT_FALSE(Check(120, 132.6, 210, 220).ok());
+  EXPECT_FALSE(Check(120, 130, 207.4, 220).ok());
+  EXPECT_FALSE(Check(120, 130, 210, 222.6).ok());
+}
+
+TEST_F(CheckInsideCellTest, NamesTheFileAndBothExtents) {
+  const absl::Status status = Check(0, 1, 210, 220);
+  EXPECT_TRUE(absl::IsInvalidArgument(status));
+  EXPECT_THAT(std::string(status.message()),
+              HasSubstr("/scene/tiles/a.ply: outside its cell +002_+001: the tile spans x 0 to 1, y 210 to 220, the "
+                        "cell x 120 to 130, y 210 to 220"));
+}
+
+TEST(ReadTileBoundsTest, GivesTheExtentOfTheVertices) {
+  const TemporaryFolder folder;
+  const auto box = ReadTileBounds(folder.Write("a.obj", "v 3 0 -2\nv 1 5 0\nv 2 2 7\nf 1 2 3\n"));
+  ASSERT_TRUE(box.ok()) << box.status();
+  EXPECT_EQ(box->lo, Point3(1, 0, -2));
+  EXPECT_EQ(box->hi, Point3(3, 5, 7));
+}
+
+TEST(ReadTileBoundsTest, NamesAFileThatIsNotThere) {
+  const TemporaryFolder folder;
+  const absl::Status status = ReadTileBounds(folder / "none.ply").status();
+  EXPECT_TRUE(absl::IsNotFound(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("none.ply"));
+}
+
+}  // namespace
+}  // namespace tilemend

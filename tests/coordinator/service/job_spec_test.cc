@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "common/util/error_info.h"
+#include "coordinator/service/job_pipeline.h"
+
+namespace tilemend {
+namespace {
+
+const std::string kNotUtf8 = "\xff";
+
+JobSpec Valid() {
+  JobSpec spec;
+  spec.scene = std::string("scene");
+  spec.out = std::string("out");
+  return spec;
+}
+
+// The field that Check names, "" if it finds no fault.
+std::string Fault(const std::function<void(JobSpec&)>& change) {
+  JobSpec spec = Valid();
+  change(spec);
+  const absl::Status status = spec.Check();
+  if (status.ok()) return "";
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_EQ(ErrorReason(status), "INVALID_SPEC");
+  return GetErrorInfo(status)->metadata.at("field");
+}
+
+TEST(JobSpecTest, TheDefaultsNeedOnlyPaths) {
+  EXPECT_TRUE(Valid().Check().ok());
+  EXPECT_EQ(Fault([](JobSpec& s) { s.scene.clear(); }), "scene");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.out.clear(); }), "out");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.out.clear(), s.dry_run = true; }), "") << "a dry run writes nothing";
+}
+
+TEST(JobSpecTest, RefusesPathsThatAreNotUtf8) {
+  EXPECT_EQ(Fault([](JobSpec& s) { s.scene = kNotUtf8; }), "scene");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.out = kNotUtf8; }), "out");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.water = kNotUtf8; }), "water");
+}
+
+TEST(JobSpecTest, KnowsTheSurfacesByName) {
+  for (const Surface surface : {Surface::kThinPlate, Surface::kWang}) {
+    EXPECT_EQ(Fault([&](JobSpec& s) { s.surface = SurfaceName(surface); }), "");
+  }
+  EXPECT_EQ(Fault([](JobSpec& s) { s.surface.clear(); }), "surface");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.surface = std::string("Wang"); }), "surface");
+}
+
+TEST(JobSpecTest, OnlyThinPlateHasATension) {
+  EXPECT_EQ(Fault([](JobSpec& s) { s.tension = 1; }), "");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.tension = 1, s.surface = SurfaceName(Surface::kWang); }), "tension");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.tension = -1; }), "tension");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.tension = 1001; }), "tension");
+}
+
+struct Range {
+  const char* field;
+  double JobSpec::*value;
+  double low, high;
+};
+
+class JobSpecRangeTest : public ::testing::TestWithParam<Range> {};
+
+TEST_P(JobSpecRangeTest, TakesBothEndsAndNothingBeyond) {
+  const Range& range = GetParam();
+  const auto fault = [&](double value) { return Fault([&](JobSpec& s) { s.*range.value = value; }); };
+  EXPECT_EQ(fault(range.low), "");
+  EXPECT_EQ(fault(range.high), "");
+  EXPECT_EQ(fault(std::nextafter(range.low, -1e9)), range.field);
+  EXPECT_EQ(fault(std::nextafter(range.high, 1e9)), range.field);
+  EXPECT_EQ(fault(std::numeric_limits<double>::quiet_NaN()), range.field);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fields, JobSpecRangeTest,
+                         ::testing::Values(Range{"gradation", &JobSpec::gradation, 1, 10},
+                                           Range{"size_limit", &JobSpec::size_limit, 1, 1e6},
+                                           Range{"seam_smoothing", &JobSpec::seam_smoothing, 0, 1},
+                                           Range{"water_tolerance", &JobSpec::water_tolerance, 0.001, 10}),
+                         [](const auto& test) { return std::string(test.param.field); });
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,127 @@
+#include "coordinator/service/output_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "common/util/error_info.h"
+#include "common/util/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A scene of one tile, tiles/a.ply, in the folder `scene`; the output goes to `out`.
+class OutputFolderTest : public ::testing::Test {
+ protected:
+  OutputFolderTest() {
+    folder_.Write("scene/tiles/a.ply", "the original");
+    scene_.root = folder_ / "scene";
+    scene_.tiles = {{{0, 0}, "tiles/a.ply"}};
+  }
+  absl::StatusOr<OutputFolder> Claim(const std::string& path, bool overwrite = false, const std::string& key = "key") {
+    return OutputFolder::Claim(path, scene_, overwrite, key);
+  }
+  bool Exists(const std::string& name) const { return fs::exists(folder_ / name); }
+
+  const TemporaryFolder folder_;
+  const std::string out_ = folder_ / "deep/out";
+  Scene scene_;
+};
+
+TEST_F(OutputFolderTest, MakesItsFolderAndTakesItAwayIfNothingIsWritten) {
+  {
+    const auto claimed = Claim(out_);
+    ASSERT_TRUE(claimed.ok()) << claimed.status();
+    EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+  }
+  EXPECT_FALSE(Exists("deep"));
+}
+
+TEST_F(OutputFolderTest, ASecondLivingJobIsRefusedWhateverItMayOverwrite) {
+  const auto first = Claim(out_);
+  ASSERT_TRUE(first.ok());
+  for (const bool overwrite : {false, true}) {
+    const absl::Status status = Claim(out_, overwrite).status();
+    EXPECT_TRUE(absl::IsAborted(status)) << status;
+    EXPECT_EQ(ErrorReason(status), "OUTPUT_IN_USE");
+  }
+  EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+}
+
+TEST_F(OutputFolderTest, TheSameJobGoesOnWithAnUnfinishedOutputAndAnotherDoesNot) {
+  {
+    auto first = Claim(out_);
+    ASSERT_TRUE(first.ok() && first->BeginWriting().ok());
+    folder_.Write("deep/out/tiles/a.ply", "filled");
+  }
+  EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+  EXPECT_TRUE(Claim(out_).ok());
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_, false, "another key").status()));
+  EXPECT_TRUE(Claim(out_, true, "another key").ok());
+}
+
+TEST_F(OutputFolderTest, AFolderWithOtherFilesIsOverwrittenOnlyIfAsked) {
+  folder_.Write("deep/out/notes.txt", "mine");
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_).status()));
+  EXPECT_TRUE(Claim(out_, true).ok());
+  EXPECT_TRUE(Exists("deep/out/notes.txt"));
+}
+
+TEST_F(OutputFolderTest, ACompleteOutputIsThereAlreadyForTheSameJob) {
+  {
+    auto first = Claim(out_);
+    ASSERT_TRUE(first.ok() && first->BeginWriting().ok());
+    folder_.Write("deep/out/tiles/a.ply", "filled");
+    first->Finish();
+  }
+  EXPECT_FALSE(Exists("deep/out/.tilemend-job"));
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_).status()));
+}
+
+TEST_F(OutputFolderTest, BeginningToWriteTakesAnOldReportAway) {
+  folder_.Write("deep/out/report.json", "{}");
+  auto claimed = Claim(out_, true);
+  ASSERT_TRUE(claimed.ok());
+  EXPECT_TRUE(Exists("deep/out/report.json"));
+  ASSERT_TRUE(claimed->BeginWriting().ok());
+  EXPECT_FALSE(Exists("deep/out/report.json"));
+}
+
+TEST_F(OutputFolderTest, TidiesHalfWrittenFilesOfItsOwnAndCountsOthers) {
+  auto claimed = Claim(out_);
+  ASSERT_TRUE(claimed.ok());
+  folder_.Write("deep/out/tiles/a.ply", "filled");
+  folder_.Write("deep/out/tiles/a.ply" + std::string(kPartSuffix) + "1", "half");
+  folder_.Write("deep/out/tiles/b.ply" + std::string(kPartSuffix) + "1", "of another program");
+  folder_.Write("deep/out/notes.txt", "mine");
+  EXPECT_EQ(claimed->TidyUp(), 2);
+  EXPECT_FALSE(Exists("deep/out/tiles/a.ply" + std::string(kPartSuffix) + "1"));
+  EXPECT_TRUE(Exists("deep/out/tiles/a.ply"));
+  EXPECT_TRUE(Exists("deep/out/notes.txt"));
+}
+
+TEST_F(OutputFolderTest, NeverWritesAmongTheTilesOfTheScene) {
+  for (const bool overwrite : {false, true}) {
+    for (const std::string& path :
+         {folder_ / "scene", folder_ / "scene/tiles", folder_ / "scene/../scene", folder_ / "scene/tiles/deeper"}) {
+      EXPECT_TRUE(absl::IsInvalidArgument(Claim(path, overwrite).status())) << path;
+    }
+  }
+  fs::create_directory(folder_ / "links");
+  fs::create_directory_symlink(folder_ / "scene/tiles", folder_ / "links/tiles");
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "links", true).status())) << "tiles lead there over a link";
+  EXPECT_TRUE(Claim(folder_ / "scene/out").ok()) << "a folder of its own beside the tiles' folder";
+}
+
+TEST_F(OutputFolderTest, RefusesAPathThatCannotBeAFolder) {
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_.Write("file", "x")).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "file/below").status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim("s3://bucket/out").status()));
+}
+
+}  // namespace
+}  // namespace tilemend

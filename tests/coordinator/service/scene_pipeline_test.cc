@@ -1,0 +1,179 @@
+// The pipeline of scenes, driven task by task without a coordinator.
+#include "coordinator/service/scene_pipeline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/util/error_info.h"
+#include "tests/support/output_checks.h"
+#include "tests/support/temporary_folder.h"
+#include "tilemend/v1/stages.pb.h"
+#include "worker/service/scene_stages.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ScenePipelineTest : public ::testing::Test {
+ protected:
+  ScenePipelineTest() {
+    WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+    spec_.scene = folder_ / "scene";
+    spec_.out = folder_ / "out";
+  }
+
+  std::unique_ptr<JobPipeline> Make() {
+    auto pipeline = ScenePipelineFactory()(spec_);
+    EXPECT_TRUE(pipeline.ok()) << pipeline.status();
+    return pipeline.ok() ? *std::move(pipeline) : nullptr;
+  }
+
+  // Runs every task, the last first if `backwards`; `change` may replace a result. The outcome, or the first error.
+  absl::StatusOr<JobOutcome> Run(const std::function<void(TaskResult&)>& change = {}, bool backwards = false) {
+    const auto pipeline = Make();
+    auto first = pipeline->Start();
+    if (!first.ok()) return first.status();
+    std::deque<NewTask> open(first->begin(), first->end());
+    while (!open.empty()) {
+      NewTask task = backwards ? open.back() : open.front();
+      backwards ? open.pop_back() : open.pop_front();
+      TaskResult result{task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())};
+      if (change) change(result);
+      auto next = pipeline->OnTaskDone(std::move(result));
+      if (!next.ok()) return next.status();
+      for (NewTask& t : *next) open.push_back(std::move(t));
+      ++stages_[task.stage];
+    }
+    EXPECT_TRUE(pipeline->Done());
+    progress_ = pipeline->GetProgress();
+    return pipeline->Finish();
+  }
+
+  const TemporaryFolder folder_;
+  JobSpec spec_;
+  std::map<Stage, int> stages_;
+  Progress progress_;
+};
+
+TEST_F(ScenePipelineTest, FillsASceneAndReportsIt) {
+  const auto outcome = Run();
+  ASSERT_TRUE(outcome.ok()) << outcome.status();
+  EXPECT_FALSE(outcome->partial);
+  EXPECT_EQ(outcome->report, spec_.out + "/report.json");
+  EXPECT_EQ(progress_.cells, 12);
+  EXPECT_EQ(progress_.cells_done, 12);
+  EXPECT_EQ(progress_.holes_filled, progress_.holes);
+  EXPECT_EQ(stages_[Stage::kSurvey], 12);
+  EXPECT_GT(stages_[Stage::kSampleCluster], 0);
+  EXPECT_EQ(stages_[Stage::kSampleLayer], 0);
+  EXPECT_EQ(stages_[Stage::kAssemble], 12);
+  ExpectOriginalsKept(spec_.scene, spec_.out);
+  ExpectClosed(SmallScene(Cut::kClipped), spec_.out);
+  const nlohmann::json report = ReportOf(spec_.out);
+  std::vector<std::string> steps;
+  for (const auto& [step, seconds] : report["seconds"].items()) steps.push_back(step);
+  EXPECT_THAT(steps, ::testing::UnorderedElementsAre("survey", "plan", "sample", "fill", "assemble"));
+}
+
+TEST_F(ScenePipelineTest, WritesTheSameTilesInWhateverOrderResultsCome) {
+  ASSERT_TRUE(Run().ok());
+  const auto forwards = TilesBelow(spec_.out);
+  spec_.out = folder_ / "other";
+  ASSERT_TRUE(Run({}, true).ok());
+  EXPECT_EQ(TilesBelow(spec_.out), forwards);
+}
+
+TEST_F(ScenePipelineTest, WangIsSampledByLayers) {
+  spec_.surface = SurfaceName(Surface::kWang);
+  ASSERT_TRUE(Run().ok());
+  EXPECT_EQ(stages_[Stage::kSampleCluster], 0);
+  EXPECT_GT(stages_[Stage::kSampleLayer], 0);
+  EXPECT_EQ(ReportOf(spec_.out)["surface"], "wang");
+}
+
+TEST_F(ScenePipelineTest, ADryRunPlansAndWritesNothing) {
+  spec_.dry_run = true;
+  const auto outcome = Run();
+  ASSERT_TRUE(outcome.ok()) << outcome.status();
+  EXPECT_THAT(outcome->message, HasSubstr("holes found, nothing written"));
+  EXPECT_EQ(stages_.size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(spec_.out));
+}
+
+TEST_F(ScenePipelineTest, AResultThatCannotBeReadFailsTheJob) {
+  for (const Stage stage : {Stage::kSurvey, Stage::kSampleCluster, Stage::kFill}) {
+    const absl::Status status = Run([&](TaskResult& result) {
+                                  if (result.stage == stage) result.output = "no message \xff\xff";
+                                }).status();
+    EXPECT_TRUE(absl::IsInternal(status)) << status;
+    EXPECT_THAT(std::string(status.message()), HasSubstr("cannot be read"));
+  }
+}
+
+TEST_F(ScenePipelineTest, SamplesOfAClusterThatIsNotThereFailTheJob) {
+  const absl::Status status = Run([&](TaskResult& result) {
+                                if (result.stage != Stage::kSampleCluster) return;
+                                v1::SampleClusterOutput output;
+                                ASSERT_TRUE(output.ParseFromString(*result.output));
+                                output.set_cluster(1 << 20);
+                                result.output = output.SerializeAsString();
+                              }).status();
+  EXPECT_TRUE(absl::IsInternal(status)) << status;
+}
+
+absl::Status Quarantined() { return WithErrorInfo(absl::AbortedError("it killed three workers"), {"QUARANTINED", {}}); }
+
+TEST_F(ScenePipelineTest, OnlyAQuarantinedSurveyFailsTheJob) {
+  for (const Stage stage : {Stage::kSurvey, Stage::kSampleCluster, Stage::kFill, Stage::kAssemble}) {
+    spec_.out = folder_ / std::string(StageName(stage));
+    bool struck = false;
+    const auto outcome = Run([&](TaskResult& result) {
+      if (result.stage == stage && !std::exchange(struck, true)) result.output = Quarantined();
+    });
+    EXPECT_TRUE(struck);
+    EXPECT_EQ(outcome.ok(), stage != Stage::kSurvey) << outcome.status();
+    if (!outcome.ok()) continue;
+    EXPECT_TRUE(outcome->partial);
+    EXPECT_EQ(
+        ReportOf(spec_.out)["left"][0]["reason"].get<std::string>(),
+        stage == Stage::kAssemble ? "the tile is not written: it killed three workers" : "it killed three workers");
+  }
+}
+
+TEST_F(ScenePipelineTest, AnErrorThatIsNotOfTheCellAloneFailsTheJob) {
+  for (const Stage stage : {Stage::kFill, Stage::kAssemble}) {
+    const absl::Status error = absl::ResourceExhaustedError("the disk is full");
+    EXPECT_EQ(Run([&](TaskResult& result) {
+                if (result.stage == stage) result.output = error;
+              }).status(),
+              error);
+  }
+}
+
+TEST_F(ScenePipelineTest, ASceneWithoutTilesIsRefused) {
+  spec_.scene = folder_ / "empty";
+  folder_.Write("empty/scene.json",
+                R"({"cell_size": 10, "cols": 1, "rows": 1, "tiles": [{"col": 0, "row": 0, "path": null}]})");
+  const absl::Status status = Make()->Start().status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+}
+
+TEST_F(ScenePipelineTest, ACancelBeforeTheEndLeavesNoCompleteOutput) {
+  const auto pipeline = Make();
+  EXPECT_TRUE(pipeline->Cancel());
+  EXPECT_TRUE(pipeline->Cancel()) << "again";
+  EXPECT_TRUE(absl::IsCancelled(pipeline->Finish().status()));
+}
+
+}  // namespace
+}  // namespace tilemend

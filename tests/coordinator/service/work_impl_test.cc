@@ -1,0 +1,119 @@
+// The worker's calls, without workers and without gRPC.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/limits.h"
+#include "common/util/error_info.h"
+#include "tests/coordinator/service/coordinator_impl_fixture.h"
+
+namespace tilemend {
+namespace {
+
+using WorkImplTest = CoordinatorImplTest;
+
+TEST_F(WorkImplTest, TellsALostAnswerAgain) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::Task task = AwaitTask();
+  const v1::SyncResponse again = Sync(NewSync());  // says that it holds nothing
+  ASSERT_EQ(again.start_size(), 1);
+  EXPECT_EQ(again.start(0).SerializeAsString(), task.SerializeAsString());
+}
+
+TEST_F(WorkImplTest, TellsToDropWhatIsNoLongerLeased) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const v1::Task task = AwaitTask();
+  v1::SyncRequest holding = NewSync();
+  *holding.add_held() = task.ref();
+  holding.set_wait_ms(0);
+  EXPECT_EQ(Sync(holding).keep_size(), 1);
+  v1::CancelJobRequest cancel;
+  cancel.set_name(job->name());
+  ASSERT_TRUE(impl_.CancelJob(cancel).ok());
+  holding.set_sequence(++sequence_);
+  EXPECT_EQ(Sync(holding).keep_size(), 0);
+}
+
+TEST_F(WorkImplTest, RefusesLateResultsAndCountsThem) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const v1::Task late = AwaitTask("slow");
+  cluster_.ExpireLeases();
+  const v1::Task task = AwaitTask("fast");
+  EXPECT_EQ(task.ref().task(), late.ref().task());
+  EXPECT_EQ(task.attempt(), 2);
+  for (const v1::Task* reported : {&late, &task, &task}) {
+    v1::SyncRequest report = NewSync(reported == &late ? "slow" : "fast", 0);
+    auto* finished = report.add_finished();
+    *finished->mutable_ref() = reported->ref();
+    finished->set_stage(reported->stage());
+    finished->mutable_output()->set_content("5 ");
+    finished->mutable_output()->set_size(2);
+    EXPECT_EQ(Sync(report).acknowledged_size(), 1);
+  }
+  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_refused_late_total{stage=\"survey\"}"), 1);
+  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_finished_total{stage=\"survey\"}"), 1);
+  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_retried_total{stage=\"survey\"}"), 1);
+  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 1);
+}
+
+TEST_F(WorkImplTest, RetriesAResultWhoseBlobNeverCame) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const v1::Task task = AwaitTask();
+  v1::SyncRequest report = NewSync("w", 0);
+  auto* finished = report.add_finished();
+  *finished->mutable_ref() = task.ref();
+  finished->set_stage(task.stage());
+  finished->mutable_output()->set_digest(std::string(64, 'a'));
+  finished->mutable_output()->set_size(1'000'000);
+  EXPECT_EQ(Sync(report).acknowledged_size(), 1);
+  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 0);
+  EXPECT_EQ(AwaitTask().attempt(), 2);
+}
+
+TEST_F(WorkImplTest, LeasesNothingToAWorkerThatIsGone) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  AwaitTask("first");
+  EXPECT_TRUE(absl::IsCancelled(impl_.Sync(NewSync("gone"), [] { return false; }).status()));
+  EXPECT_EQ(AwaitTask("second").ref().task(), 2);
+}
+
+TEST_F(WorkImplTest, RefusesAnotherProtocol) {
+  v1::SyncRequest request = NewSync();
+  request.set_protocol(2);
+  EXPECT_EQ(ErrorReason(impl_.Sync(request, [] { return true; }).status()), "PROTOCOL_VERSION");
+}
+
+TEST_F(WorkImplTest, ReleasesADrainingWorker) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  AwaitTask();
+  v1::SyncRequest request = NewSync();
+  request.set_draining(true);
+  EXPECT_TRUE(Sync(request).leave());
+  EXPECT_EQ(AwaitTask("other").attempt(), 2);
+}
+
+TEST_F(WorkImplTest, RefusesBadBlobs) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const auto write = [&](const std::string& name, const std::string& digest, std::vector<std::string> chunks) {
+    size_t next = 0;
+    return impl_.WriteBlob([&](v1::WriteBlobRequest& message) {
+      if (next >= chunks.size()) return false;
+      message.set_job(name);
+      message.set_digest(digest);
+      message.set_data(chunks[next++]);
+      return true;
+    });
+  };
+  const std::string id = job->name().substr(5);
+  EXPECT_EQ(write(id, Sha256Hex("ab"), {"a", "b"})->size(), 2);
+  EXPECT_EQ(ErrorReason(write(id, Sha256Hex("ab"), {"a"}).status()), "BLOB_CORRUPT");
+  EXPECT_TRUE(absl::IsInvalidArgument(write(id, "../x", {"a"}).status()));
+  EXPECT_EQ(ErrorReason(write("none", Sha256Hex("a"), {"a"}).status()), "JOB_NOT_FOUND");
+  const std::string big(kMaxChunkBytes + 1, 'x');
+  EXPECT_TRUE(absl::IsInvalidArgument(write(id, Sha256Hex(big), {big}).status()));
+  EXPECT_FALSE(write(id, Sha256Hex("a"), {}).ok());
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,338 @@
+#include "coordinator/waves/scene_waves.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "tests/support/surveyed_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+// Three by three cells of four squares; the hole reaches into all of them. The one in the middle has no tile.
+SurveyedScene Lake() {
+  return PictureScene({"############", "############", "############", "###......###", "###......###", "###......###",
+                       "###......###", "###......###", "###......###", "############", "############", "############"},
+                      4);
+}
+
+// A hole over the first two cells, a smaller one over the second and the third, and a closed one in the fourth.
+SurveyedScene SeveralHoles() {
+  return PictureScene({"################", "##....#..####.##", "##....##########", "################"}, 4);
+}
+
+WaveOptions Dry(Surface surface = Surface::kThinPlate) {
+  WaveOptions options;
+  options.surface = surface;
+  options.plan.water.find = false;
+  return options;
+}
+
+struct Namer {
+  std::string operator()(const SurveyWork& w) const { return absl::StrCat("survey ", ToString(w.tile->cell)); }
+  std::string operator()(const ClusterWork& w) const { return absl::StrCat("cluster ", w.cluster); }
+  std::string operator()(const LayerWork& w) const { return absl::StrCat("layer ", ToString(w.holes.cell)); }
+  std::string operator()(const FillWork& w) const { return absl::StrCat("fill ", ToString(w.holes.cell)); }
+  std::string operator()(const AssembleWork& w) const { return absl::StrCat("assemble ", ToString(w.tile->cell)); }
+};
+std::string NameOf(const SceneWork& work) { return std::visit(Namer{}, work); }
+
+// Gives results that are made up: every height is that of its seam vertex's number.
+class Stages {
+ public:
+  Stages(SceneWaves& waves, const SurveyedScene& scene) : waves_(waves), scene_(scene) {}
+  bool cluster_has_surface = true;
+
+  void Do(const SceneWork& work) { std::visit(*this, work); }
+
+  void operator()(const SurveyWork& w) { waves_.TakeSurvey(w.tile->cell, scene_.records.at(w.tile->cell)); }
+  void operator()(const ClusterWork& w) {
+    ClusterSamples result{w.cluster, {}, {}};
+    for (const RimVertex& v : w.holes.vertices) {
+      if (cluster_has_surface && v.seam_vertex >= 0)
+        result.samples.push_back({v.seam_vertex, 1.0 * v.seam_vertex, 0.5});
+    }
+    EXPECT_TRUE(waves_.TakeCluster(result).ok());
+  }
+  void operator()(const LayerWork& w) {
+    std::vector<SeamSample> samples;
+    for (const RimVertex& v : w.holes.vertices) {
+      if (!v.height_known) samples.push_back({w.holes.cell, v.seam_vertex, 1.0 * v.seam_vertex});
+    }
+    EXPECT_THAT(samples, Not(IsEmpty())) << "a layer without an open height";
+    EXPECT_TRUE(waves_.TakeLayer(samples).ok());
+  }
+  void operator()(const FillWork& w) {
+    CellPatches result;
+    for (const RimVertex& v : w.holes.vertices) EXPECT_TRUE(v.height_known) << "filled before its seams are settled";
+    for (const CellHole& hole : w.holes.holes) result.patches.push_back({hole.id, "", 1, 2, {}});
+    EXPECT_TRUE(waves_.TakeFill(w.holes.cell, result).ok());
+  }
+  void operator()(const AssembleWork&) { waves_.TakeAssemble(); }
+
+ private:
+  SceneWaves& waves_;
+  const SurveyedScene& scene_;
+};
+
+std::vector<SceneWork> AllNow(SceneWaves& waves) {
+  std::vector<SceneWork> all;
+  while (std::optional<SceneWork> work = waves.Next()) all.push_back(*std::move(work));
+  return all;
+}
+
+std::vector<std::string> NamesOf(const std::vector<SceneWork>& works) {
+  std::vector<std::string> names;
+  for (const SceneWork& work : works) names.push_back(NameOf(work));
+  return names;
+}
+
+void DoAll(const std::vector<SceneWork>& works, Stages& stages) {
+  for (const SceneWork& work : works) stages.Do(work);
+}
+
+TEST(SceneWavesTest, SurveysTheTilesFirst) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  EXPECT_THAT(NamesOf(AllNow(waves)), AllOf(SizeIs(8), Each(StartsWith("survey "))));
+  EXPECT_FALSE(waves.done());
+  EXPECT_EQ(waves.phase(), "survey");
+}
+
+TEST(SceneWavesTest, FillsAClusterOnlyWhenItsSurfaceIsKnown) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  const std::vector<SceneWork> cluster = AllNow(waves);
+  ASSERT_THAT(NamesOf(cluster), ElementsAre("cluster 0"));
+  EXPECT_THAT(std::get<ClusterWork>(cluster[0]).holes.holes, SizeIs(9));
+  DoAll(cluster, stages);
+  const std::vector<SceneWork> fills = AllNow(waves);
+  EXPECT_THAT(NamesOf(fills), AllOf(SizeIs(9), Each(StartsWith("fill "))));
+  DoAll(fills, stages);
+  const std::vector<SceneWork> assembles = AllNow(waves);
+  EXPECT_THAT(NamesOf(assembles), AllOf(SizeIs(9), Each(StartsWith("assemble "))));
+  EXPECT_FALSE(waves.done());
+  DoAll(assembles, stages);
+  EXPECT_THAT(AllNow(waves), IsEmpty());
+  EXPECT_TRUE(waves.done());
+  EXPECT_EQ(waves.cells_done(), 9);
+  EXPECT_EQ(waves.outcome().sizes.size(), 9U);
+}
+
+TEST(SceneWavesTest, BeginsWithTheLargestClusterAndFillsMeanwhileWhatNeedsNone) {
+  const SurveyedScene scene = SeveralHoles();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  const std::vector<SceneWork> works = AllNow(waves);
+  const auto size = [&](int i) { return std::get<ClusterWork>(works[i]).holes.vertices.size(); };
+  ASSERT_THAT(NamesOf(works), ElementsAre(StartsWith("cluster "), StartsWith("cluster "), "fill +003_+000"));
+  EXPECT_GT(size(0), size(1));
+  stages.Do(works[1]);
+  EXPECT_THAT(NamesOf(AllNow(waves)), ElementsAre("fill +002_+000")) << "the other cluster is not known yet";
+}
+
+TEST(SceneWavesTest, SamplesLayerByLayerWhatHasNoSurface) {
+  const SurveyedScene scene = Lake();
+  for (const Surface surface : {Surface::kThinPlate, Surface::kWang}) {
+    SceneWaves waves(scene.AsScene(), Dry(surface));
+    Stages stages(waves, scene);
+    stages.cluster_has_surface = false;
+    DoAll(AllNow(waves), stages);
+    if (surface == Surface::kThinPlate) DoAll(AllNow(waves), stages);
+    const std::vector<SceneWork> first = AllNow(waves);
+    EXPECT_THAT(NamesOf(first), AllOf(Each(StartsWith("layer ")), Not(Contains("layer +001_+001"))));
+    EXPECT_EQ(waves.phase(), "sample layer 1 of 2");
+    DoAll(first, stages);
+    // The hole in the middle has seams alone, and the first layer has settled them all.
+    const std::vector<SceneWork> fills = AllNow(waves);
+    EXPECT_THAT(NamesOf(fills), AllOf(SizeIs(9), Each(StartsWith("fill "))));
+  }
+}
+
+TEST(SceneWavesTest, SettlesTheSameHeightsInWhateverOrderResultsCome) {
+  const SurveyedScene scene = SeveralHoles();
+  std::vector<SeamHeights> heights;
+  std::vector<std::vector<std::string>> outcomes;
+  for (const bool backwards : {false, true}) {
+    SceneWaves waves(scene.AsScene(), Dry());
+    Stages stages(waves, scene);
+    std::vector<std::string> done;
+    std::vector<SceneWork> open = AllNow(waves);
+    while (!open.empty()) {
+      const auto next = backwards ? open.end() - 1 : open.begin();
+      done.push_back(NameOf(*next));
+      stages.Do(*next);
+      open.erase(next);
+      for (SceneWork& work : AllNow(waves)) open.push_back(std::move(work));
+    }
+    EXPECT_TRUE(waves.done());
+    std::sort(done.begin(), done.end());
+    outcomes.push_back(std::move(done));
+    heights.push_back(waves.heights());
+  }
+  EXPECT_EQ(outcomes[0], outcomes[1]);
+  EXPECT_EQ(heights[0].height, heights[1].height);
+  EXPECT_EQ(heights[0].laplacian, heights[1].laplacian);
+}
+
+TEST(SceneWavesTest, AsksForNoHeightsOfWater) {
+  const SurveyedScene scene = Lake();
+  WaveOptions options;
+  options.plan.water.areas = {{true, {{{-1, -1}, {13, -1}, {13, 13}, {-1, 13}}}}};
+  SceneWaves waves(scene.AsScene(), options);
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  EXPECT_THAT(NamesOf(AllNow(waves)), AllOf(SizeIs(9), Each(StartsWith("fill "))));
+  EXPECT_EQ(waves.plan().water.size(), 1U);
+}
+
+TEST(SceneWavesTest, EndsWithThePlanIfThatIsAll) {
+  const SurveyedScene scene = Lake();
+  WaveOptions options = Dry();
+  options.plan_only = true;
+  std::vector<std::string> steps;
+  SceneWaves waves(scene.AsScene(), options, [&](std::string_view step) { steps.emplace_back(step); });
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  EXPECT_THAT(AllNow(waves), IsEmpty());
+  EXPECT_TRUE(waves.done());
+  EXPECT_EQ(waves.plan().holes.size(), 9U);
+  EXPECT_THAT(steps, ElementsAre("survey", "plan"));
+}
+
+TEST(SceneWavesTest, TellsTheEndOfEveryStepOnce) {
+  const SurveyedScene scene = Lake();
+  std::vector<std::string> steps;
+  SceneWaves waves(scene.AsScene(), Dry(), [&](std::string_view step) { steps.emplace_back(step); });
+  Stages stages(waves, scene);
+  while (const std::optional<SceneWork> work = waves.Next()) stages.Do(*work);
+  EXPECT_THAT(steps, ElementsAre("survey", "plan", "sample", "fill", "assemble"));
+}
+
+TEST(SceneWavesTest, WritesNoTileForACellThatNothingFills) {
+  SurveyedScene scene = PictureScene({"####....", "####....", "####....", "####...."}, 4);
+  scene.area_known = false;  // what reaches the rim of the area stays open
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  EXPECT_THAT(NamesOf(AllNow(waves)), ElementsAre("assemble +000_+000"));
+  EXPECT_EQ(waves.cells_done(), 1);
+}
+
+TEST(SceneWavesTest, GoesOnWithoutACellThatIsLeft) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  std::vector<std::string> names;
+  while (const std::optional<SceneWork> work = waves.Next()) {
+    names.push_back(NameOf(*work));
+    if (names.back() == "fill +001_+001") {
+      waves.LeaveHoles({1, 1}, "the worker broke");
+    } else if (names.back() == "assemble +002_+002") {
+      waves.LeaveTile({2, 2}, "the disk broke");
+    } else {
+      stages.Do(*work);
+    }
+  }
+  EXPECT_TRUE(waves.done());
+  EXPECT_EQ(waves.outcome().sizes.size(), 8U);
+  ASSERT_EQ(waves.outcome().failures.size(), 1U);
+  EXPECT_EQ(waves.outcome().failures.begin()->second, "the worker broke");
+  EXPECT_THAT(names, Not(Contains("assemble +001_+001"))) << "the cell has no tile, and now no patch";
+  ASSERT_EQ(waves.outcome().unwritten.size(), 1U);
+  EXPECT_EQ(waves.outcome().unwritten[0].reason, "the tile is not written: the disk broke");
+  EXPECT_EQ(waves.cells_done(), 8);
+}
+
+// The cluster's surface is lost with one of its cells: the others get their heights from the layers.
+TEST(SceneWavesTest, FillsTheRestOfAClusterWhoseSurfaceIsLost) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  while (const std::optional<SceneWork> work = waves.Next()) {
+    if (const auto* cluster = std::get_if<ClusterWork>(&*work)) {
+      waves.LeaveHoles(cluster->holes.cell, "the solver broke");
+    } else {
+      stages.Do(*work);
+    }
+  }
+  EXPECT_EQ(waves.outcome().failures.size(), 1U);
+  EXPECT_EQ(waves.outcome().sizes.size(), 8U);
+}
+
+TEST(SceneWavesTest, RefusesResultsThatNameNothing) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  ASSERT_THAT(AllNow(waves), SizeIs(1));
+  const auto vertices = static_cast<int32_t>(waves.plan().vertices.size());
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeCluster({7, {}, {}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeCluster({0, {{vertices, 0, 0}}, {}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeLayer({{{0, 0}, -1, 0}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeLayer({{{0, 0}, 0, std::numeric_limits<double>::quiet_NaN()}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeFill({0, 0}, {{{9, "", 1, 1, {}}}, {}})));
+  EXPECT_TRUE(waves.outcome().sizes.empty());
+}
+
+TEST(SceneWavesTest, KeepsTheTensionsAndTheQualityThatWereFound) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  ASSERT_THAT(AllNow(waves), SizeIs(1));
+  ASSERT_TRUE(waves.TakeCluster({0, {}, HoldOut{0.25, 1, 2, 3}}).ok());
+  EXPECT_EQ(waves.outcome().of_clusters.at(0).tension, 0.25);
+  EXPECT_EQ(waves.heights().tension.at(0), 0.25);
+  CellPatches patches{{{3, "no way", 0, 0, HoldOut{0.5, 1, 2, 3}}}, {}};
+  patches.quality.Add(0.5, false);
+  ASSERT_TRUE(waves.TakeFill({0, 0}, patches).ok());
+  EXPECT_EQ(waves.outcome().of_holes.at(3).tension, 0.5);
+  EXPECT_EQ(waves.outcome().failures.at(3), "no way");
+  EXPECT_EQ(waves.outcome().quality.triangles, 1);
+}
+
+TEST(SceneWavesTest, TakesASingleMeshWithoutAGrid) {
+  const SurveyedScene scene = PictureScene({"######", "##.#.#", "######", "######", "######", "######"}, 6);
+  WaveOptions options = Dry();
+  options.single_mesh = true;
+  SceneWaves waves(scene.AsScene(), options);
+  Stages stages(waves, scene);
+  std::vector<std::string> names;
+  while (const std::optional<SceneWork> work = waves.Next()) {
+    names.push_back(NameOf(*work));
+    if (const auto* fill = std::get_if<FillWork>(&*work)) {
+      EXPECT_THAT(fill->holes.holes, SizeIs(2));
+    }
+    if (const auto* assemble = std::get_if<AssembleWork>(&*work)) {
+      EXPECT_EQ(assemble->tile_vertices, std::ssize(scene.tiles.at({0, 0}).points));
+      EXPECT_TRUE(assemble->float32);
+    }
+    stages.Do(*work);
+  }
+  EXPECT_THAT(names, ElementsAre("survey +000_+000", "fill +000_+000", "assemble +000_+000"));
+  EXPECT_EQ(waves.plan().outer_rims, 1);
+}
+
+}  // namespace
+}  // namespace tilemend
