@@ -157,7 +157,8 @@ TEST_F(WorkerTest, TakesATaskOnceThatItIsToldTwice) {
 
 TEST_F(WorkerTest, ReportsAnErrorAsItIs) {
   const absl::Status error = WithErrorInfo(absl::NotFoundError("a.ply: no such file"), {"TILE", {}});
-  const auto report = Run([&](Stage, const std::string&, const CancelToken&) { return error; }, TaskOf(1, ""));
+  const auto report = Run(
+      [&](Stage, const std::string&, const CancelToken&) { return absl::StatusOr<std::string>(error); }, TaskOf(1, ""));
   EXPECT_EQ(StatusFromProto(report.error()), error);
   EXPECT_EQ(report.stage(), static_cast<v1::Stage>(Stage::kFill));
   EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_failed_total{stage=\"fill\"} 1\n"));
