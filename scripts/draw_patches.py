@@ -71,14 +71,18 @@ class Canvas:
         return self.image.reshape(h, FINE, w, FINE, 3).mean((1, 3))
 
 
-def main():
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split('\n', maxsplit=1)[0])
     parser.add_argument('out')
     parser.add_argument('picture')
     parser.add_argument('--box', required=True, type=lambda t: [float(n) for n in t.split(',')])
     parser.add_argument('--cell', type=float, default=250)
     parser.add_argument('--width', type=int, default=900)
-    a = parser.parse_args()
+    return parser.parse_args()
+
+
+def main():
+    a = arguments()
     canvas, closing = Canvas(a.box, a.width), defaultdict(list)  # edge -> cells whose patch it bounds
     inner = []
     for path in sorted(glob.glob(os.path.join(a.out, '**', '*.ply'), recursive=True)):
