@@ -31,7 +31,6 @@ Json PlanJson(const Plan& plan, int64_t cells) {
   Json json = Json::parse(SceneReport(input));
   for (const char* field : {"filled", "quality", "seconds", "peak_rss_bytes", "warnings", "surface"}) json.erase(field);
   for (Json& row : json["per_hole"]) {
-    row.erase("method");
     row.erase("outcome");
   }
   return json;

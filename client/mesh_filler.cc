@@ -98,7 +98,7 @@ class MeshFiller {
     std::vector<PatchExtent> extents;
     for (const HolePatch& p : patches) {
       extents.push_back({p.hole, p.failure, static_cast<int64_t>(p.new_points.size()),
-                         static_cast<int64_t>(p.triangles.size()), p.hold_out});
+                         static_cast<int64_t>(p.triangles.size()), p.hold_out, p.way});
     }
     return extents;
   }

@@ -271,6 +271,7 @@ v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<
     v1::PatchExtent* extent = proto.add_patches();
     extent->set_hole(patch.hole);
     extent->set_failure(patch.failure);
+    extent->set_way(static_cast<v1::FillWay>(patch.way));
     extent->set_new_points(static_cast<int64_t>(patch.new_points.size()));
     extent->set_triangles(static_cast<int64_t>(patch.triangles.size()));
     if (patch.hold_out) *extent->mutable_hold_out() = ToProto(*patch.hold_out);
@@ -298,7 +299,7 @@ absl::Status CheckPatchCounts(const v1::FillOutput& proto, size_t vertex_count, 
   int64_t points = static_cast<int64_t>(vertex_count), triangles = 0;
   for (const v1::PatchExtent& e : proto.patches()) {
     if (e.new_points() < 0 || e.triangles() < 0 || e.new_points() > DracoLimits().max_points ||
-        e.triangles() > DracoLimits().max_triangles) {
+        e.triangles() > DracoLimits().max_triangles || !v1::FillWay_IsValid(e.way())) {
       return Malformed("patch extent");
     }
     points += e.new_points();
@@ -318,6 +319,7 @@ absl::StatusOr<HolePatch> PatchFrom(const v1::PatchExtent& extent, const TriMesh
   HolePatch patch;
   patch.hole = extent.hole();
   patch.failure = extent.failure();
+  patch.way = static_cast<FillWay>(extent.way());
   if (extent.has_hold_out()) {
     TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
   }

@@ -77,10 +77,10 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   row["area_m2"] = Rounded(hole.area, 3);
   row["perimeter_m"] = Rounded(hole.perimeter, 3);
   row["boundary_vertices"] = hole.boundary_vertices;
-  row["method"] = hole.water >= 0 ? "water" : SurfaceName(input.surface);
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
+    row["method"] = WayName(size->second.way);
     row["new_vertices"] = size->second.new_vertices;
     row["triangles"] = size->second.triangles;
   }
@@ -172,6 +172,30 @@ int64_t PeakRssBytes() {
 }  // namespace
 
 const char* TypeName(HoleType type) { return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1]; }
+
+const char* WayName(FillWay way) {
+  switch (way) {
+    case FillWay::kNone:
+      break;
+    case FillWay::kWater:
+      return "water";
+    case FillWay::kGround:
+      return "over the ground";
+    case FillWay::kOwnPlane:
+      return "over its own plane";
+    case FillWay::kFacingPlane:
+      return "over the plane it faces";
+    case FillWay::kCreases:
+      return "along creases";
+    case FillWay::kUnrolled:
+      return "unrolled";
+    case FillWay::kSpace:
+      return "in space";
+    case FillWay::kFoldsCut:
+      return "folds cut off";
+  }
+  return "unknown";
+}
 
 const char* KindName(HoleKind kind) {
   switch (kind) {

@@ -33,6 +33,7 @@ std::vector<std::string> PlanWarnings(const Plan& plan);
 // Names as the report and the command line print them.
 const char* BorderName(BorderKind kind);
 const char* KindName(HoleKind kind);
+const char* WayName(FillWay way);
 // "A" to "D", or null.
 const char* TypeName(HoleType type);
 

@@ -84,6 +84,7 @@ absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output) {
     patch.failure = extent.failure();
     patch.new_vertices = extent.new_points();
     patch.triangles = extent.triangles();
+    if (v1::FillWay_IsValid(extent.way())) patch.way = static_cast<FillWay>(extent.way());
     if (extent.has_hold_out()) {
       TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
     }

@@ -16,6 +16,7 @@ namespace tilemend {
 struct PatchSize {
   int64_t new_vertices = 0;
   int64_t triangles = 0;
+  FillWay way = FillWay::kNone;
 };
 
 // By hole or cluster of the plan.

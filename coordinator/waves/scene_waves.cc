@@ -131,7 +131,7 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
     }
     if (patch.hold_out) outcome_.of_holes[patch.hole] = *patch.hold_out;
     if (patch.failure.empty()) {
-      outcome_.sizes[patch.hole] = {patch.new_vertices, patch.triangles};
+      outcome_.sizes[patch.hole] = {patch.new_vertices, patch.triangles, patch.way};
       filled_.insert(cell);
     } else {
       outcome_.failures[patch.hole] = patch.failure;

@@ -59,6 +59,7 @@ struct PatchExtent {
   int64_t new_vertices = 0;
   int64_t triangles = 0;
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
+  FillWay way = FillWay::kNone;
 };
 
 struct CellPatches {

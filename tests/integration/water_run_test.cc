@@ -114,7 +114,7 @@ TEST_F(WaterRunTest, OffAndAreasDecide) {
   const std::string scene = WriteMade(LakeOverNineCells(Cut::kClipped), folder_ / "scene");
   const Json off = Run(scene, folder_ / "off", {"--water", "off"});
   EXPECT_THAT(off["water"], SizeIs(0));
-  EXPECT_EQ(off["per_hole"][0]["method"], off["surface"]);
+  EXPECT_EQ(off["per_hole"][0]["method"], "over the ground");
   const Json forbidden = Run(scene, folder_ / "forbidden", {"--water", Everywhere("false")});
   EXPECT_THAT(forbidden["water"], SizeIs(0));
   EXPECT_EQ(TilesBelow(folder_ / "forbidden"), TilesBelow(folder_ / "off"));

@@ -92,7 +92,7 @@ class HoleFiller {
 
   void AddPlanes(bool cut_folds, std::vector<Way>& ways) {
     const auto add = [&](FillWay name, Check check, const ProjectionFrame& frame) {
-      ways.push_back({cut_folds ? FillWay::kFoldsCut : name, check, [this, frame, cut_folds] {
+      ways.push_back({cut_folds && !hole_.level ? FillWay::kFoldsCut : name, check, [this, frame, cut_folds] {
                         return FillOverPlane(hole_, frame, options_, {RimUse::kWhole, cut_folds});
                       }});
     };

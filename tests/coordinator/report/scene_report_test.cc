@@ -88,6 +88,7 @@ TEST_F(SceneReportTest, TellsWhatIsLeftOfThePlanThenOfTilesThenOfHoles) {
 
 TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   plan_.holes[1].water = 0;
+  input_.outcome.sizes[1].way = FillWay::kWater;
   plan_.water = {{{1}, 12.5, 0.01, 12.4, 12.6, 9, false}};
   const Json report = Report();
   EXPECT_EQ(report["per_hole"][1]["method"], "water");

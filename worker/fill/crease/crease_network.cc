@@ -36,6 +36,34 @@ constexpr double kLeastCornerVolume = 0.15;
 constexpr int kCurvePieces = 64;
 constexpr double kCornerAim = 20 * kDegree;
 
+struct Plane {
+  Vector3d normal;
+  double offset = 0;  // normal . x
+};
+
+// The point that three planes have in common; none if they do not meet in a clear one.
+std::optional<Point3> Meet(const Plane& a, const Plane& b, const Plane& c) {
+  Eigen::Matrix3d normals;
+  normals << a.normal.transpose(), b.normal.transpose(), c.normal.transpose();
+  if (std::abs(normals.determinant()) < kLeastCornerVolume) return std::nullopt;
+  return Point3(normals.partialPivLu().solve(Vector3d(a.offset, b.offset, c.offset)));
+}
+
+// Where a curve, given by points at even parameters, comes nearest to p, and how near.
+std::pair<double, double> Nearest(const std::vector<Point3>& line, const Point3& p) {
+  std::pair<double, double> nearest{0, INFINITY};
+  for (size_t k = 0; k + 1 < line.size(); ++k) {
+    const Vector3d way = line[k + 1] - line[k];
+    const double t = std::clamp((p - line[k]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    const double distance = (p - line[k] - t * way).norm();
+    if (distance < nearest.second) nearest = {(static_cast<double>(k) + t) / kCurvePieces, distance};
+  }
+  return nearest;
+}
+
+// Whether place p lies on the way along a loop of n places from a to b, ends excluded.
+bool Between(int32_t p, int32_t a, int32_t b, int32_t n) { return p != a && p != b && Wrap(p - a, n) < Wrap(b - a, n); }
+
 class NetworkBuilder {
  public:
   explicit NetworkBuilder(std::span<const RimLoop> loops) : loops_(loops) {
@@ -74,11 +102,6 @@ class NetworkBuilder {
       curve.finish_slope = -2 * chord.norm() / (1 + std::cos(turn_b)) * b.tangent;
     }
     return curve;
-  }
-
-  // Whether place p lies on the way along a loop of n places from a to b, ends excluded.
-  static bool Between(int32_t p, int32_t a, int32_t b, int32_t n) {
-    return p != a && p != b && Wrap(p - a, n) < Wrap(b - a, n);
   }
 
   // The end that the rim comes to along the right side of curve c, which starts at an end: the curve's other end, or
@@ -124,11 +147,6 @@ class NetworkBuilder {
     }
   }
 
-  struct Plane {
-    Vector3d normal;
-    double offset = 0;  // normal . x
-  };
-
   // The plane of the flat part that the rim borders on from one end to another. None if it is not flat.
   std::optional<Plane> PlaneBetween(const CreaseEnd& a, const CreaseEnd& b) const {
     if (AngleBetween(a.after, b.before) > kSamePart) return std::nullopt;
@@ -158,14 +176,6 @@ class NetworkBuilder {
     const double off = std::sqrt(normal.dot(spread * normal) / static_cast<double>(points.size()));
     if (!(off <= kFlat * edge)) return std::nullopt;
     return Plane{normal, normal.dot(middle)};
-  }
-
-  // The point that three planes have in common; none if they do not meet in a clear one.
-  static std::optional<Point3> Meet(const Plane& a, const Plane& b, const Plane& c) {
-    Eigen::Matrix3d normals;
-    normals << a.normal.transpose(), b.normal.transpose(), c.normal.transpose();
-    if (std::abs(normals.determinant()) < kLeastCornerVolume) return std::nullopt;
-    return Point3(normals.partialPivLu().solve(Vector3d(a.offset, b.offset, c.offset)));
   }
 
   // The angle by which an end aims past a corner.
@@ -268,18 +278,6 @@ class NetworkBuilder {
       }
     }
     return std::nullopt;
-  }
-
-  // Where a curve, given by points at even parameters, comes nearest to p, and how near.
-  static std::pair<double, double> Nearest(const std::vector<Point3>& line, const Point3& p) {
-    std::pair<double, double> nearest{0, INFINITY};
-    for (size_t k = 0; k + 1 < line.size(); ++k) {
-      const Vector3d way = line[k + 1] - line[k];
-      const double t = std::clamp((p - line[k]).dot(way) / way.squaredNorm(), 0.0, 1.0);
-      const double distance = (p - line[k] - t * way).norm();
-      if (distance < nearest.second) nearest = {(static_cast<double>(k) + t) / kCurvePieces, distance};
-    }
-    return nearest;
   }
 
   // Whether the rim at a touch of curve c lies to the right of it. The curve starts at an end.

@@ -50,7 +50,7 @@ class PlaneFiller {
     if (!FindHeights(hole_, frame_, options_, plane_options_.use, patch, result.hold_out)) {
       return {FillFailure::kNoSolution};
     }
-    if (plane_options_.use == RimUse::kWhole) ImproveShapes(patch);
+    ImproveShapes(patch);
     planar_.reset();
     StorePoints(patch, result);
     result.triangles = std::move(patch.triangles);
@@ -73,7 +73,7 @@ class PlaneFiller {
     }
     if (plane_options_.cut_folds) SplitRepeatedEdges(region);
     // Over a height field an edge is in the hole or on the surface.
-    const bool may_repeat = (hole_.open && !plane_options_.cut_folds) || plane_options_.use == RimUse::kPart;
+    const bool may_repeat = (hole_.open && !plane_options_.cut_folds);
     if (!may_repeat && !RepeatedEdges(region.triangulation.triangles).empty()) return FillFailure::kRepeatsEdges;
     if (frame_.upright()) {
       MoveNewPoints(

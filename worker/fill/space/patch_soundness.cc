@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/mesh/triangle_shape.h"
-#include "worker/fill/hole/edge_lists.h"
+#include "common/mesh/vertex_lists.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
@@ -31,17 +31,18 @@ FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch) {
                   [&](const Triangle& t) { return IsOfSurface(hole, t); })) {
     return FillFailure::kRepeatsTriangle;
   }
-  const EdgeLists edges(patch.triangles, static_cast<size_t>(hole.size()) + patch.new_points.size());
+  const VertexLists ends = EdgeEndsFrom(patch.triangles, static_cast<size_t>(hole.size()) + patch.new_points.size());
+  const auto count = [&](int32_t from, int32_t to) { return std::ranges::count(ends.Of(from), to); };
   for (const Triangle& t : patch.triangles) {
     for (int k = 0; k < 3; ++k) {
       const int32_t a = t[k], b = t[(k + 1) % 3];
       const int others = a < hole.size() && b < hole.size() ? hole.TrianglesBeside(a, b) : 0;
-      const int times = edges.Count(a, b);
-      if (times > 1 || times + edges.Count(b, a) + others > 2) return FillFailure::kOverfullEdge;
+      const auto times = count(a, b);
+      if (times > 1 || times + count(b, a) + others > 2) return FillFailure::kOverfullEdge;
     }
   }
   const bool closes = std::all_of(hole.segments.begin(), hole.segments.end(),
-                                  [&](const RegionSegment& s) { return edges.Count(s.from, s.to) > 0; });
+                                  [&](const RegionSegment& s) { return count(s.from, s.to) > 0; });
   return closes ? FillFailure::kNone : FillFailure::kNotClosed;
 }
 

@@ -8,7 +8,7 @@
 
 #include "common/mesh/rounding.h"
 #include "worker/fill/region/planar_region.h"
-#include "worker/fill/space/minimum_weight.h"
+#include "worker/fill/space/sound_triangulation.h"
 #include "worker/fill/space/unrolled.h"
 #include "worker/fill/surface/fair_surface.h"
 
@@ -70,8 +70,8 @@ LocalPatch FillUnrolled(const LocalHole& hole, const FillOptions& options) {
   if (hole.loops.size() != 1 || hole.size() > kLongestSpatialLoop) return {FillFailure::kNotApplicable};
   const RimLoop& loop = hole.loops[0];
   std::vector<Triangle> triangles =
-      TriangulateLoop(loop.positions, NormalsAlong(hole, loop),
-                      [&](int32_t i, int32_t k) { return hole.MayJoin(loop.vertices[i], loop.vertices[k]); });
+      TriangulateSoundly(loop.positions, NormalsAlong(hole, loop),
+                         [&](int32_t i, int32_t k) { return hole.MayJoin(loop.vertices[i], loop.vertices[k]); }, {});
   for (Triangle& t : triangles) t = {loop.vertices[t[0]], loop.vertices[t[1]], loop.vertices[t[2]]};
   return FillOver(std::move(triangles), 1, hole, options);
 }

@@ -10,9 +10,10 @@
 
 namespace tilemend {
 
-// Over a minimum-weight triangulation of the hole's one loop (unrolled.h, fair_surface.h). Not applicable if the hole
-// has islands, a loop that touches itself, more than kLongestSpatialLoop boundary vertices, or no triangulation, or if
-// that covers itself when it is unrolled. O(boundary^3 + new * boundary) and the cost of FairSurface.
+// Over a minimum-weight triangulation of the hole's one loop that does not cross itself (sound_triangulation.h). Not
+// applicable if the hole has islands, a loop that touches itself, more than kLongestSpatialLoop boundary vertices, or
+// no triangulation, or if that covers itself when it is unrolled. O(boundary^3 + new * boundary) and the cost of
+// FairSurface.
 LocalPatch FillUnrolled(const LocalHole& hole, const FillOptions& options);
 
 // The same over given triangles of the loop's vertices, the share `bend` of the way to the

@@ -1,0 +1,42 @@
+#include "worker/fill/crease/part_fill.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "tests/support/folded_meshes.h"
+
+namespace tilemend {
+namespace {
+
+LocalPatch FillAsPart(const CellHoles& work) {
+  const CellBand band(work);
+  LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  FreeAtFolds(hole);
+  FillOptions options;
+  options.surface = Surface::kThinPlate;
+  LocalPatch patch = FillPart(hole, options);
+  if (patch.ok()) ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, patch));
+  return patch;
+}
+
+TEST(PartFillTest, FillsAWallOverItsPlane) {
+  const LocalPatch patch = FillAsPart(WorkOfSheet(Disc(0, kWallHeight / 2, 3), FoldToBuilding, 0));
+  ASSERT_TRUE(patch.ok());
+  for (const Point3& p : patch.new_points) EXPECT_NEAR(p.y(), 0, 0.001);
+}
+
+TEST(PartFillTest, UnrollsWhatIsSteep) {
+  const auto tank = [](const Point3& p) {
+    const double angle = (p.y() - 5) / 5;
+    return Point3(p.x(), 5 * std::sin(angle), 5 * std::cos(angle));
+  };
+  const auto slit = [](double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; };
+  const LocalPatch patch = FillAsPart(WorkOfSheet(slit, tank, 0));
+  ASSERT_TRUE(patch.ok());
+  for (const Point3& p : patch.new_points) EXPECT_NEAR(std::hypot(p.y(), p.z()), 5, 0.3);
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,62 @@
+#include "worker/fill/hole/facing.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "tests/support/folded_meshes.h"
+
+namespace tilemend {
+namespace {
+
+CellHoles OnWall() { return WorkOfSheet(Disc(0, kWallHeight / 2, 3), FoldToBuilding, 0); }
+CellHoles OnGround() { return WorkOfSheet(Disc(0, -5, 3), FoldToBuilding, 0); }
+CellHoles OnRoofEdge() { return WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, 0); }
+
+// Calls use(hole) for the hole of a cell.
+template <typename Use>
+void With(const CellHoles& work, const Use& use) {
+  const CellBand band(work);
+  use(MakeLocalHole(work, band, work.holes[0]));
+}
+
+TEST(FacingTest, IsTheNormalOfAPlane) {
+  With(OnWall(), [](const LocalHole& hole) {
+    EXPECT_NEAR((FacingOf(hole).normalized() + Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
+    EXPECT_NEAR((WidestView(hole) + Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
+  });
+}
+
+TEST(FacingTest, LooksAtAWallAndARoofFromBetween) {
+  With(OnRoofEdge(), [](const LocalHole& hole) {
+    const Eigen::Vector3d between = Eigen::Vector3d(0, -1, 1).normalized();
+    EXPECT_LT((WidestView(hole) - between).norm(), 0.03) << WidestView(hole).transpose();
+  });
+}
+
+TEST(FacingTest, TellsGroundFromWalls) {
+  With(OnGround(), [](const LocalHole& hole) {
+    EXPECT_TRUE(FacesUp(hole));
+    EXPECT_TRUE(LiesInHeightField(hole));
+    EXPECT_FALSE(IsSteep(hole));
+  });
+  With(OnWall(), [](const LocalHole& hole) {
+    EXPECT_FALSE(FacesUp(hole));
+    EXPECT_FALSE(LiesInHeightField(hole));
+    EXPECT_FALSE(IsSteep(hole)) << "over its own plane it is flat";
+  });
+}
+
+// Most of the way round a tube some of the surface is steep over any plane.
+TEST(FacingTest, IsSteepAroundATank) {
+  const auto tank = [](const Point3& p) {
+    const double angle = (p.y() - 5) / 5;
+    return Point3(p.x(), 5 * std::sin(angle), 5 * std::cos(angle));
+  };
+  const auto slit = [](double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; };
+  With(WorkOfSheet(slit, tank, 0), [](const LocalHole& hole) { EXPECT_TRUE(IsSteep(hole)); });
+}
+
+}  // namespace
+}  // namespace tilemend

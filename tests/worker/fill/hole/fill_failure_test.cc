@@ -1,0 +1,28 @@
+#include "worker/fill/hole/fill_failure.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace tilemend {
+namespace {
+
+TEST(FillFailureTest, EveryReasonHasATextOfItsOwn) {
+  std::set<std::string> texts;
+  for (auto f = static_cast<int>(FillFailure::kNoArea); f <= static_cast<int>(FillFailure::kNotClosed); ++f) {
+    const std::string text = TextOf(static_cast<FillFailure>(f), 12);
+    EXPECT_FALSE(text.empty()) << f;
+    EXPECT_TRUE(texts.insert(text).second) << text;
+  }
+}
+
+TEST(FillFailureTest, SuccessNeedsNoText) { EXPECT_EQ(TextOf(FillFailure::kNone, 12), ""); }
+
+TEST(FillFailureTest, TellsHowLongABoundaryIs) {
+  EXPECT_THAT(TextOf(FillFailure::kTooLongForSpace, 401), ::testing::HasSubstr("has 401 boundary"));
+}
+
+}  // namespace
+}  // namespace tilemend
