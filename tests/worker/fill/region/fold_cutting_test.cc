@@ -80,8 +80,12 @@ TEST(FoldCuttingTest, MakesNoChordThatIsNotAllowed) {
   EXPECT_EQ(cut.simple, TriangulateRegion(kFolded, cut.segments).conflicts.empty());
 }
 
-TEST(FoldCuttingTest, GivesUpWhereNoChordIsAllowed) {
-  EXPECT_FALSE(CutFolds(kFolded, LoopOver(kFolded), [](int32_t, int32_t) { return false; }).simple);
+// A short loop is then closed in space as a whole.
+TEST(FoldCuttingTest, CutsOffTheWholeLoopWhereNoChordIsAllowed) {
+  const CutBoundary cut = CutFolds(kFolded, LoopOver(kFolded), [](int32_t, int32_t) { return false; });
+  EXPECT_TRUE(cut.segments.empty());
+  ASSERT_EQ(cut.runs.size(), 1u);
+  EXPECT_EQ(cut.runs[0].size(), kFolded.size());
 }
 
 }  // namespace

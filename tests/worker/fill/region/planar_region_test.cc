@@ -10,16 +10,31 @@
 namespace tilemend {
 namespace {
 
-const std::vector<RegionSegment> kSquare = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+// The rim of a square of 8 metres, a vertex a metre.
+std::vector<Point2> Rim() {
+  std::vector<Point2> rim;
+  for (int k = 0; k < 8; ++k) rim.emplace_back(k, 0);
+  for (int k = 0; k < 8; ++k) rim.emplace_back(8, k);
+  for (int k = 0; k < 8; ++k) rim.emplace_back(8 - k, 8);
+  for (int k = 0; k < 8; ++k) rim.emplace_back(0, 8 - k);
+  return rim;
+}
 
-// A square of 8 metres with sizes of 1 inside.
+std::vector<RegionSegment> Segments() {
+  std::vector<RegionSegment> segments;
+  for (int32_t k = 0; k < 32; ++k) segments.push_back({k, (k + 1) % 32});
+  return segments;
+}
+
+const std::vector<RegionSegment> kSquare = Segments();
+
 struct Square {
-  PlanarPoints planar = RoundToWindow(std::vector<Point2>{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, std::vector<double>(4, 1));
-  RefinedRegion region = RefineRegion(planar.points, kSquare, planar.sizes, {});
+  PlanarPoints planar = RoundToWindow(Rim(), std::vector<double>(32, 1));
+  RefinedRegion region = RefineRegion(planar.points, kSquare, planar.sizes, {.uniform = true});
 
   // Twice the area; every triangle counts up.
   int64_t TwiceArea() const {
-    const auto at = [&](int32_t v) { return v < 4 ? planar.points[v] : region.new_points[v - 4]; };
+    const auto at = [&](int32_t v) { return v < 32 ? planar.points[v] : region.new_points[v - 32]; };
     int64_t sum = 0;
     for (const Triangle& t : region.triangulation.triangles) {
       const LatticePoint a = at(t[0]), b = at(t[1]), c = at(t[2]);
@@ -33,8 +48,8 @@ struct Square {
 
 TEST(PlanarRegionTest, RoundsToTheWindowsLattice) {
   const Square square;
-  for (size_t i = 0; i < 4; ++i) EXPECT_DOUBLE_EQ(square.planar.sizes[i] * square.planar.window.step(), 1);
-  EXPECT_EQ(square.planar.window.ToMetres(square.planar.points[2]), Point2(8, 8));
+  for (size_t i = 0; i < 32; ++i) EXPECT_DOUBLE_EQ(square.planar.sizes[i] * square.planar.window.step(), 1);
+  EXPECT_EQ(square.planar.window.ToMetres(square.planar.points[16]), Point2(8, 8));
 }
 
 TEST(PlanarRegionTest, KeepsTheRegionWithoutSomeOfItsPoints) {
@@ -102,7 +117,7 @@ TEST(PlanarRegionTest, LeavesOutPointsThatCanGoNowhere) {
       },
       square.planar.points, kSquare, square.region);
   EXPECT_TRUE(square.region.new_points.empty());
-  EXPECT_EQ(square.region.triangulation.triangles.size(), 2u);
+  EXPECT_EQ(square.region.triangulation.triangles.size(), 30u);
 }
 
 }  // namespace
