@@ -1,7 +1,7 @@
 // Delaunay refinement of a planar region with triangle sizes graded from the rim inward.
 //
 // Segments are never split: they are original edges, or seams that a neighbour shares. New points go to the lattice.
-// Source: design "Triangles"; Ruppert 1995 / Shewchuk 2002 / Ungor 2009 (off-centres) with segment splitting replaced
+// Source: Ruppert 1995 / Shewchuk 2002 / Ungor 2009 (off-centres) with segment splitting replaced
 // by rejection; sizing after Persson 2006 (gradient-limited size function). Cost O(n log n); deterministic.
 #ifndef TILEMEND_WORKER_FILL_REGION_REFINE_REGION_H_
 #define TILEMEND_WORKER_FILL_REGION_REFINE_REGION_H_

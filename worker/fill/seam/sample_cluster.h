@@ -25,7 +25,7 @@ struct ClusterSurface {
   std::optional<HoldOut> hold_out;  // where the options leave the tension open
 };
 
-// The first level of the thin-plate surface (design, "Surface"): triangulates the holes of a cluster together, seams
+// The first level of the thin-plate surface (docs/architecture.md): triangulates the holes of a cluster together, seams
 // included, and solves for its heights from the rims and the slopes of the band. With heights and Laplacians known
 // along the seams each cell's own solve gives the surface of the whole.
 //
