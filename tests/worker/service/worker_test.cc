@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -226,8 +227,13 @@ TEST_F(WorkerTest, SendsNoMoreInOneCallThanFits) {
 }
 
 TEST_F(WorkerTest, DropsWhatIsNotToBeKept) {
-  const auto worker = NewWorker(UntilCancelled);
+  std::promise<void> running;
+  const auto worker = NewWorker([&](Stage stage, const std::string& input, const CancelToken& cancel) {
+    running.set_value();
+    return UntilCancelled(stage, input, cancel);
+  });
   coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
+  running.get_future().wait();
   const auto holds_both = [](const v1::SyncRequest& request) { return request.held_size() == 2; };
   coordinator_.Answer(v1::SyncResponse(), holds_both);  // one runs, one waits for the thread
   const v1::SyncRequest request = coordinator_.Answer(v1::SyncResponse(), HoldsNothing);
@@ -239,12 +245,15 @@ TEST_F(WorkerTest, DropsWhatIsNotToBeKept) {
 }
 
 TEST_F(WorkerTest, AsksForLessWhileItIsBusyWithWhatItDropped) {
+  std::promise<void> running;
   std::atomic<bool> go_on = false;
   const auto worker = NewWorker([&](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
+    running.set_value();
     while (!go_on) std::this_thread::yield();
     return "late";
   });
   coordinator_.Answer(Start({TaskOf(1, "")}));
+  running.get_future().wait();
   coordinator_.Answer(v1::SyncResponse(), [](const v1::SyncRequest& request) { return request.held_size() == 1; });
   EXPECT_EQ(coordinator_.Answer(v1::SyncResponse(), HoldsNothing).threads(), 1);
   go_on = true;
