@@ -31,7 +31,7 @@ std::map<std::string, Json> HolesById(const Json& report) {
   return holes;
 }
 
-bool IsOutline(const Json& item) { return Member(item, "open_by_right") == true; }
+bool IsOutline(const Json& item) { return Member(item, "expected") == true; }
 
 bool IsHole(const Json& item) { return item.contains("hole"); }
 

@@ -237,14 +237,14 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> warnings;
   for (const int32_t area : plan.idle_water_areas) {
     warnings.push_back(absl::StrFormat(
-        "--water: area %d of the file (from 0) covers no hole by more than half and decides nothing", area));
+        "--water: area %d of the file (counted from 0) covers no hole by more than half, so it has no effect", area));
   }
   const bool has_open = std::any_of(plan.holes.begin(), plan.holes.end(),
                                     [](const PlannedHole& hole) { return hole.kind != HoleKind::kClosed; });
   if (plan.tiles_apart && has_open) {
     warnings.push_back(
-        "the tiles overlap or part and share no vertices: each is filled for itself, and the fills of two tiles may "
-        "meet in a step");
+        "the tiles overlap or have gaps and share no vertices: each is filled on its own, and the fills of two tiles "
+        "may meet in a step");
   }
   return warnings;
 }
@@ -266,7 +266,7 @@ std::string SceneReport(const SceneReportInput& input) {
     Json row = {{"cell", CellJson(l.cell)}, {"reason", l.reason}};
     if (l.hole >= 0) row["hole"] = l.hole;
     row["open_edges"] = l.edges;
-    if (!l.is_hole) row["open_by_right"] = true;
+    if (!l.is_hole) row["expected"] = true;
     left.push_back(row);
   }
   Json seconds;

@@ -28,14 +28,15 @@ absl::Status JobSpec::Check() const {
   if (!IsUtf8(out)) return InvalidSpec("out", absl::StrCat(Printable(out), ": a path that is not UTF-8"));
   const std::optional<Surface> named = SurfaceNamed(surface);
   if (!named) {
-    return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "' is neither wang nor thin-plate"));
+    return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "': expected thin-plate or wang"));
   }
   if (water.empty() || !IsUtf8(water)) {
     return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
   }
   TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
-  if (tension && named != Surface::kThinPlate) return InvalidSpec("tension", "only the surface thin-plate has a tension");
+  if (tension && named != Surface::kThinPlate)
+    return InvalidSpec("tension", "only the surface thin-plate has a tension");
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
   TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
   return CheckRange("seam_smoothing", seam_smoothing, 0, 1);

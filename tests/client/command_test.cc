@@ -119,7 +119,7 @@ TEST_F(CommandTest, CtrlCCancelsARunAndLeavesNothing) {
 TEST_F(CommandTest, ReportShowsLeftovers) {
   ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json",
                                   R"({"cells": 4, "filled": {"closed": 2, "I": {"A": 1, "B": 0}},
-                                      "left": [{"cell": [0, 0], "reason": "an outline", "open_by_right": true},
+                                      "left": [{"cell": [0, 0], "reason": "an outline", "expected": true},
                                                {"cell": [3, 4], "reason": "no loop", "open_edges": 1},
                                                {"cell": [1, 2], "reason": "too wild", "hole": 7, "open_edges": 9}],
                                       "tension": [{"hole": 7, "tension": 0.5, "hold_out_error_m": 0.1}],

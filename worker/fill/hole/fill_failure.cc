@@ -13,26 +13,27 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kNotApplicable:
       return "";
     case FillFailure::kNoArea:
-      return "its boundary has no area";
+      return "its boundary encloses no area";
     case FillFailure::kUnknownHeights:
-      return "no hole gave heights to a seam of it";
+      return "no height was found for one of its seams";
     case FillFailure::kCrossesSeenFromAbove:
       return "its boundary crosses itself seen from above";
     case FillFailure::kCrossesOnItsPlane:
       return "its boundary crosses itself on its own plane";
     case FillFailure::kRepeatsEdges:
-      return "its boundary is joined by edges of the surface already";
+      return "its patch would need an edge that the surface already has";
     case FillFailure::kNoSolution:
       return "the equations of its surface have no solution";
     case FillFailure::kTooLongForSpace:
       return "it projects on no plane without overlap and has " + std::to_string(boundary_edges) +
              " boundary vertices; at most " + std::to_string(kLongestSpatialLoop) + " can be filled in space";
     case FillFailure::kNoBridge:
-      return "no way from its islands to the rest of its boundary is free";
+      return "its islands cannot be joined to the rest of its boundary";
     case FillFailure::kCrosses:
       return "every patch that was tried passes through itself or the surface around it";
     case FillFailure::kRimIsCrossed:
-      return "the surface around it passes through its boundary, and through every patch that was tried";
+      return "the surface around it passes through its boundary and through every patch that was tried; repair the "
+             "mesh first";
     case FillFailure::kFlatTriangle:
       return "a triangle of its patch would have no area";
     case FillFailure::kRepeatsTriangle:
