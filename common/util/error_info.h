@@ -19,7 +19,8 @@ struct ErrorInfo {
   bool operator==(const ErrorInfo&) const = default;
 };
 
-// `status` with `info` attached; an OK status is returned as it is. Survives a trip over gRPC (common/rpc/grpc_status.h).
+// `status` with `info` attached; an OK status is returned as it is. Survives a trip over gRPC
+// (common/rpc/grpc_status.h).
 absl::Status WithErrorInfo(absl::Status status, const ErrorInfo& info);
 
 // What WithErrorInfo attached, if anything.
