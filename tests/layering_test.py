@@ -67,7 +67,7 @@ RULES = {
         ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'], ['eigen']),
 
     'worker/fill/space': rule(
-        ['common/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'],
+        ['common/mesh', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'],
         ['eigen']),
 
     'worker/fill/plane': rule(

@@ -1,11 +1,10 @@
 #include "worker/fill/space/unrolled.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <map>
 #include <utility>
+
+#include "worker/fill/mesh/patch_mesh.h"
 
 namespace tilemend {
 
@@ -13,27 +12,19 @@ using Eigen::Vector3d;
 
 Unrolled::Unrolled(std::vector<Point3> positions, std::vector<Triangle> triangles)
     : positions_(std::move(positions)), triangles_(std::move(triangles)), flat_(positions_.size(), Point2::Zero()) {
-  std::map<std::pair<int32_t, int32_t>, int32_t> beside;  // of directed edges
-  for (size_t t = 0; t < triangles_.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      beside[{triangles_[t][k], triangles_[t][(k + 1) % 3]}] = static_cast<int32_t>(t);
-    }
-  }
+  const PatchMesh mesh(positions_, triangles_);
   const Triangle& first = triangles_[0];
   flat_[first[1]] = {(positions_[first[1]] - positions_[first[0]]).norm(), 0};
-  Place(first, 0);
-  std::vector<int32_t> open = {0};
-  std::vector<bool> placed(triangles_.size(), false);
+  std::vector<PatchMesh::HalfedgeHandle> open = {mesh.halfedge_handle(PatchMesh::FaceHandle(0))};
+  std::vector<bool> placed(mesh.n_faces(), false);
   placed[0] = true;
   for (size_t next = 0; next < open.size(); ++next) {
-    const Triangle t = triangles_[open[next]];
-    for (int k = 0; k < 3; ++k) {
-      const auto it = beside.find({t[(k + 1) % 3], t[k]});
-      if (it == beside.end() || placed[it->second]) continue;
-      const Triangle& other = triangles_[it->second];
-      Place(other, static_cast<int>(std::find(other.begin(), other.end(), t[(k + 1) % 3]) - other.begin()));
-      placed[it->second] = true;
-      open.push_back(it->second);
+    Place(mesh.from_vertex_handle(open[next]).idx(), mesh.to_vertex_handle(open[next]).idx(), mesh.Apex(open[next]));
+    for (const auto h : mesh.fh_range(mesh.face_handle(open[next]))) {
+      const auto across = mesh.opposite_halfedge_handle(h);
+      if (mesh.is_boundary(across) || placed[mesh.face_handle(across).idx()]) continue;
+      placed[mesh.face_handle(across).idx()] = true;
+      open.push_back(across);
     }
   }
 }
@@ -51,9 +42,8 @@ Point3 Unrolled::Lift(const Point2& p) const {
   return best[0] * positions_[(*at)[0]] + best[1] * positions_[(*at)[1]] + best[2] * positions_[(*at)[2]];
 }
 
-// Places the third corner of t, where edge k has both its ends placed, on its left.
-void Unrolled::Place(const Triangle& t, int k) {
-  const int32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+// Places c on the left of the edge from a to b, which has both its ends placed.
+void Unrolled::Place(int32_t a, int32_t b, int32_t c) {
   const Vector3d edge = positions_[b] - positions_[a], side = positions_[c] - positions_[a];
   const Point2 along = (flat_[b] - flat_[a]).normalized(), left(-along.y(), along.x());
   flat_[c] = flat_[a] + side.dot(edge) / edge.norm() * along + side.cross(edge).norm() / edge.norm() * left;

@@ -3,6 +3,7 @@
 #define TILEMEND_WORKER_FILL_SPACE_UNROLLED_H_
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
@@ -23,7 +24,7 @@ class Unrolled {
   Point3 Lift(const Point2& p) const;
 
  private:
-  void Place(const Triangle& t, int k);
+  void Place(int32_t a, int32_t b, int32_t c);
   Eigen::Vector3d Weights(const Triangle& t, const Point2& p) const;
 
   std::vector<Point3> positions_;
