@@ -1,0 +1,31 @@
+#include "common/records/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string_view>
+
+namespace tilemend {
+namespace {
+
+TEST(SurfaceTest, EachIsFoundByItsName) {
+  for (const Surface surface : {Surface::kThinPlate, Surface::kWang}) {
+    EXPECT_EQ(SurfaceNamed(SurfaceName(surface)), surface) << SurfaceName(surface);
+  }
+}
+
+// Flags, stored jobs and reports hold these texts.
+TEST(SurfaceTest, NamesStayAsUsersAndStoredJobsKnowThem) {
+  EXPECT_STREQ(SurfaceName(Surface::kThinPlate), "thin-plate");
+  EXPECT_STREQ(SurfaceName(Surface::kWang), "wang");
+  EXPECT_STREQ(SurfaceName(kDefaultSurface), "thin-plate");
+}
+
+TEST(SurfaceTest, NoOtherTextNamesOne) {
+  for (const std::string_view text : {"", "flat", "Wang", "wang ", " wang", "thin", "thin-plate-2", "thin_plate"}) {
+    EXPECT_EQ(SurfaceNamed(text), std::nullopt) << '"' << text << '"';
+  }
+}
+
+}  // namespace
+}  // namespace tilemend
