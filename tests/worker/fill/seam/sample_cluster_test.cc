@@ -7,20 +7,27 @@
 namespace tilemend {
 namespace {
 
+int32_t Add(CellHoles& work, const Point3& position, bool seam) {
+  const auto index = static_cast<int32_t>(work.vertices.size());
+  RimVertex v;
+  v.position = position;
+  v.size = 1;
+  (seam ? v.seam_vertex : v.index) = index;
+  v.height_known = !seam;
+  work.vertices.push_back(v);
+  return index;
+}
+
+void Join(CellHole& hole, const std::vector<int32_t>& way, bool is_seam) {
+  for (size_t k = 1; k < way.size(); ++k) hole.segments.push_back({way[k - 1], way[k], is_seam});
+}
+
 // Two holes, west and east of a seam at x = 5 from y = 0 to y = 10, in a level surface at height 3, with rim edges of
 // 1 m. `steps` vertical edges of 1 mm in the west side.
 CellHoles Cluster(int steps) {
   CellHoles work;
   work.lattice_step = 0x1p-10;
-  const auto add = [&](double x, double y, double z, bool seam) {
-    RimVertex v;
-    v.position = Point3(x, y, z);
-    v.size = 1;
-    (seam ? v.seam_vertex : v.index) = static_cast<int32_t>(work.vertices.size());
-    v.height_known = !seam;
-    work.vertices.push_back(v);
-    return static_cast<int32_t>(work.vertices.size()) - 1;
-  };
+  const auto add = [&](double x, double y, double z, bool seam) { return Add(work, Point3(x, y, z), seam); };
   std::vector<int32_t> south_west, south_east, north_east, north_west, seam;
   for (int k = 5; k >= 0; --k) north_west.push_back(add(k, 10, 3, false));
   for (int k = 9; k > 0; --k) {
@@ -34,22 +41,19 @@ CellHoles Cluster(int steps) {
   for (int k = 1; k < 10; ++k) seam.push_back(add(5, k, 0, true));
 
   CellHole west, east;
-  const auto join = [](CellHole& hole, const std::vector<int32_t>& way, bool is_seam) {
-    for (size_t k = 1; k < way.size(); ++k) hole.segments.push_back({way[k - 1], way[k], is_seam});
-  };
   std::vector<int32_t> up = {south_west.back()};
   up.insert(up.end(), seam.begin(), seam.end());
   up.push_back(north_west.front());
   std::vector<int32_t> rim = north_west;
   rim.insert(rim.end(), south_west.begin(), south_west.end());
-  join(west, rim, false);
-  join(west, up, true);
+  Join(west, rim, false);
+  Join(west, up, true);
   rim = {south_west.back()};
   rim.insert(rim.end(), south_east.begin(), south_east.end());
   rim.insert(rim.end(), north_east.begin(), north_east.end());
   rim.push_back(north_west.front());
-  join(east, rim, false);
-  join(east, {up.rbegin(), up.rend()}, true);
+  Join(east, rim, false);
+  Join(east, {up.rbegin(), up.rend()}, true);
   work.holes = {west, east};
   for (const RimVertex& v : work.vertices) work.band.points.push_back(v.position);
   return work;
