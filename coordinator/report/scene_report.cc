@@ -163,6 +163,40 @@ Json QualityJson(const QualityTally& quality) {
   return json;
 }
 
+// What is told of the holes: how many of each kind, and one row for each.
+struct HoleTables {
+  Json found = EmptyCounts();
+  Json filled = EmptyCounts();
+  Json single;
+  Json rows = Json::array();
+};
+
+HoleTables TablesOf(const SceneReportInput& input) {
+  HoleTables tables;
+  for (const char* name : {"crack", "dislocation", "annular", "island", "simple"}) tables.single[name] = 0;
+  const std::vector<PlannedHole>& holes = input.plan->holes;
+  for (size_t h = 0; h < holes.size(); ++h) {
+    const auto id = static_cast<int32_t>(h);
+    Count(holes[h], tables.found);
+    if (FailureOf(input, id).empty()) Count(holes[h], tables.filled);
+    if (const char* name = SingleName(holes[h].single)) tables.single[name] = tables.single[name].get<int>() + 1;
+    tables.rows.push_back(HoleRow(input, id));
+  }
+  return tables;
+}
+
+Json LeftRows(const SceneReportInput& input) {
+  Json rows = Json::array();
+  for (const LeftOpen& l : LeftOf(input)) {
+    Json row = {{"cell", CellJson(l.cell)}, {"reason", l.reason}};
+    if (l.hole >= 0) row["hole"] = l.hole;
+    row["open_edges"] = l.edges;
+    if (!l.is_hole) row["expected"] = true;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 int64_t PeakRssBytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -253,34 +287,19 @@ std::string SceneReport(const SceneReportInput& input) {
   const Plan& plan = *input.plan;
   std::vector<std::string> warnings = input.warnings;
   for (std::string& warning : PlanWarnings(plan)) warnings.push_back(std::move(warning));
-  Json holes = EmptyCounts(), filled = EmptyCounts(), rows = Json::array(), single, left = Json::array();
-  for (const char* name : {"crack", "dislocation", "annular", "island", "simple"}) single[name] = 0;
-  for (size_t h = 0; h < plan.holes.size(); ++h) {
-    const auto id = static_cast<int32_t>(h);
-    Count(plan.holes[h], holes);
-    if (FailureOf(input, id).empty()) Count(plan.holes[h], filled);
-    if (const char* name = SingleName(plan.holes[h].single)) single[name] = single[name].get<int>() + 1;
-    rows.push_back(HoleRow(input, id));
-  }
-  for (const LeftOpen& l : LeftOf(input)) {
-    Json row = {{"cell", CellJson(l.cell)}, {"reason", l.reason}};
-    if (l.hole >= 0) row["hole"] = l.hole;
-    row["open_edges"] = l.edges;
-    if (!l.is_hole) row["expected"] = true;
-    left.push_back(row);
-  }
+  const HoleTables tables = TablesOf(input);
   Json seconds;
   for (const auto& [stage, value] : input.seconds) seconds[stage] = Rounded(value, 6);
   Json report = {{"cells", input.cells},
                  {"clusters", plan.clusters},
                  {"layers", plan.layers},
-                 {"holes", holes},
-                 {"filled", filled},
-                 {"single", single},
+                 {"holes", tables.found},
+                 {"filled", tables.filled},
+                 {"single", tables.single},
                  {"continuous", plan.continuous},
                  {"outer_rims", plan.outer_rims},
                  {"water", WaterRows(input)},
-                 {"left", left},
+                 {"left", LeftRows(input)},
                  {"quality", QualityJson(input.outcome.quality)},
                  {"borders", Borders(plan)},
                  {"warnings", warnings},
@@ -288,7 +307,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"tension", Tensions(input)},
                  {"seconds", seconds},
                  {"peak_rss_bytes", PeakRssBytes()},
-                 {"per_hole", rows}};
+                 {"per_hole", tables.rows}};
   if (input.given_tension) report["tension_given"] = *input.given_tension;
   return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

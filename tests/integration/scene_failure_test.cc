@@ -162,6 +162,17 @@ class FinishWatcher : public JobPipeline {
   const std::function<void()> before_, after_;
 };
 
+ClusterOptions WatchingFinish(const std::function<void()>& before, const std::function<void()>& after) {
+  ClusterOptions options;
+  options.factory = [=, scenes = ScenePipelineFactory()](const JobSpec& spec) {
+    auto pipeline = scenes(spec);
+    if (!pipeline.ok()) return pipeline;
+    return absl::StatusOr<std::unique_ptr<JobPipeline>>(
+        std::make_unique<FinishWatcher>(*std::move(pipeline), before, after));
+  };
+  return options;
+}
+
 // A job is cancelled, or its output is complete: never both, never neither.
 TEST(SceneCancelTest, AtTheVeryEndItIsCancelledOrComplete) {
   for (const bool before : {true, false}) {
@@ -173,22 +184,15 @@ TEST(SceneCancelTest, AtTheVeryEndItIsCancelledOrComplete) {
       request.set_name(all->impl().ListJobs({})->jobs(0).name());
       cancelled = all->impl().CancelJob(request);
     };
-    ClusterOptions options;
-    options.factory = [&, scenes = ScenePipelineFactory()](const JobSpec& spec) {
-      auto pipeline = scenes(spec);
-      if (!pipeline.ok()) return pipeline;
-      const auto at_start = [&] {
-        if (before) cancel();
-      };
-      const auto at_end = [&] {
-        if (!before) cancel();
-        finished = true;
-        finished.notify_all();
-      };
-      return absl::StatusOr<std::unique_ptr<JobPipeline>>(
-          std::make_unique<FinishWatcher>(*std::move(pipeline), at_start, at_end));
+    const auto at_start = [&] {
+      if (before) cancel();
     };
-    TestCluster cluster(options);
+    const auto at_end = [&] {
+      if (!before) cancel();
+      finished = true;
+      finished.notify_all();
+    };
+    TestCluster cluster(WatchingFinish(at_start, at_end));
     all = &cluster;
     const std::string scene = cluster.folder() / "scene";
     WriteMade(SmallScene(Cut::kClipped), scene);
