@@ -13,7 +13,12 @@ source scripts/jobs.sh
 scripts/install.sh --coverage
 cmake --preset coverage
 cmake --build --preset coverage -j "$jobs"
-find build/coverage -name '*.gcda' -delete  # of earlier runs
+# What is left of earlier runs, and of sources that are no more.
+find build/coverage -name '*.gcda' -delete
+ninja -C build/coverage -t cleandead >/dev/null
+find build/coverage -name '*.gcno' | while read -r notes; do
+  [[ -e "${notes%.gcno}.o" ]] || rm "$notes"
+done
 ctest --preset coverage -j2 --no-tests=error | tail -20
 
 gcovr --root . --object-directory build/coverage --filter 'common/' --filter 'worker/' --filter 'coordinator/plan/' \

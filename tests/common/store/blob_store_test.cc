@@ -80,6 +80,27 @@ TEST_F(BlobStoreTest, RefusesAFolderThatIsAFile) {
   EXPECT_THAT(std::string(store.status().message()), HasSubstr("file: not a folder"));
 }
 
+TEST_F(BlobStoreTest, NamesThePathThatCannotBeUsed) {
+  const auto store = BlobStore::Open(folder_.Write("file", "x") + "/below");
+  EXPECT_THAT(std::string(store.status().message()), HasSubstr("file/below: "));
+  const absl::Status forbidden = BlobStore::Open("/proc/tilemend").status();
+  EXPECT_FALSE(forbidden.ok());
+  EXPECT_THAT(std::string(forbidden.message()), HasSubstr("/proc/tilemend: "));
+}
+
+TEST_F(BlobStoreTest, SaysWhatStandsInABlobsPlace) {
+  const BlobStore store = Open();
+  const std::string digest = Sha256Hex("abc");
+  folder_.Write("blobs/" + digest.substr(0, 2) + "/" + digest.substr(2) + "/inside", "x");  // a folder, not empty
+  EXPECT_FALSE(store.Contains(digest).value());
+  EXPECT_EQ(store.Get(digest).status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(store.Remove(digest).code(), absl::StatusCode::kInternal);
+  const std::string other = Sha256Hex("b");
+  folder_.Write("blobs/" + other.substr(0, 2), "a file where a folder should be");
+  EXPECT_FALSE(store.Contains(other).ok() && store.Contains(other).value());
+  EXPECT_EQ(store.Put("b").status().code(), absl::StatusCode::kInvalidArgument);
+}
+
 TEST_F(BlobStoreTest, TakesPutsFromManyThreads) {
   const BlobStore store = Open();
   std::vector<std::string> digests(8);

@@ -56,5 +56,28 @@ TEST(FlagsTest, ChecksNumbers) {
   EXPECT_FALSE(Flags::Parse(Specs(), {"--workers", "11"})->Integer("workers", 1, 10).ok());
 }
 
+TEST(FlagsTest, ReadsNumbersInTheirRange) {
+  const auto flags = Flags::Parse(Specs(), {"--out", "-0.5", "--workers=10"});
+  EXPECT_EQ(*flags->Number("out", -1, 1), -0.5);
+  EXPECT_FALSE(flags->Number("out", 0, 1).ok());
+  EXPECT_EQ(*flags->Integer("workers", 1, 10), 10);
+  EXPECT_EQ(flags->Text("not a flag"), "");
+}
+
+TEST(DidYouMeanTest, NamesTheNearestIfItIsNear) {
+  EXPECT_EQ(DidYouMean("fil", {"run", "fill", "inspect"}), "; did you mean fill?");
+  EXPECT_EQ(DidYouMean("inspectoins", {"run", "inspections"}), "; did you mean inspections?");
+  EXPECT_EQ(DidYouMean("demolish", {"run", "fill"}), "");
+  EXPECT_EQ(DidYouMean("run", {}), "");
+}
+
+TEST(FlagsHelpTest, HasALineForEachFlag) {
+  EXPECT_EQ(FlagsHelp(Specs()),
+            "      --out DIR                   folder\n"
+            "      --workers N                 tasks (default 2)\n"
+            "      --overwrite                 replace\n"
+            "  -o, --output FORMAT             table or json (default table)\n");
+}
+
 }  // namespace
 }  // namespace tilemend
