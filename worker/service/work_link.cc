@@ -88,7 +88,7 @@ class GrpcWorkLink : public WorkLink {
 
 }  // namespace
 
-std::unique_ptr<WorkLink> NewGrpcWorkLink(std::shared_ptr<grpc::Channel> channel) {
+std::unique_ptr<WorkLink> NewGrpcWorkLink(const std::shared_ptr<grpc::Channel>& channel) {
   return std::make_unique<GrpcWorkLink>(channel);
 }
 

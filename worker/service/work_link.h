@@ -34,7 +34,7 @@ class WorkLink {
   virtual absl::Status WriteBlob(const std::string& job, const std::string& digest, const std::string& bytes) = 0;
 };
 
-std::unique_ptr<WorkLink> NewGrpcWorkLink(std::shared_ptr<grpc::Channel> channel);
+std::unique_ptr<WorkLink> NewGrpcWorkLink(const std::shared_ptr<grpc::Channel>& channel);
 
 }  // namespace tilemend
 

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 
+#include "absl/strings/str_cat.h"
+
 namespace tilemend {
 namespace {
 
@@ -16,12 +18,11 @@ TEST(MeshFormatOfTest, GoesByTheExtensionInAnyCase) {
 }
 
 TEST(MeshFormatOfTest, RefusesOthersByName) {
-  for (const std::string extension :
-       {".stl", ".glb", ".gltf", ".b3dm", ".osgb", ".las", ".fbx", ".dae", ".gz", ".3ds"}) {
-    const absl::Status status = MeshFormatOf("dir/tile" + extension).status();
+  for (const char* extension : {".stl", ".glb", ".gltf", ".b3dm", ".osgb", ".las", ".fbx", ".dae", ".gz", ".3ds"}) {
+    const absl::Status status = MeshFormatOf(absl::StrCat("dir/tile", extension)).status();
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
     EXPECT_EQ(status.message(),
-              "dir/tile" + extension + ": " + extension + " files are not read; accepted: .ply, .obj, .off");
+              absl::StrCat("dir/tile", extension, ": ", extension, " files are not read; accepted: .ply, .obj, .off"));
   }
   EXPECT_EQ(MeshFormatOf("a.ply/tile").status().message(), "a.ply/tile: no file extension; accepted: .ply, .obj, .off");
   EXPECT_FALSE(MeshFormatOf(".ply").ok());

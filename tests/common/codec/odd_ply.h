@@ -20,7 +20,7 @@ inline std::string Bytes(T value, bool big_endian) {
 struct OddPly {
   bool big_endian = false;
   std::string eol = "\n";
-  std::string filled_property = "";
+  std::string filled_property = {};
   std::string vertex_count = "4";
   std::string face_count = "3";
 
@@ -36,13 +36,13 @@ struct OddPly {
     for (const char c : text) c == '|' ? out += eol : out += c;
     return out;
   }
-  std::string Vertex(uint8_t red, double x, double y, std::vector<int16_t> spare, double z) const {
+  std::string Vertex(uint8_t red, double x, double y, const std::vector<int16_t>& spare, double z) const {
     std::string out = Bytes(red, big_endian) + Bytes(x, big_endian) + Bytes(y, big_endian);
     out += static_cast<char>(spare.size());
     for (const int16_t value : spare) out += Bytes(value, big_endian);
     return out + Bytes(z, big_endian);
   }
-  std::string Face(int16_t kind, std::vector<int32_t> corners, std::vector<float> texcoord) const {
+  std::string Face(int16_t kind, const std::vector<int32_t>& corners, const std::vector<float>& texcoord) const {
     std::string out = Bytes(kind, big_endian) + Bytes(static_cast<uint32_t>(corners.size()), big_endian);
     for (const int32_t corner : corners) out += Bytes(corner, big_endian);
     out += static_cast<char>(texcoord.size());

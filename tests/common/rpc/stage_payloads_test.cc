@@ -44,8 +44,8 @@ SurveyRecord SomeRecord() {
     record.edges.push_back({i, (i + 1) % 3});
     record.band.points.push_back(v.position);
   }
-  record.band.points.push_back({105.5, -1995.25, 2.0009765625});  // on the lattice of 2^-10
-  record.band.points.push_back({111.1, -1994.4, 3.3});            // not on it
+  record.band.points.emplace_back(105.5, -1995.25, 2.0009765625);  // on the lattice of 2^-10
+  record.band.points.emplace_back(111.1, -1994.4, 3.3);            // not on it
   record.band.triangles = {{0, 1, 3}, {1, 2, 4}, {3, 4, 0}};
   return record;
 }
@@ -70,7 +70,7 @@ CellHoles SomeHoles() {
   }
   holes.holes = {{7, true, {{0, 1, false}, {1, 2, true}, {2, 0, true}}, 0.1},
                  {9, false, {{3, 2, false}}, std::nullopt, 12.25}};
-  holes.band.points.push_back({-1, -1, -1});
+  holes.band.points.emplace_back(-1, -1, -1);
   holes.band.triangles = {{0, 1, 4}, {2, 3, 4}};
   return holes;
 }
@@ -263,7 +263,7 @@ TEST(StagePayloadsTest, TruncatedSegmentsAreRefused) {
   for (const char* column : {"from", "to", "seam"}) {
     v1::CellHolesBlob proto = ToProto(SomeHoles());
     v1::HoleBoundary* hole = proto.mutable_holes(0);
-    hole->GetReflection()->RemoveLast(hole, hole->GetDescriptor()->FindFieldByName(column));
+    v1::HoleBoundary::GetReflection()->RemoveLast(hole, v1::HoleBoundary::GetDescriptor()->FindFieldByName(column));
     EXPECT_FALSE(FromProto(proto).ok()) << column;
   }
   v1::CellHolesBlob proto = ToProto(SomeHoles());

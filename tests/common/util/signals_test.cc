@@ -1,9 +1,9 @@
 #include "common/util/signals.h"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <future>
 #include <vector>
 
