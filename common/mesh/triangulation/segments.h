@@ -43,7 +43,7 @@ class SegmentInserter {
     int32_t spoke = -1;      // the half-edge between a and that vertex
   };
   Departure Leave(int32_t a, int32_t b) const;
-  std::optional<Obstacle> March(int32_t a, int32_t b, int32_t first);
+  std::optional<Obstacle> March(int32_t a, int32_t b, int32_t half_edge);
   void CollectLooseEdges(int32_t a, int32_t b);
   void FillSide(const std::vector<int32_t>& chain, bool left);
   void Join();
