@@ -84,7 +84,8 @@ absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output) {
     patch.failure = extent.failure();
     patch.new_vertices = extent.new_points();
     patch.triangles = extent.triangles();
-    if (v1::FillWay_IsValid(extent.way())) patch.way = static_cast<FillWay>(extent.way());
+    if (!v1::FillWay_IsValid(extent.way())) return absl::InvalidArgumentError("an unknown way of filling");
+    patch.way = static_cast<FillWay>(extent.way());
     if (extent.has_hold_out()) {
       TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
     }
@@ -276,6 +277,7 @@ class ScenePipeline : public JobPipeline {
     const bool filling = result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
     if (!filling || !(quarantined || absl::IsInternal(error))) return error;
     waves_.LeaveHoles(result.cell, reason);
+    rims_.erase(result.cell);
     return absl::OkStatus();
   }
 

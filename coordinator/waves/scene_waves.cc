@@ -101,6 +101,9 @@ absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
   for (const ClusterSample& sample : result.samples) {
     const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
     if (!status.ok()) return status;
+    if (!std::isfinite(sample.laplacian)) {
+      return absl::InvalidArgumentError(absl::StrCat("the Laplacian of vertex ", sample.vertex, " is no number"));
+    }
   }
   if (result.hold_out) {
     outcome_.of_clusters[result.cluster] = *result.hold_out;
@@ -148,15 +151,22 @@ void SceneWaves::TakeAssemble() {
 }
 
 void SceneWaves::LeaveHoles(CellId cell, const std::string& reason) {
-  if (const auto holes = holes_of_.find(cell); holes != holes_of_.end()) {
-    for (const int32_t h : holes->second) outcome_.failures[h] = reason;
-    holes_of_.erase(holes);
+  if (FailHoles(cell, reason)) {
     std::erase_if(ready_, [&](const Item& item) { return item.cell == cell && item.wave != Wave::kCluster; });
   }
   --awaited_;
 }
 
+bool SceneWaves::FailHoles(CellId cell, const std::string& reason) {
+  const auto holes = holes_of_.find(cell);
+  if (holes == holes_of_.end()) return false;
+  for (const int32_t h : holes->second) outcome_.failures[h] = reason;
+  holes_of_.erase(holes);
+  return true;
+}
+
 void SceneWaves::LeaveTile(CellId cell, const std::string& reason) {
+  FailHoles(cell, reason);
   outcome_.unwritten.push_back({cell, absl::StrCat("the tile is not written: ", reason)});
   --awaited_;
 }

@@ -55,8 +55,8 @@ class SceneWaves {
   // Whether all work is given out and its results are there, as of the last Next.
   bool done() const { return wave_ == Wave::kDone; }
 
-  // The results. kInvalidArgument if one names a hole, a vertex or a cluster that is not there, or a height that is no
-  // number; the scene cannot go on then.
+  // The results. kInvalidArgument if one names a hole, a vertex or a cluster that is not there, or a height or
+  // Laplacian that is no number; the scene cannot go on then.
   void TakeSurvey(CellId cell, SurveyRecord record);
   absl::Status TakeCluster(const ClusterSamples& result);
   absl::Status TakeLayer(const std::vector<SeamSample>& samples);
@@ -65,7 +65,7 @@ class SceneWaves {
 
   // In place of a result of ClusterWork, LayerWork or FillWork: the holes of `cell` stay open, for this reason.
   void LeaveHoles(CellId cell, const std::string& reason);
-  // In place of a result of AssembleWork.
+  // In place of a result of AssembleWork: the tile is not written, and so its holes are not filled.
   void LeaveTile(CellId cell, const std::string& reason);
 
   const Scene& scene() const { return scene_; }
@@ -102,6 +102,8 @@ class SceneWaves {
   void QueueFills();
   void QueueFill(CellId cell);
   void QueueAssembles();
+  // False if the cell has none, or they have failed already.
+  bool FailHoles(CellId cell, const std::string& reason);
   std::vector<int32_t> HolesOfLayer(const std::vector<int32_t>& holes) const;
   bool NeedsHeights(int32_t hole) const;
   bool CanBeFilled(CellId cell) const;

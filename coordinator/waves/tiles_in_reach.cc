@@ -11,6 +11,7 @@ std::set<CellId> TilesInReach(const CellHoles& cell, const Plan& plan, const Pla
   for (const CellHole& hole : cell.holes) {
     if (!hole.open && !hole.level) reaches.push_back(ReachOf(cell, hole));
   }
+  if (reaches.empty()) return {};
   std::set<CellId> candidates = {cell.cell}, tiles;
   for (const BorderAudit& border : plan.borders) {
     if (border.kind != BorderKind::kExact) continue;

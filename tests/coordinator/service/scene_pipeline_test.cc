@@ -131,6 +131,21 @@ TEST_F(ScenePipelineTest, SamplesOfAClusterThatIsNotThereFailTheJob) {
   EXPECT_TRUE(absl::IsInternal(status)) << status;
 }
 
+TEST_F(ScenePipelineTest, AnUnknownWayOfFillingFailsTheJobWhereItIsTold) {
+  bool assembled = false;
+  const absl::Status status = Run([&](TaskResult& result) {
+                                assembled = assembled || result.stage == Stage::kAssemble;
+                                if (result.stage != Stage::kFill) return;
+                                v1::FillOutput output;
+                                ASSERT_TRUE(output.ParseFromString(*result.output));
+                                for (auto& patch : *output.mutable_patches())
+                                  patch.set_way(static_cast<v1::FillWay>(99));
+                                result.output = output.SerializeAsString();
+                              }).status();
+  EXPECT_TRUE(absl::IsInternal(status)) << status;
+  EXPECT_FALSE(assembled);
+}
+
 absl::Status Quarantined() { return WithErrorInfo(absl::AbortedError("it killed three workers"), {"QUARANTINED", {}}); }
 
 TEST_F(ScenePipelineTest, OnlyAQuarantinedSurveyFailsTheJob) {
@@ -148,6 +163,22 @@ TEST_F(ScenePipelineTest, OnlyAQuarantinedSurveyFailsTheJob) {
         ReportOf(spec_.out)["left"][0]["reason"].get<std::string>(),
         stage == Stage::kAssemble ? "the tile is not written: it killed three workers" : "it killed three workers");
   }
+}
+
+TEST_F(ScenePipelineTest, TheHolesOfATileThatIsNotWrittenAreNotFilled) {
+  const CellId lost{1, 1};
+  const auto outcome = Run([&](TaskResult& result) {
+    if (result.stage == Stage::kAssemble && result.cell == lost) result.output = Quarantined();
+  });
+  ASSERT_TRUE(outcome.ok()) << outcome.status();
+  int holes = 0;
+  const nlohmann::json report = ReportOf(spec_.out);
+  for (const auto& row : report["per_hole"]) {
+    const bool in_lost = row["cell"] == nlohmann::json::array({lost.col, lost.row});
+    EXPECT_EQ(row["outcome"] == "filled", !in_lost) << row;
+    holes += in_lost;
+  }
+  EXPECT_GT(holes, 0);
 }
 
 TEST_F(ScenePipelineTest, AnErrorThatIsNotOfTheCellAloneFailsTheJob) {
