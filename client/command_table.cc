@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "client/commands.h"
-#include "client/job_flags.h"
 
 namespace tilemend {
 namespace {

@@ -125,7 +125,7 @@ RULES = {
         ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
-        ['common/util', 'common/grid', 'common/records', 'common/codec', 'common/store', 'coordinator/plan',
+        ['common/util', 'common/grid', 'common/records', 'common/codec', 'common/store', 'coordinator/plan/types',
          'coordinator/waves'],
         ['absl', 'json']),
 

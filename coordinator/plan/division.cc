@@ -34,7 +34,8 @@ class Divider {
         over_rim = SeamsOverRim::kNo;
       }
     }
-    return part_.lines.clipped ? division : TryOtherReadings(std::move(division), over_rim);
+    if (part_.lines.clipped) return division;
+    return TryOtherReadings(std::move(division), over_rim);
   }
 
   Division DivideTile(const ClosingCells& closing) const {
@@ -82,7 +83,8 @@ class Divider {
       trouble = TroubleOf(last);
       if (CountFailures(last) < CountFailures(best)) best = last;
     }
-    return CountFailures(last) == CountFailures(best) ? last : best;
+    if (CountFailures(last) == CountFailures(best)) return last;
+    return best;
   }
 
   static size_t CountFailures(const Division& division) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/records/cell_holes.h"
-#include "coordinator/plan/plan.h"
 #include "coordinator/plan/seam/seam_heights.h"
+#include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/records/surface.h"
-#include "coordinator/plan/plan.h"
+#include "coordinator/plan/types/plan_types.h"
 #include "coordinator/waves/scene_outcome.h"
 
 namespace tilemend {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "coordinator/plan/plan.h"
+#include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
 

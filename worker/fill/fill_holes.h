@@ -14,15 +14,16 @@ namespace tilemend {
 //
 //   FillWay       holes                                     see
 //   kCreases      closed, thin plate                        crease_fill.h
-//   kUnrolled     closed, thin plate, steep all around      unrolled_fill.h
+//   kUnrolled     closed, thin plate, steep                unrolled_fill.h
 //   kGround       open; closed if all around it faces up    plane_fill.h (kWater with CellHole::level)
 //   kOwnPlane     closed                                    plane_fill.h
 //   kFacingPlane  closed, thin plate                        plane_fill.h
 //   kUnrolled     closed, thin plate, not steep             unrolled_fill.h
 //   kSpace        closed                                    space_fill.h
-//   kFoldsCut     all, over the same planes                 plane_fill.h, fold_cutting.h
+//   kFoldsCut     all but water, same planes                plane_fill.h, fold_cutting.h
 //
-// New vertices of water (CellHole::level) all get its level; the rest is the same.
+// A closed hole with a level (CellHole::level) is filled as kWater, over the ground, its folds cut off if need be, else
+// in space. New vertices of water all get its level.
 //
 // A patch of a closed hole that is no height over the ground is taken only if it crosses neither itself, nor `near`,
 // nor the patches of the cell's holes before it, and folds back on none (patch_soundness.h); else the next way is

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "common/mesh/edge_loops.h"
+#include "common/mesh/segment_distance.h"
 
 namespace tilemend {
 namespace {
@@ -33,12 +34,6 @@ bool IsCrack(std::span<const RimSegment> loop, const std::vector<Point3>& positi
     const Eigen::Vector3d d = (position[s.to] - position[s.from]).normalized();
     return std::abs(d.dot(axis)) >= std::cos(kCrackAngle_rad);
   });
-}
-
-double DistanceToSegment(const Point3& p, const Point3& a, const Point3& b) {
-  const Eigen::Vector3d d = b - a;
-  const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (p - a - t * d).norm();
 }
 
 // Every vertex within the threshold of some edge that it is no end of. Stops at the first that is not, so it is cheap

@@ -46,10 +46,9 @@ void AddLoop(const PlanInput& input, const GridLines& lines, const Rim& rim, con
 void AddSeam(const PlanInput& input, const Rim& rim, const RimIndex& index, const Seam& seam,
              CellBoundaries& boundaries) {
   const auto rim_points = static_cast<int32_t>(rim.points.size());
-  // Going north along a vertical line, a (west) is on the left; going east along a horizontal one, b (north) is.
-  const bool vertical = seam.a.row == seam.b.row;
-  const CellId left = vertical ? seam.a : seam.b, right = vertical ? seam.b : seam.a;
-  const Side side_of_left = vertical ? kEast : kSouth;
+  const Border border(seam.a, seam.b);
+  const CellId left = LeftOf(border), right = RightOf(border);
+  const Side side_of_left = IsVertical(border) ? kEast : kSouth;
   for (size_t i = 0; i + 1 < seam.vertices.size(); ++i) {
     const int32_t p = seam.vertices[i], q = seam.vertices[i + 1];
     if (p < rim_points && q < rim_points && index.EdgeBetween(p, q) >= 0) continue;

@@ -5,14 +5,13 @@
 #include <set>
 #include <unordered_map>
 
+#include "common/mesh/edge_key.h"
+#include "coordinator/plan/types/cell_side.h"
+
 namespace tilemend {
 namespace {
 
-uint64_t Key(int32_t from, int32_t to) {
-  return static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32 | static_cast<uint32_t>(to);
-}
-
-uint64_t UndirectedKey(int32_t a, int32_t b) { return Key(std::min(a, b), std::max(a, b)); }
+uint64_t UndirectedKey(int32_t a, int32_t b) { return EdgeKey(std::min(a, b), std::max(a, b)); }
 
 // The hole at each seam segment.
 std::unordered_map<uint64_t, int32_t> HolesAtSeams(const Plan& plan, uint64_t (*key)(int32_t, int32_t)) {
@@ -35,7 +34,7 @@ struct Stretch {
 }  // namespace
 
 std::vector<std::pair<int32_t, int32_t>> HolesThatTouch(const Plan& plan) {
-  const auto hole_at = HolesAtSeams(plan, Key);
+  const auto hole_at = HolesAtSeams(plan, EdgeKey);
   std::set<std::pair<int32_t, int32_t>> pairs;
   for (const auto& [key, hole] : hole_at) {
     const auto other = hole_at.find(key << 32 | key >> 32);
@@ -48,7 +47,7 @@ std::vector<std::pair<int32_t, int32_t>> HolesThatFace(const Plan& plan) {
   const auto hole_at = HolesAtSeams(plan, UndirectedKey);
   std::map<std::pair<CellId, CellId>, std::vector<Stretch>> along;
   for (const Seam& seam : plan.seams) {
-    const int axis = seam.a.row == seam.b.row ? 1 : 0;
+    const int axis = AxisAlong({seam.a, seam.b});
     const auto hole = hole_at.find(UndirectedKey(seam.vertices[0], seam.vertices[1]));
     if (hole == hole_at.end()) continue;
     along[{seam.a, seam.b}].push_back({plan.vertices[seam.vertices.front()].position[axis],

@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/mesh/segment_distance.h"
+
 namespace tilemend {
 namespace {
 
 constexpr double kPlane = 2e-3;     // metres: an edge whose ends agree to this lies in a plane across that axis
 constexpr double kOtherWay = -0.3;  // cosine between edges that run along each other, one this way, one that
-
-double SegmentDistance(const Point3& p, const Point3& a, const Point3& b) {
-  const Eigen::Vector3d d = b - a;
-  const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (p - a - t * d).norm();
-}
 
 // Whether ab and cd both lie in planes across one axis.
 bool ShareAxis(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
@@ -45,7 +41,7 @@ class BorderFinder {
       if ((b - a).dot(d - c) > kOtherWay * (b - a).norm() * (d - c).norm() || !ShareAxis(a, b, c, d)) continue;
       const Eigen::Vector3d left = (rim_.points[e.from].normal + rim_.points[e.to].normal).cross(b - a);
       if (loop_of_[i] == loop_of_[edge] && left.dot((c + d) / 2 - middle) <= 0) continue;
-      const double distance = SegmentDistance(middle, c, d);
+      const double distance = DistanceToSegment(middle, c, d);
       if (distance <= reach_ && (best < 0 || distance < best)) best = distance;
     }
     return best;

@@ -62,13 +62,12 @@ double Overlap(const Interval& interval, const std::vector<Interval>& others) {
 // A stretch of border where two tiles both end at the line but their vertices differ by less than the tolerance is a
 // hairline, with an edge of either tile on each side. All of it goes to the lower cell.
 void CloseHairlines(const PlanInput& input, const GridLines& lines, const Rim& rim, ClosingCells& closing) {
-  using Border = std::pair<CellId, CellId>;
   std::map<Border, std::array<std::vector<Interval>, 2>> along;  // edges of the lower and of the upper cell's tile
   for (size_t i = 0; i < rim.edges.size(); ++i) {
     const RimEdge& e = rim.edges[i];
     if (closing[i] == e.owner || !input.cells.contains(closing[i])) continue;
     const Border border = std::minmax(e.owner, closing[i]);
-    const int axis = e.owner.row == closing[i].row ? 1 : 0;
+    const int axis = AxisAlong(border);
     const double a = rim.points[e.from].position[axis], b = rim.points[e.to].position[axis];
     along[border][e.owner == border.second].push_back({std::min(a, b), std::max(a, b), static_cast<int32_t>(i)});
   }

@@ -8,15 +8,12 @@
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
+#include "common/mesh/edge_key.h"
 #include "common/mesh/edge_loops.h"
 #include "common/mesh/position_index.h"
 
 namespace tilemend {
 namespace {
-
-uint64_t EdgeKey(int32_t from, int32_t to) {
-  return static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32 | static_cast<uint32_t>(to);
-}
 
 // All boundary vertices and edges of all tiles, before matching.
 void CollectEdges(const PlanInput& input, bool weld_tiles, Rim& rim) {

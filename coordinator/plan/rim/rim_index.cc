@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/mesh/segment_distance.h"
+
 namespace tilemend {
 namespace {
 
@@ -22,13 +24,6 @@ bool Meet(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
   };
   return (d1 == 0 && within(p, q, a)) || (d2 == 0 && within(p, q, b)) || (d3 == 0 && within(a, b, p)) ||
          (d4 == 0 && within(a, b, q));
-}
-
-double SegmentDistance(const Point2& p, const Point2& a, const Point2& b) {
-  const Point2 d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
 }
 
 Point2 PlaceOf(const Rim& rim, int32_t point) { return rim.points[point].position.head<2>(); }
@@ -132,7 +127,7 @@ double RimIndex::Distance(const Point2& p, double limit) const {
   double best = limit;
   const Point2 reach = Point2::Constant(limit);
   for (const int32_t i : EdgesIn(p - reach, p + reach)) {
-    best = std::min(best, SegmentDistance(p, At(rim_.edges[i].from), At(rim_.edges[i].to)));
+    best = std::min(best, DistanceToSegment(p, At(rim_.edges[i].from), At(rim_.edges[i].to)));
   }
   return best;
 }

@@ -10,21 +10,13 @@
 
 namespace tilemend {
 
-// A border between two cells, at least one of them in the area; second is east or north of first.
-using Border = std::pair<CellId, CellId>;
 // The grid corner at the south-west of a cell.
 using Corner = CellId;
 
-inline bool IsVertical(const Border& b) { return b.first.row == b.second.row; }
-inline int AxisAlong(const Border& b) { return IsVertical(b) ? 1 : 0; }
 inline Corner LowCorner(const Border& b) { return b.second; }
 inline Corner HighCorner(const Border& b) {
   return IsVertical(b) ? Corner{b.second.col, b.second.row + 1} : Corner{b.second.col + 1, b.second.row};
 }
-
-// The cells on either side of the way along a border towards its high corner.
-inline CellId LeftOf(const Border& b) { return IsVertical(b) ? b.first : b.second; }
-inline CellId RightOf(const Border& b) { return IsVertical(b) ? b.second : b.first; }
 
 // The borders of all cells of the area, each once, ascending.
 std::vector<Border> BordersOf(const std::set<CellId>& area);

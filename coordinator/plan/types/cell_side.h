@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <utility>
 
 #include "common/grid/scene.h"
 
@@ -39,6 +40,16 @@ inline bool AreDiagonal(CellId a, CellId b) { return std::abs(b.col - a.col) == 
 inline CellId RightOfDiagonal(CellId a, CellId b) {
   return (b.col - a.col) * (b.row - a.row) > 0 ? CellId{b.col, a.row} : CellId{a.col, b.row};
 }
+
+// A border between two cells; second is east or north of first.
+using Border = std::pair<CellId, CellId>;
+
+inline bool IsVertical(const Border& b) { return b.first.row == b.second.row; }
+inline int AxisAlong(const Border& b) { return IsVertical(b) ? 1 : 0; }
+
+// The cells on either side of the way along a border to the north or east.
+inline CellId LeftOf(const Border& b) { return IsVertical(b) ? b.first : b.second; }
+inline CellId RightOf(const Border& b) { return IsVertical(b) ? b.second : b.first; }
 
 }  // namespace tilemend
 

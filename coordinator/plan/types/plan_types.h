@@ -2,10 +2,8 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_TYPES_PLAN_TYPES_H_
 #define TILEMEND_COORDINATOR_PLAN_TYPES_PLAN_TYPES_H_
 
-#include <array>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 

@@ -146,10 +146,9 @@ class PartView {
   Vector3d normal_ = Vector3d::Zero();
 };
 
-std::vector<PartCorner> WholeLoop(const RimLoop& loop) {
-  const std::vector<Vector3d> normals = EvenNormals(loop);
+std::vector<PartCorner> WholeLoop(const LocalHole& hole, const RimLoop& loop) {
   std::vector<PartCorner> corners;
-  for (int32_t i = 0; i < loop.size(); ++i) corners.push_back({loop.vertices[i], normals[i], false});
+  for (const int32_t v : loop.vertices) corners.push_back({v, hole.normals[v], false});
   return corners;
 }
 
@@ -174,7 +173,7 @@ std::vector<PartBoundary> CutAlong(const CreaseNetwork& network, const LocalHole
       nearest = &parts[k];
     }
     if (nearest == nullptr) return {};
-    nearest->push_back(WholeLoop(hole.loops[l]));
+    nearest->push_back(WholeLoop(hole, hole.loops[l]));
   }
   return parts;
 }

@@ -55,8 +55,6 @@ class CellBand {
     return Eigen::Vector3d::Zero();
   }
 
-  bool HasEdge(int32_t a, int32_t b) const { return CountEdge(a, b) > 0; }
-
   // The triangles at an edge between two rim vertices.
   int CountEdge(int32_t a, int32_t b) const {
     const auto originals = std::count_if(at_[a].begin(), at_[a].end(), [&](int32_t t) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "common/mesh/lattice.h"
+#include "worker/fill/region/planar_region.h"
 
 namespace tilemend {
 namespace {
@@ -60,15 +60,9 @@ bool FacesUp(const LocalHole& hole) {
 
 bool LiesInHeightField(const LocalHole& hole) {
   if (!FacesUp(hole)) return false;
-  Point2 lo = hole.positions[0].head<2>(), hi = lo;
-  for (const Point3& p : hole.positions) {
-    lo = lo.cwiseMin(p.head<2>());
-    hi = hi.cwiseMax(p.head<2>());
-  }
-  const LatticeWindow window(lo, hi);
-  std::vector<LatticePoint> points;
-  for (const Point3& p : hole.positions) points.push_back(window.Round(p.head<2>()));
-  return TriangulateRegion(points, hole.segments).conflicts.empty();
+  std::vector<Point2> flat;
+  for (const Point3& p : hole.positions) flat.emplace_back(p.head<2>());
+  return TriangulateRegion(RoundToWindow(flat, hole.sizes).points, hole.segments).conflicts.empty();
 }
 
 }  // namespace tilemend

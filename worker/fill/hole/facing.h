@@ -15,8 +15,8 @@ Eigen::Vector3d FacingOf(const LocalHole& hole);
 // rim, the one across it. (Badoiu and Clarkson 2003: steps of 1 / k to the normal furthest away.)
 Eigen::Vector3d WidestView(const LocalHole& hole);
 
-// Whether the surface around the hole is too steep over every plane for triangles that are well shaped there to be well
-// shaped in space.
+// Whether the surface around the hole is too steep over the plane that it faces for triangles that are well shaped
+// there to be well shaped in space.
 bool IsSteep(const LocalHole& hole);
 
 // Whether all band triangles at the hole face up.

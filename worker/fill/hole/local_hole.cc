@@ -101,8 +101,9 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.open = hole.open;
   local.tension = hole.tension;
   local.level = hole.level;
-  for (std::vector<int32_t>& loop : LoopsOf(local.segments)) local.loops.push_back(LoopOver(local, std::move(loop)));
   local.normals.assign(local.vertices.size(), Vector3d::Zero());
+  if (hole.open) return local;
+  for (std::vector<int32_t>& loop : LoopsOf(local.segments)) local.loops.push_back(LoopOver(local, std::move(loop)));
   std::vector<bool> found(local.vertices.size(), false);
   for (const RimLoop& loop : local.loops) {
     const std::vector<Vector3d> normals = EvenNormals(loop);

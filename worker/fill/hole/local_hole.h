@@ -53,7 +53,8 @@ struct LocalHole {
 // equation.
 LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<const RimSegment> segments);
 
-// The hole with its loops and normals. O(n log n).
+// The hole; a closed one with its loops and normals (an open one is filled over the plane, which takes neither).
+// O(n log n).
 LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellHole& hole);
 
 // A vertex on the boundary of a part of a hole.

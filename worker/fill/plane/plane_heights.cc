@@ -4,6 +4,7 @@
 
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/fair_heights.h"
+#include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {

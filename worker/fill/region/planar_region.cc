@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/mesh/vertex_lists.h"
+
 namespace tilemend {
 
 PlanarPoints RoundToWindow(std::span<const Point2> flat, std::span<const double> sizes) {
@@ -46,23 +48,20 @@ void MoveNewPoints(const LatticeWindow& window, const std::function<std::array<P
                    std::span<const LatticePoint> points, std::span<const RegionSegment> segments,
                    RefinedRegion& region) {
   const auto rim = static_cast<int32_t>(points.size());
-  std::vector<std::vector<int32_t>> around(region.new_points.size());
   const std::vector<Triangle>& triangles = region.triangulation.triangles;
-  for (size_t t = 0; t < triangles.size(); ++t) {
-    for (const int32_t v : triangles[t]) {
-      if (v >= rim) around[v - rim].push_back(static_cast<int32_t>(t));
-    }
-  }
+  const VertexLists corners = CornersAt(triangles, points.size() + region.new_points.size());
   const auto at = [&](int32_t v) { return v < rim ? points[v] : region.new_points[v - rim]; };
-  std::vector<bool> kept(around.size(), true);
-  for (size_t k = 0; k < around.size(); ++k) {
+  std::vector<bool> kept(region.new_points.size(), true);
+  for (size_t k = 0; k < kept.size(); ++k) {
     const LatticePoint before = region.new_points[k];
+    const std::span<const int32_t> around = corners.Of(rim + static_cast<int32_t>(k));
     const std::array<Point2, 2> wanted = places(window.ToMetres(before));
     kept[k] = std::any_of(wanted.begin(), wanted.end(), [&](const Point2& q) {
       region.new_points[k] = window.Round(q);
       return window.ToMetres(region.new_points[k]) == q &&
-             std::all_of(around[k].begin(), around[k].end(), [&](int32_t t) {
-               return Orientation(at(triangles[t][0]), at(triangles[t][1]), at(triangles[t][2])) > 0;
+             std::all_of(around.begin(), around.end(), [&](int32_t corner) {
+               const Triangle& t = triangles[corner >> 2];
+               return Orientation(at(t[0]), at(t[1]), at(t[2])) > 0;
              });
     });
     if (!kept[k]) region.new_points[k] = before;

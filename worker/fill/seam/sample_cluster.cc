@@ -13,6 +13,7 @@
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/seam/seam_chains.h"
 #include "worker/fill/surface/choose_tension.h"
+#include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {
@@ -26,13 +27,12 @@ constexpr double kCoarseGradation = 1.3;
 // The cluster with its triangles and seam vertices `coarsening` times as large and far apart as the options say.
 class ClusterSampler {
  public:
-  ClusterSampler(const CellHoles& cluster, const FillOptions& options, double coarsening)
+  ClusterSampler(const CellHoles& cluster, const CellBand& band, const FillOptions& options, double coarsening)
       : cluster_(cluster),
-        band_(cluster),
         options_(options),
         coarsening_(coarsening),
         chains_(SeamChains(cluster)),
-        hole_(NumberVertices(cluster, band_, ThinnedSegments())) {}
+        hole_(NumberVertices(cluster, band, ThinnedSegments())) {}
 
   // Whether the triangulation has no more unknowns than the budget allows. False also where there is none.
   bool Triangulate(int64_t most_unknowns) {
@@ -195,7 +195,6 @@ class ClusterSampler {
   }
 
   const CellHoles& cluster_;
-  const CellBand band_;
   const FillOptions& options_;
   const double coarsening_;
   const std::vector<SeamChain> chains_;
@@ -211,9 +210,10 @@ class ClusterSampler {
 
 std::optional<ClusterSurface> SampleCluster(const CellHoles& cluster, const FillOptions& options,
                                             int64_t most_unknowns) {
+  const CellBand band(cluster);
   double coarsening = 1;
   for (int round = 0; round < kMostCoarsenings; ++round, coarsening *= 2) {
-    ClusterSampler sampler(cluster, options, coarsening);
+    ClusterSampler sampler(cluster, band, options, coarsening);
     const bool fits = sampler.Triangulate(most_unknowns);
     if (sampler.has_conflicts()) return std::nullopt;
     if (fits) return sampler.Solve();

@@ -2,9 +2,9 @@
 #ifndef TILEMEND_WORKER_FILL_SPACE_SURFACE_INDEX_H_
 #define TILEMEND_WORKER_FILL_SPACE_SURFACE_INDEX_H_
 
-#include <cstdint>
 #include <vector>
 
+#include "common/mesh/bin_grid.h"
 #include "common/mesh/tri_mesh.h"
 #include "worker/fill/space/patch_crossings.h"
 
@@ -21,18 +21,8 @@ class SurfaceIndex {
   void AppendNear(const Point3& lo, const Point3& hi, std::vector<SpaceTriangle>& found) const;
 
  private:
-  int64_t ColumnOf(double x) const;
-  int64_t RowOf(double y) const;
-  // Calls visit(bin) for every bin that the box meets.
-  template <typename Visit>
-  void ForBins(const Point3& lo, const Point3& hi, const Visit& visit) const;
-
   TriMesh mesh_;
-  Point3 lo_{0, 0, 0};
-  double step_ = 1;
-  int64_t columns_ = 1, rows_ = 1;
-  std::vector<int32_t> first_;      // of each bin into triangles_
-  std::vector<int32_t> triangles_;  // bin by bin
+  BinGrid bins_;  // of triangles
 };
 
 }  // namespace tilemend

@@ -3,7 +3,6 @@
 #define TILEMEND_WORKER_FILL_SURFACE_CHOOSE_TENSION_H_
 
 #include "common/records/cell_holes.h"
-#include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/thin_plate_problem.h"
 
 namespace tilemend {

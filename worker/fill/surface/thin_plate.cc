@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/mesh/triangle_shape.h"
 #include "worker/fill/surface/direct_solver.h"
 #include "worker/fill/surface/two_level_solver.h"
 
@@ -15,8 +16,7 @@ constexpr int kMostTightenings = 8;  // up to 10^8 / extent^2: as good as a memb
 
 // The slope of a triangle; infinite if it faces down or stands upright.
 double Slope(const ThinPlateProblem& problem, const Triangle& t) {
-  const Point3 &a = problem.points[t[0]], &b = problem.points[t[1]], &c = problem.points[t[2]];
-  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const Eigen::Vector3d normal = TwiceVectorArea(problem.points, t);
   return normal.z() > 0 ? normal.head<2>().norm() / normal.z() : std::numeric_limits<double>::infinity();
 }
 
