@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/edge_loops.h"
 #include "common/records/cell_holes.h"
 #include "worker/survey/survey.h"
 
@@ -56,6 +57,17 @@ inline void ExpectClosesHole(const CellHoles& work, const CellHole& hole, const 
   }
 }
 
+// Loop by loop, as the plan hands them out.
+inline std::vector<RimSegment> InOrderOfLoops(const std::vector<RimSegment>& segments) {
+  std::vector<DirectedEdge> edges;
+  for (const RimSegment& s : segments) edges.push_back({s.from, s.to});
+  std::vector<RimSegment> ordered;
+  for (const EdgeWalk& walk : LinkEdges(edges)) {
+    for (const int32_t edge : walk.edges) ordered.push_back(segments[edge]);
+  }
+  return ordered;
+}
+
 // One hole with those boundary edges of the mesh for which `of_hole(from, to)` holds, as the plan would hand it out.
 inline CellHoles WorkOf(const TriMesh& mesh, bool open,
                         const std::function<bool(const Point3&, const Point3&)>& of_hole) {
@@ -83,6 +95,7 @@ inline CellHoles WorkOf(const TriMesh& mesh, bool open,
       hole.segments.push_back({e.to, e.from, false});
     }
   }
+  hole.segments = InOrderOfLoops(hole.segments);
   work.holes.push_back(std::move(hole));
   return work;
 }

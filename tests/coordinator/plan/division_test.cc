@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "coordinator/plan/plan.h"
+#include "tests/support/plan_checks.h"
 #include "tests/support/surveyed_scene.h"
 
 namespace tilemend {
@@ -18,16 +19,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-using Picture = std::vector<std::string>;
-
-Plan PlanOf(const SurveyedScene& scene) { return MakePlan(scene.Input(), {}); }
-Plan PlanOf(const Picture& picture, int32_t squares = 4) { return PlanOf(PictureScene(picture, squares)); }
-
-void ExpectSound(const Plan& plan) {
-  EXPECT_THAT(plan.left, IsEmpty());
-  for (const PlannedHole& hole : plan.holes) EXPECT_EQ(hole.failure, "");
-}
 
 TEST(DivideSceneTest, MeetsFourSeamsInOneVertexWhereAGridCornerLiesInAHole) {
   const Plan plan = PlanOf(Picture{"####|####",  //

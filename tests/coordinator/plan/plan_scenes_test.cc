@@ -16,6 +16,7 @@
 
 #include "common/mesh/rounding.h"
 #include "coordinator/plan/plan.h"
+#include "tests/support/plan_checks.h"
 #include "tests/support/scene_maker.h"
 #include "tests/support/surveyed_scene.h"
 
@@ -42,7 +43,6 @@ SceneMakerOptions EveryKindOfHole(Cut cut, uint64_t seed) {
   return options;
 }
 
-Plan PlanOf(const SurveyedScene& scene) { return MakePlan(scene.Input(), {}); }
 Plan PlanOf(const SceneMakerOptions& options) { return PlanOf(SurveyScene(MakeScene(options))); }
 
 double OpenArea(const Plan& plan) {

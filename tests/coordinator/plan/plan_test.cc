@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/plan_checks.h"
 #include "tests/support/surveyed_scene.h"
 
 namespace tilemend {
@@ -19,25 +20,6 @@ using ::testing::Each;
 using ::testing::Field;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-using Picture = std::vector<std::string>;
-
-Plan PlanOf(const SurveyedScene& scene) { return MakePlan(scene.Input(), {}); }
-Plan PlanOf(const Picture& picture, int32_t squares = 4) { return PlanOf(PictureScene(picture, squares)); }
-
-// Holes with a failure, holes whose segments do not close: what no plan may have here.
-void ExpectSound(const Plan& plan) {
-  EXPECT_THAT(plan.left, IsEmpty());
-  for (size_t h = 0; h < plan.holes.size(); ++h) {
-    EXPECT_EQ(plan.holes[h].failure, "");
-    std::map<int32_t, int> balance;
-    for (const RimSegment& s : plan.holes[h].segments) {
-      ++balance[s.from];
-      --balance[s.to];
-    }
-    for (const auto& [vertex, n] : balance) EXPECT_EQ(n, 0) << "hole " << h << ": as many segments in as out";
-  }
-}
 
 // The area to the left of the segments, seen from above.
 double BoundedArea(const Plan& plan, const PlannedHole& hole) {
@@ -54,6 +36,13 @@ TEST(MakePlanTest, FindsNoHolesInAWholeSurface) {
   ExpectSound(plan);
   EXPECT_EQ(CountsOf(plan), "none");
   EXPECT_THAT(plan.seams, IsEmpty());
+}
+
+TEST(MakePlanTest, TilesWithAnOpenBorderAreNotApart) {
+  const Plan plan = PlanOf(Picture{"##|..", "##|.."}, 2);
+  EXPECT_FALSE(plan.tiles_apart);
+  ASSERT_THAT(plan.borders, SizeIs(1));
+  EXPECT_EQ(plan.borders[0].kind, BorderKind::kOpen);
 }
 
 TEST(MakePlanTest, FindsAClosedHole) {

@@ -86,6 +86,15 @@ TEST_F(SceneReportTest, TellsWhatIsLeftOfThePlanThenOfTilesThenOfHoles) {
   EXPECT_EQ(left[2]["open_edges"], 7);
 }
 
+TEST_F(SceneReportTest, MarksWhatIsOpenByRight) {
+  plan_.left.push_back({{0, 0}, "the outline of a piece", -1, 12, false});
+  const Json left = Report()["left"];
+  ASSERT_EQ(left.size(), 3U);
+  EXPECT_FALSE(left[0].contains("expected"));
+  EXPECT_EQ(left[1]["reason"], "the outline of a piece");
+  EXPECT_EQ(left[1]["expected"], true);
+}
+
 TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   plan_.holes[1].water = 0;
   input_.outcome.sizes[1].way = FillWay::kWater;

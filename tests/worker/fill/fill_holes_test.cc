@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/support/mesh_builders.h"
@@ -68,27 +69,35 @@ CellHoles MovedWork(CellHoles work, const std::function<Point3(const Point3&)>& 
   return work;
 }
 
-HolePatch Fill(const CellHoles& work) { return FillHoles(work, {}).at(0); }
+FillOptions With(Surface surface) {
+  FillOptions options;
+  options.surface = surface;
+  return options;
+}
 
 double Waves(double x, double y) { return std::sin(x * 0.7) + 0.5 * std::cos(y * 0.9 + x * 0.2); }
 
-// However the rim runs, and with either surface.
-TEST(FillHolesTest, WaterIsFlat) {
-  for (const Surface surface : {Surface::kWang, Surface::kThinPlate}) {
-    for (const bool open : {false, true}) {
-      CellHoles work = HoleOf(kHoleWithIsland, Waves, open);
-      work.holes[0].level = -0.25;
-      FillOptions options;
-      options.surface = surface;
-      const HolePatch patch = FillHoles(work, options).at(0);
-      ExpectClosesHole(work, work.holes[0], patch);
-      EXPECT_FALSE(patch.new_points.empty());
-      for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), -0.25);
-    }
+// With either surface.
+class FillHolesTest : public testing::TestWithParam<Surface> {
+ protected:
+  static HolePatch Fill(const CellHoles& work) { return FillHoles(work, With(GetParam())).at(0); }
+};
+INSTANTIATE_TEST_SUITE_P(Surfaces, FillHolesTest, testing::Values(Surface::kWang, Surface::kThinPlate),
+                         [](const auto& test) { return test.param == Surface::kWang ? "Wang" : "ThinPlate"; });
+
+// However the rim runs.
+TEST_P(FillHolesTest, WaterIsFlat) {
+  for (const bool open : {false, true}) {
+    CellHoles work = HoleOf(kHoleWithIsland, Waves, open);
+    work.holes[0].level = -0.25;
+    const HolePatch patch = Fill(work);
+    ExpectClosesHole(work, work.holes[0], patch);
+    EXPECT_FALSE(patch.new_points.empty());
+    for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), -0.25);
   }
 }
 
-TEST(FillHolesTest, FillsAPlanarSquareHole) {
+TEST_P(FillHolesTest, FillsAPlanarSquareHole) {
   const CellHoles work = HoleOf(kSquareHole);
   const HolePatch patch = Fill(work);
   ExpectClosesHole(work, work.holes[0], patch);
@@ -97,7 +106,7 @@ TEST(FillHolesTest, FillsAPlanarSquareHole) {
   for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), 0);
 }
 
-TEST(FillHolesTest, PutsNewVerticesOnTheLattice) {
+TEST_P(FillHolesTest, PutsNewVerticesOnTheLattice) {
   CellHoles work = HoleOf(kSquareHole, Waves);
   work.lattice_step = 0x1p-4;
   const HolePatch patch = Fill(work);
@@ -105,7 +114,7 @@ TEST(FillHolesTest, PutsNewVerticesOnTheLattice) {
   for (const Point3& p : patch.new_points) EXPECT_EQ((p * 16).array().round().matrix(), p * 16) << p.transpose();
 }
 
-TEST(FillHolesTest, NamesOriginalVerticesAndMakesNoneAgain) {
+TEST_P(FillHolesTest, NamesOriginalVerticesAndMakesNoneAgain) {
   const CellHoles work = HoleOf(kSquareHole, Waves);
   const HolePatch patch = Fill(work);
   std::set<int32_t> named, made, rim;
@@ -120,7 +129,7 @@ TEST(FillHolesTest, NamesOriginalVerticesAndMakesNoneAgain) {
   }
 }
 
-TEST(FillHolesTest, FacesUpOverAHeightField) {
+TEST_P(FillHolesTest, FacesUpOverAHeightField) {
   const CellHoles work = HoleOf(kSquareHole, Waves, true);
   const HolePatch patch = Fill(work);
   ExpectClosesHole(work, work.holes[0], patch);
@@ -128,7 +137,7 @@ TEST(FillHolesTest, FacesUpOverAHeightField) {
 }
 
 // A closed hole in ground of 45 degrees and more (a ring of an elevation model), which a fill in space folds over.
-TEST(FillHolesTest, DoesNotFoldOverSteepGround) {
+TEST(FillWithAThinPlateTest, DoesNotFoldOverSteepGround) {
   constexpr int32_t kRim = 18;  // its vertices come first
   TriMesh mesh;
   mesh.points = {
@@ -150,14 +159,12 @@ TEST(FillHolesTest, DoesNotFoldOverSteepGround) {
     return std::find(mesh.points.begin(), mesh.points.begin() + kRim, p) != mesh.points.begin() + kRim;
   };
   const CellHoles work = WorkOf(mesh, false, [&](const Point3& a, const Point3& b) { return on_rim(a) && on_rim(b); });
-  FillOptions options;
-  options.surface = Surface::kThinPlate;
-  const HolePatch patch = FillHoles(work, options).at(0);
+  const HolePatch patch = FillHoles(work, With(Surface::kThinPlate)).at(0);
   ExpectClosesHole(work, work.holes[0], patch);
   for (const Triangle& t : patch.triangles) EXPECT_GT(AreaVector2(work, patch, t).z(), 0);
 }
 
-TEST(FillHolesTest, StaysOnATiltedPlane) {
+TEST_P(FillHolesTest, StaysOnATiltedPlane) {
   const auto plane = [](double x, double y) { return 0.5 * x - 0.25 * y + 3; };
   const CellHoles work = HoleOf(kSquareHole, plane);
   const HolePatch patch = Fill(work);
@@ -168,7 +175,7 @@ TEST(FillHolesTest, StaysOnATiltedPlane) {
 // x from z, y from x, z from y: a turn, so that what faced up faces +x.
 Point3 Upend(const Point3& p) { return {p.z(), p.x(), p.y()}; }
 
-TEST(FillHolesTest, FillsAHoleInAFacadeThatFacesPlusX) {
+TEST_P(FillHolesTest, FillsAHoleInAFacadeThatFacesPlusX) {
   const CellHoles work = MovedWork(HoleOf(kSquareHole), Upend);
   const HolePatch patch = Fill(work);
   ExpectClosesHole(work, work.holes[0], patch);
@@ -176,28 +183,28 @@ TEST(FillHolesTest, FillsAHoleInAFacadeThatFacesPlusX) {
   for (const Triangle& t : patch.triangles) EXPECT_GT(AreaVector2(work, patch, t).x(), 0);
 }
 
-TEST(FillHolesTest, FillsAFacadeLikeTheGround) {
+TEST_P(FillHolesTest, FillsAFacadeLikeTheGround) {
   const CellHoles ground = HoleOf(kHoleWithIsland, Waves), facade = MovedWork(ground, Upend);
   const HolePatch flat = Fill(ground), upright = Fill(facade);
   ExpectClosesHole(facade, facade.holes[0], upright);
   EXPECT_NEAR(PatchArea(facade, upright), PatchArea(ground, flat), 0.02 * PatchArea(ground, flat));
 }
 
-TEST(FillHolesTest, LeavesAnIslandInTheHole) {
+TEST_P(FillHolesTest, LeavesAnIslandInTheHole) {
   const CellHoles work = HoleOf(kHoleWithIsland);
   const HolePatch patch = Fill(work);
   ExpectClosesHole(work, work.holes[0], patch);
   EXPECT_NEAR(PatchArea(work, patch), 8 * 6 - 3 * 2, 1e-9);
 }
 
-TEST(FillHolesTest, FillsAHoleThatTouchesItself) {
+TEST_P(FillHolesTest, FillsAHoleThatTouchesItself) {
   const CellHoles work = HoleOf(kPinchedHole);
   const HolePatch patch = Fill(work);
   ExpectClosesHole(work, work.holes[0], patch);
   EXPECT_NEAR(PatchArea(work, patch), 18, 1e-9);
 }
 
-TEST(FillHolesTest, FillsAHoleOfOneTriangle) {
+TEST_P(FillHolesTest, FillsAHoleOfOneTriangle) {
   TriMesh mesh = DiscMesh(3, 8);
   mesh.triangles.erase(mesh.triangles.begin());
   const auto inner = [](const Point3& a, const Point3& b) { return a.norm() < 2 && b.norm() < 2; };
@@ -209,7 +216,7 @@ TEST(FillHolesTest, FillsAHoleOfOneTriangle) {
 
 // A box without its top corner: the three faces that meet there keep all but the squares at it, so that the hole's
 // boundary turns about a corner of space.
-TEST(FillHolesTest, FillsAHoleAroundTheCornerOfABox) {
+TEST_P(FillHolesTest, FillsAHoleAroundTheCornerOfABox) {
   TriMesh box;
   const auto add_face = [&](const std::function<Point3(const Point3&)>& place) {
     const TriMesh face = SquaresMesh(0, 4, 0, 4, [](int32_t i, int32_t j) { return i >= 2 || j >= 2; });
@@ -230,7 +237,7 @@ TEST(FillHolesTest, FillsAHoleAroundTheCornerOfABox) {
 }
 
 // A slit that runs round three quarters of a cylinder: on the plane of its boundary it covers itself.
-TEST(FillHolesTest, FillsAHoleThatProjectsOnNoPlane) {
+TEST_P(FillHolesTest, FillsAHoleThatProjectsOnNoPlane) {
   CellHoles work;
   work.lattice_step = 0x1p-10;
   CellHole hole;
@@ -253,7 +260,7 @@ TEST(FillHolesTest, FillsAHoleThatProjectsOnNoPlane) {
 }
 
 // An open hole outside its own boundary, which bounds nothing.
-TEST(FillHolesTest, SaysWhyAHoleStaysOpen) {
+TEST_P(FillHolesTest, SaysWhyAHoleStaysOpen) {
   CellHoles work = HoleOf(kSquareHole);
   for (RimSegment& s : work.holes[0].segments) std::swap(s.from, s.to);
   work.holes[0].open = true;
@@ -263,11 +270,11 @@ TEST(FillHolesTest, SaysWhyAHoleStaysOpen) {
   EXPECT_THAT(patch.new_points, IsEmpty());
 }
 
-TEST(FillHolesTest, MakesNoEdgeThatTheSurfaceHasAlready) {
-  // A tube of four sides, open at one end: its mouth is a square, and both diagonals of the mouth are in the surface.
+// A tube of four sides, open at one end: its mouth is a square, two corners of it higher than the others by `rise`.
+CellHoles MouthOfATube(double rise) {
   CellHoles work;
   work.lattice_step = 0x1p-10;
-  for (const Point3& p : {Point3(0, 0, 0), Point3(4, 0, 0), Point3(4, 4, 0), Point3(0, 4, 0)}) {
+  for (const Point3& p : {Point3(0, 0, 0), Point3(4, 0, rise), Point3(4, 4, 0), Point3(0, 4, rise)}) {
     RimVertex v;
     v.index = static_cast<int32_t>(work.vertices.size());
     v.position = p;
@@ -278,16 +285,10 @@ TEST(FillHolesTest, MakesNoEdgeThatTheSurfaceHasAlready) {
   work.holes.push_back({0, false, {{0, 1, false}, {1, 2, false}, {2, 3, false}, {3, 0, false}}});
   work.band.points.emplace_back(2, 2, -4);
   work.band.triangles = {{1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
-  FillOptions wang;
-  wang.surface = Surface::kWang;
-  const HolePatch before = FillHoles(work, wang).at(0);
-  ExpectClosesHole(work, work.holes[0], before);
-  ASSERT_EQ(before.triangles.size(), 2u) << "a square of edges of the wanted size takes one diagonal";
-  work.band.points.emplace_back(2, 2, -8);
-  work.band.triangles.push_back({0, 2, 5});
-  work.band.triangles.push_back({1, 3, 5});
-  const HolePatch patch = FillHoles(work, wang).at(0);
-  ExpectClosesHole(work, work.holes[0], patch);
+  return work;
+}
+
+void ExpectNoDiagonal(const HolePatch& patch) {
   const auto has = [](const Triangle& t, int32_t v) { return std::find(t.begin(), t.end(), v) != t.end(); };
   for (const Triangle& t : patch.triangles) {
     EXPECT_FALSE(has(t, 0) && has(t, 2));
@@ -295,14 +296,42 @@ TEST(FillHolesTest, MakesNoEdgeThatTheSurfaceHasAlready) {
   }
 }
 
+TEST(FillLikeWangTest, MakesNoEdgeThatTheSurfaceHasAlready) {
+  CellHoles work = MouthOfATube(0);
+  const HolePatch before = FillHoles(work, With(Surface::kWang)).at(0);
+  ExpectClosesHole(work, work.holes[0], before);
+  ASSERT_EQ(before.triangles.size(), 2u) << "a square of edges of the wanted size takes one diagonal";
+  work.band.points.emplace_back(2, 2, -8);  // with both diagonals
+  work.band.triangles.push_back({0, 2, 5});
+  work.band.triangles.push_back({1, 3, 5});
+  const HolePatch patch = FillHoles(work, With(Surface::kWang)).at(0);
+  ExpectClosesHole(work, work.holes[0], patch);
+  ExpectNoDiagonal(patch);
+}
+
+// One diagonal passes above the other: a patch has room between the surface on one and the surface below the other.
+TEST(FillWithAThinPlateTest, MakesNoEdgeThatTheSurfaceHasAlready) {
+  CellHoles work = MouthOfATube(1);
+  const HolePatch before = FillHoles(work, With(Surface::kThinPlate)).at(0);
+  ExpectClosesHole(work, work.holes[0], before);
+  ASSERT_EQ(before.triangles.size(), 2u);
+  work.band.points.emplace_back(2, 2, -8);
+  work.band.points.emplace_back(2, 2, 8);
+  work.band.triangles.push_back({0, 2, 5});
+  work.band.triangles.push_back({1, 3, 6});
+  const HolePatch patch = FillHoles(work, With(Surface::kThinPlate)).at(0);
+  ExpectClosesHole(work, work.holes[0], patch);
+  ExpectNoDiagonal(patch);
+}
+
 // A wide hole: triangles grow inward by default.
-TEST(FillHolesTest, KeepsTheRimsSizeThroughoutWhenUniform) {
+TEST_P(FillHolesTest, KeepsTheRimsSizeThroughoutWhenUniform) {
   Picture wide(34, "##" + std::string(30, '.') + "##");
   wide[0] = wide[1] = wide[32] = wide[33] = std::string(34, '#');
   const CellHoles work = HoleOf(wide);
-  FillOptions uniform;
+  FillOptions uniform = With(GetParam());
   uniform.refine.uniform = true;
-  const HolePatch graded = FillHoles(work, {})[0], even = FillHoles(work, uniform)[0];
+  const HolePatch graded = Fill(work), even = FillHoles(work, uniform)[0];
   ExpectClosesHole(work, work.holes[0], even);
   EXPECT_GT(even.triangles.size(), 2 * graded.triangles.size());
   EXPECT_NEAR(PatchArea(work, even) / static_cast<double>(even.triangles.size()), std::sqrt(0.75) / 2, 0.15)
@@ -313,12 +342,12 @@ bool SamePatch(const HolePatch& a, const HolePatch& b) {
   return a.new_points == b.new_points && a.triangles == b.triangles && a.failure == b.failure;
 }
 
-TEST(FillHolesTest, GivesTheSameBitsEveryTime) {
+TEST_P(FillHolesTest, GivesTheSameBitsEveryTime) {
   const CellHoles work = HoleOf(kHoleWithIsland, Waves);
   EXPECT_TRUE(SamePatch(Fill(work), Fill(work)));
 }
 
-TEST(FillHolesTest, FillsAHoleTheSameAloneAndBesideOthers) {
+TEST_P(FillHolesTest, FillsAHoleTheSameAloneAndBesideOthers) {
   CellHoles work = HoleOf(kPinchedHole, Waves);
   std::vector<CellHole> parts(2);
   for (const RimSegment& s : work.holes[0].segments) {
@@ -327,7 +356,7 @@ TEST(FillHolesTest, FillsAHoleTheSameAloneAndBesideOthers) {
   }
   parts[1].id = 1;
   work.holes = parts;
-  const std::vector<HolePatch> both = FillHoles(work, {});
+  const std::vector<HolePatch> both = FillHoles(work, With(GetParam()));
   for (const int k : {0, 1}) {
     work.holes = {parts[k]};
     EXPECT_TRUE(SamePatch(both[k], Fill(work)));
@@ -335,11 +364,17 @@ TEST(FillHolesTest, FillsAHoleTheSameAloneAndBesideOthers) {
   }
 }
 
-class MovedHoleTest : public testing::TestWithParam<Picture> {};
-INSTANTIATE_TEST_SUITE_P(Pictures, MovedHoleTest, testing::Values(kSquareHole, kHoleWithIsland, kPinchedHole));
+class MovedHoleTest : public testing::TestWithParam<std::tuple<Picture, Surface>> {
+ protected:
+  const Picture& picture() const { return std::get<0>(GetParam()); }
+  static HolePatch Fill(const CellHoles& work) { return FillHoles(work, With(std::get<1>(GetParam()))).at(0); }
+};
+INSTANTIATE_TEST_SUITE_P(Pictures, MovedHoleTest,
+                         testing::Combine(testing::Values(kSquareHole, kHoleWithIsland, kPinchedHole),
+                                          testing::Values(Surface::kWang, Surface::kThinPlate)));
 
 TEST_P(MovedHoleTest, FillsAHoleTurnedByAQuarterAlike) {
-  const CellHoles work = HoleOf(GetParam(), Waves);
+  const CellHoles work = HoleOf(picture(), Waves);
   const CellHoles turned = MovedWork(work, [](const Point3& p) { return Point3(-p.y(), p.x(), p.z()); });
   const HolePatch a = Fill(work), b = Fill(turned);
   ExpectClosesHole(turned, turned.holes[0], b);
@@ -348,7 +383,7 @@ TEST_P(MovedHoleTest, FillsAHoleTurnedByAQuarterAlike) {
 }
 
 TEST_P(MovedHoleTest, FillsAHoleFarFromTheOriginAlike) {
-  const CellHoles work = HoleOf(GetParam(), Waves);
+  const CellHoles work = HoleOf(picture(), Waves);
   const CellHoles far = MovedWork(work, [](const Point3& p) { return Point3(p.x() + 1e4, p.y() - 1e4, p.z()); });
   const HolePatch a = Fill(work), b = Fill(far);
   ExpectClosesHole(far, far.holes[0], b);
@@ -357,7 +392,7 @@ TEST_P(MovedHoleTest, FillsAHoleFarFromTheOriginAlike) {
 }
 
 TEST_P(MovedHoleTest, LiftsThePatchWithItsRim) {
-  const CellHoles work = HoleOf(GetParam(), Waves);
+  const CellHoles work = HoleOf(picture(), Waves);
   const CellHoles lifted = MovedWork(work, [](const Point3& p) { return Point3(p.x(), p.y(), p.z() + 512); });
   const HolePatch a = Fill(work), b = Fill(lifted);
   ASSERT_EQ(a.triangles, b.triangles);

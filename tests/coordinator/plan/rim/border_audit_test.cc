@@ -11,15 +11,19 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
+// What tiles of float32 can say.
+Point3 InFloats(const Point3& p) { return p.cast<float>().cast<double>(); }
+
 // A tile of a 250 m cell grown by `margin` on every side, with its own vertices, as ContextCapture writes them.
-SurveyedScene GrownTiles(double margin) {
+SurveyedScene GrownTiles(double margin, bool floats = false) {
   std::map<CellId, TriMesh> tiles;
   for (int32_t col = 0; col < 2; ++col) {
     const int32_t squares = 25 + col;  // so that no vertices are shared
     const auto whole = [](int32_t, int32_t) { return true; };
     const double scale = (250 + 2 * margin) / squares;
     tiles[{col, 0}] = Moved(SquaresMesh(0, squares, 0, squares, whole), [&](const Point3& p) {
-      return Point3(Point3(p * scale) + Point3(250 * col - margin, -margin, 0));
+      const Point3 q = Point3(p * scale) + Point3(250 * col - margin, -margin, 0);
+      return floats ? InFloats(q) : q;
     });
   }
   Grid grid;
@@ -44,6 +48,17 @@ TEST(AuditBordersTest, TellsTilesWithAGapBetween) {
   EXPECT_EQ(found.borders[0].kind, BorderKind::kGap);
   EXPECT_NEAR(found.borders[0].offset, -0.2, 1e-9);
   EXPECT_TRUE(found.independent);
+}
+
+TEST(AuditBordersTest, TellsTilesApartWhoseVerticesAreRounded) {
+  for (const double margin : {0.1, -0.1}) {
+    const SurveyedScene scene = GrownTiles(margin, true);
+    const BorderFindings found = AuditBorders(scene.Input());
+    ASSERT_THAT(found.borders, SizeIs(1));
+    EXPECT_EQ(found.borders[0].kind, margin > 0 ? BorderKind::kOverlap : BorderKind::kGap);
+    EXPECT_NEAR(found.borders[0].offset, 2 * margin, 1e-3);
+    EXPECT_TRUE(found.independent);
+  }
 }
 
 TEST(AuditBordersTest, CallsTilesNearThatEndAtTheLineAndShareNothing) {
