@@ -88,12 +88,14 @@ TEST(SideOfPlaneTest, AgreesWithWholeNumbersOnAndNearPlanes) {
 TEST(SideOfPlaneTest, ChangesItsSignWithEveryExchange) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> place(-1e5, 1e5);
+  int off_plane = 0;
   for (int i = 0; i < 100; ++i) {
     std::array<Point3, 4> p;
     for (Point3& q : p) q = Point3(place(random), place(random), place(random));
     // A fourth point of their plane as well as doubles can say it.
     p[3] = p[0] + 0.3 * (p[1] - p[0]) + 0.4 * (p[2] - p[0]);
     const int side = SideOfPlane(p[0], p[1], p[2], p[3]);
+    off_plane += side != 0 ? 1 : 0;
     for (int a = 0; a < 4; ++a) {
       for (int b = a + 1; b < 4; ++b) {
         std::array<Point3, 4> q = p;
@@ -102,6 +104,7 @@ TEST(SideOfPlaneTest, ChangesItsSignWithEveryExchange) {
       }
     }
   }
+  EXPECT_GT(off_plane, 90);
 }
 
 TEST(TurnOfTest, IsTheSameFromEveryCornerAndFarFromZero) {

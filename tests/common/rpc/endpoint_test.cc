@@ -74,8 +74,12 @@ TEST_F(RpcServerTest, MayBeShutDownTwiceAndGivesItsPortBack) {
 }
 
 TEST(PrepareProcessTest, RaisesTheLimitOfOpenFiles) {
-  PrepareProcess();
   rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);
+  ASSERT_GT(limit.rlim_max, 64u);
+  limit.rlim_cur = limit.rlim_max - 1;
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &limit), 0);
+  PrepareProcess();
   ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);
   EXPECT_EQ(limit.rlim_cur, limit.rlim_max);
 }

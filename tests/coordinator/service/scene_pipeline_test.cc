@@ -41,7 +41,16 @@ class ScenePipelineTest : public ::testing::Test {
   // Runs every task, the last first if `backwards`; `change` may replace a result. The outcome, or the first error.
   absl::StatusOr<JobOutcome> Run(const std::function<void(TaskResult&)>& change = {}, bool backwards = false) {
     const auto pipeline = Make();
-    auto first = pipeline->Start();
+    const absl::Status status = RunTasks(*pipeline, change, backwards);
+    if (!status.ok()) return status;
+    progress_ = pipeline->GetProgress();
+    return pipeline->Finish();
+  }
+
+  // The same without the end.
+  absl::Status RunTasks(JobPipeline& pipeline, const std::function<void(TaskResult&)>& change = {},
+                        bool backwards = false) {
+    auto first = pipeline.Start();
     if (!first.ok()) return first.status();
     std::deque<NewTask> open(first->begin(), first->end());
     while (!open.empty()) {
@@ -49,14 +58,13 @@ class ScenePipelineTest : public ::testing::Test {
       backwards ? open.pop_back() : open.pop_front();
       TaskResult result{task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())};
       if (change) change(result);
-      auto next = pipeline->OnTaskDone(std::move(result));
+      auto next = pipeline.OnTaskDone(std::move(result));
       if (!next.ok()) return next.status();
       for (NewTask& t : *next) open.push_back(std::move(t));
       ++stages_[task.stage];
     }
-    EXPECT_TRUE(pipeline->Done());
-    progress_ = pipeline->GetProgress();
-    return pipeline->Finish();
+    EXPECT_TRUE(pipeline.Done());
+    return absl::OkStatus();
   }
 
   const TemporaryFolder folder_;
@@ -201,9 +209,12 @@ TEST_F(ScenePipelineTest, ASceneWithoutTilesIsRefused) {
 
 TEST_F(ScenePipelineTest, ACancelBeforeTheEndLeavesNoCompleteOutput) {
   const auto pipeline = Make();
+  ASSERT_TRUE(RunTasks(*pipeline).ok());
+  EXPECT_FALSE(TilesBelow(spec_.out).empty());
   EXPECT_TRUE(pipeline->Cancel());
   EXPECT_TRUE(pipeline->Cancel()) << "again";
   EXPECT_TRUE(absl::IsCancelled(pipeline->Finish().status()));
+  EXPECT_FALSE(std::filesystem::exists(spec_.out + "/report.json"));
 }
 
 }  // namespace

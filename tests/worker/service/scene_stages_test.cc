@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "tests/support/patch_checks.h"
 #include "tests/support/temporary_folder.h"
 #include "tilemend/v1/stages.pb.h"
+#include "worker/fill/seam/sample_cluster.h"
 
 namespace tilemend {
 namespace {
@@ -58,6 +61,38 @@ CellHoles HoleWithSeam() {
   cell.band.points.emplace_back(4, 3, 5);
   cell.band.triangles = {{4, 3, 6}, {5, 4, 6}};
   return cell;
+}
+
+// A hole of 6 m by 4 m in a bent surface, in two parts west and east of a seam at x = 3, whose inner vertices are 20 to
+// 22; it ends at the rim's vertices 3 and 13.
+CellHoles BentCluster() {
+  CellHoles work;
+  work.lattice_step = 0x1p-10;
+  const auto add = [&](double x, double y, bool seam) {
+    RimVertex v;
+    const auto number = static_cast<int32_t>(work.vertices.size());
+    v.index = seam ? -1 : number;
+    v.seam_vertex = seam || number == 3 || number == 13 ? number : -1;
+    v.position = {x, y, x * x / 16 + y / 4};
+    v.centroid_height = v.position.z();
+    v.height_known = !seam;
+    v.size = 1;
+    work.vertices.push_back(v);
+    work.band.points.push_back(v.position);
+  };
+  for (int x = 0; x < 6; ++x) add(x, 0, false);
+  for (int y = 0; y < 4; ++y) add(6, y, false);
+  for (int x = 6; x > 0; --x) add(x, 4, false);
+  for (int y = 4; y > 0; --y) add(0, y, false);
+  for (int y = 1; y < 4; ++y) add(3, y, true);
+  const auto part = [](int32_t id, int32_t from, const std::vector<int32_t>& way_back) {
+    CellHole hole{id, true, {}};
+    for (int32_t v = from; v < from + 10; ++v) hole.segments.push_back({v % 20, (v + 1) % 20, false});
+    for (size_t k = 1; k < way_back.size(); ++k) hole.segments.push_back({way_back[k - 1], way_back[k], true});
+    return hole;
+  };
+  work.holes = {part(0, 3, {13, 22, 21, 20, 3}), part(1, 13, {3, 20, 21, 22, 13})};
+  return work;
 }
 
 class SceneStagesTest : public testing::Test {
@@ -174,9 +209,39 @@ TEST_F(SceneStagesTest, SamplesHeightAndLaplacianOfAClusterAtEveryVertexOnASeam)
   *input.mutable_options() = FillInputOf(HoleWithSeam()).options();
   const auto output = RunWell<v1::SampleClusterOutput>(Stage::kSampleCluster, input);
   EXPECT_THAT(output.seam_vertex(), UnorderedElementsAre(71, 72, 90, 91));
-  EXPECT_EQ(output.laplacian_size(), 4);
+  ASSERT_EQ(output.height_size(), 4);
+  ASSERT_EQ(output.laplacian_size(), 4);
   for (const double height : output.height()) EXPECT_NEAR(height, 5, 1e-6) << "the rim is level";
   EXPECT_TRUE(output.has_hold_out()) << "the tension was open";
+}
+
+TEST_F(SceneStagesTest, HandsOutTheSamplesOfACluster) {
+  const CellHoles work = BentCluster();
+  v1::SampleClusterInput input;
+  *input.mutable_holes() = ToProto(work);
+  *input.mutable_options() = FillInputOf(work).options();
+  input.mutable_options()->set_tension(0);
+  const auto output = RunWell<v1::SampleClusterOutput>(Stage::kSampleCluster, input);
+  FillOptions options;
+  options.tension = 0;
+  options.refine.gradation = 1.5;
+  options.refine.size_limit = 10;
+  options.surface = Surface::kThinPlate;
+  const auto surface = SampleCluster(work, options);
+  ASSERT_TRUE(surface.has_value());
+  ASSERT_EQ(surface->samples.size(), 5u);
+  ASSERT_EQ(output.seam_vertex_size(), 5);
+  ASSERT_EQ(output.height_size(), 5);
+  ASSERT_EQ(output.laplacian_size(), 5);
+  double most = 0;
+  for (int i = 0; i < 5; ++i) {
+    const SurfaceSample& sample = surface->samples[i];
+    EXPECT_EQ(output.seam_vertex(i), sample.seam_vertex);
+    EXPECT_EQ(output.height(i), sample.height);
+    EXPECT_EQ(output.laplacian(i), sample.laplacian);
+    most = std::max(most, std::abs(sample.laplacian));
+  }
+  EXPECT_GT(most, 0.01) << "the surface is bent";
 }
 
 TEST_F(SceneStagesTest, SamplesAHeightInALayerForEverySeamVertexThatHasNone) {
@@ -184,6 +249,7 @@ TEST_F(SceneStagesTest, SamplesAHeightInALayerForEverySeamVertexThatHasNone) {
   *input.mutable_holes() = ToProto(HoleWithSeam());
   const auto output = RunWell<v1::SampleLayerOutput>(Stage::kSampleLayer, input);
   EXPECT_THAT(output.seam_vertex(), UnorderedElementsAre(71, 72));
+  ASSERT_EQ(output.height_size(), 2);
   for (const double height : output.height()) EXPECT_NEAR(height, 5, 1e-9);
 }
 

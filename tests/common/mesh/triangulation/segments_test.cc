@@ -41,6 +41,7 @@ TEST(SegmentInserterTest, TurnsTheDiagonalOfAFlatQuadrilateral) {
 }
 
 TEST(SegmentInserterTest, CutsThroughManyTrianglesAndStaysDelaunayBeside) {
+  int inserted = 0;
   for (uint32_t seed = 0; seed < 20; ++seed) {
     std::vector<Point32> points = RandomPoints(seed, 120, 1000);
     points.push_back({-3, 501});
@@ -51,11 +52,12 @@ TEST(SegmentInserterTest, CutsThroughManyTrianglesAndStaysDelaunayBeside) {
     CheckIsDelaunay(mesh);
     if (obstacle.has_value()) {
       EXPECT_TRUE(obstacle->is_point);  // by chance, in few of the meshes
-      EXPECT_GE(seed, 0u);
     } else {
       EXPECT_EQ(CountConstrained(mesh, 120, 121), 1);
+      ++inserted;
     }
   }
+  EXPECT_GE(inserted, 15);
 }
 
 TEST(SegmentInserterTest, NamesThePointOnItsWayAndChangesNothing) {

@@ -49,6 +49,7 @@ TEST_F(RimIndexTest, FindsAllEdgesInABoxOnceAndInOrder) {
   AtManyPlaces([&](const Point2& p) {
     const Point2 lo = p - Point2(9, 4), hi = p + Point2(3, 8);
     const std::vector<int32_t> found = index_.EdgesIn(lo, hi);
+    EXPECT_LT(found.size(), rim_.edges.size());
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
     for (size_t e = 0; e < rim_.edges.size(); ++e) {

@@ -81,20 +81,24 @@ TEST(FindJunctionsTest, GoesAcrossACornerByTheCellOnTheHolesSide) {
   EXPECT_EQ(far.failures.size(), 2U);
 }
 
+// A hole over a grid corner, the only one of nine that lies in a hole.
+const std::vector<std::string> kHoleOverACorner = {"####|####", "####|####", "##..|.###", "##..|.###", "----+----",
+                                                   "##..|.###", "####|####", "####|####", "####|####"};
+
 TEST(FindCornersInHolesTest, TellsCornersInHolesFromThoseOnTheSurface) {
-  const SeamScene s({"####|####", "####|####", "##..|.###", "##..|.###", "----+----",  //
-                     "##..|.###", "####|####", "####|####", "####|####"},
-                    4);
+  const SeamScene s(kHoleOverACorner, 4);
   const auto in_hole = FindCornersInHoles(s.Site(), FindJunctions(s.Site(), s.closing, s.nothing));
   EXPECT_EQ(in_hole.size(), 9U);
   for (const auto& [corner, inside] : in_hole) EXPECT_EQ(inside, (corner == Corner{1, 1}));
 }
 
 TEST(FindCornersInHolesTest, AsksTheWindingNumberWithoutJunctions) {
-  const SeamScene s({"####|....|####", "####|....|####", "####|....|####", "####|....|####"}, 4);
-  const Junctions none{.along = FindJunctions(s.Site(), s.closing, std::vector<bool>(s.rim.loops.size(), true)).along,
-                       .failures = {}};
-  for (const auto& [corner, inside] : FindCornersInHoles(s.Site(), none)) EXPECT_FALSE(inside) << "on the rim";
+  const SeamScene s(kHoleOverACorner, 4);
+  const Junctions none = FindJunctions(s.Site(), s.closing, std::vector<bool>(s.rim.loops.size(), true));
+  ASSERT_EQ(Count(none), 0U);
+  const auto in_hole = FindCornersInHoles(s.Site(), none);
+  EXPECT_EQ(in_hole.size(), 9U);
+  for (const auto& [corner, inside] : in_hole) EXPECT_EQ(inside, (corner == Corner{1, 1}));
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ LocalPatch FillAsPart(const CellHoles& work) {
 TEST(PartFillTest, FillsAWallOverItsPlane) {
   const LocalPatch patch = FillAsPart(WorkOfSheet(Disc(0, kWallHeight / 2, 3), FoldToBuilding, 0));
   ASSERT_TRUE(patch.ok());
+  ASSERT_FALSE(patch.new_points.empty());
   for (const Point3& p : patch.new_points) EXPECT_NEAR(p.y(), 0, 0.001);
 }
 
@@ -35,6 +36,7 @@ TEST(PartFillTest, UnrollsWhatIsSteep) {
   const auto slit = [](double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; };
   const LocalPatch patch = FillAsPart(WorkOfSheet(slit, tank, 0));
   ASSERT_TRUE(patch.ok());
+  ASSERT_FALSE(patch.new_points.empty());
   for (const Point3& p : patch.new_points) EXPECT_NEAR(std::hypot(p.y(), p.z()), 5, 0.3);
 }
 

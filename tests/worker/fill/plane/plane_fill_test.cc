@@ -43,6 +43,7 @@ TEST_P(PlaneFillTest, FillsAWallOverItsPlane) {
   const LocalPatch facing = FillOverFacingPlane(hole, With(GetParam()));
   for (const LocalPatch& patch : {own, facing}) {
     ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, patch));
+    ASSERT_FALSE(patch.new_points.empty());
     for (const Point3& p : patch.new_points) EXPECT_NEAR(p.y(), 0, work.lattice_step);
   }
 }

@@ -74,6 +74,8 @@ TEST(FoldCuttingTest, MakesNoChordThatIsNotAllowed) {
   const int32_t a = free.runs[0].front(), b = free.runs[0].back();
   const CutBoundary cut =
       CutFolds(kFolded, segments, [&](int32_t from, int32_t to) { return std::minmax(from, to) != std::minmax(a, b); });
+  ASSERT_FALSE(cut.runs.empty());
+  ExpectWhole(cut, segments);
   for (const std::vector<int32_t>& run : cut.runs) {
     EXPECT_FALSE(std::minmax(run.front(), run.back()) == std::minmax(a, b));
   }

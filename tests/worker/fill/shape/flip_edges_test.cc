@@ -120,6 +120,7 @@ TEST(FlipForShapeTest, KeepsAreaAndCornersOfALargePatch) {
 TEST(FlipForShapeTest, IsDoneAfterOneCall) {
   Patch patch = Hillside(12);
   const std::vector<Triangle> once = patch.Flipped();
+  ASSERT_NE(once, patch.triangles);
   patch.triangles = once;
   EXPECT_EQ(patch.Flipped(), once);
 }
