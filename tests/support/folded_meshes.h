@@ -17,6 +17,9 @@ namespace tilemend {
 
 inline constexpr double kWallHeight = 10;
 
+// Vertices a few millimetres off, where edges are 1 m: like surveyed buildings with edges of 0.25 m.
+inline constexpr double kNoise = 0.01;
+
 // Folds a sheet (u, v, 0): ground for v < 0, a wall of kWallHeight that faces -y, then a roof.
 inline Point3 FoldToBuilding(const Point3& p) {
   const double v = p.y();
@@ -59,6 +62,17 @@ inline CellHoles WorkOfSheet(const std::function<bool(double u, double v)>& hole
   const auto inside = [&](const Point3& p) { return std::find(outline.begin(), outline.end(), p) == outline.end(); };
   return WorkOf(mesh, false, [&](const Point3& a, const Point3& b) { return inside(a) || inside(b); });
 }
+
+// Rolls a sheet (u, v, 0) round a tank along x, from its top at v = `top`.
+inline std::function<Point3(const Point3&)> RollRoundTank(double radius, double top = 5) {
+  return [=](const Point3& p) {
+    const double angle = (p.y() - top) / radius;
+    return Point3(p.x(), radius * std::sin(angle), radius * std::cos(angle));
+  };
+}
+
+// A hole three quarters of the way round a tank of radius 5 with its top at v = 5.
+inline bool IsInTankSlit(double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; }
 
 inline std::function<bool(double, double)> Disc(double u0, double v0, double radius) {
   return [=](double u, double v) { return std::hypot(u - u0, v - v0) < radius; };

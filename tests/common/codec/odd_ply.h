@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "common/codec/mesh_file.h"
+
 namespace tilemend::testing {
 
 template <class T>
@@ -58,6 +61,8 @@ struct OddPly {
   }
   std::string Edges() const { return Bytes(int32_t{0}, big_endian) + Bytes(int32_t{3}, big_endian); }
 };
+
+inline absl::StatusOr<MeshFile> Parse(const std::string& bytes) { return ParseMesh(MeshFormat::kPly, bytes, "a.ply"); }
 
 inline std::string Join(const std::vector<std::string>& parts, const std::string& after = "") {
   std::string out;

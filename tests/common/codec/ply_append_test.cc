@@ -21,8 +21,7 @@ using ::testing::HasSubstr;
 using testing::Join;
 using testing::kAsciiHeader;
 using testing::OddPly;
-
-absl::StatusOr<MeshFile> Parse(const std::string& bytes) { return ParseMesh(MeshFormat::kPly, bytes, "a.ply"); }
+using testing::Parse;
 
 class PlyAppendTest : public ::testing::TestWithParam<std::tuple<bool, std::string>> {};
 

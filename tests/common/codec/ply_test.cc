@@ -21,8 +21,7 @@ using ::testing::HasSubstr;
 using testing::Join;
 using testing::kAsciiHeader;
 using testing::OddPly;
-
-absl::StatusOr<MeshFile> Parse(const std::string& bytes) { return ParseMesh(MeshFormat::kPly, bytes, "a.ply"); }
+using testing::Parse;
 
 std::string MessageOf(const std::string& bytes) {
   const absl::StatusOr<MeshFile> file = Parse(bytes);

@@ -6,13 +6,10 @@
 #include <string>
 
 #include "common/util/error_info.h"
+#include "tests/common/rpc/example_status.h"
 
 namespace tilemend {
 namespace {
-
-absl::Status Example() {
-  return WithErrorInfo(absl::NotFoundError("jobs/x: no such job"), {"JOB_NOT_FOUND", {{"job", "x"}, {"empty", ""}}});
-}
 
 TEST(GrpcStatusTest, ComesBackWithItsErrorInfo) {
   const absl::Status back = FromGrpcStatus(ToGrpcStatus(Example()));

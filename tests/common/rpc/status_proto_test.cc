@@ -4,13 +4,10 @@
 
 #include "common/util/error_info.h"
 #include "common/util/text.h"
+#include "tests/common/rpc/example_status.h"
 
 namespace tilemend {
 namespace {
-
-absl::Status Example() {
-  return WithErrorInfo(absl::NotFoundError("jobs/x: no such job"), {"JOB_NOT_FOUND", {{"job", "x"}, {"empty", ""}}});
-}
 
 TEST(StatusProtoTest, ComesBackWithItsErrorInfo) { EXPECT_EQ(StatusFromProto(StatusToProto(Example())), Example()); }
 

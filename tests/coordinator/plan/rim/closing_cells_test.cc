@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/rim_builders.h"
+#include "tests/support/seam_scene.h"
 #include "tests/support/surveyed_scene.h"
 
 namespace tilemend {
@@ -13,31 +14,15 @@ namespace {
 
 using Picture = std::vector<std::string>;
 
-// A scene with its rim, lines and closing cells.
-struct Closed {
-  explicit Closed(SurveyedScene surveyed)
-      : scene(std::move(surveyed)),
-        input(scene.Input()),
-        lines(FindGridLines(input, AuditBorders(input), 0x1p-10)),
-        rim(BuildRim(input, !lines.independent)),
-        closing(FindClosingCells(input, lines, rim)) {}
-
-  SurveyedScene scene;
-  PlanInput input;
-  GridLines lines;
-  Rim rim;
-  ClosingCells closing;
-};
-
 // Where there is no surface on an edge's right-hand side, 0.4 m beside its middle.
-CellId CellBeside(const Closed& c, const RimEdge& e) {
+CellId CellBeside(const SeamScene& c, const RimEdge& e) {
   const Point2 a = c.rim.points[e.from].position.head<2>(), b = c.rim.points[e.to].position.head<2>();
   const Point2 d = (b - a).normalized(), beside = (a + b) / 2 + 0.4 * Point2(d.y(), -d.x());
   const Point2 at = (beside - c.input.grid.corner).cwiseQuotient(c.input.grid.cell_size);
   return {static_cast<int32_t>(std::floor(at.x())), static_cast<int32_t>(std::floor(at.y()))};
 }
 
-void ExpectTheCellsThatTheHolesLieIn(const Closed& c) {
+void ExpectTheCellsThatTheHolesLieIn(const SeamScene& c) {
   ASSERT_FALSE(c.rim.edges.empty());
   for (size_t i = 0; i < c.rim.edges.size(); ++i) {
     const RimEdge& e = c.rim.edges[i];
@@ -52,7 +37,7 @@ TEST(FindClosingCellsTest, GivesEdgesOfAClippedCutToTheCellThatTheHoleLiesIn) {
                                           "#...|####", "#...|####", "####|####"},
                                          {"####|....|####", "####|....|####", "####|....|####", "####|....|####"},
                                          {"....|####", "....|#..#", "....|#..#", "....|####"}};
-  for (const Picture& picture : pictures) ExpectTheCellsThatTheHolesLieIn(Closed(PictureScene(picture, 4)));
+  for (const Picture& picture : pictures) ExpectTheCellsThatTheHolesLieIn(SeamScene(PictureScene(picture, 4)));
 }
 
 TEST(FindClosingCellsTest, DoesNotDependOnWhereTheSceneLies) {
@@ -64,7 +49,7 @@ TEST(FindClosingCellsTest, DoesNotDependOnWhereTheSceneLies) {
   }
   Grid grid = scene.grid;
   grid.corner += move.head<2>();
-  const Closed here(scene), there(SurveyScene(grid, tiles));
+  const SeamScene here(scene), there(SurveyScene(grid, tiles));
   EXPECT_EQ(here.closing, there.closing);
 }
 
@@ -76,7 +61,7 @@ TEST(FindClosingCellsTest, GivesAHairlineBetweenTilesToTheLowerCell) {
     const bool inner = p.x() == 4 && p.y() > 0 && p.y() < 4;
     return Point3(p.x() + (inner ? 2e-4 : 0), p.y() + (inner ? 0.5 : 0), 0);
   });
-  const Closed c(SurveyScene(scene.grid, tiles));
+  const SeamScene c(SurveyScene(scene.grid, tiles));
   ASSERT_GT(c.lines.tolerance, 0);
   int western = 0, eastern = 0;
   for (size_t i = 0; i < c.rim.edges.size(); ++i) {
@@ -115,7 +100,7 @@ TEST(FindClosingCellsTest, GivesEdgesOfARaggedCutAcrossWithinAnEdgesLengthOfTheL
 }
 
 TEST(GiveBackNearTest, GivesEdgesBackWithinReachAlone) {
-  const Closed c(PictureScene({"####|####|....", "####|####|....", "####|####|....", "####|####|...."}, 4));
+  const SeamScene c(PictureScene({"####|####|....", "####|####|....", "####|####|....", "####|####|...."}, 4));
   const std::vector<Point2> trouble = {{8, 0}};
   ClosingCells given = c.closing;
   GiveBackNear(c.input, c.rim, trouble, 2.5, given);
@@ -132,7 +117,7 @@ TEST(GiveBackNearTest, GivesEdgesBackWithinReachAlone) {
 }
 
 TEST(GiveBackNearTest, LeavesEdgesThatFaceOutOfTheArea) {
-  const Closed c(PictureScene({"####", "####", "####", "####"}, 4));
+  const SeamScene c(PictureScene({"####", "####", "####", "####"}, 4));
   ClosingCells given = c.closing;
   GiveBackNear(c.input, c.rim, std::vector<Point2>{{2, 2}}, 100, given);
   EXPECT_EQ(given, c.closing);

@@ -6,15 +6,11 @@
 #include <vector>
 
 #include "tests/support/folded_meshes.h"
+#include "tests/worker/fill/crease/crease_loops.h"
 #include "worker/fill/hole/local_hole.h"
 
 namespace tilemend {
 namespace {
-
-// Vertices a few millimetres off, where edges are 1 m: like surveyed buildings with edges of 0.25 m.
-constexpr double kNoise = 0.01;
-
-std::vector<RimLoop> LoopsOf(const CellHoles& work) { return MakeLocalHole(work, CellBand(work), work.holes[0]).loops; }
 
 TEST(CreaseEndsTest, FindsWhereARoofsEdgeEntersAHole) {
   const CellHoles work = WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, kNoise);
@@ -38,11 +34,7 @@ TEST(CreaseEndsTest, FindsNoCreaseOnAHill) {
 }
 
 TEST(CreaseEndsTest, FindsNoCreaseOnARoundWall) {
-  const auto tank = [](const Point3& p) {
-    const double angle = p.y() / 6;
-    return Point3(p.x(), 6 * std::sin(angle), 6 * std::cos(angle));
-  };
-  EXPECT_TRUE(FindCreaseEnds(LoopsOf(WorkOfSheet(Disc(0, 5, 6), tank, kNoise))).empty());
+  EXPECT_TRUE(FindCreaseEnds(LoopsOf(WorkOfSheet(Disc(0, 5, 6), RollRoundTank(6, 0), kNoise))).empty());
 }
 
 }  // namespace

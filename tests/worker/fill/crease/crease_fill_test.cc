@@ -16,7 +16,6 @@
 namespace tilemend {
 namespace {
 
-constexpr double kNoise = 0.01;
 // Patches follow the noise of their rim, a little amplified.
 constexpr double kTolerance = 0.05;
 
@@ -116,12 +115,7 @@ TEST(CreaseFillTest, LeavesAnIslandOnTheRoof) {
 // Three quarters of the way round a tank: over no plane.
 TEST(CreaseFillTest, RefinesAHoleAroundATank) {
   const double radius = 5;
-  const auto tank = [&](const Point3& p) {
-    const double angle = (p.y() - 5) / radius;
-    return Point3(p.x(), radius * std::sin(angle), radius * std::cos(angle));
-  };
-  const auto band = [](double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; };
-  const CellHoles work = WorkOfSheet(band, tank, kNoise);
+  const CellHoles work = WorkOfSheet(IsInTankSlit, RollRoundTank(radius), kNoise);
   ExpectFollows(
       work, Fill(work), [&](const Point3& p) { return std::abs(std::hypot(p.y(), p.z()) - radius); }, 0.4);
 }

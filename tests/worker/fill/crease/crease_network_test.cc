@@ -7,15 +7,11 @@
 #include <vector>
 
 #include "tests/support/folded_meshes.h"
+#include "tests/worker/fill/crease/crease_loops.h"
 #include "worker/fill/hole/local_hole.h"
 
 namespace tilemend {
 namespace {
-
-// Vertices a few millimetres off, where edges are 1 m: like surveyed buildings with edges of 0.25 m.
-constexpr double kNoise = 0.01;
-
-std::vector<RimLoop> LoopsOf(const CellHoles& work) { return MakeLocalHole(work, CellBand(work), work.holes[0]).loops; }
 
 CreaseNetwork CreasesOf(const CellHoles& work) { return FindCreases(LoopsOf(work)); }
 

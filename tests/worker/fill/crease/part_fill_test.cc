@@ -29,12 +29,7 @@ TEST(PartFillTest, FillsAWallOverItsPlane) {
 }
 
 TEST(PartFillTest, UnrollsWhatIsSteep) {
-  const auto tank = [](const Point3& p) {
-    const double angle = (p.y() - 5) / 5;
-    return Point3(p.x(), 5 * std::sin(angle), 5 * std::cos(angle));
-  };
-  const auto slit = [](double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; };
-  const LocalPatch patch = FillAsPart(WorkOfSheet(slit, tank, 0));
+  const LocalPatch patch = FillAsPart(WorkOfSheet(IsInTankSlit, RollRoundTank(5), 0));
   ASSERT_TRUE(patch.ok());
   ASSERT_FALSE(patch.new_points.empty());
   for (const Point3& p : patch.new_points) EXPECT_NEAR(std::hypot(p.y(), p.z()), 5, 0.3);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "tests/support/folded_meshes.h"
 
@@ -50,12 +49,7 @@ TEST(FacingTest, TellsGroundFromWalls) {
 
 // Most of the way round a tube some of the surface is steep over any plane.
 TEST(FacingTest, IsSteepAroundATank) {
-  const auto tank = [](const Point3& p) {
-    const double angle = (p.y() - 5) / 5;
-    return Point3(p.x(), 5 * std::sin(angle), 5 * std::cos(angle));
-  };
-  const auto slit = [](double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; };
-  With(WorkOfSheet(slit, tank, 0), [](const LocalHole& hole) { EXPECT_TRUE(IsSteep(hole)); });
+  With(WorkOfSheet(IsInTankSlit, RollRoundTank(5), 0), [](const LocalHole& hole) { EXPECT_TRUE(IsSteep(hole)); });
 }
 
 }  // namespace

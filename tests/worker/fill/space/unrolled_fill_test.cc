@@ -14,13 +14,7 @@ namespace {
 constexpr double kRadius = 5;
 
 // Three quarters of the way round a tank: over no plane.
-CellHoles AroundATank() {
-  const auto tank = [](const Point3& p) {
-    const double angle = (p.y() - 5) / kRadius;
-    return Point3(p.x(), kRadius * std::sin(angle), kRadius * std::cos(angle));
-  };
-  return WorkOfSheet([](double u, double v) { return std::abs(u) < 3 && std::abs(v - 5) < 11; }, tank, 0);
-}
+CellHoles AroundATank() { return WorkOfSheet(IsInTankSlit, RollRoundTank(kRadius), 0); }
 
 TEST(UnrolledFillTest, FollowsATank) {
   const CellHoles work = AroundATank();
