@@ -13,7 +13,9 @@
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
+#include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "tests/support/scene_layout.h"
 #include "tests/support/scene_maker.h"
 
 namespace tilemend {
@@ -21,15 +23,19 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: tilemend-make-scene OUT [--cols 4] [--rows 4] [--cell 250] [--spacing 2.5] [--seed 1]\n"
-    "         [--cut clipped|ragged] [--relief 20] [--noise 0.05] [--holes lakes,islands,river,small|none]\n"
+    "         [--cut clipped|ragged|overlap] [--margin 0.1] [--pieces 1]   (of overlap: beyond the cell; K x K "
+    "pieces)\n"
+    "         [--relief 20] [--noise 0.05] [--holes lakes,islands,river,small|none]\n"
     "         [--lake-share 0.12] [--small-per-cell 3] [--empty C:R,C:R] [--out-of-area C:R,C:R]\n"
-    "         [--box X0,Y0,X1,Y1] [--ellipse CX,CY,RX,RY]   (--box and --ellipse any number of times, metres)\n";
+    "         [--box X0,Y0,X1,Y1] [--ellipse CX,CY,RX,RY]   (--box and --ellipse any number of times, metres)\n"
+    "         [--layout FILE]   (JSON: cols, rows and holes in cells, in place of --cols, --rows and --holes)\n";
 
 // More vertices than this are a mistake in the numbers.
 constexpr double kMostVertices = 2e9;
 
 struct Command {
   std::string folder;
+  std::string layout;  // a file
   SceneMakerOptions options;
 };
 
@@ -87,6 +93,8 @@ absl::Status SetNumber(const std::string& flag, const std::string& text, SceneMa
       {"--seed", [&](double v) { options->seed = static_cast<uint64_t>(std::abs(v)); }},
       {"--relief", [&](double v) { options->relief = v; }},
       {"--noise", [&](double v) { options->noise = v; }},
+      {"--margin", [&](double v) { options->margin = v; }},
+      {"--pieces", [&](double v) { options->pieces = static_cast<int32_t>(v); }},
       {"--lake-share", [&](double v) { options->lake_share = v; }},
       {"--small-per-cell", [&](double v) { options->small_per_cell = v; }}};
   const auto at = setters.find(flag);
@@ -97,21 +105,26 @@ absl::Status SetNumber(const std::string& flag, const std::string& text, SceneMa
   return absl::OkStatus();
 }
 
+absl::Status SetCut(const std::string& text, SceneMakerOptions* options) {
+  const std::map<std::string, Cut> cuts = {
+      {"clipped", Cut::kClipped}, {"ragged", Cut::kRagged}, {"overlap", Cut::kOverlap}};
+  const auto at = cuts.find(text);
+  if (at == cuts.end()) return absl::InvalidArgumentError("expected clipped, ragged or overlap");
+  options->cut = at->second;
+  return absl::OkStatus();
+}
+
 absl::Status SetFlag(const std::string& flag, const std::string& text, SceneMakerOptions* options) {
   if (flag == "--holes") return SetHoles(text, options);
-  if (flag == "--cut") {
-    if (text != "clipped" && text != "ragged") return absl::InvalidArgumentError("expected clipped or ragged");
-    options->cut = text == "ragged" ? Cut::kRagged : Cut::kClipped;
-    return absl::OkStatus();
-  }
+  if (flag == "--cut") return SetCut(text, options);
   if (flag == "--empty" || flag == "--out-of-area") {
     TILEMEND_ASSIGN_OR_RETURN((flag == "--empty" ? options->empty : options->out_of_area), Cells(text));
     return absl::OkStatus();
   }
   if (flag == "--box" || flag == "--ellipse") {
     TILEMEND_ASSIGN_OR_RETURN(const std::vector<double> v, Numbers(text, 4));
-    if (flag == "--box") options->boxes.push_back({{v[0], v[1]}, {v[2], v[3]}});
-    if (flag == "--ellipse") options->ellipses.push_back({{v[0], v[1]}, {v[2], v[3]}});
+    if (flag == "--box") options->boxes.push_back({{v[0], v[1]}, {v[2], v[3]}, {}});
+    if (flag == "--ellipse") options->ellipses.push_back({{v[0], v[1]}, {v[2], v[3]}, {}});
     return absl::OkStatus();
   }
   return SetNumber(flag, text, options);
@@ -123,14 +136,30 @@ absl::Status Check(const SceneMakerOptions& o) {
   if (!(o.spacing > 0) || o.spacing > o.cell_size / 2) {
     return absl::InvalidArgumentError("--spacing must be greater than 0 and at most half of --cell");
   }
+  if (!(o.margin >= 0) || o.margin > o.cell_size / 2) {
+    return absl::InvalidArgumentError("--margin must be at least 0 and at most half of --cell");
+  }
+  if (o.pieces < 1 || o.pieces * o.spacing > o.cell_size) {
+    return absl::InvalidArgumentError("--pieces must be at least 1, and a piece no smaller than --spacing");
+  }
   if (std::pow(o.cell_size / o.spacing, 2) * o.cols * o.rows > kMostVertices) {
     return absl::InvalidArgumentError("these numbers give too many vertices");
   }
+  const bool strips_are_wide =
+      std::all_of(o.strips.begin(), o.strips.end(), [](const StripHole& strip) { return strip.half_width > 0; });
+  if (!strips_are_wide) return absl::InvalidArgumentError("half_width must be greater than 0");
   for (const EllipseHole& ellipse : o.ellipses) {
     if (!(ellipse.radii.minCoeff() > 0))
       return absl::InvalidArgumentError("--ellipse: the radii must be greater than 0");
   }
   return absl::OkStatus();
+}
+
+// Once the cell size is known.
+absl::Status TakeLayout(const std::string& file, SceneMakerOptions* options) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(file));
+  TILEMEND_RETURN_IF_ERROR(SetHoles("none", options));
+  return ApplyLayout(text, file, options);
 }
 
 absl::StatusOr<Command> Parse(const std::vector<std::string>& arguments) {
@@ -149,10 +178,15 @@ absl::StatusOr<Command> Parse(const std::vector<std::string>& arguments) {
       continue;
     }
     if (i + 1 == arguments.size()) return absl::InvalidArgumentError(absl::StrCat(argument, ": value missing"));
+    if (argument == "--layout") {
+      command.layout = arguments[++i];
+      continue;
+    }
     const absl::Status status = SetFlag(argument, arguments[++i], &options);
     if (!status.ok()) return absl::InvalidArgumentError(absl::StrCat(argument, ": ", status.message()));
   }
   if (command.folder.empty()) return absl::InvalidArgumentError("OUT missing");
+  if (!command.layout.empty()) TILEMEND_RETURN_IF_ERROR(TakeLayout(command.layout, &options));
   TILEMEND_RETURN_IF_ERROR(Check(options));
   return command;
 }

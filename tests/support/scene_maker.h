@@ -1,14 +1,15 @@
 // Made scenes with holes and a known surface, for tests, benchmarks and the demonstration.
 //
-// The terrain is a smooth function of x and y; its vertices form a jittered grid. A vertex depends on its index in the
-// whole scene alone, so that neighbouring tiles share border vertices bit for bit, and a scene of one cell with the
-// same spacing has the same vertices off the grid lines. Coordinates are those that float32 holds. The same options
-// give the same scene.
+// The terrain is a smooth function of x and y; its vertices form a jittered grid. Unless tiles overlap, a vertex
+// depends on its index in the whole scene alone, so that neighbouring tiles share border vertices bit for bit, and a
+// scene of one cell with the same spacing has the same vertices off the grid lines. Coordinates are those that float32
+// holds. The same options give the same scene.
 #ifndef TILEMEND_TESTS_SUPPORT_SCENE_MAKER_H_
 #define TILEMEND_TESTS_SUPPORT_SCENE_MAKER_H_
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,17 +20,27 @@
 namespace tilemend {
 
 // kClipped: no triangle crosses a grid line. kRagged: each triangle lies whole in the tile of the cell that its
-// centroid is in, and tiles meet along a zigzag of shared vertices.
-enum class Cut { kClipped, kRagged };
+// centroid is in, and tiles meet along a zigzag of shared vertices. kOverlap: as photogrammetry software delivers them.
+// Each tile is its cell grown by a margin, with vertices and noise of its own, and shares no vertex with another.
+enum class Cut { kClipped, kRagged, kOverlap };
 
+// Shapes, in metres. With `only_cell` a hole ends dead at the sides of that cell: its neighbours have surface there.
 struct EllipseHole {
   Point2 centre{0, 0};
   Point2 radii{1, 1};  // > 0
+  std::optional<CellId> only_cell = {};
 };
 
 struct BoxHole {
   Point2 lo{0, 0};
   Point2 hi{0, 0};
+  std::optional<CellId> only_cell = {};
+};
+
+struct StripHole {
+  std::vector<Point2> through;  // at least one
+  double half_width = 1;        // > 0
+  std::optional<CellId> only_cell = {};
 };
 
 struct SceneMakerOptions {
@@ -40,6 +51,8 @@ struct SceneMakerOptions {
   double feature_size = 0;  // width of hills, lakes and river; 0: the cell size
   uint64_t seed = 1;
   Cut cut = Cut::kClipped;
+  double margin = 0.1;                                // of kOverlap: >= 0, at most half a cell
+  int32_t pieces = 1;                                 // of kOverlap: a tile is pieces x pieces such pieces, >= 1
   double relief = 10;                                 // about the range of heights
   double noise = 0;                                   // peak to peak, of the vertices' heights
   std::function<double(double x, double y)> terrain;  // without noise; empty: hills of `relief`
@@ -51,6 +64,9 @@ struct SceneMakerOptions {
   double small_per_cell = 0;
   std::vector<EllipseHole> ellipses;
   std::vector<BoxHole> boxes;
+  std::vector<StripHole> strips;
+  double bend = 0;                  // by which share of a cell smooth waves bend the outlines of these shapes
+  int32_t closed = 0;               // ellipses in one cell each, clear of its sides and of all other holes
   std::vector<CellId> empty;        // cells without any surface
   std::vector<CellId> out_of_area;  // cells that the scene does not have
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -150,6 +151,84 @@ TEST(SceneMakerHeightTest, DoesNotDependOnTheCells) {
     }
   }
   EXPECT_EQ(differences, 0);
+}
+
+SceneMakerOptions Overlapping(int32_t pieces) {
+  SceneMakerOptions options;
+  options.cut = Cut::kOverlap;
+  options.cols = 3;
+  options.rows = 2;
+  options.margin = 0.25;
+  options.pieces = pieces;
+  return options;
+}
+
+class OverlapTest : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Pieces, OverlapTest, testing::Values(1, 2, 3));
+
+TEST_P(OverlapTest, EveryPieceReachesOverItsSquareByTheMargin) {
+  const MadeScene scene = MakeScene(Overlapping(GetParam()));
+  ASSERT_EQ(scene.tiles.size(), 6u);
+  const double side = 50.0 / GetParam() + 2 * 0.25;
+  for (const MadeTile& tile : scene.tiles) {
+    Box box{tile.mesh.points[0], tile.mesh.points[0]};
+    for (const Point3& p : tile.mesh.points) box = {box.lo.cwiseMin(p), box.hi.cwiseMax(p)};
+    const Point2 lo = 50 * Point2(tile.cell.col, tile.cell.row);
+    EXPECT_NEAR((box.lo.head<2>() - lo + Point2(0.25, 0.25)).norm(), 0, 1e-5);
+    EXPECT_NEAR((box.hi.head<2>() - lo - Point2(50.25, 50.25)).norm(), 0, 1e-5);
+    EXPECT_NEAR(PlanArea(tile.mesh), side * side * GetParam() * GetParam(), 1e-3);
+  }
+}
+
+TEST_P(OverlapTest, NoVertexIsShared) {
+  const MadeScene scene = MakeScene(Overlapping(GetParam()));
+  size_t vertices = 0;
+  for (const MadeTile& tile : scene.tiles) vertices += tile.mesh.points.size();
+  EXPECT_EQ(MergeTiles(scene).points.size(), vertices);
+}
+
+TEST_P(OverlapTest, HolesGoOverTheRimOfTheSceneAndEndAtTheSidesOfTheirOnlyCell) {
+  SceneMakerOptions options = Overlapping(GetParam());
+  options.ellipses = {{{150, 25}, {12, 12}}, {{50, 75}, {12, 12}, CellId{0, 1}}};
+  const MadeScene scene = MakeScene(options);
+  EXPECT_TRUE(scene.is_in_hole(150.2, 25));
+  EXPECT_TRUE(scene.is_in_hole(49.9, 75));
+  EXPECT_FALSE(scene.is_in_hole(50.1, 75));
+  for (const MadeTile& tile : scene.tiles) {
+    for (const Triangle& t : tile.mesh.triangles) {
+      const Point3 m = (tile.mesh.points[t[0]] + tile.mesh.points[t[1]] + tile.mesh.points[t[2]]) / 3;
+      EXPECT_FALSE(scene.is_in_hole(m.x(), m.y()));
+    }
+  }
+}
+
+TEST(OverlapNoiseTest, NeighboursDisagreeByTheNoiseAlone) {
+  SceneMakerOptions options = Overlapping(1);
+  options.noise = 0.1;
+  double largest = 0;
+  const MadeScene scene = MakeScene(options);
+  for (const Point3& p : MergeTiles(scene).points)
+    largest = std::max(largest, std::abs(p.z() - scene.height(p.x(), p.y())));
+  EXPECT_GT(largest, 0.045);
+  EXPECT_LE(largest, 0.0501);
+}
+
+TEST(MadeHolesTest, ClosedHolesLieInTheirCells) {
+  SceneMakerOptions options;
+  options.boxes = {{{40, 40}, {160, 160}}};
+  options.spacing = 1;
+  options.closed = 7;
+  options.cut = Cut::kOverlap;
+  const MadeScene scene = MakeScene(options);
+  options.closed = 0;
+  const MadeScene without = MakeScene(options);
+  EXPECT_GT(scene.removed.size(), without.removed.size() + 7);
+  for (int k = 0; k <= 200; ++k) {
+    for (const double line : {50.0, 100.0, 150.0}) {
+      EXPECT_EQ(scene.is_in_hole(k, line), without.is_in_hole(k, line));
+      EXPECT_EQ(scene.is_in_hole(line, k), without.is_in_hole(line, k));
+    }
+  }
 }
 
 TEST(WriteSceneTest, IsReadByLoadScene) {
