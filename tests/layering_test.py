@@ -104,6 +104,7 @@ RULES = {
         ['common/mesh', 'common/mesh/triangulation', 'coordinator/plan/types', 'coordinator/plan/rim'],
         ['eigen'], pure=True),
 
+    'coordinator/plan/overlap': rule(PLAN + ['coordinator/plan/rim', 'coordinator/plan/hole'], ['absl', 'eigen'], pure=True),
     'coordinator/plan/pieces': rule(
         ['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'],
         ['absl', 'eigen'], pure=True),
@@ -114,7 +115,7 @@ RULES = {
 
     'coordinator/plan': rule(
         ['common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/seam',
-         'coordinator/plan/hole', 'coordinator/plan/pieces', 'coordinator/plan/water'],
+         'coordinator/plan/hole', 'coordinator/plan/overlap', 'coordinator/plan/pieces', 'coordinator/plan/water'],
         [], pure=True),
 
     'coordinator/state': rule(['common/util', 'common/grid'], ['absl'], pure=True),

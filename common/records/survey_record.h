@@ -17,6 +17,7 @@ struct BoundaryVertex {
   Eigen::Vector3d normal{0, 0,
                          1};   // unit, area-weighted mean of the triangles at the vertex; zero if they have no area
   double centroid_height = 0;  // mean height of the centroids of the triangles at the vertex (Wang 3.3, figure 8b)
+  int32_t piece = 0;           // the connected piece of surface that it is on: pieces at the boundary, from 0
 };
 
 // A boundary edge, directed as its triangle is: surface on the left, hole (or outside) on the right.

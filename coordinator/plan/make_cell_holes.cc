@@ -1,5 +1,7 @@
 #include "coordinator/plan/make_cell_holes.h"
 
+#include <cmath>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -11,12 +13,19 @@ class CellHolesBuilder {
   CellHolesBuilder(const Plan& plan, const PlanInput& input, const SeamHeights& heights)
       : plan_(plan), input_(input), heights_(heights) {}
 
-  CellHoles Build(const std::vector<int32_t>& holes, bool with_band) {
+  CellHoles Build(const std::vector<int32_t>& holes, bool with_band, bool own_regions) {
     result_.cell = plan_.holes[holes.front()].cell;
     result_.lattice_step = plan_.lattice_step;
     result_.float32 = NumberTypeOf(result_.cell);
     IndexOwnVertices();
-    for (const int32_t h : holes) AddHole(h);
+    for (const int32_t h : holes) {
+      const auto& regions = plan_.holes[h].own_regions;
+      if (!own_regions || regions.empty()) {
+        AddHole(h, plan_.holes[h].segments);
+      } else {
+        for (const std::vector<RimSegment>& region : regions) AddHole(h, region);
+      }
+    }
     if (with_band) {
       for (const RimVertex& v : result_.vertices) result_.band.points.push_back(v.position);
       for (const CellId tile : CellsAround(holes)) AddBand(tile);
@@ -77,22 +86,36 @@ class CellHolesBuilder {
     }
     if (p.index < 0) {
       v.seam_vertex = plan_vertex;
-      const auto height = heights_.height.find(plan_vertex);
-      v.height_known = height != heights_.height.end();
-      if (v.height_known) v.position.z() = height->second;
+      const std::optional<double> height = HeightOf(plan_vertex);
+      v.height_known = height.has_value();
+      if (height) v.position.z() = *height;
     }
     result_.vertices.push_back(v);
     return it->second;
   }
 
-  void AddHole(int32_t h) {
+  // Of a seam vertex, if it is settled. Off the grid line the surface goes on with its slope.
+  std::optional<double> HeightOf(int32_t plan_vertex) const {
+    const PlanVertex& p = plan_.vertices[plan_vertex];
+    const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
+    const PlanVertex& s = plan_.vertices[source];
+    if (s.index >= 0) return s.position.z();
+    const auto height = heights_.height.find(source);
+    if (height == heights_.height.end()) return std::nullopt;
+    const auto slope = heights_.slope.find(source);
+    if (p.follows < 0 || slope == heights_.slope.end()) return height->second;
+    const double z = height->second + slope->second.dot((p.position - s.position).head<2>());
+    return std::round(z / plan_.lattice_step) * plan_.lattice_step;
+  }
+
+  void AddHole(int32_t h, const std::vector<RimSegment>& segments) {
     const PlannedHole& planned = plan_.holes[h];
     CellHole hole;
     hole.id = h;
-    hole.open = planned.kind != HoleKind::kClosed;
+    hole.open = planned.kind != HoleKind::kClosed || !planned.own_regions.empty();
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
     if (planned.water >= 0) hole.level = plan_.water[planned.water].level;
-    for (const RimSegment& s : planned.segments) {
+    for (const RimSegment& s : segments) {
       const int32_t from = Vertex(s.from);
       const int32_t to = Vertex(s.to);
       hole.segments.push_back({from, to, s.seam});
@@ -106,7 +129,8 @@ class CellHolesBuilder {
   // An original vertex at which seams of several clusters end keeps the Laplacian of the first.
   void SetSeamVertex(RimVertex& v, int32_t cluster, int32_t plan_vertex) const {
     v.seam_vertex = plan_vertex;
-    const auto it = heights_.laplacian.find({cluster, plan_vertex});
+    const int32_t follows = plan_.vertices[plan_vertex].follows;
+    const auto it = heights_.laplacian.find({cluster, follows >= 0 ? follows : plan_vertex});
     if (it == heights_.laplacian.end() || v.laplacian_known) return;
     v.laplacian_known = true;
     v.laplacian = it->second;
@@ -149,7 +173,12 @@ class CellHolesBuilder {
 
 CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
                         const std::vector<int32_t>& holes, bool with_band) {
-  return CellHolesBuilder(plan, input, heights).Build(holes, with_band);
+  return CellHolesBuilder(plan, input, heights).Build(holes, with_band, false);
+}
+
+CellHoles MakeFillHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
+                        const std::vector<int32_t>& holes) {
+  return CellHolesBuilder(plan, input, heights).Build(holes, true, true);
 }
 
 }  // namespace tilemend

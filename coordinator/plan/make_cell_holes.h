@@ -15,6 +15,10 @@ namespace tilemend {
 CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
                         const std::vector<int32_t>& holes, bool with_band);
 
+// The same for filling, with the triangles around: where tiles end at outlines of their own, up to those.
+CellHoles MakeFillHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
+                        const std::vector<int32_t>& holes);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_MAKE_CELL_HOLES_H_

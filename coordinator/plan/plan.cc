@@ -10,6 +10,10 @@
 #include "coordinator/plan/division.h"
 #include "coordinator/plan/hole/layers.h"
 #include "coordinator/plan/hole/touching_holes.h"
+#include "coordinator/plan/overlap/joint_tiles.h"
+#include "coordinator/plan/overlap/merge_parts.h"
+#include "coordinator/plan/overlap/own_regions.h"
+#include "coordinator/plan/overlap/tile_parts.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
@@ -35,16 +39,6 @@ double LatticeStep(const PlanInput& input) {
   const int digits = float32 ? 24 : 53;
   const double representable = std::ldexp(1.0, std::ilogb(farthest) + 1 - digits);
   return std::max(kFinestStep, representable);
-}
-
-// What is planned together: all cells, or where tiles share no vertices each on its own.
-std::vector<PlanInput> PartsOf(const PlanInput& input, bool independent) {
-  if (!independent) return {input};
-  std::vector<PlanInput> parts;
-  for (const auto& [cell, record] : input.cells) {
-    parts.push_back({input.grid, input.area_known, input.has_grid, {{cell, record}}});
-  }
-  return parts;
 }
 
 // Appends the rim points and seam vertices of a part. Returns the number of the first.
@@ -86,15 +80,15 @@ void LeaveUnlinked(const Rim& rim, Plan& plan) {
   }
 }
 
-// Plans the holes of one part and stores them.
+// Plans the holes of cells whose tiles share vertices and stores them.
 void PlanPart(const PlanInput& input, const std::set<CellId>& scene_area, const GridLines& lines,
               const PlanOptions& options, Plan& plan) {
-  Rim rim = BuildRim(input, !lines.independent);
+  Rim rim = BuildRim(input, true);
   const ClosingCells closing = FindClosingCells(input, lines, rim);
   RaiseSmallSizes(plan.lattice_step, rim);
   RaiseSizesAtShortEdges(rim);
   const Part part{input, scene_area, lines, options, rim, plan.lattice_step};
-  Division division = lines.independent ? DivideTile(part, closing) : DivideScene(part, closing);
+  Division division = DivideScene(part, closing);
   const int32_t base = StoreVertices(rim, division.seams, plan);
   plan.left.insert(plan.left.end(), division.left.begin(), division.left.end());
   for (auto& [cell, found] : division.holes) StoreHoles(std::move(found), base, input.has_grid, plan);
@@ -106,14 +100,24 @@ void PlanPart(const PlanInput& input, const std::set<CellId>& scene_area, const 
   LeaveUnlinked(rim, plan);
 }
 
+// Plans tiles that share no vertices as the clipped scene that they stand for.
+void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
+  const TileParts parts = SplitTiles(input, outlines, plan.lattice_step);
+  const JointTiles joint = JoinTiles(parts);
+  std::set<CellId> area;
+  for (const auto& [part, record] : parts.input.cells) area.insert(part);
+  PlanPart(joint.input, area, joint.lines, options, plan);
+  LayOwnRegions(parts, joint, plan);
+  MergeParts(input, parts, plan);
+}
+
 void StoreLayers(Plan& plan) {
   std::vector<bool> open, outermost;
   for (const PlannedHole& hole : plan.holes) {
-    open.push_back(hole.kind != HoleKind::kClosed && hole.failure.empty());
+    open.push_back((hole.kind != HoleKind::kClosed || !hole.own_regions.empty()) && hole.failure.empty());
     outermost.push_back(hole.boundary_vertices > 0);
   }
-  const auto touching = plan.tiles_apart ? HolesThatFace(plan) : HolesThatTouch(plan);
-  const Layering layering = LayerHoles(open, outermost, touching);
+  const Layering layering = LayerHoles(open, outermost, HolesThatTouch(plan));
   plan.clusters = layering.clusters;
   plan.layers = layering.layers;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
@@ -141,7 +145,11 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   plan.tiles_apart = lines.independent;
   std::set<CellId> area;
   for (const auto& [cell, record] : input.cells) area.insert(cell);
-  for (const PlanInput& part : PartsOf(input, lines.independent)) PlanPart(part, area, lines, options, plan);
+  if (lines.independent) {
+    PlanOverlapping(input, lines, options, plan);
+  } else {
+    PlanPart(input, area, lines, options, plan);
+  }
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   FindWater(input, options.water, plan);

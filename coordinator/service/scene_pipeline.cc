@@ -56,12 +56,14 @@ absl::StatusOr<Message> Parse(const std::string& bytes) {
 }
 
 absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output) {
-  if (output.height_size() != output.seam_vertex_size() || output.laplacian_size() != output.seam_vertex_size()) {
+  if (output.height_size() != output.seam_vertex_size() || output.laplacian_size() != output.seam_vertex_size() ||
+      output.slope_x_size() != output.seam_vertex_size() || output.slope_y_size() != output.seam_vertex_size()) {
     return absl::InvalidArgumentError("columns of unequal length");
   }
   ClusterSamples samples{output.cluster(), {}, {}};
   for (int i = 0; i < output.height_size(); ++i) {
-    samples.samples.push_back({output.seam_vertex(i), output.height(i), output.laplacian(i)});
+    samples.samples.push_back(
+        {output.seam_vertex(i), output.height(i), output.laplacian(i), {output.slope_x(i), output.slope_y(i)}});
   }
   if (output.has_hold_out()) {
     TILEMEND_ASSIGN_OR_RETURN(samples.hold_out, FromProto(output.hold_out()));

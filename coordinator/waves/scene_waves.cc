@@ -75,7 +75,7 @@ SceneWork SceneWaves::WorkOf(const Item& item) const {
 }
 
 FillWork SceneWaves::FillWorkOf(CellId cell) const {
-  FillWork work{MakeCellHoles(plan_, input_, heights_, holes_of_.at(cell), true), {}};
+  FillWork work{MakeFillHoles(plan_, input_, heights_, holes_of_.at(cell)), {}};
   for (const CellId tile : TilesInReach(work.holes, plan_, input_)) work.surface.push_back(tiles_.at(tile));
   return work;
 }
@@ -101,8 +101,9 @@ absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
   for (const ClusterSample& sample : result.samples) {
     const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
     if (!status.ok()) return status;
-    if (!std::isfinite(sample.laplacian)) {
-      return absl::InvalidArgumentError(absl::StrCat("the Laplacian of vertex ", sample.vertex, " is no number"));
+    if (!std::isfinite(sample.laplacian) || !sample.slope.allFinite()) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("the Laplacian or slope of vertex ", sample.vertex, " is no number"));
     }
   }
   if (result.hold_out) {
@@ -134,10 +135,15 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
     }
     if (patch.hold_out) outcome_.of_holes[patch.hole] = *patch.hold_out;
     if (patch.failure.empty()) {
-      outcome_.sizes[patch.hole] = {patch.new_vertices, patch.triangles, patch.way};
       filled_.insert(cell);
+      if (outcome_.failures.contains(patch.hole)) continue;
+      PatchSize& size = outcome_.sizes[patch.hole];
+      size.new_vertices += patch.new_vertices;
+      size.triangles += patch.triangles;
+      size.way = patch.way;
     } else {
       outcome_.failures[patch.hole] = patch.failure;
+      outcome_.sizes.erase(patch.hole);
     }
   }
   outcome_.quality.Merge(result.quality);

@@ -35,7 +35,8 @@ class LocalStages {
     ClusterSamples samples{work.cluster, {}, {}};
     if (const auto surface = SampleCluster(work.holes, options_.fill)) {
       samples.hold_out = surface->hold_out;
-      for (const SurfaceSample& s : surface->samples) samples.samples.push_back({s.seam_vertex, s.height, s.laplacian});
+      for (const SurfaceSample& s : surface->samples)
+        samples.samples.push_back({s.seam_vertex, s.height, s.laplacian, s.slope});
     }
     return waves_.TakeCluster(samples);
   }

@@ -62,6 +62,8 @@ absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input
     output.add_seam_vertex(sample.seam_vertex);
     output.add_height(sample.height);
     output.add_laplacian(sample.laplacian);
+    output.add_slope_x(sample.slope.x());
+    output.add_slope_y(sample.slope.y());
   }
   return output.SerializeAsString();
 }

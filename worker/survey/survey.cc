@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
+#include "common/mesh/disjoint_sets.h"
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
 
@@ -191,6 +193,20 @@ void StoreVertexFigures(SurveyRecord& record) {
   }
 }
 
+// The connected piece of each boundary vertex, numbered in the order of the vertices.
+void StorePieces(const TriMesh& mesh, const Weld& weld, SurveyRecord& record) {
+  DisjointSets sets(static_cast<int32_t>(mesh.points.size()));
+  const auto of = [&](int32_t v) { return weld.weld[v] == kNone ? v : weld.first[weld.weld[v]]; };
+  for (const Triangle& t : mesh.triangles) {
+    sets.Join(of(t[0]), of(t[1]));
+    sets.Join(of(t[0]), of(t[2]));
+  }
+  std::unordered_map<int32_t, int32_t> number;
+  for (BoundaryVertex& v : record.vertices) {
+    v.piece = number.try_emplace(sets.LowestOf(v.index), static_cast<int32_t>(number.size())).first->second;
+  }
+}
+
 }  // namespace
 
 SurveyRecord SurveyTile(const TriMesh& mesh, bool float32) {
@@ -211,6 +227,7 @@ SurveyRecord SurveyTile(const TriMesh& mesh, bool float32) {
   const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges, record);
   StoreBand(mesh, boundary, record);
   StoreVertexFigures(record);
+  StorePieces(mesh, weld, record);
   return record;
 }
 

@@ -105,7 +105,7 @@ ClosingCells FindClosingCells(const PlanInput& input, const GridLines& lines, co
   ClosingCells closing;
   closing.reserve(rim.edges.size());
   for (const RimEdge& e : rim.edges) closing.push_back(ClosingCellOf(e, input, lines, rim));
-  if (lines.independent) return closing;
+  if (lines.independent || lines.joined) return closing;
   if (lines.clipped) {
     CloseHairlines(input, lines, rim, closing);
     for (const std::vector<int32_t>& loop : rim.loops) FollowAtShortEdges(input, lines, rim, loop, closing);

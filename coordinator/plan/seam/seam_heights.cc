@@ -84,6 +84,7 @@ void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSam
     heights.laplacian[{cluster, s.vertex}] = s.laplacian;
     if (plan.vertices[s.vertex].index >= 0) continue;  // an original vertex at the end of a seam
     heights.height[s.vertex] = HeightAt(plan, s.vertex, s.height);
+    heights.slope[s.vertex] = s.slope;
   }
 }
 

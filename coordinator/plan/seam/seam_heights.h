@@ -22,6 +22,7 @@ struct SeamSample {
 struct SeamHeights {
   std::map<int32_t, double> height = {};                         // of the seam vertices that are settled
   std::map<std::pair<int32_t, int32_t>, double> laplacian = {};  // by cluster and vertex on a seam, where it is known
+  std::map<int32_t, Point2> slope = {};                          // of the cluster's surface, where it is known
   std::map<int32_t, double> tension = {};                        // by cluster, where it has been chosen
 };
 
@@ -30,6 +31,7 @@ struct ClusterSample {
   int32_t vertex = 0;    // into Plan::vertices
   double height = 0;     // metres
   double laplacian = 0;  // 1 / metre
+  Point2 slope{0, 0};
 };
 
 // Settles the seam vertices of a cluster whose surface is known. Heights are rounded to the plan's lattice.

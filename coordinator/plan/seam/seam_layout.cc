@@ -72,7 +72,7 @@ class SeamLayer {
       Fail(border, absl::StrFormat("no seam can be laid along the grid line at (%.3f, %.3f)", p.x(), p.y()));
       return;
     }
-    if (over_rim_ == SeamsOverRim::kYes && !site_.lines.independent) {
+    if (over_rim_ == SeamsOverRim::kYes && !site_.lines.independent && !site_.lines.joined) {
       path = BendToRim(*path, site_.rim, site_.index, position, LargestBend(border));
     }
     result_.seams.push_back({border.first, border.second, *std::move(path)});
@@ -90,7 +90,8 @@ class SeamLayer {
     const auto [it, fresh] = corner_vertex_.try_emplace(c, -1);
     if (!fresh) return it->second;
     const Point2 p = CornerPosition(c, site_.area, site_.lines);
-    const double reach = TouchesOutside(c, site_.area) ? kCornerOnRim : kCornerSnap * site_.index.mean_size();
+    const double reach =
+        TouchesOutside(c, site_.area) || site_.lines.joined ? kCornerOnRim : kCornerSnap * site_.index.mean_size();
     const int32_t near = site_.index.NearestPoint(p, reach);
     it->second = near >= 0 ? near : NewVertex(p, 3, -1);
     return it->second;

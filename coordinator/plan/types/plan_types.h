@@ -66,6 +66,9 @@ struct PlannedHole {
   int32_t water = -1;                // into Plan::water; -1: no water
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
+  // Where tiles end at outlines of their own: what bounds the parts that are filled, each up to such an outline. None:
+  // `segments` does.
+  std::vector<std::vector<RimSegment>> own_regions;
 };
 
 // A vertex of a hole boundary: a vertex of one or more tiles, or a new one on a seam.
@@ -77,6 +80,9 @@ struct PlanVertex {
   double size = 0;
   uint8_t lines = 0;          // as RimVertex::lines
   bool height_given = false;  // of a seam vertex: it takes the height of a rim vertex a hair beside it
+  // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
+  // there; an original one only its Laplacian.
+  int32_t follows = -1;
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along

@@ -61,8 +61,9 @@ class ClusterSampler {
     const auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
     if (!laplacian) return std::nullopt;
     if (surface.hold_out) surface.hold_out->tension = problem.tension;
-    for (const auto& [v, value] : AtSeams(problem, *laplacian)) {
-      surface.samples.push_back({cluster_.vertices[v].seam_vertex, value.first, value.second});
+    for (auto& [v, sample] : AtSeams(problem, *laplacian)) {
+      sample.seam_vertex = cluster_.vertices[v].seam_vertex;
+      surface.samples.push_back(sample);
     }
     return surface;
   }
@@ -149,8 +150,11 @@ class ClusterSampler {
     ThinPlateProblem problem;
     problem.points = hole_.positions;
     for (int32_t v = 0; v < hole_.size(); ++v) {
-      problem.known.push_back(IsKnown(hole_.vertices[v]));
-      problem.has_equation.push_back(!external_.contains(hole_.vertices[v]) && !at_fold_.contains(v));
+      const int32_t rim = hole_.vertices[v];
+      // Where overlapping tiles were cut for the plan, the rim has vertices that no triangle of theirs has.
+      const bool without_ring = external_.contains(rim) || (IsKnown(rim) && band_.At(rim).empty());
+      problem.known.push_back(IsKnown(rim));
+      problem.has_equation.push_back(!without_ring && !at_fold_.contains(v));
     }
     for (const LatticePoint& p : region_.new_points) {
       const Point2 q = planar_->window.ToMetres(p);
@@ -168,15 +172,31 @@ class ClusterSampler {
     return problem;
   }
 
-  // Height and Laplacian at every vertex of the seams, by vertex; between those that were kept, along the seam.
-  std::map<int32_t, std::pair<double, double>> AtSeams(const ThinPlateProblem& problem,
-                                                       const std::vector<double>& laplacian) const {
-    std::map<int32_t, std::pair<double, double>> values;
+  // The surface's gradient at each point of the patch: the mean of its triangles, by their areas.
+  static std::vector<Point2> Slopes(const ThinPlateProblem& problem) {
+    std::vector<Eigen::Vector3d> normal(problem.points.size(), Eigen::Vector3d::Zero());
+    for (const Triangle& t : problem.patch) {
+      const Point3 &a = problem.points[t[0]], &b = problem.points[t[1]], &c = problem.points[t[2]];
+      const Eigen::Vector3d n = (b - a).cross(c - a);
+      for (const int32_t v : t) normal[v] += n;
+    }
+    std::vector<Point2> slopes;
+    for (const Eigen::Vector3d& n : normal) {
+      slopes.emplace_back(n.z() > 0 ? Point2(-n.head<2>() / n.z()) : Point2(0, 0));
+    }
+    return slopes;
+  }
+
+  // The surface at every vertex of the seams, by vertex; between those that were kept, along the seam.
+  std::map<int32_t, SurfaceSample> AtSeams(const ThinPlateProblem& problem,
+                                           const std::vector<double>& laplacian) const {
+    std::map<int32_t, SurfaceSample> values;
+    const std::vector<Point2> slope = Slopes(problem);
     std::map<int32_t, int32_t> number;
     for (int32_t v = 0; v < hole_.size(); ++v) number.emplace(hole_.vertices[v], v);
     for (size_t c = 0; c < chains_.size(); ++c) {
       const std::vector<int32_t>& vertices = chains_[c].vertices;
-      std::vector<double> along = {0}, knots, heights, laplacians;
+      std::vector<double> along = {0}, knots, heights, laplacians, slopes_x, slopes_y;
       for (size_t i = 1; i < vertices.size(); ++i) {
         const Point3 &a = cluster_.vertices[vertices[i - 1]].position, &b = cluster_.vertices[vertices[i]].position;
         along.push_back(along.back() + (b - a).head<2>().norm());
@@ -186,10 +206,14 @@ class ClusterSampler {
         knots.push_back(along[i]);
         heights.push_back(problem.points[local].z());
         laplacians.push_back(laplacian[local]);
+        slopes_x.push_back(slope[local].x());
+        slopes_y.push_back(slope[local].y());
       }
       const std::vector<double> h = InterpolatedAlong(knots, heights, along);
       const std::vector<double> l = InterpolatedAlong(knots, laplacians, along);
-      for (size_t i = 0; i < vertices.size(); ++i) values[vertices[i]] = {h[i], l[i]};
+      const std::vector<double> x = InterpolatedAlong(knots, slopes_x, along);
+      const std::vector<double> y = InterpolatedAlong(knots, slopes_y, along);
+      for (size_t i = 0; i < vertices.size(); ++i) values[vertices[i]] = {0, h[i], l[i], {x[i], y[i]}};
     }
     return values;
   }

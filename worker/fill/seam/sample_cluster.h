@@ -15,6 +15,7 @@ struct SurfaceSample {
   int32_t seam_vertex = 0;
   double height = 0;     // metres
   double laplacian = 0;  // 1 / metre
+  Point2 slope{0, 0};    // the mean of the triangles around it
 };
 
 // As many as one solve may have, whatever the cluster's size.

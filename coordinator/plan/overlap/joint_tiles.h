@@ -1,0 +1,37 @@
+// Tiles that overlap, or part, as one clipped scene: what the plan is made from where tiles share no vertices.
+//
+// Every tile's boundary is cut at the grid lines (clip_tile.h). Along a line both neighbours then have stretches with
+// surface. Where both have, they meet; where one has, its end bounds the other's hole; where neither has, the hole goes
+// on across. So cells, seams, clusters and layers are what they are on a clipped cut. No vertex of a tile moves and
+// none is joined to another: only the plan's picture of the tiles is cut.
+#ifndef TILEMEND_COORDINATOR_PLAN_OVERLAP_JOINT_TILES_H_
+#define TILEMEND_COORDINATOR_PLAN_OVERLAP_JOINT_TILES_H_
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "coordinator/plan/overlap/clip_tile.h"
+#include "coordinator/plan/overlap/tile_parts.h"
+#include "coordinator/plan/rim/grid_lines.h"
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+struct JointTiles {
+  // The clipped boundaries, without bands. A record's vertices are all those of the tile's, in order, then new ones on
+  // the grid lines; `index` of the latter goes on from the tile's vertex count.
+  std::map<CellId, SurveyRecord> records;
+  // Per tile, for each of its new vertices: the edge of the tile's own record that crosses the line there, or -1.
+  std::map<CellId, std::vector<int32_t>> crossing_edge;
+  std::map<CellId, ClipSquare> squares;
+  PlanInput input;  // the scene with these records; valid as long as they are
+  GridLines lines;  // the grid lines
+};
+
+// The parts of tiles are joined as tiles are. Cost O(n log n) in the boundary edges.
+JointTiles JoinTiles(const TileParts& parts);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_OVERLAP_JOINT_TILES_H_
