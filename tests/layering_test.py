@@ -104,7 +104,10 @@ RULES = {
         ['common/mesh', 'common/mesh/triangulation', 'coordinator/plan/types', 'coordinator/plan/rim'],
         ['eigen'], pure=True),
 
-    'coordinator/plan/overlap': rule(PLAN + ['coordinator/plan/rim', 'coordinator/plan/hole'], ['absl', 'eigen'], pure=True),
+    'coordinator/plan/overlap': rule(
+        ['common/mesh', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/hole'],
+        [], pure=True),
+
     'coordinator/plan/pieces': rule(
         ['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'],
         ['absl', 'eigen'], pure=True),
