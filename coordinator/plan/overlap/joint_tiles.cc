@@ -12,6 +12,9 @@ namespace {
 // put in one place: an edge between them would be too short beside the others.
 constexpr double kSamePlace = 0.3;
 
+// Metres inside a grid line: where chains of folded surface are closed.
+constexpr double kFoldDepth = 0.01;
+
 // The side that makes the border: b is east or north of a.
 using Border = std::pair<CellId, CellId>;
 
@@ -200,6 +203,7 @@ class Joiner {
     for (const Coverage& c : of) {
       for (const auto& [t, step] : c.step) places[t];
     }
+    for (const int k : {0, 1}) AddFolds(border, of, k);
     std::vector<LineVertex> run;
     int surface[2] = {0, 0}, owner = -1;
     for (const auto& [t, unused] : places) {
@@ -214,6 +218,33 @@ class Joiner {
       run.clear();
       if (owner >= 0) run.push_back(VertexAt(border, of, owner, t));
     }
+  }
+
+  // Where a tile's surface lies over itself at a line, the chains that end within are closed by ways just inside it.
+  void AddFolds(const Border& border, const Coverage (&of)[2], int tile) {
+    int surface = 0, extra = 0;
+    double from = 0;
+    for (const auto& [t, step] : of[tile].step) {
+      surface += step;
+      const int next = surface > 0 ? surface - 1 : surface;
+      if (next == extra) continue;
+      for (int k = 0; k < std::abs(extra); ++k) AddFold(border, of, tile, from, t, extra > 0);
+      extra = next;
+      from = t;
+    }
+  }
+
+  void AddFold(const Border& border, const Coverage (&of)[2], int tile, double from, double to, bool covered) {
+    const Side side = SideOf(border, tile);
+    const LineVertex a = VertexAt(border, of, tile, from), b = VertexAt(border, of, tile, to);
+    const CellId cell = TileOf(border, tile);
+    SurveyRecord& record = joint_.records.at(cell);
+    int32_t first = AddNode(cell, side, a, -1), last = AddNode(cell, side, b, -1);
+    const int32_t middle = AddNode(cell, side, {(a.t + b.t) / 2, (a.height + b.height) / 2}, -1);
+    record.vertices[middle].position[AxisOf(side)] -= OutwardOf(side) * kFoldDepth;
+    if ((TurnOf(side) > 0) != covered) std::swap(first, last);
+    record.edges.push_back({first, middle});
+    record.edges.push_back({middle, last});
   }
 
   // A place on a line: its height is that of the crossing there, at a grid corner that of all tiles in the mean.
