@@ -34,7 +34,11 @@ class CellRegions {
     }
   }
 
+  // A closed hole has a region of its own only where its tile was cut for the plan.
   void Lay(PlannedHole& hole) {
+    const bool whole = std::all_of(hole.segments.begin(), hole.segments.end(),
+                                   [&](const RimSegment& s) { return IsInside(s.from) && IsInside(s.to); });
+    if (whole && hole.kind == HoleKind::kClosed) return;
     region_.clear();
     std::multimap<int32_t, size_t> from;  // segments that are not all of the tile, by their first vertex
     std::vector<size_t> starts;
@@ -283,8 +287,7 @@ void LayOwnRegions(const TileParts& parts, const JointTiles& joint, Plan& plan) 
   const PlanInput& input = parts.input;
   std::map<CellId, std::vector<size_t>> holes;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
-    if (plan.holes[h].kind != HoleKind::kClosed && plan.holes[h].failure.empty())
-      holes[plan.holes[h].cell].push_back(h);
+    if (plan.holes[h].failure.empty()) holes[plan.holes[h].cell].push_back(h);
   }
   for (const auto& [cell, of_cell] : holes) {
     CellRegions regions(cell, input.cells.at(cell), parts.own, joint, plan);
