@@ -7,10 +7,9 @@
 namespace tilemend {
 namespace {
 
-constexpr double kStraight = 2e-3;        // metres: an outline whose vertices agree to this is straight
-constexpr double kLeastLength = 0.05;     // of a cell: of a tile's outlines along a line
-constexpr double kLargestOverlap = 0.06;  // of a cell: of two pieces
-constexpr double kSameLine = 0.05;        // metres: lines in two cells this near are one
+constexpr double kStraight = 2e-3;     // metres: an outline whose vertices agree to this is straight
+constexpr double kLeastLength = 0.05;  // of a cell: of a tile's outlines along a line
+constexpr double kSameLine = 0.05;     // metres: lines in two cells this near are one
 
 // Lengths of straight outline by coordinate.
 using Lengths = std::map<int64_t, double>;
@@ -22,7 +21,8 @@ struct PieceLine {
 
 class LineFinder {
  public:
-  LineFinder(const PlanInput& input, int axis) : input_(input), axis_(axis) {}
+  // Pieces overlap by less than `reach`.
+  LineFinder(const PlanInput& input, int axis, double reach) : input_(input), axis_(axis), reach_(reach) {}
 
   // In rising order.
   std::vector<PieceLine> Run() {
@@ -52,8 +52,7 @@ class LineFinder {
     for (const BoundaryEdge& e : record.edges) {
       const Point3 &a = record.vertices[e.from].position, &b = record.vertices[e.to].position;
       const double place = a[axis_] - low;
-      if (std::abs(a[axis_] - b[axis_]) > kStraight || place < kLargestOverlap * size ||
-          place > size - kLargestOverlap * size) {
+      if (std::abs(a[axis_] - b[axis_]) > kStraight || place < reach_ || place > size - reach_) {
         continue;
       }
       const double along = b[1 - axis_] - a[1 - axis_];
@@ -63,7 +62,7 @@ class LineFinder {
     DropShort(ends), DropShort(begins);
     for (const auto& [begin, length] : begins) {
       const auto end = ends.lower_bound(begin + 1);
-      if (end == ends.end() || static_cast<double>(end->first - begin) * kStraight > kLargestOverlap * size) continue;
+      if (end == ends.end() || static_cast<double>(end->first - begin) * kStraight > reach_) continue;
       found_.push_back({static_cast<double>(begin + end->first) / 2 * kStraight,
                         static_cast<double>(end->first - begin) * kStraight});
     }
@@ -76,6 +75,7 @@ class LineFinder {
 
   const PlanInput& input_;
   const int axis_;
+  const double reach_;
   std::vector<PieceLine> found_;
 };
 
@@ -85,7 +85,7 @@ class Splitter {
       : input_(input), own_(own), step_(step), parts_(parts) {}
 
   void Run() {
-    for (const int axis : {0, 1}) lines_[axis] = LineFinder(input_, axis).Run();
+    for (const int axis : {0, 1}) lines_[axis] = LineFinder(input_, axis, own_.piece_reach).Run();
     parts_.columns = static_cast<int32_t>(lines_[0].size()) + 1;
     parts_.rows = static_cast<int32_t>(lines_[1].size()) + 1;
     parts_.input = input_;
