@@ -38,13 +38,30 @@ class LineFinder {
         sum.place += found_[k].place;
         sum.overlap = std::max(sum.overlap, found_[k].overlap);
       }
-      lines.push_back({sum.place / static_cast<double>(k - i), sum.overlap});
+      sum.place /= static_cast<double>(k - i);
+      if (!IsCrossed(sum.place)) lines.push_back(sum);
       i = k;
     }
     return lines;
   }
 
  private:
+  // Whether a piece of any cell goes on across a line.
+  bool IsCrossed(double place) const {
+    for (const auto& [cell, record] : input_.cells) {
+      if (record == nullptr) continue;
+      const double low = NominalLine(input_.grid, cell, axis_ == 0 ? kWest : kSouth);
+      std::map<int32_t, std::pair<bool, bool>> sides;  // of each piece: whether it is on either
+      for (const BoundaryVertex& v : record->vertices) {
+        auto& [below, above] = sides[v.piece];
+        below |= v.position[axis_] - low < place - reach_;
+        above |= v.position[axis_] - low > place + reach_;
+        if (below && above) return true;
+      }
+    }
+    return false;
+  }
+
   void FindIn(CellId cell, const SurveyRecord& record) {
     const double size = input_.grid.cell_size[axis_];
     const double low = input_.grid.corner[axis_] + (axis_ == 0 ? cell.col : cell.row) * size;
