@@ -152,7 +152,7 @@ class ClusterSampler {
     for (int32_t v = 0; v < hole_.size(); ++v) {
       const int32_t rim = hole_.vertices[v];
       // Where overlapping tiles were cut for the plan, the rim has vertices that no triangle of theirs has.
-      const bool without_ring = external_.contains(rim) || (IsKnown(rim) && band_.At(rim).empty());
+      const bool without_ring = external_.contains(rim) || (IsKnown(rim) && hole_.band->At(rim).empty());
       problem.known.push_back(IsKnown(rim));
       problem.has_equation.push_back(!without_ring && !at_fold_.contains(v));
     }
