@@ -195,36 +195,5 @@ TEST(DivideTileTest, PutsHolesThatFaceEachOtherAtABorderIntoOneCluster) {
   }
 }
 
-// One tile stored as two boxes that overlap by 1 cm, with a hole over both: their outlines along each other are no
-// hole.
-TEST(DivideTileTest, TakesLoopsAlongPiecesApart) {
-  SurveyedScene scene = IndependentTiles([](int32_t, int32_t) { return true; });
-  TriMesh& tile = scene.tiles.at({0, 0});
-  const double side = 251.0 / 25;
-  TriMesh pieces;
-  for (const bool west : {true, false}) {
-    const TriMesh part =
-        Moved(SquaresMesh(west ? 0 : 12, west ? 12 : 25, 0, 25,
-                          [&](int32_t i, int32_t j) { return !((i == 11 || i == 12) && j >= 8 && j < 12); }),
-              [&](const Point3& p) {
-                const double shift = west && p.x() == 12 ? 0.01 : 0;
-                return Point3(p.x() * side - 0.5 + shift, p.y() * side - 0.5 + (west ? 0 : 1e-3), 0);
-              });
-    const auto base = static_cast<int32_t>(pieces.points.size());
-    pieces.points.insert(pieces.points.end(), part.points.begin(), part.points.end());
-    for (const Triangle& t : part.triangles) pieces.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-  }
-  tile = pieces;
-  const Plan plan = PlanOf(SurveyScene(scene.grid, scene.tiles));
-  ASSERT_TRUE(plan.tiles_apart);
-  ASSERT_THAT(plan.holes, SizeIs(2)) << "each piece is closed up to its own outline";
-  for (const PlannedHole& hole : plan.holes) {
-    EXPECT_EQ(hole.kind, HoleKind::kClosed);
-    EXPECT_NEAR(hole.area, 4 * side * side, 0.05 * side * side);
-  }
-  EXPECT_THAT(plan.left,
-              ::testing::Contains(::testing::Field(&LeftOpen::reason, ::testing::HasSubstr("another piece"))));
-}
-
 }  // namespace
 }  // namespace tilemend
