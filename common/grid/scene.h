@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/mesh/tri_mesh.h"
+#include "common/mesh/plane_polygon.h"
 
 namespace tilemend {
 
@@ -41,6 +41,7 @@ struct Scene {
   Grid grid;
   int32_t cols = 0, rows = 0;
   bool area_known = false;       // false: found by file names only, so the rim of the area stays open
+  PlanePolygon area;             // what is to be covered, inside cells too; empty: the cells
   bool found_by_name = false;    // there was no scene.json
   std::vector<SceneTile> tiles;  // every cell of the area once, sorted by (row, col)
   std::vector<std::string> warnings;

@@ -63,7 +63,7 @@ absl::Status AddRing(const Node& node, WaterArea& area) {
   }
   if (ring.front() != ring.back()) return node.Error("the ring is not closed: its last position is not its first");
   ring.pop_back();
-  area.rings.push_back(std::move(ring));
+  area.polygon.rings.push_back(std::move(ring));
   return absl::OkStatus();
 }
 

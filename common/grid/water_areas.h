@@ -2,18 +2,22 @@
 #ifndef TILEMEND_COMMON_GRID_WATER_AREAS_H_
 #define TILEMEND_COMMON_GRID_WATER_AREAS_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/mesh/tri_mesh.h"
+#include "common/mesh/plane_polygon.h"
 
 namespace tilemend {
 
-// A polygon, or several, seen from above, in metres relative to the scene's origin (as the tiles' coordinates).
+// All in metres relative to the scene's origin, as the tiles' coordinates.
 struct WaterArea {
-  bool water = true;                       // false: what it covers is no water
-  std::vector<std::vector<Point2>> rings;  // not repeating the first point; a point is inside by the even-odd rule
+  bool water = true;  // false: what it covers is no water
+  PlanePolygon polygon = {};
+  std::optional<double> level = std::nullopt;  // height of the water; none: from its shore
+  std::vector<Point2> centreline = {};         // of a river, in either direction; empty or at least two points
+  std::string label = {};                      // of the feature in the file, for people
 };
 
 // Reads GeoJSON (RFC 7946, but in scene coordinates): a Polygon or MultiPolygon, a Feature of one, or a

@@ -217,6 +217,7 @@ void SceneWaves::MakeThePlan() {
   phase_ = "plan";
   input_.has_grid = !options_.single_mesh;
   input_.area_known = scene_.area_known;
+  input_.area = scene_.area;
   for (const auto& [cell, tile] : tiles_) {
     const auto record = records_.find(cell);
     input_.cells[cell] = record == records_.end() ? nullptr : &record->second;

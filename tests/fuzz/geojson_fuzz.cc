@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     return 0;
   }
   for (const tilemend::WaterArea& area : *areas) {
-    for (const auto& ring : area.rings) {
+    for (const auto& ring : area.polygon.rings) {
       if (ring.size() < 3) std::abort();
       for (const tilemend::Point2& p : ring) {
         if (!p.allFinite()) std::abort();

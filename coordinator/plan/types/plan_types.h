@@ -35,6 +35,7 @@ struct PlanInput {
   bool area_known = true;                       // else the rim of the area stays open
   bool has_grid = true;                         // false: one mesh, each loop a closed hole or an outer rim
   std::map<CellId, const SurveyRecord*> cells;  // the area; null: no surface
+  PlanePolygon area = {};                       // what of the cells is to be covered; empty: all (Scene::area)
 };
 
 // How the tiles of two neighbouring cells meet (docs/architecture.md, "Two kinds of cut").

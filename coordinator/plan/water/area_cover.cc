@@ -25,7 +25,7 @@ Bounds BoundsOf(std::span<const PlaneSegment> segments) {
 
 std::vector<PlaneSegment> SegmentsOf(const WaterArea& area) {
   std::vector<PlaneSegment> segments;
-  for (const std::vector<Point2>& ring : area.rings) {
+  for (const std::vector<Point2>& ring : area.polygon.rings) {
     for (size_t i = 0; i < ring.size(); ++i) segments.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
   }
   return segments;

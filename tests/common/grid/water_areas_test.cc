@@ -29,9 +29,9 @@ TEST(ParseWaterAreasTest, ABarePolygonIsWater) {
   ASSERT_TRUE(areas.ok()) << areas.status();
   ASSERT_THAT(*areas, SizeIs(1));
   EXPECT_TRUE((*areas)[0].water);
-  ASSERT_THAT((*areas)[0].rings, SizeIs(1));
-  ASSERT_THAT((*areas)[0].rings[0], SizeIs(4)) << "the closing position is not repeated";
-  EXPECT_EQ((*areas)[0].rings[0][2], Point2(4, 4));
+  ASSERT_THAT((*areas)[0].polygon.rings, SizeIs(1));
+  ASSERT_THAT((*areas)[0].polygon.rings[0], SizeIs(4)) << "the closing position is not repeated";
+  EXPECT_EQ((*areas)[0].polygon.rings[0][2], Point2(4, 4));
 }
 
 TEST(ParseWaterAreasTest, FeaturesKeepTheirOrderAndSayWhatTheyAre) {
@@ -53,7 +53,7 @@ TEST(ParseWaterAreasTest, AMultiPolygonIsOneArea) {
       "f");
   ASSERT_TRUE(areas.ok()) << areas.status();
   ASSERT_THAT(*areas, SizeIs(1));
-  EXPECT_THAT((*areas)[0].rings, SizeIs(3));
+  EXPECT_THAT((*areas)[0].polygon.rings, SizeIs(3));
 }
 
 TEST(ParseWaterAreasTest, AnEmptyCollectionHasNone) {

@@ -198,7 +198,7 @@ TEST(SceneWavesTest, SettlesTheSameHeightsInWhateverOrderResultsCome) {
 TEST(SceneWavesTest, AsksForNoHeightsOfWater) {
   const SurveyedScene scene = Lake();
   WaveOptions options;
-  options.plan.water.areas = {{true, {{{-1, -1}, {13, -1}, {13, 13}, {-1, 13}}}}};
+  options.plan.water.areas = {{true, {{{{-1, -1}, {13, -1}, {13, 13}, {-1, 13}}}}}};
   SceneWaves waves(scene.AsScene(), options);
   Stages stages(waves, scene);
   DoAll(AllNow(waves), stages);

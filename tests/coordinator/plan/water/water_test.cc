@@ -140,20 +140,20 @@ TEST_P(WaterTest, TheToleranceSaysHowMuchTheRimMayScatter) {
 TEST_P(WaterTest, AreasForceAndForbid) {
   const SceneMakerOptions valley = ValleyOverNineCells(GetParam(), 0.02);
   WaterOptions water;
-  water.areas = {{true, {Box(0, 0, 120, 120)}}};
+  water.areas = {{true, {{Box(0, 0, 120, 120)}}}};
   const Plan forced = PlanOf(valley, water);
   ASSERT_THAT(forced.water, SizeIs(1));
   EXPECT_TRUE(forced.water[0].forced);
   EXPECT_LT(forced.water[0].level, kWaterLevel + 0.02 * 120);
   water.areas[0].water = false;
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, IsEmpty());
-  water.areas.push_back({true, {Box(0, 0, 120, 120)}});
+  water.areas.push_back({true, {{Box(0, 0, 120, 120)}}});
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1)) << "the last area decides";
 }
 
 TEST_P(WaterTest, AnAreaOverLessThanHalfDecidesNothing) {
   WaterOptions water;
-  water.areas = {{false, {Box(0, 0, 120, 50)}}, {true, {Box(500, 500, 600, 600)}}, {true, {Box(0, 0, 120, 100)}}};
+  water.areas = {{false, {{Box(0, 0, 120, 50)}}}, {true, {{Box(500, 500, 600, 600)}}}, {true, {{Box(0, 0, 120, 100)}}}};
   const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
   EXPECT_THAT(plan.water, SizeIs(1));
   EXPECT_THAT(plan.idle_water_areas, ElementsAre(0, 1));
@@ -163,7 +163,7 @@ TEST_P(WaterTest, OffFindsNothingButWhatAreasSay) {
   WaterOptions off;
   off.find = false;
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), off).water, IsEmpty());
-  off.areas = {{true, {Box(0, 0, 120, 120)}}};
+  off.areas = {{true, {{Box(0, 0, 120, 120)}}}};
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), off).water, SizeIs(1));
 }
 
@@ -197,7 +197,7 @@ TEST(WaterOfMeshesTest, ASlitInAWallIsNoWater) {
   PlanInput input = scene.Input();
   input.has_grid = input.area_known = false;
   PlanOptions options;
-  options.water.areas = {{true, {Box(-100, -100, 100, 100)}}};
+  options.water.areas = {{true, {{Box(-100, -100, 100, 100)}}}};
   const Plan plan = MakePlan(input, options);
   EXPECT_EQ(plan.holes.size(), 1U);
   EXPECT_THAT(plan.water, IsEmpty());
@@ -213,7 +213,7 @@ TEST(WaterOfMeshesTest, AFewRimVerticesTellTooLittle) {
   EXPECT_EQ(plan.holes.size(), 1U);
   EXPECT_THAT(plan.water, IsEmpty());
   PlanOptions forced;
-  forced.water.areas = {{true, {Box(0, 0, 13, 13)}}};
+  forced.water.areas = {{true, {{Box(0, 0, 13, 13)}}}};
   const Plan pond = MakePlan(scene.Input(), forced);
   ASSERT_THAT(pond.water, SizeIs(1));
   EXPECT_EQ(pond.water[0].level, 1.5);
