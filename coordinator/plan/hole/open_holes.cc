@@ -18,6 +18,7 @@ namespace {
 constexpr char kFolds[] = "its boundary crosses itself seen from above";
 constexpr char kUnbounded[] =
     "it reaches the rim of the area, which is not known; list the cells of the area in scene.json to fill it";
+constexpr char kDoesNotClose[] = "its boundary does not close along the grid lines, so that it has no inside";
 
 using Segments = std::vector<BoundarySegment>;
 
@@ -111,7 +112,8 @@ class OpenHoleFinder {
     } else if (crosses_) {
       hole.failure = kFolds;
     } else {
-      hole.failure = boundary_.seam_failure.empty() ? kUnbounded : boundary_.seam_failure;
+      const char* why = site_.lines.left_open.empty() ? kDoesNotClose : kUnbounded;
+      hole.failure = boundary_.seam_failure.empty() ? why : boundary_.seam_failure;
     }
     found_.holes.push_back(std::move(hole));
   }

@@ -31,7 +31,8 @@ CellId ClosingCellOf(const RimEdge& e, const PlanInput& input, const GridLines& 
   for (const Side side : kSides) {
     const CellId across = Across(e.owner, side);
     const double da = lines.Inside(a.position, e.owner, side), db = lines.Inside(b.position, e.owner, side);
-    const bool ragged = !lines.independent && !lines.clipped && input.cells.contains(across);
+    const bool in_zigzag = input.cells.contains(across) || lines.zigzag.contains({e.owner, side});
+    const bool ragged = !lines.independent && !lines.clipped && in_zigzag;
     const double reach = ragged ? std::max({lines.tolerance, a.size, b.size}) : lines.tolerance;
     const double depth = std::max(std::abs(da), std::abs(db));
     const bool within = std::max(da, db) <= reach && (ragged || std::min(da, db) >= -std::max(reach, kOnLine));

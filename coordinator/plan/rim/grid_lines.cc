@@ -100,6 +100,27 @@ void PlaceOnOutlines(const PlanInput& input, const BorderFindings& borders, doub
   }
 }
 
+bool EndsInZigzag(const SurveyRecord& record, const Grid& grid, CellId cell, Side side) {
+  const double line = NominalLine(grid, cell, side);
+  int64_t beyond = 0, on_line = 0;
+  for (const BoundaryVertex& v : record.vertices) {
+    const double out = (v.position[AxisOf(side)] - line) * OutwardOf(side);
+    beyond += out > kOnLine;
+    on_line += std::abs(out) <= kOnLine;
+  }
+  return beyond > on_line;
+}
+
+// Calls `use` for every side of a cell at the rim of the area.
+template <typename Use>
+void ForSidesAtRim(const PlanInput& input, const Use& use) {
+  for (const auto& [cell, record] : input.cells) {
+    for (const Side side : kSides) {
+      if (!input.cells.contains(Across(cell, side))) use(cell, record, side);
+    }
+  }
+}
+
 }  // namespace
 
 GridLines FindGridLines(const PlanInput& input, const BorderFindings& borders, double lattice_step) {
@@ -114,13 +135,11 @@ GridLines FindGridLines(const PlanInput& input, const BorderFindings& borders, d
   } else {
     PlaceOnLines(input, found.coordinate, lattice_step, lines);
   }
-  if (input.area_known) return lines;
-  for (const auto& [cell, record] : input.cells) {
-    for (const Side side : kSides) {
-      const CellId across = Across(cell, side);
-      if (!input.cells.contains(across)) lines.left_open.insert(std::minmax(cell, across));
-    }
-  }
+  ForSidesAtRim(input, [&](CellId cell, const SurveyRecord* record, Side side) {
+    if (!input.area_known) lines.left_open.insert(std::minmax(cell, Across(cell, side)));
+    if (lines.independent || lines.clipped || record == nullptr) return;
+    if (EndsInZigzag(*record, input.grid, cell, side)) lines.zigzag.insert({cell, side});
+  });
   return lines;
 }
 

@@ -23,6 +23,7 @@ struct GridLines {
   double piece_reach = 0;  // independent: pieces of one tile overlap, or part, by less than this
   std::map<std::pair<CellId, int>, double> coordinate;  // of each side of each cell of the area
   std::set<std::pair<CellId, CellId>> left_open;  // borders at the rim of an area that is not known: no seams there
+  std::set<std::pair<CellId, int>> zigzag;        // ragged: sides at the rim of the area that tiles end at in a zigzag
 
   double At(CellId cell, Side side) const { return coordinate.at({cell, side}); }
 
@@ -35,7 +36,8 @@ struct GridLines {
 // Works out the lines from the tiles' boundaries: a line takes the coordinate along which most of the tiles' boundary
 // runs, over its whole length (new vertices on it must agree with theirs to the bit, and a tile of which only the inner
 // part is left does not end at the line), else the grid's own, rounded to `lattice_step`. Of independent tiles each
-// side has the coordinate of the tile's own outline. Without a grid nothing lies on the lines. Cost linear in the
+// side has the coordinate of the tile's own outline. Without a grid nothing lies on the lines. A ragged cut ends in a
+// zigzag at the rim of the area where a tile has more boundary vertices beyond the line than on it. Cost linear in the
 // tiles' boundary edges.
 GridLines FindGridLines(const PlanInput& input, const BorderFindings& borders, double lattice_step);
 

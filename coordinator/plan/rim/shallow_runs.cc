@@ -40,7 +40,7 @@ class RunCloser {
       const Run& before = runs[(r + runs.size() - 1) % runs.size()];
       const Run& after = runs[(r + 1) % runs.size()];
       const CellId own = CellAt(runs[r].begin), around = Around(CellAt(before.begin), own, CellAt(after.begin));
-      if (around == own || !InArea(around) || !InArea(own)) continue;
+      if (around == own || !MayPass(runs[r], around)) continue;
       if (runs[r].length > std::max(kShortRun, std::min(before.length, after.length))) continue;
       if (best && !ComesFirst(runs[r], *best)) continue;
       if (!IsShallow(runs[r], around)) continue;
@@ -53,6 +53,30 @@ class RunCloser {
   }
 
  private:
+  // Out of the area, and back, only at a zigzag: there what faces out is outline unless it is a tooth inside the line.
+  bool MayPass(const Run& run, CellId around) {
+    const CellId own = CellAt(run.begin);
+    if (InArea(own) && InArea(around)) return true;
+    if (lines_.zigzag.empty()) return false;
+    if (InArea(own)) return true;
+    return InArea(around) && run.length <= kShortRun && IsInside(run, around, own);
+  }
+
+  // Whether the run does not go over the line between two cells.
+  bool IsInside(const Run& run, CellId cell, CellId across) {
+    for (const Side side : kSides) {
+      if (Across(cell, side) != across) continue;
+      for (size_t k = run.begin; k < run.begin + run.length; ++k) {
+        const RimEdge& e = rim_.edges[EdgeAt(k)];
+        for (const int32_t p : {e.from, e.to}) {
+          if (lines_.Inside(rim_.points[p].position, cell, side) <= kOnLine) return false;
+        }
+      }
+      return true;
+    }
+    return false;
+  }
+
   bool InArea(CellId cell) const { return input_.cells.contains(cell); }
   int32_t EdgeAt(size_t i) const { return loop_[i % loop_.size()]; }
   CellId& CellAt(size_t i) { return closing_[EdgeAt(i)]; }
@@ -91,9 +115,13 @@ class RunCloser {
     return true;
   }
 
-  // Whether p is in the square of `cell` or within `reach` of it.
+  // Whether p is in the square of `cell`, of the area or beside it, or within `reach` of it.
   bool NearSquare(const Point3& p, CellId cell, double reach) const {
-    return std::all_of(kSides.begin(), kSides.end(), [&](Side side) { return lines_.Inside(p, cell, side) >= -reach; });
+    return std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
+      if (InArea(cell)) return lines_.Inside(p, cell, side) >= -reach;
+      const double nominal = NominalLine(input_.grid, cell, side);
+      return (nominal - p[AxisOf(side)]) * OutwardOf(side) >= -reach;
+    });
   }
 
   const PlanInput& input_;

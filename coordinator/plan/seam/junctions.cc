@@ -1,18 +1,40 @@
 #include "coordinator/plan/seam/junctions.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include "absl/strings/str_format.h"
+#include "common/mesh/segment_distance.h"
 
 namespace tilemend {
 namespace {
 
 constexpr double kRimTolerance = 1e-3;  // metres: a grid corner this near the rim lies on it
+constexpr double kOutlineReach = 4;     // mean edges of the rim: no edge of it is longer where it counts
 
-bool LiesInHole(const SeamSite& site, Corner corner) {
-  return !site.index.InSurface(CornerPosition(corner, site.area, site.lines), kRimTolerance);
+// Whether the outline of a ragged surface, which the corner may lie off by an edge's length, passes by it.
+bool LiesOnOutline(const SeamSite& site, const ClosingCells& closing, const Point2& corner) {
+  const Point2 reach = Point2::Constant(kOutlineReach * site.index.mean_size());
+  double nearest = std::numeric_limits<double>::infinity();
+  bool outline = false;
+  for (const int32_t i : site.index.EdgesIn(corner - reach, corner + reach)) {
+    const RimPoint& a = site.rim.points[site.rim.edges[i].from];
+    const RimPoint& b = site.rim.points[site.rim.edges[i].to];
+    const double distance = DistanceToSegment(corner, Point2(a.position.head<2>()), Point2(b.position.head<2>()));
+    if (distance > std::max(a.size, b.size) || distance >= nearest) continue;
+    nearest = distance;
+    outline = !site.area.contains(closing[i]);
+  }
+  return outline;
+}
+
+bool LiesInHole(const SeamSite& site, const ClosingCells& closing, Corner corner) {
+  const Point2 p = CornerPosition(corner, site.area, site.lines);
+  if (site.index.InSurface(p, kRimTolerance)) return false;
+  const bool ragged = !site.lines.zigzag.empty() && TouchesOutside(corner, site.area);
+  return !ragged || !LiesOnOutline(site, closing, p);
 }
 
 // The rim passes from cell a to its neighbour b at `point`, with the hole on the right.
@@ -43,10 +65,11 @@ void Pass(const SeamSite& site, CellId a, CellId b, int32_t point, Junctions& ju
 }
 
 // Whether the border begins in a hole, by its first junctions.
-bool StartsInside(const SeamSite& site, const Border& border, std::span<const Junction> first) {
+bool StartsInside(const SeamSite& site, const ClosingCells& closing, const Border& border,
+                  std::span<const Junction> first) {
   const auto starts = std::count_if(first.begin(), first.end(), [](const Junction& j) { return j.start; });
   const auto ends = std::ssize(first) - starts;
-  return starts != ends ? ends > starts : LiesInHole(site, LowCorner(border));
+  return starts != ends ? ends > starts : LiesInHole(site, closing, LowCorner(border));
 }
 
 // Makes starts and ends take turns, as far as there are some of each.
@@ -63,7 +86,8 @@ void Alternate(std::span<Junction> together, bool& inside) {
   }
 }
 
-void SortJunctions(const SeamSite& site, const Border& border, std::vector<Junction>& junctions) {
+void SortJunctions(const SeamSite& site, const ClosingCells& closing, const Border& border,
+                   std::vector<Junction>& junctions) {
   std::sort(junctions.begin(), junctions.end(), [](const Junction& a, const Junction& b) {
     if (a.t != b.t) return a.t < b.t;
     if (a.start != b.start) return !a.start;  // one hole ends before the next begins
@@ -74,7 +98,7 @@ void SortJunctions(const SeamSite& site, const Border& border, std::vector<Junct
     size_t end = begin + 1;
     while (end < junctions.size() && junctions[end].t - junctions[end - 1].t <= site.lines.tolerance) ++end;
     const std::span<Junction> together(junctions.data() + begin, end - begin);
-    if (begin == 0) inside = StartsInside(site, border, together);
+    if (begin == 0) inside = StartsInside(site, closing, border, together);
     Alternate(together, inside);
     begin = end;
   }
@@ -93,11 +117,12 @@ Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing, const
       Pass(site, closing[loop[k]], closing[next], site.rim.edges[loop[k]].to, junctions);
     }
   }
-  for (auto& [border, of_border] : junctions.along) SortJunctions(site, border, of_border);
+  for (auto& [border, of_border] : junctions.along) SortJunctions(site, closing, border, of_border);
   return junctions;
 }
 
-std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const Junctions& junctions) {
+std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing,
+                                          const Junctions& junctions) {
   struct Votes {
     int hole = 0, surface = 0;
   };
@@ -111,7 +136,7 @@ std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const Junctions&
   }
   std::map<Corner, bool> in_hole;
   for (const auto& [corner, vote] : votes) {
-    in_hole[corner] = vote.hole != vote.surface ? vote.hole > vote.surface : LiesInHole(site, corner);
+    in_hole[corner] = vote.hole != vote.surface ? vote.hole > vote.surface : LiesInHole(site, closing, corner);
   }
   return in_hole;
 }

@@ -30,8 +30,10 @@ struct Junctions {
 Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing, const std::vector<bool>& left_out);
 
 // Which grid corners lie in a hole: the outermost junctions of the four borders there tell; where they do not agree, or
-// there are none, the winding number of the rim does.
-std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const Junctions& junctions);
+// there are none, the winding number of the rim does. A corner that the outline of a ragged surface passes by lies in no
+// hole.
+std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing,
+                                          const Junctions& junctions);
 
 }  // namespace tilemend
 

@@ -31,7 +31,7 @@ class SeamLayer {
   SeamLayout Run(const ClosingCells& closing, const std::vector<bool>& left_out) {
     Junctions junctions = FindJunctions(site_, closing, left_out);
     result_.failures = std::move(junctions.failures);
-    const std::map<Corner, bool> in_hole = FindCornersInHoles(site_, junctions);
+    const std::map<Corner, bool> in_hole = FindCornersInHoles(site_, closing, junctions);
     for (const auto& [border, of_border] : junctions.along) {
       if (!site_.lines.left_open.contains(border)) LayBorder(border, of_border, in_hole);
     }

@@ -162,6 +162,34 @@ TEST_P(MadeSceneTest, CountsRaggedHolesLikeClippedOnes) {
   EXPECT_EQ(CountsOf(PlanOf(options)), "1 closed, 7 IB, 1 IIB, 1 IIC");
 }
 
+// Stairs on two sides, and a cell in the middle that is not in the area.
+const std::vector<CellId> kStairs = {{0, 0}, {1, 0}, {0, 1}, {3, 3}, {3, 2}, {1, 2}};
+
+TEST_P(MadeSceneTest, TakesTheOutlineOfStairsForNoHole) {
+  for (const uint64_t s : {seed(), seed() + 10, seed() + 20}) {
+    SceneMakerOptions options = Options(cut(), s);
+    options.cols = options.rows = 4;
+    options.out_of_area = kStairs;
+    const Plan plan = PlanOf(options);
+    EXPECT_EQ(CountsOf(plan), "none") << s;
+    EXPECT_THAT(plan.seams, IsEmpty());
+    ExpectSound(plan);
+  }
+}
+
+// One hole over a border, one around a corner of the cell in the middle, one around a corner of the stairs, one closed.
+TEST_P(MadeSceneTest, FindsTheHolesThatReachAnOutlineOfStairs) {
+  for (const uint64_t s : {seed(), seed() + 10, seed() + 20}) {
+    SceneMakerOptions options = Options(cut(), s);
+    options.cols = options.rows = 4;
+    options.out_of_area = kStairs;
+    options.ellipses = {{{125, 50}, {12, 12}}, {{50, 150}, {20, 14}}, {{150, 100}, {14, 13}}, {{25, 175}, {7, 7}}};
+    const Plan plan = PlanOf(options);
+    EXPECT_EQ(CountsOf(plan), "1 closed, 4 IB, 4 IIB") << s;
+    ExpectSound(plan);
+  }
+}
+
 TEST_P(MadeSceneTest, CallsBordersBetweenWholeTilesExact) {
   const Plan plan = PlanOf(Options(cut(), seed()));
   ASSERT_THAT(plan.borders, SizeIs(12));

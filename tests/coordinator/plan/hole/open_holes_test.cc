@@ -1,5 +1,6 @@
 #include "coordinator/plan/hole/open_holes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/hole_scene.h"
@@ -79,8 +80,10 @@ TEST(FindOpenHolesTest, FailsWhereSegmentsBoundNothing) {
   scene.boundary.open.erase(scene.boundary.open.begin());  // as at the rim of an area that is not known
   const OpenHoles found = FindOpenHoles(scene.Site(), scene.boundary);
   ASSERT_EQ(found.holes.size(), 1U);
-  EXPECT_NE(found.holes[0].failure.find("not known"), std::string::npos);
+  EXPECT_THAT(found.holes[0].failure, testing::HasSubstr("does not close"));
   EXPECT_TRUE(found.places.empty());
+  scene.lines.left_open.insert({{0, -1}, {0, 0}});
+  EXPECT_THAT(FindOpenHoles(scene.Site(), scene.boundary).holes[0].failure, testing::HasSubstr("list the cells"));
   scene.boundary.seam_failure = "no way along the line";
   EXPECT_EQ(FindOpenHoles(scene.Site(), scene.boundary).holes[0].failure, "no way along the line");
 }

@@ -76,10 +76,10 @@ TEST(FindClosingCellsTest, GivesAHairlineBetweenTilesToTheLowerCell) {
 }
 
 // Edges of the western tile along the line x = 10, `off` metres inside, at the side of a hole in the eastern cell.
-ClosingCells ClosingOnRaggedCut(double off) {
-  const std::set<CellId> area = AreaOf(2, 1);
+ClosingCells ClosingOnRaggedCut(double off, const std::set<CellId>& area = AreaOf(2, 1), bool zigzag = false) {
   GridLines lines = LinesOf(area, 10);
   lines.clipped = false;
+  if (zigzag) lines.zigzag = {{{0, 0}, kEast}};
   Rim rim = RimOf({{{10 - off, 2, 0},
                     {10 - off, 3, 0},
                     {10 - off, 4, 0},
@@ -88,7 +88,7 @@ ClosingCells ClosingOnRaggedCut(double off) {
                     {18, 4, 0},
                     {18, 3, 0},
                     {18, 2, 0}}});
-  for (size_t e = 3; e < rim.edges.size(); ++e) rim.edges[e].owner = {1, 0};
+  for (size_t e = 3; e < rim.edges.size() && area.contains({1, 0}); ++e) rim.edges[e].owner = {1, 0};
   return FindClosingCells(CellsOf(area, 10), lines, rim);
 }
 
@@ -97,6 +97,14 @@ TEST(FindClosingCellsTest, GivesEdgesOfARaggedCutAcrossWithinAnEdgesLengthOfTheL
   EXPECT_EQ(ClosingOnRaggedCut(0.8)[1], east);
   EXPECT_EQ(ClosingOnRaggedCut(-0.8)[1], east);
   EXPECT_EQ(ClosingOnRaggedCut(2.5)[1], (CellId{0, 0}));
+}
+
+TEST(FindClosingCellsTest, GivesEdgesOutOfTheAreaInAZigzagAlone) {
+  const CellId own{0, 0}, outside{1, 0};
+  EXPECT_EQ(ClosingOnRaggedCut(0.8, {own}, true)[1], outside);
+  EXPECT_EQ(ClosingOnRaggedCut(-0.8, {own}, true)[1], outside);
+  EXPECT_EQ(ClosingOnRaggedCut(2.5, {own}, true)[1], own);
+  EXPECT_EQ(ClosingOnRaggedCut(0.8, {own}, false)[1], own) << "the area ends in a straight line: here is a hole";
 }
 
 TEST(GiveBackNearTest, GivesEdgesBackWithinReachAlone) {

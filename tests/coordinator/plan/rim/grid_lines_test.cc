@@ -91,6 +91,21 @@ TEST(FindGridLinesTest, LeavesTheRimOfAnUnknownAreaOpen) {
   EXPECT_TRUE(open.contains({{1, 0}, {1, 1}}));
 }
 
+// A scene of 2 x 2 cells without the north-eastern one.
+GridLines LinesOfThreeCells(Cut cut) {
+  SceneMakerOptions options;
+  options.cols = options.rows = 2;
+  options.cut = cut;
+  options.out_of_area = {{1, 1}};
+  return FindLines(SurveyScene(MakeScene(options)).Input());
+}
+
+TEST(FindGridLinesTest, FindsTheZigzagThatARaggedCutEndsIn) {
+  const std::set<std::pair<CellId, int>> inner = {{{0, 1}, kEast}, {{1, 0}, kNorth}};
+  EXPECT_EQ(LinesOfThreeCells(Cut::kRagged).zigzag, inner) << "the outer rim of the made scene is straight";
+  EXPECT_TRUE(LinesOfThreeCells(Cut::kClipped).zigzag.empty());
+}
+
 TEST(FindGridLinesTest, HasLinesThatNothingLiesOnWithoutAGrid) {
   const SurveyedScene scene = TwoCells([](const Point3& p) { return p; });
   PlanInput input = scene.Input();

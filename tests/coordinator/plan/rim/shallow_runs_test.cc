@@ -68,6 +68,26 @@ TEST(CloseShallowRunsTest, GivesNothingOutOfTheArea) {
   EXPECT_EQ(bulge.Close(), before) << "the cell around is none of the area";
 }
 
+TEST(CloseShallowRunsTest, TakesAShallowRunInAZigzagForOutline) {
+  Bulge bulge(0.5, 3, {kWestCell});
+  bulge.lines.zigzag = {{kWestCell, kEast}};
+  EXPECT_TRUE(AllEast(bulge.Close()));
+}
+
+// Edges 1 to `length` close out of the area, all others on the western cell.
+Bulge OutlineBesideAHole(double depth, int32_t length) {
+  Bulge bulge(depth, length, {kWestCell});
+  bulge.lines.zigzag = {{kWestCell, kEast}};
+  for (CellId& cell : bulge.closing) cell = cell == kWestCell ? kEastCell : kWestCell;
+  return bulge;
+}
+
+TEST(CloseShallowRunsTest, TakesAToothInsideTheLineForTheRimOfTheHoleAroundIt) {
+  EXPECT_EQ(OutlineBesideAHole(0.5, 2).Close()[1], kWestCell);
+  EXPECT_EQ(OutlineBesideAHole(-0.5, 2).Close()[1], kEastCell) << "beyond the line it is outline";
+  EXPECT_EQ(OutlineBesideAHole(0.5, 3).Close()[1], kEastCell) << "so are many edges";
+}
+
 TEST(CloseShallowRunsTest, KeepsOnAClippedCutWhatATileEndsAt) {
   Bulge bulge(0, 3);
   bulge.lines.clipped = true;

@@ -87,7 +87,7 @@ const std::vector<std::string> kHoleOverACorner = {"####|####", "####|####", "##
 
 TEST(FindCornersInHolesTest, TellsCornersInHolesFromThoseOnTheSurface) {
   const SeamScene s(kHoleOverACorner, 4);
-  const auto in_hole = FindCornersInHoles(s.Site(), FindJunctions(s.Site(), s.closing, s.nothing));
+  const auto in_hole = FindCornersInHoles(s.Site(), s.closing, FindJunctions(s.Site(), s.closing, s.nothing));
   EXPECT_EQ(in_hole.size(), 9U);
   for (const auto& [corner, inside] : in_hole) EXPECT_EQ(inside, (corner == Corner{1, 1}));
 }
@@ -96,9 +96,29 @@ TEST(FindCornersInHolesTest, AsksTheWindingNumberWithoutJunctions) {
   const SeamScene s(kHoleOverACorner, 4);
   const Junctions none = FindJunctions(s.Site(), s.closing, std::vector<bool>(s.rim.loops.size(), true));
   ASSERT_EQ(Count(none), 0U);
-  const auto in_hole = FindCornersInHoles(s.Site(), none);
+  const auto in_hole = FindCornersInHoles(s.Site(), s.closing, none);
   EXPECT_EQ(in_hole.size(), 9U);
   for (const auto& [corner, inside] : in_hole) EXPECT_EQ(inside, (corner == Corner{1, 1}));
+}
+
+// The corner at (4, 4) lies beyond the surface, which ends in a zigzag a little short of it.
+TEST(FindCornersInHolesTest, TakesACornerThatTheOutlinePassesByForNoHole) {
+  const std::set<CellId> area = AreaOf(1, 1);
+  GridLines lines = LinesOf(area, 4);
+  lines.clipped = false;
+  const Rim rim = RimOf({{{0, 0, 0}, {4, 0, 0}, {3.8, 1.5, 0}, {3.7, 3.7, 0}, {1.5, 3.8, 0}, {0, 4, 0}}});
+  const RimIndex index(rim);
+  const PlanOptions options;
+  const SeamSite site{area, lines, rim, index, options, 0x1p-10};
+  const ClosingCells outline(rim.edges.size(), CellId{1, 1}), rim_of_hole(rim.edges.size(), CellId{0, 0});
+  const Corner corner{1, 1};
+  const auto in_hole = [&](const ClosingCells& closing) {
+    return FindCornersInHoles(site, closing, FindJunctions(site, closing, {true})).at(corner);
+  };
+  EXPECT_TRUE(in_hole(outline)) << "without a zigzag";
+  lines.zigzag = {{{0, 0}, kEast}, {{0, 0}, kNorth}};
+  EXPECT_FALSE(in_hole(outline));
+  EXPECT_TRUE(in_hole(rim_of_hole));
 }
 
 }  // namespace

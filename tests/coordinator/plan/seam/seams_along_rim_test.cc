@@ -66,5 +66,12 @@ TEST(CloseAlongSeamsTest, LetsEdgesOutOfTheAreaAlongItsBorder) {
   EXPECT_EQ(site.closing[1], kEastCell);
 }
 
+TEST(CloseAlongSeamsTest, LetsEdgesOutOfTheAreaInAZigzag) {
+  Site site({kWestCell});
+  site.lines.zigzag = {{kWestCell, kEast}};
+  site.Pass({{kWestCell, kEastCell, {0, 1, 2, 3}}});
+  EXPECT_EQ(site.closing[1], kEastCell);
+}
+
 }  // namespace
 }  // namespace tilemend
