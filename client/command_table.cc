@@ -38,6 +38,8 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> output = {OutputFlag()};
   const std::vector<FlagSpec> cluster = {CoordinatorFlag(), OutputFlag()};
   const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);
+  const std::vector<FlagSpec> retry = Join(
+      {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));
   const std::vector<FlagSpec> submit = Join(Join(JobFlags(), StartFlags()), output);
   return {
       {"inspect",
@@ -55,7 +57,7 @@ std::vector<Command> ServiceCommands() {
       {"list", "", "show all jobs, newest first", 0, {}, cluster, ListCommand},
       {"watch", "JOB", "follow a job to its end", 1, {}, cluster, WatchCommand},
       {"cancel", "JOB", "cancel a job", 1, {}, cluster, CancelCommand},
-      {"retry", "JOB", "start a finished job again", 1, {}, Join(StartFlags(), output), RetryCommand},
+      {"retry", "JOB", "start a finished job again", 1, {}, retry, RetryCommand},
   };
 }
 

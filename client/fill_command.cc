@@ -8,6 +8,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "absl/time/clock.h"
 #include "client/commands.h"
 #include "client/job_flags.h"
 #include "client/mesh_filler.h"
@@ -17,6 +18,7 @@
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
+#include "common/util/utc.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/water_choice.h"
 
@@ -60,8 +62,9 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
                  .c_str(),
              stdout);
   for (const std::string& w : PlanWarnings(plan)) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
-  for (const LeftOpen& l : LeftOf(report))
-    std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
+  for (const LeftOpen& l : LeftOf(report)) {
+    if (l.is_hole) std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
+  }
 }
 
 // Flags that are out of their range are kInvalidArgument.
@@ -80,6 +83,16 @@ absl::StatusOr<FillOptions> FillOptionsFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(options.refine.size_limit, args.Number("size-limit", 1, 1e6));
   options.refine.uniform = args.Switch("uniform");
   return options;
+}
+
+// The options that the result depends on, under the names of their flags.
+std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const FillOptions& options, double water_tolerance) {
+  ReportedOption tension{"tension", std::string("auto")};
+  if (options.tension) tension.value = *options.tension;
+  return {{"surface", SurfaceName(options.surface)}, tension,
+          {"gradation", options.refine.gradation},   {"size-limit", options.refine.size_limit},
+          {"uniform", options.refine.uniform},       {"water", args.Text("water")},
+          {"water-tolerance", water_tolerance}};
 }
 
 // Outlines of detached pieces and of the mesh itself are no holes: only holes that stay open make the result partial.
@@ -110,6 +123,8 @@ int FillCommand(const Args& args) {
   Stopwatch watch;
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
+  filled->report.options = ReportedOptionsOf(args, *options, *water_tolerance);
+  filled->report.date = UtcText(absl::Now());
   if (*format == OutputFormat::kJson) {
     std::fputs(SceneReport(filled->report).c_str(), stdout);
   } else {

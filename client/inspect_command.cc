@@ -9,7 +9,9 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
+#include "client/border_table.h"
 #include "client/commands.h"
+#include "client/holes_table.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
 #include "client/left_table.h"
@@ -29,7 +31,8 @@ Json PlanJson(const Plan& plan, int64_t cells) {
   input.plan = &plan;
   input.cells = cells;
   Json json = Json::parse(SceneReport(input));
-  for (const char* field : {"filled", "quality", "seconds", "peak_rss_bytes", "warnings", "surface"}) json.erase(field);
+  for (const char* field : {"date", "scene", "options", "filled", "quality", "tension", "seconds", "peak_rss_bytes"})
+    json.erase(field);
   for (Json& row : json["per_hole"]) {
     row.erase("outcome");
   }
@@ -72,6 +75,11 @@ std::string HolesLine(const Json& plan) {
                          plan["clusters"].get<int>(), plan["layers"].get<int>(), plan["continuous"].get<int>());
 }
 
+std::string PlanText(const Json& plan) {
+  return absl::StrCat(PlannedHolesText(plan), WaterText(plan, "would be filled flat as water"),
+                      LeftText(plan, "would be left open"));
+}
+
 std::string SceneText(const Inspection& inspection, const Json& plan) {
   const Scene& scene = inspection.waves->scene();
   const std::map<CellId, SurveyRecord>& records = inspection.waves->records();
@@ -91,15 +99,11 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
       scene.grid.corner.y(), scene.tiles.size(), records.size(), scene.crs.empty() ? "not given" : scene.crs,
       scene.origin.x(), scene.origin.y(), scene.origin.z(), triangles, HolesLine(plan));
   if (!scene.area_known) absl::StrAppend(&text, "area: not given; holes that reach its rim are left\n");
-  const Json& b = plan["borders"];
-  absl::StrAppend(&text, "borders: ", CountsText(b), "\n");
-  for (const Json& row : b["inexact"]) {
-    absl::StrAppend(&text, "  ", row["cells"].dump(), ": ", row["kind"].get<std::string>(), ", ",
-                    row["offset_m"].dump(), " m\n");
-  }
+  const size_t tiles = rows.size();
+  rows.resize(std::min(tiles, kMostListedRows));
   absl::StrAppend(&text, "\n",
                   Table({"tile", "vertices", "triangles", "boundary edges", "non-manifold", "heights, m"}, rows),
-                  WaterText(plan, "would be filled flat as water"), LeftText(plan, "would be left open"));
+                  MoreText(tiles, "-o json lists all"), BordersText(plan), PlanText(plan));
   return text;
 }
 
@@ -156,8 +160,7 @@ int InspectMeshAt(const std::string& path, const PlanOptions& options, OutputFor
                              "triangles without area: %d\nholes: %d closed, outlines: %d, continuous: %d\n%s",
                              path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(),
                              r.nonmanifold_edges, r.degenerate_triangles, waves.plan().holes.size(),
-                             waves.plan().outer_rims, waves.plan().continuous,
-                             WaterText(plan, "would be filled flat as water") + LeftText(plan, "would be left open"))
+                             waves.plan().outer_rims, waves.plan().continuous, PlanText(plan))
                  .c_str(),
              stdout);
   return kExitDone;

@@ -90,6 +90,7 @@ int RetryCommand(const Args& args) {
   v1::RetryJobRequest request;
   request.set_name(JobName(args.arguments().front()));
   request.set_request_id(RequestIdFromFlags(args));
+  request.set_overwrite(args.Switch("overwrite"));
   return AfterStart(*session, args, session->client->Retry(request));
 }
 

@@ -8,8 +8,8 @@
 namespace tilemend {
 
 // An empty line, the number of rows of `left` with `title` behind it ("left"), and the rows: holes first, with their
-// id, cell, centre and area, at most 50 rows; then one line that counts the outlines of detached pieces. Empty without
-// rows. Members that are missing or of another type are left out.
+// id, cell, centre and area, at most kMostListedRows; then what is open but no hole, counted by what it is. Empty
+// without rows.
 std::string LeftText(const nlohmann::ordered_json& report, const std::string& title);
 
 }  // namespace tilemend

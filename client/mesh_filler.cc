@@ -41,8 +41,7 @@ class MeshFiller {
     report.plan = &filled_.waves->plan();
     report.outcome = filled_.waves->outcome();
     report.cells = 1;
-    report.surface = options_.surface;
-    report.given_tension = options_.tension;
+    report.scene = path_;
     return std::move(filled_);
   }
 

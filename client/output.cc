@@ -7,11 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "absl/time/time.h"
+#include "client/json_access.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/text.h"
+#include "common/util/utc.h"
 
 namespace tilemend {
 namespace {
@@ -20,9 +23,7 @@ using Json = nlohmann::ordered_json;
 
 std::string StateName(v1::JobState state) { return absl::AsciiStrToLower(v1::JobState_Name(state)); }
 
-std::string TimeText(const google::protobuf::Timestamp& time) {
-  return absl::FormatTime("%Y-%m-%dT%H:%M:%SZ", absl::FromUnixSeconds(time.seconds()), absl::UTCTimeZone());
-}
+std::string TimeText(const google::protobuf::Timestamp& time) { return UtcText(absl::FromUnixSeconds(time.seconds())); }
 
 // "3/24", or "-" while the whole is not known.
 std::string Share(int64_t part, int64_t whole) { return whole == 0 ? "-" : absl::StrCat(part, "/", whole); }
@@ -56,23 +57,44 @@ Json JobJson(const v1::Job& job) {
   return json;
 }
 
+struct Column {
+  size_t width = 0;
+  bool has_numbers = false, has_texts = false;
+
+  bool right() const { return has_numbers && !has_texts; }
+  void Take(const std::string& cell) {
+    width = std::max(width, cell.size());
+    double number = 0;
+    if (!cell.empty()) (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
+  }
+};
+
 // Bytes of a path need not be UTF-8.
 std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
 
+std::string MoreText(size_t count, const std::string& where) {
+  return count > kMostListedRows ? absl::StrCat("and ", count - kMostListedRows, " more; ", where, "\n") : "";
+}
+
+std::string LevelText(const Json& level) {
+  if (!level.is_array() || level.size() != 2) return Decimals(level, 3);
+  return absl::StrCat(Decimals(level[0], 3), " to ", Decimals(level[1], 3));
+}
+
 std::string Table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
-  std::vector<size_t> widths;
-  for (const std::string& heading : headings) widths.push_back(heading.size());
+  std::vector<Column> columns;
+  for (const std::string& heading : headings) columns.push_back({heading.size()});
   for (const auto& row : rows) {
-    for (size_t i = 0; i < row.size() && i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (size_t i = 0; i < row.size() && i < columns.size(); ++i) columns[i].Take(row[i]);
   }
   std::string text;
   const auto add = [&](const std::vector<std::string>& row) {
     std::string line;
-    for (size_t i = 0; i < row.size() && i < widths.size(); ++i) {
-      line += row[i];
-      line.append(widths[i] - row[i].size() + 2, ' ');
+    for (size_t i = 0; i < row.size() && i < columns.size(); ++i) {
+      const std::string padding(columns[i].width - row[i].size(), ' ');
+      absl::StrAppend(&line, columns[i].right() ? padding : "", row[i], columns[i].right() ? "" : padding, "  ");
     }
     absl::StrAppend(&text, std::string(absl::StripTrailingAsciiWhitespace(line)), "\n");
   };

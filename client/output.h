@@ -2,6 +2,8 @@
 #ifndef TILEMEND_CLIENT_OUTPUT_H_
 #define TILEMEND_CLIENT_OUTPUT_H_
 
+#include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,16 @@ namespace tilemend {
 
 enum class OutputFormat { kTable, kJson };
 
-// Rows under their headings, columns lined up.
+// The most rows of one table on a terminal.
+inline constexpr size_t kMostListedRows = 30;
+
+// "and 12 more; WHERE" with a line's end, if a table shows only the first rows of `count`; else "".
+std::string MoreText(size_t count, const std::string& where);
+
+// Metres with three decimals: of a number, or "first to last" of two.
+std::string LevelText(const nlohmann::ordered_json& level);
+
+// Rows under their headings, columns lined up; columns of numbers alone at their right.
 std::string Table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows);
 
 // "1 tension", "2 tensions".

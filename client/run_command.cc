@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -13,8 +14,10 @@
 #include "client/job_client.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/report_text.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
+#include "common/util/files.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "coordinator/service/coordinator_impl.h"
@@ -79,6 +82,19 @@ bool LeftUnfinished(const v1::Job& job) {
   return wrote && std::filesystem::exists(job.spec().out() + "/.tilemend-job", error);
 }
 
+// The job, and what its report says.
+void PrintEnd(const v1::Job& job, OutputFormat format) {
+  std::fputs(JobText(job, format).c_str(), stdout);
+  if (format == OutputFormat::kJson || job.report().empty()) return;
+  const auto content = ReadFile(job.report());
+  if (!content.ok()) {
+    PrintError(content.status());
+    return;
+  }
+  const auto report = nlohmann::ordered_json::parse(*content, nullptr, false);
+  if (report.is_object()) std::fputs(SummaryText(report).c_str(), stdout);
+}
+
 }  // namespace
 
 int RunCommand(const Args& args) {
@@ -105,7 +121,7 @@ int RunCommand(const Args& args) {
   }
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
-  if (!only_error || *format == OutputFormat::kJson) std::fputs(JobText(*job, *format).c_str(), stdout);
+  if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format);
   return ExitCodeOf(*job);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_format.h"
+#include "client/json_access.h"
 #include "client/output.h"
 
 namespace tilemend {
@@ -12,40 +12,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kMostRows = 50;
+double AreaOf(const Json& body) { return Number(Member(body, "area_m2")); }
 
-double AreaOf(const Json& body) {
-  const auto area = body.find("area_m2");
-  return area != body.end() && area->is_number() ? area->get<double>() : 0;
-}
-
-// Metres with three decimals: a number, or "lowest to highest" of two.
-std::string Millimetres(const Json& value) {
-  if (value.is_array() && value.size() == 2) return absl::StrCat(Millimetres(value[0]), " to ", Millimetres(value[1]));
-  return value.is_number() ? absl::StrFormat("%.3f", value.get<double>()) : value.dump();
+std::vector<std::string> Row(const Json& body) {
+  const Json& level = Member(body, "level_m");
+  return {level.is_array() ? "river" : "lake", LevelText(level),
+          AreaText(Member(body, "area_m2")),   Text(Member(body, "cells")),
+          LevelText(Member(body, "spread_m")), LevelText(Member(body, "rim_m")),
+          Text(Member(body, "rim_vertices")),  Text(Member(body, "decided_by"))};
 }
 
 }  // namespace
 
 std::string WaterText(const Json& report, const std::string& title) {
-  const auto water = report.find("water");
-  if (water == report.end() || !water->is_array() || water->empty()) return "";
   std::vector<Json> bodies;
-  std::copy_if(water->begin(), water->end(), std::back_inserter(bodies), [](const Json& b) { return b.is_object(); });
-  std::stable_sort(bodies.begin(), bodies.end(), [](const Json& a, const Json& b) { return AreaOf(a) > AreaOf(b); });
-  if (bodies.size() > kMostRows) bodies.resize(kMostRows);
-  std::vector<std::vector<std::string>> rows;
-  for (const Json& body : bodies) {
-    std::vector<std::string> row;
-    for (const char* field : {"level_m", "spread_m", "rim_m"}) row.push_back(Millimetres(body.value(field, Json())));
-    for (const char* field : {"rim_vertices", "area_m2", "cells"}) row.push_back(body.value(field, Json()).dump());
-    const Json decided_by = body.value("decided_by", Json());
-    row.push_back(decided_by.is_string() ? decided_by.get<std::string>() : decided_by.dump());
-    rows.push_back(std::move(row));
+  for (const Json& body : Member(report, "water")) {
+    if (body.is_object()) bodies.push_back(body);
   }
+  if (bodies.empty()) return "";
+  std::stable_sort(bodies.begin(), bodies.end(), [](const Json& a, const Json& b) { return AreaOf(a) > AreaOf(b); });
+  std::vector<std::vector<std::string>> rows;
+  for (size_t i = 0; i < std::min(bodies.size(), kMostListedRows); ++i) rows.push_back(Row(bodies[i]));
   return absl::StrCat(
-      "\n", water->size(), " ", title, "\n",
-      Table({"level, m", "spread, m", "rim, m", "rim vertices", "area, m2", "cells", "decided by"}, rows));
+      "\n", bodies.size(), " ", title, "\n",
+      Table({"water", "level, m", "area, m2", "cells", "spread, m", "rim, m", "rim vertices", "decided by"}, rows),
+      MoreText(bodies.size(), "see `water` in the report"));
 }
 
 }  // namespace tilemend

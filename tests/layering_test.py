@@ -110,7 +110,7 @@ RULES = {
 
     'coordinator/plan/pieces': rule(
         ['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'],
-        ['absl', 'eigen'], pure=True),
+        ['eigen'], pure=True),
 
     'coordinator/plan/water': rule(
         ['common/mesh', 'common/grid', 'coordinator/plan/types', 'coordinator/plan/seam'],

@@ -2,14 +2,15 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "absl/strings/str_format.h"
+#include "common/util/version.h"
 
 namespace tilemend {
 namespace {
@@ -77,6 +78,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   row["area_m2"] = Rounded(hole.area, 3);
   row["perimeter_m"] = Rounded(hole.perimeter, 3);
   row["boundary_vertices"] = hole.boundary_vertices;
+  if (hole.water >= 0) row["level_m"] = input.plan->water[hole.water].level;
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
@@ -185,16 +187,39 @@ HoleTables TablesOf(const SceneReportInput& input) {
   return tables;
 }
 
-Json LeftRows(const SceneReportInput& input) {
+Json LeftRows(const std::vector<LeftOpen>& left) {
   Json rows = Json::array();
-  for (const LeftOpen& l : LeftOf(input)) {
+  for (const LeftOpen& l : left) {
+    if (!l.is_hole) continue;
     Json row = {{"cell", CellJson(l.cell)}, {"reason", l.reason}};
     if (l.hole >= 0) row["hole"] = l.hole;
     row["open_edges"] = l.edges;
-    if (!l.is_hole) row["expected"] = true;
     rows.push_back(row);
   }
   return rows;
+}
+
+// What stays open by right, by what it is.
+Json NotHoles(const std::vector<LeftOpen>& left) {
+  std::map<std::string, std::pair<int64_t, int64_t>> kinds;  // number, edges
+  for (const LeftOpen& l : left) {
+    if (l.is_hole) continue;
+    ++kinds[l.reason].first;
+    kinds[l.reason].second += l.edges;
+  }
+  Json rows = Json::array();
+  for (const auto& [what, counts] : kinds) {
+    rows.push_back({{"what", what}, {"count", counts.first}, {"open_edges", counts.second}});
+  }
+  return rows;
+}
+
+Json Options(const SceneReportInput& input) {
+  Json options = Json::object();
+  for (const ReportedOption& option : input.options) {
+    std::visit([&](const auto& value) { options[option.name] = value; }, option.value);
+  }
+  return options;
 }
 
 int64_t PeakRssBytes() {
@@ -273,13 +298,6 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
     warnings.push_back(absl::StrFormat(
         "--water: area %d of the file (counted from 0) covers no hole by more than half, so it has no effect", area));
   }
-  const bool has_open = std::any_of(plan.holes.begin(), plan.holes.end(),
-                                    [](const PlannedHole& hole) { return hole.kind != HoleKind::kClosed; });
-  if (plan.tiles_apart && has_open) {
-    warnings.push_back(
-        "the tiles overlap or have gaps and share no vertices: each is filled on its own, and the fills of two tiles "
-        "may meet in a step");
-  }
   return warnings;
 }
 
@@ -288,27 +306,31 @@ std::string SceneReport(const SceneReportInput& input) {
   std::vector<std::string> warnings = input.warnings;
   for (std::string& warning : PlanWarnings(plan)) warnings.push_back(std::move(warning));
   const HoleTables tables = TablesOf(input);
+  const std::vector<LeftOpen> left = LeftOf(input);
   Json seconds;
   for (const auto& [stage, value] : input.seconds) seconds[stage] = Rounded(value, 6);
-  Json report = {{"cells", input.cells},
-                 {"clusters", plan.clusters},
-                 {"layers", plan.layers},
-                 {"holes", tables.found},
-                 {"filled", tables.filled},
-                 {"single", tables.single},
-                 {"continuous", plan.continuous},
-                 {"outer_rims", plan.outer_rims},
-                 {"water", WaterRows(input)},
-                 {"left", LeftRows(input)},
-                 {"quality", QualityJson(input.outcome.quality)},
-                 {"borders", Borders(plan)},
-                 {"warnings", warnings},
-                 {"surface", SurfaceName(input.surface)},
-                 {"tension", Tensions(input)},
-                 {"seconds", seconds},
-                 {"peak_rss_bytes", PeakRssBytes()},
-                 {"per_hole", tables.rows}};
-  if (input.given_tension) report["tension_given"] = *input.given_tension;
+  const Json report = {{"version", Version()},
+                       {"date", input.date},
+                       {"scene", input.scene},
+                       {"options", Options(input)},
+                       {"warnings", warnings},
+                       {"cells", input.cells},
+                       {"clusters", plan.clusters},
+                       {"layers", plan.layers},
+                       {"holes", tables.found},
+                       {"filled", tables.filled},
+                       {"single", tables.single},
+                       {"continuous", plan.continuous},
+                       {"outer_rims", plan.outer_rims},
+                       {"water", WaterRows(input)},
+                       {"left", LeftRows(left)},
+                       {"not_holes", NotHoles(left)},
+                       {"quality", QualityJson(input.outcome.quality)},
+                       {"borders", Borders(plan)},
+                       {"tension", Tensions(input)},
+                       {"seconds", seconds},
+                       {"peak_rss_bytes", PeakRssBytes()},
+                       {"per_hole", tables.rows}};
   return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

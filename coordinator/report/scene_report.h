@@ -3,24 +3,30 @@
 #define TILEMEND_COORDINATOR_REPORT_SCENE_REPORT_H_
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "common/records/surface.h"
 #include "coordinator/plan/types/plan_types.h"
 #include "coordinator/waves/scene_outcome.h"
 
 namespace tilemend {
 
+// An option that the result depends on, by the name of its flag.
+struct ReportedOption {
+  std::string name;
+  std::variant<bool, double, std::string> value;
+};
+
 struct SceneReportInput {
   const Plan* plan = nullptr;
+  std::string scene;  // path
+  std::string date;   // when the result was made (common/util/utc.h)
+  std::vector<ReportedOption> options;
   int64_t cells = 0;
   SceneOutcome outcome;
   std::vector<std::pair<std::string, double>> seconds;  // by step, in order
-  Surface surface = kDefaultSurface;
-  std::optional<double> given_tension;  // by the user, 1 / metre^2
   std::vector<std::string> warnings;
 };
 
@@ -37,7 +43,7 @@ const char* WayName(FillWay way);
 // "A" to "D", or null.
 const char* TypeName(HoleType type);
 
-// The JSON text (docs/user-guide.md, "The report"). Counts and rows are in the order of the plan.
+// The JSON text (docs/user-guide.md, "Report"). Counts and rows are in the order of the plan.
 std::string SceneReport(const SceneReportInput& input);
 
 }  // namespace tilemend

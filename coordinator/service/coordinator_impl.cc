@@ -252,7 +252,11 @@ absl::StatusOr<v1::Job> CoordinatorImpl::CancelJob(const v1::CancelJobRequest& r
 absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& request) {
   Lock lock(mutex_);
   TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
-  if (IsOver(job->state)) return StartJob(JobSpec(entries_.at(job->id).spec), request.request_id());
+  if (IsOver(job->state)) {
+    JobSpec spec = entries_.at(job->id).spec;
+    spec.overwrite = spec.overwrite || request.overwrite();
+    return StartJob(std::move(spec), request.request_id());
+  }
   return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),
                        {"JOB_NOT_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
 }

@@ -76,9 +76,11 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
     empty = empty && at->path().filename() == kMarker;
   if (error == std::errc::permission_denied)
     return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message(), "; choose another --out"));
-  if (empty) return absl::OkStatus();  // or not there, or a path that cannot be: that shows when it is made
   const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
   if (marker.ok() && *marker == key) return absl::OkStatus();
+  // A path that cannot be shows when it is made. A marker without a key is of a job that has not claimed the folder
+  // yet.
+  if (empty && (!marker.ok() || marker->empty())) return absl::OkStatus();
   return absl::AlreadyExistsError(
       absl::StrCat(path, ": exists already",
                    marker.ok() ? ", an unfinished output of a job with another scene or other options" : "",
@@ -134,7 +136,10 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   files.insert({"report.json", "scene.json"});
   OutputFolder folder(path, key, std::move(files));
   TILEMEND_RETURN_IF_ERROR(folder.Lock());
-  if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));  // another job may have ended here since
+  if (!overwrite) {
+    TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));  // another job may have ended here since
+    if (!folder.keep_) TILEMEND_RETURN_IF_ERROR(folder.WriteKey());
+  }
   return folder;
 }
 
@@ -178,11 +183,16 @@ OutputFolder::~OutputFolder() {
 
 std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kMarker); }
 
-absl::Status OutputFolder::BeginWriting() {
+absl::Status OutputFolder::WriteKey() {
   const auto size = static_cast<ssize_t>(key_.size());
   if (::ftruncate(marker_, 0) != 0 || ::pwrite(marker_, key_.data(), key_.size(), 0) != size || ::fsync(marker_) != 0) {
     return MarkerError(path_);
   }
+  return absl::OkStatus();
+}
+
+absl::Status OutputFolder::BeginWriting() {
+  TILEMEND_RETURN_IF_ERROR(WriteKey());
   keep_ = true;
   std::error_code error;
   fs::remove(absl::StrCat(path_, "/report.json"), error);

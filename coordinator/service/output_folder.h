@@ -14,8 +14,9 @@
 
 namespace tilemend {
 
-// Claims a folder for one job. While the job lives, a file `.tilemend-job` there is locked. From the first tile that is
-// written until the output is complete it holds the job's key, so that the same job, run again, goes on there.
+// Claims a folder for one job. While the job lives, a file `.tilemend-job` there is locked. Until the output is
+// complete it holds the job's key, so that the same job, run again, goes on there, and no other. (The key of a job that
+// overwrites is there from its first tile on.)
 //
 // What is refused:
 //  - a folder that holds anything but an unfinished output of the same job, unless it may be overwritten. Overwriting
@@ -47,6 +48,7 @@ class OutputFolder {
       : path_(std::move(path)), key_(std::move(key)), files_(std::move(files)) {}
   // Makes the folder, and locks the marker in it.
   absl::Status Lock();
+  absl::Status WriteKey();
   std::string Marker() const;
 
   std::string path_;

@@ -11,11 +11,13 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "absl/time/clock.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
+#include "common/util/utc.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
@@ -46,6 +48,16 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
   options.set_thin_plate(spec.surface == SurfaceName(Surface::kThinPlate));
   if (spec.tension) options.set_tension(*spec.tension);
   return options;
+}
+
+// What the result depends on beside the scene, under the names of the flags.
+std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
+  ReportedOption tension{"tension", std::string("auto")};
+  if (spec.tension) tension.value = *spec.tension;
+  return {{"surface", spec.surface},     {"tension", tension.value},
+          {"gradation", spec.gradation}, {"size-limit", spec.size_limit},
+          {"uniform", spec.uniform},     {"seam-smoothing", spec.seam_smoothing},
+          {"water", spec.water},         {"water-tolerance", spec.water_tolerance}};
 }
 
 template <typename Message>
@@ -289,8 +301,9 @@ class ScenePipeline : public JobPipeline {
     report.outcome = waves_.outcome();
     report.cells = static_cast<int64_t>(waves_.scene().tiles.size());
     report.seconds = seconds_;
-    report.surface = waves_.options().surface;
-    report.given_tension = spec_.tension;
+    report.scene = spec_.scene;
+    report.date = UtcText(absl::Now());
+    report.options = OptionsOf(spec_);
     report.warnings = waves_.scene().warnings;
     return report;
   }

@@ -85,7 +85,7 @@ FoundHoles FindHoles(const HoleSite& site, const CellBoundary& boundary) {
   for (const ClosedLoop& outline : outlines) {
     if ((outline.faces_up && PlaceInOpen(site, outline, open)) || PlaceInClosed(site, outline, closed)) continue;
     ++found.outer_rims;
-    found.left.push_back({boundary.cell, "expected: the outline of a detached piece of surface, no hole", -1,
+    found.left.push_back({boundary.cell, "outline of a detached piece of surface", -1,
                           static_cast<int64_t>(outline.segments.size()), false});
   }
   found.holes = std::move(open.holes);

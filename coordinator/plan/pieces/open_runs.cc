@@ -85,7 +85,7 @@ LinkedRuns LinkRuns(const Runs& runs, const Rim& rim, const GridLines& lines) {
                            -1, left});
   }
   if (chords > 0) {
-    result.left.push_back({tile, "the new outline of a piece of the tile, up to which a hole was filled", -1, chords});
+    result.left.push_back({tile, "outline of a tile up to which a hole was filled", -1, chords, false});
   }
   return result;
 }

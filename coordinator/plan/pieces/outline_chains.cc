@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "absl/strings/str_format.h"
 #include "coordinator/plan/pieces/outline_sides.h"
 
 namespace tilemend {
@@ -44,10 +43,7 @@ class ChainCloser {
   bool IsOutline(int32_t e) const { return closing_[e] != rim_.edges[e].owner || piece_border_[e] >= 0; }
 
   void CountBorder(int32_t e) {
-    if (piece_border_[e] < 0) return;
-    ++border_edges_;
-    ++measured_;
-    border_sum_ += piece_border_[e];
+    if (piece_border_[e] >= 0) ++border_edges_;
   }
 
   void Close(const std::vector<int32_t>& chain) {
@@ -74,16 +70,13 @@ class ChainCloser {
   }
 
   void LeaveOutlines() {
-    if (border_edges_ > 0) {
-      const double mean = measured_ > 0 ? border_sum_ / static_cast<double>(measured_) : 0;
-      Leave(absl::StrFormat(
-                "the outline of a piece of the tile, %.2f m from another piece that shares no vertices: no hole", mean),
-            border_edges_);
-    }
-    if (short_edges_ > 0) Leave("single boundary edges beside the tile's outline: they enclose no area", short_edges_);
+    if (border_edges_ > 0) Leave("outline of a piece of a tile beside another piece", border_edges_);
+    if (short_edges_ > 0) Leave("single boundary edges beside a tile's outline, which enclose nothing", short_edges_);
   }
 
-  void Leave(std::string reason, int64_t edges) { result_.left.push_back({tile_, std::move(reason), -1, edges}); }
+  void Leave(std::string reason, int64_t edges) {
+    result_.left.push_back({tile_, std::move(reason), -1, edges, false});
+  }
 
   const std::vector<int32_t>& loop_;
   const Rim& rim_;
@@ -92,8 +85,7 @@ class ChainCloser {
   const std::vector<double>& piece_border_;
   const CellId tile_;
   OutlineChains result_;
-  int64_t border_edges_ = 0, measured_ = 0, short_edges_ = 0;
-  double border_sum_ = 0;
+  int64_t border_edges_ = 0, short_edges_ = 0;
 };
 
 }  // namespace

@@ -108,7 +108,7 @@ struct LeftOpen {
   std::string reason;
   int32_t hole = -1;    // -1: found before there was a hole
   int64_t edges = 0;    // boundary edges that stay open
-  bool is_hole = true;  // false: the outline of a detached piece, open by right
+  bool is_hole = true;  // false: open by right, such as the outline of a piece
 };
 
 struct Plan {

@@ -91,6 +91,21 @@ TEST_F(CoordinatorImplTest, RetryStartsAnotherJobWithTheSameSpec) {
   EXPECT_EQ(again->spec().SerializeAsString(), job->spec().SerializeAsString());
 }
 
+TEST_F(CoordinatorImplTest, RetryMayOverwrite) {
+  v1::CancelJobRequest cancel;
+  cancel.set_name(impl_.CreateJob(NewRequest())->name());
+  ASSERT_TRUE(impl_.CancelJob(cancel).ok());
+  v1::RetryJobRequest retry;
+  retry.set_name(cancel.name());
+  retry.set_overwrite(true);
+  absl::StatusOr<v1::Job> again;
+  do {
+    again = impl_.RetryJob(retry);
+  } while (ErrorReason(again.status()) == "OUTPUT_IN_USE");
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_TRUE(again->spec().overwrite());
+}
+
 TEST(CoordinatorOptionsTest, RefusesALeaseShorterThanTwoCalls) {
   TempFolder folder;
   CoordinatorOptions options;

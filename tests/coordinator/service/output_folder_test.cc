@@ -64,6 +64,20 @@ TEST_F(OutputFolderTest, TheSameJobGoesOnWithAnUnfinishedOutputAndAnotherDoesNot
   EXPECT_TRUE(Claim(out_, true, "another key").ok());
 }
 
+TEST_F(OutputFolderTest, AFolderOfAJobThatWasKilledBeforeItsFirstTileIsThatJobs) {
+  std::string marker;
+  {
+    const auto first = Claim(out_);
+    ASSERT_TRUE(first.ok());
+    marker = ReadFile(out_ + "/.tilemend-job").value();
+  }
+  folder_.Write("deep/out/.tilemend-job", marker);  // as the kill leaves it
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_, false, "another key").status()));
+  EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+  EXPECT_TRUE(Claim(out_).ok());
+  EXPECT_TRUE(Claim(out_, true, "another key").ok());
+}
+
 TEST_F(OutputFolderTest, AFolderWithOtherFilesIsOverwrittenOnlyIfAsked) {
   folder_.Write("deep/out/notes.txt", "mine");
   EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_).status()));

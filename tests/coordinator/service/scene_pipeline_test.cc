@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/time/time.h"
 #include "common/util/error_info.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/temporary_folder.h"
@@ -88,6 +89,11 @@ TEST_F(ScenePipelineTest, FillsASceneAndReportsIt) {
   ExpectOriginalsKept(spec_.scene, spec_.out);
   ExpectClosed(SmallScene(Cut::kClipped), spec_.out);
   const nlohmann::json report = ReportOf(spec_.out);
+  EXPECT_EQ(report["scene"], spec_.scene);
+  EXPECT_EQ(report["options"]["water"], "auto");
+  EXPECT_EQ(report["options"]["tension"], "auto");
+  absl::Time made;
+  EXPECT_TRUE(absl::ParseTime(absl::RFC3339_full, report["date"].get<std::string>(), &made, nullptr));
   std::vector<std::string> steps;
   for (const auto& [step, seconds] : report["seconds"].items()) steps.push_back(step);
   EXPECT_THAT(steps, ::testing::UnorderedElementsAre("survey", "plan", "sample", "fill", "assemble"));
@@ -106,7 +112,7 @@ TEST_F(ScenePipelineTest, WangIsSampledByLayers) {
   ASSERT_TRUE(Run().ok());
   EXPECT_EQ(stages_[Stage::kSampleCluster], 0);
   EXPECT_GT(stages_[Stage::kSampleLayer], 0);
-  EXPECT_EQ(ReportOf(spec_.out)["surface"], "wang");
+  EXPECT_EQ(ReportOf(spec_.out)["options"]["surface"], "wang");
 }
 
 TEST_F(ScenePipelineTest, ADryRunPlansAndWritesNothing) {

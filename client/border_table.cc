@@ -1,0 +1,58 @@
+#include "client/border_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "client/json_access.h"
+#include "client/output.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Metres. Tiles that are less apart are as good as photogrammetry makes them.
+constexpr double kApart = 0.1;
+
+// Of tiles that end at the same line, how far vertices are from the nearest of the other; of those with a gap, its
+// width. How far they overlap is no fault.
+double ApartOf(const Json& row) {
+  return Member(row, "kind") == "overlap" ? 0 : std::abs(Number(Member(row, "offset_m")));
+}
+
+std::string CountsText(const Json& borders) {
+  std::vector<std::string> parts;
+  for (const auto& [kind, count] : borders.items()) {
+    if (count.is_number_integer() && count != 0) parts.push_back(absl::StrCat(count.get<int64_t>(), " ", kind));
+  }
+  return absl::StrJoin(parts, ", ");
+}
+
+}  // namespace
+
+std::string BordersText(const Json& report) {
+  const Json& borders = Member(report, "borders");
+  if (!borders.is_object()) return "";
+  const std::string counts = CountsText(borders);
+  if (counts.empty()) return "";
+  std::vector<const Json*> pairs;
+  for (const Json& row : Member(borders, "inexact")) {
+    if (ApartOf(row) > kApart) pairs.push_back(&row);
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Json* a, const Json* b) { return ApartOf(*a) > ApartOf(*b); });
+  std::vector<std::vector<std::string>> rows;
+  for (size_t i = 0; i < std::min(pairs.size(), kMostListedRows); ++i) {
+    rows.push_back({Text(Member(*pairs[i], "cells")), Text(Member(*pairs[i], "kind")),
+                    absl::StrFormat("%.3f", ApartOf(*pairs[i]))});
+  }
+  std::string text = absl::StrCat("\nborders between tiles: ", counts, "\n");
+  if (rows.empty()) return text;
+  return absl::StrCat(text, Counted(pairs.size(), "pair"), " of tiles more than 0.1 m apart\n",
+                      Table({"cells", "they meet", "apart, m"}, rows), MoreText(pairs.size(), "see report.json"));
+}
+
+}  // namespace tilemend

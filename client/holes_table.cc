@@ -1,0 +1,101 @@
+#include "client/holes_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "client/json_access.h"
+#include "client/output.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kLegend[] =
+    "closed: inside one cell. I, II: over a grid line, counted in every cell; II reaches the rim of the area.\n"
+    "In its cell a hole of type A leaves no surface, B one, C crosses it from side to side, D cuts off a corner or\n"
+    "peninsula.\n";
+
+struct Tally {
+  int64_t holes = 0;
+  int64_t filled = 0;
+  double area = 0;  // of the filled ones
+};
+
+std::string KindOf(const Json& hole) {
+  const std::string type = Text(Member(hole, "type"));
+  return absl::StrCat(Text(Member(hole, "kind")), type.empty() ? "" : " ", type);
+}
+
+bool IsFilled(const Json& hole) { return Member(hole, "outcome") == "filled"; }
+
+void Add(const Json& hole, Tally& tally) {
+  ++tally.holes;
+  if (!IsFilled(hole)) return;
+  ++tally.filled;
+  tally.area += std::abs(Number(Member(hole, "area_m2")));
+}
+
+std::vector<std::string> Row(const std::string& name, const Tally& tally) {
+  return {name, absl::StrCat(tally.holes), absl::StrCat(tally.filled), absl::StrFormat("%.1f", tally.area)};
+}
+
+}  // namespace
+
+std::string KindsText(const Json& report) {
+  std::map<std::string, Tally> kinds;
+  Tally all;
+  for (const Json& hole : Member(report, "per_hole")) {
+    Add(hole, kinds[KindOf(hole)]);
+    Add(hole, all);
+  }
+  if (kinds.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  // "closed" is before "I" for a reader.
+  if (const auto closed = kinds.extract("closed")) rows.push_back(Row(closed.key(), closed.mapped()));
+  for (const auto& [kind, tally] : kinds) rows.push_back(Row(kind, tally));
+  rows.push_back(Row("all", all));
+  return absl::StrCat("\n", Table({"kind of hole", "found", "filled", "area filled, m2"}, rows),
+                      kinds.empty() ? "" : kLegend);
+}
+
+std::string MethodsText(const Json& report) {
+  std::map<std::string, Tally> methods;
+  for (const Json& hole : Member(report, "per_hole")) {
+    const std::string method = Text(Member(hole, "method"));
+    if (!method.empty()) Add(hole, methods[method]);
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [method, tally] : methods) {
+    rows.push_back({method, absl::StrCat(tally.filled), absl::StrFormat("%.1f", tally.area)});
+  }
+  return rows.empty() ? "" : absl::StrCat("\n", Table({"how filled", "holes", "area, m2"}, rows));
+}
+
+std::string PlannedHolesText(const Json& plan) {
+  std::vector<const Json*> holes;
+  for (const Json& hole : Member(plan, "per_hole")) {
+    if (Member(hole, "reason").is_null()) holes.push_back(&hole);
+  }
+  if (holes.empty()) return "";
+  std::stable_sort(holes.begin(), holes.end(), [](const Json* a, const Json* b) {
+    return Number(Member(*a, "area_m2")) > Number(Member(*b, "area_m2"));
+  });
+  std::vector<std::vector<std::string>> rows;
+  for (size_t i = 0; i < std::min(holes.size(), kMostListedRows); ++i) {
+    const Json& hole = *holes[i];
+    const Json& level = Member(hole, "level_m");
+    rows.push_back({Text(Member(hole, "id")), KindOf(hole), Text(Member(hole, "cell")), Text(Member(hole, "centre")),
+                    AreaText(Member(hole, "area_m2")), Decimals(Member(hole, "perimeter_m"), 1),
+                    level.is_null() ? "" : absl::StrCat("at ", LevelText(level), " m")});
+  }
+  return absl::StrCat("\n", Counted(holes.size(), "hole"), " would be filled, the largest first\n",
+                      Table({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "water"}, rows),
+                      MoreText(holes.size(), "-o json lists all"));
+}
+
+}  // namespace tilemend

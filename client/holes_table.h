@@ -1,0 +1,23 @@
+// The holes of a report, for people.
+#ifndef TILEMEND_CLIENT_HOLES_TABLE_H_
+#define TILEMEND_CLIENT_HOLES_TABLE_H_
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace tilemend {
+
+// Each begins with an empty line, and is "" if there is nothing to tell.
+
+// How many holes there are of each kind, how many of them are filled, and their area, with a legend.
+std::string KindsText(const nlohmann::ordered_json& report);
+
+// How the filled holes were filled: number and area of each method.
+std::string MethodsText(const nlohmann::ordered_json& report);
+
+// The holes of a plan that would be filled, the largest first, at most kMostListedRows.
+std::string PlannedHolesText(const nlohmann::ordered_json& plan);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_HOLES_TABLE_H_

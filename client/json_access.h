@@ -1,0 +1,43 @@
+// Reading a report that may come from another release: members that are missing or of another type are empty.
+#ifndef TILEMEND_CLIENT_JSON_ACCESS_H_
+#define TILEMEND_CLIENT_JSON_ACCESS_H_
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "absl/strings/str_format.h"
+
+namespace tilemend {
+
+// null if `object` is none or has no such member.
+inline const nlohmann::ordered_json& Member(const nlohmann::ordered_json& object, const char* name) {
+  static const nlohmann::ordered_json kNull;
+  if (!object.is_object()) return kNull;
+  const auto it = object.find(name);
+  return it == object.end() ? kNull : *it;
+}
+
+// A text as it is, "" of null, other values as JSON.
+inline std::string Text(const nlohmann::ordered_json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+// 0 if it is no number.
+inline double Number(const nlohmann::ordered_json& value) { return value.is_number() ? value.get<double>() : 0; }
+
+// With so many decimals; as Text if it is no number.
+inline std::string Decimals(const nlohmann::ordered_json& value, int digits) {
+  return value.is_number() ? absl::StrFormat("%.*f", digits, value.get<double>()) : Text(value);
+}
+
+// An area in square metres with one decimal; those of loops that run the wrong way round are negative.
+inline std::string AreaText(const nlohmann::ordered_json& value) {
+  return value.is_number() ? absl::StrFormat("%.1f", std::abs(value.get<double>())) : Text(value);
+}
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_JSON_ACCESS_H_

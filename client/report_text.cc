@@ -1,0 +1,106 @@
+#include "client/report_text.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/strings/str_join.h"
+#include "client/border_table.h"
+#include "client/holes_table.h"
+#include "client/json_access.h"
+#include "client/left_table.h"
+#include "client/output.h"
+#include "client/water_table.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr size_t kMostTensions = 10;
+
+std::string WarningsText(const Json& report) {
+  const Json& warnings = Member(report, "warnings");
+  if (!warnings.is_array() || warnings.empty()) return "";
+  std::string text = absl::StrCat("\n", Counted(warnings.size(), "warning"), "\n");
+  for (size_t i = 0; i < std::min(warnings.size(), kMostListedRows); ++i) {
+    absl::StrAppend(&text, "  ", Text(warnings[i]), "\n");
+  }
+  return text + MoreText(warnings.size(), "see report.json");
+}
+
+// "surface thin-plate, tension auto, ..."; switches that are off are left out.
+std::string OptionsText(const Json& options) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : options.items()) {
+    if (value != false) parts.push_back(value == true ? name : absl::StrCat(name, " ", Text(value)));
+  }
+  return absl::StrJoin(parts, ", ");
+}
+
+std::string HeadText(const Json& report) {
+  Rows rows;
+  const auto add = [&rows](const char* name, const std::string& value) {
+    if (!value.empty()) rows.push_back({name, value});
+  };
+  add("scene", Text(Member(report, "scene")));
+  add("made", absl::StrCat(Text(Member(report, "date")), " by tilemend ", Text(Member(report, "version"))));
+  add("options", OptionsText(Member(report, "options")));
+  add("cells", Text(Member(report, "cells")));
+  add("clusters", Text(Member(report, "clusters")));
+  add("layers", Text(Member(report, "layers")));
+  return Table({"report", ""}, rows);
+}
+
+// The tensions that were chosen from the rim; the error of a hold-out is there for information.
+std::string TensionText(const Json& report) {
+  const Json& choices = Member(report, "tension");
+  if (!choices.is_array() || choices.empty()) return "";
+  Rows rows;
+  for (const Json& choice : choices) {
+    if (!choice.is_object() || rows.size() == kMostTensions) continue;
+    const char* kind = choice.contains("cluster") ? "cluster" : "hole";
+    rows.push_back({absl::StrCat(kind, " ", Text(Member(choice, kind))),
+                    absl::StrFormat("%.4g", Number(Member(choice, "tension"))),
+                    Text(Member(choice, "hold_out_error_m"))});
+  }
+  return absl::StrCat("\n", Counted(choices.size(), "tension"), " chosen from the rim\n",
+                      Table({"", "tension, 1/m2", "hold-out error, m"}, rows));
+}
+
+// Of `object` the members that are not 0, each as "NAME KEY".
+void AddMembers(const Json& object, const char* name, int digits, Rows& rows) {
+  if (!object.is_object()) return;
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_number() && value == 0) continue;
+    rows.push_back({absl::StrCat(name, " ", key), value.is_number_float() ? Decimals(value, digits) : Text(value)});
+  }
+}
+
+std::string FiguresText(const Json& report) {
+  Rows rows;
+  AddMembers(Member(report, "single"), "closed holes:", 0, rows);
+  for (const char* name : {"continuous", "outer_rims"}) {
+    if (Number(Member(report, name)) != 0) rows.push_back({name, Text(Member(report, name))});
+  }
+  AddMembers(Member(report, "quality"), "quality", 4, rows);
+  AddMembers(Member(report, "seconds"), "seconds", 3, rows);
+  const Json& memory = Member(report, "peak_rss_bytes");
+  if (memory.is_number()) rows.push_back({"peak memory, MB", absl::StrFormat("%.0f", Number(memory) / 1e6)});
+  return rows.empty() ? "" : absl::StrCat("\n", Table({"figures", ""}, rows));
+}
+
+}  // namespace
+
+std::string SummaryText(const Json& report) {
+  return absl::StrCat(WarningsText(report), KindsText(report), MethodsText(report),
+                      WaterText(report, "filled flat as water"), BordersText(report), LeftText(report, "left"));
+}
+
+std::string ReportText(const Json& report) {
+  return absl::StrCat(HeadText(report), SummaryText(report), TensionText(report), FiguresText(report));
+}
+
+}  // namespace tilemend

@@ -1,0 +1,44 @@
+#include "client/holes_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+Json Hole(int id, double area) {
+  return {{"id", id},        {"cell", {0, 1}},  {"kind", "closed"}, {"centre", {1.5, 2.5}},
+          {"area_m2", area}, {"perimeter_m", 8}};
+}
+
+TEST(PlannedHolesTextTest, ListsWhatWouldBeFilledTheLargestFirst) {
+  Json plan;
+  plan["per_hole"] = {Hole(0, 2), Hole(1, 30), Hole(2, 100)};
+  plan["per_hole"][1]["level_m"] = 12.5;
+  plan["per_hole"][2]["reason"] = "too wild";
+  EXPECT_EQ(PlannedHolesText(plan),
+            "\n2 holes would be filled, the largest first\n"
+            "hole  kind    cell   centre, m  area, m2  rim, m  water\n"
+            "   1  closed  [0,1]  [1.5,2.5]      30.0     8.0  at 12.500 m\n"
+            "   0  closed  [0,1]  [1.5,2.5]       2.0     8.0\n");
+}
+
+TEST(PlannedHolesTextTest, ShowsTheFirstOfMany) {
+  Json plan;
+  for (int k = 0; k < 40; ++k) plan["per_hole"].push_back(Hole(k, k));
+  EXPECT_THAT(PlannedHolesText(plan), HasSubstr("and 10 more; -o json lists all\n"));
+}
+
+TEST(PlannedHolesTextTest, IsEmptyWithoutHoles) { EXPECT_EQ(PlannedHolesText(Json::object()), ""); }
+
+TEST(KindsTextTest, HasALegendOnlyWhereThereAreOpenHoles) {
+  Json report;
+  report["per_hole"] = {Hole(0, 2)};
+  EXPECT_EQ(KindsText(report).find("closed:"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tilemend
