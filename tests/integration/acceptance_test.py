@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Runs `tilemend run` on a scene of the shared tools and holds it to their judgement.
 
-    acceptance_test.py TILEMEND TOOLS LAYOUT CUT
+    acceptance_test.py TILEMEND MAKER TOOLS LAYOUT CUT
 
-TOOLS has make_table_scene.py and check_fill.py, LAYOUT is a JSON file of ../scenes beside TOOLS, CUT is clipped or ragged.
-The report's counts must be those of expected.json, and check_fill.py must find every promise kept.
+TOOLS has make_table_scene.py and check_fill.py, LAYOUT is a JSON file of ../scenes beside TOOLS, CUT is clipped, ragged or
+overlap. MAKER is tilemend-make-scene, which makes scenes of tiles that overlap. The report's counts must be those of
+expected.json, and check_fill.py must find every promise kept; it knows no tiles that overlap.
 Exits 77 (skipped) without the tools or without numpy and scipy.
 """
 import json
@@ -21,8 +22,30 @@ def skip(why):
     sys.exit(SKIPPED)
 
 
+def make(maker, tools, layout, cut, folder):
+    """Makes the scene, and gives its folder and the counts that are expected."""
+    scene, counted = os.path.join(folder, 'scene'), os.path.join(folder, 'counted')
+    command = [sys.executable, os.path.join(tools, 'make_table_scene.py'), counted, layout]
+    if cut == 'overlap':
+        command += ['--spacing', '25']  # for its counts alone
+        subprocess.run([maker, scene, '--layout', layout, '--cut', cut], check=True, stdout=subprocess.DEVNULL)
+    else:
+        command += ['--cut', cut]
+        scene = counted
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    with open(os.path.join(counted, 'expected.json')) as file:
+        return scene, json.load(file)
+
+
+def judge(tools, scene, out):
+    check = subprocess.run([sys.executable, os.path.join(tools, 'check_fill.py'), scene, out], capture_output=True, text=True)
+    print(check.stdout + check.stderr)
+    kept = check.returncode == 0 and 'all promises kept' in check.stdout
+    return [] if kept else ['check_fill.py: a promise is broken']
+
+
 def main():
-    tilemend, tools, layout, cut = sys.argv[1:5]
+    tilemend, maker, tools, layout, cut = sys.argv[1:6]
     layout = os.path.join(tools, '..', 'scenes', layout + '.json')
     for needed in (os.path.join(tools, 'check_fill.py'), layout):
         if not os.path.exists(needed):
@@ -33,22 +56,17 @@ def main():
     except ImportError as error:
         skip(f'{error}; install python3-numpy and python3-scipy')
     with tempfile.TemporaryDirectory() as folder:
-        scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
-        subprocess.run([sys.executable, os.path.join(tools, 'make_table_scene.py'), scene, layout, '--cut', cut], check=True,
-                       stdout=subprocess.DEVNULL)
+        scene, expected = make(maker, tools, layout, cut, folder)
+        out = os.path.join(folder, 'out')
         run = subprocess.run([tilemend, 'run', scene, '--out', out], capture_output=True, text=True, timeout=280)
         if run.returncode != 0:
             sys.exit(f'tilemend run: exit code {run.returncode}\n{run.stdout}{run.stderr}')
-        with open(os.path.join(scene, 'expected.json')) as file:
-            expected = json.load(file)
         with open(os.path.join(out, 'report.json')) as file:
             report = json.load(file)
         faults = [f'{part}: expected {expected}, found {report[part]}' for part in ('holes', 'filled')
                   if report[part] != expected]
-        check = subprocess.run([sys.executable, os.path.join(tools, 'check_fill.py'), scene, out], capture_output=True, text=True)
-        print(check.stdout + check.stderr)
-        if check.returncode != 0 or 'all promises kept' not in check.stdout:
-            faults.append('check_fill.py: a promise is broken')
+        if cut != 'overlap':
+            faults += judge(tools, scene, out)
         sys.exit('\n'.join(faults) if faults else 0)
 
 

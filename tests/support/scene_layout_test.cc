@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "coordinator/plan/plan.h"
@@ -18,15 +19,38 @@ constexpr char kLayout[] = R"({"cols": 3, "rows": 2, "closed": 4, "relief": 6, "
 
 SceneMakerOptions OptionsOf(const std::string& layout, uint64_t seed) {
   SceneMakerOptions options;
+  options.spacing = 1.25;
   options.seed = seed;
   EXPECT_TRUE(ApplyLayout(layout, "layout", &options).ok());
   return options;
 }
 
-TEST(ApplyLayoutTest, GivesTheSameCountsForAnySeedAndCellSize) {
+void ExpectCounts(const SceneMakerOptions& options) {
+  const SurveyedScene scene = SurveyScene(MakeScene(options));
+  EXPECT_EQ(CountsOf(MakePlan(scene.Input(), {})), "4 closed, 4 IB, 1 IIB, 1 IIC")
+      << "seed " << options.seed << ", margin " << options.margin << ", pieces " << options.pieces;
+}
+
+TEST(ApplyLayoutTest, GivesTheSameCountsOnEveryCutForAnySeed) {
   for (const uint64_t seed : {1, 2, 3}) {
-    const SurveyedScene scene = SurveyScene(MakeScene(OptionsOf(kLayout, seed)));
-    EXPECT_EQ(CountsOf(MakePlan(scene.Input(), {})), "4 closed, 4 IB, 1 IIB, 1 IIC") << "seed " << seed;
+    SceneMakerOptions options = OptionsOf(kLayout, seed);
+    for (const Cut cut : {Cut::kClipped, Cut::kRagged, Cut::kOverlap}) {
+      options.cut = cut;
+      ExpectCounts(options);
+    }
+  }
+}
+
+TEST(ApplyLayoutTest, GivesTheSameCountsWithAnyMarginAndInPieces) {
+  SceneMakerOptions options = OptionsOf(kLayout, 4);
+  options.cut = Cut::kOverlap;
+  options.noise = 0.1;
+  for (const int32_t pieces : {1, 2, 3}) {
+    for (const double margin : {0.02, 0.25}) {
+      options.pieces = pieces;
+      options.margin = margin;
+      ExpectCounts(options);
+    }
   }
 }
 
