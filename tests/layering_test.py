@@ -113,7 +113,7 @@ RULES = {
         ['eigen'], pure=True),
 
     'coordinator/plan/water': rule(
-        ['common/mesh', 'common/grid', 'coordinator/plan/types', 'coordinator/plan/seam'],
+        ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam'],
         ['eigen'], pure=True),
 
     'coordinator/plan': rule(

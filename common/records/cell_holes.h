@@ -10,6 +10,7 @@
 
 #include "common/grid/scene.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/records/water_surface.h"
 
 namespace tilemend {
 
@@ -26,6 +27,7 @@ struct RimVertex {
   double size = 0;               // wanted edge length here, metres
   bool laplacian_known = false;  // on seams, from the surface of the whole cluster: its Laplacian here, 1 / metre
   double laplacian = 0;
+  bool on_object = false;  // an original that stands on a tree, a house, a wall: its height does not shape the surface
 };
 
 // A segment of a hole's boundary; seen from above, the hole lies to the left of from -> to.
@@ -50,6 +52,7 @@ struct CellHole {
   std::vector<RimSegment> segments = {};
   std::optional<double> tension = {};  // that of its cluster, where it has been chosen
   std::optional<double> level = {};    // water: the height of every new vertex, metres, on the lattice
+  WaterSurface river = {};             // with stations: water whose heights are LevelAt these; level is set too
 };
 
 struct CellHoles {

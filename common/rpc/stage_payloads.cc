@@ -157,6 +157,9 @@ v1::RimVertices ToProto(const std::vector<RimVertex>& vertices) {
     proto.add_laplacian_known(v.laplacian_known);
     proto.add_laplacian(v.laplacian);
   }
+  if (std::any_of(vertices.begin(), vertices.end(), [](const RimVertex& v) { return v.on_object; })) {
+    for (const RimVertex& v : vertices) proto.add_on_object(v.on_object);
+  }
   return proto;
 }
 
@@ -164,7 +167,8 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
   const int n = proto.col_size();
   if (proto.row_size() != n || proto.index_size() != n || proto.seam_vertex_size() != n || proto.lines_size() != n ||
       proto.position_size() != 3 * n || proto.height_known_size() != n || proto.centroid_height_size() != n ||
-      proto.size_size() != n || proto.laplacian_known_size() != n || proto.laplacian_size() != n) {
+      proto.size_size() != n || proto.laplacian_known_size() != n || proto.laplacian_size() != n ||
+      (proto.on_object_size() != n && proto.on_object_size() != 0)) {
     return Malformed("rim vertices");
   }
   std::vector<RimVertex> vertices(n);
@@ -180,6 +184,7 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
     v.size = proto.size(i);
     v.laplacian_known = proto.laplacian_known(i);
     v.laplacian = proto.laplacian(i);
+    v.on_object = proto.on_object_size() > 0 && proto.on_object(i);
     if (!std::isfinite(v.laplacian)) return Malformed("rim vertex Laplacian");
     if (!v.position.allFinite()) return Malformed("rim vertex position");
   }
@@ -199,6 +204,7 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     h->set_open(hole.open);
     if (hole.tension) h->set_tension(*hole.tension);
     if (hole.level) h->set_level(*hole.level);
+    for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
     for (const RimSegment& s : hole.segments) {
       h->add_from(s.from);
       h->add_to(s.to);
@@ -230,6 +236,11 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
     if (h.has_level()) {
       hole.level = h.level();
       if (!std::isfinite(*hole.level)) return Malformed("water level");
+    }
+    if (h.station_size() % 3 != 0 || h.station_size() == 3) return Malformed("river stations");
+    for (int i = 0; i < h.station_size() / 3; ++i) {
+      hole.river.stations.push_back(PointAt(h.station(), i));
+      if (!hole.river.stations.back().allFinite()) return Malformed("river stations");
     }
     if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 ||
         !AllBelow(h.from(), n) || !AllBelow(h.to(), n)) {

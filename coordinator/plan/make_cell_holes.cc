@@ -80,6 +80,7 @@ class CellHolesBuilder {
     v.centroid_height = p.centroid_height;
     v.size = p.size;
     v.lines = p.lines;
+    v.on_object = p.on_object;
     if (const auto own = own_index_.find(plan_vertex); own != own_index_.end()) {
       v.tile = result_.cell;
       v.index = own->second;
@@ -114,7 +115,10 @@ class CellHolesBuilder {
     hole.id = h;
     hole.open = planned.kind != HoleKind::kClosed || !planned.own_regions.empty();
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
-    if (planned.water >= 0) hole.level = plan_.water[planned.water].level;
+    if (planned.water >= 0) {
+      hole.level = plan_.water[planned.water].level;
+      hole.river = plan_.water[planned.water].river;
+    }
     for (const RimSegment& s : segments) {
       const int32_t from = Vertex(s.from);
       const int32_t to = Vertex(s.to);

@@ -19,6 +19,7 @@
 #include "coordinator/plan/rim/grid_lines.h"
 #include "coordinator/plan/rim/rim.h"
 #include "coordinator/plan/rim/rim_sizes.h"
+#include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 
 namespace tilemend {
@@ -152,6 +153,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   }
   StoreLayers(plan);
   LeaveFailedHoles(plan);
+  MarkObjects(input, plan);
   FindWater(input, options.water, plan);
   return plan;
 }

@@ -65,7 +65,7 @@ class HoleFiller {
  private:
   std::vector<Way> Ways() {
     std::vector<Way> ways;
-    if (hole_.open || hole_.level) {
+    if (FillsOverGround()) {
       AddPlanes(false, ways);
       if (!hole_.open) ways.push_back(InSpace());
       AddPlanes(true, ways);
@@ -86,6 +86,9 @@ class HoleFiller {
     return ways;
   }
 
+  // Water, open holes, and holes whose rim stands on objects.
+  bool FillsOverGround() const { return hole_.open || hole_.level || !hole_.on_object.empty(); }
+
   Way InSpace() {
     return {FillWay::kSpace, Check::kCrossings, [&] { return FillInSpace(FreeHole(), options_, crossings_); }};
   }
@@ -97,7 +100,7 @@ class HoleFiller {
                       }});
     };
     const Check over_ground = cut_folds && !hole_.open ? Check::kCrossings : Check::kNothing;
-    if (hole_.open || hole_.level) {
+    if (FillsOverGround()) {
       add(hole_.level ? FillWay::kWater : FillWay::kGround, over_ground, ProjectionFrame::Upright());
       return;
     }

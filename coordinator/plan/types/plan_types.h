@@ -11,6 +11,7 @@
 #include "common/grid/water_areas.h"
 #include "common/records/cell_holes.h"
 #include "common/records/survey_record.h"
+#include "common/records/water_surface.h"
 
 namespace tilemend {
 
@@ -84,6 +85,7 @@ struct PlanVertex {
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
   int32_t follows = -1;
+  bool on_object = false;     // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along
@@ -93,10 +95,13 @@ struct Seam {
   std::vector<int32_t> vertices;  // into Plan::vertices
 };
 
-// A body of water: a cluster of open holes, or a closed hole, that is filled flat.
+// A body of water: a cluster of open holes, or a closed hole, that is filled flat; or a river, over one or more of
+// them.
 struct WaterBody {
-  std::vector<int32_t> holes;      // into Plan::holes, ascending
-  double level = 0;                // metres, on the lattice
+  std::vector<int32_t> holes;  // into Plan::holes, ascending
+  double level = 0;            // metres, on the lattice; of a river at its lower end
+  WaterSurface river;          // no stations: level water
+  std::vector<RemovedRise> removed_rises;
   double spread = 0;               // metres: of the rim's heights (RimLevel::spread)
   double lowest = 0, highest = 0;  // of the rim's heights
   int64_t rim_vertices = 0;

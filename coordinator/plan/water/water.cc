@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "coordinator/plan/water/area_cover.h"
+#include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/rim_level.h"
+#include "coordinator/plan/water/river.h"
 #include "coordinator/plan/water/shore.h"
 
 namespace tilemend {
@@ -28,7 +30,6 @@ constexpr double kErrorOfFall = 2.8284;      // of a plane's fall over a round s
 constexpr double kErrorOfQuartile = 1.3626;  // likewise
 constexpr double kErrorOfRise = 1.4472;      // of the difference to the mean of three, likewise
 constexpr double kFitWindow = 3;             // spreads about the level: what the plane is fitted to
-constexpr double kFacesUp = 0.9;             // cosine of a closed hole's slope
 
 // What may be a body of water.
 struct Candidate {
@@ -138,47 +139,21 @@ class LevelTest {
   double slack_ = 0;
 };
 
-// The clusters of open holes, and the closed holes that face up; each in order of their first hole.
-std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan) {
-  const auto faces_up = [&](const PlannedHole& hole) {
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    const Point3 origin = plan.vertices[hole.segments[0].from].position;
-    for (const RimSegment& s : hole.segments) {
-      area += (plan.vertices[s.from].position - origin).cross(plan.vertices[s.to].position - origin);
-    }
-    return area.z() > kFacesUp * area.norm();
-  };
-  std::vector<std::vector<int32_t>> groups;
-  std::map<int32_t, size_t> group_of_cluster;
-  for (size_t h = 0; h < plan.holes.size(); ++h) {
-    const PlannedHole& hole = plan.holes[h];
-    if (!hole.failure.empty()) continue;
-    if (hole.kind == HoleKind::kClosed) {
-      if (hole.projects && faces_up(hole)) groups.push_back({static_cast<int32_t>(h)});
-      continue;
-    }
-    const auto [it, fresh] = group_of_cluster.try_emplace(hole.cluster, groups.size());
-    if (fresh) groups.emplace_back();
-    groups[it->second].push_back(static_cast<int32_t>(h));
-  }
-  return groups;
-}
-
 // The areas that cover more than half of the holes, ascending.
 std::vector<size_t> AreasOver(const Plan& plan, const std::vector<int32_t>& holes,
                               const std::vector<WaterArea>& areas) {
   std::vector<size_t> over;
   if (areas.empty()) return over;
-  std::vector<PlaneSegment> boundary;
-  for (const int32_t h : holes) {
-    for (const RimSegment& s : plan.holes[h].segments) {
-      boundary.emplace_back(plan.vertices[s.from].position.head<2>(), plan.vertices[s.to].position.head<2>());
-    }
-  }
+  const std::vector<PlaneSegment> boundary = BoundaryOf(plan, holes);
   for (size_t a = 0; a < areas.size(); ++a) {
     if (CoveredShare(boundary, areas[a]) > 0.5) over.push_back(a);
   }
   return over;
+}
+
+std::vector<int32_t> GroundOf(const Plan& plan, std::vector<int32_t> shore) {
+  std::erase_if(shore, [&](int32_t v) { return plan.vertices[v].on_object; });
+  return shore;
 }
 
 // All that can be told without the bands. Fills plan.idle_water_areas.
@@ -192,19 +167,59 @@ std::vector<Candidate> FindCandidates(const WaterOptions& options, Plan& plan) {
     for (const size_t a : areas) idle.erase(a);
     if (!(areas.empty() ? options.find : options.areas[areas.back()].water)) continue;
     Candidate c;
-    c.shore = ShoreOf(plan, holes);
+    c.shore = GroundOf(plan, ShoreOf(plan, holes));
     c.body.forced = !areas.empty();
     if (c.shore.size() < (c.body.forced ? 1 : kLeastShore)) continue;
-    const std::vector<double> heights = HeightsOf(plan, c.shore);
-    if (!c.body.forced && FitRimLevel(heights, 0).spread > options.tolerance) continue;
     c.body.holes = std::move(holes);
-    c.body.rim_vertices = std::ssize(heights);
-    c.body.lowest = *std::min_element(heights.begin(), heights.end());
-    c.body.highest = *std::max_element(heights.begin(), heights.end());
     candidates.push_back(std::move(c));
   }
   plan.idle_water_areas.assign(idle.begin(), idle.end());
   return candidates;
+}
+
+Reach ReachOf(const Plan& plan, const Candidate& candidate, const ShoreGround& ground) {
+  Reach reach;
+  reach.boundary = BoundaryOf(plan, candidate.body.holes);
+  for (const int32_t v : candidate.shore) reach.shore.push_back(plan.vertices[v].position);
+  reach.bank = ground.bank;
+  reach.noise = ground.noise;
+  reach.forced = candidate.body.forced;
+  return reach;
+}
+
+double OnLattice(const Plan& plan, double level) { return std::floor(level / plan.lattice_step) * plan.lattice_step; }
+
+void StoreBody(WaterBody body, Plan& plan) {
+  for (const int32_t h : body.holes) plan.holes[h].water = static_cast<int32_t>(plan.water.size());
+  plan.water.push_back(std::move(body));
+}
+
+void DescribeRim(const std::vector<double>& heights, WaterBody& body) {
+  body.rim_vertices = std::ssize(heights);
+  body.lowest = *std::min_element(heights.begin(), heights.end());
+  body.highest = *std::max_element(heights.begin(), heights.end());
+}
+
+WaterBody RiverBody(const Plan& plan, const std::vector<Candidate>& candidates, River river) {
+  WaterBody body;
+  std::vector<double> heights, above;
+  for (const size_t r : river.reaches) {
+    const Candidate& c = candidates[r];
+    body.holes.insert(body.holes.end(), c.body.holes.begin(), c.body.holes.end());
+    body.forced = body.forced || c.body.forced;
+    for (const int32_t v : c.shore) {
+      const Point3& p = plan.vertices[v].position;
+      heights.push_back(p.z());
+      above.push_back(p.z() - LevelAt(river.profile.water, p.head<2>(), plan.lattice_step));
+    }
+  }
+  std::sort(body.holes.begin(), body.holes.end());
+  DescribeRim(heights, body);
+  body.spread = FitRimLevel(above, 0).spread;
+  body.level = OnLattice(plan, river.profile.water.stations.back().z());
+  body.river = std::move(river.profile.water);
+  body.removed_rises = std::move(river.profile.removed);
+  return body;
 }
 
 }  // namespace
@@ -215,23 +230,43 @@ void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) 
   std::vector<std::vector<int32_t>> shores;
   for (const Candidate& c : candidates) shores.push_back(c.shore);
   const std::vector<ShoreGround> grounds = FindGround(plan, input, shores);
+  std::vector<Reach> reaches;
+  std::vector<bool> level;
   for (size_t i = 0; i < candidates.size(); ++i) {
     WaterBody& body = candidates[i].body;
-    const RimLevel fit = FitRimLevel(HeightsOf(plan, candidates[i].shore), grounds[i].noise);
-    body.level = std::floor(fit.level / plan.lattice_step) * plan.lattice_step;
+    const std::vector<double> heights = HeightsOf(plan, candidates[i].shore);
+    const RimLevel fit = FitRimLevel(heights, grounds[i].noise);
+    body.level = OnLattice(plan, fit.level);
     body.spread = fit.spread;
-    if (!body.forced && !LevelTest(plan, candidates[i], grounds[i], options.tolerance).Holds()) continue;
-    for (const int32_t h : body.holes) plan.holes[h].water = static_cast<int32_t>(plan.water.size());
-    plan.water.push_back(std::move(body));
+    DescribeRim(heights, body);
+    level.push_back(LevelTest(plan, candidates[i], grounds[i], options.tolerance).Holds());
+    reaches.push_back(ReachOf(plan, candidates[i], grounds[i]));
   }
+  std::vector<WaterBody> bodies;
+  std::vector<bool> in_river(candidates.size(), false);
+  for (River& river : FindRivers(reaches, options.tolerance)) {
+    if (!river.falls) level[river.reaches[0]] = true;
+    if (river.reaches.size() == 1 && level[river.reaches[0]]) continue;
+    for (const size_t r : river.reaches) in_river[r] = true;
+    bodies.push_back(RiverBody(plan, candidates, std::move(river)));
+  }
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (!in_river[i] && (level[i] || candidates[i].body.forced)) bodies.push_back(std::move(candidates[i].body));
+  }
+  std::sort(bodies.begin(), bodies.end(),
+            [](const WaterBody& a, const WaterBody& b) { return a.holes.front() < b.holes.front(); });
+  for (WaterBody& body : bodies) StoreBody(std::move(body), plan);
 }
 
 void SettleWater(const Plan& plan, SeamHeights& heights) {
   for (const WaterBody& body : plan.water) {
+    const auto level_at = [&](const Point3& p) {
+      return body.river.stations.empty() ? body.level : LevelAt(body.river, p.head<2>(), plan.lattice_step);
+    };
     for (const int32_t h : body.holes) {
       for (const RimSegment& s : plan.holes[h].segments) {
         for (const int32_t v : {s.from, s.to}) {
-          if (plan.vertices[v].index < 0) heights.height[v] = body.level;
+          if (plan.vertices[v].index < 0) heights.height[v] = level_at(plan.vertices[v].position);
         }
       }
     }

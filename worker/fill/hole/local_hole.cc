@@ -93,6 +93,8 @@ LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<
   }
   FindBoundary(hole);
   FindSizes(hole);
+  for (const int32_t v : hole.vertices) hole.on_object.push_back(cell.vertices[v].on_object);
+  if (std::find(hole.on_object.begin(), hole.on_object.end(), true) == hole.on_object.end()) hole.on_object.clear();
   return hole;
 }
 
@@ -101,6 +103,7 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.open = hole.open;
   local.tension = hole.tension;
   local.level = hole.level;
+  local.river = hole.river;
   local.normals.assign(local.vertices.size(), Vector3d::Zero());
   if (hole.open) return local;
   for (std::vector<int32_t>& loop : LoopsOf(local.segments)) local.loops.push_back(LoopOver(local, std::move(loop)));

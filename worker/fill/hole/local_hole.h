@@ -26,6 +26,7 @@ struct LocalHole {
   const CellBand* band = nullptr;
   bool open = false;
   std::optional<double> tension, level;  // as in CellHole
+  WaterSurface river;                    // likewise
 
   // One for each vertex.
   std::vector<int32_t> vertices;  // in CellHoles::vertices; -1: a new point on a crease
@@ -33,6 +34,8 @@ struct LocalHole {
   std::vector<double> sizes;             // wanted edge lengths, metres
   std::vector<bool> has_equation;        // whether the patch goes on with the slope of the surface there
   std::vector<Eigen::Vector3d> normals;  // unit, of the surface that goes on into the hole, evened out; zero where none
+
+  std::vector<bool> on_object;  // RimVertex::on_object; empty: none is
 
   std::vector<RegionSegment> segments;  // the hole on the left
   std::vector<VertexPair> boundary;     // the same, sorted, as edges

@@ -4,6 +4,7 @@
 
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/fair_heights.h"
+#include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/thin_plate.h"
 
@@ -72,6 +73,7 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
     plate.has_equation.push_back(v < rim ? static_cast<bool>(patch.has_equation[v]) : v < all);
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
+  if (frame.upright() && !FreeRim(hole.on_object, plate)) return false;
   bool solved = false;
   if (use == RimUse::kWhole) {
     solved = SolveWhole(hole, options, plate, chosen);
@@ -90,7 +92,10 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
 bool FindHeights(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
                  PlanePatch& patch, std::optional<HoldOut>& chosen) {
   if (hole.level) {
-    for (size_t v = static_cast<size_t>(hole.size()); v < patch.points.size(); ++v) patch.points[v].z() = *hole.level;
+    for (size_t v = static_cast<size_t>(hole.size()); v < patch.points.size(); ++v) {
+      Point3& p = patch.points[v];
+      p.z() = hole.river.stations.empty() ? *hole.level : LevelAt(hole.river, p.head<2>(), hole.cell->lattice_step);
+    }
     return true;
   }
   if (options.surface == Surface::kWang) return SolveAsWang(hole, frame, patch);

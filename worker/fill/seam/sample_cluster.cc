@@ -13,6 +13,7 @@
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/seam/seam_chains.h"
 #include "worker/fill/surface/choose_tension.h"
+#include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/thin_plate.h"
 
@@ -49,6 +50,7 @@ class ClusterSampler {
   std::optional<ClusterSurface> Solve() const {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
+    if (!FreeRim(hole_.on_object, problem)) return std::nullopt;
     FreeSteepRim(problem);
     if (!options_.tension) surface.hold_out = ChooseTension(problem, HoleWidth(problem.points, OutlineSegments()));
     problem.tension = options_.tension ? *options_.tension : surface.hold_out->tension;

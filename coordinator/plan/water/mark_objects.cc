@@ -1,0 +1,83 @@
+#include "coordinator/plan/water/mark_objects.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "coordinator/plan/water/hole_groups.h"
+#include "coordinator/plan/water/shore.h"
+#include "coordinator/plan/water/shore_objects.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kLeastExtent = 2;  // radii of the opening: a smaller hole has no opposite shore to tell an object by
+
+std::set<CellId> CellsAround(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::set<CellId> cells;
+  for (const int32_t h : holes) {
+    const CellId c = plan.holes[h].cell;
+    for (int dr = -1; dr <= 1; ++dr) {
+      for (int dc = -1; dc <= 1; ++dc) cells.insert({c.col + dc, c.row + dr});
+    }
+  }
+  return cells;
+}
+
+std::vector<Point3> BandPointsIn(const PlanInput& input, const std::set<CellId>& cells,
+                                 const Eigen::AlignedBox2d& box) {
+  std::vector<Point3> points;
+  for (const CellId cell : cells) {
+    const auto it = input.cells.find(cell);
+    if (it == input.cells.end() || it->second == nullptr) continue;
+    for (const Point3& p : it->second->band.points) {
+      if (box.contains(Point2(p.head<2>()))) points.push_back(p);
+    }
+  }
+  return points;
+}
+
+// The rim of a group of holes, and how steep the way down is from each of its vertices.
+struct GroupSteps {
+  std::vector<int32_t> shore;
+  std::vector<double> steps;
+};
+
+GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, const ObjectRule& rule,
+                   const Plan& plan) {
+  GroupSteps group{ShoreOf(plan, holes), {}};
+  Eigen::AlignedBox2d box;
+  std::vector<Point3> rim;
+  for (const int32_t v : group.shore) {
+    rim.push_back(plan.vertices[v].position);
+    box.extend(Point2(rim.back().head<2>()));
+  }
+  if (rim.empty() || box.diagonal().norm() < kLeastExtent * rule.radius) return {};
+  box.min().array() -= rule.radius;
+  box.max().array() += rule.radius;
+  group.steps = StepsDown(rim, BandPointsIn(input, CellsAround(plan, holes), box), rule);
+  return group;
+}
+
+}  // namespace
+
+void MarkObjects(const PlanInput& input, Plan& plan) {
+  const ObjectRule rule;
+  std::vector<GroupSteps> groups;
+  std::vector<double> all;
+  for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
+    groups.push_back(StepsOf(input, holes, rule, plan));
+    all.insert(all.end(), groups.back().steps.begin(), groups.back().steps.end());
+  }
+  if (!AreWalls(all, rule)) return;
+  for (const GroupSteps& group : groups) {
+    const auto on_object = [&](double step) { return step > rule.slope; };
+    if (std::all_of(group.steps.begin(), group.steps.end(), on_object)) continue;
+    for (size_t i = 0; i < group.shore.size(); ++i) {
+      if (on_object(group.steps[i])) plan.vertices[group.shore[i]].on_object = true;
+    }
+  }
+}
+
+}  // namespace tilemend

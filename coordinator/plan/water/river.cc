@@ -1,0 +1,233 @@
+#include "coordinator/plan/water/river.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "coordinator/plan/water/centreline.h"
+#include "coordinator/plan/water/rim_level.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kStation = 25;           // metres
+constexpr size_t kLeastShore = 24;        // rim vertices, as for lakes
+constexpr int64_t kLeastAtStation = 8;    // heights
+constexpr int64_t kLeastAtSide = 4;       // heights
+constexpr double kLeastWidth = 6;         // metres
+constexpr double kLeastReach = 1;         // times as long as wide: a reach
+constexpr double kLeastRiver = 3;         // likewise: a river
+constexpr double kSteepest = 0.005;       // metre a metre
+constexpr size_t kStationsAtEnd = 3;      // that tell where a reach runs at its end
+constexpr double kWidestBridge = 40;      // metres
+constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
+constexpr size_t kOddStations = 8;        // one in so many may be other than the rest
+constexpr double kSure = 3;               // standard errors
+constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
+constexpr double kErrorOfRise = 1.4472;   // of the difference to the mean of three, likewise
+
+// An end of a reach's centreline.
+struct End {
+  size_t reach;
+  bool last;  // of the centreline's points
+  double width;
+  Point2 at, outward;
+};
+
+End EndOf(const Centreline& line, size_t reach, bool last) {
+  const std::vector<Point2>& p = line.points;
+  const size_t back = std::min<size_t>(kStationsAtEnd, p.size() - 1);
+  const Point2 at = last ? p.back() : p.front(), before = last ? p[p.size() - 1 - back] : p[back];
+  return {reach, last, line.width, at, (at - before).normalized()};
+}
+
+bool Faces(const End& a, const End& b) {
+  const Point2 gap = b.at - a.at;
+  const double far = gap.norm();
+  if (far > kWidestBridge || a.outward.dot(b.outward) > -kOpposite) return false;
+  // A centreline may end anywhere across the water.
+  const double ahead = (a.outward - b.outward).normalized().dot(gap);
+  return far * far - ahead * ahead <= a.width * b.width / 4;
+}
+
+// Reaches in order along a river; reversed: from the last point of its centreline to the first.
+using Chain = std::vector<std::pair<size_t, bool>>;
+
+std::vector<Chain> LinkReaches(const std::vector<Centreline>& lines) {
+  std::vector<End> ends;
+  for (size_t r = 0; r < lines.size(); ++r) {
+    if (lines[r].points.size() < 2) continue;
+    for (const bool last : {false, true}) ends.push_back(EndOf(lines[r], r, last));
+  }
+  std::vector<std::tuple<double, size_t, size_t>> gaps;
+  for (size_t i = 0; i < ends.size(); ++i) {
+    for (size_t k = i + 1; k < ends.size(); ++k) {
+      if (ends[i].reach != ends[k].reach && Faces(ends[i], ends[k])) {
+        gaps.emplace_back((ends[i].at - ends[k].at).norm(), i, k);
+      }
+    }
+  }
+  std::sort(gaps.begin(), gaps.end());
+  constexpr size_t kNone = std::numeric_limits<size_t>::max();
+  std::vector<size_t> linked(ends.size(), kNone);
+  for (const auto& [gap, i, k] : gaps) {
+    if (linked[i] == kNone && linked[k] == kNone) linked[i] = k, linked[k] = i;
+  }
+  std::vector<Chain> chains;
+  std::vector<bool> used(lines.size(), false);
+  const auto follow = [&](size_t end) {  // in through this end, out through the other
+    Chain chain;
+    while (end != kNone && !used[ends[end].reach]) {
+      used[ends[end].reach] = true;
+      chain.emplace_back(ends[end].reach, ends[end].last);
+      end = linked[end ^ 1];
+    }
+    if (!chain.empty()) chains.push_back(std::move(chain));
+  };
+  for (size_t e = 0; e < ends.size(); ++e) {
+    if (linked[e] == kNone) follow(e);
+  }
+  for (size_t e = 0; e < ends.size(); ++e) follow(e);  // rings of reaches
+  return chains;
+}
+
+// A chain put together as one river, before it is known to be one.
+struct Course {
+  std::vector<Point2> line;
+  std::vector<Point3> shore;
+  std::vector<double> bank;
+  double noise = 0, length = 0, area = 0;
+  bool forced = false;
+
+  double width() const { return length > 0 ? area / length : 0; }
+};
+
+Course CourseOf(const Chain& chain, std::span<const Reach> reaches, const std::vector<Centreline>& lines) {
+  Course course;
+  std::vector<double> noises;
+  for (const auto& [r, reversed] : chain) {
+    std::vector<Point2> points = lines[r].points;
+    if (reversed) std::reverse(points.begin(), points.end());
+    course.line.insert(course.line.end(), points.begin(), points.end());
+    course.shore.insert(course.shore.end(), reaches[r].shore.begin(), reaches[r].shore.end());
+    course.bank.insert(course.bank.end(), reaches[r].bank.begin(), reaches[r].bank.end());
+    course.length += lines[r].length;
+    course.area += lines[r].length * lines[r].width;
+    noises.push_back(reaches[r].noise);
+    course.forced = course.forced || (chain.size() == 1 && reaches[r].forced);
+  }
+  course.noise = Quantile(noises, 0.5);
+  return course;
+}
+
+class RiverTest {
+ public:
+  RiverTest(const Course& course, const RiverProfile& profile, double tolerance)
+      : course_(course), profile_(profile), tolerance_(tolerance) {
+    for (const Point3& p : course.shore) {
+      above_.push_back(p.z() - LevelAt(profile.water, p.head<2>(), kAnyStep));
+    }
+  }
+
+  bool Falls() const { return profile_.fall > tolerance_ + Noise(kErrorOfLevel, kLeastAtStation); }
+
+  bool Holds() const {
+    if (profile_.fall > kSteepest * course_.length) return false;
+    if (course_.forced) return Falls();
+    return StationsAgree() && SidesAgree() &&
+           FitRimLevel(above_, course_.noise).spread <= tolerance_ + 2 * course_.noise && BanksRise();
+  }
+
+ private:
+  static constexpr double kAnyStep = 0x1p-20;  // metres
+
+  double Noise(double factor, int64_t count) const {
+    return std::min(tolerance_, kSure * factor * course_.noise / std::sqrt(static_cast<double>(count)));
+  }
+
+  bool StationsAgree() const {
+    size_t count = 0, odd = 0;
+    for (size_t k = 0; k < profile_.stations.size(); ++k) {
+      const RiverStation& s = profile_.stations[k];
+      if (s.count < kLeastAtStation) continue;
+      ++count;
+      odd += std::abs(s.level - profile_.water.stations[k].z()) > tolerance_ + Noise(kErrorOfLevel, s.count);
+    }
+    return odd <= count / kOddStations;
+  }
+
+  // Where a quay runs along one shore, the other one has the level.
+  bool SidesAgree() const {
+    size_t count = 0, odd = 0;
+    for (const RiverStation& s : profile_.stations) {
+      const int64_t least = std::min(s.left_count, s.right_count);
+      if (least < kLeastAtSide) continue;
+      ++count;
+      odd += std::abs(s.left - s.right) > tolerance_ + std::sqrt(2) * Noise(kErrorOfLevel, least);
+    }
+    return count >= 2 && odd <= count / 2;
+  }
+
+  bool BanksRise() const {
+    std::vector<double> rises, above;
+    std::vector<std::vector<double>> at(profile_.stations.size());
+    for (size_t i = 0; i < above_.size(); ++i) {
+      if (std::isnan(course_.bank[i])) continue;
+      rises.push_back(course_.bank[i] - course_.shore[i].z());
+      above.push_back(rises.back() + above_[i]);
+      const PlaceOnLine place = NearestOnLine(profile_.water.stations, course_.shore[i].head<2>());
+      at[place.piece + (place.along > 0.5 ? 1 : 0)].push_back(above.back());
+    }
+    if (rises.empty()) return false;
+    size_t count = 0, odd = 0;
+    for (const std::vector<double>& station : at) {
+      if (std::ssize(station) < kLeastAtStation) continue;
+      ++count;
+      odd += Quantile(station, 0.5) < -Noise(kErrorOfLevel, std::ssize(station));
+    }
+    return odd <= count / kOddStations && Quantile(rises, 0.5) > Noise(kErrorOfRise, std::ssize(rises));
+  }
+
+  const Course& course_;
+  const RiverProfile& profile_;
+  const double tolerance_;
+  std::vector<double> above_;  // of each shore point, over the profile
+};
+
+Centreline LineOf(const Reach& reach) {
+  if (reach.shore.size() < kLeastShore) return {};
+  Eigen::AlignedBox2d box;
+  for (const auto& [a, b] : reach.boundary) box.extend(a).extend(b);
+  if (box.diagonal().norm() < kStation) return {};
+  Centreline line = FindCentreline(reach.boundary, kStation);
+  if (line.width < kLeastWidth || line.length < kLeastReach * line.width) line.points.clear();
+  return line;
+}
+
+}  // namespace
+
+std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance) {
+  std::vector<Centreline> lines;
+  for (const Reach& reach : reaches) lines.push_back(LineOf(reach));
+  std::vector<River> rivers;
+  for (const Chain& chain : LinkReaches(lines)) {
+    const Course course = CourseOf(chain, reaches, lines);
+    if (course.length < kLeastRiver * course.width()) continue;
+    River river;
+    river.profile = FitRiver(course.line, course.shore, course.noise, {kStation, kLeastAtStation, tolerance});
+    river.width = course.width();
+    if (river.profile.stations.empty()) continue;
+    const RiverTest test(course, river.profile, tolerance);
+    if (!test.Holds()) continue;
+    river.falls = chain.size() > 1 || test.Falls();
+    for (const auto& [r, reversed] : chain) river.reaches.push_back(r);
+    std::sort(river.reaches.begin(), river.reaches.end());
+    rivers.push_back(std::move(river));
+  }
+  return rivers;
+}
+
+}  // namespace tilemend

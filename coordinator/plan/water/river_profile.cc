@@ -1,0 +1,171 @@
+#include "coordinator/plan/water/river_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "coordinator/plan/water/rim_level.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kSure = 3;               // standard errors
+constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
+constexpr size_t kLeastStations = 2;
+
+// Heights by station, and by side of the line.
+struct Heights {
+  std::vector<double> all, left, right;
+};
+
+double Cross(const Point2& u, const Point2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+// Evenly spaced places on a line, with both its ends.
+std::vector<Point3> StationsOn(const std::vector<Point2>& line, double spacing) {
+  std::vector<double> along = {0};
+  for (size_t i = 1; i < line.size(); ++i) along.push_back(along.back() + (line[i] - line[i - 1]).norm());
+  const auto count = static_cast<size_t>(std::max(1.0, std::round(along.back() / spacing)));
+  std::vector<Point3> stations;
+  for (size_t k = 0, piece = 0; k <= count; ++k) {
+    const double at = along.back() * static_cast<double>(k) / static_cast<double>(count);
+    while (piece + 2 < line.size() && along[piece + 1] < at) ++piece;
+    const double length = along[piece + 1] - along[piece];
+    const double share = length > 0 ? std::clamp((at - along[piece]) / length, 0.0, 1.0) : 0;
+    const Point2 p = line[piece] + share * (line[piece + 1] - line[piece]);
+    stations.emplace_back(p.x(), p.y(), 0);
+  }
+  return stations;
+}
+
+std::vector<Heights> SortToStations(const std::vector<Point3>& stations, std::span<const Point3> shore) {
+  std::vector<Heights> heights(stations.size());
+  for (const Point3& p : shore) {
+    const PlaceOnLine place = NearestOnLine(stations, p.head<2>());
+    const Point2 a = stations[place.piece].head<2>(), b = stations[place.piece + 1].head<2>();
+    Heights& at = heights[place.piece + (place.along > 0.5 ? 1 : 0)];
+    at.all.push_back(p.z());
+    (Cross(b - a, p.head<2>() - a) > 0 ? at.left : at.right).push_back(p.z());
+  }
+  return heights;
+}
+
+double LevelOf(const std::vector<double>& heights, double noise) {
+  return heights.empty() ? 0 : FitRimLevel(heights, noise).level;
+}
+
+RiverStation StationOf(const Heights& h, double noise, const StationRule& rule) {
+  RiverStation s;
+  s.count = std::ssize(h.all), s.left_count = std::ssize(h.left), s.right_count = std::ssize(h.right);
+  s.level = LevelOf(h.all, noise), s.left = LevelOf(h.left, noise), s.right = LevelOf(h.right, noise);
+  const int64_t fewer = std::min(s.left_count, s.right_count);
+  if (fewer < (rule.least + 1) / 2) return s;
+  const double error = kErrorOfLevel * noise / std::sqrt(static_cast<double>(fewer));
+  if (std::abs(s.left - s.right) <= rule.tolerance + std::min(rule.tolerance, kSure * error)) return s;
+  s.level = std::min(s.left, s.right);
+  s.count = s.left < s.right ? s.left_count : s.right_count;
+  return s;
+}
+
+// How the levels fall on the whole: the slope of the weighted line through them, per station.
+double Trend(const std::vector<double>& at, const std::vector<double>& levels, const std::vector<double>& weights) {
+  double w = 0, x = 0, z = 0, xx = 0, xz = 0;
+  for (size_t i = 0; i < at.size(); ++i) w += weights[i], x += weights[i] * at[i], z += weights[i] * levels[i];
+  x /= w, z /= w;
+  for (size_t i = 0; i < at.size(); ++i) {
+    xx += weights[i] * (at[i] - x) * (at[i] - x);
+    xz += weights[i] * (at[i] - x) * (levels[i] - z);
+  }
+  return xx > 0 ? xz / xx : 0;
+}
+
+void Reverse(RiverProfile& profile) {
+  std::reverse(profile.water.stations.begin(), profile.water.stations.end());
+  std::reverse(profile.stations.begin(), profile.stations.end());
+  for (RiverStation& s : profile.stations) {
+    std::swap(s.left, s.right);
+    std::swap(s.left_count, s.right_count);
+  }
+}
+
+// The level of every station from those that have one.
+void Interpolate(const std::vector<size_t>& known, const std::vector<double>& levels, std::vector<Point3>& stations) {
+  for (size_t k = 0; k < stations.size(); ++k) {
+    const size_t next = static_cast<size_t>(std::lower_bound(known.begin(), known.end(), k) - known.begin());
+    if (next == 0) {
+      stations[k].z() = levels.front();
+    } else if (next == known.size()) {
+      stations[k].z() = levels.back();
+    } else {
+      const double share =
+          static_cast<double>(k - known[next - 1]) / static_cast<double>(known[next] - known[next - 1]);
+      stations[k].z() = std::lerp(levels[next - 1], levels[next], share);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<double> NotRising(std::span<const double> values, std::span<const double> weights) {
+  struct Block {
+    double mean, weight;
+    size_t count;
+  };
+  std::vector<Block> blocks;
+  for (size_t i = 0; i < values.size(); ++i) {
+    blocks.push_back({values[i], weights[i], 1});
+    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean < blocks.back().mean) {
+      const Block last = blocks.back();
+      blocks.pop_back();
+      Block& before = blocks.back();
+      before.mean = (before.mean * before.weight + last.mean * last.weight) / (before.weight + last.weight);
+      before.weight += last.weight;
+      before.count += last.count;
+    }
+  }
+  std::vector<double> result;
+  for (const Block& b : blocks) result.insert(result.end(), b.count, b.mean);
+  return result;
+}
+
+RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> shore, double noise,
+                      const StationRule& rule) {
+  RiverProfile profile;
+  profile.water.stations = StationsOn(line, rule.spacing);
+  for (const Heights& h : SortToStations(profile.water.stations, shore)) {
+    profile.stations.push_back(StationOf(h, noise, rule));
+  }
+  const auto has_level = [&](size_t k) { return profile.stations[k].count >= (rule.least + 1) / 2; };
+  const auto collect = [&](auto&& value) {
+    std::vector<double> values;
+    for (size_t k = 0; k < profile.stations.size(); ++k) {
+      if (has_level(k)) values.push_back(value(k));
+    }
+    return values;
+  };
+  const auto number = [](size_t k) { return static_cast<double>(k); };
+  const auto level = [&](size_t k) { return profile.stations[k].level; };
+  const auto weight = [&](size_t k) { return static_cast<double>(profile.stations[k].count); };
+  if (collect(level).size() < kLeastStations) return {};
+  if (Trend(collect(number), collect(level), collect(weight)) > 0) Reverse(profile);
+  for (size_t k = 1; k < profile.stations.size(); ++k) {
+    const Point3 step = profile.water.stations[k] - profile.water.stations[k - 1];
+    profile.stations[k].along = profile.stations[k - 1].along + step.head<2>().norm();
+  }
+  const std::vector<double> levels = collect(level), weights = collect(weight);
+  const std::vector<double> falling = NotRising(levels, weights);
+  std::vector<size_t> known;
+  for (size_t k = 0; k < profile.stations.size(); ++k) {
+    if (has_level(k)) known.push_back(k);
+  }
+  Interpolate(known, falling, profile.water.stations);
+  profile.fall = falling.front() - falling.back();
+  for (size_t i = 1; i < levels.size(); ++i) {
+    const double rise = levels[i] - levels[i - 1];
+    if (rise > kSure * kErrorOfLevel * noise * std::sqrt(1 / weights[i] + 1 / weights[i - 1])) {
+      profile.removed.push_back({profile.water.stations[known[i]].head<2>(), rise});
+    }
+  }
+  return profile;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,125 @@
+#include "worker/fill/surface/free_rim.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cstdint>
+
+#include "common/mesh/disjoint_sets.h"
+#include "worker/fill/surface/thin_plate.h"
+
+namespace tilemend {
+namespace {
+
+// Of the smaller variance to the larger one: below it the points lie on a line, and say nothing of the slope across.
+constexpr double kOnLine = 2.5e-3;
+constexpr size_t kLeastGround = 3;  // points: a plane
+
+bool StandsOn(const std::vector<bool>& on_object, int32_t v) {
+  return v < static_cast<int32_t>(on_object.size()) && on_object[v];
+}
+
+void TakeAwayBand(const std::vector<bool>& on_object, ThinPlateProblem& problem) {
+  std::erase_if(problem.band, [&](const Triangle& t) {
+    const bool at_object = std::any_of(t.begin(), t.end(), [&](int32_t v) { return StandsOn(on_object, v); });
+    if (!at_object) return false;
+    for (const int32_t v : t) {
+      if (problem.known[v]) problem.has_equation[v] = false;
+    }
+    return true;
+  });
+  for (size_t v = 0; v < on_object.size(); ++v) {
+    if (on_object[v]) problem.has_equation[v] = false;
+  }
+}
+
+struct Plane {
+  Point3 middle = Point3::Zero();
+  Point2 slope{0, 0};
+
+  double At(const Point3& p) const { return middle.z() + slope.dot((p - middle).head<2>()); }
+};
+
+Plane PlaneThrough(const std::vector<Point3>& points) {
+  Plane plane;
+  for (const Point3& p : points) plane.middle += p / static_cast<double>(points.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  Point2 rise(0, 0);
+  for (const Point3& p : points) {
+    const Point3 d = p - plane.middle;
+    spread += d.head<2>() * d.head<2>().transpose();
+    rise += d.head<2>() * d.z();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  for (int k = 0; k < 2; ++k) {
+    if (axes.eigenvalues()[k] <= kOnLine * axes.eigenvalues()[1]) continue;
+    const Point2 axis = axes.eigenvectors().col(k);
+    plane.slope += axis * (axis.dot(rise) / axes.eigenvalues()[k]);
+  }
+  return plane;
+}
+
+// The known points of the patch that stand on no object.
+std::vector<Point3> GroundOf(const std::vector<bool>& on_object, const ThinPlateProblem& problem) {
+  std::vector<int32_t> corners;
+  for (const Triangle& t : problem.patch) {
+    std::copy_if(t.begin(), t.end(), std::back_inserter(corners),
+                 [&](int32_t v) { return problem.known[v] && !StandsOn(on_object, v); });
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<Point3> ground;
+  for (const int32_t v : corners) ground.push_back(problem.points[v]);
+  return ground;
+}
+
+// Those of the points on objects that hang together with ground through unknown heights and points on objects: the
+// membrane has no height for others.
+std::vector<bool> TiedToGround(const std::vector<bool>& on_object, const ThinPlateProblem& problem) {
+  DisjointSets parts(static_cast<int32_t>(problem.points.size()));
+  const auto free = [&](int32_t v) { return !problem.known[v] || StandsOn(on_object, v); };
+  for (const Triangle& t : problem.patch) {
+    for (int k = 0; k < 3; ++k) {
+      if (free(t[k]) && free(t[(k + 1) % 3])) parts.Join(t[k], t[(k + 1) % 3]);
+    }
+  }
+  std::vector<bool> tied(problem.points.size(), false);  // by part
+  for (const Triangle& t : problem.patch) {
+    if (std::all_of(t.begin(), t.end(), free)) continue;
+    for (const int32_t v : t) {
+      if (free(v)) tied[parts.LowestOf(v)] = true;
+    }
+  }
+  std::vector<bool> result(on_object.size(), false);
+  for (size_t v = 0; v < on_object.size(); ++v) {
+    result[v] = on_object[v] && tied[parts.LowestOf(static_cast<int32_t>(v))];
+  }
+  return result;
+}
+
+}  // namespace
+
+bool FreeRim(const std::vector<bool>& stands, ThinPlateProblem& problem) {
+  const std::vector<bool> on_object = TiedToGround(stands, problem);
+  if (std::find(on_object.begin(), on_object.end(), true) == on_object.end()) return true;
+  const std::vector<Point3> ground = GroundOf(on_object, problem);
+  if (ground.size() < kLeastGround) return true;
+  const Plane plane = PlaneThrough(ground);
+  ThinPlateProblem beside;
+  beside.points = problem.points;
+  beside.patch = problem.patch;
+  beside.known = problem.known;
+  beside.has_equation.assign(problem.points.size(), false);
+  for (size_t v = 0; v < beside.points.size(); ++v) {
+    Point3& p = beside.points[v];
+    p.z() -= plane.At(p);
+    if (StandsOn(on_object, static_cast<int32_t>(v))) beside.known[v] = false;
+  }
+  if (!SolveMembrane(beside)) return false;
+  for (size_t v = 0; v < on_object.size(); ++v) {
+    if (on_object[v]) problem.points[v].z() = plane.At(beside.points[v]) + beside.points[v].z();
+  }
+  TakeAwayBand(on_object, problem);
+  return true;
+}
+
+}  // namespace tilemend
