@@ -85,7 +85,7 @@ struct PlanVertex {
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
   int32_t follows = -1;
-  bool on_object = false;     // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
+  bool on_object = false;  // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along

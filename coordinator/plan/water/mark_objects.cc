@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coordinator/plan/water/hole_groups.h"
-#include "coordinator/plan/water/shore.h"
 #include "coordinator/plan/water/shore_objects.h"
 
 namespace tilemend {
@@ -40,16 +39,33 @@ std::vector<Point3> BandPointsIn(const PlanInput& input, const std::set<CellId>&
 
 // The rim of a group of holes, and how steep the way down is from each of its vertices.
 struct GroupSteps {
-  std::vector<int32_t> shore;
+  std::vector<int32_t> rim;
   std::vector<double> steps;
 };
 
+// The original vertices on the rims of the holes and of the regions that tiles fill for themselves; ascending.
+std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::set<int32_t> vertices;
+  const auto add = [&](const std::vector<RimSegment>& segments) {
+    for (const RimSegment& s : segments) {
+      for (const int32_t v : {s.from, s.to}) {
+        if (plan.vertices[v].index >= 0) vertices.insert(v);
+      }
+    }
+  };
+  for (const int32_t h : holes) {
+    add(plan.holes[h].segments);
+    for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) add(region);
+  }
+  return {vertices.begin(), vertices.end()};
+}
+
 GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, const ObjectRule& rule,
                    const Plan& plan) {
-  GroupSteps group{ShoreOf(plan, holes), {}};
+  GroupSteps group{RimVerticesOf(plan, holes), {}};
   Eigen::AlignedBox2d box;
   std::vector<Point3> rim;
-  for (const int32_t v : group.shore) {
+  for (const int32_t v : group.rim) {
     rim.push_back(plan.vertices[v].position);
     box.extend(Point2(rim.back().head<2>()));
   }
@@ -74,8 +90,8 @@ void MarkObjects(const PlanInput& input, Plan& plan) {
   for (const GroupSteps& group : groups) {
     const auto on_object = [&](double step) { return step > rule.slope; };
     if (std::all_of(group.steps.begin(), group.steps.end(), on_object)) continue;
-    for (size_t i = 0; i < group.shore.size(); ++i) {
-      if (on_object(group.steps[i])) plan.vertices[group.shore[i]].on_object = true;
+    for (size_t i = 0; i < group.rim.size(); ++i) {
+      if (on_object(group.steps[i])) plan.vertices[group.rim[i]].on_object = true;
     }
   }
 }

@@ -126,15 +126,20 @@ TEST_P(WaterTest, AQuayAlongATenthOfTheShoreIsNoObstacle) {
   EXPECT_GT(plan.water[0].highest, kWaterLevel + 1.4);
 }
 
-TEST_P(WaterTest, TheToleranceSaysHowMuchTheRimMayScatter) {
+TEST_P(WaterTest, NoiseOfTheSurfaceHidesNoLake) {
   SceneMakerOptions scene = LakeOverNineCells(GetParam());
   scene.noise = 0.6;
-  EXPECT_THAT(PlanOf(scene).water, IsEmpty());
-  WaterOptions wide;
-  wide.tolerance = 0.4;
-  const Plan plan = PlanOf(scene, wide);
+  const Plan plan = PlanOf(scene);
   ASSERT_THAT(plan.water, SizeIs(1));
   EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.1);
+}
+
+TEST_P(WaterTest, TheToleranceSaysHowFarAShoreMayFall) {
+  const SceneMakerOptions valley = ValleyOverNineCells(GetParam(), 0.0006);
+  WaterOptions narrow;
+  narrow.tolerance = 0.02;
+  EXPECT_THAT(PlanOf(valley, narrow).water, IsEmpty());
+  EXPECT_THAT(PlanOf(valley).water, SizeIs(1));
 }
 
 TEST_P(WaterTest, AreasForceAndForbid) {

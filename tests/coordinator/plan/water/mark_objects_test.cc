@@ -1,0 +1,53 @@
+#include "coordinator/plan/water/mark_objects.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coordinator/plan/plan.h"
+#include "tests/support/surveyed_scene.h"
+#include "tests/support/water_scenes.h"
+
+namespace tilemend {
+namespace {
+
+// East of the hole, 12 m wide along the shore and 9 m high.
+bool InHouse(double x, double y) { return x > 105 && std::abs(y - 59) < 6; }
+
+double Gentle(double x, double y) { return 0.05 * x + 0.5 * std::sin(y / 15); }
+
+Plan PlanOf(const SceneMakerOptions& scene) { return MakePlan(SurveyScene(MakeScene(scene)).Input(), {}); }
+
+class MarkObjectsTest : public ::testing::TestWithParam<Cut> {};
+
+TEST_P(MarkObjectsTest, RimVerticesOnAHouseAreMarkedAndNoOthers) {
+  const Plan plan = PlanOf(
+      HoleOverNineCells(GetParam(), [](double, double x, double y) { return Gentle(x, y) + (InHouse(x, y) ? 9 : 0); }));
+  int on_house = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const RimSegment& s : hole.segments) {
+      const PlanVertex& v = plan.vertices[s.from];
+      if (v.index < 0) continue;
+      const bool high = v.position.z() - Gentle(v.position.x(), v.position.y()) > 4;
+      EXPECT_EQ(v.on_object, high) << v.position.transpose();
+      on_house += high;
+    }
+  }
+  EXPECT_GT(on_house, 3);
+}
+
+TEST_P(MarkObjectsTest, OnRoughGroundNothingStands) {
+  const Plan plan = PlanOf(
+      HoleOverNineCells(GetParam(), [](double, double x, double y) { return 8 * std::sin(x / 4) * std::cos(y / 5); }));
+  for (const PlanVertex& v : plan.vertices) EXPECT_FALSE(v.on_object);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, MarkObjectsTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
+                         [](const auto& cut) {
+                           return cut.param == Cut::kClipped  ? "Clipped"
+                                  : cut.param == Cut::kRagged ? "Ragged"
+                                                              : "Overlap";
+                         });
+
+}  // namespace
+}  // namespace tilemend

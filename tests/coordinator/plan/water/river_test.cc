@@ -1,0 +1,93 @@
+#include "coordinator/plan/water/river.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+constexpr double kTolerance = 0.1;
+constexpr double kNoise = 0.05;
+
+using Level = std::function<double(double x, double y)>;
+
+double Falling(double x, double) { return 10 - 0.001 * x; }
+
+// The reach of a river along y = 0 from x0 to x1, `half` metres to either side, whose shores have heights of `level`
+// with noise, and banks 0.4 m above it one edge landward.
+Reach ReachBetween(double x0, double x1, double half, const Level& level, double bank = 0.4) {
+  std::mt19937 random(7);
+  const auto noise = [&] { return kNoise * std::sqrt(3) * (static_cast<double>(random()) * 0x1p-31 - 1); };
+  Reach reach;
+  std::vector<Point2> ring;
+  for (double x = x0; x <= x1; ++x) ring.emplace_back(x, -half);
+  for (double x = x1; x >= x0; --x) ring.emplace_back(x, half);
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point2& p = ring[i];
+    reach.boundary.emplace_back(p, ring[(i + 1) % ring.size()]);
+    reach.shore.emplace_back(p.x(), p.y(), level(p.x(), p.y()) + noise());
+    reach.bank.push_back(level(p.x(), p.y()) + bank + noise());
+  }
+  reach.noise = kNoise;
+  return reach;
+}
+
+TEST(FindRiversTest, ALongFallingReachIsARiver) {
+  const std::vector<River> rivers = FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, Falling)}, kTolerance);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_TRUE(rivers[0].falls);
+  EXPECT_NEAR(rivers[0].width, 30, 2);
+  EXPECT_NEAR(rivers[0].profile.fall, 0.5, 0.1);
+  EXPECT_LT(rivers[0].profile.water.stations.front().x(), rivers[0].profile.water.stations.back().x());
+}
+
+TEST(FindRiversTest, GoesOnUnderABridge) {
+  const std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(252, 500, 15, Falling)};
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_EQ(rivers[0].reaches, (std::vector<size_t>{0, 1}));
+}
+
+TEST(FindRiversTest, WhatIsFarApartIsNotOne) {
+  const std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(300, 600, 15, Falling)};
+  EXPECT_EQ(FindRivers(reaches, kTolerance).size(), 2u);
+}
+
+TEST(FindRiversTest, ALongLakeDoesNotFall) {
+  const std::vector<River> rivers =
+      FindRivers(std::vector<Reach>{ReachBetween(0, 300, 15, [](double, double) { return 10; })}, kTolerance);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_FALSE(rivers[0].falls);
+}
+
+TEST(FindRiversTest, NoRiverIsSteepShortNarrowOrAslant) {
+  const auto steep = [](double x, double) { return 10 - 0.02 * x; };
+  const auto aslant = [](double x, double y) { return 10 - 0.001 * x + 0.05 * y; };
+  const auto hilly = [](double x, double) { return 10 + 2 * std::sin(x / 40); };
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, steep)}, kTolerance).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, aslant)}, kTolerance).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, hilly)}, kTolerance).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 60, 15, Falling)}, kTolerance).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 2, Falling)}, kTolerance).empty());
+}
+
+TEST(FindRiversTest, NoRiverHasGroundBelowItBesideIt) {
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, Falling, -0.4)}, kTolerance).empty());
+}
+
+TEST(FindRiversTest, AForcedReachHasToBeLongAndToFall) {
+  Reach low_banks = ReachBetween(0, 500, 15, Falling, -0.4);
+  low_banks.forced = true;
+  EXPECT_EQ(FindRivers(std::vector<Reach>{low_banks}, kTolerance).size(), 1u);
+  Reach level = ReachBetween(0, 500, 15, [](double, double) { return 10; });
+  level.forced = true;
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{level}, kTolerance).empty());
+}
+
+}  // namespace
+}  // namespace tilemend
