@@ -112,7 +112,7 @@ TEST_F(SceneReportTest, SaysOfWhatWithWhatAndWhenItIsMade) {
 TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   plan_.holes[1].water = 0;
   input_.outcome.sizes[1].way = FillWay::kWater;
-  plan_.water = {{{1}, 12.5, 0.01, 12.4, 12.6, 9, false}};
+  plan_.water = {{{1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
   const Json report = Report();
   EXPECT_EQ(report["per_hole"][1]["method"], "water");
   EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);
@@ -124,7 +124,7 @@ TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
 
 TEST_F(SceneReportTest, LeavesOutWaterWhoseHolesAllFailed) {
   plan_.holes[2].water = 0;
-  plan_.water = {{{2}, 12.5, 0.01, 12.4, 12.6, 9, false}};
+  plan_.water = {{{2}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
   EXPECT_TRUE(Report()["water"].empty());
 }
 
