@@ -92,7 +92,7 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const FillOption
   return {{"surface", SurfaceName(options.surface)}, tension,
           {"gradation", options.refine.gradation},   {"size-limit", options.refine.size_limit},
           {"uniform", options.refine.uniform},       {"water", args.Text("water")},
-          {"water-tolerance", water_tolerance}};
+          {"water-tolerance", water_tolerance},      {"water-profile", args.Text("water-profile")}};
 }
 
 // Outlines of detached pieces and of the mesh itself are no holes: only holes that stay open make the result partial.
@@ -112,12 +112,15 @@ int FillCommand(const Args& args) {
   if (!options.ok()) return PrintUsageError(options.status());
   const auto water_tolerance = WaterToleranceFromFlags(args);
   if (!water_tolerance.ok()) return PrintUsageError(water_tolerance.status());
+  const auto profile = WaterProfileFromFlags(args);
+  if (!profile.ok()) return PrintUsageError(profile.status());
   const std::string& in = args.arguments().front();
   const std::string out = args.Text("out");
   if (const absl::Status status = CheckPaths(in, out, args.Switch("overwrite")); !status.ok())
     return PrintError(status);
-  const auto water = ReadWaterChoice(args.Text("water"), *water_tolerance);
+  auto water = ReadWaterChoice(args.Text("water"), *water_tolerance);
   if (!water.ok()) return PrintError(water.status());
+  water->options.profile = *profile;
   auto filled = FillMesh(in, *options, water->options);
   if (!filled.ok()) return PrintError(filled.status());
   Stopwatch watch;

@@ -177,12 +177,15 @@ int InspectCommand(const Args& args) {
     return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
   const auto tolerance = WaterToleranceFromFlags(args);
   if (!tolerance.ok()) return PrintUsageError(tolerance.status());
+  const auto profile = WaterProfileFromFlags(args);
+  if (!profile.ok()) return PrintUsageError(profile.status());
   const bool mesh = IsSingleMesh(path);
   const std::string choice = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
   const auto water = ReadWaterChoice(choice, *tolerance);
   if (!water.ok()) return PrintError(water.status());
   PlanOptions options;
   options.water = water->options;
+  options.water.profile = *profile;
   return mesh ? InspectMeshAt(path, options, *format) : InspectSceneAt(path, options, *format);
 }
 

@@ -7,7 +7,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
-#include "coordinator/report/water_choice.h"
 #include "coordinator/service/job_pipeline.h"
 #include "coordinator/service/job_proto.h"
 
@@ -54,10 +53,19 @@ std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
   if (default_value.empty()) help += " (default auto, for single meshes off)";
   return {{"water", "auto|off|FILE", help, default_value},
           {"water-tolerance", "METRES", "how far the rim of water may be off its level, 0.001 to 10",
-           absl::StrCat(JobSpec().water_tolerance)}};
+           absl::StrCat(JobSpec().water_tolerance)},
+          {"water-profile", "city|usgs", "what auto finds: lakes from 1000 m2, rivers from 6 m, or 8000 m2, 30 m",
+           JobSpec().water_profile}};
 }
 
 absl::StatusOr<double> WaterToleranceFromFlags(const Args& args) { return args.Number("water-tolerance", 0.001, 10); }
+
+absl::StatusOr<WaterProfile> WaterProfileFromFlags(const Args& args) {
+  const WaterProfile* profile = WaterProfileNamed(args.Text("water-profile"));
+  if (profile != nullptr) return *profile;
+  return absl::InvalidArgumentError(
+      absl::StrCat("--water-profile '", args.Text("water-profile"), "': expected city or usgs"));
+}
 
 FlagSpec OutputFlag() { return {"output", "FORMAT", "format on stdout: table or json", "table", 'o'}; }
 
@@ -79,6 +87,8 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.water = args.Text("water");
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
   TILEMEND_ASSIGN_OR_RETURN(spec.water_tolerance, WaterToleranceFromFlags(args));
+  TILEMEND_ASSIGN_OR_RETURN(const WaterProfile profile, WaterProfileFromFlags(args));
+  spec.water_profile = profile.name;
   spec.overwrite = args.Switch("overwrite");
   spec.dry_run = args.Switch("dry-run");
   if (spec.out.empty() && !spec.dry_run) return absl::InvalidArgumentError("--out DIR is needed");

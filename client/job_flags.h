@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "client/commands.h"
 #include "client/output.h"
+#include "coordinator/report/water_choice.h"
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
@@ -18,6 +19,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args);
 // --tension auto|X; none for auto.
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args);
 absl::StatusOr<double> WaterToleranceFromFlags(const Args& args);
+absl::StatusOr<WaterProfile> WaterProfileFromFlags(const Args& args);
 
 absl::StatusOr<OutputFormat> FormatFromFlags(const Args& args);
 

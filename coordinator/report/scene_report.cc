@@ -107,6 +107,19 @@ Json Tensions(const SceneReportInput& input) {
   return rows;
 }
 
+// Of a river: its level along the centreline, and the rises of its shores that it does not follow.
+void AddRiver(const WaterBody& body, Json& row) {
+  row["stations"] = Json::array();
+  for (const Point3& s : body.river.stations) {
+    row["stations"].push_back({Rounded(s.x(), 3), Rounded(s.y(), 3), Rounded(s.z(), 4)});
+  }
+  row["removed_rises"] = Json::array();
+  for (const RemovedRise& r : body.removed_rises) {
+    row["removed_rises"].push_back(
+        {{"at", {Rounded(r.at.x(), 3), Rounded(r.at.y(), 3)}}, {"rise_m", Rounded(r.rise, 4)}});
+  }
+}
+
 // The bodies of water that were filled so.
 Json WaterRows(const SceneReportInput& input) {
   Json rows = Json::array();
@@ -131,7 +144,9 @@ Json WaterRows(const SceneReportInput& input) {
                 {"area_m2", Rounded(area, 3)},
                 {"cells", cells.size()},
                 {"decided_by", body.forced ? "area" : "rim"},
+                {"kind", body.river.stations.empty() ? "lake" : "river"},
                 {"holes", holes}});
+    if (!body.river.stations.empty()) AddRiver(body, row);
     rows.push_back(row);
   }
   return rows;

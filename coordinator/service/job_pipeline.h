@@ -31,12 +31,13 @@ struct JobSpec {
   bool uniform = false;                                // triangles as large as the rim's throughout
   double gradation = 1.3;                              // [1, 10], growth of the triangles inward
   double size_limit = 16;                              // [1, 1e6], largest edge over the rim's mean edge
-  std::optional<double> tension;  // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
-  std::string water = "auto";     // or "off", or a GeoJSON file: see water_choice.h
-  double water_tolerance = 0.1;   // [0.001, 10], metres: see WaterOptions
-  double seam_smoothing = 0.5;    // [0, 1], gamma of Wang eq. 6
-  bool overwrite = false;         // replace an existing output
-  bool dry_run = false;           // survey and plan only, write no tiles
+  std::optional<double> tension;       // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
+  std::string water = "auto";          // or "off", or a GeoJSON file: see water_choice.h
+  double water_tolerance = 0.1;        // [0.001, 10], metres: see WaterOptions
+  std::string water_profile = "city";  // a name that WaterProfileNamed knows
+  double seam_smoothing = 0.5;         // [0, 1], gamma of Wang eq. 6
+  bool overwrite = false;              // replace an existing output
+  bool dry_run = false;                // survey and plan only, write no tiles
   bool operator==(const JobSpec&) const = default;
 
   // kInvalidArgument (INVALID_SPEC, metadata field) naming the first field out of its range.

@@ -55,6 +55,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (proto.has_seam_smoothing()) spec.seam_smoothing = proto.seam_smoothing();
   if (!proto.water().empty()) spec.water = proto.water();
   if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
+  if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
   spec.overwrite = proto.overwrite();
   spec.dry_run = proto.dry_run();
   return spec;
@@ -72,6 +73,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_seam_smoothing(spec.seam_smoothing);
   proto.set_water(spec.water);
   proto.set_water_tolerance(spec.water_tolerance);
+  proto.set_water_profile(spec.water_profile);
   proto.set_overwrite(spec.overwrite);
   proto.set_dry_run(spec.dry_run);
   return proto;

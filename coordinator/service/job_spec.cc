@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "absl/strings/str_cat.h"
+#include "common/grid/water_profile.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -34,6 +35,9 @@ absl::Status JobSpec::Check() const {
     return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
   }
   TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
+  if (WaterProfileNamed(water_profile) == nullptr) {
+    return InvalidSpec("water_profile", absl::StrCat("'", Printable(water_profile), "': expected city or usgs"));
+  }
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
   if (tension && named != Surface::kThinPlate)
     return InvalidSpec("tension", "only the surface thin-plate has a tension");

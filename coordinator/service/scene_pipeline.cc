@@ -54,10 +54,15 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
 std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
   ReportedOption tension{"tension", std::string("auto")};
   if (spec.tension) tension.value = *spec.tension;
-  return {{"surface", spec.surface},     {"tension", tension.value},
-          {"gradation", spec.gradation}, {"size-limit", spec.size_limit},
-          {"uniform", spec.uniform},     {"seam-smoothing", spec.seam_smoothing},
-          {"water", spec.water},         {"water-tolerance", spec.water_tolerance}};
+  return {{"surface", spec.surface},
+          {"tension", tension.value},
+          {"gradation", spec.gradation},
+          {"size-limit", spec.size_limit},
+          {"uniform", spec.uniform},
+          {"seam-smoothing", spec.seam_smoothing},
+          {"water", spec.water},
+          {"water-tolerance", spec.water_tolerance},
+          {"water-profile", spec.water_profile}};
 }
 
 template <typename Message>
@@ -343,14 +348,16 @@ class ScenePipeline : public JobPipeline {
 std::string JobKey(const JobSpec& spec, const WaterChoice& water) {
   return absl::StrFormat(
       "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %s\n"
-      "water %s %s\nwater_tolerance %.17g\n",
+      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\n",
       spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing,
-      spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance);
+      spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
+      spec.water_profile);
 }
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance));
+  water.options.profile = *WaterProfileNamed(spec.water_profile);
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {
     TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,

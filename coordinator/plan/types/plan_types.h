@@ -9,6 +9,7 @@
 
 #include "common/grid/scene.h"
 #include "common/grid/water_areas.h"
+#include "common/grid/water_profile.h"
 #include "common/records/cell_holes.h"
 #include "common/records/survey_record.h"
 #include "common/records/water_surface.h"
@@ -17,9 +18,10 @@ namespace tilemend {
 
 // What is taken for water (water.h).
 struct WaterOptions {
-  bool find = true;              // else only where an area says so
-  double tolerance = 0.1;        // metres, > 0: how far the rim of water may be off its level
-  std::vector<WaterArea> areas;  // the last one that covers more than half of a hole decides on it
+  bool find = true;                          // else only where an area says so
+  double tolerance = 0.1;                    // metres, > 0: how far the rim of water may be off its level
+  WaterProfile profile = kWaterProfiles[0];  // what `find` finds
+  std::vector<WaterArea> areas;              // the last one that covers more than half of a hole decides on it
 };
 
 struct PlanOptions {

@@ -17,7 +17,6 @@ constexpr double kStation = 25;           // metres
 constexpr size_t kLeastShore = 24;        // rim vertices, as for lakes
 constexpr int64_t kLeastAtStation = 8;    // heights
 constexpr int64_t kLeastAtSide = 4;       // heights
-constexpr double kLeastWidth = 6;         // metres
 constexpr double kLeastReach = 1;         // times as long as wide: a reach
 constexpr double kLeastRiver = 3;         // likewise: a river
 constexpr double kSteepest = 0.005;       // metre a metre
@@ -100,7 +99,7 @@ struct Course {
   std::vector<Point3> shore;
   std::vector<double> bank;
   double noise = 0, length = 0, area = 0;
-  bool forced = false;
+  bool forced = false, given = false;
 
   double width() const { return length > 0 ? area / length : 0; }
 };
@@ -118,6 +117,7 @@ Course CourseOf(const Chain& chain, std::span<const Reach> reaches, const std::v
     course.area += lines[r].length * lines[r].width;
     noises.push_back(reaches[r].noise);
     course.forced = course.forced || (chain.size() == 1 && reaches[r].forced);
+    course.given = course.given || (chain.size() == 1 && !reaches[r].centreline.empty());
   }
   course.noise = Quantile(noises, 0.5);
   return course;
@@ -135,6 +135,7 @@ class RiverTest {
   bool Falls() const { return profile_.fall > tolerance_ + Noise(kErrorOfLevel, kLeastAtStation); }
 
   bool Holds() const {
+    if (course_.given) return true;
     if (profile_.fall > kSteepest * course_.length) return false;
     if (course_.forced) return Falls();
     return StationsAgree() && SidesAgree() &&
@@ -197,21 +198,29 @@ class RiverTest {
   std::vector<double> above_;  // of each shore point, over the profile
 };
 
-Centreline LineOf(const Reach& reach) {
+// A line that is given is one whatever the shape of the water.
+Centreline GivenLine(const std::vector<Point2>& points) {
+  Centreline line{points, 0, 0};
+  for (size_t i = 1; i < points.size(); ++i) line.length += (points[i] - points[i - 1]).norm();
+  return line;
+}
+
+Centreline LineOf(const Reach& reach, double least_width) {
+  if (reach.centreline.size() > 1) return GivenLine(reach.centreline);
   if (reach.shore.size() < kLeastShore) return {};
   Eigen::AlignedBox2d box;
   for (const auto& [a, b] : reach.boundary) box.extend(a).extend(b);
   if (box.diagonal().norm() < kStation) return {};
   Centreline line = FindCentreline(reach.boundary, kStation);
-  if (line.width < kLeastWidth || line.length < kLeastReach * line.width) line.points.clear();
+  if ((line.width < least_width && !reach.forced) || line.length < kLeastReach * line.width) line.points.clear();
   return line;
 }
 
 }  // namespace
 
-std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance) {
+std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, double least_width) {
   std::vector<Centreline> lines;
-  for (const Reach& reach : reaches) lines.push_back(LineOf(reach));
+  for (const Reach& reach : reaches) lines.push_back(LineOf(reach, least_width));
   std::vector<River> rivers;
   for (const Chain& chain : LinkReaches(lines)) {
     const Course course = CourseOf(chain, reaches, lines);

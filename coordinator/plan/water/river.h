@@ -13,11 +13,12 @@ namespace tilemend {
 
 // What may be a reach: a hole, or the holes of a cluster.
 struct Reach {
-  std::vector<PlaneSegment> boundary;  // rim and seams; segments inside a cluster occur twice
-  std::vector<Point3> shore;           // original rim points that stand on no object
-  std::vector<double> bank;            // for each of them: mean height one edge landward; NaN if there is none
-  double noise = 0;                    // metres: standard deviation of the heights
-  bool forced = false;                 // known to be water: only its shape and its fall are looked at
+  std::vector<PlaneSegment> boundary;   // rim and seams; segments inside a cluster occur twice
+  std::vector<Point3> shore;            // original rim points that stand on no object
+  std::vector<double> bank;             // for each of them: mean height one edge landward; NaN if there is none
+  double noise = 0;                     // metres: standard deviation of the heights
+  bool forced = false;                  // known to be water: only its shape and its fall are looked at
+  std::vector<Point2> centreline = {};  // given: known to be a river; else found
 };
 
 struct River {
@@ -29,18 +30,19 @@ struct River {
 
 // Finds rivers. Reaches whose centrelines end opposite each other, at most 40 m apart and in line, are one: something
 // crosses the water between them. It is a river if
-//   - it is at least 6 m wide in the mean and three times as long as wide;
+//   - it is at least `least_width` metres wide in the mean and three times as long as wide;
 //   - it falls no more than 0.5 %;
 //   - in at least seven of eight stations (25 m) the level is the profile's, and in at least half of those with heights
 //     on both shores their levels are the same, within the tolerance and what noise explains; and the shores' heights
 //     gather about the profile as closely;
 //   - the ground one edge landward is not below the profile, in seven of eight stations and in the median, and on the
 //     whole it rises from the shore, more than noise explains.
-// A reach that is forced, alone, has to be long and to fall more than the tolerance and three standard errors of a
-// station; the rest is not asked. A reach is in one river at most. A lake that is long is a river to this test.
+// A reach with a given centreline, alone, is a river if some of its shore is known. One that is forced, alone, has to
+// be long and to fall more than the tolerance and three standard errors of a station; the rest is not asked. A reach is
+// in one river at most. A lake that is long is a river to this test.
 //
 // Cost: FindCentreline's for each reach that is long enough. Deterministic.
-std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance);
+std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, double least_width);
 
 }  // namespace tilemend
 

@@ -34,6 +34,7 @@ constexpr double kFitWindow = 3;             // spreads about the level: what th
 // What may be a body of water.
 struct Candidate {
   WaterBody body;
+  const WaterArea* area = nullptr;  // that decides on it; none: its rim does
   std::vector<int32_t> shore;
 };
 
@@ -169,6 +170,7 @@ std::vector<Candidate> FindCandidates(const WaterOptions& options, Plan& plan) {
     Candidate c;
     c.shore = GroundOf(plan, ShoreOf(plan, holes));
     c.body.forced = !areas.empty();
+    if (c.body.forced) c.area = &options.areas[areas.back()];
     if (c.shore.size() < (c.body.forced ? 1 : kLeastShore)) continue;
     c.body.holes = std::move(holes);
     candidates.push_back(std::move(c));
@@ -184,6 +186,7 @@ Reach ReachOf(const Plan& plan, const Candidate& candidate, const ShoreGround& g
   reach.bank = ground.bank;
   reach.noise = ground.noise;
   reach.forced = candidate.body.forced;
+  if (candidate.area != nullptr) reach.centreline = candidate.area->centreline;
   return reach;
 }
 
@@ -198,6 +201,27 @@ void DescribeRim(const std::vector<double>& heights, WaterBody& body) {
   body.rim_vertices = std::ssize(heights);
   body.lowest = *std::min_element(heights.begin(), heights.end());
   body.highest = *std::max_element(heights.begin(), heights.end());
+}
+
+bool HasGivenLevel(const Candidate& candidate) { return candidate.area != nullptr && candidate.area->level; }
+
+double AreaOf(const Plan& plan, const Candidate& candidate) {
+  double area = 0;
+  for (const int32_t h : candidate.body.holes) area += plan.holes[h].area;
+  return area;
+}
+
+// Describes the rim of a candidate and sets its level. Returns whether it is a lake by its rim and its size, or has a
+// given level.
+bool FitLevel(const Plan& plan, const WaterOptions& options, const ShoreGround& ground, Candidate& candidate) {
+  const std::vector<double> heights = HeightsOf(plan, candidate.shore);
+  const RimLevel fit = FitRimLevel(heights, ground.noise);
+  candidate.body.level = OnLattice(plan, HasGivenLevel(candidate) ? *candidate.area->level : fit.level);
+  candidate.body.spread = fit.spread;
+  DescribeRim(heights, candidate.body);
+  if (HasGivenLevel(candidate)) return true;
+  return AreaOf(plan, candidate) >= options.profile.least_lake &&
+         LevelTest(plan, candidate, ground, options.tolerance).Holds();
 }
 
 WaterBody RiverBody(const Plan& plan, const std::vector<Candidate>& candidates, River river) {
@@ -230,23 +254,22 @@ void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) 
   std::vector<std::vector<int32_t>> shores;
   for (const Candidate& c : candidates) shores.push_back(c.shore);
   const std::vector<ShoreGround> grounds = FindGround(plan, input, shores);
-  std::vector<Reach> reaches;
+  std::vector<Reach> reaches;  // of the candidates that may be rivers
+  std::vector<size_t> candidate_of;
   std::vector<bool> level;
   for (size_t i = 0; i < candidates.size(); ++i) {
-    WaterBody& body = candidates[i].body;
-    const std::vector<double> heights = HeightsOf(plan, candidates[i].shore);
-    const RimLevel fit = FitRimLevel(heights, grounds[i].noise);
-    body.level = OnLattice(plan, fit.level);
-    body.spread = fit.spread;
-    DescribeRim(heights, body);
-    level.push_back(LevelTest(plan, candidates[i], grounds[i], options.tolerance).Holds());
+    level.push_back(FitLevel(plan, options, grounds[i], candidates[i]));
+    if (HasGivenLevel(candidates[i])) continue;
     reaches.push_back(ReachOf(plan, candidates[i], grounds[i]));
+    candidate_of.push_back(i);
   }
   std::vector<WaterBody> bodies;
   std::vector<bool> in_river(candidates.size(), false);
-  for (River& river : FindRivers(reaches, options.tolerance)) {
-    if (!river.falls) level[river.reaches[0]] = true;
-    if (river.reaches.size() == 1 && level[river.reaches[0]]) continue;
+  for (River& river : FindRivers(reaches, options.tolerance, options.profile.least_river)) {
+    for (size_t& r : river.reaches) r = candidate_of[r];
+    const size_t first = river.reaches[0];
+    if (!river.falls && AreaOf(plan, candidates[first]) >= options.profile.least_lake) level[first] = true;
+    if (river.reaches.size() == 1 && level[first]) continue;
     for (const size_t r : river.reaches) in_river[r] = true;
     bodies.push_back(RiverBody(plan, candidates, std::move(river)));
   }

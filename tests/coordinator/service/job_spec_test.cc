@@ -52,6 +52,13 @@ TEST(JobSpecTest, KnowsTheSurfacesByName) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.surface = std::string("Wang"); }), "surface");
 }
 
+TEST(JobSpecTest, KnowsTheWaterProfilesByName) {
+  for (const std::string name : {"city", "usgs"}) {
+    EXPECT_EQ(Fault([&](JobSpec& s) { s.water_profile = name; }), "");
+  }
+  EXPECT_EQ(Fault([](JobSpec& s) { s.water_profile = "USGS"; }), "water_profile");
+}
+
 TEST(JobSpecTest, OnlyThinPlateHasATension) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.tension = 1; }), "");
   EXPECT_EQ(Fault([](JobSpec& s) { s.tension = 1, s.surface = SurfaceName(Surface::kWang); }), "tension");

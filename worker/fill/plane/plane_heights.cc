@@ -1,5 +1,6 @@
 #include "worker/fill/plane/plane_heights.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "worker/fill/surface/choose_tension.h"
@@ -55,7 +56,7 @@ bool SolveWhole(const LocalHole& hole, const FillOptions& options, ThinPlateProb
     return SolveThinPlate(plate).has_value();
   }
   chosen = ChooseTension(plate, hole.size() < kLeastRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments));
-  plate.tension = chosen->tension;
+  plate.tension = std::max(chosen->tension, LeastTension(hole.on_object));
   const bool solved = SolveWithinReach(plate).has_value();
   chosen->tension = plate.tension;
   return solved;

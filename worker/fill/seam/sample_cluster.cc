@@ -53,7 +53,8 @@ class ClusterSampler {
     if (!FreeRim(hole_.on_object, problem)) return std::nullopt;
     FreeSteepRim(problem);
     if (!options_.tension) surface.hold_out = ChooseTension(problem, HoleWidth(problem.points, OutlineSegments()));
-    problem.tension = options_.tension ? *options_.tension : surface.hold_out->tension;
+    problem.tension =
+        options_.tension ? *options_.tension : std::max(surface.hold_out->tension, LeastTension(hole_.on_object));
     if (!external_.empty()) {
       if (!SolveMembrane(problem)) return std::nullopt;
       for (size_t i = 0; i < hole_.vertices.size(); ++i) {

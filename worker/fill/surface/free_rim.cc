@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include "common/mesh/disjoint_sets.h"
 #include "worker/fill/surface/thin_plate.h"
@@ -12,7 +13,9 @@ namespace {
 
 // Of the smaller variance to the larger one: below it the points lie on a line, and say nothing of the slope across.
 constexpr double kOnLine = 2.5e-3;
-constexpr size_t kLeastGround = 3;  // points: a plane
+constexpr size_t kLeastGround = 3;     // points: a plane
+constexpr double kTaut = 1;            // 1 / metre^2
+constexpr ptrdiff_t kFewObjects = 10;  // one point in so many
 
 bool StandsOn(const std::vector<bool>& on_object, int32_t v) {
   return v < static_cast<int32_t>(on_object.size()) && on_object[v];
@@ -39,6 +42,13 @@ struct Plane {
   double At(const Point3& p) const { return middle.z() + slope.dot((p - middle).head<2>()); }
 };
 
+// The sum over all points.
+double Variance(const std::vector<Point3>& points, double mean) {
+  double sum = 0;
+  for (const Point3& p : points) sum += (p.z() - mean) * (p.z() - mean);
+  return sum;
+}
+
 Plane PlaneThrough(const std::vector<Point3>& points) {
   Plane plane;
   for (const Point3& p : points) plane.middle += p / static_cast<double>(points.size());
@@ -54,6 +64,9 @@ Plane PlaneThrough(const std::vector<Point3>& points) {
     if (axes.eigenvalues()[k] <= kOnLine * axes.eigenvalues()[1]) continue;
     const Point2 axis = axes.eigenvectors().col(k);
     plane.slope += axis * (axis.dot(rise) / axes.eigenvalues()[k]);
+  }
+  if (const double variance = Variance(points, plane.middle.z()); variance > 0) {
+    plane.slope *= plane.slope.dot(rise) / variance;
   }
   return plane;
 }
@@ -120,6 +133,11 @@ bool FreeRim(const std::vector<bool>& stands, ThinPlateProblem& problem) {
   }
   TakeAwayBand(on_object, problem);
   return true;
+}
+
+double LeastTension(const std::vector<bool>& on_object) {
+  const ptrdiff_t count = std::count(on_object.begin(), on_object.end(), true);
+  return kFewObjects * count > std::ssize(on_object) ? kTaut : 0;
 }
 
 }  // namespace tilemend

@@ -10,7 +10,8 @@ namespace tilemend {
 
 // Gives the points that stand on objects (`on_object`: for the first points of the problem) the heights that the
 // surface would have there without them, as known heights: those of the plane through the other known points of the
-// patch, plus the membrane over what these have beside it. A rim of one plane gives that plane. The rows of triangles
+// patch, less steep by the share of their variance that it does not explain, plus the membrane over what these have
+// beside it. A rim of one plane gives that plane; one of steps does not go on with their slope. The rows of triangles
 // at such points then rise to the objects themselves as a wall, once their own heights are put back.
 //
 // Takes away the band at these points, and the equations of those that would be left without a full ring. Nothing is
@@ -18,6 +19,10 @@ namespace tilemend {
 // stands on an object, or fewer than three other points of the patch are known. Returns false, with the heights as they
 // were, if the system cannot be factorised. Cost: a membrane's solve.
 bool FreeRim(const std::vector<bool>& on_object, ThinPlateProblem& problem);
+
+// The least tension (1 / metre^2) of a surface over a rim with these points: 0, or taut beyond a metre if more than a
+// tenth of them stands on objects. What is left of such a rim lies between houses, and its slopes are no ground's.
+double LeastTension(const std::vector<bool>& on_object);
 
 }  // namespace tilemend
 

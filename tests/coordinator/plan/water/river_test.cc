@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTolerance = 0.1;
 constexpr double kNoise = 0.05;
+constexpr double kWidth = 6;
 
 using Level = std::function<double(double x, double y)>;
 
@@ -38,7 +39,8 @@ Reach ReachBetween(double x0, double x1, double half, const Level& level, double
 }
 
 TEST(FindRiversTest, ALongFallingReachIsARiver) {
-  const std::vector<River> rivers = FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, Falling)}, kTolerance);
+  const std::vector<River> rivers =
+      FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, Falling)}, kTolerance, kWidth);
   ASSERT_EQ(rivers.size(), 1u);
   EXPECT_TRUE(rivers[0].falls);
   EXPECT_NEAR(rivers[0].width, 30, 2);
@@ -48,19 +50,19 @@ TEST(FindRiversTest, ALongFallingReachIsARiver) {
 
 TEST(FindRiversTest, GoesOnUnderABridge) {
   const std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(252, 500, 15, Falling)};
-  const std::vector<River> rivers = FindRivers(reaches, kTolerance);
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
   ASSERT_EQ(rivers.size(), 1u);
   EXPECT_EQ(rivers[0].reaches, (std::vector<size_t>{0, 1}));
 }
 
 TEST(FindRiversTest, WhatIsFarApartIsNotOne) {
   const std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(300, 600, 15, Falling)};
-  EXPECT_EQ(FindRivers(reaches, kTolerance).size(), 2u);
+  EXPECT_EQ(FindRivers(reaches, kTolerance, kWidth).size(), 2u);
 }
 
 TEST(FindRiversTest, ALongLakeDoesNotFall) {
   const std::vector<River> rivers =
-      FindRivers(std::vector<Reach>{ReachBetween(0, 300, 15, [](double, double) { return 10; })}, kTolerance);
+      FindRivers(std::vector<Reach>{ReachBetween(0, 300, 15, [](double, double) { return 10; })}, kTolerance, kWidth);
   ASSERT_EQ(rivers.size(), 1u);
   EXPECT_FALSE(rivers[0].falls);
 }
@@ -69,24 +71,39 @@ TEST(FindRiversTest, NoRiverIsSteepShortNarrowOrAslant) {
   const auto steep = [](double x, double) { return 10 - 0.02 * x; };
   const auto aslant = [](double x, double y) { return 10 - 0.001 * x + 0.05 * y; };
   const auto hilly = [](double x, double) { return 10 + 2 * std::sin(x / 40); };
-  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, steep)}, kTolerance).empty());
-  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, aslant)}, kTolerance).empty());
-  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, hilly)}, kTolerance).empty());
-  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 60, 15, Falling)}, kTolerance).empty());
-  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 2, Falling)}, kTolerance).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, steep)}, kTolerance, kWidth).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, aslant)}, kTolerance, kWidth).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, hilly)}, kTolerance, kWidth).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 60, 15, Falling)}, kTolerance, kWidth).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 2, Falling)}, kTolerance, kWidth).empty());
 }
 
 TEST(FindRiversTest, NoRiverHasGroundBelowItBesideIt) {
-  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, Falling, -0.4)}, kTolerance).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, Falling, -0.4)}, kTolerance, kWidth).empty());
 }
 
 TEST(FindRiversTest, AForcedReachHasToBeLongAndToFall) {
   Reach low_banks = ReachBetween(0, 500, 15, Falling, -0.4);
   low_banks.forced = true;
-  EXPECT_EQ(FindRivers(std::vector<Reach>{low_banks}, kTolerance).size(), 1u);
+  EXPECT_EQ(FindRivers(std::vector<Reach>{low_banks}, kTolerance, kWidth).size(), 1u);
   Reach level = ReachBetween(0, 500, 15, [](double, double) { return 10; });
   level.forced = true;
-  EXPECT_TRUE(FindRivers(std::vector<Reach>{level}, kTolerance).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{level}, kTolerance, kWidth).empty());
+}
+
+TEST(FindRiversTest, AGivenCentrelineMakesARiverOfAnyShape) {
+  Reach pond = ReachBetween(0, 60, 30, Falling, -0.4);
+  pond.forced = true;
+  pond.centreline = {{60, 0}, {0, 0}};
+  const std::vector<River> rivers = FindRivers(std::vector<Reach>{pond}, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_LT(rivers[0].profile.water.stations.front().x(), rivers[0].profile.water.stations.back().x());
+}
+
+TEST(FindRiversTest, NarrowerOnesCanBeLeftOut) {
+  const std::vector<Reach> reaches = {ReachBetween(0, 500, 10, Falling)};
+  EXPECT_EQ(FindRivers(reaches, kTolerance, 15).size(), 1u);
+  EXPECT_TRUE(FindRivers(reaches, kTolerance, 30).empty());
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 Plan PlanOf(const SceneMakerOptions& scene, const WaterOptions& water = {}) {
@@ -154,6 +155,35 @@ TEST_P(WaterTest, AreasForceAndForbid) {
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, IsEmpty());
   water.areas.push_back({true, {{Box(0, 0, 120, 120)}}});
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1)) << "the last area decides";
+}
+
+TEST_P(WaterTest, AnAreaMayGiveTheLevel) {
+  WaterOptions water;
+  water.areas = {{true, {{Box(0, 0, 120, 120)}}, 11.5}};
+  const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_EQ(plan.water[0].level, 11.5);
+  EXPECT_TRUE(plan.water[0].river.stations.empty());
+}
+
+TEST_P(WaterTest, AnAreaMayGiveTheCentreline) {
+  WaterOptions water;
+  water.areas = {{true, {{Box(0, 0, 120, 120)}}, std::nullopt, {{110, 60}, {10, 60}}}};
+  const Plan plan = PlanOf(ValleyOverNineCells(GetParam(), 0.01), water);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  const std::vector<Point3>& stations = plan.water[0].river.stations;
+  ASSERT_THAT(stations, Not(IsEmpty()));
+  EXPECT_GT(stations.front().x(), stations.back().x());
+  EXPECT_GT(stations.front().z(), stations.back().z() + 0.3);
+}
+
+TEST_P(WaterTest, SmallLakesAreNotLookedFor) {
+  WaterOptions water;
+  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1));
+  water.profile = *WaterProfileNamed("usgs");
+  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, IsEmpty());
+  water.areas = {{true, {{Box(0, 0, 120, 120)}}}};
+  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1));
 }
 
 TEST_P(WaterTest, AnAreaOverLessThanHalfDecidesNothing) {
