@@ -18,10 +18,11 @@ using Json = nlohmann::ordered_json;
 // Metres. Tiles that are less apart are as good as photogrammetry makes them.
 constexpr double kApart = 0.1;
 
-// Of tiles that end at the same line, how far vertices are from the nearest of the other; of those with a gap, its
-// width. How far they overlap is no fault.
+// Of tiles that overlap, how far one surface is above the other, in the median; of those with a gap, its width. How far
+// they overlap is no fault.
 double ApartOf(const Json& row) {
-  return Member(row, "kind") == "overlap" ? 0 : std::abs(Number(Member(row, "offset_m")));
+  if (Member(row, "kind") == "overlap") return Number(Member(Member(row, "apart_m"), "median"));
+  return std::abs(Number(Member(row, "offset_m")));
 }
 
 std::string CountsText(const Json& borders) {

@@ -108,17 +108,13 @@ RULES = {
         ['common/mesh', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/hole'],
         [], pure=True),
 
-    'coordinator/plan/pieces': rule(
-        ['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'],
-        ['eigen'], pure=True),
-
     'coordinator/plan/water': rule(
         ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam'],
         ['eigen'], pure=True),
 
     'coordinator/plan': rule(
         ['common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/seam',
-         'coordinator/plan/hole', 'coordinator/plan/overlap', 'coordinator/plan/pieces', 'coordinator/plan/water'],
+         'coordinator/plan/hole', 'coordinator/plan/overlap', 'coordinator/plan/water'],
         [], pure=True),
 
     'coordinator/state': rule(['common/util', 'common/grid'], ['absl'], pure=True),

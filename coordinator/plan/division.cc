@@ -5,9 +5,6 @@
 
 #include "coordinator/plan/hole/hole_regions.h"
 #include "coordinator/plan/hole/sort_boundary.h"
-#include "coordinator/plan/pieces/open_runs.h"
-#include "coordinator/plan/pieces/outline_chains.h"
-#include "coordinator/plan/pieces/piece_borders.h"
 #include "coordinator/plan/rim/rim_index.h"
 #include "coordinator/plan/seam/seams_along_rim.h"
 
@@ -38,31 +35,12 @@ class Divider {
     return TryOtherReadings(std::move(division), over_rim);
   }
 
-  Division DivideTile(const ClosingCells& closing) const {
-    const std::vector<std::vector<int32_t>>& loops = part_.rim.loops;
-    const std::vector<double> piece_border = FindPieceBorders(part_.rim, index_, closing, part_.lines.piece_reach);
-    std::vector<bool> chained;
-    for (const std::vector<int32_t>& loop : loops) {
-      chained.push_back(std::any_of(loop.begin(), loop.end(), [&](int32_t e) { return piece_border[e] >= 0; }));
-    }
-    SeamLayout seams = LaySeams(Site(), closing, chained, SeamsOverRim::kYes);
-    if (!seams.failures.empty()) {
-      for (size_t l = 0; l < loops.size(); ++l) {
-        if (chained[l] || !ReachesOutline(loops[l], closing)) continue;
-        chained[l] = CloseChains(loops[l], part_.rim, part_.lines, closing, piece_border).open_runs.empty();
-      }
-      seams = LaySeams(Site(), closing, chained, SeamsOverRim::kYes);
-    }
-    return FindHolesOfTile(closing, chained, piece_border, std::move(seams));
-  }
-
  private:
   SeamSite Site() const { return {area_, part_.lines, part_.rim, index_, part_.options, part_.lattice_step}; }
 
   Division Divide(ClosingCells closing, SeamsOverRim over_rim) const {
-    const std::vector<bool> none(part_.rim.loops.size(), false);
     Division division;
-    division.seams = LaySeams(Site(), closing, none, over_rim);
+    division.seams = LaySeams(Site(), closing, over_rim);
     CloseAlongSeams(Site(), division.seams.seams, closing);
     CellBoundaries boundaries;
     for (const auto& loop : part_.rim.loops) AddLoop(part_.input, part_.lines, part_.rim, closing, loop, boundaries);
@@ -115,50 +93,12 @@ class Divider {
     }
   }
 
-  bool ReachesOutline(const std::vector<int32_t>& loop, const ClosingCells& closing) const {
-    return std::any_of(loop.begin(), loop.end(), [&](int32_t e) { return closing[e] != part_.rim.edges[e].owner; });
-  }
-
-  Division FindHolesOfTile(ClosingCells closing, const std::vector<bool>& chained,
-                           const std::vector<double>& piece_border, SeamLayout seams) const {
-    Division division;
-    division.seams = std::move(seams);
-    CloseAlongSeams(Site(), division.seams.seams, closing);
-    CellBoundaries boundaries;
-    std::vector<std::vector<int32_t>> open_runs;
-    std::vector<LeftOpen> left;
-    for (size_t l = 0; l < chained.size(); ++l) {
-      const std::vector<int32_t>& loop = part_.rim.loops[l];
-      if (!chained[l]) {
-        AddLoop(part_.input, part_.lines, part_.rim, closing, loop, boundaries);
-        continue;
-      }
-      OutlineChains chains = CloseChains(loop, part_.rim, part_.lines, closing, piece_border);
-      AddClosed(loop, chains.loops, boundaries);
-      left.insert(left.end(), chains.left.begin(), chains.left.end());
-      open_runs.insert(open_runs.end(), chains.open_runs.begin(), chains.open_runs.end());
-    }
-    LinkedRuns linked = LinkRuns(open_runs, part_.rim, part_.lines);
-    if (!linked.loops.empty()) AddClosed(open_runs[0], linked.loops, boundaries);
-    division.left = std::move(linked.left);
-    division.left.insert(division.left.end(), left.begin(), left.end());
-    FindHolesOfCells(boundaries, division);
-    return division;
-  }
-
-  // Adds loops made of a tile's own edges, as those in `edges` are.
-  void AddClosed(const std::vector<int32_t>& edges, const std::vector<std::vector<RimSegment>>& loops,
-                 CellBoundaries& boundaries) const {
-    auto& closed = boundaries[part_.rim.edges[edges[0]].owner].closed_loops;
-    closed.insert(closed.end(), loops.begin(), loops.end());
-  }
-
   void FindHolesOfCells(CellBoundaries& boundaries, Division& division) const {
     for (const Seam& seam : division.seams.seams) AddSeam(part_.input, part_.rim, index_, seam, boundaries);
     std::vector<Point3> position;
     for (const RimPoint& p : part_.rim.points) position.push_back(p.position);
     for (const SeamVertex& v : division.seams.vertices) position.emplace_back(v.position.x(), v.position.y(), 0);
-    const HoleSite site{part_.scene_area, part_.lines, part_.rim, position};
+    const HoleSite site{area_, part_.lines, part_.rim, position};
     for (auto& [cell, boundary] : boundaries) {
       boundary.cell = cell;
       for (const LeftOpen& failure : division.seams.failures) {
@@ -178,7 +118,5 @@ class Divider {
 }  // namespace
 
 Division DivideScene(const Part& part, const ClosingCells& closing) { return Divider(part).DivideScene(closing); }
-
-Division DivideTile(const Part& part, const ClosingCells& closing) { return Divider(part).DivideTile(closing); }
 
 }  // namespace tilemend

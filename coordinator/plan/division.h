@@ -15,32 +15,24 @@
 
 namespace tilemend {
 
-// Cells whose tiles share vertices: those of the whole scene, or a single one where tiles keep to outlines of their
-// own. All of it must outlive the part.
+// Cells whose tiles share vertices. All of it must outlive the part.
 struct Part {
-  const PlanInput& input;              // of the part's cells
-  const std::set<CellId>& scene_area;  // all cells of the scene
+  const PlanInput& input;
   const GridLines& lines;
   const PlanOptions& options;
-  const Rim& rim;  // of the part
+  const Rim& rim;
   double lattice_step = 0;
 };
 
 struct Division {
   SeamLayout seams;
   std::map<CellId, FoundHoles> holes;  // their vertices: rim points, then seam vertices
-  std::vector<LeftOpen> left;          // beside those of the cells
 };
 
 // Divides the holes of a scene whose tiles share vertices. Where holes fail, other ways are tried: seams that keep to
 // their lines and, on a ragged cut, edges that go back to their owners around the trouble. The way with the fewest
 // failures stays. `closing` is FindClosingCells' before sizes were raised (rim_sizes.h).
 Division DivideScene(const Part& part, const ClosingCells& closing);
-
-// Divides the holes of an independent tile. Loops along unwelded pieces of the tile bound no region with seams: they
-// are taken apart to chains (outline_chains.h). So are, where a seam could not be laid, loops that need none: those
-// whose chains each begin and end on one side.
-Division DivideTile(const Part& part, const ClosingCells& closing);
 
 }  // namespace tilemend
 

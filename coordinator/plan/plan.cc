@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -82,16 +81,14 @@ void LeaveUnlinked(const Rim& rim, Plan& plan) {
 }
 
 // Plans the holes of cells whose tiles share vertices and stores them.
-void PlanPart(const PlanInput& input, const std::set<CellId>& scene_area, const GridLines& lines,
-              const PlanOptions& options, Plan& plan) {
-  Rim rim = BuildRim(input, true);
+void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions& options, Plan& plan) {
+  Rim rim = BuildRim(input);
   const ClosingCells closing = FindClosingCells(input, lines, rim);
   RaiseSmallSizes(plan.lattice_step, rim);
   RaiseSizesAtShortEdges(rim);
-  const Part part{input, scene_area, lines, options, rim, plan.lattice_step};
+  const Part part{input, lines, options, rim, plan.lattice_step};
   Division division = DivideScene(part, closing);
   const int32_t base = StoreVertices(rim, division.seams, plan);
-  plan.left.insert(plan.left.end(), division.left.begin(), division.left.end());
   for (auto& [cell, found] : division.holes) StoreHoles(std::move(found), base, input.has_grid, plan);
   for (Seam& seam : division.seams.seams) {
     for (int32_t& v : seam.vertices) v += base;
@@ -105,9 +102,7 @@ void PlanPart(const PlanInput& input, const std::set<CellId>& scene_area, const 
 void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
   const TileParts parts = SplitTiles(input, outlines, plan.lattice_step);
   const JointTiles joint = JoinTiles(parts);
-  std::set<CellId> area;
-  for (const auto& [part, record] : parts.input.cells) area.insert(part);
-  PlanPart(joint.input, area, joint.lines, options, plan);
+  PlanPart(joint.input, joint.lines, options, plan);
   LayOwnRegions(parts, joint, plan);
   MergeParts(input, parts, plan);
 }
@@ -143,13 +138,10 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   BorderFindings borders = AuditBorders(input);
   const GridLines lines = FindGridLines(input, borders, plan.lattice_step);
   plan.borders = std::move(borders.borders);
-  plan.tiles_apart = lines.independent;
-  std::set<CellId> area;
-  for (const auto& [cell, record] : input.cells) area.insert(cell);
-  if (lines.independent) {
+  if (borders.independent) {
     PlanOverlapping(input, lines, options, plan);
   } else {
-    PlanPart(input, area, lines, options, plan);
+    PlanPart(input, lines, options, plan);
   }
   StoreLayers(plan);
   LeaveFailedHoles(plan);

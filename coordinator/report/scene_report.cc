@@ -158,9 +158,16 @@ Json Borders(const Plan& plan) {
   for (const BorderAudit& border : plan.borders) {
     ++counts[BorderName(border.kind)];
     if (border.kind == BorderKind::kExact || border.kind == BorderKind::kOpen) continue;
-    rows.push_back({{"cells", {CellJson(border.a), CellJson(border.b)}},
-                    {"kind", BorderName(border.kind)},
-                    {"offset_m", Rounded(border.offset, 6)}});
+    Json row = {{"cells", {CellJson(border.a), CellJson(border.b)}},
+                {"kind", BorderName(border.kind)},
+                {"offset_m", Rounded(border.offset, 6)},
+                {"margins_m", {Rounded(border.margins[0], 6), Rounded(border.margins[1], 6)}}};
+    if (border.apart.places > 0) {
+      row["apart_m"] = {{"median", Rounded(border.apart.median, 4)},
+                        {"ninth_decile", Rounded(border.apart.ninth_decile, 4)},
+                        {"places", border.apart.places}};
+    }
+    rows.push_back(std::move(row));
   }
   Json result;
   for (const char* kind : {"exact", "near", "overlap", "gap", "open"}) result[kind] = counts[kind];

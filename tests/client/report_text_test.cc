@@ -66,6 +66,17 @@ TEST(SummaryTextTest, TellsPairsOfTilesThatAreApart) {
                                                "[[0,0],[1,0]]  near          0.250\n"));
 }
 
+TEST(SummaryTextTest, CallsTilesThatOverlapApartByTheirHeights) {
+  Json report = Report();
+  report["borders"]["inexact"] = Json::parse(
+      R"([{"cells": [[0, 0], [1, 0]], "kind": "overlap", "offset_m": 0.5},
+          {"cells": [[1, 0], [2, 0]], "kind": "overlap", "offset_m": 0.5, "apart_m": {"median": 0.05}},
+          {"cells": [[2, 0], [3, 0]], "kind": "overlap", "offset_m": 0.5, "apart_m": {"median": 0.1234}}])");
+  const std::string text = SummaryText(report);
+  EXPECT_THAT(text, HasSubstr("1 pair of tiles more than 0.1 m apart\n"));
+  EXPECT_THAT(text, HasSubstr("[[2,0],[3,0]]  overlap       0.123\n"));
+}
+
 TEST(SummaryTextTest, ListsHolesThatAreLeftFirstAndCountsWhatIsNone) {
   EXPECT_THAT(SummaryText(Report()), HasSubstr("\n2 left\n"
                                                "hole  cell   centre, m  area, m2  edges  reason\n"

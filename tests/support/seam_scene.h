@@ -19,10 +19,9 @@ struct SeamScene {
       : scene(std::move(surveyed)),
         input(scene.Input()),
         lines(FindGridLines(input, AuditBorders(input), 0x1p-10)),
-        rim(BuildRim(input, !lines.independent)),
+        rim(BuildRim(input)),
         index(rim),
-        closing(FindClosingCells(input, lines, rim)),
-        nothing(rim.loops.size(), false) {
+        closing(FindClosingCells(input, lines, rim)) {
     for (const auto& [cell, record] : input.cells) area.insert(cell);
   }
   SeamScene(const std::vector<std::string>& picture, int32_t squares) : SeamScene(PictureScene(picture, squares)) {}
@@ -36,7 +35,6 @@ struct SeamScene {
   Rim rim;
   RimIndex index;
   ClosingCells closing;
-  std::vector<bool> nothing;  // no loop is left out
   std::set<CellId> area;
   PlanOptions options;
 };

@@ -13,10 +13,6 @@ namespace tilemend {
 // Pairs of holes, ascending, each once: those on the two sides of one seam segment. Holes that failed take no part.
 std::vector<std::pair<int32_t, int32_t>> HolesThatTouch(const Plan& plan);
 
-// The same for independent tiles: pairs of holes whose seams lie along one border, each on its own tile's outline, and
-// overlap along it.
-std::vector<std::pair<int32_t, int32_t>> HolesThatFace(const Plan& plan);
-
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_HOLE_TOUCHING_HOLES_H_

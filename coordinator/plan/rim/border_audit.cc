@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/mesh/position_index.h"
+#include "coordinator/plan/rim/overlap_heights.h"
 
 namespace tilemend {
 namespace {
@@ -67,10 +68,17 @@ BorderKind KindOf(double offset) {
   return offset < -kOnLine ? BorderKind::kGap : BorderKind::kNear;
 }
 
+HeightGap CompareOver(const SurveyRecord& record, const SurveyRecord& other, const BorderAudit& audit, const Grid& grid,
+                      Side side) {
+  const double line = NominalLine(grid, audit.a, side);
+  return CompareHeights({record, line + audit.margins[0]}, {other, line - audit.margins[1]}, AxisOf(side));
+}
+
 BorderAudit AuditBorder(const PlanInput& input, const OutlineOffsets& offsets, CellId cell, Side side,
                         CutEvidence& evidence) {
   const CellId other = Across(cell, side);
-  BorderAudit audit{cell, other, BorderKind::kOpen, 0, 0};
+  BorderAudit audit;
+  audit.a = cell, audit.b = other;
   const auto mine = offsets.find({cell, side}), theirs = offsets.find({other, Opposite(side)});
   for (const auto outline : {mine, theirs}) {
     if (outline != offsets.end()) evidence.offsets.push_back(outline->second);
@@ -84,8 +92,10 @@ BorderAudit AuditBorder(const PlanInput& input, const OutlineOffsets& offsets, C
   if (shared.count >= 2) {
     audit.kind = BorderKind::kExact;
   } else if (mine != offsets.end() && theirs != offsets.end()) {
+    audit.margins = {mine->second, theirs->second};
     audit.offset = mine->second + theirs->second;
     audit.kind = KindOf(audit.offset);
+    if (audit.kind == BorderKind::kOverlap) audit.apart = CompareOver(*record, *other_record, audit, input.grid, side);
   }
   return audit;
 }

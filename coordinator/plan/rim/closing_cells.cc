@@ -32,11 +32,11 @@ CellId ClosingCellOf(const RimEdge& e, const PlanInput& input, const GridLines& 
     const CellId across = Across(e.owner, side);
     const double da = lines.Inside(a.position, e.owner, side), db = lines.Inside(b.position, e.owner, side);
     const bool in_zigzag = input.cells.contains(across) || lines.zigzag.contains({e.owner, side});
-    const bool ragged = !lines.independent && !lines.clipped && in_zigzag;
+    const bool ragged = !lines.clipped && in_zigzag;
     const double reach = ragged ? std::max({lines.tolerance, a.size, b.size}) : lines.tolerance;
     const double depth = std::max(std::abs(da), std::abs(db));
     const bool within = std::max(da, db) <= reach && (ragged || std::min(da, db) >= -std::max(reach, kOnLine));
-    if (!within || (!lines.independent && !Faces(a.position, b.position, side)) || depth >= nearest) continue;
+    if (!within || !Faces(a.position, b.position, side) || depth >= nearest) continue;
     nearest = depth;
     best = across;
   }
@@ -106,7 +106,7 @@ ClosingCells FindClosingCells(const PlanInput& input, const GridLines& lines, co
   ClosingCells closing;
   closing.reserve(rim.edges.size());
   for (const RimEdge& e : rim.edges) closing.push_back(ClosingCellOf(e, input, lines, rim));
-  if (lines.independent || lines.joined) return closing;
+  if (lines.joined) return closing;
   if (lines.clipped) {
     CloseHairlines(input, lines, rim, closing);
     for (const std::vector<int32_t>& loop : rim.loops) FollowAtShortEdges(input, lines, rim, loop, closing);

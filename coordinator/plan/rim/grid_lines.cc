@@ -88,7 +88,6 @@ void PlaceOnLines(const PlanInput& input, const std::map<Line, double>& found, d
 // Every side at its tile's own outline, or where the outlines of the others let expect it.
 void PlaceOnOutlines(const PlanInput& input, const BorderFindings& borders, double lattice_step, GridLines& lines) {
   const double usual = borders.usual_offset;
-  lines.tolerance = 2 * std::abs(usual) + kStraight;
   lines.piece_reach = 3 * std::abs(usual);
   for (const auto& [cell, record] : input.cells) {
     for (const Side side : kSides) {
@@ -126,18 +125,17 @@ void ForSidesAtRim(const PlanInput& input, const Use& use) {
 GridLines FindGridLines(const PlanInput& input, const BorderFindings& borders, double lattice_step) {
   if (!input.has_grid) return WithoutGrid(input);
   GridLines lines;
-  lines.independent = borders.independent;
   lines.clipped = borders.clipped;
   const LineFinding found = FindLines(input);
   if (found.exact && lines.clipped) lines.tolerance = 0;
-  if (lines.independent) {
+  if (borders.independent) {
     PlaceOnOutlines(input, borders, lattice_step, lines);
   } else {
     PlaceOnLines(input, found.coordinate, lattice_step, lines);
   }
   ForSidesAtRim(input, [&](CellId cell, const SurveyRecord* record, Side side) {
     if (!input.area_known) lines.left_open.insert(std::minmax(cell, Across(cell, side)));
-    if (lines.independent || lines.clipped || record == nullptr) return;
+    if (borders.independent || lines.clipped || record == nullptr) return;
     if (EndsInZigzag(*record, input.grid, cell, side)) lines.zigzag.insert({cell, side});
   });
   return lines;

@@ -13,9 +13,8 @@
 namespace tilemend {
 
 struct GridLines {
-  bool independent = false;  // as BorderFindings
-  bool clipped = true;       // as BorderFindings
-  bool joined = false;       // independent tiles, cut at the lines for the plan (overlap/joint_tiles.h)
+  bool clipped = true;  // as BorderFindings
+  bool joined = false;  // independent tiles, cut at the lines for the plan (overlap/joint_tiles.h)
   // A rim edge whose ends both lie within this inside its tile's side, or kOnLine beyond, lies on that side. 0 where
   // nearly all of the tiles' boundary lies on the lines to the bit: then what lies a hair inside is surface, or a
   // sliver without surface, in its own right.

@@ -16,17 +16,14 @@ namespace tilemend {
 namespace {
 
 // All boundary vertices and edges of all tiles, before matching.
-void CollectEdges(const PlanInput& input, bool weld_tiles, Rim& rim) {
+void CollectEdges(const PlanInput& input, Rim& rim) {
   PositionIndex index;
   for (const auto& [cell, record] : input.cells) {
     if (record == nullptr) continue;
-    PositionIndex own;
-    PositionIndex& used = weld_tiles ? index : own;
-    const int32_t base = weld_tiles ? 0 : static_cast<int32_t>(rim.points.size());
     std::vector<int32_t>& number = rim.point_of[cell];
     number.reserve(record->vertices.size());
     for (const BoundaryVertex& v : record->vertices) {
-      const int32_t n = base + used.Insert(v.position);
+      const int32_t n = index.Insert(v.position);
       if (n == static_cast<int32_t>(rim.points.size())) {
         rim.points.push_back({cell, v.index, v.position, v.normal, v.centroid_height, 0});
       } else {
@@ -150,9 +147,9 @@ void StoreSizes(Rim& rim) {
 
 }  // namespace
 
-Rim BuildRim(const PlanInput& input, bool weld_tiles) {
+Rim BuildRim(const PlanInput& input) {
   Rim rim;
-  CollectEdges(input, weld_tiles, rim);
+  CollectEdges(input, rim);
   DropMatched(rim);
   StoreSizes(rim);
   std::vector<uint8_t> touching(rim.points.size(), 0);

@@ -35,10 +35,10 @@ struct Rim {
   std::map<CellId, std::vector<int32_t>> point_of;  // per tile: the point of each boundary vertex of its record
 };
 
-// Puts the tiles together: matches boundary edges of different tiles at equal positions (`weld_tiles`), drops the
+// Puts the tiles together: matches boundary edges of different tiles at equal positions , drops the
 // matched ones, and links the others to loops. Where several holes touch at a vertex each loop turns back into its own
 // hole (Zhang 2022, 3.3). Cost linear in the boundary edges, but for the maps.
-Rim BuildRim(const PlanInput& input, bool weld_tiles);
+Rim BuildRim(const PlanInput& input);
 
 // Edges in a row as boundary segments of the hole, in the order of a walk that has it on the left (an edge has it on
 // the right).

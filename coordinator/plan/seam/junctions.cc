@@ -106,12 +106,10 @@ void SortJunctions(const SeamSite& site, const ClosingCells& closing, const Bord
 
 }  // namespace
 
-Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing, const std::vector<bool>& left_out) {
+Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing) {
   Junctions junctions;
   for (const Border& border : BordersOf(site.area)) junctions.along[border];
-  for (size_t l = 0; l < site.rim.loops.size(); ++l) {
-    if (left_out[l]) continue;
-    const std::vector<int32_t>& loop = site.rim.loops[l];
+  for (const std::vector<int32_t>& loop : site.rim.loops) {
     for (size_t k = 0; k < loop.size(); ++k) {
       const int32_t next = loop[(k + 1) % loop.size()];
       Pass(site, closing[loop[k]], closing[next], site.rim.edges[loop[k]].to, junctions);

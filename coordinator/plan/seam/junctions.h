@@ -24,10 +24,10 @@ struct Junctions {
   std::vector<LeftOpen> failures;                 // where the rim passes between cells that are no neighbours
 };
 
-// Finds where the closing cell changes along the loops, but for those that `left_out` (by loop) names. A change across
+// Finds where the closing cell changes along the loops. A change across
 // a corner is two junctions at one point. Junctions nearer than the tolerance of the lines have no order of their own:
 // there, starts and ends take turns. Cost O(n log n).
-Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing, const std::vector<bool>& left_out);
+Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing);
 
 // Which grid corners lie in a hole: the outermost junctions of the four borders there tell; where they do not agree, or
 // there are none, the winding number of the rim does. A corner that the outline of a ragged surface passes by lies in no

@@ -28,8 +28,8 @@ class SeamLayer {
   SeamLayer(const SeamSite& site, SeamsOverRim over_rim)
       : site_(site), over_rim_(over_rim), rim_points_(static_cast<int32_t>(site.rim.points.size())) {}
 
-  SeamLayout Run(const ClosingCells& closing, const std::vector<bool>& left_out) {
-    Junctions junctions = FindJunctions(site_, closing, left_out);
+  SeamLayout Run(const ClosingCells& closing) {
+    Junctions junctions = FindJunctions(site_, closing);
     result_.failures = std::move(junctions.failures);
     const std::map<Corner, bool> in_hole = FindCornersInHoles(site_, closing, junctions);
     for (const auto& [border, of_border] : junctions.along) {
@@ -63,16 +63,13 @@ class SeamLayer {
     way.push_back(to);
     const auto position = [this](int32_t v) { return PositionOf(v); };
     auto path = FindSeamPath(way, site_.rim, site_.index, position);
-    // A tile's own outline runs straight on under and over its facades, which need not be gone around: the filler cuts
-    // off what crosses.
-    if (site_.lines.independent && (!path || Bends(*path))) path = way;
     if (!path) {
       const Point2 p = PositionOf(from);
       result_.trouble.insert(result_.trouble.end(), {p, PositionOf(to)});
       Fail(border, absl::StrFormat("no seam can be laid along the grid line at (%.3f, %.3f)", p.x(), p.y()));
       return;
     }
-    if (over_rim_ == SeamsOverRim::kYes && !site_.lines.independent && !site_.lines.joined) {
+    if (over_rim_ == SeamsOverRim::kYes && !site_.lines.joined) {
       path = BendToRim(*path, site_.rim, site_.index, position, LargestBend(border));
     }
     result_.seams.push_back({border.first, border.second, *std::move(path)});
@@ -113,11 +110,6 @@ class SeamLayer {
     return inner ? std::numeric_limits<double>::infinity() : kSamePlace;
   }
 
-  // Whether a path goes over rim points between its ends.
-  bool Bends(const std::vector<int32_t>& path) const {
-    return std::any_of(path.begin() + 1, path.end() - 1, [&](int32_t v) { return v < rim_points_; });
-  }
-
   const SeamSite& site_;
   const SeamsOverRim over_rim_;
   const int32_t rim_points_;
@@ -127,9 +119,8 @@ class SeamLayer {
 
 }  // namespace
 
-SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, const std::vector<bool>& left_out,
-                    SeamsOverRim over_rim) {
-  return SeamLayer(site, over_rim).Run(closing, left_out);
+SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, SeamsOverRim over_rim) {
+  return SeamLayer(site, over_rim).Run(closing);
 }
 
 }  // namespace tilemend

@@ -31,13 +31,12 @@ struct SeamLayout {
 };
 
 // Lays a seam on every stretch of grid line inside a hole, between the cells of the area and between them and the
-// outside. Loops that `left_out` (by loop) names take no part.
+// outside.
 //
 // A stretch runs from junction to junction (junctions.h) or to a grid corner that lies in the hole. Its vertices lie on
 // the line (seam_vertices.h); where the straight way would meet the rim it bends over rim points (Wang 2021, 3.3,
 // closure cases 1 to 3: on a ragged cut a stretch begins and ends off the line). Deterministic.
-SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, const std::vector<bool>& left_out,
-                    SeamsOverRim over_rim);
+SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, SeamsOverRim over_rim);
 
 }  // namespace tilemend
 

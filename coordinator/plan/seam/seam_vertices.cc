@@ -98,7 +98,7 @@ std::vector<SeamPlace> PlaceSeamVertices(const SeamSite& site, const Border& bor
   const Stretch stretch{axis, LineOf(border, site.area, site.lines), from[axis], to[axis]};
   std::vector<SeamPlace> places = SpacedPlaces(site, stretch);
   const bool inner = site.area.contains(border.first) && site.area.contains(border.second);
-  if (site.lines.independent || inner) return places;
+  if (inner) return places;
   const std::vector<SeamPlace> beside = PlacesBesideRim(site, stretch);
   places.insert(places.end(), beside.begin(), beside.end());
   std::sort(places.begin(), places.end(),

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_TYPES_PLAN_TYPES_H_
 #define TILEMEND_COORDINATOR_PLAN_TYPES_PLAN_TYPES_H_
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -44,11 +45,19 @@ struct PlanInput {
 // How the tiles of two neighbouring cells meet (docs/architecture.md, "Two kinds of cut").
 enum class BorderKind { kExact, kNear, kOverlap, kGap, kOpen };  // kOpen: one or both have no surface there
 
+// How far apart two surfaces are, metres.
+struct HeightGap {
+  double median = 0, ninth_decile = 0;
+  int64_t places = 0;  // where they were compared; 0: nothing is known
+};
+
 struct BorderAudit {
   CellId a, b;  // b is east or north of a
   BorderKind kind = BorderKind::kOpen;
   int64_t shared_vertices = 0;
-  double offset = 0;  // metres: > 0 overlap, < 0 gap; kNear: the largest distance between unmatched border vertices
+  double offset = 0;                // metres: > 0 overlap, < 0 gap
+  std::array<double, 2> margins{};  // of a and b: how far each one's own outline lies beyond the grid line
+  HeightGap apart;                  // kOverlap: the originals
 };
 
 enum class HoleKind { kClosed, kOpenI, kOpenII };
@@ -128,10 +137,9 @@ struct Plan {
   std::vector<LeftOpen> left;
   int32_t clusters = 0;
   int32_t layers = 0;
-  int32_t continuous = 0;    // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
-  bool tiles_apart = false;  // the tiles share no vertices, they overlap or part: each is filled for itself
-  int64_t outer_rims = 0;    // loops that are the outline of a detached piece, not a hole
-  double lattice_step = 0;   // power of two, metres
+  int32_t continuous = 0;   // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
+  int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
+  double lattice_step = 0;  // power of two, metres
   std::map<CellId, std::vector<int32_t>>
       vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record
 };

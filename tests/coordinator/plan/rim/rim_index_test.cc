@@ -22,7 +22,7 @@ Rim RimOfScene() {
   options.lakes = options.islands = true;
   options.small_per_cell = 3;
   const SurveyedScene scene = SurveyScene(MakeScene(options));
-  return BuildRim(scene.Input(), true);
+  return BuildRim(scene.Input());
 }
 
 double DistanceToEdge(const Rim& rim, const Point2& p, const RimEdge& e) {
@@ -108,7 +108,7 @@ TEST(RimIndexSurfaceTest, TellsSurfaceFromHolesAndFromWhatLiesAround) {
   const std::vector<std::string> picture = {"########", "#......#", "#.##...#", "#.##...#",
                                             "#......#", "########", "###.####", "########"};
   const SurveyedScene scene = PictureScene(picture, 8);
-  const Rim rim = BuildRim(scene.Input(), true);
+  const Rim rim = BuildRim(scene.Input());
   const RimIndex index(rim);
   for (int32_t row = 0; row < 8; ++row) {
     for (int32_t col = 0; col < 8; ++col) {

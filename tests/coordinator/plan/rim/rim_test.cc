@@ -29,9 +29,9 @@ std::multiset<double> Areas(const Rim& rim) {
   return areas;
 }
 
-Rim RimOfPicture(const Picture& picture, int32_t squares, bool weld = true) {
+Rim RimOfPicture(const Picture& picture, int32_t squares) {
   const SurveyedScene scene = PictureScene(picture, squares);
-  return BuildRim(scene.Input(), weld);
+  return BuildRim(scene.Input());
 }
 
 TEST(BuildRimTest, DropsTheEdgesAtWhichTilesMeet) {
@@ -39,11 +39,6 @@ TEST(BuildRimTest, DropsTheEdgesAtWhichTilesMeet) {
   EXPECT_EQ(Areas(rim), std::multiset<double>{16});
   EXPECT_EQ(rim.edges.size(), 16U);
   EXPECT_TRUE(rim.unlinked.empty());
-}
-
-TEST(BuildRimTest, KeepsThemWithoutWelding) {
-  const Rim rim = RimOfPicture({"##|##", "##|##"}, 2, false);
-  EXPECT_EQ(Areas(rim), (std::multiset<double>{4, 4}));
 }
 
 TEST(BuildRimTest, LinksTheRimToLoopsWithTheSurfaceOnTheLeft) {
@@ -72,7 +67,7 @@ TEST(BuildRimTest, CountsGroupsOfHolesThatTouch) {
 
 TEST(BuildRimTest, KnowsTheOwnerOfEachEdgeAndThePointOfEachBoundaryVertex) {
   const SurveyedScene scene = PictureScene({"##|##", "##|.."}, 2);
-  const Rim rim = BuildRim(scene.Input(), true);
+  const Rim rim = BuildRim(scene.Input());
   for (const RimEdge& e : rim.edges) {
     const TriMesh& tile = scene.tiles.at(e.owner);
     for (const int32_t p : {e.from, e.to}) {
@@ -100,7 +95,7 @@ TEST(BuildRimTest, LeavesChainsThatDoNotCloseUnlinked) {
   record.edges = {{1, 2}, {0, 1}, {2, 3}};
   PlanInput input = CellsOf({{0, 0}}, 10);
   input.cells[{0, 0}] = &record;
-  const Rim rim = BuildRim(input, true);
+  const Rim rim = BuildRim(input);
   EXPECT_TRUE(rim.loops.empty());
   EXPECT_EQ(rim.unlinked.size(), 3U);
 }

@@ -20,7 +20,7 @@ size_t Count(const Junctions& junctions) {
 
 TEST(FindJunctionsTest, FindsWhereALineEntersAndLeavesAHole) {
   const SeamScene s({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
-  const Junctions junctions = FindJunctions(s.Site(), s.closing, s.nothing);
+  const Junctions junctions = FindJunctions(s.Site(), s.closing);
   const std::vector<Junction>& middle = junctions.along.at(kMiddle);
   ASSERT_EQ(middle.size(), 2U);
   EXPECT_EQ(middle[0].t, 1);
@@ -34,12 +34,12 @@ TEST(FindJunctionsTest, FindsWhereALineEntersAndLeavesAHole) {
 
 TEST(FindJunctionsTest, ListsEveryBorderOfTheArea) {
   const SeamScene s({"##|##", "##|##"}, 2);
-  EXPECT_EQ(FindJunctions(s.Site(), s.closing, s.nothing).along.size(), 7U);
+  EXPECT_EQ(FindJunctions(s.Site(), s.closing).along.size(), 7U);
 }
 
 TEST(FindJunctionsTest, FindsTheSameOnALineTheOtherWayRound) {
   const SeamScene s({"####", "#..#", "#..#", "#..#", "----", "#..#", "#..#", "####", "####"}, 4);
-  const std::vector<Junction> along = FindJunctions(s.Site(), s.closing, s.nothing).along.at({{0, 0}, {0, 1}});
+  const std::vector<Junction> along = FindJunctions(s.Site(), s.closing).along.at({{0, 0}, {0, 1}});
   ASSERT_EQ(along.size(), 2U);
   EXPECT_EQ(along[0].t, 1);
   EXPECT_TRUE(along[0].start);
@@ -50,17 +50,11 @@ TEST(FindJunctionsTest, FindsTheSameOnALineTheOtherWayRound) {
 TEST(FindJunctionsTest, MakesStartsAndEndsTakeTurns) {
   const SeamScene s(
       {"######|######", "##....|....##", "######|######", "###...|..####", "######|######", "######|######"}, 6);
-  const Junctions junctions = FindJunctions(s.Site(), s.closing, s.nothing);
+  const Junctions junctions = FindJunctions(s.Site(), s.closing);
   EXPECT_EQ(junctions.along.at(kMiddle).size(), 4U);
   for (const auto& [border, of_border] : junctions.along) {
     for (size_t i = 1; i < of_border.size(); ++i) EXPECT_NE(of_border[i - 1].start, of_border[i].start);
   }
-}
-
-TEST(FindJunctionsTest, LeavesLoopsOut) {
-  const SeamScene s({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
-  const std::vector<bool> all(s.rim.loops.size(), true);
-  EXPECT_EQ(Count(FindJunctions(s.Site(), s.closing, all)), 0U);
 }
 
 // A loop whose edges cells at corners from each other close on, and cells that are no neighbours.
@@ -71,12 +65,12 @@ TEST(FindJunctionsTest, GoesAcrossACornerByTheCellOnTheHolesSide) {
   const Rim rim = RimOf({{{5, 5, 0}, {4, 7, 0}, {6, 6, 0}}});
   const RimIndex index(rim);
   const SeamSite site{area, lines, rim, index, s.options, 0x1p-10};
-  const Junctions corner = FindJunctions(site, {{0, 0}, {1, 1}, {1, 1}}, {false});
+  const Junctions corner = FindJunctions(site, {{0, 0}, {1, 1}, {1, 1}});
   EXPECT_EQ(corner.along.at({{0, 0}, {1, 0}}).size(), 1U) << "from (0, 0) north-east, the hole to the right";
   EXPECT_EQ(corner.along.at({{1, 0}, {1, 1}}).size(), 1U);
   EXPECT_EQ(corner.along.at({{0, 0}, {0, 1}}).size(), 1U) << "and back";
   EXPECT_TRUE(corner.failures.empty());
-  const Junctions far = FindJunctions(site, {{0, 0}, {2, 2}, {2, 2}}, {false});
+  const Junctions far = FindJunctions(site, {{0, 0}, {2, 2}, {2, 2}});
   EXPECT_EQ(Count(far), 0U);
   EXPECT_EQ(far.failures.size(), 2U);
 }
@@ -87,16 +81,20 @@ const std::vector<std::string> kHoleOverACorner = {"####|####", "####|####", "##
 
 TEST(FindCornersInHolesTest, TellsCornersInHolesFromThoseOnTheSurface) {
   const SeamScene s(kHoleOverACorner, 4);
-  const auto in_hole = FindCornersInHoles(s.Site(), s.closing, FindJunctions(s.Site(), s.closing, s.nothing));
+  const auto in_hole = FindCornersInHoles(s.Site(), s.closing, FindJunctions(s.Site(), s.closing));
   EXPECT_EQ(in_hole.size(), 9U);
   for (const auto& [corner, inside] : in_hole) EXPECT_EQ(inside, (corner == Corner{1, 1}));
 }
 
+Junctions NoneAlong(const std::set<CellId>& area) {
+  Junctions none;
+  for (const Border& border : BordersOf(area)) none.along[border];
+  return none;
+}
+
 TEST(FindCornersInHolesTest, AsksTheWindingNumberWithoutJunctions) {
   const SeamScene s(kHoleOverACorner, 4);
-  const Junctions none = FindJunctions(s.Site(), s.closing, std::vector<bool>(s.rim.loops.size(), true));
-  ASSERT_EQ(Count(none), 0U);
-  const auto in_hole = FindCornersInHoles(s.Site(), s.closing, none);
+  const auto in_hole = FindCornersInHoles(s.Site(), s.closing, NoneAlong(s.area));
   EXPECT_EQ(in_hole.size(), 9U);
   for (const auto& [corner, inside] : in_hole) EXPECT_EQ(inside, (corner == Corner{1, 1}));
 }
@@ -113,7 +111,7 @@ TEST(FindCornersInHolesTest, TakesACornerThatTheOutlinePassesByForNoHole) {
   const ClosingCells outline(rim.edges.size(), CellId{1, 1}), rim_of_hole(rim.edges.size(), CellId{0, 0});
   const Corner corner{1, 1};
   const auto in_hole = [&](const ClosingCells& closing) {
-    return FindCornersInHoles(site, closing, FindJunctions(site, closing, {true})).at(corner);
+    return FindCornersInHoles(site, closing, NoneAlong(area)).at(corner);
   };
   EXPECT_TRUE(in_hole(outline)) << "without a zigzag";
   lines.zigzag = {{{0, 0}, kEast}, {{0, 0}, kNorth}};

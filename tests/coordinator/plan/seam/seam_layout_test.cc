@@ -12,7 +12,7 @@ namespace tilemend {
 namespace {
 
 SeamLayout Lay(const SeamScene& s, SeamsOverRim over_rim = SeamsOverRim::kYes) {
-  return LaySeams(s.Site(), s.closing, s.nothing, over_rim);
+  return LaySeams(s.Site(), s.closing, over_rim);
 }
 
 Point2 PositionOf(const SeamScene& s, const SeamLayout& layout, int32_t v) {
@@ -88,12 +88,6 @@ TEST(LaySeamsTest, TakesRimPointsBesideItsWayOnlyWhereAskedTo) {
   EXPECT_FALSE(passes(SeamsOverRim::kNo));
 }
 
-TEST(LaySeamsTest, LeavesLoopsOut) {
-  const SeamScene s({"####|####", "##..|.###", "##..|.###", "####|####"}, 4);
-  const std::vector<bool> all(s.rim.loops.size(), true);
-  EXPECT_TRUE(LaySeams(s.Site(), s.closing, all, SeamsOverRim::kYes).seams.empty());
-}
-
 TEST(LaySeamsTest, SaysWhereInsideAndOutsideCannotBeToldApart) {
   const SeamScene s(
       {"######|######", "####..|....##", "####..|.#..##", "####..|....##", "####..|....##", "######|######"}, 6);
@@ -106,7 +100,7 @@ TEST(LaySeamsTest, SaysWhereInsideAndOutsideCannotBeToldApart) {
     }
   }
   ASSERT_NE(closing, s.closing);
-  const SeamLayout layout = LaySeams(s.Site(), closing, s.nothing, SeamsOverRim::kYes);
+  const SeamLayout layout = LaySeams(s.Site(), closing, SeamsOverRim::kYes);
   EXPECT_FALSE(layout.failures.empty());
   EXPECT_FALSE(layout.trouble.empty());
   for (const LeftOpen& failure : layout.failures) EXPECT_TRUE(s.area.contains(failure.cell));
