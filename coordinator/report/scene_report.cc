@@ -109,6 +109,7 @@ Json Tensions(const SceneReportInput& input) {
 
 // Of a river: its level along the centreline, and the rises of its shores that it does not follow.
 void AddRiver(const WaterBody& body, Json& row) {
+  row["level_m"] = {Rounded(body.river.stations.front().z(), 4), body.level};
   row["stations"] = Json::array();
   for (const Point3& s : body.river.stations) {
     row["stations"].push_back({Rounded(s.x(), 3), Rounded(s.y(), 3), Rounded(s.z(), 4)});
