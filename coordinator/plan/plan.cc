@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,9 @@
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
 #include "coordinator/plan/rim/rim.h"
+#include "coordinator/plan/rim/rim_index.h"
 #include "coordinator/plan/rim/rim_sizes.h"
+#include "coordinator/plan/seam/area_edge.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 
@@ -25,6 +28,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kFinestStep = 0x1p-10;  // metres
+constexpr uint8_t kFixedVertex = 3;      // as RimVertex::lines: like a grid corner
 
 // The finest power-of-two step, at least 2^-10 m, whose multiples the tiles' number type holds exactly out to the
 // farthest coordinate.
@@ -49,7 +53,8 @@ int32_t StoreVertices(Rim& rim, const SeamLayout& seams, Plan& plan) {
     plan.vertex_of_boundary[cell] = std::move(points);
   }
   for (const RimPoint& p : rim.points) {
-    plan.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size});
+    const uint8_t lines = p.index < 0 ? kFixedVertex : 0;
+    plan.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, lines});
   }
   for (const SeamVertex& v : seams.vertices) {
     const double height = v.beside >= 0 ? rim.points[v.beside].position.z() : 0;
@@ -80,9 +85,20 @@ void LeaveUnlinked(const Rim& rim, Plan& plan) {
   }
 }
 
+// Leaves of the rim what bounds holes inside the area's polygon.
+void CutByPolygon(const PlanInput& input, const GridLines& lines, const PlanOptions& options, Rim& rim, Plan& plan) {
+  const RimIndex index(rim);
+  std::set<CellId> cells;
+  for (const auto& [cell, record] : input.cells) cells.insert(cell);
+  AreaCut cut = CutByArea({cells, lines, rim, index, options, plan.lattice_step}, input);
+  plan.left.insert(plan.left.end(), cut.left.begin(), cut.left.end());
+  rim = std::move(cut.rim);
+}
+
 // Plans the holes of cells whose tiles share vertices and stores them.
 void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions& options, Plan& plan) {
   Rim rim = BuildRim(input);
+  if (!input.area.empty()) CutByPolygon(input, lines, options, rim, plan);
   const ClosingCells closing = FindClosingCells(input, lines, rim);
   RaiseSmallSizes(plan.lattice_step, rim);
   RaiseSizesAtShortEdges(rim);
@@ -122,6 +138,15 @@ void StoreLayers(Plan& plan) {
   }
 }
 
+// The edge of an area is not followed to the outlines of tiles that overlap: better nothing than more than was asked.
+void RefuseArea(Plan& plan) {
+  for (PlannedHole& hole : plan.holes) {
+    if (!hole.failure.empty()) continue;
+    hole.failure =
+        "an area inside cells is not followed where tiles overlap; give the area as whole cells in scene.json";
+  }
+}
+
 void LeaveFailedHoles(Plan& plan) {
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     const PlannedHole& hole = plan.holes[h];
@@ -140,6 +165,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   plan.borders = std::move(borders.borders);
   if (borders.independent) {
     PlanOverlapping(input, lines, options, plan);
+    if (!input.area.empty()) RefuseArea(plan);
   } else {
     PlanPart(input, lines, options, plan);
   }

@@ -12,9 +12,10 @@ namespace tilemend {
 
 // A boundary segment of a hole with what classification needs to know of it.
 struct BoundarySegment {
-  RimSegment segment;  // vertices: rim points, then seam vertices
-  int32_t side = -1;   // the cell's side it lies along: seams and neighbours' edges; -1: the cell's own edges
-  CellId across;       // the cell beyond, when side >= 0
+  RimSegment segment;      // vertices: rim points, then seam vertices
+  int32_t side = -1;       // the cell's side it lies along: seams and neighbours' edges; -1: the cell's own edges
+  CellId across;           // the cell beyond, when side >= 0
+  bool area_edge = false;  // it lies along the edge of an area polygon, on the way out at `side`
 };
 
 struct CellBoundary {

@@ -121,7 +121,7 @@ class OpenHoleFinder {
   PlannedHole NewHole(const Segments& part) const {
     PlannedHole hole = MeasureHole(boundary_.cell, RimSegmentsOf(part), site_.position);
     const bool external = std::any_of(part.begin(), part.end(), [&](const BoundarySegment& s) {
-      return s.side >= 0 && !site_.area.contains(s.across);
+      return s.area_edge || (s.side >= 0 && !site_.area.contains(s.across));
     });
     hole.kind = external ? HoleKind::kOpenII : HoleKind::kOpenI;
     hole.type = ClassifyOpen(part, boundary_.cell, boundary_.has_surface, site_.lines, site_.position);

@@ -23,13 +23,21 @@ int32_t SideTowards(const GridLines& lines, CellId cell, CellId other, const Poi
   return best;
 }
 
+// The side of the cell that an edge of the area faces: that beyond is on its left.
+int32_t SideBeyond(const Rim& rim, const RimEdge& e) {
+  const Point3 d = rim.points[e.to].position - rim.points[e.from].position;
+  if (std::abs(d.y()) >= std::abs(d.x())) return d.y() > 0 ? kWest : kEast;
+  return d.x() > 0 ? kNorth : kSouth;
+}
+
 }  // namespace
 
 void AddLoop(const PlanInput& input, const GridLines& lines, const Rim& rim, const ClosingCells& closing,
              const std::vector<int32_t>& loop, CellBoundaries& boundaries) {
   const CellId owner = rim.edges[loop[0]].owner;
-  const bool inside = std::all_of(loop.begin(), loop.end(),
-                                  [&](int32_t e) { return closing[e] == owner && rim.edges[e].owner == owner; });
+  const bool inside = std::all_of(loop.begin(), loop.end(), [&](int32_t e) {
+    return closing[e] == owner && rim.edges[e].owner == owner && !rim.edges[e].area_edge;
+  });
   if (inside) {
     boundaries[owner].closed_loops.push_back(Reversed(rim, loop));
     return;
@@ -37,8 +45,11 @@ void AddLoop(const PlanInput& input, const GridLines& lines, const Rim& rim, con
   for (const int32_t i : loop) {
     const RimEdge& e = rim.edges[i];
     if (!input.cells.contains(closing[i])) continue;
-    BoundarySegment s{{e.to, e.from}, -1, e.owner};
-    if (e.owner != closing[i]) s.side = SideTowards(lines, closing[i], e.owner, rim.points[e.from].position);
+    BoundarySegment s{{e.to, e.from, e.area_edge}, -1, e.owner, e.area_edge};
+    if (e.area_edge) {
+      s.side = SideBeyond(rim, e);
+    } else if (e.owner != closing[i])
+      s.side = SideTowards(lines, closing[i], e.owner, rim.points[e.from].position);
     boundaries[closing[i]].open.push_back(s);
   }
 }

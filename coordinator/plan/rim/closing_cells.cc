@@ -24,6 +24,7 @@ bool Faces(const Point3& a, const Point3& b, Side side) {
 
 // The cell that closes on an edge by what the edge alone tells.
 CellId ClosingCellOf(const RimEdge& e, const PlanInput& input, const GridLines& lines, const Rim& rim) {
+  if (e.area_edge) return e.owner;
   const RimPoint& a = rim.points[e.from];
   const RimPoint& b = rim.points[e.to];
   CellId best = e.owner;

@@ -152,16 +152,23 @@ Rim BuildRim(const PlanInput& input) {
   CollectEdges(input, rim);
   DropMatched(rim);
   StoreSizes(rim);
+  LinkLoops(rim);
+  return rim;
+}
+
+void LinkLoops(Rim& rim) {
+  rim.loops.clear();
+  rim.unlinked.clear();
   std::vector<uint8_t> touching(rim.points.size(), 0);
   const std::vector<int32_t> next = LinkAtPoints(rim, touching);
   TraceLoops(next, rim);
   rim.continuous = CountTouchingGroups(rim, touching);
-  return rim;
 }
 
 std::vector<RimSegment> Reversed(const Rim& rim, std::span<const int32_t> edges) {
   std::vector<RimSegment> segments;
-  for (auto e = edges.rbegin(); e != edges.rend(); ++e) segments.push_back({rim.edges[*e].to, rim.edges[*e].from});
+  for (auto e = edges.rbegin(); e != edges.rend(); ++e)
+    segments.push_back({rim.edges[*e].to, rim.edges[*e].from, rim.edges[*e].area_edge});
   return segments;
 }
 

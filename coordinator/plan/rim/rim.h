@@ -13,8 +13,8 @@
 namespace tilemend {
 
 struct RimPoint {
-  CellId tile;  // of the first tile (by cell) that has it
-  int32_t index = 0;
+  CellId tile;        // of the first tile (by cell) that has it
+  int32_t index = 0;  // -1: a new vertex on the edge of the area (seam/area_edge.h), without a height
   Point3 position{0, 0, 0};
   Eigen::Vector3d normal{0, 0, 1};
   double centroid_height = 0;
@@ -23,7 +23,8 @@ struct RimPoint {
 
 struct RimEdge {
   int32_t from = 0, to = 0;  // points; surface on the left
-  CellId owner;              // whose triangle it bounds
+  CellId owner;              // whose triangle it bounds; of an edge of the area: the cell that closes on it
+  bool area_edge = false;    // along the edge of an area polygon, with nothing to be covered on the left
 };
 
 struct Rim {
@@ -33,12 +34,16 @@ struct Rim {
   std::vector<int32_t> unlinked;                    // edges of chains that do not close (non-manifold surface)
   int32_t continuous = 0;                           // groups of loops that touch
   std::map<CellId, std::vector<int32_t>> point_of;  // per tile: the point of each boundary vertex of its record
+  bool surface_beyond = false;  // an area polygon bounds the holes: what lies beyond all edges counts as surface
 };
 
 // Puts the tiles together: matches boundary edges of different tiles at equal positions , drops the
 // matched ones, and links the others to loops. Where several holes touch at a vertex each loop turns back into its own
 // hole (Zhang 2022, 3.3). Cost linear in the boundary edges, but for the maps.
 Rim BuildRim(const PlanInput& input);
+
+// Links the edges to loops anew.
+void LinkLoops(Rim& rim);
 
 // Edges in a row as boundary segments of the hole, in the order of a walk that has it on the left (an edge has it on
 // the right).

@@ -149,7 +149,7 @@ double RimIndex::SizeAt(const Point2& p, double growth, double limit) const {
 
 bool RimIndex::InSurface(const Point2& p, double tolerance) const {
   if (Distance(p, 2 * tolerance) <= tolerance) return true;
-  int winding = 0;
+  int winding = rim_.surface_beyond ? 1 : 0;
   const Point2 far(bins_.lo().x() + bins_.step() * static_cast<double>(bins_.columns()), p.y());
   for (const int32_t i : EdgesIn(p, far)) {
     const Point2 a = At(rim_.edges[i].from), b = At(rim_.edges[i].to);

@@ -71,7 +71,8 @@ std::vector<SeamPlace> PlacesBesideRim(const SeamSite& site, const Stretch& stre
   for (const int32_t e : site.index.EdgesIn(lo, hi)) {
     const int32_t v = site.rim.edges[e].from;
     const Point3& p = site.rim.points[v].position;
-    if (std::abs(p[across] - stretch.line) <= kOnLine) near.emplace(p[along], v);
+    const bool has_height = site.rim.points[v].index >= 0;
+    if (has_height && std::abs(p[across] - stretch.line) <= kOnLine) near.emplace(p[along], v);
   }
   std::vector<SeamPlace> places;
   double last = stretch.begin;
@@ -85,6 +86,27 @@ std::vector<SeamPlace> PlacesBesideRim(const SeamSite& site, const Stretch& stre
 }
 
 }  // namespace
+
+std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, const Point2& to) {
+  const double length = (to - from).norm();
+  std::vector<double> steps = {0}, counts = {0};
+  while (steps.back() < length) {
+    const double size = SeamSizeAt(site, from + steps.back() / length * (to - from));
+    const double next = std::min(length, steps.back() + size / 8);
+    counts.push_back(counts.back() + (next - steps.back()) / size);
+    steps.push_back(next);
+  }
+  const int64_t edges = std::llround(counts.back());
+  std::vector<Point2> places;
+  size_t k = 1;
+  for (int64_t i = 1; i < edges; ++i) {
+    const double share = counts.back() * static_cast<double>(i) / static_cast<double>(edges);
+    while (counts[k] < share) ++k;
+    const double f = (share - counts[k - 1]) / (counts[k] - counts[k - 1]);
+    places.push_back(from + (steps[k - 1] + f * (steps[k] - steps[k - 1])) / length * (to - from));
+  }
+  return places;
+}
 
 double SeamSizeAt(const SeamSite& site, const Point2& p) {
   const double mean = site.index.mean_size();

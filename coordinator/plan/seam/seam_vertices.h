@@ -22,6 +22,9 @@ struct SeamPlace {
 // The wanted edge length at a place, metres: it grows from the rim inward (PlanOptions).
 double SeamSizeAt(const SeamSite& site, const Point2& p);
 
+// Places between two points, spaced evenly by the wanted edge length; not on the lattice.
+std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, const Point2& to);
+
 // The places strictly between two ends of a stretch of a border's line, in order along it, spaced by the wanted edge
 // length and clear of the rim. At the rim of the area, where a seam must keep to the line, also one opposite each rim
 // point that lies within kOnLine of the line, but not on it: a straight edge there would be the base of upright

@@ -1,0 +1,324 @@
+#include "coordinator/plan/seam/area_edge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_format.h"
+#include "common/mesh/rounding.h"
+#include "common/mesh/segment_distance.h"
+#include "coordinator/plan/seam/seam_path.h"
+#include "coordinator/plan/seam/seam_vertices.h"
+
+namespace tilemend {
+namespace {
+
+using Ring = std::vector<Point2>;
+
+constexpr double kHair = 1e-6;  // metres: a point this far beside an edge tells its sides apart
+// Of the wanted edge length: new vertices nearer than this to the rim or the vertex before are left out.
+constexpr double kClearance = 0.3;
+constexpr double kClearanceOfCorners = 0.1;  // of the polygon
+
+// Where a new vertex may be.
+struct Place {
+  Point2 position;
+  bool corner = false;  // of the polygon
+};
+
+// A place on the polygon: the ring and how far along it, in its segments.
+struct RingPlace {
+  size_t ring = 0;
+  double at = 0;
+};
+
+// A rim edge that passes the polygon's edge.
+struct Passing {
+  double at;     // along the ring
+  int32_t edge;  // of the rim
+  bool leaving;  // the rim goes out of the polygon
+};
+
+class AreaCutter {
+ public:
+  AreaCutter(const SeamSite& site, const PlanInput& input) : site_(site), input_(input), rings_(input.area.rings) {
+    for (Ring& ring : rings_) OrientRing(ring);
+    result_.rim = site.rim;
+    for (const auto& [side, line] : site.lines.coordinate) {
+      const auto [cell, s] = side;
+      const int axis = AxisOf(static_cast<Side>(s));
+      grid_lines_.insert({axis, line});
+    }
+  }
+
+  AreaCut Run() {
+    SortEdges();
+    for (size_t r = 0; r < rings_.size(); ++r) FollowRing(r);
+    std::vector<RimEdge> edges;
+    for (size_t e = 0; e < keeps_.size(); ++e) {
+      if (keeps_[e]) edges.push_back(site_.rim.edges[e]);
+    }
+    edges.insert(edges.end(), chains_.begin(), chains_.end());
+    result_.rim.edges = std::move(edges);
+    result_.rim.surface_beyond = true;
+    LinkLoops(result_.rim);
+    return std::move(result_);
+  }
+
+ private:
+  Point2 PositionOf(int32_t v) const { return result_.rim.points[v].position.head<2>(); }
+
+  static Point2 RightOf(const Point2& a, const Point2& b) {
+    const Point2 d = (b - a).normalized();
+    return {d.y(), -d.x()};
+  }
+
+  static const Point2& After(const Ring& ring, size_t i) { return ring[(i + 1) % ring.size()]; }
+
+  // Turns a ring so that it has the inside of the polygon on its right, as a rim has a hole.
+  void OrientRing(Ring& ring) const {
+    size_t longest = 0;
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const double length = (After(ring, i) - ring[i]).norm();
+      if (length > (After(ring, longest) - ring[longest]).norm()) longest = i;
+    }
+    const Point2 &a = ring[longest], &b = After(ring, longest);
+    if (!Contains(input_.area, (a + b) / 2 + kHair * RightOf(a, b))) std::reverse(ring.begin(), ring.end());
+  }
+
+  // Whether an oriented ring has the outside within.
+  static bool TakesAway(const Ring& ring) {
+    double doubled = 0;
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point2 a = ring[i] - ring[0], b = After(ring, i) - ring[0];
+      doubled += a.x() * b.y() - a.y() * b.x();
+    }
+    return doubled > 0;
+  }
+
+  // The nearest place on the polygon, and how far p is from it.
+  std::pair<RingPlace, double> NearestPlace(const Point2& p) const {
+    RingPlace best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (size_t r = 0; r < rings_.size(); ++r) {
+      for (size_t i = 0; i < rings_[r].size(); ++i) {
+        const Point2 &a = rings_[r][i], &b = After(rings_[r], i);
+        const Point2 d = b - a;
+        const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+        const double distance = (p - a - t * d).norm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        best = {r, static_cast<double>(i) + t};
+      }
+    }
+    return {best, nearest};
+  }
+
+  bool IsInside(const Point2& p) const { return Contains(input_.area, p) && NearestPlace(p).second > kOnLine; }
+
+  // Which edges stay, and those that pass the polygon by ring.
+  void SortEdges() {
+    std::vector<bool> inside;
+    for (const RimPoint& p : site_.rim.points) inside.push_back(IsInside(p.position.head<2>()));
+    passings_.resize(rings_.size());
+    for (size_t e = 0; e < site_.rim.edges.size(); ++e) {
+      const RimEdge& edge = site_.rim.edges[e];
+      keeps_.push_back(inside[edge.from] || inside[edge.to]);
+      if (inside[edge.from] == inside[edge.to]) continue;
+      const RingPlace place = PassingPlace(PositionOf(inside[edge.from] ? edge.from : edge.to),
+                                           PositionOf(inside[edge.from] ? edge.to : edge.from));
+      passings_[place.ring].push_back({place.at, static_cast<int32_t>(e), inside[edge.from]});
+    }
+    for (auto& of_ring : passings_) {
+      std::sort(of_ring.begin(), of_ring.end(),
+                [](const Passing& a, const Passing& b) { return std::tie(a.at, a.edge) < std::tie(b.at, b.edge); });
+    }
+  }
+
+  // Halving finds the place also where a vertex of the surface lies on the polygon.
+  RingPlace PassingPlace(Point2 inner, Point2 outer) const {
+    while ((outer - inner).norm() > kHair) {
+      const Point2 middle = (inner + outer) / 2;
+      (IsInside(middle) ? inner : outer) = middle;
+    }
+    return NearestPlace(inner).first;
+  }
+
+  void FollowRing(size_t r) {
+    const std::vector<Passing>& passings = passings_[r];
+    const auto n = static_cast<double>(rings_[r].size());
+    if (passings.empty()) {
+      if (!site_.index.InSurface(rings_[r][0], kOnLine)) FollowWhole(r);
+      return;
+    }
+    for (size_t i = 0; i < passings.size(); ++i) {
+      const Passing& begin = passings[i];
+      const Passing& end = passings[(i + 1) % passings.size()];
+      if (!begin.leaving) continue;
+      const double last = i + 1 < passings.size() ? end.at : end.at + n;
+      if (end.leaving || !Follow(r, begin, last, end)) Leave(begin);
+    }
+  }
+
+  void Leave(const Passing& at) {
+    const RimEdge& e = site_.rim.edges[at.edge];
+    const Point2 p = PositionOf(e.from);
+    result_.left.push_back(
+        {e.owner,
+         absl::StrFormat("at (%.3f, %.3f) the edge of the area cannot be followed through the hole", p.x(), p.y())});
+  }
+
+  // Lays a chain from one passing to the next. Ends outside the polygon first, then those inside.
+  bool Follow(size_t r, const Passing& begin, double last, const Passing& end) {
+    const RimEdge &out = site_.rim.edges[begin.edge], &in = site_.rim.edges[end.edge];
+    const std::vector<int32_t> between = NewVertices(r, begin.at, last);
+    for (const auto& [from, to] : {std::pair(out.to, in.from), std::pair(out.from, in.from), std::pair(out.to, in.to),
+                                   std::pair(out.from, in.to)}) {
+      if (from == out.from && to == in.to && begin.edge == end.edge) continue;
+      if (from == to) return Keep(begin, from == out.to, end, to == in.from);
+      std::vector<int32_t> way = {from};
+      way.insert(way.end(), between.begin(), between.end());
+      way.push_back(to);
+      if (!AddChain(way)) continue;
+      return Keep(begin, from == out.to, end, to == in.from);
+    }
+    return false;
+  }
+
+  bool Keep(const Passing& begin, bool keep_begin, const Passing& end, bool keep_end) {
+    if (!keep_begin) keeps_[begin.edge] = false;
+    if (!keep_end) keeps_[end.edge] = false;
+    return true;
+  }
+
+  // A ring wholly inside a hole: beyond the end of the surface, or a part of a hole that the area leaves out.
+  void FollowWhole(size_t r) {
+    if (TakesAway(rings_[r])) {
+      const Point2& p = rings_[r][0];
+      result_.left.push_back(
+          {CellBeside(p, After(rings_[r], 0)),
+           absl::StrFormat("at (%.3f, %.3f) the area leaves out a part inside a hole: it is filled", p.x(), p.y())});
+      return;
+    }
+    std::vector<int32_t> way = NewVertices(r, -kHair, static_cast<double>(rings_[r].size()) - kHair);
+    if (way.size() < 3) return;
+    way.push_back(way.front());
+    AddChain(way);
+  }
+
+  bool AddChain(const std::vector<int32_t>& way) {
+    const auto position = [this](int32_t v) { return PositionOf(v); };
+    const auto path = FindSeamPath(way, site_.rim, site_.index, position);
+    if (!path) return false;
+    const auto rim_points = static_cast<int32_t>(site_.rim.points.size());
+    for (size_t i = 0; i + 1 < path->size(); ++i) {
+      const int32_t p = (*path)[i], q = (*path)[i + 1];
+      const int32_t e = p < rim_points && q < rim_points ? site_.index.EdgeBetween(p, q) : -1;
+      if (e >= 0) {  // with the rim the rim itself bounds the hole; against it nothing lies between
+        keeps_[e] = site_.rim.edges[e].from == p;
+        continue;
+      }
+      chains_.push_back({p, q, CellBeside(PositionOf(p), PositionOf(q)), true});
+    }
+    return true;
+  }
+
+  // The square on the right of an edge, where the hole lies.
+  CellId CellBeside(const Point2& a, const Point2& b) const {
+    const Point2 p = (a + b) / 2 + kOnLine * RightOf(a, b);
+    const Point2 at = (p - input_.grid.corner).cwiseQuotient(input_.grid.cell_size);
+    return {static_cast<int32_t>(std::floor(at.x())), static_cast<int32_t>(std::floor(at.y()))};
+  }
+
+  // New vertices along a ring between two places on it.
+  std::vector<int32_t> NewVertices(size_t r, double begin, double end) {
+    const Ring& ring = rings_[r];
+    const auto at = [&](double t) -> Point2 {
+      const auto i = static_cast<size_t>(std::floor(t + static_cast<double>(ring.size()))) % ring.size();
+      return ring[i] + (t - std::floor(t)) * (After(ring, i) - ring[i]);
+    };
+    std::vector<Point2> corners = {at(begin)};
+    for (double t = std::floor(begin) + 1; t < end; ++t) corners.push_back(at(t));
+    corners.push_back(at(end));
+    std::vector<Place> places;
+    for (size_t i = 0; i + 1 < corners.size(); ++i) {
+      if (i > 0) places.push_back({corners[i], true});
+      const std::vector<Point2> knots = AtGridLines(corners[i], corners[i + 1]);
+      for (size_t k = 0; k + 1 < knots.size(); ++k) {
+        if (k > 0) places.push_back({knots[k]});
+        for (const Point2& p : SpacedBetween(site_, knots[k], knots[k + 1])) places.push_back({p});
+      }
+    }
+    return Number(places);
+  }
+
+  // The ends of a segment, and where it crosses grid lines between, in order.
+  std::vector<Point2> AtGridLines(const Point2& a, const Point2& b) const {
+    std::map<double, Point2> crossings;
+    for (const auto& [axis, line] : grid_lines_) {
+      const double t = (line - a[axis]) / (b[axis] - a[axis]);
+      if (!(t > 0 && t < 1)) continue;
+      Point2 p = a + t * (b - a);
+      p[axis] = line;
+      crossings.emplace(t, p);
+    }
+    std::vector<Point2> knots = {a};
+    for (const auto& [t, p] : crossings) knots.push_back(p);
+    knots.push_back(b);
+    return knots;
+  }
+
+  // A place on a grid line is never left out for one that is on none.
+  std::vector<int32_t> Number(const std::vector<Place>& places) {
+    std::vector<int32_t> numbers;
+    for (const Place& place : places) {
+      const Point2 p = OnLattice(place.position);
+      const double size = SeamSizeAt(site_, p), clearance = size * (place.corner ? kClearanceOfCorners : kClearance);
+      const bool on_line = OnGridLine(p);
+      if (!numbers.empty() && (PositionOf(numbers.back()) - p).norm() < clearance) {
+        if (!on_line || OnGridLine(PositionOf(numbers.back()))) continue;
+        numbers.pop_back();
+      }
+      if (!on_line && site_.index.Distance(p, size) < clearance) continue;
+      RimPoint point;
+      point.index = -1;
+      point.position = Point3(p.x(), p.y(), 0);
+      point.size = size;
+      numbers.push_back(static_cast<int32_t>(result_.rim.points.size()));
+      result_.rim.points.push_back(point);
+    }
+    return numbers;
+  }
+
+  bool OnGridLine(const Point2& p) const {
+    return grid_lines_.contains({0, p.x()}) || grid_lines_.contains({1, p.y()});
+  }
+
+  // On the lattice, but on a grid line where it lies.
+  Point2 OnLattice(const Point2& p) const {
+    Point2 rounded;
+    for (const int axis : {0, 1}) {
+      rounded[axis] = grid_lines_.contains({axis, p[axis]}) ? p[axis] : RoundedToLattice(p[axis], site_.lattice_step);
+    }
+    return rounded;
+  }
+
+  const SeamSite& site_;
+  const PlanInput& input_;
+  std::vector<Ring> rings_;
+  std::set<std::pair<int, double>> grid_lines_;  // axis and coordinate
+  std::vector<bool> keeps_;                      // by rim edge
+  std::vector<std::vector<Passing>> passings_;   // by ring
+  std::vector<RimEdge> chains_;
+  AreaCut result_;
+};
+
+}  // namespace
+
+AreaCut CutByArea(const SeamSite& site, const PlanInput& input) { return AreaCutter(site, input).Run(); }
+
+}  // namespace tilemend
