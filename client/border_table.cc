@@ -18,11 +18,21 @@ using Json = nlohmann::ordered_json;
 // Metres. Tiles that are less apart are as good as photogrammetry makes them.
 constexpr double kApart = 0.1;
 
+constexpr char kLegend[] =
+    "apart: of tiles that overlap, how far one surface is above the other at half of the places, and at nine in ten;\n"
+    "of others, how far they end from each other.\n";
+
 // Of tiles that overlap, how far one surface is above the other, in the median; of those with a gap, its width. How far
 // they overlap is no fault.
 double ApartOf(const Json& row) {
   if (Member(row, "kind") == "overlap") return Number(Member(Member(row, "apart_m"), "median"));
   return std::abs(Number(Member(row, "offset_m")));
+}
+
+std::vector<std::string> Row(const Json& row) {
+  const bool overlap = Member(row, "kind") == "overlap";
+  return {Text(Member(row, "cells")), Text(Member(row, "kind")), overlap ? Decimals(Member(row, "offset_m"), 3) : "",
+          absl::StrFormat("%.3f", ApartOf(row)), Decimals(Member(Member(row, "apart_m"), "ninth_decile"), 3)};
 }
 
 std::string CountsText(const Json& borders) {
@@ -46,14 +56,12 @@ std::string BordersText(const Json& report) {
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Json* a, const Json* b) { return ApartOf(*a) > ApartOf(*b); });
   std::vector<std::vector<std::string>> rows;
-  for (size_t i = 0; i < std::min(pairs.size(), kMostListedRows); ++i) {
-    rows.push_back({Text(Member(*pairs[i], "cells")), Text(Member(*pairs[i], "kind")),
-                    absl::StrFormat("%.3f", ApartOf(*pairs[i]))});
-  }
+  for (size_t i = 0; i < std::min(pairs.size(), kMostListedRows); ++i) rows.push_back(Row(*pairs[i]));
   std::string text = absl::StrCat("\nborders between tiles: ", counts, "\n");
   if (rows.empty()) return text;
   return absl::StrCat(text, Counted(pairs.size(), "pair"), " of tiles more than 0.1 m apart\n",
-                      Table({"cells", "they meet", "apart, m"}, rows), MoreText(pairs.size(), "see report.json"));
+                      Table({"cells", "they meet", "overlap, m", "apart, m", "90 %, m"}, rows),
+                      MoreText(pairs.size(), "see report.json"), kLegend);
 }
 
 }  // namespace tilemend

@@ -14,12 +14,18 @@ using Json = nlohmann::ordered_json;
 
 double AreaOf(const Json& body) { return Number(Member(body, "area_m2")); }
 
+// "3, 0.250 m at most", of the rises that a river's surface does not follow.
+std::string RisesOf(const Json& body) {
+  const Json& rises = Member(body, "removed_rises");
+  double most = 0;
+  for (const Json& rise : rises) most = std::max(most, Number(Member(rise, "rise_m")));
+  return rises.empty() ? "" : absl::StrCat(rises.size(), ", ", absl::StrFormat("%.3f", most), " m at most");
+}
+
 std::vector<std::string> Row(const Json& body) {
-  const Json& level = Member(body, "level_m");
-  return {level.is_array() ? "river" : "lake", LevelText(level),
-          AreaText(Member(body, "area_m2")),   Text(Member(body, "cells")),
-          LevelText(Member(body, "spread_m")), LevelText(Member(body, "rim_m")),
-          Text(Member(body, "rim_vertices")),  Text(Member(body, "decided_by"))};
+  return {Text(Member(body, "kind")),         LevelText(Member(body, "level_m")),  AreaText(Member(body, "area_m2")),
+          Text(Member(body, "cells")),        LevelText(Member(body, "spread_m")), LevelText(Member(body, "rim_m")),
+          Text(Member(body, "rim_vertices")), Text(Member(body, "decided_by")),    RisesOf(body)};
 }
 
 }  // namespace
@@ -33,10 +39,11 @@ std::string WaterText(const Json& report, const std::string& title) {
   std::stable_sort(bodies.begin(), bodies.end(), [](const Json& a, const Json& b) { return AreaOf(a) > AreaOf(b); });
   std::vector<std::vector<std::string>> rows;
   for (size_t i = 0; i < std::min(bodies.size(), kMostListedRows); ++i) rows.push_back(Row(bodies[i]));
-  return absl::StrCat(
-      "\n", bodies.size(), " ", title, "\n",
-      Table({"water", "level, m", "area, m2", "cells", "spread, m", "rim, m", "rim vertices", "decided by"}, rows),
-      MoreText(bodies.size(), "see `water` in the report"));
+  return absl::StrCat("\n", bodies.size(), " ", title, "\n",
+                      Table({"water", "level, m", "area, m2", "cells", "spread, m", "rim, m", "rim vertices",
+                             "decided by", "rises removed"},
+                            rows),
+                      MoreText(bodies.size(), "see `water` in the report"));
 }
 
 }  // namespace tilemend

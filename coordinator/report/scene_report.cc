@@ -64,6 +64,12 @@ std::string FailureOf(const SceneReportInput& input, int32_t hole) {
   return it != input.outcome.failures.end() ? it->second : input.plan->holes[hole].failure;
 }
 
+// Of a river those of its upper and its lower end.
+Json LevelJson(const WaterBody& body) {
+  const std::vector<Point3>& stations = body.river.stations;
+  return stations.empty() ? Json(body.level) : Json{Rounded(stations.front().z(), 4), body.level};
+}
+
 Json HoleRow(const SceneReportInput& input, int32_t h) {
   const PlannedHole& hole = input.plan->holes[h];
   const std::string failure = FailureOf(input, h);
@@ -78,7 +84,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   row["area_m2"] = Rounded(hole.area, 3);
   row["perimeter_m"] = Rounded(hole.perimeter, 3);
   row["boundary_vertices"] = hole.boundary_vertices;
-  if (hole.water >= 0) row["level_m"] = input.plan->water[hole.water].level;
+  if (hole.water >= 0) row["level_m"] = LevelJson(input.plan->water[hole.water]);
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
@@ -109,7 +115,6 @@ Json Tensions(const SceneReportInput& input) {
 
 // Of a river: its level along the centreline, and the rises of its shores that it does not follow.
 void AddRiver(const WaterBody& body, Json& row) {
-  row["level_m"] = {Rounded(body.river.stations.front().z(), 4), body.level};
   row["stations"] = Json::array();
   for (const Point3& s : body.river.stations) {
     row["stations"].push_back({Rounded(s.x(), 3), Rounded(s.y(), 3), Rounded(s.z(), 4)});
@@ -138,7 +143,7 @@ Json WaterRows(const SceneReportInput& input) {
     const PlannedHole& first = input.plan->holes[body.holes.front()];
     Json row;
     if (first.kind != HoleKind::kClosed) row["cluster"] = first.cluster;
-    row.update({{"level_m", body.level},
+    row.update({{"level_m", LevelJson(body)},
                 {"spread_m", Rounded(body.spread, 4)},
                 {"rim_m", {Rounded(body.lowest, 4), Rounded(body.highest, 4)}},
                 {"rim_vertices", body.rim_vertices},

@@ -18,8 +18,9 @@ const Json& Report() {
     "version": "1.2.3", "date": "2026-11-22T05:10:00Z", "scene": "/data/city", "cells": 4, "clusters": 2,
     "options": {"surface": "wang", "uniform": false, "gradation": 1.5},
     "warnings": ["mind the gap"],
-    "water": [{"level_m": 1.23456, "rim_m": [1, 2], "area_m2": 40.04, "cells": 2, "decided_by": "rim"},
-              {"level_m": [5.5, 4.25], "area_m2": 900, "cells": 3}],
+    "water": [{"kind": "lake", "level_m": 1.23456, "rim_m": [1, 2], "area_m2": 40.04, "cells": 2, "decided_by": "rim"},
+              {"kind": "river", "level_m": [5.5, 4.25], "area_m2": 900, "cells": 3,
+               "removed_rises": [{"rise_m": 0.5}, {"rise_m": 0.25}]}],
     "borders": {"exact": 3, "near": 1, "open": 0,
                 "inexact": [{"cells": [[0, 0], [1, 0]], "kind": "near", "offset_m": 0.25}]},
     "left": [{"cell": [3, 4], "reason": "no loop", "open_edges": 1},
@@ -57,13 +58,15 @@ TEST(SummaryTextTest, TellsEachBodyOfWaterWithItsLevelTheLargestFirst) {
                                                "water  level, m        area, m2  cells"));
   const std::string text = SummaryText(Report());
   EXPECT_LT(text.find("river  5.500 to 4.250     900.0"), text.find("lake   1.235"));
+  EXPECT_THAT(text, HasSubstr("2, 0.500 m at most"));
 }
 
 TEST(SummaryTextTest, TellsPairsOfTilesThatAreApart) {
   EXPECT_THAT(SummaryText(Report()), HasSubstr("borders between tiles: 3 exact, 1 near\n"
                                                "1 pair of tiles more than 0.1 m apart\n"
-                                               "cells          they meet  apart, m\n"
-                                               "[[0,0],[1,0]]  near          0.250\n"));
+                                               "cells          they meet  overlap, m  apart, m  90 %, m\n"
+                                               "[[0,0],[1,0]]  near                      0.250\n"
+                                               "apart: of tiles that overlap"));
 }
 
 TEST(SummaryTextTest, CallsTilesThatOverlapApartByTheirHeights) {
@@ -71,10 +74,10 @@ TEST(SummaryTextTest, CallsTilesThatOverlapApartByTheirHeights) {
   report["borders"]["inexact"] = Json::parse(
       R"([{"cells": [[0, 0], [1, 0]], "kind": "overlap", "offset_m": 0.5},
           {"cells": [[1, 0], [2, 0]], "kind": "overlap", "offset_m": 0.5, "apart_m": {"median": 0.05}},
-          {"cells": [[2, 0], [3, 0]], "kind": "overlap", "offset_m": 0.5, "apart_m": {"median": 0.1234}}])");
+          {"cells": [[2, 0], [3, 0]], "kind": "overlap", "offset_m": 0.5, "apart_m": {"median": 0.1234, "ninth_decile": 1.5}}])");
   const std::string text = SummaryText(report);
   EXPECT_THAT(text, HasSubstr("1 pair of tiles more than 0.1 m apart\n"));
-  EXPECT_THAT(text, HasSubstr("[[2,0],[3,0]]  overlap       0.123\n"));
+  EXPECT_THAT(text, HasSubstr("[[2,0],[3,0]]  overlap         0.500     0.123    1.500\n"));
 }
 
 TEST(SummaryTextTest, ListsHolesThatAreLeftFirstAndCountsWhatIsNone) {

@@ -122,6 +122,14 @@ TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   EXPECT_EQ(report["water"][0]["decided_by"], "rim");
 }
 
+TEST_F(SceneReportTest, GivesHolesOfARiverTheLevelsOfItsEnds) {
+  plan_.holes[1].water = 0;
+  plan_.water.resize(1);
+  plan_.water[0].level = 4.25;
+  plan_.water[0].river.stations = {{0, 0, 5.5}, {1, 0, 5}, {2, 0, 4.25}};
+  EXPECT_EQ(Report()["per_hole"][1]["level_m"], Json::array({5.5, 4.25}));
+}
+
 TEST_F(SceneReportTest, LeavesOutWaterWhoseHolesAllFailed) {
   plan_.holes[2].water = 0;
   plan_.water = {{{2}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
