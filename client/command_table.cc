@@ -29,7 +29,9 @@ std::vector<FlagSpec> FillFlags() {
                                  {"overwrite", "", "replace FILE if it exists", ""}};
   flags = Join(std::move(flags), SurfaceFlags());
   // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
-  return Join(std::move(flags), WaterFlags("off"));
+  flags = Join(std::move(flags), WaterFlags("off"));
+  flags.push_back(WaterColourFlag());
+  return flags;
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ std::vector<FlagSpec> JobFlags();
 // Flags that say what the filled surface is like: --surface, --tension, --gradation, --size-limit, --uniform.
 std::vector<FlagSpec> SurfaceFlags();
 FlagSpec OutputFlag();
+FlagSpec WaterColourFlag();
 // --water and --water-tolerance. Without a default the command chooses by what it is given.
 std::vector<FlagSpec> WaterFlags(const std::string& default_value);
 

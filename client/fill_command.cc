@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -15,15 +16,52 @@
 #include "client/output.h"
 #include "common/codec/mesh_file.h"
 #include "common/records/surface.h"
+#include "common/util/colour.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "common/util/utc.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/water_choice.h"
+#include "worker/materials/write_materials.h"
 
 namespace tilemend {
 namespace {
+
+// The name of the material file of an output, beside it.
+std::string LibraryFor(const std::string& out) {
+  return absl::StrCat(std::filesystem::path(out).stem().string(), "_tilemend.mtl");
+}
+
+std::string FolderOf(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+// Writes the materials of the filled faces, and carries what the mesh names to the output's folder, where it is not
+// there already. Gives warnings.
+absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const std::string& in, const std::string& out, bool overwrite,
+                                                          const FilledMesh& filled) {
+  const std::string to = FolderOf(out);
+  if (!filled.materials.empty()) {
+    TILEMEND_RETURN_IF_ERROR(WriteMaterials("", absl::StrCat(to, "/", LibraryFor(out)), filled.materials));
+  }
+  std::error_code error;
+  if (std::filesystem::equivalent(FolderOf(in), to, error)) return std::vector<std::string>();
+  std::vector<std::string> carried, warnings = filled.files.warnings;
+  for (const auto* files : {&filled.files.libraries, &filled.files.images}) {
+    for (const std::string& file : *files) {
+      if (overwrite || !std::filesystem::exists(absl::StrCat(to, "/", file), error)) {
+        carried.push_back(file);
+      } else {
+        warnings.push_back(absl::StrCat(to, "/", file, ": exists already and is left as it is"));
+      }
+    }
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const auto failed, CarryFiles(FolderOf(in), to, carried, false));
+  warnings.insert(warnings.end(), failed.begin(), failed.end());
+  return warnings;
+}
 
 absl::Status CheckPaths(const std::string& in, const std::string& out, bool overwrite) {
   std::error_code error;
@@ -41,8 +79,11 @@ absl::Status CheckPaths(const std::string& in, const std::string& out, bool over
   if (std::filesystem::is_directory(out, error)) {
     return absl::InvalidArgumentError(absl::StrCat(out, ": the output is a folder; choose another --out"));
   }
-  if (!overwrite && std::filesystem::exists(out, error)) {
-    return absl::AlreadyExistsError(absl::StrCat(out, ": exists already; choose another --out, or give --overwrite"));
+  std::vector<std::string> written = {out};
+  if (to == MeshFormat::kObj) written.push_back(absl::StrCat(FolderOf(out), "/", LibraryFor(out)));
+  for (const std::string& file : written) {
+    if (overwrite || !std::filesystem::exists(file, error)) continue;
+    return absl::AlreadyExistsError(absl::StrCat(file, ": exists already; choose another --out, or give --overwrite"));
   }
   return absl::OkStatus();
 }
@@ -61,6 +102,7 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
                              Counted(static_cast<size_t>(plan.outer_rims), "outline"), out)
                  .c_str(),
              stdout);
+  for (const std::string& w : report.warnings) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
   for (const std::string& w : PlanWarnings(plan)) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
   for (const LeftOpen& l : LeftOf(report)) {
     if (l.is_hole) std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
@@ -68,8 +110,9 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
 }
 
 // Flags that are out of their range are kInvalidArgument.
-absl::StatusOr<FillOptions> FillOptionsFromFlags(const Args& args) {
-  FillOptions options;
+absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
+  MeshFillOptions all;
+  FillOptions& options = all.fill;
   const std::optional<Surface> surface = SurfaceNamed(args.Text("surface"));
   if (!surface) {
     return absl::InvalidArgumentError(
@@ -82,17 +125,24 @@ absl::StatusOr<FillOptions> FillOptionsFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(options.refine.gradation, args.Number("gradation", 1, 10));
   TILEMEND_ASSIGN_OR_RETURN(options.refine.size_limit, args.Number("size-limit", 1, 1e6));
   options.refine.uniform = args.Switch("uniform");
-  return options;
+  if (const std::string colour = args.Text("water-colour"); !colour.empty()) {
+    all.water_colour = ParseColour(colour);
+    if (!all.water_colour)
+      return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected R,G,B or #rrggbb"));
+  }
+  all.library = LibraryFor(args.Text("out"));
+  return all;
 }
 
 // The options that the result depends on, under the names of their flags.
 std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const FillOptions& options, double water_tolerance) {
   ReportedOption tension{"tension", std::string("auto")};
   if (options.tension) tension.value = *options.tension;
-  return {{"surface", SurfaceName(options.surface)}, tension,
-          {"gradation", options.refine.gradation},   {"size-limit", options.refine.size_limit},
-          {"uniform", options.refine.uniform},       {"water", args.Text("water")},
-          {"water-tolerance", water_tolerance},      {"water-profile", args.Text("water-profile")}};
+  return {{"surface", SurfaceName(options.surface)},  tension,
+          {"gradation", options.refine.gradation},    {"size-limit", options.refine.size_limit},
+          {"uniform", options.refine.uniform},        {"water", args.Text("water")},
+          {"water-tolerance", water_tolerance},       {"water-profile", args.Text("water-profile")},
+          {"water-colour", args.Text("water-colour")}};
 }
 
 // Outlines of detached pieces and of the mesh itself are no holes: only holes that stay open make the result partial.
@@ -108,7 +158,7 @@ bool SomeHolesLeft(const SceneReportInput& report) {
 int FillCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
-  const auto options = FillOptionsFromFlags(args);
+  auto options = OptionsFromFlags(args);
   if (!options.ok()) return PrintUsageError(options.status());
   const auto water_tolerance = WaterToleranceFromFlags(args);
   if (!water_tolerance.ok()) return PrintUsageError(water_tolerance.status());
@@ -121,12 +171,16 @@ int FillCommand(const Args& args) {
   auto water = ReadWaterChoice(args.Text("water"), *water_tolerance);
   if (!water.ok()) return PrintError(water.status());
   water->options.profile = *profile;
-  auto filled = FillMesh(in, *options, water->options);
+  options->water = water->options;
+  auto filled = FillMesh(in, *options);
   if (!filled.ok()) return PrintError(filled.status());
   Stopwatch watch;
+  auto warnings = WriteFilesBeside(in, out, args.Switch("overwrite"), *filled);
+  if (!warnings.ok()) return PrintError(warnings.status());
+  filled->report.warnings = *std::move(warnings);
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
-  filled->report.options = ReportedOptionsOf(args, *options, *water_tolerance);
+  filled->report.options = ReportedOptionsOf(args, options->fill, *water_tolerance);
   filled->report.date = UtcText(absl::Now());
   if (*format == OutputFormat::kJson) {
     std::fputs(SceneReport(filled->report).c_str(), stdout);

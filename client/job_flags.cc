@@ -34,6 +34,9 @@ std::vector<FlagSpec> JobFlags() {
   flags.push_back(
       {"seam-smoothing", "X", "of wang: how much seams are smoothed, 0 to 1", absl::StrCat(defaults.seam_smoothing)});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
+  flags.push_back(WaterColourFlag());
+  flags.push_back({"textures", "copy|link|off", "material files and images of OBJ tiles; link: images as hard links",
+                   defaults.textures});
   flags.push_back({"dry-run", "", "find and count the holes, write nothing", ""});
   return flags;
 }
@@ -67,6 +70,10 @@ absl::StatusOr<WaterProfile> WaterProfileFromFlags(const Args& args) {
       absl::StrCat("--water-profile '", args.Text("water-profile"), "': expected city or usgs"));
 }
 
+FlagSpec WaterColourFlag() {
+  return {"water-colour", "R,G,B|#rrggbb", "colour of filled water (default: as its shore has it)", ""};
+}
+
 FlagSpec OutputFlag() { return {"output", "FORMAT", "format on stdout: table or json", "table", 'o'}; }
 
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {
@@ -89,6 +96,8 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(spec.water_tolerance, WaterToleranceFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(const WaterProfile profile, WaterProfileFromFlags(args));
   spec.water_profile = profile.name;
+  spec.water_colour = args.Text("water-colour");
+  spec.textures = args.Text("textures");
   spec.overwrite = args.Switch("overwrite");
   spec.dry_run = args.Switch("dry-run");
   if (spec.out.empty() && !spec.dry_run) return absl::InvalidArgumentError("--out DIR is needed");

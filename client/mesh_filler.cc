@@ -1,5 +1,6 @@
 #include "client/mesh_filler.h"
 
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "worker/assemble/assemble.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
+#include "worker/materials/survey_look.h"
 
 namespace tilemend {
 namespace {
@@ -22,11 +24,12 @@ namespace {
 // Does the work on one mesh, one piece after the other.
 class MeshFiller {
  public:
-  MeshFiller(const std::string& path, const FillOptions& options, const WaterOptions& water)
-      : path_(path), options_(options) {
+  MeshFiller(const std::string& path, const MeshFillOptions& options)
+      : path_(path), options_(options.fill), library_(options.library) {
     WaveOptions waves;
-    waves.plan = {options.refine.gradation, options.refine.size_limit, options.refine.uniform, water};
-    waves.surface = options.surface;
+    waves.plan = {options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water,
+                  options.water_colour};
+    waves.surface = options_.surface;
     waves.single_mesh = true;
     filled_.waves = std::make_unique<SceneWaves>(SceneOfMesh(path), std::move(waves),
                                                  [this](std::string_view step) { EndStep(step); });
@@ -49,14 +52,16 @@ class MeshFiller {
   absl::Status Read() {
     TILEMEND_ASSIGN_OR_RETURN(format_, MeshFormatOf(path_));
     TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ReadFile(path_));
-    TILEMEND_ASSIGN_OR_RETURN(file_, ParseMesh(format_, filled_.bytes, path_));
+    const std::filesystem::path path(path_);
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    TILEMEND_ASSIGN_OR_RETURN(survey_, SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_));
+    filled_.files = std::move(survey_.files);
     EndStep("read");
     return absl::OkStatus();
   }
 
   absl::Status Do(const SurveyWork& work) {
-    filled_.waves->TakeSurvey(work.tile->cell, SurveyOf(file_));
-    file_ = {};  // the fill needs the room
+    filled_.waves->TakeSurvey(work.tile->cell, std::move(survey_.record));
     return absl::OkStatus();
   }
 
@@ -75,15 +80,18 @@ class MeshFiller {
     };
     const std::vector<HolePatch> patches = FillHoles(work.holes, options_, near);
     TILEMEND_RETURN_IF_ERROR(read);
-    const CellId cell = work.holes.cell;
-    const int64_t vertices = filled_.waves->records().at(cell).vertex_count;
-    patch_ = MergePatches(work.holes.vertices, patches, cell, static_cast<int32_t>(vertices));
-    return filled_.waves->TakeFill(cell, {ExtentsOf(patches), TallyQuality(work.holes, patches)});
+    rim_ = work.holes.vertices;
+    patches_ = patches;
+    return filled_.waves->TakeFill(work.holes.cell, {ExtentsOf(patches), TallyQuality(work.holes, patches)});
   }
 
-  absl::Status Do(const AssembleWork&) {
-    if (!patch_.triangles.empty()) {
-      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, AppendPatch(format_, filled_.bytes, patch_, path_));
+  absl::Status Do(const AssembleWork& work) {
+    FilePatch patch =
+        MergePatches(rim_, patches_, work.tile->cell, static_cast<int32_t>(work.tile_vertices), work.colours);
+    if (!patch.triangles.empty()) {
+      if (format_ == MeshFormat::kObj) filled_.materials = MaterialsOf(patches_, work.colours);
+      patch.library = library_;
+      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, AppendPatch(format_, filled_.bytes, patch, path_));
     }
     filled_.waves->TakeAssemble();
     return absl::OkStatus();
@@ -110,18 +118,20 @@ class MeshFiller {
 
   const std::string path_;
   const FillOptions options_;
+  const std::string library_;
   Stopwatch watch_;
   FilledMesh filled_;  // `bytes` are those of the original until the end
   MeshFormat format_ = MeshFormat::kPly;
-  MeshFile file_;    // until it is surveyed
-  FilePatch patch_;  // of all holes
+  LookSurvey survey_;           // until it is taken
+  std::vector<RimVertex> rim_;  // of all holes
+  std::vector<HolePatch> patches_;
 };
 
 }  // namespace
 
-absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const FillOptions& options, const WaterOptions& water) {
+absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const MeshFillOptions& options) {
   KeepHeap();
-  return MeshFiller(path, options, water).Fill();
+  return MeshFiller(path, options).Fill();
 }
 
 }  // namespace tilemend

@@ -3,25 +3,39 @@
 #define TILEMEND_CLIENT_MESH_FILLER_H_
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/codec/mtl.h"
+#include "common/records/tile_files.h"
+#include "common/util/colour.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/waves/scene_waves.h"
 #include "worker/fill/fill_holes.h"
 
 namespace tilemend {
 
+struct MeshFillOptions {
+  FillOptions fill;
+  WaterOptions water;
+  std::optional<Rgb> water_colour;  // none: as the rim has it
+  std::string library;              // of an OBJ: the material file beside the output that its filled faces will have
+};
+
 struct FilledMesh {
   std::unique_ptr<SceneWaves> waves;
-  SceneReportInput report;  // refers to the plan of `waves`
-  std::string bytes;        // of the filled mesh, in the format of the original
+  SceneReportInput report;              // refers to the plan of `waves`
+  std::string bytes;                    // of the filled mesh, in the format of the original
+  TileFiles files;                      // that the original names, relative to its folder
+  std::vector<FillMaterial> materials;  // that `library` has to define; empty: there need be no such file
 };
 
 // Reads, surveys, plans and fills the mesh in the file `path`. Errors of ReadFile and ParseMesh. Holes that cannot be
 // filled are in the report. Holds the file, its survey and its patches; and the mesh once more, if some hole is no
 // height over the ground. Keeps the process's heap (KeepHeap).
-absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const FillOptions& options, const WaterOptions& water);
+absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const MeshFillOptions& options);
 
 }  // namespace tilemend
 

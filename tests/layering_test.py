@@ -17,7 +17,7 @@ LIBRARIES = {
     'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'gtest/': 'gtest',
-    'gmock/': 'gtest', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
+    'gmock/': 'gtest', 'turbojpeg': 'jpeg', 'png.h': 'png', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -39,9 +39,11 @@ RULES = {
 
     'common/grid': rule(['common/util', 'common/mesh'], ['absl', 'json', 'pugixml']),
 
-    'common/records': rule(['common/mesh', 'common/grid'], ['eigen']),
+    'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['eigen']),
 
     'common/codec': rule(['common/util', 'common/mesh'], ['absl', 'draco', 'fast_float']),
+
+    'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
 
     'common/store': rule(['common/util'], ['absl', 'openssl']),
 
@@ -87,9 +89,13 @@ RULES = {
 
     'worker/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
 
+    'worker/materials': rule(
+        ['common/util', 'common/records', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
+
     'worker/service': rule(
         ['common/util', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/assemble'],
+         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/assemble',
+         'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
     'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'worker/service'], ['absl']),
@@ -112,6 +118,8 @@ RULES = {
         ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam'],
         ['eigen'], pure=True),
 
+    'coordinator/plan/colour': rule(['common/records', 'common/util', 'coordinator/plan/types'], [], pure=True),
+
     'coordinator/plan': rule(
         ['common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/seam',
          'coordinator/plan/hole', 'coordinator/plan/overlap', 'coordinator/plan/water'],
@@ -121,7 +129,7 @@ RULES = {
 
     'coordinator/waves': rule(
         ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam',
-         'coordinator/plan/water', 'coordinator/plan'],
+         'coordinator/plan/water', 'coordinator/plan/colour', 'coordinator/plan'],
         ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
@@ -139,7 +147,7 @@ RULES = {
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
         ['common/util', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
-         'worker/fill', 'worker/assemble', 'worker/service', 'coordinator/waves', 'coordinator/report',
+         'worker/fill', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),
 }

@@ -18,6 +18,7 @@
 #include "absl/status/statusor.h"
 #include "common/mesh/rounding.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/util/colour.h"
 
 namespace tilemend {
 
@@ -35,9 +36,18 @@ struct MeshFile {
 // new_points[i - MeshFile::mesh.points.size()] otherwise. like[k] is the file's vertex whose further properties
 // (colour, normal, ...) new vertex k takes, or -1 for zeros; `like` has one entry per new point.
 struct FilePatch {
+  // The triangles from `first` to the next run's have this material.
+  struct MaterialRun {
+    int32_t first = 0;
+    std::string material = {};
+  };
+
   std::vector<Point3> new_points;
   std::vector<int32_t> like;
   std::vector<Triangle> triangles;
+  std::vector<Rgb> colours = {};            // of the new points, in place of those of `like`; empty: none are given
+  std::vector<MaterialRun> materials = {};  // of the triangles, in order
+  std::string library = {};  // a further material file that an OBJ has to name; empty: its own define the materials
 };
 
 // The format by the extension (.ply, .obj, .off, any case). kInvalidArgument naming the format and the accepted ones
@@ -53,15 +63,17 @@ absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path);
 absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, const std::string& name);
 
 // The bytes of the file `original_bytes` with `patch` appended.
-//   PLY: same encoding and properties; faces get a last property `uchar tilemend_filled` (0 original, 1 filled).
+//   PLY: same encoding and properties; faces get a last property `uchar tilemend_filled` (0 original, 1 filled). The
+//        patch's colours go into the vertex properties red, green, blue of type uchar, where there are all three.
 //   OBJ: every original line kept byte for byte; then `v` lines with 17 digits where needed (shortest that round-trip),
-//        `g tilemend_filled`, `usemtl tilemend_filled`, `f` lines.
+//        `mtllib` with the patch's library, `g tilemend_filled`, `f` lines with `usemtl` where the material changes.
 //   OFF: counts in the header updated, vertices inserted after the originals, faces appended.
 // New coordinates are rounded to the file's number type (common/mesh/rounding.h).
 absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view original_bytes, const FilePatch& patch,
                                         const std::string& name);
 
-// A whole file for a cell that had none: binary little-endian PLY of `number_type`, every face marked as filled.
+// A whole file for a cell that had none: binary little-endian PLY of `number_type`, every face marked as filled, with
+// the patch's colours on its vertices.
 std::string NewPlyFile(const FilePatch& patch, NumberType number_type);
 
 }  // namespace tilemend

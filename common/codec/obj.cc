@@ -1,7 +1,11 @@
 #include "common/codec/obj.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -16,10 +20,12 @@ namespace {
 class ObjReader {
  public:
   // `vertex_tails`, if given, gets for each vertex the offset just after its third coordinate.
-  ObjReader(std::string_view bytes, const std::string& name, std::vector<size_t>* vertex_tails)
+  ObjReader(std::string_view bytes, const std::string& name, std::vector<size_t>* vertex_tails,
+            ObjTextures* textures = nullptr)
       : bytes_(bytes),
         name_(name),
         vertex_tails_(vertex_tails),
+        textures_(textures),
         newline_(LineEndingOf(bytes) == "\r" ? '\r' : '\n'),
         p_(bytes.data()),
         end_(bytes.data() + bytes.size()) {
@@ -110,10 +116,51 @@ class ObjReader {
     const size_t length = static_cast<size_t>(stop - begin);
     if (length == 1 && *begin == 'v') return ReadVertex();
     if (length == 1 && *begin == 'f') return ReadFace();
+    if (textures_ != nullptr) ReadTextureStatement({begin, length}, stop);
     const bool letter = (*begin >= 'a' && *begin <= 'z') || (*begin >= 'A' && *begin <= 'Z');
     if (!letter) return Expected("an OBJ statement");
     p_ = stop;
     return absl::OkStatus();
+  }
+
+  // Statements on the look of the surface are taken as they come: damage in them is no damage to the geometry.
+  void ReadTextureStatement(std::string_view word, const char* p) {
+    if (word == "vt") {
+      textures_->coordinates.push_back(CoordinatesAt(p));
+    } else if (word == "usemtl") {
+      const auto first = static_cast<int32_t>(file_.mesh.triangles.size());
+      textures_->runs.push_back({first, NumberOf(RestOfLine(p), materials_, textures_->materials)});
+    } else if (word == "mtllib") {
+      NumberOf(RestOfLine(p), libraries_, textures_->libraries);
+    }
+  }
+
+  std::array<float, 2> CoordinatesAt(const char* p) const {
+    std::array<float, 2> result;
+    for (float& value : result) {
+      while (p < end_ && IsSpace(*p) && *p != newline_) ++p;
+      const ParsedDouble number = ParseDoubleAt(p, end_);
+      if (number.stop == nullptr) return {std::nanf(""), std::nanf("")};
+      value = static_cast<float>(number.value);
+      p = number.stop;
+    }
+    return result;
+  }
+
+  // Without the blanks around it.
+  std::string_view RestOfLine(const char* p) const {
+    const char* stop = std::find(p, end_, newline_);
+    while (p < stop && IsSpace(*p)) ++p;
+    while (p < stop && IsSpace(stop[-1])) --stop;
+    return {p, static_cast<size_t>(stop - p)};
+  }
+
+  // The number of `text` in `names`, where it is put if it is new.
+  static int32_t NumberOf(std::string_view text, std::map<std::string_view, int32_t>& numbers,
+                          std::vector<std::string>& names) {
+    const auto [it, fresh] = numbers.try_emplace(text, static_cast<int32_t>(names.size()));
+    if (fresh) names.emplace_back(text);
+    return it->second;
   }
 
   absl::Status ReadVertex() {
@@ -140,6 +187,7 @@ class ObjReader {
     ++p_;
     ++faces_;
     corners_.clear();
+    texture_corners_.clear();
     for (SkipBlanks(); !AtStatementEnd(); SkipBlanks()) {
       TILEMEND_RETURN_IF_ERROR(ReadCorner(statement));
       if (static_cast<int64_t>(corners_.size()) > kMaxListCount) {
@@ -147,7 +195,13 @@ class ObjReader {
                            absl::StrCat("the face has more than ", kMaxListCount, " corners"));
       }
     }
+    const size_t before = file_.mesh.triangles.size();
     AddPolygon(corners_, file_);
+    if (textures_ != nullptr) {
+      for (size_t i = 0; i < file_.mesh.triangles.size() - before; ++i) {  // the fan that AddPolygon makes
+        textures_->corners.push_back({texture_corners_[0], texture_corners_[i + 1], texture_corners_[i + 2]});
+      }
+    }
     return absl::OkStatus();
   }
 
@@ -156,10 +210,13 @@ class ObjReader {
     const ParsedInteger index = ParseIntegerAt(p_, end_);
     if (index.stop == nullptr) return Expected("a vertex index");
     const char* stop = index.stop;
+    int64_t texture = 0;
     for (int slashes = 0; slashes < 2 && stop < end_ && *stop == '/'; ++slashes) {
       ++stop;
       const ParsedInteger other = ParseIntegerAt(stop, end_);
-      if (other.stop != nullptr) stop = other.stop;
+      if (other.stop == nullptr) continue;
+      stop = other.stop;
+      if (slashes == 0) texture = other.value;
     }
     if (!IsTokenEnd(stop)) return Expected("v, v/vt, v//vn or v/vt/vn");
     const int64_t known = static_cast<int64_t>(file_.mesh.points.size());
@@ -172,13 +229,23 @@ class ObjReader {
       largest_index_offset_ = statement;
     }
     corners_.push_back(static_cast<int32_t>(resolved));
+    if (textures_ != nullptr) texture_corners_.push_back(TextureIndex(texture));
     p_ = stop;
     return absl::OkStatus();
+  }
+
+  // -1 for an index that cannot be right.
+  int32_t TextureIndex(int64_t index) const {
+    const int64_t known = static_cast<int64_t>(textures_->coordinates.size());
+    const int64_t resolved = index > 0 ? index - 1 : known + index;
+    const bool valid = index != 0 && resolved >= 0 && resolved < std::numeric_limits<int32_t>::max();
+    return valid ? static_cast<int32_t>(resolved) : -1;
   }
 
   const std::string_view bytes_;
   const std::string& name_;
   std::vector<size_t>* const vertex_tails_;
+  ObjTextures* const textures_;
   const char newline_;
   const char* p_;
   const char* const end_;
@@ -187,12 +254,41 @@ class ObjReader {
   int64_t largest_index_ = -1;
   size_t largest_index_offset_ = 0;
   std::vector<int32_t> corners_;
+  std::vector<int32_t> texture_corners_;
+  std::map<std::string_view, int32_t> materials_, libraries_;  // numbers in textures_
 };
+
+void AppendFaces(const FilePatch& patch, std::string_view eol, std::string& out) {
+  if (!patch.library.empty()) ((out += "mtllib ") += patch.library) += eol;
+  (out += "g tilemend_filled") += eol;
+  auto run = patch.materials.begin();
+  for (size_t k = 0; k < patch.triangles.size(); ++k) {
+    for (; run != patch.materials.end() && run->first <= static_cast<int64_t>(k); ++run) {
+      ((out += "usemtl ") += run->material) += eol;
+    }
+    out += 'f';
+    for (const int32_t corner : patch.triangles[k]) {
+      out += ' ';
+      AppendNumber(int64_t{corner} + 1, out);
+    }
+    out += eol;
+  }
+}
 
 }  // namespace
 
 absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name) {
   return ObjReader(bytes, name, nullptr).Read();
+}
+
+absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name) {
+  ObjFile result;
+  TILEMEND_ASSIGN_OR_RETURN(result.file, ObjReader(bytes, name, nullptr, &result.textures).Read());
+  const auto known = static_cast<int32_t>(result.textures.coordinates.size());
+  for (Triangle& corners : result.textures.corners) {
+    for (int32_t& corner : corners) corner = corner < known ? corner : -1;
+  }
+  return result;
 }
 
 absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch& patch, const std::string& name) {
@@ -219,17 +315,7 @@ absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch&
       out += FurtherColumns(bytes.substr(tails[static_cast<size_t>(patch.like[k])]), eol.back(), false);
     out += eol;
   }
-  if (!patch.triangles.empty()) {
-    for (const std::string_view line : {"g tilemend_filled", "usemtl tilemend_filled"}) (out += line) += eol;
-  }
-  for (const Triangle& t : patch.triangles) {
-    out += 'f';
-    for (const int32_t corner : t) {
-      out += ' ';
-      AppendNumber(int64_t{corner} + 1, out);
-    }
-    out += eol;
-  }
+  if (!patch.triangles.empty()) AppendFaces(patch, eol, out);
   return out;
 }
 

@@ -2,19 +2,46 @@
 #ifndef TILEMEND_COMMON_CODEC_OBJ_H_
 #define TILEMEND_COMMON_CODEC_OBJ_H_
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
+#include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
+
+// What lies on the triangles of an OBJ file.
+struct ObjTextures {
+  // The triangles from `first` to the next run's have this material.
+  struct Run {
+    int32_t first = 0;
+    int32_t material = 0;  // into `materials`
+  };
+
+  std::vector<std::string> libraries;  // what follows `mtllib`, each once: one name, or several with blanks between
+  std::vector<std::string> materials;  // names after `usemtl`, each once
+  std::vector<Run> runs;               // triangles before the first have no material
+  std::vector<std::array<float, 2>> coordinates;  // of `vt`; NaN where they are no numbers
+  std::vector<Triangle> corners;                  // of each triangle, into `coordinates`; -1: none
+};
+
+struct ObjFile {
+  MeshFile file;
+  ObjTextures textures;
+};
 
 // Reads `v` and `f` statements; texture and normal indices are checked for form only, further statements are skipped.
 // Positive indices may name vertices that come later in the file. Linear in `bytes`.
 absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name);
 
-// `bytes` unchanged, then the patch in group and material `tilemend_filled`. New vertices take the further columns
+// The same with materials and texture coordinates: 8 bytes for each `vt`, 12 for each triangle more.
+absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name);
+
+// `bytes` unchanged, then the patch in group `tilemend_filled`. New vertices take the further columns
 // (weight or colour) of the vertex that they are like.
 absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch& patch, const std::string& name);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -54,6 +56,7 @@ class PlyAppender {
         swap_(NeedsSwap(header.encoding)) {
     const auto is_mark = [](const PlyProperty& property) { return property.name == kFilledProperty; };
     add_mark_ = std::none_of(face_.properties.begin(), face_.properties.end(), is_mark);
+    if (!patch.colours.empty()) colour_properties_ = ColourProperties(vertex_);
     const int64_t vertices = vertex_.count + static_cast<int64_t>(patch.new_points.size());
     widen_ = vertices - 1 > LargestIndexOf(Corners().type);
     index_type_ = widen_ ? PlyType::kInt32 : Corners().type;
@@ -190,15 +193,15 @@ class PlyAppender {
       BeginRecord();
       const int32_t like = patch_.like[k];
       if (like < 0) {
-        WriteVertex(patch_.new_points[k], [this](const PlyProperty& property) { PutZero(property); });
+        WriteVertex(k, [this](const PlyProperty& property) { PutZero(property); });
       } else if (ascii_) {
         size_t at = VertexBegin(static_cast<size_t>(like), element_begin);
         WriteVertex(
-            patch_.new_points[k], [&](const PlyProperty& property) { at = CopyWords(property, at); }, &at);
+            k, [&](const PlyProperty& property) { at = CopyWords(property, at); }, &at);
       } else {
         size_t at = VertexBegin(static_cast<size_t>(like), element_begin);
         WriteVertex(
-            patch_.new_points[k], [&](const PlyProperty& property) { at = CopyProperty(property, at); }, &at);
+            k, [&](const PlyProperty& property) { at = CopyProperty(property, at); }, &at);
       }
     }
   }
@@ -208,21 +211,29 @@ class PlyAppender {
     return k == 0 ? element_begin : records_.vertex_ends[k - 1];
   }
 
-  // Writes a vertex, its further properties by `other`. `at`, if given, is the place in the vertex that it is like,
-  // which moves over the coordinates that are not copied.
+  // Writes new vertex `k`, its further properties by `other`. `at`, if given, is the place in the vertex that it is
+  // like, which moves over the coordinates and colours that are not copied.
   template <class Other>
-  void WriteVertex(const Point3& point, Other other, size_t* at = nullptr) {
+  void WriteVertex(size_t k, Other other, size_t* at = nullptr) {
     for (size_t i = 0; i < vertex_.properties.size(); ++i) {
       const PlyProperty& property = vertex_.properties[i];
-      const size_t axis =
-          static_cast<size_t>(std::find(header_.xyz.begin(), header_.xyz.end(), i) - header_.xyz.begin());
-      if (axis == header_.xyz.size()) {
+      const size_t axis = PlaceIn(header_.xyz, i);
+      const size_t channel = colour_properties_ ? PlaceIn(*colour_properties_, i) : 3;
+      if (axis < header_.xyz.size()) {
+        Put(RoundedTo(number_type_, patch_.new_points[k][static_cast<Eigen::Index>(axis)]), property.type);
+      } else if (channel < 3) {
+        const Rgb c = patch_.colours[k];
+        Put(int64_t{std::array{c.r, c.g, c.b}[channel]}, property.type);
+      } else {
         other(property);
         continue;
       }
-      Put(RoundedTo(number_type_, point[static_cast<Eigen::Index>(axis)]), property.type);
       if (at != nullptr) *at = ascii_ ? NextWord(*at).second : *at + SizeOf(property.type);
     }
+  }
+
+  static size_t PlaceIn(const std::array<size_t, 3>& properties, size_t property) {
+    return static_cast<size_t>(std::find(properties.begin(), properties.end(), property) - properties.begin());
   }
 
   // The next word of a text body from `at`, and where it ends.
@@ -281,6 +292,7 @@ class PlyAppender {
   bool add_mark_ = true;
   bool widen_ = false;
   PlyType index_type_ = PlyType::kInt32;
+  std::optional<std::array<size_t, 3>> colour_properties_;  // of vertices, where the patch has colours for them
   bool line_begins_ = false;
   size_t body_begin_ = 0;
   std::string out_;
@@ -301,15 +313,20 @@ std::string NewPlyFile(const FilePatch& patch, NumberType number_type) {
   const char* const type = narrow ? "float" : "double";
   std::string out = absl::StrCat("ply\nformat binary_little_endian 1.0\nelement vertex ", patch.new_points.size());
   for (const char* axis : {"x", "y", "z"}) absl::StrAppend(&out, "\nproperty ", type, " ", axis);
+  const bool coloured = !patch.colours.empty();
+  if (coloured) out += "\nproperty uchar red\nproperty uchar green\nproperty uchar blue";
   absl::StrAppend(&out, "\nelement face ", patch.triangles.size(), "\nproperty list uchar int vertex_indices");
   absl::StrAppend(&out, "\nproperty uchar ", std::string(kFilledProperty), "\nend_header\n");
   constexpr size_t kFaceBytes = 14;
   out.reserve(out.size() + patch.new_points.size() * (narrow ? 12 : 24) + patch.triangles.size() * kFaceBytes);
   const bool swap = NeedsSwap(PlyEncoding::kLittleEndian);
-  for (const Point3& point : patch.new_points) {
+  for (size_t k = 0; k < patch.new_points.size(); ++k) {
     for (int axis = 0; axis < 3; ++axis) {
-      AppendBinary(point[axis], narrow ? PlyType::kFloat32 : PlyType::kFloat64, swap, out);
+      AppendBinary(patch.new_points[k][axis], narrow ? PlyType::kFloat32 : PlyType::kFloat64, swap, out);
     }
+    if (!coloured) continue;
+    const Rgb c = patch.colours[k];
+    for (const uint8_t channel : {c.r, c.g, c.b}) out += static_cast<char>(channel);
   }
   for (const Triangle& triangle : patch.triangles) {
     out += '\3';

@@ -261,6 +261,19 @@ bool PlyElement::HasLists() const {
   return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.is_list; });
 }
 
+std::optional<std::array<size_t, 3>> ColourProperties(const PlyElement& element) {
+  constexpr std::array<std::string_view, 3> kNames = {"red", "green", "blue"};
+  std::array<size_t, 3> found{};
+  for (size_t channel = 0; channel < 3; ++channel) {
+    const auto at = std::find_if(element.properties.begin(), element.properties.end(), [&](const PlyProperty& p) {
+      return p.name == kNames[channel] && !p.is_list && p.type == PlyType::kUint8;
+    });
+    if (at == element.properties.end()) return std::nullopt;
+    found[channel] = static_cast<size_t>(at - element.properties.begin());
+  }
+  return found;
+}
+
 absl::StatusOr<PlyHeader> ParsePlyHeader(std::string_view bytes, const std::string& name) {
   return HeaderReader(bytes, name).Read();
 }

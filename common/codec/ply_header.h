@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,9 @@ struct PlyHeader {
   std::array<size_t, 3> xyz = {};  // float or double
   size_t corners = 0;              // the list of vertex indices, of an integer type
 };
+
+// The properties red, green, blue of an element, where it has all three as uchar.
+std::optional<std::array<size_t, 3>> ColourProperties(const PlyElement& element);
 
 // Reads and checks a header: one vertex element with scalar float or double x, y, z, one face element with
 // vertex_indices (or vertex_index), at least one vertex, and no counts that the bytes after the header cannot hold.

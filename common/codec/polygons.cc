@@ -41,6 +41,9 @@ absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::
   if (patch.like.size() != patch.new_points.size()) {
     return invalid(patch.new_points.size(), " new points but ", patch.like.size(), " models for them");
   }
+  if (!patch.colours.empty() && patch.colours.size() != patch.new_points.size()) {
+    return invalid(patch.new_points.size(), " new points but ", patch.colours.size(), " colours for them");
+  }
   const size_t total = vertex_count + patch.new_points.size();
   if (total > static_cast<size_t>(std::numeric_limits<int32_t>::max())) return invalid(total, " vertices are too many");
   for (const int32_t model : patch.like) {

@@ -3,9 +3,11 @@
 #define TILEMEND_COMMON_RECORDS_SURVEY_RECORD_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "common/util/colour.h"
 
 namespace tilemend {
 
@@ -42,6 +44,9 @@ struct SurveyRecord {
   // The triangles within two rings of the boundary. The first vertices.size() points are the boundary vertices, in
   // order.
   TriMesh band;
+
+  // What the surface looks like at the boundary vertices; empty: the tile has no colours.
+  std::vector<std::optional<Rgb>> colours;
 };
 
 }  // namespace tilemend

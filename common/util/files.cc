@@ -1,6 +1,8 @@
 #include "common/util/files.h"
 
 #include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -83,6 +85,71 @@ absl::Status WriteAll(int fd, std::string_view content, const std::string& path)
   return absl::OkStatus();
 }
 
+// Creates the folders that are to hold `path`.
+absl::Status MakeFoldersOf(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) return absl::OkStatus();
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  return error ? WriteErrnoStatus(error.value(), "cannot create folder", folder.string()) : absl::OkStatus();
+}
+
+// A name beside `path` that nobody else uses.
+std::string TemporaryName(const std::string& path) {
+  static std::atomic<uint64_t> counter{0};
+  // Not the process id: containers on several machines have the same.
+  static const uint32_t process = std::random_device()();
+  return absl::StrCat(path, kPartSuffix, absl::Hex(process, absl::kZeroPad8), "-", counter.fetch_add(1));
+}
+
+// Calls `write` with a new file beside `path`, syncs it (unless `sync` is kNo) and renames it into place.
+template <class Write>
+absl::Status WriteInPlace(const std::string& path, Sync sync, Write write) {
+  TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(path));
+  const std::string temporary = TemporaryName(path);
+  absl::Status status;
+  {
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+    if (file.get() < 0) return WriteErrnoStatus(errno, "cannot create", path);
+    status = write(file.get());
+    if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0)
+      status = WriteErrnoStatus(errno, "cannot sync", path);
+    if (file.Close() != 0 && status.ok()) status = WriteErrnoStatus(errno, "cannot close", path);
+  }
+  if (status.ok() && ::rename(temporary.c_str(), path.c_str()) != 0) {
+    status = WriteErrnoStatus(errno, "cannot rename into place", path);
+  }
+  if (!status.ok()) ::unlink(temporary.c_str());
+  return status;
+}
+
+// Makes `to` another name of the file `from`; false where that is not possible.
+bool LinkInPlace(const std::string& from, const std::string& to) {
+  const std::string temporary = TemporaryName(to);
+  if (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, temporary.c_str(), AT_SYMLINK_FOLLOW) != 0) return false;
+  const bool renamed = ::rename(temporary.c_str(), to.c_str()) == 0;
+  ::unlink(temporary.c_str());  // is still there, too, if `to` was that file already: rename does nothing then
+  return renamed;
+}
+
+absl::Status CopyBytes(int from, int to, const std::string& from_path, const std::string& to_path) {
+  constexpr size_t kChunk = size_t{1} << 20;
+  std::string buffer;
+  bool in_kernel = true;
+  for (;;) {
+    ssize_t n = in_kernel ? ::copy_file_range(from, nullptr, to, nullptr, kChunk << 6, 0) : -1;
+    if (n > 0) continue;
+    if (n == 0) return absl::OkStatus();
+    if (in_kernel && (errno == ENOSPC || errno == EDQUOT)) return WriteErrnoStatus(errno, "cannot write", to_path);
+    in_kernel = false;  // between some file systems: by hand, from where it stands
+    buffer.resize(kChunk);
+    n = ::read(from, buffer.data(), buffer.size());
+    if (n < 0 && errno != EINTR) return ErrnoStatus(errno, "cannot read", from_path);
+    if (n == 0) return absl::OkStatus();
+    if (n > 0) TILEMEND_RETURN_IF_ERROR(WriteAll(to, {buffer.data(), static_cast<size_t>(n)}, to_path));
+  }
+}
+
 }  // namespace
 
 absl::StatusOr<std::string> ReadFile(const std::string& path) {
@@ -107,31 +174,25 @@ absl::StatusOr<std::string> ReadFile(const std::string& path) {
 }
 
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync) {
-  static std::atomic<uint64_t> counter{0};
-  // Not the process id: containers on several machines have the same.
-  static const uint32_t process = std::random_device()();
-  const std::filesystem::path target(path);
-  if (target.has_parent_path()) {
-    std::error_code error;
-    std::filesystem::create_directories(target.parent_path(), error);
-    if (error) return WriteErrnoStatus(error.value(), "cannot create folder", target.parent_path().string());
+  return WriteInPlace(path, sync, [&](int file) { return WriteAll(file, content, path); });
+}
+
+absl::Status CarryFile(const std::string& from, const std::string& to, Carry how) {
+  const Descriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (source.get() < 0) return ErrnoStatus(errno, "cannot open", from);
+  struct stat info {};
+  if (::fstat(source.get(), &info) != 0) return ErrnoStatus(errno, "cannot stat", from);
+  if (!S_ISREG(info.st_mode)) return absl::InvalidArgumentError(absl::StrCat(from, ": not a regular file"));
+  std::error_code error;
+  if (std::filesystem::weakly_canonical(from, error) == std::filesystem::weakly_canonical(to, error)) {
+    return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
   }
-  const std::string temporary =
-      absl::StrCat(path, kPartSuffix, absl::Hex(process, absl::kZeroPad8), "-", counter.fetch_add(1));
-  absl::Status status;
-  {
-    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-    if (file.get() < 0) return WriteErrnoStatus(errno, "cannot create", path);
-    status = WriteAll(file.get(), content, path);
-    if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0)
-      status = WriteErrnoStatus(errno, "cannot sync", path);
-    if (file.Close() != 0 && status.ok()) status = WriteErrnoStatus(errno, "cannot close", path);
-  }
-  if (status.ok() && ::rename(temporary.c_str(), path.c_str()) != 0) {
-    status = WriteErrnoStatus(errno, "cannot rename into place", path);
-  }
-  if (!status.ok()) ::unlink(temporary.c_str());
-  return status;
+  TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));
+  if (how == Carry::kLink && LinkInPlace(from, to)) return absl::OkStatus();
+  return WriteInPlace(to, Sync::kYes, [&](int file) {
+    const bool shared = ::ioctl(file, FICLONE, source.get()) == 0;
+    return shared ? absl::OkStatus() : CopyBytes(source.get(), file, from, to);
+  });
 }
 
 }  // namespace tilemend

@@ -28,6 +28,15 @@ inline constexpr char kPartSuffix[] = ".part-";
 // left behind but folders.
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync = Sync::kYes);
 
+// How a file gets to another place. kCopy: a file of its own, which shares its blocks with the other until one of them
+// is changed, on file systems that can. kLink: a hard link, one file under two names; a copy where there can be none.
+enum class Carry { kCopy, kLink };
+
+// Puts a file with the content of `from` at `to`, at once or not at all, in place of what is there. Creates missing
+// parent folders. `from` stays as it is. kNotFound and kInvalidArgument for `from`, which is to be a regular file;
+// kInvalidArgument if `to` is `from`; else as WriteFileAtomically.
+absl::Status CarryFile(const std::string& from, const std::string& to, Carry how);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_UTIL_FILES_H_

@@ -91,6 +91,11 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
     row["method"] = WayName(size->second.way);
     row["new_vertices"] = size->second.new_vertices;
     row["triangles"] = size->second.triangles;
+    if (!input.plan->colours.empty()) {
+      const FillColour& colour = input.plan->colours[static_cast<size_t>(h)];
+      row["colour"] = ColourText(colour.colour);
+      row["material"] = MaterialName(colour);
+    }
   }
   return row;
 }

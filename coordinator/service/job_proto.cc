@@ -56,6 +56,8 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (!proto.water().empty()) spec.water = proto.water();
   if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
   if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
+  spec.water_colour = proto.water_colour();
+  if (!proto.textures().empty()) spec.textures = proto.textures();
   spec.overwrite = proto.overwrite();
   spec.dry_run = proto.dry_run();
   return spec;
@@ -74,6 +76,8 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_water(spec.water);
   proto.set_water_tolerance(spec.water_tolerance);
   proto.set_water_profile(spec.water_profile);
+  proto.set_water_colour(spec.water_colour);
+  proto.set_textures(spec.textures);
   proto.set_overwrite(spec.overwrite);
   proto.set_dry_run(spec.dry_run);
   return proto;

@@ -2,6 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/grid/water_profile.h"
+#include "common/util/colour.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -37,6 +38,12 @@ absl::Status JobSpec::Check() const {
   TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
   if (WaterProfileNamed(water_profile) == nullptr) {
     return InvalidSpec("water_profile", absl::StrCat("'", Printable(water_profile), "': expected city or usgs"));
+  }
+  if (!water_colour.empty() && !ParseColour(water_colour)) {
+    return InvalidSpec("water_colour", absl::StrCat("'", Printable(water_colour), "': expected R,G,B or #rrggbb"));
+  }
+  if (textures != "copy" && textures != "link" && textures != "off") {
+    return InvalidSpec("textures", absl::StrCat("'", Printable(textures), "': expected copy, link or off"));
   }
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
   if (tension && named != Surface::kThinPlate)

@@ -38,6 +38,8 @@ class OutputFolder {
   // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output,
   // which would not be true any more. kResourceExhausted, kPermissionDenied.
   absl::Status BeginWriting();
+  // These files, relative, belong to this output as well.
+  void Adopt(const std::set<std::string>& files) { files_.insert(files.begin(), files.end()); }
   // Removes what killed workers left half-written; gives the number of files there that are not of this output.
   int64_t TidyUp();
   // The output is complete.

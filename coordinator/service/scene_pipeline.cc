@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/time/clock.h"
+#include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
@@ -22,6 +25,7 @@
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
 #include "coordinator/service/output_folder.h"
+#include "coordinator/service/scene_files.h"
 #include "coordinator/waves/scene_waves.h"
 #include "tilemend/v1/stages.pb.h"
 
@@ -34,6 +38,7 @@ WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water) {
   options.plan.size_limit = spec.size_limit;
   options.plan.uniform = spec.uniform;
   options.plan.water = std::move(water);
+  if (!spec.water_colour.empty()) options.plan.water_colour = ParseColour(spec.water_colour);
   options.surface = SurfaceNamed(spec.surface).value_or(kDefaultSurface);
   options.seam_smoothing = spec.seam_smoothing;
   options.plan_only = spec.dry_run;
@@ -62,7 +67,9 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
           {"seam-smoothing", spec.seam_smoothing},
           {"water", spec.water},
           {"water-tolerance", spec.water_tolerance},
-          {"water-profile", spec.water_profile}};
+          {"water-profile", spec.water_profile},
+          {"water-colour", spec.water_colour},
+          {"textures", spec.textures}};
 }
 
 template <typename Message>
@@ -118,6 +125,15 @@ absl::Status Unreadable(CellId cell, const absl::Status& status) {
       absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", std::string(status.message())));
 }
 
+constexpr char kMetadata[] = "metadata.xml";
+
+// The path of the output's folder from the scene's, if it lies inside; else empty.
+std::string FolderInScene(const std::string& out, const Scene& scene) {
+  std::error_code error;
+  const std::filesystem::path relative = std::filesystem::relative(out, scene.root, error);
+  return error || relative.empty() || *relative.begin() == ".." ? "" : relative.string();
+}
+
 // Drives the waves of a scene with tasks: encodes work, decodes results, keeps the patches as they come, and owns the
 // output.
 class ScenePipeline : public JobPipeline {
@@ -126,6 +142,7 @@ class ScenePipeline : public JobPipeline {
       : spec_(std::move(spec)),
         shape_(ShapeOptionsOf(spec_)),
         output_(std::move(output)),
+        files_(output_ ? FolderInScene(output_->path(), scene) : ""),
         waves_(std::move(scene), WaveOptionsOf(spec_, std::move(water)),
                [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }) {}
 
@@ -190,6 +207,7 @@ class ScenePipeline : public JobPipeline {
   absl::StatusOr<NewTask> TaskOf(const SurveyWork& work) const {
     v1::SurveyInput input;
     *input.mutable_tile() = Ref(*work.tile);
+    input.set_look(!spec_.dry_run);
     return NewTask{work.tile->cell, Stage::kSurvey, input.SerializeAsString()};
   }
 
@@ -227,9 +245,22 @@ class ScenePipeline : public JobPipeline {
     if (auto patches = patches_.extract(work.tile->cell)) {
       *input.mutable_vertices() = std::move(rims_.at(work.tile->cell));
       *input.mutable_patches() = std::move(patches.mapped());
+      SetColours(work.colours, input);
     }
+    SetFiles(*work.tile, input);
     rims_.erase(work.tile->cell);
     return NewTask{work.tile->cell, Stage::kAssemble, input.SerializeAsString()};
+  }
+
+  void SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
+    std::string library = files_.LibraryOf(tile.cell);
+    input.set_new_library(library.empty());
+    if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
+    output_->Adopt({library});
+    input.set_library(std::move(library));
+    for (const std::string& path : files_.CarriedBy(tile.cell)) input.add_carried(path);
+    input.set_link_images(spec_.textures == "link");
+    input.set_output_root(spec_.out);
   }
 
   v1::TileRef Ref(const SceneTile& tile) const {
@@ -254,6 +285,8 @@ class ScenePipeline : public JobPipeline {
       case Stage::kSurvey: {
         TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(*result.output));
         TILEMEND_ASSIGN_OR_RETURN(SurveyRecord record, FromProto(output));
+        TILEMEND_ASSIGN_OR_RETURN(const TileFiles files, FromProto(output.files()));
+        if (spec_.textures != "off") files_.Take(result.cell, files);
         digests_[result.cell] = output.digest();
         waves_.TakeSurvey(result.cell, std::move(record));
         return absl::OkStatus();
@@ -275,9 +308,12 @@ class ScenePipeline : public JobPipeline {
         patches_[result.cell] = std::move(output);
         return waves_.TakeFill(result.cell, patches);
       }
-      case Stage::kAssemble:
+      case Stage::kAssemble: {
+        TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(*result.output));
+        files_.Warn(result.cell, {output.warnings().begin(), output.warnings().end()});
         waves_.TakeAssemble();
         return absl::OkStatus();
+      }
       default:
         return absl::InvalidArgumentError("unknown stage");
     }
@@ -310,7 +346,17 @@ class ScenePipeline : public JobPipeline {
     report.date = UtcText(absl::Now());
     report.options = OptionsOf(spec_);
     report.warnings = waves_.scene().warnings;
+    for (std::string& warning : files_.Warnings()) report.warnings.push_back(std::move(warning));
     return report;
+  }
+
+  // What says where a folder of photogrammetry tiles lies.
+  absl::Status CarryMetadata() {
+    const std::string from = absl::StrCat(waves_.scene().root, "/", kMetadata);
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(from, error)) return absl::OkStatus();
+    output_->Adopt({kMetadata});
+    return CarryFile(from, absl::StrCat(output_->path(), "/", kMetadata), Carry::kCopy);
   }
 
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
@@ -318,6 +364,8 @@ class ScenePipeline : public JobPipeline {
     if (scene.found_by_name) {
       TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene)));
     }
+    TILEMEND_RETURN_IF_ERROR(CarryMetadata());
+    output_->Adopt(files_.Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
       absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
     }
@@ -338,6 +386,7 @@ class ScenePipeline : public JobPipeline {
   std::atomic<End> end_{End::kOpen};
   Stopwatch watch_;
   std::vector<std::pair<std::string, double>> seconds_;  // by step
+  SceneFiles files_;
   SceneWaves waves_;
   std::map<CellId, std::string> digests_;   // of the tiles
   std::map<CellId, v1::RimVertices> rims_;  // of the cells that are filled, until they are assembled
@@ -348,10 +397,10 @@ class ScenePipeline : public JobPipeline {
 std::string JobKey(const JobSpec& spec, const WaterChoice& water) {
   return absl::StrFormat(
       "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %s\n"
-      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\n",
+      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\n",
       spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing,
       spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
-      spec.water_profile);
+      spec.water_profile, spec.water_colour, spec.textures);
 }
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "coordinator/plan/colour/hole_colours.h"
 #include "coordinator/plan/make_cell_holes.h"
 #include "coordinator/plan/water/water.h"
 #include "coordinator/waves/tiles_in_reach.h"
@@ -85,6 +86,11 @@ AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
   if (const auto record = records_.find(cell); record != records_.end()) {
     work.tile_vertices = record->second.vertex_count;
   }
+  if (const auto holes = holes_of_.find(cell); holes != holes_of_.end()) {
+    for (const int32_t h : holes->second) work.colours.of_holes[h] = plan_.colours[h];
+  }
+  work.colours.on_vertices =
+      std::any_of(plan_.colours.begin(), plan_.colours.end(), [](const FillColour& c) { return c.known; });
   return work;
 }
 
@@ -225,6 +231,7 @@ void SceneWaves::MakeThePlan() {
   input_.grid = options_.single_mesh ? GridAround(records_.begin()->second) : scene_.grid;
   plan_ = MakePlan(input_, options_.plan);
   SettleWater(plan_, heights_);
+  plan_.colours = ColourHoles(plan_, input_, options_.plan.water_colour);
   for (size_t h = 0; h < plan_.holes.size(); ++h) {
     if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
   }

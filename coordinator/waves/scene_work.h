@@ -11,6 +11,7 @@
 #include "common/grid/scene.h"
 #include "common/mesh/quality_tally.h"
 #include "common/records/cell_holes.h"
+#include "common/records/fill_colour.h"
 #include "coordinator/plan/seam/seam_heights.h"
 
 namespace tilemend {
@@ -42,6 +43,7 @@ struct AssembleWork {
   const SceneTile* tile = nullptr;
   bool float32 = false;       // number type of a new tile, where the cell has none
   int64_t tile_vertices = 0;  // in the tile, as surveyed
+  FillColours colours = {};
 };
 
 using SceneWork = std::variant<SurveyWork, ClusterWork, LayerWork, FillWork, AssembleWork>;

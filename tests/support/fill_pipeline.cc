@@ -64,7 +64,7 @@ class LocalStages {
   absl::Status operator()(const AssembleWork& work) {
     const CellId cell = work.tile->cell;
     const FilePatch patch =
-        MergePatches(vertices_[cell], patches_[cell], cell, static_cast<int32_t>(work.tile_vertices));
+        MergePatches(vertices_[cell], patches_[cell], cell, static_cast<int32_t>(work.tile_vertices), work.colours);
     TriMesh& tile = filled_.tiles[cell];
     if (work.tile->path.empty()) tile = TriMesh{};
     Append(patch, tile);

@@ -1,5 +1,8 @@
 #include "worker/assemble/assemble.h"
 
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "common/mesh/vertex_lists.h"
@@ -9,10 +12,19 @@ namespace {
 
 class PatchMerger {
  public:
-  PatchMerger(std::span<const RimVertex> vertices, CellId cell, int32_t tile_vertices)
-      : vertices_(vertices), cell_(cell), tile_vertices_(tile_vertices), number_(vertices.size(), -1) {}
+  PatchMerger(std::span<const RimVertex> vertices, CellId cell, int32_t tile_vertices, const FillColours& colours)
+      : vertices_(vertices),
+        cell_(cell),
+        tile_vertices_(tile_vertices),
+        colours_(colours),
+        number_(vertices.size(), -1) {}
 
   void Add(const HolePatch& patch) {
+    colour_ = colours_.of_holes.at(patch.hole);
+    std::string material = MaterialName(colour_);
+    if (result_.materials.empty() || result_.materials.back().material != material) {
+      result_.materials.push_back({static_cast<int32_t>(result_.triangles.size()), std::move(material)});
+    }
     std::vector<int32_t> own(patch.new_points.size(), -1);
     for (const Triangle& t : patch.triangles) {
       Triangle out;
@@ -40,6 +52,7 @@ class PatchMerger {
       number = tile_vertices_ + static_cast<int32_t>(result_.new_points.size());
       result_.new_points.push_back(p);
       result_.like.push_back(-1);
+      if (colours_.on_vertices) result_.colours.push_back(colour_.colour);
     }
     return number;
   }
@@ -80,6 +93,8 @@ class PatchMerger {
   std::span<const RimVertex> vertices_;
   const CellId cell_;
   const int32_t tile_vertices_;
+  const FillColours& colours_;
+  FillColour colour_;  // of the patch that is being added
   std::vector<int32_t> number_;
   FilePatch result_;
 };
@@ -87,12 +102,23 @@ class PatchMerger {
 }  // namespace
 
 FilePatch MergePatches(std::span<const RimVertex> vertices, std::span<const HolePatch> patches, CellId cell,
-                       int32_t tile_vertices) {
-  PatchMerger merger(vertices, cell, tile_vertices);
+                       int32_t tile_vertices, const FillColours& colours) {
+  PatchMerger merger(vertices, cell, tile_vertices, colours);
   for (const HolePatch& patch : patches) {
     if (patch.failure.empty()) merger.Add(patch);
   }
   return merger.Finish();
+}
+
+std::vector<FillMaterial> MaterialsOf(std::span<const HolePatch> patches, const FillColours& colours) {
+  std::vector<FillMaterial> materials;
+  std::set<std::string> names;
+  for (const HolePatch& patch : patches) {
+    if (!patch.failure.empty()) continue;
+    const FillColour& colour = colours.of_holes.at(patch.hole);
+    if (names.insert(MaterialName(colour)).second) materials.push_back({MaterialName(colour), colour.colour});
+  }
+  return materials;
 }
 
 }  // namespace tilemend

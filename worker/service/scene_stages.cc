@@ -1,11 +1,14 @@
 #include "worker/service/scene_stages.h"
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
@@ -17,6 +20,8 @@
 #include "worker/fill/seam/sample_heights.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
+#include "worker/materials/survey_look.h"
+#include "worker/materials/write_materials.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -35,8 +40,16 @@ absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
-  v1::SurveyOutput output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32));
+  v1::SurveyOutput output;
+  if (input.look()) {
+    TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey,
+                              SurveyWithLook(input.tile().root(), input.tile().path(), bytes, format));
+    output = ToProto(survey.record);
+    *output.mutable_files() = ToProto(survey.files);
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
+    output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32));
+  }
   output.set_digest(Sha256Hex(bytes));
   return output.SerializeAsString();
 }
@@ -131,12 +144,29 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input) {
   return output.SerializeAsString();
 }
 
+struct Assembled {
+  std::string bytes;                    // of the tile
+  std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
+};
+
+absl::StatusOr<std::vector<HolePatch>> PatchesOf(const v1::AssembleInput& input, const FillColours& colours) {
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<HolePatch> patches,
+                            FromProto(input.patches(), static_cast<size_t>(input.vertices().col_size())));
+  for (const HolePatch& patch : patches) {
+    if (patch.failure.empty() && !colours.of_holes.contains(patch.hole)) {
+      return absl::InvalidArgumentError("malformed payload: a patch without a colour");
+    }
+  }
+  return patches;
+}
+
 // The tile with its patches; a tile without any is copied byte for byte.
-absl::StatusOr<std::string> AssembledBytes(const v1::AssembleInput& input) {
+absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(input.vertices()));
+  TILEMEND_ASSIGN_OR_RETURN(const FillColours colours, ColoursOf(input));
   std::vector<HolePatch> patches;
   if (input.has_patches()) {
-    TILEMEND_ASSIGN_OR_RETURN(patches, FromProto(input.patches(), vertices.size()));
+    TILEMEND_ASSIGN_OR_RETURN(patches, PatchesOf(input, colours));
   }
   const CellId cell{input.tile().col(), input.tile().row()};
   const bool has_tile = !input.tile().path().empty();
@@ -144,23 +174,47 @@ absl::StatusOr<std::string> AssembledBytes(const v1::AssembleInput& input) {
     if (has_tile && v.tile == cell && v.index >= input.tile_vertices())
       return absl::InvalidArgumentError("malformed payload: a rim vertex that the tile does not have");
   }
-  const FilePatch patch =
-      MergePatches(vertices, patches, cell, has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0);
-  if (!has_tile) return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
+  const int32_t tile_vertices = has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0;
+  FilePatch patch = MergePatches(vertices, patches, cell, tile_vertices, colours);
+  if (!has_tile) {
+    return Assembled{NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64), {}};
+  }
   const std::string path = PathOf(input.tile());
   TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadSurveyed(input.tile()));
-  if (patch.triangles.empty()) return original;
+  if (patch.triangles.empty()) return Assembled{std::move(original), {}};
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  return AppendPatch(format, original, patch, path);
+  Assembled result;
+  if (format == MeshFormat::kObj) result.materials = MaterialsOf(patches, colours);
+  if (input.new_library()) patch.library = std::filesystem::path(input.library()).filename().string();
+  TILEMEND_ASSIGN_OR_RETURN(result.bytes, AppendPatch(format, original, patch, path));
+  return result;
+}
+
+// Writes the material file of the tile's filled faces, and carries what it names.
+absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInput& input,
+                                                          const std::vector<FillMaterial>& materials) {
+  const std::string& root = input.tile().root();
+  std::vector<std::string> carried(input.carried().begin(), input.carried().end());
+  if (!materials.empty()) {
+    const std::string from = input.new_library() ? "" : absl::StrCat(root, "/", input.library());
+    const std::string to = absl::StrCat(input.output_root(), "/", input.library());
+    TILEMEND_RETURN_IF_ERROR(WriteMaterials(from, to, materials));
+  } else if (!input.new_library() && !input.library().empty()) {
+    carried.push_back(input.library());
+  }
+  return CarryFiles(root, input.output_root(), carried, input.link_images());
 }
 
 absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const CancelToken& cancel) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, AssembledBytes(input));
+  TILEMEND_ASSIGN_OR_RETURN(const Assembled tile, AssembleTile(input));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
-  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(input.output(), bytes));
   v1::AssembleOutput output;
-  output.set_bytes(static_cast<int64_t>(bytes.size()));
-  output.set_digest(Sha256Hex(bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile.materials));
+  output.mutable_warnings()->Add(warnings.begin(), warnings.end());
+  if (cancel.cancelled()) return absl::CancelledError("cancelled");
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(input.output(), tile.bytes));
+  output.set_bytes(static_cast<int64_t>(tile.bytes.size()));
+  output.set_digest(Sha256Hex(tile.bytes));
   return output.SerializeAsString();
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "common/grid/water_areas.h"
 #include "common/grid/water_profile.h"
 #include "common/records/cell_holes.h"
+#include "common/records/fill_colour.h"
 #include "common/records/survey_record.h"
 #include "common/records/water_surface.h"
 
@@ -32,6 +34,7 @@ struct PlanOptions {
   double size_limit = 16.0;
   bool uniform = false;
   WaterOptions water;
+  std::optional<Rgb> water_colour = {};  // of the faces; none: as the rim has it
 };
 
 struct PlanInput {
@@ -129,7 +132,8 @@ struct LeftOpen {
 
 struct Plan {
   std::vector<PlanVertex> vertices;
-  std::vector<PlannedHole> holes;  // by cell, then in order of their first segment
+  std::vector<PlannedHole> holes;   // by cell, then in order of their first segment
+  std::vector<FillColour> colours;  // of the holes
   std::vector<Seam> seams;
   std::vector<WaterBody> water;           // in order of their first hole
   std::vector<int32_t> idle_water_areas;  // of WaterOptions::areas: those that cover no hole by more than half

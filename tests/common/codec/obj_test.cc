@@ -1,6 +1,10 @@
+#include "common/codec/obj.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "common/codec/mesh_file.h"
@@ -25,7 +29,7 @@ std::string Appended(const std::string& text, const FilePatch& patch) {
   return out.value_or("");
 }
 
-const FilePatch kPatch = {{{0.1, -1.0 / 3, 1e-7}}, {0}, {{0, 2, 3}}};
+const FilePatch kPatch = {{{0.1, -1.0 / 3, 1e-7}}, {0}, {{0, 2, 3}}, {}, {{0, "grey"}}};
 
 TEST(ObjTest, ReadsEveryFormOfCorner) {
   const auto file = Parse(
@@ -69,13 +73,49 @@ TEST(ObjTest, KeepsEveryByteAndAppends) {
       "# c\nmtllib m.mtl\ncurv2 1 2\nl 1 2\np 1\nv  0.10 0 0 1 .5 0 # red\nv 1 0 0\nv 0 1 0\nusemtl a b\nf 1 2 3\n";
   EXPECT_EQ(Appended(text, kPatch), text +
                                         "v 0.1 -0.3333333333333333 1e-07 1 .5 0\ng tilemend_filled\n"
-                                        "usemtl tilemend_filled\nf 1 3 4\n");
+                                        "usemtl grey\nf 1 3 4\n");
+}
+
+TEST(ObjTest, NamesMaterialsWhereTheyChangeAndTheFileThatDefinesThem) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n";
+  const FilePatch patch = {{}, {}, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}}, {}, {{0, "grey"}, {2, "blue"}}, "more.mtl"};
+  EXPECT_EQ(Appended(text, patch), text +
+                                       "mtllib more.mtl\ng tilemend_filled\nusemtl grey\nf 1 2 3\nf 1 2 4\n"
+                                       "usemtl blue\nf 1 3 4\n");
+}
+
+TEST(ObjTexturesTest, FollowTheTriangles) {
+  const auto obj = ParseTexturedObj(
+      "mtllib a b.mtl \nmtllib c.mtl\r\nmtllib a b.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0.25\nvt 1 0 0\n"
+      "vt nan 1\nf 1 2 3\nusemtl wall red\nf 1/1 2/2 3/3 4/-3\nf 1 2\nusemtl roof\nf 1/2/1 2//1 3/9\nusemtl wall red\n",
+      "a.obj");
+  ASSERT_TRUE(obj.ok()) << obj.status();
+  const ObjTextures& textures = obj->textures;
+  EXPECT_THAT(textures.libraries, ElementsAre("a b.mtl", "c.mtl"));
+  EXPECT_THAT(textures.materials, ElementsAre("wall red", "roof"));
+  EXPECT_THAT(textures.corners,
+              ElementsAre(Triangle{-1, -1, -1}, Triangle{0, 1, 2}, Triangle{0, 2, 0}, Triangle{1, -1, -1}));
+  ASSERT_EQ(textures.runs.size(), 3U);
+  EXPECT_EQ(textures.runs[0].first, 1);
+  EXPECT_EQ(textures.runs[1].first, 3);
+  EXPECT_EQ(textures.runs[1].material, 1);
+  EXPECT_EQ(textures.runs[2].material, 0);
+  ASSERT_EQ(textures.coordinates.size(), 3U);
+  EXPECT_EQ(textures.coordinates[0], (std::array<float, 2>{0, 0.25}));
+  EXPECT_TRUE(std::isnan(textures.coordinates[2][0]));
+}
+
+TEST(ObjTexturesTest, DamageInThemIsNoError) {
+  const auto obj = ParseTexturedObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt\nvt x\nusemtl\nmtllib\nf 1/7 2/-9 3/0\n", "a.obj");
+  ASSERT_TRUE(obj.ok()) << obj.status();
+  EXPECT_THAT(obj->textures.corners, ElementsAre(Triangle{-1, -1, -1}));
+  EXPECT_EQ(obj->textures.coordinates.size(), 2U);
 }
 
 TEST(ObjTest, AppendsInTheFilesLineEnding) {
   const std::string text = "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3";
-  EXPECT_EQ(Appended(text, {{{1, 2, 3}}, {-1}, {{0, 2, 3}}}),
-            text + "\r\nv 1 2 3\r\ng tilemend_filled\r\nusemtl tilemend_filled\r\nf 1 3 4\r\n");
+  EXPECT_EQ(Appended(text, {{{1, 2, 3}}, {-1}, {{0, 2, 3}}, {}, {{0, "grey"}}}),
+            text + "\r\nv 1 2 3\r\ng tilemend_filled\r\nusemtl grey\r\nf 1 3 4\r\n");
   const std::string mac = "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r";
   EXPECT_EQ(Appended(mac, {{{1, 2, 3}}, {-1}, {}}), mac + "v 1 2 3\r");
 }

@@ -134,6 +134,18 @@ TEST(PlyAppendTextTest, CopiesTheListsOfTheVertexThatANewOneIsLike) {
   EXPECT_THAT(*after, HasSubstr("1 9 7 8 9 30\n2 -7 8 0 0 1 20\n0 0 0 2 0\n3 0 1 2 0\n"));
 }
 
+TEST(PlyAppendTextTest, PutsTheColoursOfThePatchInPlaceOfThoseOfLikes) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty uchar red\nproperty float x\nproperty float y\n"
+      "property uchar green\nproperty float z\nproperty uchar blue\nproperty uchar alpha\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const std::string text = header + "1 0 0 2 0 3 4\n5 1 0 6 0 7 8\n9 0 1 10 0 11 12\n3 0 1 2\n";
+  const FilePatch patch = {{{2, 2, 2}, {3, 3, 3}}, {1, -1}, {{0, 1, 3}}, {{20, 21, 22}, {30, 31, 32}}};
+  const auto out = AppendPatch(MeshFormat::kPly, text, patch, "a.ply");
+  ASSERT_TRUE(out.ok()) << out.status();
+  EXPECT_THAT(*out, ::testing::HasSubstr("\n20 2 2 21 2 22 8\n30 3 3 31 3 32 0\n3 0 1 2 0\n"));
+}
+
 TEST(PlyAppendTextTest, RefusesABadPatch) {
   const std::string file = std::string(kAsciiHeader) + "0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n0\n";
   const auto message = [&file](const FilePatch& patch) {

@@ -47,6 +47,7 @@ SurveyRecord SomeRecord() {
   record.band.points.emplace_back(105.5, -1995.25, 2.0009765625);  // on the lattice of 2^-10
   record.band.points.emplace_back(111.1, -1994.4, 3.3);            // not on it
   record.band.triangles = {{0, 1, 3}, {1, 2, 4}, {3, 4, 0}};
+  record.colours = {Rgb{0, 0, 0}, std::nullopt, Rgb{255, 128, 1}};
   return record;
 }
 
@@ -252,7 +253,7 @@ int CountTruncations(const Proto& proto, const std::vector<std::string>& harmles
 
 TEST(StagePayloadsTest, ATruncatedColumnIsRefused) {
   const auto decode = [](const auto& proto) { return FromProto(proto).ok(); };
-  EXPECT_EQ(CountTruncations(ToProto(SomeRecord()), {}, decode), 7);
+  EXPECT_EQ(CountTruncations(ToProto(SomeRecord()), {}, decode), 9);
   // One hole less is a message as well; so is one segment less, which takes an entry of every column.
   EXPECT_EQ(CountTruncations(ToProto(SomeHoles()), {"tilemend.v1.CellHolesBlob.holes"}, decode), 13);
   const v1::FillOutput patches = ToProto(SomePatches(), SomeHoles().vertices, 0x1p-8);

@@ -103,5 +103,53 @@ TEST_F(FilesTest, AReaderSeesAWholeFileWhileManyWrite) {
   EXPECT_THAT(NamesIn(folder_.path()), ElementsAre("file"));
 }
 
+ino_t InodeOf(const std::string& path) {
+  struct stat info {};
+  EXPECT_EQ(::stat(path.c_str(), &info), 0) << path;
+  return info.st_ino;
+}
+
+TEST_F(FilesTest, CarriesAFileOfAnySizeToANewFolder) {
+  for (const std::string& content : {std::string(), std::string("a\0b", 3), std::string(70 << 20, 'x')}) {
+    const std::string from = folder_.Write("from", content);
+    for (const Carry how : {Carry::kCopy, Carry::kLink}) {
+      ASSERT_TRUE(CarryFile(from, folder_ / "new/deep/to", how).ok());
+      EXPECT_EQ(ReadFile(folder_ / "new/deep/to").value(), content);
+      EXPECT_EQ(ReadFile(from).value(), content);
+      EXPECT_THAT(NamesIn(folder_ / "new/deep"), ElementsAre("to"));
+    }
+  }
+}
+
+TEST_F(FilesTest, ACopyIsAFileOfItsOwnAndALinkIsTheSameFile) {
+  const std::string from = folder_.Write("from", "original"), to = folder_ / "to";
+  ASSERT_TRUE(CarryFile(from, to, Carry::kLink).ok());
+  EXPECT_EQ(InodeOf(to), InodeOf(from));
+  ASSERT_TRUE(CarryFile(from, to, Carry::kLink).ok()) << "again";
+  ASSERT_TRUE(CarryFile(from, to, Carry::kCopy).ok()) << "in place of the link";
+  EXPECT_NE(InodeOf(to), InodeOf(from));
+  EXPECT_EQ(ReadFile(from).value(), "original");
+  EXPECT_EQ(NamesIn(folder_.path()).size(), 2U) << "nothing else is left behind";
+}
+
+TEST_F(FilesTest, CarriesWhatALinkLeadsTo) {
+  const std::string from = folder_.Write("real", "original");
+  fs::create_symlink(from, folder_ / "link");
+  for (const Carry how : {Carry::kCopy, Carry::kLink}) {
+    ASSERT_TRUE(CarryFile(folder_ / "link", folder_ / "to", how).ok());
+    EXPECT_FALSE(fs::is_symlink(folder_ / "to"));
+    EXPECT_EQ(ReadFile(folder_ / "to").value(), "original");
+  }
+}
+
+TEST_F(FilesTest, CarryingLeavesAFileAloneThatItWouldWriteOverItself) {
+  const std::string from = folder_.Write("from", "original");
+  fs::create_directory_symlink(folder_.path(), folder_ / "again");
+  EXPECT_EQ(CarryFile(from, folder_ / "again/from", Carry::kCopy).code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(CarryFile(folder_ / "none", folder_ / "to", Carry::kCopy).code(), absl::StatusCode::kNotFound);
+  EXPECT_EQ(CarryFile(folder_.path(), folder_ / "to", Carry::kLink).code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_FALSE(fs::exists(folder_ / "to"));
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/codec/mesh_file.h"
+#include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
 #include "tests/support/mesh_builders.h"
@@ -140,6 +141,11 @@ class SceneStagesTest : public testing::Test {
     input.set_tile_vertices(static_cast<int64_t>(mesh.points.size()));
     *input.mutable_vertices() = ToProto(work.vertices);
     *input.mutable_patches() = RunWell<v1::FillOutput>(Stage::kFill, FillInputOf(work));
+    FillColours colours;
+    for (const v1::PatchExtent& patch : input.patches().patches()) {
+      colours.of_holes[patch.hole()] = {patch.hole(), {60, 70, 80}, true};
+    }
+    SetColours(colours, input);
     return input;
   }
 

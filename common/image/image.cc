@@ -1,0 +1,118 @@
+#include "common/image/image.h"
+
+#include <png.h>
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "absl/strings/str_cat.h"
+
+namespace tilemend {
+namespace {
+
+constexpr int64_t kMostPixels = int64_t{1} << 28;
+constexpr int64_t kMostBufferedPixels = int64_t{1} << 26;
+// A block of 8 x 8 pixels takes at least a bit of a JPEG, and deflate makes at most 1032 bytes of one.
+constexpr int64_t kMostJpegPixelsPerByte = 512;
+constexpr int64_t kMostPngPixelsPerByte = 8 * 1032;
+
+absl::Status Problem(const std::string& name, std::string_view what) {
+  return absl::InvalidArgumentError(absl::StrCat(name, ": ", std::string(what)));
+}
+
+absl::Status CheckSize(int64_t width, int64_t height, int64_t most, int64_t bytes, int64_t per_byte,
+                       const std::string& name) {
+  if (width < 1 || height < 1) return Problem(name, "an image without pixels");
+  if (width * height > most)
+    return Problem(name, absl::StrCat("an image of ", width, " x ", height, " pixels is too large"));
+  if (width * height / per_byte <= bytes) return absl::OkStatus();
+  return Problem(name, absl::StrCat("an image of ", width, " x ", height, " pixels does not fit in ", bytes, " bytes"));
+}
+
+// Whether a JPEG has all its components in one sequential scan: it is decoded row by row then, else the decoder keeps
+// the coefficients of the whole image.
+bool IsOneScan(std::string_view bytes) {
+  const auto byte = [&](size_t at) { return static_cast<uint8_t>(bytes[at]); };
+  int components = -1;
+  size_t at = 2;
+  while (at + 4 < bytes.size() && byte(at) == 0xff) {
+    const uint8_t marker = byte(at + 1);
+    if (marker == 0xff) {  // padding
+      ++at;
+      continue;
+    }
+    const size_t length = static_cast<size_t>(byte(at + 2)) << 8 | byte(at + 3);
+    constexpr size_t kComponentsAt = 9;  // of a frame header, from its marker
+    if ((marker == 0xc0 || marker == 0xc1) && at + kComponentsAt < bytes.size()) components = byte(at + kComponentsAt);
+    if (marker == 0xda) return byte(at + 4) == components;
+    at += 2 + length;
+  }
+  return false;
+}
+
+absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name) {
+  const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
+  if (decoder == nullptr) return absl::ResourceExhaustedError("no memory to decode an image");
+  const auto problem = [&] {
+    return Problem(name, absl::StrCat("a damaged JPEG image: ", tjGetErrorStr2(decoder.get())));
+  };
+  const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
+  int width = 0, height = 0, subsampling = 0, space = 0;
+  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &space) != 0) {
+    return problem();
+  }
+  const absl::Status size = CheckSize(width, height, IsOneScan(bytes) ? kMostPixels : kMostBufferedPixels,
+                                      static_cast<int64_t>(bytes.size()), kMostJpegPixelsPerByte, name);
+  if (!size.ok()) return size;
+  tjscalingfactor scale{1, 1};
+  while (scale.denom < 8 && TJSCALED(std::max(width, height), scale) > kFullSide) scale.denom *= 2;
+  Image image{TJSCALED(width, scale), TJSCALED(height, scale), 3, {}};
+  image.pixels.resize(size_t{3} * static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
+  if (tjDecompress2(decoder.get(), data, bytes.size(), image.pixels.data(), image.width, 0, image.height, TJPF_RGB,
+                    0) != 0) {
+    return problem();
+  }
+  return image;
+}
+
+absl::StatusOr<Image> DecodePng(std::string_view bytes, const std::string& name) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, void (*)(png_image*)> release(&png, png_image_free);
+  const auto problem = [&] { return Problem(name, absl::StrCat("a damaged PNG image: ", png.message)); };
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return problem();
+  const absl::Status size = CheckSize(png.width, png.height, kMostBufferedPixels, static_cast<int64_t>(bytes.size()),
+                                      kMostPngPixelsPerByte, name);
+  if (!size.ok()) return size;
+  png.format = PNG_FORMAT_RGBA;  // not RGB: that would mix a background into colours
+  Image image{static_cast<int32_t>(png.width), static_cast<int32_t>(png.height), 4, {}};
+  image.pixels.resize(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) return problem();
+  return image;
+}
+
+// The pixel of `count` that holds the texture coordinate `t` in [0, 1).
+int64_t PixelAt(double t, int32_t count) {
+  const double fraction = t - std::floor(t);
+  return std::min<int64_t>(static_cast<int64_t>(fraction * count), count - 1);
+}
+
+}  // namespace
+
+absl::StatusOr<Image> DecodeImage(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) return Problem(name, "an empty file, no image");
+  if (bytes.substr(0, 2) == "\xff\xd8") return DecodeJpeg(bytes, name);
+  if (bytes.substr(0, 4) == "\x89PNG") return DecodePng(bytes, name);
+  return Problem(name, "neither a JPEG nor a PNG image");
+}
+
+Rgb TexelAt(const Image& image, double u, double v) {
+  const int64_t column = PixelAt(u, image.width);
+  const int64_t row = image.height - 1 - PixelAt(v, image.height);
+  const uint8_t* const pixel = &image.pixels[static_cast<size_t>((row * image.width + column) * image.channels)];
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+}  // namespace tilemend

@@ -1,0 +1,37 @@
+// Images that lie on surfaces: JPEG and PNG, decoded to be looked at in a few places.
+#ifndef TILEMEND_COMMON_IMAGE_IMAGE_H_
+#define TILEMEND_COMMON_IMAGE_IMAGE_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/util/colour.h"
+
+namespace tilemend {
+
+struct Image {
+  int32_t width = 0;
+  int32_t height = 0;
+  int32_t channels = 3;         // bytes a pixel: red, green, blue and what else there may be
+  std::vector<uint8_t> pixels;  // by rows from the top
+};
+
+// A JPEG whose longer side has more pixels than this is decoded at a half, a quarter or an eighth of its size.
+inline constexpr int32_t kFullSide = 4096;
+
+// Decodes a JPEG or PNG image, told by its first bytes. kInvalidArgument "NAME: ..." for any other format, an image
+// that is cut off or damaged, and one that claims more pixels than its bytes can hold or than can be decoded (2^28 in a
+// JPEG that is stored in one scan, else 2^26). Memory: the pixels that are returned; of a progressive JPEG also its
+// coefficients, 2 bytes a sample. Any thread.
+absl::StatusOr<Image> DecodeImage(std::string_view bytes, const std::string& name);
+
+// The pixel at the texture coordinates (u to the right, v upward, the image repeated outside [0, 1)). Precondition: the
+// image has pixels, u and v are finite.
+Rgb TexelAt(const Image& image, double u, double v);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_IMAGE_IMAGE_H_

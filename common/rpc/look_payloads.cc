@@ -1,0 +1,80 @@
+#include "common/rpc/look_payloads.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+uint32_t Packed(Rgb c) { return uint32_t{c.r} << 16 | uint32_t{c.g} << 8 | c.b; }
+
+Rgb Unpacked(uint32_t value) {
+  return {static_cast<uint8_t>(value >> 16), static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value)};
+}
+
+absl::Status Malformed(const char* what) {
+  return absl::InvalidArgumentError(std::string("malformed payload: ") + what);
+}
+
+bool StaysInside(const std::string& name) {
+  const std::filesystem::path path(name);
+  return !name.empty() && !path.is_absolute() && name.find('\0') == std::string::npos &&
+         std::none_of(path.begin(), path.end(), [](const std::filesystem::path& part) { return part == ".."; });
+}
+
+template <class Repeated>
+absl::StatusOr<std::vector<std::string>> Paths(const Repeated& proto) {
+  std::vector<std::string> paths(proto.begin(), proto.end());
+  if (!std::all_of(paths.begin(), paths.end(), StaysInside)) return Malformed("path of a file of a tile");
+  return paths;
+}
+
+}  // namespace
+
+uint32_t ColourToProto(const std::optional<Rgb>& colour) { return colour ? Packed(*colour) + 1 : 0; }
+
+std::optional<Rgb> ColourFromProto(uint32_t value) {
+  return value == 0 ? std::nullopt : std::optional(Unpacked(value - 1));
+}
+
+v1::TileFiles ToProto(const TileFiles& files) {
+  v1::TileFiles proto;
+  for (const std::string& path : files.libraries) proto.add_libraries(path);
+  for (const std::string& path : files.images) proto.add_images(path);
+  for (const std::string& warning : files.warnings) proto.add_warnings(warning);
+  return proto;
+}
+
+absl::StatusOr<TileFiles> FromProto(const v1::TileFiles& proto) {
+  TileFiles files;
+  TILEMEND_ASSIGN_OR_RETURN(files.libraries, Paths(proto.libraries()));
+  TILEMEND_ASSIGN_OR_RETURN(files.images, Paths(proto.images()));
+  files.warnings.assign(proto.warnings().begin(), proto.warnings().end());
+  return files;
+}
+
+void SetColours(const FillColours& colours, v1::AssembleInput& input) {
+  for (const auto& [hole, colour] : colours.of_holes) {
+    v1::FillColour* const proto = input.add_colours();
+    proto->set_hole(hole);
+    proto->set_group(colour.group);
+    proto->set_colour(Packed(colour.colour));
+    proto->set_known(colour.known);
+  }
+  input.set_colour_vertices(colours.on_vertices);
+}
+
+absl::StatusOr<FillColours> ColoursOf(const v1::AssembleInput& input) {
+  FillColours colours;
+  colours.on_vertices = input.colour_vertices();
+  for (const v1::FillColour& c : input.colours()) {
+    const FillColour colour{c.group(), Unpacked(c.colour()), c.known()};
+    if (!colours.of_holes.emplace(c.hole(), colour).second) return Malformed("a hole with two colours");
+  }
+  return colours;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,93 @@
+#include "coordinator/service/scene_files.h"
+
+#include <filesystem>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+
+bool SceneFiles::HidesAnother(const std::string& path) const {
+  return !output_.empty() && files_.contains((std::filesystem::path(output_) / path).lexically_normal().string());
+}
+
+void SceneFiles::Take(CellId cell, const TileFiles& files) {
+  for (const std::vector<std::string>* list : {&files.libraries, &files.images}) {
+    for (const std::string& path : *list) {
+      const auto [it, fresh] = files_.try_emplace(path, File{cell, 0});
+      ++it->second.tiles;
+      if (!fresh && cell < it->second.first) {
+        of_cells_[it->second.first].erase(path);
+        it->second.first = cell;
+      }
+      if (it->second.first == cell) of_cells_[cell].insert(path);
+    }
+  }
+  if (!files.libraries.empty()) libraries_[cell] = files.libraries;
+  Warn(cell, files.warnings);
+}
+
+void SceneFiles::Warn(CellId cell, const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return;
+  std::vector<std::string>& all = warnings_[cell];
+  all.insert(all.end(), warnings.begin(), warnings.end());
+}
+
+std::string SceneFiles::LibraryOf(CellId cell) const {
+  const auto libraries = libraries_.find(cell);
+  if (libraries == libraries_.end()) return "";
+  for (auto path = libraries->second.rbegin(); path != libraries->second.rend(); ++path) {
+    if (files_.at(*path).tiles == 1 && !HidesAnother(*path)) return *path;
+  }
+  return "";
+}
+
+std::string SceneFiles::NewLibraryFor(const std::string& path) const {
+  const std::string stem = std::filesystem::path(path).replace_extension().string();
+  std::string name = absl::StrCat(stem, "_tilemend.mtl");
+  for (int n = 2; files_.contains(name) || HidesAnother(name); ++n) name = absl::StrCat(stem, "_tilemend", n, ".mtl");
+  return name;
+}
+
+std::vector<std::string> SceneFiles::CarriedBy(CellId cell) const {
+  std::vector<std::string> carried;
+  const auto paths = of_cells_.find(cell);
+  if (paths == of_cells_.end()) return carried;
+  const std::string library = LibraryOf(cell);
+  for (const std::string& path : paths->second) {
+    if (path != library && !HidesAnother(path)) carried.push_back(path);
+  }
+  return carried;
+}
+
+std::set<std::string> SceneFiles::Carried() const {
+  std::set<std::string> carried;
+  for (const auto& [path, file] : files_) {
+    if (!HidesAnother(path)) carried.insert(path);
+  }
+  return carried;
+}
+
+std::vector<std::string> SceneFiles::Warnings() const {
+  std::vector<std::string> warnings;
+  int64_t more = 0;
+  const auto add = [&](std::string warning) {
+    if (warnings.size() < kMostWarnings) {
+      warnings.push_back(std::move(warning));
+    } else {
+      ++more;
+    }
+  };
+  for (const auto& [path, file] : files_) {
+    if (HidesAnother(path)) {
+      add(absl::StrCat(Printable(path), ": would be written over another file of the scene: it is not in the output"));
+    }
+  }
+  for (const auto& [cell, of_cell] : warnings_) {
+    for (const std::string& warning : of_cell) add(warning);
+  }
+  if (more > 0) warnings.push_back(absl::StrCat(more, " more warnings on material files and images"));
+  return warnings;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,68 @@
+#include "coordinator/service/scene_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr CellId kA{0, 0}, kB{1, 0}, kC{2, 0};
+
+TEST(SceneFilesTest, EveryFileIsCarriedOnceByTheFirstCellWhateverTheOrder) {
+  const TileFiles a{{}, {"a.jpg", "shared.jpg"}, {}}, b{{}, {"shared.jpg", "b.jpg"}, {}};
+  for (const bool turned : {false, true}) {
+    SceneFiles files("");
+    files.Take(turned ? kB : kA, turned ? b : a);
+    files.Take(turned ? kA : kB, turned ? a : b);
+    EXPECT_THAT(files.CarriedBy(kA), ElementsAre("a.jpg", "shared.jpg"));
+    EXPECT_THAT(files.CarriedBy(kB), ElementsAre("b.jpg"));
+    EXPECT_THAT(files.CarriedBy(kC), IsEmpty());
+    EXPECT_THAT(files.Carried(), ElementsAre("a.jpg", "b.jpg", "shared.jpg"));
+  }
+}
+
+TEST(SceneFilesTest, ATilesOwnLibraryIsTheLastThatNoOtherNames) {
+  SceneFiles files("");
+  files.Take(kA, {{"all.mtl", "a.mtl"}, {}, {}});
+  files.Take(kB, {{"b1.mtl", "b2.mtl", "all.mtl"}, {}, {}});
+  files.Take(kC, {{"all.mtl"}, {}, {}});
+  EXPECT_EQ(files.LibraryOf(kA), "a.mtl");
+  EXPECT_EQ(files.LibraryOf(kB), "b2.mtl");
+  EXPECT_EQ(files.LibraryOf(kC), "");
+  EXPECT_THAT(files.CarriedBy(kA), ElementsAre("all.mtl")) << "its own is written with the tile";
+  EXPECT_THAT(files.CarriedBy(kB), ElementsAre("b1.mtl"));
+}
+
+TEST(SceneFilesTest, ANewLibraryHasANameThatNoFileOfTheSceneHas) {
+  SceneFiles files("");
+  EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend.mtl");
+  files.Take(kA, {{"Data/T/T_tilemend.mtl"}, {"Data/T/T_tilemend2.mtl"}, {}});
+  EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend3.mtl");
+}
+
+// The output is the scene's folder "out", and one of the scene's files lies where another would be written.
+TEST(SceneFilesTest, NoFileIsCarriedOverAnotherOfTheScene) {
+  SceneFiles files("out");
+  files.Take(kA, {{"a.mtl", "out/a.mtl"}, {"a.jpg", "out/a.jpg"}, {}});
+  EXPECT_THAT(files.CarriedBy(kA), ElementsAre("out/a.jpg"));
+  EXPECT_EQ(files.LibraryOf(kA), "out/a.mtl");
+  EXPECT_THAT(files.Warnings(), ElementsAre(HasSubstr("a.jpg: would be written over"), HasSubstr("a.mtl")));
+}
+
+TEST(SceneFilesTest, WarningsComeByCellAndAreCountedBeyondALimit) {
+  SceneFiles files("");
+  files.Warn(kB, {"second"});
+  files.Take(kA, {{}, {}, {"first"}});
+  EXPECT_THAT(files.Warnings(), ElementsAre("first", "second"));
+  files.Warn(kC, std::vector<std::string>(SceneFiles::kMostWarnings, "more"));
+  EXPECT_THAT(files.Warnings(), SizeIs(SceneFiles::kMostWarnings + 1));
+  EXPECT_EQ(files.Warnings().back(), "2 more warnings on material files and images");
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,160 @@
+// Materials and textures from the command line: two OBJ tiles with a hole over their border.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "tests/support/image_builders.h"
+#include "tests/support/mesh_builders.h"
+#include "tests/support/output_checks.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+constexpr int32_t kSide = 10;  // of a cell, metres
+constexpr Rgb kGreen = {40, 120, 60};
+
+// Cell `column` without the squares of a lake over the border of both; every vertex has the same texture coordinate.
+std::string TileText(int32_t column, const std::string& library) {
+  const int32_t x = column * kSide;
+  const auto keep = [](int32_t i, int32_t j) { return i < 7 || i > 12 || j < 3 || j > 6; };
+  const TriMesh mesh = SquaresMesh(x, x + kSide, 0, kSide, keep, [](double u, double v) { return 0.1 * u + 0.05 * v; });
+  std::string text = absl::StrCat("mtllib ", library, "\n");
+  for (const Point3& p : mesh.points) absl::StrAppendFormat(&text, "v %.6f %.6f %.6f\n", p.x(), p.y(), p.z());
+  text += "vt 0.5 0.5\nusemtl ground\n";
+  for (const Triangle& t : mesh.triangles) {
+    absl::StrAppendFormat(&text, "f %d/1 %d/1 %d/1\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  }
+  return text;
+}
+
+class TexturesRunTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const int32_t column : {0, 1}) {
+      const std::string name = absl::StrFormat("Tile_+%03d_+000", column);
+      folder_.Write(absl::StrCat("scene/Data/", name, "/", name, ".obj"), TileText(column, name + ".mtl"));
+      folder_.Write(absl::StrCat("scene/Data/", name, "/", name, ".mtl"),
+                    absl::StrCat("newmtl ground\nmap_Kd ..\\..\\shared\\my ground.JPG\nbump lost.png\n"));
+    }
+    folder_.Write("scene/shared/my ground.jpg", PngImage(8, 8, [](int32_t, int32_t) { return kGreen; }));
+    folder_.Write("scene/metadata.xml", "<ModelMetadata><SRS>EPSG:32650</SRS><SRSOrigin>1,2,3</SRSOrigin></ModelMetadata>");
+    folder_.Write("scene/scene.json", R"({"cell_size": 10, "cols": 2, "rows": 1, "tiles": [
+      {"col": 0, "row": 0, "path": "Data/Tile_+000_+000/Tile_+000_+000.obj"},
+      {"col": 1, "row": 0, "path": "Data/Tile_+001_+000/Tile_+001_+000.obj"}]})");
+  }
+
+  Json Run(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"run", folder_ / "scene", "--out", folder_ / "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended ended = Process(folder_.path(), TILEMEND_CLIENT, words).Wait();
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ReportOf(folder_ / "out");
+  }
+  std::string Out(const std::string& file) const { return ReadFile(folder_ / ("out/" + file)).value_or("none"); }
+  std::map<std::string, std::string> Below(const std::string& name) const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / name)) {
+      if (entry.is_regular_file()) files[entry.path().string()] = ReadFile(entry.path().string()).value();
+    }
+    return files;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TexturesRunTest, TheOutputOpensAsTheInputDid) {
+  const auto before = Below("scene");
+  const Json report = Run();
+  EXPECT_EQ(Below("scene"), before);
+  for (const char* tile : {"Tile_+000_+000", "Tile_+001_+000"}) {
+    const std::string path = absl::StrCat("Data/", tile, "/", tile);
+    EXPECT_THAT(Out(path + ".obj"), StartsWith(before.at(folder_ / ("scene/" + path + ".obj"))));
+    EXPECT_THAT(Out(path + ".mtl"), StartsWith(before.at(folder_ / ("scene/" + path + ".mtl"))));
+  }
+  EXPECT_EQ(Out("shared/my ground.jpg"), before.at(folder_ / "scene/shared/my ground.jpg"));
+  EXPECT_EQ(Out("metadata.xml"), before.at(folder_ / "scene/metadata.xml"));
+  EXPECT_THAT(report["warnings"].dump(), HasSubstr("lost.png is not there"));
+}
+
+TEST_F(TexturesRunTest, BothTilesHaveTheColourOfTheRimAndDefineIt) {
+  const Json report = Run();
+  std::set<std::string> materials;
+  for (const Json& hole : report["per_hole"]) {
+    EXPECT_EQ(hole["colour"], ColourText(kGreen));
+    materials.insert(hole["material"]);
+  }
+  ASSERT_THAT(materials, SizeIs(1));
+  for (const char* tile : {"Tile_+000_+000", "Tile_+001_+000"}) {
+    const std::string path = absl::StrCat("Data/", tile, "/", tile);
+    EXPECT_THAT(Out(path + ".obj"), HasSubstr("usemtl " + *materials.begin() + "\n"));
+    EXPECT_THAT(Out(path + ".mtl"), HasSubstr("newmtl " + *materials.begin() + "\n"));
+  }
+}
+
+TEST_F(TexturesRunTest, LinksOrLeavesImagesIfAsked) {
+  Run({"--textures", "link"});
+  EXPECT_EQ(fs::hard_link_count(folder_ / "scene/shared/my ground.jpg"), 2U);
+  EXPECT_EQ(fs::hard_link_count(folder_ / "scene/Data/Tile_+000_+000/Tile_+000_+000.mtl"), 1U);
+  fs::remove_all(folder_ / "out");
+  Run({"--textures", "off"});
+  EXPECT_FALSE(fs::exists(folder_ / "out/shared"));
+  EXPECT_THAT(Out("Data/Tile_+000_+000/Tile_+000_+000.obj"), HasSubstr("mtllib Tile_+000_+000_tilemend.mtl\n"));
+  EXPECT_THAT(Out("Data/Tile_+000_+000/Tile_+000_+000_tilemend.mtl"), StartsWith("newmtl tilemend_fill_0"));
+}
+
+TEST_F(TexturesRunTest, TheOutputCanBeFilledAgain) {
+  Run();
+  fs::rename(folder_ / "out", folder_ / "first");
+  fs::remove_all(folder_ / "scene");
+  fs::rename(folder_ / "first", folder_ / "scene");
+  folder_.Write("scene/scene.json", R"({"cell_size": 10, "cols": 2, "rows": 1, "tiles": [
+    {"col": 0, "row": 0, "path": "Data/Tile_+000_+000/Tile_+000_+000.obj"},
+    {"col": 1, "row": 0, "path": "Data/Tile_+001_+000/Tile_+001_+000.obj"}]})");
+  const auto before = Below("scene/Data");
+  Run();
+  for (const auto& [path, bytes] : before) {
+    EXPECT_EQ(Out(fs::path(path).lexically_relative(folder_ / "scene").string()), bytes) << path;
+  }
+}
+
+// A broken image is no reason to fail: the fill has the colour that stands for ground.
+TEST_F(TexturesRunTest, ABrokenImageIsAWarning) {
+  for (const std::string& bytes : {std::string(), std::string("\xff\xd8\xff\xe0", 4), std::string("\x89PNG\r\n\x1a\n")}) {
+    folder_.Write("scene/shared/my ground.jpg", bytes);
+    const Json report = Run({"--overwrite"});
+    EXPECT_THAT(report["warnings"].dump(), HasSubstr("my ground.jpg"));
+    EXPECT_EQ(report["per_hole"][0]["colour"], "#8c8a82");
+    EXPECT_EQ(Out("shared/my ground.jpg"), bytes) << "it is carried as it is";
+  }
+}
+
+TEST_F(TexturesRunTest, AWrongColourIsAUsageError) {
+  const auto code = [&](const std::string& colour) {
+    return Process(folder_.path(), TILEMEND_CLIENT,
+                   {"run", folder_ / "scene", "--out", folder_ / "out", "--water-colour", colour})
+        .Wait()
+        .code;
+  };
+  EXPECT_EQ(code("blue"), 2);
+  EXPECT_EQ(code("1,2,300"), 2);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,67 @@
+#include "worker/materials/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+class SceneFileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.Write("scene/Data/T/my tile.jpg", "x");
+    folder_.Write("scene/textures/Sub/Wall.JPG", "x");
+    folder_.Write("secret.jpg", "x");
+  }
+  std::string PathOf(std::string_view name) { return FindSceneFile(folder_ / "scene", "Data/T", name).path; }
+  std::string ProblemOf(std::string_view name) { return FindSceneFile(folder_ / "scene", "Data/T", name).problem; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SceneFileTest, FindsNamesBesideTheFileAndThroughFolders) {
+  EXPECT_EQ(PathOf("my tile.jpg"), "Data/T/my tile.jpg");
+  EXPECT_EQ(PathOf("./../T/my tile.jpg"), "Data/T/my tile.jpg");
+  EXPECT_EQ(PathOf("../../textures/Sub/Wall.JPG"), "textures/Sub/Wall.JPG");
+  EXPECT_EQ(FindSceneFile(folder_.path(), "", "secret.jpg").path, "secret.jpg");
+}
+
+TEST_F(SceneFileTest, TakesNamesAsOtherSystemsWriteThem) {
+  EXPECT_EQ(PathOf("..\\..\\textures\\sub\\wall.jpg"), "textures/Sub/Wall.JPG");
+  EXPECT_EQ(PathOf("\"my tile.jpg\""), "Data/T/my tile.jpg");
+}
+
+TEST_F(SceneFileTest, AnExactNameGoesBeforeOneInOtherLetters) {
+  folder_.Write("scene/Data/T/MY tile.jpg", "y");
+  EXPECT_EQ(PathOf("my tile.jpg"), "Data/T/my tile.jpg");
+  EXPECT_EQ(PathOf("My Tile.jpg"), "Data/T/MY tile.jpg") << "the first in byte order";
+}
+
+TEST_F(SceneFileTest, DoesNotLeaveTheScene) {
+  EXPECT_EQ(ProblemOf("../../../secret.jpg"), "lies outside the scene's folder");
+  EXPECT_EQ(ProblemOf("..\\..\\..\\secret.jpg"), "lies outside the scene's folder");
+  EXPECT_EQ(ProblemOf(folder_ / "secret.jpg"), "is an absolute path");
+  EXPECT_EQ(ProblemOf("C:\\textures\\a.jpg"), "is an absolute path");
+}
+
+TEST_F(SceneFileTest, SaysWhyThereIsNone) {
+  EXPECT_EQ(ProblemOf("lost.jpg"), "is not there");
+  EXPECT_EQ(ProblemOf("lost/a.jpg"), "is not there");
+  EXPECT_EQ(ProblemOf("my tile.jpg/a.jpg"), "is not there");
+  EXPECT_EQ(ProblemOf("../T"), "is no file");
+  EXPECT_EQ(ProblemOf(""), "is no name");
+  EXPECT_EQ(ProblemOf("\"\""), "is no name");
+  EXPECT_EQ(ProblemOf(std::string_view("a\0b", 3)), "is no name");
+}
+
+TEST(FolderOfTest, IsEmptyForAFileInTheScenesFolder) {
+  EXPECT_EQ(FolderOf("a/b.obj"), "a");
+  EXPECT_EQ(FolderOf("b.obj"), "");
+}
+
+}  // namespace
+}  // namespace tilemend

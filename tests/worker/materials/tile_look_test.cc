@@ -1,0 +1,74 @@
+#include "worker/materials/tile_look.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class TileLookTest : public testing::Test {
+ protected:
+  TileLook Read(std::vector<std::string> libraries) {
+    ObjTextures textures;
+    textures.libraries = std::move(libraries);
+    return ReadObjLook(folder_.path(), "Data/T.obj", textures);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TileLookTest, ReadsMaterialsAndTheImagesThatTheyName) {
+  folder_.Write("Data/T.mtl", "newmtl a\nKd 1 1 1\nmap_Kd a b.jpg\nbump a b.jpg\nnewmtl b\nKd 0 0 1\nnewmtl a\n");
+  folder_.Write("Data/a b.jpg", "x");
+  const TileLook look = Read({"T.mtl", "T.mtl"});
+  EXPECT_THAT(look.files.libraries, ElementsAre("Data/T.mtl"));
+  EXPECT_THAT(look.files.images, ElementsAre("Data/a b.jpg"));
+  EXPECT_THAT(look.files.warnings, IsEmpty());
+  EXPECT_EQ(look.materials.at("a").image, "Data/a b.jpg") << "the first definition counts";
+  EXPECT_EQ(look.materials.at("a").diffuse, std::nullopt) << "its image says what it looks like";
+  EXPECT_EQ(look.materials.at("b").diffuse, (Rgb{0, 0, 255}));
+}
+
+TEST_F(TileLookTest, TellsSeveralLibrariesFromOneWithBlanks) {
+  folder_.Write("Data/one two.mtl", "newmtl a\n");
+  folder_.Write("Data/x.mtl", "newmtl b\n");
+  folder_.Write("Data/y.mtl", "newmtl c\n");
+  EXPECT_THAT(Read({"one two.mtl"}).files.libraries, ElementsAre("Data/one two.mtl"));
+  const TileLook look = Read({"x.mtl y.mtl lost.mtl"});
+  EXPECT_THAT(look.files.libraries, ElementsAre("Data/x.mtl", "Data/y.mtl"));
+  EXPECT_THAT(look.files.warnings, ElementsAre(HasSubstr("Data/T.obj: lost.mtl is not there")));
+}
+
+TEST_F(TileLookTest, LooksForImagesBesideTheLibraryThenBesideTheTile) {
+  folder_.Write("materials/m.mtl", "newmtl a\nmap_Kd a.jpg\nnewmtl b\nmap_Kd b.jpg\n");
+  folder_.Write("materials/a.jpg", "x");
+  folder_.Write("Data/a.jpg", "x");
+  folder_.Write("Data/b.jpg", "x");
+  EXPECT_THAT(Read({"../materials/m.mtl"}).files.images, ElementsAre("materials/a.jpg", "Data/b.jpg"));
+}
+
+TEST_F(TileLookTest, WarnsOfFilesThatCannotBeHad) {
+  folder_.Write("Data/T.mtl", "newmtl a\nmap_Kd ../../away.jpg\nnewmtl b\nmap_Kd lost\x01.jpg\n");
+  const TileLook look = Read({"T.mtl", "no such.mtl"});
+  EXPECT_THAT(look.files.warnings,
+              ElementsAre(HasSubstr("Data/T.mtl: ../../away.jpg lies outside the scene's folder"),
+                          HasSubstr("lost\\x01.jpg is not there"), HasSubstr("Data/T.obj: no such.mtl is not there")));
+  EXPECT_EQ(look.materials.at("a").image, "");
+}
+
+TEST_F(TileLookTest, ReadsTheTexturesOfAPly) {
+  folder_.Write("Data/a.png", "x");
+  const TileLook look = ReadPlyLook(folder_.path(), "Data/T.ply",
+                                    "ply\ncomment TextureFile a.png\ncomment TextureFile b.png\nend_header\n");
+  EXPECT_THAT(look.files.images, ElementsAre("Data/a.png"));
+  EXPECT_THAT(look.files.warnings, ElementsAre(HasSubstr("b.png is not there")));
+}
+
+}  // namespace
+}  // namespace tilemend

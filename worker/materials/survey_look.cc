@@ -1,0 +1,57 @@
+#include "worker/materials/survey_look.h"
+
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/obj.h"
+#include "common/codec/ply_colours.h"
+#include "common/util/status_macros.h"
+#include "worker/materials/rim_colours.h"
+#include "worker/materials/tile_look.h"
+#include "worker/survey/rim_spots.h"
+#include "worker/survey/survey.h"
+
+namespace tilemend {
+namespace {
+
+SurveyRecord SurveyOf(const MeshFile& file) { return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32); }
+
+absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std::string& path, std::string_view bytes,
+                                             const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name));
+  LookSurvey survey{SurveyOf(obj.file), {}};
+  TileLook look = ReadObjLook(root, path, obj.textures);
+  const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
+  obj.file = {};  // images need room
+  RimColours sampled = SampleRim(root, look, obj.textures, spots, survey.record.vertices.size());
+  survey.record.colours = std::move(sampled.colours);
+  survey.files = std::move(look.files);
+  for (std::string& warning : sampled.warnings) survey.files.warnings.push_back(std::move(warning));
+  return survey;
+}
+
+absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string& path, std::string_view bytes,
+                                     const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kPly, bytes, name));
+  LookSurvey survey{SurveyOf(file), ReadPlyLook(root, path, bytes).files};
+  std::vector<int32_t> vertices;
+  for (const BoundaryVertex& v : survey.record.vertices) vertices.push_back(v.index);
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<Rgb> colours, PlyVertexColours(bytes, vertices, name));
+  survey.record.colours.assign(colours.begin(), colours.end());
+  return survey;
+}
+
+}  // namespace
+
+absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
+                                          MeshFormat format) {
+  const std::string name = absl::StrCat(root, "/", path);
+  if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name);
+  const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
+  if (textured) return SurveyTexturedObj(root, path, bytes, name);
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name));
+  return LookSurvey{SurveyOf(file), {}};
+}
+
+}  // namespace tilemend

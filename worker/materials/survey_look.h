@@ -1,0 +1,28 @@
+// Survey of a tile together with what it looks like.
+#ifndef TILEMEND_WORKER_MATERIALS_SURVEY_LOOK_H_
+#define TILEMEND_WORKER_MATERIALS_SURVEY_LOOK_H_
+
+#include <string>
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "common/codec/mesh_file.h"
+#include "common/records/survey_record.h"
+#include "common/records/tile_files.h"
+
+namespace tilemend {
+
+struct LookSurvey {
+  SurveyRecord record;  // with colours, where the tile has any
+  TileFiles files;
+};
+
+// Surveys `bytes`, the tile `path` of the scene `root`: SurveyTile, the files that it names, and its colours along the
+// boundary (texels or diffuse colours of an OBJ, colours of vertices of a PLY). A tile that names no files and has no
+// colours costs what SurveyTile does. Errors of ParseMesh; files and images that cannot be had are warnings.
+absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
+                                          MeshFormat format);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_MATERIALS_SURVEY_LOOK_H_

@@ -1,0 +1,101 @@
+#include "worker/materials/tile_look.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
+#include "common/codec/mtl.h"
+#include "common/codec/ply_colours.h"
+#include "common/util/files.h"
+#include "common/util/text.h"
+#include "worker/materials/scene_file.h"
+
+namespace tilemend {
+namespace {
+
+class LookReader {
+ public:
+  LookReader(const std::string& root, const std::string& tile) : root_(root), tile_(tile) {}
+
+  // `names`: one name, which may hold blanks, or several.
+  void AddLibraries(const std::string& names) {
+    if (const SceneFile whole = Find(FolderOf(tile_), names); !whole.path.empty()) return AddLibrary(whole.path);
+    const std::vector<std::string> words = absl::StrSplit(names, ' ', absl::SkipEmpty());
+    std::vector<SceneFile> files;
+    for (const std::string& word : words) files.push_back(Find(FolderOf(tile_), word));
+    const auto found = [](const SceneFile& file) { return !file.path.empty(); };
+    if (std::none_of(files.begin(), files.end(), found)) {
+      return Warn(tile_, names, Find(FolderOf(tile_), names).problem);
+    }
+    for (size_t i = 0; i < files.size(); ++i) {
+      if (found(files[i])) {
+        AddLibrary(files[i].path);
+      } else {
+        Warn(tile_, words[i], files[i].problem);
+      }
+    }
+  }
+
+  // The path of an image that `from` names, beside it or beside the tile; empty if it cannot be had.
+  std::string AddImage(const std::string& from, const std::string& name) {
+    SceneFile file = Find(FolderOf(from), name);
+    if (file.path.empty() && FolderOf(from) != FolderOf(tile_)) {
+      if (SceneFile beside_tile = Find(FolderOf(tile_), name); !beside_tile.path.empty()) file = std::move(beside_tile);
+    }
+    if (file.path.empty()) {
+      Warn(from, name, file.problem);
+    } else if (std::find(look_.files.images.begin(), look_.files.images.end(), file.path) == look_.files.images.end()) {
+      look_.files.images.push_back(file.path);
+    }
+    return file.path;
+  }
+
+  TileLook Finish() { return std::move(look_); }
+
+ private:
+  SceneFile Find(const std::string& folder, const std::string& name) const {
+    return FindSceneFile(root_, folder, name);
+  }
+
+  void AddLibrary(const std::string& path) {
+    if (std::find(look_.files.libraries.begin(), look_.files.libraries.end(), path) != look_.files.libraries.end())
+      return;
+    const auto text = ReadFile(absl::StrCat(root_, "/", path));
+    if (!text.ok()) return Warn(tile_, path, "cannot be read");
+    look_.files.libraries.push_back(path);
+    const MtlFile file = ParseMtl(*text);
+    std::map<std::string, std::string> paths;  // by name
+    for (const std::string& image : file.images) paths[image] = AddImage(path, image);
+    for (const MtlMaterial& m : file.materials) {
+      const bool plain = m.image.empty();
+      look_.materials.try_emplace(m.name, plain ? TileMaterial{m.diffuse, ""} : TileMaterial{{}, paths[m.image]});
+    }
+  }
+
+  void Warn(const std::string& from, const std::string& name, const std::string& problem) {
+    look_.files.warnings.push_back(
+        absl::StrCat(Printable(from), ": ", Printable(name), " ", problem, ": it is not in the output"));
+  }
+
+  const std::string& root_;
+  const std::string& tile_;
+  TileLook look_;
+};
+
+}  // namespace
+
+TileLook ReadObjLook(const std::string& root, const std::string& path, const ObjTextures& textures) {
+  LookReader reader(root, path);
+  for (const std::string& names : textures.libraries) reader.AddLibraries(names);
+  return reader.Finish();
+}
+
+TileLook ReadPlyLook(const std::string& root, const std::string& path, std::string_view bytes) {
+  LookReader reader(root, path);
+  for (const std::string& name : PlyTextureNames(bytes)) reader.AddImage(path, name);
+  return reader.Finish();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,35 @@
+// What a tile looks like: the materials that it names, and the files that they are in.
+#ifndef TILEMEND_WORKER_MATERIALS_TILE_LOOK_H_
+#define TILEMEND_WORKER_MATERIALS_TILE_LOOK_H_
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/codec/obj.h"
+#include "common/records/tile_files.h"
+#include "common/util/colour.h"
+
+namespace tilemend {
+
+struct TileMaterial {
+  std::optional<Rgb> diffuse;  // of a material without an image
+  std::string image;           // relative to the scene's folder; empty: none that is there
+};
+
+struct TileLook {
+  TileFiles files;
+  std::map<std::string, TileMaterial> materials;  // by name; the first definition counts
+};
+
+// Reads the material files that the OBJ tile `path` of the scene `root` names. An image is looked for beside the
+// material file that names it, then beside the tile. What is missing or lies elsewhere gives a warning that names it.
+TileLook ReadObjLook(const std::string& root, const std::string& path, const ObjTextures& textures);
+
+// The images that the header of a PLY tile names.
+TileLook ReadPlyLook(const std::string& root, const std::string& path, std::string_view bytes);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_MATERIALS_TILE_LOOK_H_

@@ -1,0 +1,33 @@
+#include "worker/materials/write_materials.h"
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+
+absl::Status WriteMaterials(const std::string& from, const std::string& to,
+                            const std::vector<FillMaterial>& materials) {
+  std::string text;
+  if (!from.empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(text, ReadFile(from));
+  }
+  return WriteFileAtomically(to, AppendToMtl(text, materials));
+}
+
+absl::StatusOr<std::vector<std::string>> CarryFiles(const std::string& root, const std::string& output,
+                                                    const std::vector<std::string>& files, bool link_images) {
+  std::vector<std::string> warnings;
+  for (const std::string& file : files) {
+    const Carry how = link_images && !absl::EndsWithIgnoreCase(file, ".mtl") ? Carry::kLink : Carry::kCopy;
+    const absl::Status status = CarryFile(absl::StrCat(root, "/", file), absl::StrCat(output, "/", file), how);
+    if (absl::IsResourceExhausted(status)) return status;
+    if (!status.ok())
+      warnings.push_back(absl::StrCat(Printable(std::string(status.message())), ": it is not in the output"));
+  }
+  return warnings;
+}
+
+}  // namespace tilemend
