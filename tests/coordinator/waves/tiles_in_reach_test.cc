@@ -18,8 +18,8 @@ class TilesInReachTest : public ::testing::Test {
     east_.lo = {10, 0, -1};
     east_.hi = {20, 10, 1};
     input_.cells = {{{0, 0}, &west_}, {{1, 0}, &east_}, {{2, 0}, nullptr}};
-    plan_.borders.push_back({{0, 0}, {1, 0}, BorderKind::kExact, 5, 0});
-    plan_.borders.push_back({{1, 0}, {2, 0}, BorderKind::kOpen, 0, 0});
+    plan_.borders.push_back({{0, 0}, {1, 0}, BorderKind::kExact, 5, 0, {}, {}});
+    plan_.borders.push_back({{1, 0}, {2, 0}, BorderKind::kOpen, 0, 0, {}, {}});
   }
 
   std::set<CellId> Reached(double x) {
