@@ -17,7 +17,7 @@ LIBRARIES = {
     'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'gtest/': 'gtest',
-    'gmock/': 'gtest', 'turbojpeg': 'jpeg', 'png.h': 'png', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
+    'gmock/': 'gtest', 'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -36,6 +36,8 @@ RULES = {
     'common/mesh': rule([], ['eigen']),
 
     'common/mesh/triangulation': rule(['common/mesh'], []),
+
+    'common/mesh/winding': rule(['common/mesh'], ['clipper']),
 
     'common/grid': rule(['common/util', 'common/mesh'], ['absl', 'json', 'pugixml']),
 
@@ -73,8 +75,8 @@ RULES = {
         ['eigen']),
 
     'worker/fill/plane': rule(
-        ['common/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface', 'worker/fill/shape',
-         'worker/fill/space'],
+        ['common/mesh', 'common/mesh/winding', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
+         'worker/fill/shape', 'worker/fill/space'],
         []),
 
     'worker/fill/crease': rule(

@@ -11,6 +11,7 @@
 #include "worker/fill/hole/facing.h"
 #include "worker/fill/hole/local_patch.h"
 #include "worker/fill/hole/projection_frame.h"
+#include "worker/fill/plane/folded_fill.h"
 #include "worker/fill/plane/plane_fill.h"
 #include "worker/fill/space/patch_soundness.h"
 #include "worker/fill/space/space_fill.h"
@@ -96,7 +97,8 @@ class HoleFiller {
   void AddPlanes(bool cut_folds, std::vector<Way>& ways) {
     const auto add = [&](FillWay name, Check check, const ProjectionFrame& frame) {
       ways.push_back({cut_folds && !hole_.level ? FillWay::kFoldsCut : name, check, [this, frame, cut_folds] {
-                        return FillOverPlane(hole_, frame, options_, {RimUse::kWhole, cut_folds});
+                        return cut_folds ? FillFolded(hole_, frame, options_)
+                                         : FillOverPlane(hole_, frame, options_, {});
                       }});
     };
     const Check over_ground = cut_folds && !hole_.open ? Check::kCrossings : Check::kNothing;

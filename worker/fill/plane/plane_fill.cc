@@ -10,11 +10,9 @@
 
 #include "common/mesh/rounding.h"
 #include "worker/fill/hole/facing.h"
-#include "worker/fill/region/fold_cutting.h"
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/shape/flip_edges.h"
 #include "worker/fill/shape/smooth_on_surface.h"
-#include "worker/fill/space/space_fill.h"
 
 namespace tilemend {
 namespace {
@@ -22,12 +20,6 @@ namespace {
 // Each gains less; a fourth one 0.001 of mean quality.
 constexpr int kSurfaceRounds = 3;
 constexpr int kSplitRounds = 8;  // each may bring up further edges; more than a few never came up
-
-std::set<VertexPair> ChordsOf(const CutBoundary& cut) {
-  std::set<VertexPair> chords;
-  for (const std::vector<int32_t>& run : cut.runs) chords.insert(Undirected(run.front(), run.back()));
-  return chords;
-}
 
 class PlaneFiller {
  public:
@@ -54,26 +46,19 @@ class PlaneFiller {
     planar_.reset();
     StorePoints(patch, result);
     result.triangles = std::move(patch.triangles);
-    CloseFolds(result);
     return result;
   }
 
  private:
   FillFailure Triangulate(RefinedRegion& region) {
-    cut_ = {hole_.segments, {}, {}, true};
     std::vector<LatticePoint>& points = planar_->points;
-    if (plane_options_.cut_folds) {
-      cut_ = CutFolds(points, hole_.segments, [&](int32_t a, int32_t b) { return hole_.MayJoin(a, b); });
-    }
-    if (cut_.simple && !cut_.segments.empty()) {
-      region = RefineRegion(points, cut_.segments, planar_->sizes, options_.refine);
-    }
-    if (!cut_.simple || !region.triangulation.conflicts.empty()) {
+    region = RefineRegion(points, hole_.segments, planar_->sizes, options_.refine);
+    if (!region.triangulation.conflicts.empty()) {
       return hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane;
     }
-    if (plane_options_.cut_folds) SplitRepeatedEdges(region);
+    if (plane_options_.at_folds) SplitRepeatedEdges(region);
     // Over a height field an edge is in the hole or on the surface.
-    const bool may_repeat = (hole_.open && !plane_options_.cut_folds);
+    const bool may_repeat = hole_.open && !plane_options_.at_folds;
     if (!may_repeat && !RepeatedEdges(region.triangulation.triangles).empty()) return FillFailure::kRepeatsEdges;
     if (frame_.upright()) {
       MoveNewPoints(
@@ -81,25 +66,24 @@ class PlaneFiller {
           [&](const Point2& p) {
             return std::array<Point2, 2>{ToNumberType(RoundedToLattice(p, Step())), ToNumberType(p)};
           },
-          points, cut_.segments, region);
+          points, hole_.segments, region);
     }
     return FillFailure::kNone;
   }
 
-  // The triangle edges between two rim vertices, none of the segments around the triangles, that the surface, the
-  // hole's boundary or a chord has already.
+  // The triangle edges between two rim vertices, none of the segments around the triangles, that the surface or the
+  // hole's boundary has already.
   std::set<VertexPair> RepeatedEdges(const std::vector<Triangle>& triangles) const {
     std::vector<VertexPair> segments;
-    for (const RegionSegment& s : cut_.segments) segments.push_back(Undirected(s.from, s.to));
+    for (const RegionSegment& s : hole_.segments) segments.push_back(Undirected(s.from, s.to));
     std::sort(segments.begin(), segments.end());
     std::set<VertexPair> repeated;
-    const std::set<VertexPair> taken = ChordsOf(cut_);
     for (const Triangle& t : triangles) {
       for (int k = 0; k < 3; ++k) {
         const int32_t a = t[k], b = t[(k + 1) % 3];
         if (a > b || b >= hole_.size()) continue;
         if (std::binary_search(segments.begin(), segments.end(), VertexPair(a, b))) continue;
-        if (taken.contains({a, b}) || !hole_.MayJoin(a, b)) repeated.insert({a, b});
+        if (!hole_.MayJoin(a, b)) repeated.insert({a, b});
       }
     }
     return repeated;
@@ -114,7 +98,7 @@ class PlaneFiller {
       for (const auto& [a, b] : repeated) {
         region.new_points.push_back({(points[a].x + points[b].x) / 2, (points[a].y + points[b].y) / 2});
       }
-      KeepNewPoints(std::vector<bool>(region.new_points.size(), true), points, cut_.segments, region);
+      KeepNewPoints(std::vector<bool>(region.new_points.size(), true), points, hole_.segments, region);
     }
   }
 
@@ -130,21 +114,17 @@ class PlaneFiller {
     planar_->points.insert(planar_->points.end(), region.new_points.begin(), region.new_points.end());
     patch.triangles = std::move(region.triangulation.triangles);
     patch.has_equation = hole_.has_equation;
-    for (const std::vector<int32_t>& run : cut_.runs) {
-      for (const int32_t v : run) patch.has_equation[v] = false;
-    }
     return patch;
   }
 
   // Better triangles in space, where good ones in the plane are poor on a steep surface: other diagonals and, with a
   // thin plate, new vertices moved along the surface.
   void ImproveShapes(PlanePatch& patch) {
-    const std::set<VertexPair> chords = ChordsOf(cut_);
     const auto flip = [&] {
       patch.triangles =
-          FlipForShape(patch.triangles, planar_->points, patch.points, cut_.segments, [&](int32_t a, int32_t b) {
+          FlipForShape(patch.triangles, planar_->points, patch.points, hole_.segments, [&](int32_t a, int32_t b) {
             const bool both_on_rim = a < hole_.size() && b < hole_.size();
-            return !both_on_rim || (hole_.MayJoin(a, b) && !chords.contains(Undirected(a, b)));
+            return !both_on_rim || hole_.MayJoin(a, b);
           });
     };
     flip();
@@ -174,41 +154,6 @@ class PlaneFiller {
     }
   }
 
-  // Closes what was cut off.
-  void CloseFolds(LocalPatch& result) const {
-    if (cut_.runs.empty()) return;
-    std::set<VertexPair> used = ChordsOf(cut_);  // between rim vertices
-    const auto use = [&](const std::vector<Triangle>& triangles) {
-      for (const Triangle& t : triangles) {
-        for (int k = 0; k < 3; ++k) {
-          const VertexPair edge = Undirected(t[k], t[(k + 1) % 3]);
-          if (edge.second < hole_.size()) used.insert(edge);
-        }
-      }
-    };
-    use(result.triangles);
-    for (const std::vector<int32_t>& run : cut_.runs) {
-      const std::vector<Triangle> triangles = TriangulateInSpace(hole_, run, used, {});
-      use(triangles);
-      if (triangles.empty()) {
-        AddFan(run, result);
-      } else {
-        result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
-      }
-    }
-  }
-
-  // Closes a run about a new vertex in its middle: possible where every chord is an edge already.
-  void AddFan(const std::vector<int32_t>& run, LocalPatch& result) const {
-    Point3 middle = Point3::Zero();
-    for (const int32_t v : run) middle += hole_.positions[v];
-    const auto centre = hole_.size() + static_cast<int32_t>(result.new_points.size());
-    result.new_points.push_back(RoundedToLattice(Point3(middle / static_cast<double>(run.size())), Step()));
-    for (size_t k = 0; k < run.size(); ++k) {
-      result.triangles.push_back({run[k], run[(k + 1) % run.size()], centre});
-    }
-  }
-
   double Step() const { return hole_.cell->lattice_step; }
 
   Point2 ToNumberType(const Point2& p) const {
@@ -221,7 +166,6 @@ class PlaneFiller {
   const PlaneFillOptions& plane_options_;
   std::vector<Point3> rim_;             // in the frame
   std::optional<PlanarPoints> planar_;  // the rim's, then the new points
-  CutBoundary cut_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace tilemend {
 
 struct PlaneFillOptions {
   RimUse use = RimUse::kWhole;
-  bool cut_folds = false;  // closes folds of the boundary in space first (fold_cutting.h)
+  bool at_folds = false;  // the hole is what is left beside folds (folded_fill.h): the surface may join it by edges
 };
 
 // Triangulates the hole over the plane of `frame`, refines it, finds the heights of the new points (plane_heights.h)

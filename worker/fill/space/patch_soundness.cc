@@ -1,6 +1,8 @@
 #include "worker/fill/space/patch_soundness.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "common/mesh/triangle_shape.h"
 #include "common/mesh/vertex_lists.h"
@@ -41,8 +43,11 @@ FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch) {
       if (times > 1 || times + count(b, a) + others > 2) return FillFailure::kOverfullEdge;
     }
   }
-  const bool closes = std::all_of(hole.segments.begin(), hole.segments.end(),
-                                  [&](const RegionSegment& s) { return count(s.from, s.to) > 0; });
+  std::set<std::pair<int32_t, int32_t>> segments;  // two to and fro are closed by themselves
+  for (const RegionSegment& s : hole.segments) segments.insert({s.from, s.to});
+  const bool closes = std::all_of(hole.segments.begin(), hole.segments.end(), [&](const RegionSegment& s) {
+    return count(s.from, s.to) > 0 || segments.contains({s.to, s.from});
+  });
   return closes ? FillFailure::kNone : FillFailure::kNotClosed;
 }
 

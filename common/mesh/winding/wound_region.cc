@@ -1,0 +1,266 @@
+#include "common/mesh/winding/wound_region.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <polyclipping/clipper.hpp>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "common/mesh/segment_distance.h"
+
+namespace tilemend {
+namespace {
+
+using ClipperLib::Clipper;
+using ClipperLib::IntPoint;
+using ClipperLib::Path;
+using ClipperLib::Paths;
+
+// Rounding crossings may make new ones; the second round has hardly ever any.
+constexpr int kMostRounds = 6;
+
+LatticePoint ToLattice(const IntPoint& p) { return {p.X, p.Y}; }
+IntPoint ToClipper(LatticePoint p) { return {p.x, p.y}; }
+
+// Splits directed segments into walks that close, the last step of some a straight one.
+std::vector<std::vector<int32_t>> WalksOf(std::span<const DirectedEdge> segments) {
+  std::map<int32_t, std::vector<int32_t>> next;
+  std::map<int32_t, int> surplus;
+  for (const DirectedEdge& s : segments) {
+    next[s.from].push_back(s.to);
+    ++surplus[s.from];
+    --surplus[s.to];
+  }
+  std::vector<int32_t> starts;  // where chains begin that do not close: those walks come first
+  for (const auto& [v, more] : surplus) {
+    if (more > 0) starts.push_back(v);
+  }
+  for (const auto& [v, unused] : next) starts.push_back(v);
+  std::vector<std::vector<int32_t>> walks;
+  for (const int32_t start : starts) {
+    while (!next[start].empty()) {
+      std::vector<int32_t> walk = {start};
+      while (!next[walk.back()].empty()) {
+        std::vector<int32_t>& ways = next[walk.back()];
+        const int32_t to = ways.back();
+        ways.pop_back();
+        if (to == start) break;
+        walk.push_back(to);
+      }
+      walks.push_back(std::move(walk));
+    }
+  }
+  return walks;
+}
+
+Paths PathsOf(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments) {
+  Paths paths;
+  for (const std::vector<int32_t>& walk : WalksOf(segments)) {
+    Path& path = paths.emplace_back();
+    for (const int32_t v : walk) path.push_back(ToClipper(points[v]));
+  }
+  return paths;
+}
+
+// Where a corner of one loop lies inside an edge of another or its own, the edge gets it too.
+void ShareCorners(Paths& loops) {
+  std::vector<LatticePoint> corners;
+  for (const Path& loop : loops) {
+    for (const IntPoint& p : loop) corners.push_back(ToLattice(p));
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (Path& loop : loops) {
+    Path shared;
+    for (size_t i = 0; i < loop.size(); ++i) {
+      const LatticePoint a = ToLattice(loop[i]), b = ToLattice(loop[(i + 1) % loop.size()]);
+      shared.push_back(loop[i]);
+      const auto [lo, hi] = std::minmax(a, b);
+      std::vector<LatticePoint> between;
+      for (auto c = std::upper_bound(corners.begin(), corners.end(), lo); c != corners.end() && *c < hi; ++c) {
+        if (Orientation(lo, hi, *c) == 0) between.push_back(*c);
+      }
+      if (b < a) std::reverse(between.begin(), between.end());
+      for (const LatticePoint& c : between) shared.push_back(ToClipper(c));
+    }
+    loop = std::move(shared);
+  }
+}
+
+// It looks at its options when paths are added.
+constexpr int kOptions = ClipperLib::ioStrictlySimple | ClipperLib::ioPreserveCollinear;
+
+Paths Executed(Clipper& clipper, ClipperLib::ClipType type) {
+  Paths solution;
+  clipper.Execute(type, solution, ClipperLib::pftPositive, ClipperLib::pftPositive);
+  return solution;
+}
+
+Paths Clipped(const Paths& paths, const std::optional<LatticeBox>& box, Winding winding) {
+  Clipper clipper(kOptions);
+  if (!box) {
+    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+    return Executed(clipper, ClipperLib::ctUnion);
+  }
+  const Path square = {ToClipper(box->lo), IntPoint(box->hi.x, box->lo.y), ToClipper(box->hi),
+                       IntPoint(box->lo.x, box->hi.y)};
+  const bool inside = winding == Winding::kInside;
+  clipper.AddPaths(paths, inside ? ClipperLib::ptSubject : ClipperLib::ptClip, true);
+  clipper.AddPath(square, inside ? ClipperLib::ptClip : ClipperLib::ptSubject, true);
+  return Executed(clipper, inside ? ClipperLib::ctIntersection : ClipperLib::ctDifference);
+}
+
+// Rounds until nothing changes: crossings that rounding made are resolved as well.
+Paths Simple(Paths loops) {
+  for (int round = 0; round < kMostRounds; ++round) {
+    ShareCorners(loops);
+    Clipper clipper(kOptions);
+    clipper.AddPaths(loops, ClipperLib::ptSubject, true);
+    Paths again = Executed(clipper, ClipperLib::ctUnion);
+    const auto count = [](const Paths& paths) {
+      size_t n = 0;
+      for (const Path& p : paths) n += p.size();
+      return n;
+    };
+    const bool stable = again.size() == loops.size() && count(again) == count(loops);
+    loops = std::move(again);
+    if (stable) break;
+  }
+  ShareCorners(loops);
+  return loops;
+}
+
+class Numberer {
+ public:
+  Numberer(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
+           const std::optional<LatticeBox>& box)
+      : points_(points), segments_(segments), box_(box) {
+    for (const DirectedEdge& s : segments) {
+      joined_.insert({s.from, s.to});
+      for (const int32_t v : {s.from, s.to}) at_[points[v]].insert(v);
+    }
+  }
+
+  WoundRegion Run(const Paths& loops) {
+    for (const Path& loop : loops) AddLoop(loop);
+    return std::move(region_);
+  }
+
+ private:
+  void AddLoop(const Path& loop) {
+    if (loop.size() < 3) return;
+    std::vector<int32_t> vertices;
+    for (size_t i = 0; i < loop.size(); ++i) {
+      const int32_t before = vertices.empty() ? -1 : vertices.back();
+      vertices.push_back(VertexAt(ToLattice(loop[i]), before, ToLattice(loop[(i + 1) % loop.size()])));
+    }
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      region_.segments.push_back({vertices[i], vertices[(i + 1) % vertices.size()]});
+    }
+  }
+
+  int32_t VertexAt(LatticePoint place, int32_t before, LatticePoint next) {
+    const auto it = at_.find(place);
+    if (it == at_.end()) return CornerAt(place);
+    std::set<int32_t>& here = it->second;
+    if (here.size() > 1) here = {ChooseFrom(here, before, next)};
+    return *here.begin();
+  }
+
+  // Of several points at one place, one that a segment joins with the vertex before, or with a point at the next place.
+  int32_t ChooseFrom(const std::set<int32_t>& here, int32_t before, LatticePoint next) const {
+    const auto joined = std::find_if(here.begin(), here.end(), [&](int32_t v) { return Joined(before, v); });
+    if (joined != here.end()) return *joined;
+    const auto after = at_.find(next);
+    if (after == at_.end()) return *here.begin();
+    const auto goes_on = std::find_if(here.begin(), here.end(), [&](int32_t v) {
+      return std::any_of(after->second.begin(), after->second.end(), [&](int32_t w) { return Joined(v, w); });
+    });
+    return goes_on != here.end() ? *goes_on : *here.begin();
+  }
+
+  bool Joined(int32_t a, int32_t b) const { return joined_.contains({a, b}) || joined_.contains({b, a}); }
+
+  int32_t CornerAt(LatticePoint place) {
+    const auto next = static_cast<int32_t>(points_.size() + region_.corners.size());
+    const auto [it, fresh] = corner_at_.try_emplace(place, next);
+    if (!fresh) return it->second;
+    region_.corners.push_back({place, IsOfBox(place) ? std::vector<int32_t>{} : SegmentsThrough(place)});
+    return it->second;
+  }
+
+  bool IsOfBox(LatticePoint p) const {
+    return box_ && (p.x == box_->lo.x || p.x == box_->hi.x) && (p.y == box_->lo.y || p.y == box_->hi.y);
+  }
+
+  // Those within a step of the lattice, else the nearest.
+  std::vector<int32_t> SegmentsThrough(LatticePoint place) const {
+    std::vector<int32_t> through;
+    int32_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    const Point2 p = ToPoint(place);
+    for (size_t s = 0; s < segments_.size(); ++s) {
+      const double distance =
+          DistanceToSegment(p, ToPoint(points_[segments_[s].from]), ToPoint(points_[segments_[s].to]));
+      if (distance <= 1) through.push_back(static_cast<int32_t>(s));
+      if (distance >= least) continue;
+      least = distance;
+      nearest = static_cast<int32_t>(s);
+    }
+    return through.empty() ? std::vector<int32_t>{nearest} : through;
+  }
+
+  static Point2 ToPoint(LatticePoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+  std::span<const LatticePoint> points_;
+  std::span<const DirectedEdge> segments_;
+  const std::optional<LatticeBox>& box_;
+  std::map<LatticePoint, std::set<int32_t>> at_;
+  std::set<std::pair<int32_t, int32_t>> joined_;
+  std::map<LatticePoint, int32_t> corner_at_;
+  WoundRegion region_;
+};
+
+}  // namespace
+
+WoundRegion FindWoundRegion(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
+                            const std::optional<LatticeBox>& box, Winding winding) {
+  const Paths loops = Simple(Clipped(PathsOf(points, segments), box, winding));
+  return Numberer(points, segments, box).Run(loops);
+}
+
+std::vector<std::vector<int32_t>> LoopsBetween(std::span<const DirectedEdge> outer,
+                                               std::span<const DirectedEdge> inner) {
+  std::map<std::pair<int32_t, int32_t>, int> count;
+  for (const DirectedEdge& e : outer) ++count[{e.from, e.to}];
+  for (const DirectedEdge& e : inner) ++count[{e.to, e.from}];
+  std::map<int32_t, std::vector<int32_t>> next;
+  for (const auto& [edge, n] : count) {
+    const auto back = count.find({edge.second, edge.first});
+    const int left = n - (back == count.end() ? 0 : back->second);
+    next[edge.first].insert(next[edge.first].end(), std::max(left, 0), edge.second);
+  }
+  std::vector<std::vector<int32_t>> loops;
+  for (auto& [start, unused] : next) {
+    while (!next[start].empty()) {
+      std::vector<int32_t> walk = {start};
+      while (!walk.empty() && !next[walk.back()].empty()) {
+        std::vector<int32_t>& ways = next[walk.back()];
+        const int32_t to = ways.back();
+        ways.pop_back();
+        const auto met = std::find(walk.begin(), walk.end(), to);
+        if (met == walk.end()) {
+          walk.push_back(to);
+          continue;
+        }
+        if (walk.end() - met > 2) loops.emplace_back(met, walk.end());
+        walk.erase(met + 1, walk.end());
+      }
+    }
+  }
+  return loops;
+}
+
+}  // namespace tilemend

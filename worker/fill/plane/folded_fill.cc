@@ -1,0 +1,237 @@
+#include "worker/fill/plane/folded_fill.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/rounding.h"
+#include "common/mesh/winding/wound_region.h"
+#include "worker/fill/plane/plane_fill.h"
+#include "worker/fill/region/planar_region.h"
+#include "worker/fill/space/space_fill.h"
+
+namespace tilemend {
+namespace {
+
+// Moving a crossing to where a file can hold it may make new ones.
+constexpr int kMostRounds = 5;
+// Vertices of a loop that is closed at once; a longer one is parted by a chord first.
+constexpr size_t kLongestLoop = 60;
+// A chord leaves each side at least this share of the loop.
+constexpr size_t kLeastShare = 4;
+
+class FoldedFiller {
+ public:
+  FoldedFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options)
+      : hole_(hole), frame_(frame), options_(options), whole_(hole) {}
+
+  LocalPatch Run() {
+    if (!FindRegion()) return {hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane};
+    loops_ = LoopsBetween(hole_.segments, segments_);
+    LocalPatch patch;
+    patch.new_points.assign(whole_.positions.begin() + hole_.size(), whole_.positions.end());
+    if (!segments_.empty()) {
+      const HolePart part = RegionPart();
+      const LocalPatch of_region = FillOverPlane(part.hole, frame_, options_, {RimUse::kWhole, true});
+      if (!of_region.ok()) return of_region;
+      patch.hold_out = of_region.hold_out;
+      AddPart(part, of_region, hole_, patch);
+    }
+    CloseLoops(patch);
+    return patch;
+  }
+
+ private:
+  // Finds the boundary of what is wound around, simple with its corners where a file can hold them.
+  bool FindRegion() {
+    segments_ = hole_.segments;
+    for (int round = 0; round < kMostRounds; ++round) {
+      if (segments_.empty()) break;
+      const std::vector<LatticePoint> points = LatticePoints();
+      if (round > 0 && TriangulateRegion(points, segments_).conflicts.empty()) break;
+      if (round + 1 == kMostRounds) return false;
+      WoundRegion region = FindWoundRegion(points, segments_);
+      for (const RegionCorner& corner : region.corners) AddCorner(corner);
+      segments_ = std::move(region.segments);
+      PartTakenChords();
+    }
+    return true;
+  }
+
+  // Those of the segments; of others nothing. On the lattice that FillOverPlane will take for them.
+  std::vector<LatticePoint> LatticePoints() {
+    std::set<int32_t> used;
+    for (const RegionSegment& s : segments_) used.insert({s.from, s.to});
+    std::vector<Point2> flat;
+    std::vector<double> sizes;
+    for (const int32_t v : used) {
+      flat.push_back(frame_.ToFrame(whole_.positions[v]).head<2>());
+      sizes.push_back(whole_.sizes[v]);
+    }
+    const PlanarPoints planar = RoundToWindow(flat, sizes);
+    window_.emplace(planar.window);
+    std::vector<LatticePoint> points(whole_.positions.size());
+    size_t k = 0;
+    for (const int32_t v : used) points[v] = planar.points[k++];
+    return points;
+  }
+
+  void AddCorner(const RegionCorner& corner) {
+    const Point2 place = window_->ToMetres(corner.place);
+    double height = std::numeric_limits<double>::infinity(), size = height;
+    for (const int32_t s : corner.through) {
+      const int32_t from = segments_[s].from, to = segments_[s].to;
+      const Point3 a = frame_.ToFrame(whole_.positions[from]), b = frame_.ToFrame(whole_.positions[to]);
+      const double length = (b - a).head<2>().squaredNorm();
+      const double share = length > 0 ? std::clamp((place - a.head<2>()).dot((b - a).head<2>()) / length, 0., 1.) : 0;
+      height = std::min(height, a.z() + share * (b.z() - a.z()));
+      size = std::min({size, whole_.sizes[from], whole_.sizes[to]});
+    }
+    AddVertex(frame_.ToScene(Point3(place.x(), place.y(), height)), size);
+  }
+
+  // An edge between two rim vertices that the surface has already gets a new vertex in its middle.
+  void PartTakenChords() {
+    std::set<std::pair<int32_t, int32_t>> rim;
+    for (const RegionSegment& s : hole_.segments) rim.insert({s.from, s.to});
+    for (size_t k = 0, n = segments_.size(); k < n; ++k) {
+      const auto [from, to] = segments_[k];
+      if (std::max(from, to) >= hole_.size() || rim.contains({from, to}) || hole_.MayJoin(from, to)) continue;
+      const Point3 a = whole_.positions[from], b = whole_.positions[to];
+      const int32_t middle = AddVertex((a + b) / 2, std::min(whole_.sizes[from], whole_.sizes[to]));
+      segments_[k].to = middle;
+      segments_.push_back({middle, to});
+    }
+  }
+
+  int32_t AddVertex(const Point3& place, double size) {
+    whole_.vertices.push_back(-1);
+    whole_.positions.push_back(Storable(place));
+    whole_.sizes.push_back(size);
+    whole_.has_equation.push_back(false);
+    whole_.normals.push_back(Eigen::Vector3d::Zero());
+    return whole_.size() - 1;
+  }
+
+  Point3 Storable(const Point3& p) const {
+    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
+                     RoundedToLattice(p, hole_.cell->lattice_step));
+  }
+
+  HolePart RegionPart() const {
+    std::set<int32_t> at_fold;
+    for (const std::vector<int32_t>& loop : loops_) at_fold.insert(loop.begin(), loop.end());
+    HolePart part;
+    LocalHole& local = part.hole;
+    local.cell = hole_.cell;
+    local.band = hole_.band;
+    local.open = hole_.open;
+    local.tension = hole_.tension;
+    local.level = hole_.level;
+    std::vector<int32_t> number(whole_.vertices.size(), -1);
+    const auto take = [&](int32_t v) {
+      if (number[v] >= 0) return number[v];
+      number[v] = local.size();
+      part.vertices.push_back(v);
+      local.vertices.push_back(whole_.vertices[v]);
+      local.positions.push_back(whole_.positions[v]);
+      local.sizes.push_back(whole_.sizes[v]);
+      local.normals.push_back(whole_.normals[v]);
+      local.has_equation.push_back(whole_.has_equation[v] && !at_fold.contains(v));
+      return number[v];
+    };
+    for (const RegionSegment& s : segments_) {
+      const int32_t from = take(s.from), to = take(s.to);
+      local.segments.push_back({from, to});
+      local.boundary.push_back(Undirected(from, to));
+    }
+    std::sort(local.boundary.begin(), local.boundary.end());
+    return part;
+  }
+
+  // Edges of the patch that the walls may not have again are collected as it grows.
+  void CloseLoops(LocalPatch& patch) {
+    const auto use = [&](const std::vector<Triangle>& triangles) {
+      for (const Triangle& t : triangles) {
+        for (int k = 0; k < 3; ++k) {
+          const VertexPair edge = Undirected(t[k], t[(k + 1) % 3]);
+          if (edge.second < whole_.size()) used_.insert(edge);
+        }
+      }
+    };
+    use(patch.triangles);
+    while (!loops_.empty()) {
+      const std::vector<int32_t> loop = std::move(loops_.back());
+      loops_.pop_back();
+      if (loop.size() > kLongestLoop && Part(loop)) continue;
+      const std::vector<Triangle> triangles = TriangulateInSpace(whole_, loop, used_, {});
+      use(triangles);
+      if (triangles.empty() || (loop.size() == 3 && IsOnSurface(loop))) {
+        AddFan(loop, patch);
+      } else {
+        patch.triangles.insert(patch.triangles.end(), triangles.begin(), triangles.end());
+      }
+    }
+  }
+
+  // Parts a loop by its shortest chord that may be made.
+  bool Part(const std::vector<int32_t>& loop) {
+    const size_t n = loop.size(), least = n / kLeastShare;
+    double shortest = std::numeric_limits<double>::infinity();
+    std::pair<size_t, size_t> best{0, 0};
+    for (size_t i = 0; i < n; ++i) {
+      for (size_t k = i + least; k < n && k - i <= n - least; ++k) {
+        const double length = (whole_.positions[loop[i]] - whole_.positions[loop[k]]).squaredNorm();
+        if (length >= shortest || !whole_.MayJoin(loop[i], loop[k])) continue;
+        if (used_.contains(Undirected(loop[i], loop[k]))) continue;
+        shortest = length;
+        best = {i, k};
+      }
+    }
+    const auto [i, k] = best;
+    if (k == 0) return false;
+    const auto at = [&](size_t j) { return loop.begin() + static_cast<ptrdiff_t>(j); };
+    used_.insert(Undirected(loop[i], loop[k]));
+    loops_.emplace_back(at(i), at(k + 1));
+    std::vector<int32_t>& rest = loops_.emplace_back(at(k), loop.end());
+    rest.insert(rest.end(), at(0), at(i + 1));
+    return true;
+  }
+
+  bool IsOnSurface(const std::vector<int32_t>& loop) const {
+    const bool of_rim = std::all_of(loop.begin(), loop.end(), [&](int32_t v) { return v < hole_.size(); });
+    return of_rim &&
+           hole_.band->HasTriangle({hole_.vertices[loop[0]], hole_.vertices[loop[1]], hole_.vertices[loop[2]]});
+  }
+
+  // Closes a loop about a new vertex in its middle: possible where every chord is an edge already.
+  void AddFan(const std::vector<int32_t>& loop, LocalPatch& patch) const {
+    Point3 middle = Point3::Zero();
+    for (const int32_t v : loop) middle += whole_.positions[v];
+    const auto centre = hole_.size() + static_cast<int32_t>(patch.new_points.size());
+    patch.new_points.push_back(
+        RoundedToLattice(Point3(middle / static_cast<double>(loop.size())), hole_.cell->lattice_step));
+    for (size_t k = 0; k < loop.size(); ++k) {
+      patch.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], centre});
+    }
+  }
+
+  const LocalHole& hole_;
+  const ProjectionFrame& frame_;
+  const FillOptions& options_;
+  LocalHole whole_;  // the hole, then the corners of the region
+  std::optional<LatticeWindow> window_;
+  std::vector<RegionSegment> segments_;      // of the region, in whole_
+  std::vector<std::vector<int32_t>> loops_;  // still to be closed
+  std::set<VertexPair> used_;                // edges between vertices of whole_ that the patch has
+};
+
+}  // namespace
+
+LocalPatch FillFolded(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options) {
+  return FoldedFiller(hole, frame, options).Run();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,22 @@
+// Fills a hole whose boundary crosses itself on its plane.
+#ifndef TILEMEND_WORKER_FILL_PLANE_FOLDED_FILL_H_
+#define TILEMEND_WORKER_FILL_PLANE_FOLDED_FILL_H_
+
+#include "worker/fill/hole/fill_options.h"
+#include "worker/fill/hole/local_patch.h"
+#include "worker/fill/hole/projection_frame.h"
+
+namespace tilemend {
+
+// A boundary that runs over facades, under trees or along upright edges folds over itself on the plane. What it winds
+// around is filled over the plane (wound_region.h, plane_fill.h), with a new vertex wherever the boundary crosses
+// itself, at the lower of the edges there; no vertex at a fold has an equation. What lies between that region's
+// boundary and the hole's, walls for the most part, is closed by triangles in space, loop by loop.
+//
+// The patch is closed whatever the folds; it may yet pass through itself or the surface there. Failures as
+// FillOverPlane. Cost as FillOverPlane, and cubic in the longest loops up to a bound.
+LocalPatch FillFolded(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_PLANE_FOLDED_FILL_H_
