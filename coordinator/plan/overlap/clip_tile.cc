@@ -1,108 +1,244 @@
 #include "coordinator/plan/overlap/clip_tile.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
 #include <utility>
+
+#include "common/mesh/disjoint_sets.h"
+#include "common/mesh/lattice.h"
+#include "common/mesh/winding/wound_region.h"
 
 namespace tilemend {
 namespace {
 
+// m2: less surface, or less of a hole, seen from above is none.
+constexpr double kSliver = 2.5e-3;
+
+Point2 Flat(const Point3& p) { return p.head<2>(); }
+
 class Clipper {
  public:
-  Clipper(const SurveyRecord& record, const ClipSquare& square) : record_(record), square_(square) {}
+  Clipper(const SurveyRecord& record, const ClipSquare& square) : record_(record), square_(square), window_(Window()) {
+    for (const BoundaryVertex& v : record_.vertices) points_.push_back(window_.Round(Flat(Pressed(v.position))));
+  }
 
   ClippedTile Run() {
-    for (size_t e = 0; e < record_.edges.size(); ++e) Clip(static_cast<int32_t>(e));
-    for (const BoundaryVertex& v : record_.vertices) AddCorner(v.position);
+    FindLoops();
+    WoundRegion region = Region();
+    if (CutPieces(region)) region = Region();
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      if (!result_.cut[e]) result_.inner.push_back({record_.edges[e].from, record_.edges[e].to});
+    }
+    AddHeights();
+    AddRegion(region);
     return std::move(result_);
   }
 
  private:
-  // A place along an edge: one of its ends, or where it passes a side.
-  struct Place {
-    double share = 0;  // of the way from its beginning to its end
-    int side = -1;     // that it passes
-    int32_t crossing = -1;
-  };
-
-  void Clip(int32_t e) {
-    const BoundaryEdge& edge = record_.edges[e];
-    const Point3 &p = record_.vertices[edge.from].position, &q = record_.vertices[edge.to].position;
-    std::vector<Place> places = {{0, -1, -1}, {1, -1, -1}};
+  // What lies between the cut and the side is moved to the side.
+  Point3 Pressed(Point3 p) const {
     for (const Side s : kSides) {
-      if (square_.Beyond(p, s) == square_.Beyond(q, s)) continue;
-      const int axis = AxisOf(s);
-      places.push_back({std::clamp((square_.cut[s] - p[axis]) / (q[axis] - p[axis]), 0.0, 1.0), s, -1});
+      double& x = p[AxisOf(s)];
+      if (square_.Beyond(p, s) && (x - square_.side[s]) * OutwardOf(s) < 0) x = square_.side[s];
     }
-    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-      const auto order = [](const Place& x) { return x.side >= 0 ? 1 : x.share > 0 ? 2 : 0; };  // ends stay at the ends
-      return a.share != b.share ? a.share < b.share : order(a) < order(b);
-    });
-    std::array<bool, 4> beyond{};
-    for (const Side s : kSides) beyond[s] = square_.Beyond(p, s);
-    for (size_t i = 0; i + 1 < places.size(); ++i) {
-      if (places[i].side >= 0) beyond[places[i].side] = !beyond[places[i].side];
-      AddPart(e, beyond, places[i], places[i + 1]);
+    return p;
+  }
+
+  LatticeWindow Window() const {
+    Point2 lo(square_.side[kWest], square_.side[kSouth]), hi(square_.side[kEast], square_.side[kNorth]);
+    for (const BoundaryVertex& v : record_.vertices) {
+      lo = lo.cwiseMin(Flat(v.position));
+      hi = hi.cwiseMax(Flat(v.position));
     }
+    return {lo, hi};
   }
 
-  void AddPart(int32_t e, const std::array<bool, 4>& beyond, Place& from, Place& to) {
-    const auto count = std::count(beyond.begin(), beyond.end(), true);
-    if (count > 1) return;  // pressed into a corner
-    if (count == 0) {
-      result_.inner.push_back({EndAt(e, from, false), EndAt(e, to, true)});
-      return;
+  LatticeBox Box() const {
+    return {window_.Round({square_.side[kWest], square_.side[kSouth]}),
+            window_.Round({square_.side[kEast], square_.side[kNorth]})};
+  }
+
+  // The connected parts of the boundary; those that leave the square are cut.
+  void FindLoops() {
+    DisjointSets sets(static_cast<int32_t>(record_.vertices.size()));
+    for (const BoundaryEdge& e : record_.edges) sets.Join(e.from, e.to);
+    group_ = sets.Groups();
+    std::set<int32_t> leaving;
+    for (size_t v = 0; v < record_.vertices.size(); ++v) {
+      if (!square_.Contains(record_.vertices[v].position)) leaving.insert(group_[v]);
     }
-    const auto s = static_cast<Side>(std::find(beyond.begin(), beyond.end(), true) - beyond.begin());
-    SidePart part;
-    part.side = s;
-    if (from.side == s) part.from_crossing = CrossingAt(e, from, true);
-    if (to.side == s) part.to_crossing = CrossingAt(e, to, false);
-    const Point3 a = At(e, from.share), b = At(e, to.share);
-    part.from = Along(a, s, from), part.to = Along(b, s, to);
-    part.from_height = a.z(), part.to_height = b.z();
-    if (part.from != part.to || part.from_crossing >= 0 || part.to_crossing >= 0) result_.at_side.push_back(part);
+    for (const BoundaryEdge& e : record_.edges) result_.cut.push_back(leaving.contains(group_[e.from]));
   }
 
-  ClipEnd EndAt(int32_t e, Place& place, bool leaves) {
-    if (place.side >= 0) return {-1, CrossingAt(e, place, leaves)};
-    const BoundaryEdge& edge = record_.edges[e];
-    return {place.share == 0 ? edge.from : edge.to, -1};
+  WoundRegion Region() const {
+    std::vector<DirectedEdge> edges;
+    for (const int32_t e : CutEdges()) edges.push_back({record_.edges[e].from, record_.edges[e].to});
+    return FindWoundRegion(points_, edges, Box());
   }
 
-  int32_t CrossingAt(int32_t e, Place& place, bool leaves) {
-    if (place.crossing >= 0) return place.crossing;
-    place.crossing = static_cast<int32_t>(result_.crossings.size());
-    const auto s = static_cast<Side>(place.side);
-    const Point3 p = At(e, place.share);
-    const double length = (At(e, 1) - At(e, 0)).head<2>().norm();
-    result_.crossings.push_back({e, s, Along(p, s, {}), p.z(), length, leaves});
-    return place.crossing;
+  std::vector<int32_t> CutEdges() const {
+    std::vector<int32_t> edges;
+    for (size_t e = 0; e < result_.cut.size(); ++e) {
+      if (result_.cut[e]) edges.push_back(static_cast<int32_t>(e));
+    }
+    return edges;
   }
 
-  Point3 At(int32_t e, double share) const {
-    const BoundaryEdge& edge = record_.edges[e];
-    const Point3 &p = record_.vertices[edge.from].position, &q = record_.vertices[edge.to].position;
-    return share == 0 ? p : share == 1 ? q : Point3(p + share * (q - p));
+  // Pieces of surface that lie, in part at least, where the region has none are cut as well.
+  bool CutPieces(const WoundRegion& region) {
+    std::map<int32_t, double> area;
+    std::set<int32_t> uncovered;
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      if (result_.cut[e]) continue;
+      const BoundaryEdge& edge = record_.edges[e];
+      const Point3 &a = record_.vertices[edge.from].position, &b = record_.vertices[edge.to].position;
+      const int32_t group = group_[edge.from];
+      area[group] += (a.x() - square_.side[kWest]) * (b.y() - square_.side[kSouth]) -
+                     (a.y() - square_.side[kSouth]) * (b.x() - square_.side[kWest]);
+      if (!uncovered.contains(group) && !Covers(region, points_[edge.from])) uncovered.insert(group);
+    }
+    bool any = false;
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      const int32_t group = group_[record_.edges[e].from];
+      if (result_.cut[e] || !uncovered.contains(group) || area[group] <= 0) continue;
+      result_.cut[e] = any = true;
+    }
+    return any;
   }
 
-  // The coordinate along side s, pressed between its corners.
-  double Along(const Point3& p, Side s, const Place& place) const {
-    const Side low = AxisOf(s) == 0 ? kSouth : kWest, high = AxisOf(s) == 0 ? kNorth : kEast;
-    if (square_.Beyond(p, low) || place.side == low) return square_.side[low];
-    if (square_.Beyond(p, high) || place.side == high) return square_.side[high];
-    return p[1 - AxisOf(s)];
+  LatticePoint Place(const WoundRegion& region, int32_t v) const {
+    const auto own = static_cast<int32_t>(points_.size());
+    return v < own ? points_[v] : region.corners[v - own].place;
   }
 
-  void AddCorner(const Point3& p) {
-    for (const Side x : {kWest, kEast}) {
-      for (const Side y : {kSouth, kNorth}) {
-        if (square_.Beyond(p, x) && square_.Beyond(p, y)) result_.corners.push_back({{x, y}, p.z()});
+  // By the edges to the east.
+  bool Covers(const WoundRegion& region, LatticePoint p) const {
+    bool inside = false;
+    for (const DirectedEdge& s : region.segments) {
+      const LatticePoint a = Place(region, s.from), b = Place(region, s.to);
+      if ((a.y > p.y) == (b.y > p.y)) continue;
+      inside ^= Orientation(a.y < b.y ? a : b, a.y < b.y ? b : a, p) > 0;
+    }
+    return inside;
+  }
+
+  // Of vertices beyond the sides.
+  void AddHeights() {
+    for (const BoundaryVertex& v : record_.vertices) {
+      for (const Side s : kSides) {
+        if (square_.Beyond(v.position, s)) {
+          result_.sides[s].height.emplace(v.position[1 - AxisOf(s)], v.position.z());
+        }
       }
     }
   }
 
+  void AddRegion(const WoundRegion& region) {
+    std::vector<DirectedEdge> loop;
+    for (const DirectedEdge& s : region.segments) {
+      loop.push_back(s);
+      if (s.to != loop.front().from) continue;
+      AddLoop(region, loop);
+      loop.clear();
+    }
+  }
+
+  void AddLoop(const WoundRegion& region, const std::vector<DirectedEdge>& loop) {
+    double area = 0;
+    const Point2 origin = window_.ToMetres(Place(region, loop[0].from));
+    for (const DirectedEdge& s : loop) {
+      const Point2 a = window_.ToMetres(Place(region, s.from)) - origin,
+                   b = window_.ToMetres(Place(region, s.to)) - origin;
+      area += (a.x() * b.y() - a.y() * b.x()) / 2;
+    }
+    if (std::abs(area) < kSliver) return;
+    for (const DirectedEdge& s : loop) {
+      const int side = CommonSide(region, s);
+      if (side < 0) {
+        const int32_t from = VertexOf(region, s.from), to = VertexOf(region, s.to);
+        result_.inner.push_back({from, to});
+        continue;
+      }
+      const int axis = 1 - AxisOf(static_cast<Side>(side));
+      const double a = window_.ToMetres(Place(region, s.from))[axis], b = window_.ToMetres(Place(region, s.to))[axis];
+      ++result_.sides[side].step[std::min(a, b)];
+      --result_.sides[side].step[std::max(a, b)];
+    }
+  }
+
+  bool IsOn(const Point2& p, Side s) const { return p[AxisOf(s)] == square_.side[s]; }
+
+  int CommonSide(const WoundRegion& region, const DirectedEdge& edge) const {
+    const Point2 a = window_.ToMetres(Place(region, edge.from)), b = window_.ToMetres(Place(region, edge.to));
+    for (const Side s : kSides) {
+      if (IsOn(a, s) && IsOn(b, s)) return s;
+    }
+    return -1;
+  }
+
+  // A vertex on a side is none of the tile's even where one lies there.
+  int32_t VertexOf(const WoundRegion& region, int32_t v) {
+    const auto own = static_cast<int32_t>(points_.size());
+    const Point2 place = window_.ToMetres(Place(region, v));
+    const bool on_side = std::any_of(kSides.begin(), kSides.end(), [&](Side s) { return IsOn(place, s); });
+    if (v < own && !on_side) return v;
+    const auto [it, fresh] = number_.try_emplace(v, own + static_cast<int32_t>(result_.vertices.size()));
+    if (fresh) result_.vertices.push_back(v < own ? AtVertex(v, place) : AtCorner(region.corners[v - own], place));
+    return it->second;
+  }
+
+  ClipVertex AtVertex(int32_t v, const Point2& place) const {
+    ClipVertex vertex{{place.x(), place.y(), record_.vertices[v].position.z()}, {}, 0};
+    for (const int32_t e : CutEdges()) {
+      if (record_.edges[e].from == v || record_.edges[e].to == v) vertex.through.push_back(e);
+    }
+    vertex.length = ShortestOf(vertex.through);
+    return vertex;
+  }
+
+  ClipVertex AtCorner(const RegionCorner& corner, const Point2& place) const {
+    ClipVertex vertex{{place.x(), place.y(), std::numeric_limits<double>::infinity()}, {}, 0};
+    const std::vector<int32_t> cut = CutEdges();
+    for (const int32_t s : corner.through) {
+      const BoundaryEdge& e = record_.edges[cut[s]];
+      const Point3 &a = record_.vertices[e.from].position, &b = record_.vertices[e.to].position;
+      const double length = Flat(b - a).squaredNorm();
+      const double share = length > 0 ? std::clamp((place - Flat(a)).dot(Flat(b - a)) / length, 0.0, 1.0) : 0;
+      vertex.position.z() = std::min(vertex.position.z(), a.z() + share * (b.z() - a.z()));
+      vertex.through.push_back(cut[s]);
+    }
+    if (vertex.through.empty())
+      vertex.position.z() = NearestHeight(place);  // the boundary touches a corner of the square
+    vertex.length = ShortestOf(vertex.through);
+    return vertex;
+  }
+
+  double NearestHeight(const Point2& place) const {
+    const auto nearest = std::min_element(
+        record_.vertices.begin(), record_.vertices.end(), [&](const BoundaryVertex& a, const BoundaryVertex& b) {
+          return (Flat(a.position) - place).squaredNorm() < (Flat(b.position) - place).squaredNorm();
+        });
+    return nearest->position.z();
+  }
+
+  double ShortestOf(const std::vector<int32_t>& edges) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const int32_t e : edges) {
+      const Point3 &a = record_.vertices[record_.edges[e].from].position,
+                   &b = record_.vertices[record_.edges[e].to].position;
+      shortest = std::min(shortest, Flat(b - a).norm());
+    }
+    return shortest;
+  }
+
   const SurveyRecord& record_;
   const ClipSquare& square_;
+  const LatticeWindow window_;
+  std::vector<LatticePoint> points_;   // of the record's vertices
+  std::vector<int32_t> group_;         // of each vertex: its connected part of the boundary
+  std::map<int32_t, int32_t> number_;  // vertex or corner of the region -> vertex of the result
   ClippedTile result_;
 };
 

@@ -1,11 +1,13 @@
-// The boundary of one tile pressed into the square of its cell.
+// The boundary of one tile seen from above, cut at the sides of its cell.
 #ifndef TILEMEND_COORDINATOR_PLAN_OVERLAP_CLIP_TILE_H_
 #define TILEMEND_COORDINATOR_PLAN_OVERLAP_CLIP_TILE_H_
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
+#include "common/mesh/edge_loops.h"
 #include "common/records/survey_record.h"
 #include "coordinator/plan/rim/grid_lines.h"
 
@@ -21,49 +23,29 @@ struct ClipSquare {
   bool Contains(const Point3& p) const;
 };
 
-// Where a boundary edge passes a side of the square.
-struct Crossing {
-  int32_t edge = 0;  // into SurveyRecord::edges
-  Side side = kWest;
-  double t = 0;         // along the side
-  double height = 0;    // of the edge there
-  double length = 0;    // of the edge, seen from above
-  bool leaves = false;  // the edge runs out of the square
+// A vertex of the clipped boundary that the tile does not have.
+struct ClipVertex {
+  Point3 position{0, 0, 0};
+  std::vector<int32_t> through;  // into SurveyRecord::edges: those that pass there; none at a corner of the square
+  double length = 0;             // of the shortest of them, seen from above
 };
 
-// An end of a part of the clipped boundary: a vertex of the record, or a crossing.
-struct ClipEnd {
-  int32_t vertex = -1;    // into SurveyRecord::vertices
-  int32_t crossing = -1;  // into ClippedTile::crossings
+// What lies on one side of the square.
+struct SideCover {
+  std::map<double, int> step;       // along the side: how much more surface there is from here on
+  std::map<double, double> height;  // of the tile's own vertices beyond the side, by where they are along it
 };
 
-struct InnerPart {
-  ClipEnd from, to;
-};
-
-// What lies beyond a side is pressed against it.
-struct SidePart {
-  Side side = kWest;
-  double from = 0, to = 0;  // along the side
-  double from_height = 0, to_height = 0;
-  int32_t from_crossing = -1, to_crossing = -1;  // the crossing at that end, if it is one of this side
-};
-
-struct CornerPoint {
-  std::array<Side, 2> sides;  // west or east, then south or north
-  double height = 0;
-};
-
-// The tile's boundary as the image of a map that leaves the square as it is and presses everything else against its
-// sides: loops stay loops, and what a tile has beyond a grid line becomes a stretch of that line.
 struct ClippedTile {
-  std::vector<Crossing> crossings;
-  std::vector<InnerPart> inner;
-  std::vector<SidePart> at_side;
-  std::vector<CornerPoint> corners;  // vertices that are pressed into a corner
+  std::vector<ClipVertex> vertices;  // numbered on from those of the record
+  std::vector<DirectedEdge> inner;   // the boundary inside the square, the surface on its left
+  std::array<SideCover, 4> sides;
+  std::vector<bool> cut;  // of each edge of the record: whether its loop was cut for this; others are in `inner` as is
 };
 
-// Cost linear in the edges.
+// Clips the loops that leave the square, and pieces of surface where those leave none: what they wind around seen from
+// above (wound_region.h), in the square. So the clipped boundary is simple there whatever the tile's folds. Slivers go.
+// Cost as FindWoundRegion.
 ClippedTile ClipTile(const SurveyRecord& record, const ClipSquare& square);
 
 }  // namespace tilemend

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <set>
 #include <utility>
 
 namespace tilemend {
 namespace {
 
-// Crossings of two tiles that are the same end of surface, this near by the length of the shorter of their edges, are
+// Ends of surface of two tiles, this near by the length of the shorter of their edges, are
 // put in one place: an edge between them would be too short beside the others.
 constexpr double kSamePlace = 0.3;
-
-// Metres inside a grid line: where chains of folded surface are closed.
-constexpr double kFoldDepth = 0.01;
 
 // The side that makes the border: b is east or north of a.
 using Border = std::pair<CellId, CellId>;
@@ -30,12 +28,12 @@ struct LineVertex {
   double t = 0, height = 0;
 };
 
-// A crossing, and the tile that has it.
-struct OwnedCrossing {
-  int tile;  // 0: of Border::first, 1: of Border::second
-  size_t place;
+// Where the surface of a tile begins or ends along a line.
+struct OwnedEnd {
+  int tile;            // 0: of Border::first, 1: of Border::second
   bool surface_above;  // towards larger t
-  Crossing* crossing;
+  ClipVertex* vertex;
+  double t;
 };
 
 class Joiner {
@@ -51,14 +49,13 @@ class Joiner {
       clipped_[cell] = ClipTile(*record, joint_.squares.at(cell));
       AverageCorners(cell);
     }
-    for (auto& [cell, clipped] : clipped_) StartRecord(cell);
-    std::map<Border, bool> borders;
+    std::set<Border> borders;
     for (const auto& [cell, clipped] : clipped_) {
-      for (const Side s : kSides) borders[BorderOf(cell, s)] = true;
+      for (const Side s : kSides) borders.insert(BorderOf(cell, s));
     }
-    for (const auto& [border, unused] : borders) MergeNearCrossings(border);
-    for (auto& [cell, clipped] : clipped_) AddInner(cell);
-    for (const auto& [border, unused] : borders) AddBorder(border);
+    for (const Border& border : borders) MergeNearEnds(border);
+    for (auto& [cell, clipped] : clipped_) MakeRecord(cell, clipped);
+    for (const Border& border : borders) AddBorder(border);
     for (auto& [cell, record] : joint_.records) joint_.input.cells[cell] = &record;
   }
 
@@ -85,14 +82,20 @@ class Joiner {
   }
 
   void AverageCorners(CellId cell) {
-    for (const CornerPoint& c : clipped_[cell].corners) {
-      auto& [sum, count] = corner_height_[CornerOf(cell, c.sides)];
-      sum += c.height;
-      ++count;
+    const ClipSquare& square = joint_.squares.at(cell);
+    for (const BoundaryVertex& v : input_.cells.at(cell)->vertices) {
+      for (const Side x : {kWest, kEast}) {
+        for (const Side y : {kSouth, kNorth}) {
+          if (!square.Beyond(v.position, x) || !square.Beyond(v.position, y)) continue;
+          auto& [sum, count] = corner_height_[CornerOf(cell, {x, y})];
+          sum += v.position.z();
+          ++count;
+        }
+      }
     }
   }
 
-  void StartRecord(CellId cell) {
+  void MakeRecord(CellId cell, const ClippedTile& clipped) {
     const SurveyRecord& own = *input_.cells.at(cell);
     SurveyRecord& record = joint_.records[cell];
     record.vertex_count = own.vertex_count;
@@ -100,21 +103,30 @@ class Joiner {
     record.float32 = own.float32;
     record.lo = own.lo, record.hi = own.hi;
     record.vertices = own.vertices;
-    joint_.crossing_edge[cell];
-    node_of_crossing_[cell].assign(clipped_[cell].crossings.size(), -1);
+    joint_.cut[cell] = clipped.cut;
+    joint_.edges_through[cell];
+    for (const ClipVertex& v : clipped.vertices) AddVertex(cell, v.position, v.through);
+    for (const DirectedEdge& e : clipped.inner) record.edges.push_back({e.from, e.to});
   }
 
-  int32_t AddNode(CellId cell, Side side, const LineVertex& v, int32_t edge) {
+  int32_t AddVertex(CellId cell, const Point3& position, std::vector<int32_t> through) {
     SurveyRecord& record = joint_.records.at(cell);
-    std::vector<int32_t>& edges = joint_.crossing_edge.at(cell);
-    BoundaryVertex node;
-    node.index = static_cast<int32_t>(record.vertex_count) + static_cast<int32_t>(edges.size());
-    node.position[AxisOf(side)] = joint_.squares.at(cell).side[side];
-    node.position[1 - AxisOf(side)] = v.t;
-    node.position.z() = node.centroid_height = v.height;
-    record.vertices.push_back(node);
-    edges.push_back(edge);
+    std::vector<std::vector<int32_t>>& edges = joint_.edges_through.at(cell);
+    BoundaryVertex vertex;
+    vertex.index = static_cast<int32_t>(record.vertex_count) + static_cast<int32_t>(edges.size());
+    vertex.position = position;
+    vertex.centroid_height = position.z();
+    record.vertices.push_back(vertex);
+    edges.push_back(std::move(through));
     return static_cast<int32_t>(record.vertices.size()) - 1;
+  }
+
+  int32_t AddLineVertex(CellId cell, Side side, const LineVertex& v) {
+    Point3 position;
+    position[AxisOf(side)] = joint_.squares.at(cell).side[side];
+    position[1 - AxisOf(side)] = v.t;
+    position.z() = v.height;
+    return AddVertex(cell, position, {});
   }
 
   static CellId TileOf(const Border& border, int tile) { return tile == 0 ? border.first : border.second; }
@@ -123,75 +135,68 @@ class Joiner {
     return vertical ? (tile == 0 ? kEast : kWest) : (tile == 0 ? kNorth : kSouth);
   }
 
-  std::vector<OwnedCrossing> CrossingsOf(const Border& border) {
-    std::vector<OwnedCrossing> all;
-    for (const int tile : {0, 1}) {
-      const auto it = clipped_.find(TileOf(border, tile));
-      if (it == clipped_.end()) continue;
-      const Side side = SideOf(border, tile);
-      for (size_t i = 0; i < it->second.crossings.size(); ++i) {
-        Crossing& c = it->second.crossings[i];
-        // Going out, the surface lies on the left of the edge.
-        if (c.side == side) all.push_back({tile, i, c.leaves == (TurnOf(side) > 0), &c});
-      }
-    }
-    std::sort(all.begin(), all.end(), [](const OwnedCrossing& a, const OwnedCrossing& b) {
-      if (a.crossing->t != b.crossing->t) return a.crossing->t < b.crossing->t;
-      return std::pair(a.tile, a.place) < std::pair(b.tile, b.place);
-    });
-    return all;
+  ClippedTile* ClippedOf(const Border& border, int tile) {
+    const auto it = clipped_.find(TileOf(border, tile));
+    return it == clipped_.end() ? nullptr : &it->second;
   }
 
-  void MergeNearCrossings(const Border& border) {
-    std::vector<OwnedCrossing> all = CrossingsOf(border);
-    for (size_t i = 0; i + 1 < all.size(); ++i) {
-      Crossing &a = *all[i].crossing, &b = *all[i + 1].crossing;
-      if (all[i].tile == all[i + 1].tile || all[i].surface_above != all[i + 1].surface_above) continue;
-      if (b.t - a.t > kSamePlace * std::min(a.length, b.length)) continue;
-      a.t = b.t = (a.t + b.t) / 2;
-      a.height = b.height = (a.height + b.height) / 2;
+  std::vector<OwnedEnd> EndsOf(const Border& border) {
+    std::vector<OwnedEnd> ends;
+    for (const int tile : {0, 1}) {
+      ClippedTile* clipped = ClippedOf(border, tile);
+      if (clipped == nullptr) continue;
+      const Side side = SideOf(border, tile);
+      const double line = joint_.squares.at(TileOf(border, tile)).side[side];
+      for (ClipVertex& v : clipped->vertices) {
+        if (v.position[AxisOf(side)] != line) continue;
+        const double t = v.position[1 - AxisOf(side)];
+        const auto step = clipped->sides[side].step.find(t);
+        if (step == clipped->sides[side].step.end() || step->second == 0) continue;
+        ends.push_back({tile, step->second > 0, &v, t});
+      }
+    }
+    std::sort(ends.begin(), ends.end(),
+              [](const OwnedEnd& a, const OwnedEnd& b) { return std::pair(a.t, a.tile) < std::pair(b.t, b.tile); });
+    return ends;
+  }
+
+  void MergeNearEnds(const Border& border) {
+    const std::vector<OwnedEnd> ends = EndsOf(border);
+    for (size_t i = 0; i + 1 < ends.size(); ++i) {
+      const OwnedEnd &a = ends[i], &b = ends[i + 1];
+      if (a.tile == b.tile || a.surface_above != b.surface_above) continue;
+      if (b.t - a.t > kSamePlace * std::min(a.vertex->length, b.vertex->length)) continue;
+      const LineVertex place{(a.t + b.t) / 2, (a.vertex->position.z() + b.vertex->position.z()) / 2};
+      for (const OwnedEnd& end : {a, b}) MoveEnd(border, end, place);
       ++i;
     }
   }
 
-  void AddInner(CellId cell) {
-    const ClippedTile& clipped = clipped_.at(cell);
-    std::vector<int32_t>& nodes = node_of_crossing_.at(cell);
-    for (size_t i = 0; i < nodes.size(); ++i) {
-      const Crossing& c = clipped.crossings[i];
-      nodes[i] = AddNode(cell, c.side, {c.t, c.height}, c.edge);
-    }
-    const auto end = [&](const ClipEnd& e) { return e.crossing >= 0 ? nodes[e.crossing] : e.vertex; };
-    for (const InnerPart& part : clipped.inner) {
-      joint_.records.at(cell).edges.push_back({end(part.from), end(part.to)});
-    }
+  void MoveEnd(const Border& border, const OwnedEnd& end, const LineVertex& place) {
+    const Side side = SideOf(border, end.tile);
+    end.vertex->position[1 - AxisOf(side)] = place.t;
+    end.vertex->position.z() = place.height;
+    std::map<double, int>& step = ClippedOf(border, end.tile)->sides[side].step;
+    const int more = step.at(end.t);
+    step.erase(end.t);
+    step[place.t] += more;
   }
 
   // What one tile has along a line.
   struct Coverage {
     std::map<double, int> step;         // how much more surface there is from here on
-    std::map<double, double> height;    // of its own vertices, pressed to the line
-    std::map<double, double> crossing;  // of its crossings
+    std::map<double, double> height;    // of its own vertices beyond the line
+    std::map<double, double> crossing;  // of the vertices of its clipped boundary on the line
   };
 
-  Coverage CoverageOf(const Border& border, int tile) const {
-    Coverage coverage;
-    const auto it = clipped_.find(TileOf(border, tile));
-    if (it == clipped_.end()) return coverage;
+  Coverage CoverageOf(const Border& border, int tile) {
+    const ClippedTile* clipped = ClippedOf(border, tile);
+    if (clipped == nullptr) return {};
     const Side side = SideOf(border, tile);
-    for (const SidePart& part : it->second.at_side) {
-      if (part.side != side) continue;
-      const auto take = [&](LineVertex v, int32_t crossing, int step) {
-        if (crossing >= 0) {
-          const Crossing& c = it->second.crossings[crossing];
-          v = {c.t, c.height};
-          coverage.crossing.emplace(v.t, v.height);
-        }
-        coverage.step[v.t] += step;
-        coverage.height.emplace(v.t, v.height);
-      };
-      take({part.from, part.from_height}, part.from_crossing, TurnOf(side));
-      take({part.to, part.to_height}, part.to_crossing, -TurnOf(side));
+    Coverage coverage{clipped->sides[side].step, clipped->sides[side].height, {}};
+    const double line = joint_.squares.at(TileOf(border, tile)).side[side];
+    for (const ClipVertex& v : clipped->vertices) {
+      if (v.position[AxisOf(side)] == line) coverage.crossing.emplace(v.position[1 - AxisOf(side)], v.position.z());
     }
     return coverage;
   }
@@ -199,19 +204,20 @@ class Joiner {
   // The stretches of a line where one tile has surface and the other has not are edges of the one that has.
   void AddBorder(const Border& border) {
     const Coverage of[2] = {CoverageOf(border, 0), CoverageOf(border, 1)};
-    std::map<double, bool> places;  // along the line, and whether a tile's coverage begins or ends there
+    std::set<double> places;  // along the line
     for (const Coverage& c : of) {
-      for (const auto& [t, step] : c.step) places[t];
+      for (const auto& [t, step] : c.step) places.insert(t);
+      for (const auto& [t, height] : c.height) places.insert(t);
+      for (const auto& [t, height] : c.crossing) places.insert(t);
     }
-    for (const int k : {0, 1}) AddFolds(border, of, k);
     std::vector<LineVertex> run;
     int surface[2] = {0, 0}, owner = -1;
-    for (const auto& [t, unused] : places) {
+    for (const double t : places) {
       for (const int k : {0, 1}) {
         if (const auto it = of[k].step.find(t); it != of[k].step.end()) surface[k] += it->second;
       }
       const int next = surface[0] > 0 && surface[1] <= 0 ? 0 : surface[1] > 0 && surface[0] <= 0 ? 1 : -1;
-      if (owner >= 0 && (next != owner || of[owner].height.contains(t))) run.push_back(VertexAt(border, of, owner, t));
+      if (owner >= 0 && (next != owner || HasVertex(of[owner], t))) run.push_back(VertexAt(border, of, owner, t));
       if (next == owner) continue;
       if (owner >= 0) AddRun(border, owner, run);
       owner = next;
@@ -220,34 +226,12 @@ class Joiner {
     }
   }
 
-  // Where a tile's surface lies over itself at a line, the chains that end within are closed by ways just inside it.
-  void AddFolds(const Border& border, const Coverage (&of)[2], int tile) {
-    int surface = 0, extra = 0;
-    double from = 0;
-    for (const auto& [t, step] : of[tile].step) {
-      surface += step;
-      const int next = surface > 0 ? surface - 1 : surface;
-      if (next == extra) continue;
-      for (int k = 0; k < std::abs(extra); ++k) AddFold(border, of, tile, from, t, extra > 0);
-      extra = next;
-      from = t;
-    }
+  static bool HasVertex(const Coverage& coverage, double t) {
+    return coverage.height.contains(t) || coverage.crossing.contains(t);
   }
 
-  void AddFold(const Border& border, const Coverage (&of)[2], int tile, double from, double to, bool covered) {
-    const Side side = SideOf(border, tile);
-    const LineVertex a = VertexAt(border, of, tile, from), b = VertexAt(border, of, tile, to);
-    const CellId cell = TileOf(border, tile);
-    SurveyRecord& record = joint_.records.at(cell);
-    int32_t first = AddNode(cell, side, a, -1), last = AddNode(cell, side, b, -1);
-    const int32_t middle = AddNode(cell, side, {(a.t + b.t) / 2, (a.height + b.height) / 2}, -1);
-    record.vertices[middle].position[AxisOf(side)] -= OutwardOf(side) * kFoldDepth;
-    if ((TurnOf(side) > 0) != covered) std::swap(first, last);
-    record.edges.push_back({first, middle});
-    record.edges.push_back({middle, last});
-  }
-
-  // A place on a line: its height is that of the crossing there, at a grid corner that of all tiles in the mean.
+  // A place on a line: its height is that of the clipped boundary there, at a grid corner that of all tiles in the
+  // mean, else that of the owner's nearest vertex along the line.
   LineVertex VertexAt(const Border& border, const Coverage (&of)[2], int owner, double t) const {
     const CellId tile = TileOf(border, owner);
     const Side side = SideOf(border, owner), low = AxisOf(side) == 0 ? kSouth : kWest;
@@ -265,7 +249,15 @@ class Joiner {
     for (const int k : {owner, 1 - owner}) {
       if (const auto it = of[k].height.find(t); it != of[k].height.end()) return {t, it->second};
     }
-    return {t, 0};
+    return {t, NearestHeight(of[owner].height, t)};
+  }
+
+  static double NearestHeight(const std::map<double, double>& heights, double t) {
+    const auto above = heights.lower_bound(t);
+    if (heights.empty()) return 0;
+    if (above == heights.begin()) return above->second;
+    const auto below = std::prev(above);
+    return above == heights.end() || t - below->first < above->first - t ? below->second : above->second;
   }
 
   void AddRun(const Border& border, int owner, std::vector<LineVertex> run) {
@@ -275,7 +267,7 @@ class Joiner {
     SurveyRecord& record = joint_.records.at(tile);
     int32_t last = -1;
     for (const LineVertex& v : run) {
-      const int32_t node = AddNode(tile, side, v, -1);
+      const int32_t node = AddLineVertex(tile, side, v);
       if (last >= 0) record.edges.push_back({last, node});
       last = node;
     }
@@ -286,7 +278,6 @@ class Joiner {
   const GridLines& own_;
   JointTiles& joint_;
   std::map<CellId, ClippedTile> clipped_;
-  std::map<CellId, std::vector<int32_t>> node_of_crossing_;
   std::map<CellId, std::pair<double, int>> corner_height_;  // by the cell north-east of it: sum and count
 };
 

@@ -22,8 +22,9 @@ struct JointTiles {
   // The clipped boundaries, without bands. A record's vertices are all those of the tile's, in order, then new ones on
   // the grid lines; `index` of the latter goes on from the tile's vertex count.
   std::map<CellId, SurveyRecord> records;
-  // Per tile, for each of its new vertices: the edge of the tile's own record that crosses the line there, or -1.
-  std::map<CellId, std::vector<int32_t>> crossing_edge;
+  // Per tile, for each of its new vertices: the edges of the tile's own record that pass there.
+  std::map<CellId, std::vector<std::vector<int32_t>>> edges_through;
+  std::map<CellId, std::vector<bool>> cut;  // as ClippedTile::cut
   std::map<CellId, ClipSquare> squares;
   PlanInput input;  // the scene with these records; valid as long as they are
   GridLines lines;  // the grid lines

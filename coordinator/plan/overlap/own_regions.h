@@ -6,12 +6,15 @@
 
 namespace tilemend {
 
-// Gives every open hole of a plan that was made of `joint` its own region (PlannedHole::own_regions). Along the tile's
-// chains of boundary it goes on from where they were cut to where they end at the tile's outline, and between them
-// along the outline, over vertices that follow those of the seam on the grid line. Neighbours' regions overlap as the
-// tiles do. Cuts Plan::vertex_of_boundary down to the vertices of the tiles themselves.
-// Cost O(n log n) in the boundary edges.
+// Gives every open hole of a plan that was made of `joint` its own region (PlannedHole::own_regions): all of the tile's
+// chains of boundary that bound it, folds and what lies beyond the grid lines included, and between their ends the
+// tile's outline, over vertices that follow those on the grid lines. Neighbours' regions overlap as the tiles do. Holes
+// of a tile that a chain holds together become one. Cuts Plan::vertex_of_boundary down to the vertices of the tiles
+// themselves. Cost O(n log n) in the boundary edges.
 void LayOwnRegions(const TileParts& parts, const JointTiles& joint, Plan& plan);
+
+// Makes one hole of two of a tile. What is left of `part` has no segments.
+void Absorb(PlannedHole& part, PlannedHole& hole);
 
 }  // namespace tilemend
 

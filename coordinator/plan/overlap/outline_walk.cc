@@ -1,0 +1,199 @@
+#include "coordinator/plan/overlap/outline_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace tilemend {
+namespace {
+
+constexpr double kOnOutline = 2e-3;  // metres
+
+// A vertex where a chain off the outline ends or begins, seen along the walk.
+struct Event {
+  double place = 0;
+  int32_t vertex = 0;
+  bool ends = false;  // surface ends here: counter-clockwise of it there is one layer less
+};
+
+class Walker {
+ public:
+  Walker(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline)
+      : record_(record), taken_(taken), outline_(outline) {}
+
+  OutlineWalk Run() {
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      walk_.on_outline.push_back(taken_[e] && SideOf(record_.edges[e]).has_value());
+    }
+    FindEvents();
+    CloseInside();
+    if (events_.empty()) {
+      walk_.all_open = LayersAt(0) <= 0;
+    } else {
+      Match();
+    }
+    return std::move(walk_);
+  }
+
+ private:
+  std::optional<Side> SideOf(const BoundaryEdge& e) const {
+    const Point3 &a = record_.vertices[e.from].position, &b = record_.vertices[e.to].position;
+    for (const Side s : kSides) {
+      if (Reaches(a, s) && Reaches(b, s)) return s;
+    }
+    return std::nullopt;
+  }
+
+  bool Reaches(const Point3& p, Side s) const {
+    return (p[AxisOf(s)] - outline_.side[s]) * OutwardOf(s) >= -kOnOutline;
+  }
+
+  void FindEvents() {
+    std::map<int32_t, int> leaving;  // chains that begin there, less those that end
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      if (!taken_[e] || walk_.on_outline[e]) continue;
+      ++leaving[record_.edges[e].from];
+      --leaving[record_.edges[e].to];
+    }
+    for (const auto& [v, more] : leaving) {
+      const std::optional<Side> side = outline_.SideAt(record_.vertices[v].position);
+      for (int k = 0; k < std::abs(more); ++k) {
+        if (side) {
+          events_.push_back({outline_.PlaceOf(record_.vertices[v].position, *side), v, more > 0});
+        } else {
+          inside_.push_back({0, v, more > 0});
+        }
+      }
+    }
+    std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+      return std::tuple(a.place, !a.ends, a.vertex) < std::tuple(b.place, !b.ends, b.vertex);
+    });
+  }
+
+  // Ends of chains that are not on the outline: each with the nearest beginning, those left over on the outline.
+  void CloseInside() {
+    std::vector<Event> ends, begins;
+    for (const Event& e : inside_) (e.ends ? ends : begins).push_back(e);
+    for (const Event& end : ends) {
+      const auto nearest = std::min_element(begins.begin(), begins.end(), [&](const Event& a, const Event& b) {
+        return DistanceOf(end, a) < DistanceOf(end, b);
+      });
+      if (nearest == begins.end()) {
+        AddToOutline(end);
+        continue;
+      }
+      walk_.gaps.push_back({end.vertex, nearest->vertex, 0, 0, false});
+      begins.erase(nearest);
+    }
+    for (const Event& begin : begins) AddToOutline(begin);
+    std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+      return std::tuple(a.place, !a.ends, a.vertex) < std::tuple(b.place, !b.ends, b.vertex);
+    });
+  }
+
+  double DistanceOf(const Event& a, const Event& b) const {
+    return (record_.vertices[a.vertex].position - record_.vertices[b.vertex].position).squaredNorm();
+  }
+
+  void AddToOutline(Event e) {
+    const Point3& p = record_.vertices[e.vertex].position;
+    const auto inside = [&](Side s) { return (outline_.side[s] - p[AxisOf(s)]) * OutwardOf(s); };
+    const Side nearest =
+        *std::min_element(kSides.begin(), kSides.end(), [&](Side a, Side b) { return inside(a) < inside(b); });
+    e.place = outline_.PlaceOf(p, nearest);
+    events_.push_back(e);
+  }
+
+  // Layers of surface along the outline just behind a place.
+  int LayersAt(double place) const {
+    int layers = 0;
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      if (!walk_.on_outline[e]) continue;
+      const BoundaryEdge& edge = record_.edges[e];
+      const Side side = *SideOf(edge);
+      const double a = outline_.PlaceOf(record_.vertices[edge.from].position, side);
+      double b = outline_.PlaceOf(record_.vertices[edge.to].position, side);
+      if (side == kWest && b == 0) b = outline_.Length();
+      layers += (a <= place && place < b) - (b <= place && place < a);
+    }
+    return layers;
+  }
+
+  // Goes around from where most layers are, so that every end has its beginning behind it.
+  void Match() {
+    const size_t n = events_.size();
+    int layers = LayersAt(events_.back().place), most = layers;
+    std::vector<int> behind(n);
+    size_t start = n - 1;
+    for (size_t i = 0; i < n; ++i) {
+      layers += events_[i].ends ? -1 : 1;
+      behind[i] = layers;
+      if (layers > most) {
+        most = layers;
+        start = i;
+      }
+    }
+    std::vector<size_t> ends;
+    for (size_t k = 1; k <= n; ++k) {
+      const size_t i = (start + k) % n;
+      if (events_[i].ends) {
+        ends.push_back(i);
+        continue;
+      }
+      if (ends.empty()) continue;
+      const size_t from = ends.back();
+      ends.pop_back();
+      double end = events_[i].place;
+      if (end < events_[from].place) end += outline_.Length();
+      walk_.gaps.push_back({events_[from].vertex, events_[i].vertex, events_[from].place, end, behind[from] <= 0});
+    }
+  }
+
+  const SurveyRecord& record_;
+  const std::vector<bool>& taken_;
+  const Outline& outline_;
+  std::vector<Event> events_, inside_;
+  OutlineWalk walk_;
+};
+
+}  // namespace
+
+double Outline::PlaceOf(const Point3& p, Side s) const {
+  const double x = std::clamp(p.x(), side[kWest], side[kEast]) - side[kWest];
+  const double y = std::clamp(p.y(), side[kSouth], side[kNorth]) - side[kSouth];
+  switch (s) {
+    case kSouth:
+      return x;
+    case kEast:
+      return Width() + y;
+    case kNorth:
+      return Width() + Height() + (Width() - x);
+    case kWest:
+      break;
+  }
+  const double place = 2 * Width() + Height() + (Height() - y);
+  return place < Length() ? place : 0;
+}
+
+double Outline::CornerPlace(int corner) const {
+  return (corner > 0 ? Width() : 0) + (corner > 1 ? Height() : 0) + (corner > 2 ? Width() : 0);
+}
+
+Point2 Outline::CornerAt(int corner) const {
+  return {side[corner == 1 || corner == 2 ? kEast : kWest], side[corner > 1 ? kNorth : kSouth]};
+}
+
+std::optional<Side> Outline::SideAt(const Point3& p) const {
+  for (const Side s : kSides) {
+    if ((p[AxisOf(s)] - side[s]) * OutwardOf(s) >= -kOnOutline) return s;
+  }
+  return std::nullopt;
+}
+
+OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline) {
+  return Walker(record, taken, outline).Run();
+}
+
+}  // namespace tilemend

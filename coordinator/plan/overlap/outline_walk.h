@@ -1,0 +1,49 @@
+// A tile's own outline, walked around: where surface ends on it and where it begins again.
+#ifndef TILEMEND_COORDINATOR_PLAN_OVERLAP_OUTLINE_WALK_H_
+#define TILEMEND_COORDINATOR_PLAN_OVERLAP_OUTLINE_WALK_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/records/survey_record.h"
+#include "coordinator/plan/types/cell_side.h"
+
+namespace tilemend {
+
+// A rectangle by Side. Places on it are metres counter-clockwise from the south-west corner.
+struct Outline {
+  std::array<double, 4> side{};
+
+  double Width() const { return side[kEast] - side[kWest]; }
+  double Height() const { return side[kNorth] - side[kSouth]; }
+  double Length() const { return 2 * (Width() + Height()); }
+  // Of the point on a side that is level with p.
+  double PlaceOf(const Point3& p, Side s) const;
+  double CornerPlace(int corner) const;  // south-west, south-east, north-east, north-west
+  Point2 CornerAt(int corner) const;
+  // The side that p lies on or beyond, within a hair.
+  std::optional<Side> SideAt(const Point3& p) const;
+};
+
+// A way that closes a hole along the outline: from where surface ends to where it begins again.
+struct OutlineGap {
+  int32_t from = 0, to = 0;   // into SurveyRecord::vertices
+  double begin = 0, end = 0;  // places; end > begin, perhaps by way of the south-west corner: then beyond Length()
+  bool open = true;           // nothing covers it; else it lies under other surface of the tile
+};
+
+struct OutlineWalk {
+  std::vector<bool> on_outline;  // of each edge of the record
+  std::vector<OutlineGap> gaps;
+  bool all_open = false;  // no surface reaches the outline
+};
+
+// `taken` says for each edge of the record whether it counts. Chains that end inside are closed as well, straight.
+// Every vertex where chains off the outline begin or end is in one gap each time. Cost O(n log n).
+OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_OVERLAP_OUTLINE_WALK_H_
