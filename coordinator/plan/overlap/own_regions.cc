@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -79,17 +80,34 @@ class CellRegions {
     DisjointSets sets(vertices + static_cast<int32_t>(record_.edges.size() + holes.size()));
     const auto of_edge = [&](int32_t e) { return vertices + e; };
     const auto of_hole = [&](size_t i) { return vertices + static_cast<int32_t>(record_.edges.size() + i); };
+    std::vector<std::vector<int32_t>> around(record_.vertices.size());  // chains' edges at each vertex
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       if (!IsChain(e)) continue;
-      sets.Join(of_edge(static_cast<int32_t>(e)), record_.edges[e].from);
-      sets.Join(of_edge(static_cast<int32_t>(e)), record_.edges[e].to);
+      for (const int32_t v : {record_.edges[e].from, record_.edges[e].to}) {
+        around[v].push_back(of_edge(static_cast<int32_t>(e)));
+      }
     }
-    for (const OutlineGap& gap : walk_.gaps) sets.Join(gap.from, gap.to);
+    const auto join_around = [&](int32_t v) {
+      for (const int32_t e : around[v]) sets.Join(e, v);
+    };
+    for (int32_t v = 0; v < vertices; ++v) {
+      if (around[v].size() <= 2) join_around(v);
+    }
+    for (const OutlineGap& gap : walk_.gaps) {
+      join_around(gap.from), join_around(gap.to);
+      sets.Join(gap.from, gap.to);
+    }
     for (size_t i = 0; i < holes.size(); ++i) {
       for (const RimSegment& s : plan_.holes[holes[i]].segments) {
         for (const int32_t e : EdgesOf(s)) sets.Join(of_hole(i), of_edge(e));
       }
     }
+    JoinWhereOpen(around, sets, [&](int32_t lowest) {
+      for (size_t i = 0; i < holes.size(); ++i) {
+        if (sets.LowestOf(of_hole(i)) == lowest) return true;
+      }
+      return false;
+    });
     std::map<int32_t, Members> groups;
     for (size_t i = 0; i < holes.size(); ++i) groups[sets.LowestOf(of_hole(i))].holes.push_back(holes[i]);
     for (size_t e = 0; e < record_.edges.size(); ++e) {
@@ -100,6 +118,30 @@ class CellRegions {
       if (const auto it = groups.find(sets.LowestOf(gap.from)); it != groups.end()) it->second.gaps.push_back(&gap);
     }
     return groups;
+  }
+
+  // Where chains meet in a vertex they stay apart, unless one of them does not close without the others there or bounds
+  // no hole.
+  void JoinWhereOpen(const std::vector<std::vector<int32_t>>& around, DisjointSets& sets,
+                     const std::function<bool(int32_t)>& has_hole) const {
+    const auto vertices = static_cast<int32_t>(record_.vertices.size());
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (int32_t v = 0; v < vertices; ++v) {
+        if (around[v].size() <= 2) continue;
+        std::map<int32_t, int> balance;
+        for (const int32_t e : around[v]) {
+          balance[sets.LowestOf(e)] += record_.edges[e - vertices].from == v ? 1 : -1;
+        }
+        if (balance.size() <= 1) continue;
+        if (std::all_of(balance.begin(), balance.end(),
+                        [&](const auto& b) { return b.second == 0 && has_hole(b.first); })) {
+          continue;
+        }
+        for (const int32_t e : around[v]) sets.Join(e, around[v][0]);
+        changed = true;
+      }
+    }
   }
 
   bool IsChain(size_t e) const { return cut_[e] && !walk_.on_outline[e]; }
