@@ -11,9 +11,7 @@
 #include "coordinator/plan/hole/layers.h"
 #include "coordinator/plan/hole/touching_holes.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
-#include "coordinator/plan/overlap/merge_parts.h"
 #include "coordinator/plan/overlap/own_regions.h"
-#include "coordinator/plan/overlap/tile_parts.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
@@ -116,11 +114,9 @@ void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions&
 
 // Plans tiles that share no vertices as the clipped scene that they stand for.
 void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
-  const TileParts parts = SplitTiles(input, outlines, plan.lattice_step);
-  const JointTiles joint = JoinTiles(parts);
+  const JointTiles joint = JoinTiles(input, outlines, plan.lattice_step);
   PlanPart(joint.input, joint.lines, options, plan);
-  LayOwnRegions(parts, joint, plan);
-  MergeParts(input, parts, plan);
+  LayOwnRegions(input, outlines, joint, plan);
 }
 
 void StoreLayers(Plan& plan) {

@@ -20,14 +20,15 @@ Point2 Flat(const Point3& p) { return p.head<2>(); }
 
 class Clipper {
  public:
-  Clipper(const SurveyRecord& record, const ClipSquare& square) : record_(record), square_(square), window_(Window()) {
+  Clipper(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square)
+      : record_(record), on_piece_outline_(on_piece_outline), square_(square), window_(Window()) {
     for (const BoundaryVertex& v : record_.vertices) points_.push_back(window_.Round(Flat(Pressed(v.position))));
   }
 
   ClippedTile Run() {
     FindLoops();
     WoundRegion region = Region();
-    if (CutPieces(region)) region = Region();
+    if (CutIslands(region)) region = Region();
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       if (!result_.cut[e]) result_.inner.push_back({record_.edges[e].from, record_.edges[e].to});
     }
@@ -69,6 +70,9 @@ class Clipper {
     for (size_t v = 0; v < record_.vertices.size(); ++v) {
       if (!square_.Contains(record_.vertices[v].position)) leaving.insert(group_[v]);
     }
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      if (on_piece_outline_[e]) leaving.insert(group_[record_.edges[e].from]);
+    }
     for (const BoundaryEdge& e : record_.edges) result_.cut.push_back(leaving.contains(group_[e.from]));
   }
 
@@ -86,8 +90,8 @@ class Clipper {
     return edges;
   }
 
-  // Pieces of surface that lie, in part at least, where the region has none are cut as well.
-  bool CutPieces(const WoundRegion& region) {
+  // Islands of surface that lie, in part at least, where the region has none are cut as well.
+  bool CutIslands(const WoundRegion& region) {
     std::map<int32_t, double> area;
     std::set<int32_t> uncovered;
     for (size_t e = 0; e < record_.edges.size(); ++e) {
@@ -234,6 +238,7 @@ class Clipper {
   }
 
   const SurveyRecord& record_;
+  const std::vector<bool>& on_piece_outline_;
   const ClipSquare& square_;
   const LatticeWindow window_;
   std::vector<LatticePoint> points_;   // of the record's vertices
@@ -248,6 +253,8 @@ bool ClipSquare::Contains(const Point3& p) const {
   return std::none_of(kSides.begin(), kSides.end(), [&](Side s) { return Beyond(p, s); });
 }
 
-ClippedTile ClipTile(const SurveyRecord& record, const ClipSquare& square) { return Clipper(record, square).Run(); }
+ClippedTile ClipTile(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square) {
+  return Clipper(record, on_piece_outline, square).Run();
+}
 
 }  // namespace tilemend

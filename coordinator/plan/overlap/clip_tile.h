@@ -43,10 +43,10 @@ struct ClippedTile {
   std::vector<bool> cut;  // of each edge of the record: whether its loop was cut for this; others are in `inner` as is
 };
 
-// Clips the loops that leave the square, and pieces of surface where those leave none: what they wind around seen from
-// above (wound_region.h), in the square. So the clipped boundary is simple there whatever the tile's folds. Slivers go.
-// Cost as FindWoundRegion.
-ClippedTile ClipTile(const SurveyRecord& record, const ClipSquare& square);
+// Clips the loops that leave the square or have an outline of a piece (piece_outlines.h), and islands of surface where
+// those leave none: what they wind around seen from above (wound_region.h), in the square. So the clipped boundary is
+// simple there whatever the tile's folds. Slivers go. Cost as FindWoundRegion.
+ClippedTile ClipTile(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square);
 
 }  // namespace tilemend
 

@@ -6,6 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "common/mesh/rounding.h"
+#include "coordinator/plan/overlap/piece_outlines.h"
+
 namespace tilemend {
 namespace {
 
@@ -38,15 +41,19 @@ struct OwnedEnd {
 
 class Joiner {
  public:
-  Joiner(const TileParts& parts, JointTiles& joint)
-      : parts_(parts), input_(parts.input), own_(parts.own), joint_(joint) {}
+  Joiner(const PlanInput& input, const GridLines& own, double lattice_step, JointTiles& joint)
+      : input_(input), own_(own), lattice_step_(lattice_step), joint_(joint) {}
 
   void Run() {
     joint_.input = input_;
     MakeLines();
     for (const auto& [cell, record] : input_.cells) {
       if (record == nullptr) continue;
-      clipped_[cell] = ClipTile(*record, joint_.squares.at(cell));
+      const std::vector<bool> on_piece_outline = FindPieceOutlines(*record, own_.piece_reach);
+      clipped_[cell] = ClipTile(*record, on_piece_outline, joint_.squares.at(cell));
+      joint_.cut[cell] = clipped_[cell].cut;
+      std::vector<bool>& chain = joint_.chain[cell] = clipped_[cell].cut;
+      for (size_t e = 0; e < chain.size(); ++e) chain[e] = chain[e] && !on_piece_outline[e];
       AverageCorners(cell);
     }
     std::set<Border> borders;
@@ -68,7 +75,7 @@ class Joiner {
     for (const auto& [cell, record] : input_.cells) {
       ClipSquare& square = joint_.squares[cell];
       for (const Side s : kSides) {
-        square.side[s] = parts_.line.at({cell, s});
+        square.side[s] = RoundedToLattice(NominalLine(input_.grid, cell, s), lattice_step_);
         square.cut[s] =
             OutwardOf(s) > 0 ? std::min(square.side[s], own_.At(cell, s)) : std::max(square.side[s], own_.At(cell, s));
         joint_.lines.coordinate[{cell, s}] = square.side[s];
@@ -103,7 +110,6 @@ class Joiner {
     record.float32 = own.float32;
     record.lo = own.lo, record.hi = own.hi;
     record.vertices = own.vertices;
-    joint_.cut[cell] = clipped.cut;
     joint_.edges_through[cell];
     for (const ClipVertex& v : clipped.vertices) AddVertex(cell, v.position, v.through);
     for (const DirectedEdge& e : clipped.inner) record.edges.push_back({e.from, e.to});
@@ -273,9 +279,9 @@ class Joiner {
     }
   }
 
-  const TileParts& parts_;
   const PlanInput& input_;
   const GridLines& own_;
+  const double lattice_step_;
   JointTiles& joint_;
   std::map<CellId, ClippedTile> clipped_;
   std::map<CellId, std::pair<double, int>> corner_height_;  // by the cell north-east of it: sum and count
@@ -283,9 +289,9 @@ class Joiner {
 
 }  // namespace
 
-JointTiles JoinTiles(const TileParts& parts) {
+JointTiles JoinTiles(const PlanInput& input, const GridLines& own, double lattice_step) {
   JointTiles joint;
-  Joiner(parts, joint).Run();
+  Joiner(input, own, lattice_step, joint).Run();
   return joint;
 }
 

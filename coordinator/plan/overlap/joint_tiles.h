@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "coordinator/plan/overlap/clip_tile.h"
-#include "coordinator/plan/overlap/tile_parts.h"
 #include "coordinator/plan/rim/grid_lines.h"
 #include "coordinator/plan/types/plan_types.h"
 
@@ -24,14 +23,16 @@ struct JointTiles {
   std::map<CellId, SurveyRecord> records;
   // Per tile, for each of its new vertices: the edges of the tile's own record that pass there.
   std::map<CellId, std::vector<std::vector<int32_t>>> edges_through;
-  std::map<CellId, std::vector<bool>> cut;  // as ClippedTile::cut
+  std::map<CellId, std::vector<bool>> cut;    // as ClippedTile::cut
+  std::map<CellId, std::vector<bool>> chain;  // of each edge of the tile's own record: cut, and on no piece's outline
   std::map<CellId, ClipSquare> squares;
   PlanInput input;  // the scene with these records; valid as long as they are
   GridLines lines;  // the grid lines
 };
 
-// The parts of tiles are joined as tiles are. Cost O(n log n) in the boundary edges.
-JointTiles JoinTiles(const TileParts& parts);
+//   own  the outlines of the tiles
+// Cost O(n log n) in the boundary edges.
+JointTiles JoinTiles(const PlanInput& input, const GridLines& own, double lattice_step);
 
 }  // namespace tilemend
 

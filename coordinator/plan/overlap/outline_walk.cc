@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -67,27 +68,31 @@ class Walker {
         }
       }
     }
-    std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-      return std::tuple(a.place, !a.ends, a.vertex) < std::tuple(b.place, !b.ends, b.vertex);
-    });
   }
 
-  // Ends of chains that are not on the outline: each with the nearest beginning, those left over on the outline.
+  // Ends of chains that are not on the outline, at outlines of pieces for the most part: each with a beginning, the
+  // nearest pairs first. Those left over count to the outline.
   void CloseInside() {
-    std::vector<Event> ends, begins;
-    for (const Event& e : inside_) (e.ends ? ends : begins).push_back(e);
-    for (const Event& end : ends) {
-      const auto nearest = std::min_element(begins.begin(), begins.end(), [&](const Event& a, const Event& b) {
-        return DistanceOf(end, a) < DistanceOf(end, b);
-      });
-      if (nearest == begins.end()) {
-        AddToOutline(end);
-        continue;
+    std::vector<std::tuple<double, size_t, size_t>> pairs;
+    for (size_t i = 0; i < inside_.size(); ++i) {
+      for (size_t k = 0; k < inside_.size(); ++k) {
+        if (inside_[i].ends && !inside_[k].ends) pairs.emplace_back(DistanceOf(inside_[i], inside_[k]), i, k);
       }
-      walk_.gaps.push_back({end.vertex, nearest->vertex, 0, 0, false});
-      begins.erase(nearest);
     }
-    for (const Event& begin : begins) AddToOutline(begin);
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<bool> closed(inside_.size(), false);
+    for (const auto& [distance, i, k] : pairs) {
+      if (closed[i] || closed[k]) continue;
+      closed[i] = closed[k] = true;
+      walk_.gaps.push_back({inside_[i].vertex, inside_[k].vertex, 0, 0, false});
+    }
+    for (size_t i = 0; i < inside_.size(); ++i) {
+      if (!closed[i]) AddToOutline(inside_[i]);
+    }
+    SortEvents();
+  }
+
+  void SortEvents() {
     std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
       return std::tuple(a.place, !a.ends, a.vertex) < std::tuple(b.place, !b.ends, b.vertex);
     });
@@ -124,30 +129,33 @@ class Walker {
   // Goes around from where most layers are, so that every end has its beginning behind it.
   void Match() {
     const size_t n = events_.size();
-    int layers = LayersAt(events_.back().place), most = layers;
-    std::vector<int> behind(n);
-    size_t start = n - 1;
+    int layers = 0, most = std::numeric_limits<int>::min();
+    size_t start = 0;
     for (size_t i = 0; i < n; ++i) {
       layers += events_[i].ends ? -1 : 1;
-      behind[i] = layers;
-      if (layers > most) {
-        most = layers;
-        start = i;
-      }
+      if (layers <= most) continue;
+      most = layers;
+      start = i;
     }
-    std::vector<size_t> ends;
+    struct End {
+      size_t event;
+      bool holds_open;  // an open gap lies between it and its beginning
+    };
+    std::vector<End> ends;
     for (size_t k = 1; k <= n; ++k) {
       const size_t i = (start + k) % n;
       if (events_[i].ends) {
-        ends.push_back(i);
+        ends.push_back({i, false});
         continue;
       }
       if (ends.empty()) continue;
-      const size_t from = ends.back();
+      const Event &from = events_[ends.back().event], &to = events_[i];
+      const double end = to.place < from.place ? to.place + outline_.Length() : to.place;
+      const bool uncovered = LayersAt(std::fmod((from.place + end) / 2, outline_.Length())) <= 0;
+      const bool open = uncovered && !ends.back().holds_open, holds_open = uncovered || ends.back().holds_open;
       ends.pop_back();
-      double end = events_[i].place;
-      if (end < events_[from].place) end += outline_.Length();
-      walk_.gaps.push_back({events_[from].vertex, events_[i].vertex, events_[from].place, end, behind[from] <= 0});
+      if (!ends.empty()) ends.back().holds_open |= holds_open;
+      walk_.gaps.push_back({from.vertex, to.vertex, from.place, end, open});
     }
   }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
+#include "common/mesh/rounding.h"
 #include "coordinator/plan/overlap/outline_walk.h"
 
 namespace tilemend {
@@ -26,6 +27,23 @@ struct LineVertex {
   std::vector<Side> sides;
 };
 
+// Makes one hole of two of a tile. What is left of `part` has no segments.
+void Absorb(PlannedHole& part, PlannedHole& hole) {
+  hole.centre += part.centre;
+  hole.area += part.area;
+  hole.perimeter += part.perimeter;
+  hole.boundary_vertices += part.boundary_vertices;
+  hole.projects &= part.projects;
+  if (part.kind != HoleKind::kClosed && hole.kind != HoleKind::kOpenII) {
+    hole.kind = part.kind;
+    hole.type = part.type;
+    hole.single = part.single;
+  }
+  hole.segments.insert(hole.segments.end(), part.segments.begin(), part.segments.end());
+  std::move(part.own_regions.begin(), part.own_regions.end(), std::back_inserter(hole.own_regions));
+  part.segments.clear();
+}
+
 // The regions of one cell.
 class CellRegions {
  public:
@@ -33,11 +51,12 @@ class CellRegions {
       : cell_(cell), record_(record != nullptr ? *record : kEmpty), square_(joint.squares.at(cell)), plan_(plan) {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
     if (record == nullptr) {
-      walk_ = WalkOutline(record_, cut_, outline_);
+      walk_ = WalkOutline(record_, chain_, outline_);
       return;
     }
     cut_ = joint.cut.at(cell);
-    walk_ = WalkOutline(record_, cut_, outline_);
+    chain_ = joint.chain.at(cell);
+    walk_ = WalkOutline(record_, chain_, outline_);
     const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(cell);
     for (size_t v = 0; v < record_.vertices.size(); ++v) own_vertex_.emplace(of[v], static_cast<int32_t>(v));
     const auto& through = joint.edges_through.at(cell);
@@ -50,7 +69,7 @@ class CellRegions {
     }
   }
 
-  // Of the holes of this cell. Those that one chain bounds become one: what is taken up stays without segments.
+  // Of the holes of this cell. Those that one chain bounds become one; what is none stays without segments.
   void Lay(const std::vector<size_t>& holes) {
     for (const auto& [group, members] : Groups(holes)) {
       PlannedHole& first = plan_.holes[members.holes.front()];
@@ -63,7 +82,11 @@ class CellRegions {
       const std::vector<LineVertex> line = LineVertices(first);
       for (const OutlineGap* gap : members.gaps) AddGap(*gap, line, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
-      if (whole < region.size()) first.own_regions = {std::move(region)};
+      if (whole < region.size()) {
+        first.own_regions = {std::move(region)};
+      } else if (whole < first.segments.size()) {
+        first.segments.clear();  // a sliver beside the line that no chain of the tile bounds
+      }
     }
   }
 
@@ -144,7 +167,7 @@ class CellRegions {
     }
   }
 
-  bool IsChain(size_t e) const { return cut_[e] && !walk_.on_outline[e]; }
+  bool IsChain(size_t e) const { return chain_[e] && !walk_.on_outline[e]; }
 
   // The edges of the tile's chains that a segment of the plan is, or is a part of.
   std::vector<int32_t> EdgesOf(const RimSegment& s) const {
@@ -229,8 +252,25 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
+    if (!gap.open) AddLink(from, to, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
+  }
+
+  // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two.
+  void AddLink(int32_t from, int32_t to, std::vector<int32_t>& way) {
+    PlanVertex v = plan_.vertices[from];
+    const Point3 b = plan_.vertices[to].position;
+    v.tile = cell_;
+    v.index = -1;
+    v.position = RoundedToLattice(Point3((v.position + b) / 2), plan_.lattice_step);
+    v.size = std::min(v.size, plan_.vertices[to].size);
+    v.lines = 0;
+    v.follows = -1;
+    v.height_known = true;
+    if (v.position == plan_.vertices[from].position || v.position == b) return;
+    way.push_back(static_cast<int32_t>(plan_.vertices.size()));
+    plan_.vertices.push_back(v);
   }
 
   std::vector<int32_t> Between(const OutlineGap& gap, const std::vector<LineVertex>& line) {
@@ -322,7 +362,7 @@ class CellRegions {
   const ClipSquare& square_;
   Plan& plan_;
   Outline outline_;
-  std::vector<bool> cut_;
+  std::vector<bool> cut_, chain_;  // as in JointTiles
   OutlineWalk walk_;
   std::unordered_map<int32_t, int32_t> own_vertex_;            // plan vertex -> of the record
   std::unordered_map<int32_t, std::vector<int32_t>> through_;  // other plan vertex -> edges of the record there
@@ -332,30 +372,13 @@ class CellRegions {
 
 }  // namespace
 
-void Absorb(PlannedHole& part, PlannedHole& hole) {
-  hole.centre += part.centre;
-  hole.area += part.area;
-  hole.perimeter += part.perimeter;
-  hole.boundary_vertices += part.boundary_vertices;
-  hole.projects &= part.projects;
-  if (part.kind != HoleKind::kClosed && hole.kind != HoleKind::kOpenII) {
-    hole.kind = part.kind;
-    hole.type = part.type;
-    hole.single = part.single;
-  }
-  hole.segments.insert(hole.segments.end(), part.segments.begin(), part.segments.end());
-  std::move(part.own_regions.begin(), part.own_regions.end(), std::back_inserter(hole.own_regions));
-  part.segments.clear();
-}
-
-void LayOwnRegions(const TileParts& parts, const JointTiles& joint, Plan& plan) {
-  const PlanInput& input = parts.input;
+void LayOwnRegions(const PlanInput& input, const GridLines& own, const JointTiles& joint, Plan& plan) {
   std::map<CellId, std::vector<size_t>> holes;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     if (plan.holes[h].failure.empty()) holes[plan.holes[h].cell].push_back(h);
   }
   for (const auto& [cell, of_cell] : holes) {
-    CellRegions(cell, input.cells.at(cell), parts.own, joint, plan).Lay(of_cell);
+    CellRegions(cell, input.cells.at(cell), own, joint, plan).Lay(of_cell);
   }
   std::erase_if(plan.holes, [](const PlannedHole& hole) { return hole.segments.empty(); });
   for (auto& [cell, vertices] : plan.vertex_of_boundary) {

@@ -11,10 +11,7 @@ namespace tilemend {
 // tile's outline, over vertices that follow those on the grid lines. Neighbours' regions overlap as the tiles do. Holes
 // of a tile that a chain holds together become one. Cuts Plan::vertex_of_boundary down to the vertices of the tiles
 // themselves. Cost O(n log n) in the boundary edges.
-void LayOwnRegions(const TileParts& parts, const JointTiles& joint, Plan& plan);
-
-// Makes one hole of two of a tile. What is left of `part` has no segments.
-void Absorb(PlannedHole& part, PlannedHole& hole);
+void LayOwnRegions(const PlanInput& input, const GridLines& own, const JointTiles& joint, Plan& plan);
 
 }  // namespace tilemend
 

@@ -96,6 +96,7 @@ struct PlanVertex {
   double size = 0;
   uint8_t lines = 0;          // as RimVertex::lines
   bool height_given = false;  // of a seam vertex: it takes the height of a rim vertex a hair beside it
+  bool height_known = false;  // of a new vertex that is on no seam
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
   int32_t follows = -1;

@@ -1,0 +1,19 @@
+// Tiles that are stored as several overlapping pieces: where a piece ends and the next goes on.
+#ifndef TILEMEND_COORDINATOR_PLAN_OVERLAP_PIECE_OUTLINES_H_
+#define TILEMEND_COORDINATOR_PLAN_OVERLAP_PIECE_OUTLINES_H_
+
+#include <vector>
+
+#include "common/records/survey_record.h"
+
+namespace tilemend {
+
+// For each boundary edge of a tile: whether it is on the outline of a piece, beyond which another piece goes on. Such
+// are no rims of holes. Pieces are leaves of an octree, of any sizes: each ends at planes across the axes (upright ones
+// and level ones), and the next begins at most `reach` metres before. A plane is taken for an outline if one piece ends
+// and another begins there along some length of boundary. Cost O(n log n).
+std::vector<bool> FindPieceOutlines(const SurveyRecord& record, double reach);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_OVERLAP_PIECE_OUTLINES_H_
