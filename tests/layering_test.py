@@ -113,8 +113,8 @@ RULES = {
         ['eigen'], pure=True),
 
     'coordinator/plan/overlap': rule(
-        ['common/mesh', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/hole'],
-        [], pure=True),
+        ['common/mesh', 'common/mesh/winding', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim'],
+        ['eigen'], pure=True),
 
     'coordinator/plan/water': rule(
         ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam'],

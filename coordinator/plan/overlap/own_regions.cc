@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
 #include <map>
-#include <optional>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
-#include "common/mesh/disjoint_sets.h"
 #include "common/mesh/rounding.h"
+#include "coordinator/plan/overlap/chain_groups.h"
 #include "coordinator/plan/overlap/outline_walk.h"
 
 namespace tilemend {
@@ -71,7 +67,7 @@ class CellRegions {
 
   // Of the holes of this cell. Those that one chain bounds become one; what is none stays without segments.
   void Lay(const std::vector<size_t>& holes) {
-    for (const auto& [group, members] : Groups(holes)) {
+    for (const ChainGroup& members : Groups(holes)) {
       PlannedHole& first = plan_.holes[members.holes.front()];
       for (size_t i = 1; i < members.holes.size(); ++i) Absorb(plan_.holes[members.holes[i]], first);
       std::vector<RimSegment> region = WholeSegments(first);
@@ -80,7 +76,7 @@ class CellRegions {
         AddRim(PlanVertexOf(record_.edges[e].to), PlanVertexOf(record_.edges[e].from), region);
       }
       const std::vector<LineVertex> line = LineVertices(first);
-      for (const OutlineGap* gap : members.gaps) AddGap(*gap, line, region);
+      for (const OutlineGap& gap : members.gaps) AddGap(gap, line, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
       if (whole < region.size()) {
         first.own_regions = {std::move(region)};
@@ -91,80 +87,22 @@ class CellRegions {
   }
 
  private:
-  struct Members {
-    std::vector<size_t> holes;
-    std::vector<int32_t> edges;  // of the record
-    std::vector<const OutlineGap*> gaps;
-  };
-
-  // What belongs together, with at least one hole: holes, the chains that bound them, the gaps between those.
-  std::map<int32_t, Members> Groups(const std::vector<size_t>& holes) {
-    const auto vertices = static_cast<int32_t>(record_.vertices.size());
-    DisjointSets sets(vertices + static_cast<int32_t>(record_.edges.size() + holes.size()));
-    const auto of_edge = [&](int32_t e) { return vertices + e; };
-    const auto of_hole = [&](size_t i) { return vertices + static_cast<int32_t>(record_.edges.size() + i); };
-    std::vector<std::vector<int32_t>> around(record_.vertices.size());  // chains' edges at each vertex
-    for (size_t e = 0; e < record_.edges.size(); ++e) {
-      if (!IsChain(e)) continue;
-      for (const int32_t v : {record_.edges[e].from, record_.edges[e].to}) {
-        around[v].push_back(of_edge(static_cast<int32_t>(e)));
+  std::vector<ChainGroup> Groups(const std::vector<size_t>& holes) const {
+    std::vector<bool> is_chain(record_.edges.size());
+    for (size_t e = 0; e < is_chain.size(); ++e) is_chain[e] = IsChain(e);
+    std::vector<std::vector<int32_t>> edges_of_hole;
+    for (const size_t h : holes) {
+      std::vector<int32_t>& edges = edges_of_hole.emplace_back();
+      for (const RimSegment& s : plan_.holes[h].segments) {
+        const std::vector<int32_t> of_segment = EdgesOf(s);
+        edges.insert(edges.end(), of_segment.begin(), of_segment.end());
       }
     }
-    const auto join_around = [&](int32_t v) {
-      for (const int32_t e : around[v]) sets.Join(e, v);
-    };
-    for (int32_t v = 0; v < vertices; ++v) {
-      if (around[v].size() <= 2) join_around(v);
-    }
-    for (const OutlineGap& gap : walk_.gaps) {
-      join_around(gap.from), join_around(gap.to);
-      sets.Join(gap.from, gap.to);
-    }
-    for (size_t i = 0; i < holes.size(); ++i) {
-      for (const RimSegment& s : plan_.holes[holes[i]].segments) {
-        for (const int32_t e : EdgesOf(s)) sets.Join(of_hole(i), of_edge(e));
-      }
-    }
-    JoinWhereOpen(around, sets, [&](int32_t lowest) {
-      for (size_t i = 0; i < holes.size(); ++i) {
-        if (sets.LowestOf(of_hole(i)) == lowest) return true;
-      }
-      return false;
-    });
-    std::map<int32_t, Members> groups;
-    for (size_t i = 0; i < holes.size(); ++i) groups[sets.LowestOf(of_hole(i))].holes.push_back(holes[i]);
-    for (size_t e = 0; e < record_.edges.size(); ++e) {
-      const auto it = groups.find(sets.LowestOf(of_edge(static_cast<int32_t>(e))));
-      if (IsChain(e) && it != groups.end()) it->second.edges.push_back(static_cast<int32_t>(e));
-    }
-    for (const OutlineGap& gap : walk_.gaps) {
-      if (const auto it = groups.find(sets.LowestOf(gap.from)); it != groups.end()) it->second.gaps.push_back(&gap);
+    std::vector<ChainGroup> groups = GroupChains(record_, is_chain, walk_.gaps, edges_of_hole);
+    for (ChainGroup& group : groups) {
+      for (size_t& h : group.holes) h = holes[h];
     }
     return groups;
-  }
-
-  // Where chains meet in a vertex they stay apart, unless one of them does not close without the others there or bounds
-  // no hole.
-  void JoinWhereOpen(const std::vector<std::vector<int32_t>>& around, DisjointSets& sets,
-                     const std::function<bool(int32_t)>& has_hole) const {
-    const auto vertices = static_cast<int32_t>(record_.vertices.size());
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (int32_t v = 0; v < vertices; ++v) {
-        if (around[v].size() <= 2) continue;
-        std::map<int32_t, int> balance;
-        for (const int32_t e : around[v]) {
-          balance[sets.LowestOf(e)] += record_.edges[e - vertices].from == v ? 1 : -1;
-        }
-        if (balance.size() <= 1) continue;
-        if (std::all_of(balance.begin(), balance.end(),
-                        [&](const auto& b) { return b.second == 0 && has_hole(b.first); })) {
-          continue;
-        }
-        for (const int32_t e : around[v]) sets.Join(e, around[v][0]);
-        changed = true;
-      }
-    }
   }
 
   bool IsChain(size_t e) const { return chain_[e] && !walk_.on_outline[e]; }

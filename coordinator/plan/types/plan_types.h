@@ -58,9 +58,9 @@ struct BorderAudit {
   CellId a, b;  // b is east or north of a
   BorderKind kind = BorderKind::kOpen;
   int64_t shared_vertices = 0;
-  double offset = 0;                // metres: > 0 overlap, < 0 gap
-  std::array<double, 2> margins{};  // of a and b: how far each one's own outline lies beyond the grid line
-  HeightGap apart;                  // kOverlap: the originals
+  double offset = 0;                   // metres: > 0 overlap, < 0 gap
+  std::array<double, 2> margins = {};  // of a and b: how far each one's own outline lies beyond the grid line
+  HeightGap apart = {};                // kOverlap: the originals
 };
 
 enum class HoleKind { kClosed, kOpenI, kOpenII };

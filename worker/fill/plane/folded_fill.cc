@@ -19,6 +19,8 @@ namespace {
 constexpr int kMostRounds = 5;
 // Vertices of a loop that is closed at once; a longer one is parted by a chord first.
 constexpr size_t kLongestLoop = 60;
+// Of its size: a crossing lies so far below the lower edge, or the triangle between the two would be flat.
+constexpr double kDrop = 0.125;
 // A chord leaves each side at least this share of the loop.
 constexpr size_t kLeastShare = 4;
 
@@ -89,7 +91,7 @@ class FoldedFiller {
       height = std::min(height, a.z() + share * (b.z() - a.z()));
       size = std::min({size, whole_.sizes[from], whole_.sizes[to]});
     }
-    AddVertex(frame_.ToScene(Point3(place.x(), place.y(), height)), size);
+    AddVertex(frame_.ToScene(Point3(place.x(), place.y(), height - kDrop * size)), size);
   }
 
   // An edge between two rim vertices that the surface has already gets a new vertex in its middle.

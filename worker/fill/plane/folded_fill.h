@@ -10,7 +10,7 @@ namespace tilemend {
 
 // A boundary that runs over facades, under trees or along upright edges folds over itself on the plane. What it winds
 // around is filled over the plane (wound_region.h, plane_fill.h), with a new vertex wherever the boundary crosses
-// itself, at the lower of the edges there; no vertex at a fold has an equation. What lies between that region's
+// itself, below the lower of the edges there; no vertex at a fold has an equation. What lies between that region's
 // boundary and the hole's, walls for the most part, is closed by triangles in space, loop by loop.
 //
 // The patch is closed whatever the folds; it may yet pass through itself or the surface there. Failures as

@@ -69,24 +69,6 @@ TEST_P(PlaneFillTest, IsFlatAtALevel) {
   for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), -1.5);
 }
 
-// A step of a wall in the rim: seen from above two of its vertices are nearly one.
-TEST_P(PlaneFillTest, CutsFoldsOff) {
-  const auto lean = [](const Point3& p) {
-    const bool step = p.x() > 1 && p.y() == 2;
-    return step ? Point3(p.x(), 3.2, 1) : p;
-  };
-  const CellHoles work = WorkOfSheet(Disc(2, 5, 3), lean, 0);
-  const CellBand band(work);
-  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  const auto fill = [&](bool cut) {
-    return FillOverPlane(hole, ProjectionFrame::Upright(), With(GetParam()), {RimUse::kWhole, cut});
-  };
-  EXPECT_FALSE(fill(false).ok());
-  LocalPatch patch = fill(true);
-  ASSERT_TRUE(patch.ok());
-  ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
-}
-
 TEST(PlaneFillTest, ChoosesATensionByTheWholeRimOnly) {
   const auto waves = [](const Point3& p) {
     return Point3(p.x(), p.y(), std::sin(0.4 * p.x()) + std::cos(0.5 * p.y()));

@@ -1,0 +1,91 @@
+#include "coordinator/plan/overlap/outline_walk.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/overlapping_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr Outline kSquare{{0, 6, 0, 6}};
+
+SurveyRecord RecordOf(const std::vector<std::string>& picture) {
+  return PictureScene(picture, 6).records.begin()->second;
+}
+
+OutlineWalk Walk(const SurveyRecord& record) {
+  return WalkOutline(record, std::vector<bool>(record.edges.size(), true), kSquare);
+}
+
+TEST(OutlineTest, NumbersPlacesCounterClockwiseFromTheSouthWest) {
+  EXPECT_EQ(kSquare.PlaceOf({2, 0, 0}, kSouth), 2);
+  EXPECT_EQ(kSquare.PlaceOf({6, 2, 0}, kEast), 8);
+  EXPECT_EQ(kSquare.PlaceOf({2, 6, 0}, kNorth), 16);
+  EXPECT_EQ(kSquare.PlaceOf({0, 2, 0}, kWest), 22);
+  EXPECT_EQ(kSquare.PlaceOf({0, 0, 0}, kWest), 0);
+  EXPECT_EQ(kSquare.CornerPlace(2), 12);
+  EXPECT_EQ(kSquare.CornerAt(2), Point2(6, 6));
+}
+
+TEST(OutlineWalkTest, HasNoGapAroundAWholeTile) {
+  const SurveyRecord record = RecordOf({"######", "######", "######", "######", "######", "######"});
+  const OutlineWalk walk = Walk(record);
+  EXPECT_THAT(walk.gaps, IsEmpty());
+  EXPECT_FALSE(walk.all_open);
+  EXPECT_EQ(walk.on_outline, std::vector<bool>(record.edges.size(), true));
+}
+
+TEST(OutlineWalkTest, FindsTheGapsOfARiver) {
+  const SurveyRecord record = RecordOf({"######", "######", "......", "......", "######", "######"});
+  const OutlineWalk walk = Walk(record);
+  ASSERT_THAT(walk.gaps, SizeIs(2));
+  for (const OutlineGap& gap : walk.gaps) {
+    EXPECT_TRUE(gap.open);
+    EXPECT_EQ(gap.end - gap.begin, 2);
+    EXPECT_EQ(record.vertices[gap.from].position.x(), record.vertices[gap.to].position.x());
+  }
+}
+
+TEST(OutlineWalkTest, GoesAroundCorners) {
+  const SurveyRecord record = RecordOf({"######", "######", "######", "######", "..####", "..####"});
+  const OutlineWalk walk = Walk(record);
+  ASSERT_THAT(walk.gaps, SizeIs(1));
+  EXPECT_EQ(walk.gaps[0].begin, 22);
+  EXPECT_EQ(walk.gaps[0].end, 24 + 2) << "by way of the south-west corner";
+}
+
+TEST(OutlineWalkTest, SaysThatNothingReachesTheOutline) {
+  EXPECT_TRUE(Walk(RecordOf({"......", ".####.", ".####.", ".####.", ".####.", "......"})).all_open);
+}
+
+TEST(OutlineWalkTest, LinksChainsThatEndInside) {
+  const SurveyRecord record = RecordOf({"######", "######", "##..##", "##..##", "######", "######"});
+  // Without two opposite edges of the hole's rim.
+  std::vector<bool> taken(record.edges.size(), true);
+  std::set<int32_t> ends;
+  for (size_t e = 0; e < taken.size(); ++e) {
+    const Point3 &a = record.vertices[record.edges[e].from].position, &b = record.vertices[record.edges[e].to].position;
+    const Point3 middle = (a + b) / 2;
+    if (middle != Point3(2, 2.5, 0) && middle != Point3(4, 3.5, 0)) continue;
+    taken[e] = false;
+    ends.insert({record.edges[e].from, record.edges[e].to});
+  }
+  ASSERT_THAT(ends, SizeIs(4));
+  const OutlineWalk walk = WalkOutline(record, taken, kSquare);
+  ASSERT_THAT(walk.gaps, SizeIs(2));
+  for (const OutlineGap& gap : walk.gaps) {
+    EXPECT_FALSE(gap.open);
+    EXPECT_EQ((record.vertices[gap.from].position - record.vertices[gap.to].position).norm(), 1);
+    ends.erase(gap.from), ends.erase(gap.to);
+  }
+  EXPECT_THAT(ends, IsEmpty());
+}
+
+}  // namespace
+}  // namespace tilemend

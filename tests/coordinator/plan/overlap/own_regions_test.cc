@@ -1,0 +1,127 @@
+#include "coordinator/plan/overlap/own_regions.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "common/mesh/lattice.h"
+#include "common/mesh/winding/wound_region.h"
+#include "coordinator/plan/plan.h"
+#include "tests/support/overlapping_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::SizeIs;
+
+Plan PlanOf(const SurveyedScene& scene) { return MakePlan(scene.Input(), {}); }
+
+std::vector<Point3> Positions(const Plan& plan) {
+  std::vector<Point3> positions;
+  for (const PlanVertex& v : plan.vertices) positions.push_back(v.position);
+  return positions;
+}
+
+class OwnRegionsTest : public ::testing::TestWithParam<double> {};
+
+TEST_P(OwnRegionsTest, ReachTheOutlineOfTheirOwnTile) {
+  const double margin = GetParam();
+  const Plan plan = PlanOf(OverlappingScene(kWaters, 10, margin));
+  for (const PlannedHole& hole : plan.holes) {
+    if (hole.kind == HoleKind::kClosed) continue;
+    ASSERT_THAT(hole.own_regions, SizeIs(1));
+    for (const RimSegment& s : hole.own_regions[0]) {
+      if (!s.seam) continue;
+      for (const int32_t v : {s.from, s.to}) {
+        const Point3& p = plan.vertices[v].position;
+        const double west = std::abs(p.x() - (hole.cell.col * 10 - margin));
+        const double east = std::abs(p.x() - (hole.cell.col * 10 + 10 + margin));
+        const double south = std::abs(p.y() - (hole.cell.row * 10 - margin));
+        const double north = std::abs(p.y() - (hole.cell.row * 10 + 10 + margin));
+        EXPECT_LT(std::min({west, east, south, north}), 1e-3) << p.transpose();
+      }
+    }
+  }
+}
+
+// In square metres: what the segments wind around. Where chains of pieces are linked they run to and fro.
+double AreaOf(const std::vector<RimSegment>& segments, const std::vector<Point3>& positions) {
+  const LatticeWindow window({-1, -1}, {21, 21});
+  std::vector<LatticePoint> points;
+  for (const Point3& p : positions) points.push_back(window.Round(p.head<2>()));
+  std::vector<DirectedEdge> edges;
+  for (const RimSegment& s : segments) edges.push_back({s.from, s.to});
+  const WoundRegion region = FindWoundRegion(points, edges);
+  for (const RegionCorner& c : region.corners) points.push_back(c.place);
+  double area = 0;
+  for (const DirectedEdge& s : region.segments) {
+    const Point2 a = window.ToMetres(points[s.from]), b = window.ToMetres(points[s.to]);
+    area += (a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  return area;
+}
+
+TEST_P(OwnRegionsTest, HaveTheAreaOfTheHoleUpToTheOutline) {
+  const double margin = GetParam();
+  const Plan plan = PlanOf(OverlappingScene(kWaters, 10, margin));
+  const std::vector<Point3> positions = Positions(plan);
+  double area = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const auto& region : hole.own_regions) area += AreaOf(region, positions);
+    if (hole.own_regions.empty()) area += hole.area;
+  }
+  const double stretch = (10 + 2 * margin) / 10;  // every tile is its square stretched, and so is what is missing of it
+  EXPECT_NEAR(area, (4 + 4 + 25 + 40) * stretch * stretch, 2e-2);
+}
+
+TEST_P(OwnRegionsTest, AHoleOverPiecesHasOneRegion) {
+  const double margin = GetParam();
+  const Plan plan = PlanOf(OverlappingScene(kWaters, 10, margin, 2));
+  const std::vector<Point3> positions = Positions(plan);
+  double area = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    EXPECT_LE(hole.own_regions.size(), 1U);
+    for (const auto& region : hole.own_regions) area += AreaOf(region, positions);
+    if (hole.own_regions.empty()) area += hole.area;
+  }
+  // Pieces reach into holes of their neighbours by the margin.
+  EXPECT_NEAR(area, 4 + 4 + 25 + 40, 40 * margin);
+}
+
+TEST_P(OwnRegionsTest, Close) {
+  for (const int pieces : {1, 2}) {
+    const Plan plan = PlanOf(OverlappingScene(kWaters, 10, GetParam(), pieces));
+    for (const PlannedHole& hole : plan.holes) {
+      for (const auto& region : hole.own_regions) {
+        std::map<int32_t, int> balance;
+        for (const RimSegment& s : region) ++balance[s.from], --balance[s.to];
+        for (const auto& [v, more] : balance) EXPECT_EQ(more, 0) << plan.vertices[v].position.transpose();
+      }
+    }
+  }
+}
+
+// Both neighbours' new vertices take the surface from the same places on the line between them.
+TEST_P(OwnRegionsTest, OfNeighboursFollowTheSameVertices) {
+  const Plan plan = PlanOf(OverlappingScene(kWaters, 10, GetParam()));
+  std::map<int32_t, int> followers;
+  for (const PlanVertex& v : plan.vertices) {
+    if (v.index < 0 && v.follows >= 0 && plan.vertices[v.follows].index < 0) ++followers[v.follows];
+  }
+  ASSERT_FALSE(followers.empty());
+  for (const auto& [vertex, count] : followers) {
+    const Point3& p = plan.vertices[vertex].position;
+    const bool inside = p.x() > 0 && p.x() < 20 && p.y() > 0 && p.y() < 20;
+    const bool corner = plan.vertices[vertex].lines == 3;
+    EXPECT_EQ(count, !inside ? 1 : corner ? 4 : 2) << p.transpose();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Margins, OwnRegionsTest, ::testing::Values(0.05, 0.1, 0.25));
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,63 @@
+#include "coordinator/plan/overlap/piece_outlines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/overlapping_scene.h"
+
+namespace tilemend {
+namespace {
+
+const std::vector<std::string> kWhole(20, std::string(20, '#'));
+
+int64_t CountOutlines(const SurveyRecord& record, double reach) {
+  const std::vector<bool> found = FindPieceOutlines(record, reach);
+  return std::count(found.begin(), found.end(), true);
+}
+
+TEST(PieceOutlinesTest, AreWhereOnePieceEndsAndAnotherBegins) {
+  const SurveyedScene scene = OverlappingScene(kWhole, 20, 0.1, 2);
+  const SurveyRecord& record = scene.records.begin()->second;
+  const std::vector<bool> found = FindPieceOutlines(record, 0.6);
+  for (size_t e = 0; e < found.size(); ++e) {
+    const Point3 &a = record.vertices[record.edges[e].from].position, &b = record.vertices[record.edges[e].to].position;
+    const auto inner = [&](int k) {
+      return std::abs(a[k] - b[k]) < 1e-3 && (std::abs(a[k] - 9.9) < 1e-3 || std::abs(a[k] - 10.1) < 1e-3);
+    };
+    EXPECT_EQ(found[e], inner(0) || inner(1)) << a.transpose() << " to " << b.transpose();
+  }
+}
+
+TEST(PieceOutlinesTest, AreNotFartherApartThanTheReach) {
+  const SurveyedScene scene = OverlappingScene(kWhole, 20, 0.1, 2);
+  EXPECT_EQ(CountOutlines(scene.records.begin()->second, 0.1), 0);
+  EXPECT_EQ(CountOutlines(OverlappingScene(kWhole, 20, 0.1).records.begin()->second, 0.6), 0) << "one piece";
+}
+
+// Pieces above each other, as an octree has them on a slope.
+TEST(PieceOutlinesTest, AreLevelToo) {
+  TriMesh tile;
+  for (const bool upper : {false, true}) {
+    const int32_t from = upper ? 10 : 0, to = upper ? 20 : 10;
+    const TriMesh piece =
+        Moved(SquaresMesh(from, to, 0, 20, [](int32_t, int32_t) { return true; }), [&](const Point3& p) {
+          double x = p.x();
+          if (upper && p.x() == 10) x -= 0.05;
+          if (!upper && p.x() == 10) x += 0.05;
+          return Point3(x, p.y(), x);
+        });
+    const auto base = static_cast<int32_t>(tile.points.size());
+    tile.points.insert(tile.points.end(), piece.points.begin(), piece.points.end());
+    for (const Triangle& t : piece.triangles) tile.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+  Grid grid;
+  grid.cell_size = Point2(20, 20);
+  SurveyedScene scene = SurveyScene(grid, {{{0, 0}, tile}});
+  SurveyRecord& record = scene.records.begin()->second;
+  for (BoundaryVertex& v : record.vertices) std::swap(v.position.x(), v.position.z());  // seen from the side
+  EXPECT_EQ(CountOutlines(record, 0.6), 2 * 20);
+}
+
+}  // namespace
+}  // namespace tilemend

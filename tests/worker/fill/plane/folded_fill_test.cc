@@ -1,0 +1,75 @@
+#include "worker/fill/plane/folded_fill.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "tests/support/folded_meshes.h"
+#include "worker/fill/plane/plane_fill.h"
+
+namespace tilemend {
+namespace {
+
+FillOptions With(Surface surface) {
+  FillOptions options;
+  options.surface = surface;
+  return options;
+}
+
+class FoldedFillTest : public testing::TestWithParam<Surface> {};
+INSTANTIATE_TEST_SUITE_P(Surfaces, FoldedFillTest, testing::Values(Surface::kWang, Surface::kThinPlate));
+
+TEST_P(FoldedFillTest, FillsASimpleHoleAsItIs) {
+  const CellHoles work = WorkOfSheet(
+      Disc(2, 5, 4), [](const Point3& p) { return p; }, 0);
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  ASSERT_TRUE(patch.ok());
+  for (const Point3& p : patch.new_points) EXPECT_NEAR(p.z(), 0, 2 * work.lattice_step);
+  ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
+}
+
+TEST_P(FoldedFillTest, ClosesAWallThatHasNoRegionOnTheGround) {
+  const CellHoles work = WorkOfSheet(Disc(0, kWallHeight / 2, 3), FoldToBuilding, 0);
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  ASSERT_TRUE(patch.ok());
+  ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
+}
+
+// A step of a wall in the rim: seen from above two of its vertices are nearly one.
+TEST_P(FoldedFillTest, TakesSmallFoldsForWhatTheyAre) {
+  const auto lean = [](const Point3& p) {
+    const bool step = p.x() > 1 && p.y() == 2;
+    return step ? Point3(p.x(), 3.2, 1) : p;
+  };
+  const CellHoles work = WorkOfSheet(Disc(2, 5, 3), lean, 0);
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  EXPECT_FALSE(FillOverPlane(hole, ProjectionFrame::Upright(), With(GetParam()), {}).ok());
+  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  ASSERT_TRUE(patch.ok());
+  ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
+}
+
+// A hole over the foot of a wall, the wall and its roof, as lakes beside houses have them: from any place and size.
+TEST_P(FoldedFillTest, ClosesWhateverFoldsTheBoundaryHas) {
+  for (const double along : {-1.0, 0.0, 2.5}) {
+    for (const double radius : {3.0, 4.5, 6.0}) {
+      const CellHoles work = WorkOfSheet(Disc(along, kWallHeight / 3, radius), FoldToBuilding, 0);
+      const CellBand band(work);
+      LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+      hole.open = true;
+      LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+      ASSERT_TRUE(patch.ok()) << along << ", " << radius;
+      ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tilemend
