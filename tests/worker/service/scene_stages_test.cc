@@ -86,6 +86,14 @@ CellHoles BentCluster() {
   for (int x = 6; x > 0; --x) add(x, 4, false);
   for (int y = 4; y > 0; --y) add(0, y, false);
   for (int y = 1; y < 4; ++y) add(3, y, true);
+  for (int32_t v = 0; v < 20; ++v) {  // the surface around it
+    const Point3& p = work.vertices[v].position;
+    const double x = p.x() + (p.x() - 3) / 4, y = p.y() + (p.y() - 2) / 4;
+    work.band.points.emplace_back(x, y, x * x / 16 + y / 4);
+    const int32_t next = (v + 1) % 20, outer = 23 + v, outer_next = 23 + next;
+    work.band.triangles.push_back({next, v, outer});
+    work.band.triangles.push_back({next, outer, outer_next});
+  }
   const auto part = [](int32_t id, int32_t from, const std::vector<int32_t>& way_back) {
     CellHole hole{id, true, {}};
     for (int32_t v = from; v < from + 10; ++v) hole.segments.push_back({v % 20, (v + 1) % 20, false});

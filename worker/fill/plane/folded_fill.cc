@@ -21,6 +21,8 @@ constexpr int kMostRounds = 5;
 constexpr size_t kLongestLoop = 60;
 // Of its size: a crossing lies so far below the lower edge, or the triangle between the two would be flat.
 constexpr double kDrop = 0.125;
+// Cosine: what faces down more than this is no wall.
+constexpr double kFacesDown = 0.5;
 // A chord leaves each side at least this share of the loop.
 constexpr size_t kLeastShare = 4;
 
@@ -30,7 +32,9 @@ class FoldedFiller {
       : hole_(hole), frame_(frame), options_(options), whole_(hole) {}
 
   LocalPatch Run() {
-    if (!FindRegion()) return {hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane};
+    if (!FindRegion() || IsInsideOut()) {
+      return {hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane};
+    }
     loops_ = LoopsBetween(hole_.segments, segments_);
     LocalPatch patch;
     patch.new_points.assign(whole_.positions.begin() + hole_.size(), whole_.positions.end());
@@ -60,6 +64,13 @@ class FoldedFiller {
       PartTakenChords();
     }
     return true;
+  }
+
+  // A hole that winds around nothing may be a wall, but not the outline of surface.
+  bool IsInsideOut() const {
+    const Eigen::Vector3d area = hole_.VectorArea();
+    const Eigen::Vector3d up = frame_.ToScene(Point3(0, 0, 1)) - frame_.ToScene(Point3(0, 0, 0));
+    return segments_.empty() && area.dot(up) < -kFacesDown * area.norm();
   }
 
   // Those of the segments; of others nothing. On the lattice that FillOverPlane will take for them.
@@ -134,6 +145,7 @@ class FoldedFiller {
     local.open = hole_.open;
     local.tension = hole_.tension;
     local.level = hole_.level;
+    local.river = hole_.river;
     std::vector<int32_t> number(whole_.vertices.size(), -1);
     const auto take = [&](int32_t v) {
       if (number[v] >= 0) return number[v];

@@ -58,9 +58,13 @@ TEST_P(FoldedFillTest, TakesSmallFoldsForWhatTheyAre) {
 
 // A hole over the foot of a wall, the wall and its roof, as lakes beside houses have them: from any place and size.
 TEST_P(FoldedFillTest, ClosesWhateverFoldsTheBoundaryHas) {
+  const auto uneven = [](const Point3& p) {
+    const double off = 0.05 * std::sin(17 * p.x() + 29 * p.y());
+    return Point3(FoldToBuilding(p) + Point3(off, -off, 0.7 * off));
+  };
   for (const double along : {-1.0, 0.0, 2.5}) {
     for (const double radius : {3.0, 4.5, 6.0}) {
-      const CellHoles work = WorkOfSheet(Disc(along, kWallHeight / 3, radius), FoldToBuilding, 0);
+      const CellHoles work = WorkOfSheet(Disc(along, kWallHeight / 3, radius), uneven, 0);
       const CellBand band(work);
       LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
       hole.open = true;
