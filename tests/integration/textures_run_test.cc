@@ -53,7 +53,8 @@ class TexturesRunTest : public ::testing::Test {
                     absl::StrCat("newmtl ground\nmap_Kd ..\\..\\shared\\my ground.JPG\nbump lost.png\n"));
     }
     folder_.Write("scene/shared/my ground.jpg", PngImage(8, 8, [](int32_t, int32_t) { return kGreen; }));
-    folder_.Write("scene/metadata.xml", "<ModelMetadata><SRS>EPSG:32650</SRS><SRSOrigin>1,2,3</SRSOrigin></ModelMetadata>");
+    folder_.Write("scene/metadata.xml",
+                  "<ModelMetadata><SRS>EPSG:32650</SRS><SRSOrigin>1,2,3</SRSOrigin></ModelMetadata>");
     folder_.Write("scene/scene.json", R"({"cell_size": 10, "cols": 2, "rows": 1, "tiles": [
       {"col": 0, "row": 0, "path": "Data/Tile_+000_+000/Tile_+000_+000.obj"},
       {"col": 1, "row": 0, "path": "Data/Tile_+001_+000/Tile_+001_+000.obj"}]})");
@@ -135,7 +136,8 @@ TEST_F(TexturesRunTest, TheOutputCanBeFilledAgain) {
 
 // A broken image is no reason to fail: the fill has the colour that stands for ground.
 TEST_F(TexturesRunTest, ABrokenImageIsAWarning) {
-  for (const std::string& bytes : {std::string(), std::string("\xff\xd8\xff\xe0", 4), std::string("\x89PNG\r\n\x1a\n")}) {
+  for (const std::string& bytes :
+       {std::string(), std::string("\xff\xd8\xff\xe0", 4), std::string("\x89PNG\r\n\x1a\n")}) {
     folder_.Write("scene/shared/my ground.jpg", bytes);
     const Json report = Run({"--overwrite"});
     EXPECT_THAT(report["warnings"].dump(), HasSubstr("my ground.jpg"));

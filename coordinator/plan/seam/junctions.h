@@ -30,8 +30,8 @@ struct Junctions {
 Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing);
 
 // Which grid corners lie in a hole: the outermost junctions of the four borders there tell; where they do not agree, or
-// there are none, the winding number of the rim does. A corner that the outline of a ragged surface passes by lies in no
-// hole.
+// there are none, the winding number of the rim does. A corner that the outline of a ragged surface passes by lies in
+// no hole.
 std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing,
                                           const Junctions& junctions);
 

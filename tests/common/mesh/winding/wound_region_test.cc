@@ -70,7 +70,8 @@ TEST(WoundRegionTest, CutsAFoldOffWhereTheBoundaryCrossesItself) {
   ASSERT_THAT(region.corners, SizeIs(1));
   EXPECT_EQ(region.corners[0].place, (LatticePoint{50, 110}));
   EXPECT_THAT(region.corners[0].through, ElementsAre(3, 5));
-  EXPECT_THAT(LoopsBetween(folded.segments, region.segments), ElementsAre(ElementsAre(3, 4, 5, 6, 8))) << "8: the crossing";
+  EXPECT_THAT(LoopsBetween(folded.segments, region.segments), ElementsAre(ElementsAre(3, 4, 5, 6, 8)))
+      << "8: the crossing";
 }
 
 TEST(WoundRegionTest, TakesNoPartTwiceThatIsWoundAroundTwice) {

@@ -11,9 +11,8 @@ namespace {
 SurveyRecord TileFrom(double west, const HeightFunction& height) {
   const auto whole = [](int32_t, int32_t) { return true; };
   std::map<CellId, TriMesh> tiles;
-  tiles[{0, 0}] = Moved(SquaresMesh(0, 10, 0, 10, whole), [&](const Point3& p) {
-    return Point3(p.x() + west, p.y(), height(p.x() + west, p.y()));
-  });
+  tiles[{0, 0}] = Moved(SquaresMesh(0, 10, 0, 10, whole),
+                        [&](const Point3& p) { return Point3(p.x() + west, p.y(), height(p.x() + west, p.y())); });
   return SurveyScene(Grid(), std::move(tiles)).records.at({0, 0});
 }
 
