@@ -34,6 +34,11 @@ std::vector<FlagSpec> FillFlags() {
   return flags;
 }
 
+std::vector<FlagSpec> InspectFlags() {
+  return Join(WaterFlags(""),
+              {AreaFlag(), {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""}});
+}
+
 }  // namespace
 
 std::vector<Command> ServiceCommands() {
@@ -49,7 +54,7 @@ std::vector<Command> ServiceCommands() {
        "show tiles, borders and holes; write nothing",
        1,
        {},
-       Join(WaterFlags(""), output),
+       Join(InspectFlags(), output),
        InspectCommand},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
       {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, Join(FillFlags(), output), FillCommand},

@@ -40,6 +40,7 @@ std::vector<FlagSpec> JobFlags();
 std::vector<FlagSpec> SurfaceFlags();
 FlagSpec OutputFlag();
 FlagSpec WaterColourFlag();
+FlagSpec AreaFlag();
 // --water and --water-tolerance. Without a default the command chooses by what it is given.
 std::vector<FlagSpec> WaterFlags(const std::string& default_value);
 

@@ -168,7 +168,7 @@ int FillCommand(const Args& args) {
   const std::string out = args.Text("out");
   if (const absl::Status status = CheckPaths(in, out, args.Switch("overwrite")); !status.ok())
     return PrintError(status);
-  auto water = ReadWaterChoice(args.Text("water"), *water_tolerance);
+  auto water = ReadWaterChoice(args.Text("water"), *water_tolerance, SceneFrame());
   if (!water.ok()) return PrintError(water.status());
   water->options.profile = *profile;
   options->water = water->options;

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
@@ -17,7 +18,14 @@
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_table.h"
+#include "common/gis/area_file.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "coordinator/report/area_choice.h"
+#include "coordinator/report/area_proposal.h"
+#include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
+#include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
 
 namespace tilemend {
@@ -111,17 +119,60 @@ void Warn(const std::vector<std::string>& warnings) {
   for (const std::string& w : warnings) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
 }
 
-int InspectSceneAt(const std::string& path, const PlanOptions& options, OutputFormat format) {
-  const auto inspection = InspectScene(path, options);
+// What is to be looked at, and how.
+struct Request {
+  std::string path;
+  std::string area;          // --area
+  std::string propose_area;  // --propose-area
+  std::string water;         // --water
+  double water_tolerance = 0;
+  WaterProfile water_profile;
+  OutputFormat format = OutputFormat::kTable;
+};
+
+absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) {
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, request.water_tolerance, FrameOf(scene)));
+  for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
+  PlanOptions options;
+  options.water = std::move(water.options);
+  options.water.profile = request.water_profile;
+  return options;
+}
+
+absl::StatusOr<Inspection> InspectSceneOf(const Request& request) {
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(request.path, ReadTileBounds));
+  TILEMEND_RETURN_IF_ERROR(ApplyAreaChoice(request.area, scene).status());
+  TILEMEND_ASSIGN_OR_RETURN(const PlanOptions options, PlanOptionsOf(request, scene));
+  return InspectScene(std::move(scene), options);
+}
+
+absl::Status CheckIsNew(const std::string& path) {
+  std::error_code error;
+  if (path.empty() || !std::filesystem::exists(path, error)) return absl::OkStatus();
+  return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; choose another --propose-area"));
+}
+
+absl::Status WriteProposal(const std::string& path, const SceneWaves& waves) {
+  if (path.empty()) return absl::OkStatus();
+  const PlanePolygon area = ProposeArea(waves.scene(), waves.records());
+  if (area.empty()) return absl::FailedPreconditionError(absl::StrCat(path, ": too little surface to propose an area"));
+  TILEMEND_RETURN_IF_ERROR(CheckIsNew(path));
+  return WriteFileAtomically(path, AreaGeoJson(area, waves.scene()));
+}
+
+int InspectSceneAt(const Request& request) {
+  if (const absl::Status status = CheckIsNew(request.propose_area); !status.ok()) return PrintError(status);
+  const auto inspection = InspectSceneOf(request);
   if (!inspection.ok()) return PrintError(inspection.status());
   const SceneWaves& waves = *inspection->waves;
   Warn(waves.scene().warnings);
   ExitCode code = kExitDone;
   for (const absl::Status& error : inspection->errors) code = PrintError(error);
   if (!inspection->errors.empty()) return code;
+  if (const absl::Status status = WriteProposal(request.propose_area, waves); !status.ok()) return PrintError(status);
   Warn(PlanWarnings(waves.plan()));
   Json plan = PlanJson(waves.plan(), static_cast<int64_t>(waves.scene().tiles.size()));
-  if (format == OutputFormat::kTable) {
+  if (request.format == OutputFormat::kTable) {
     std::fputs(SceneText(*inspection, plan).c_str(), stdout);
     return kExitDone;
   }
@@ -137,18 +188,23 @@ int InspectSceneAt(const std::string& path, const PlanOptions& options, OutputFo
   return kExitDone;
 }
 
-int InspectMeshAt(const std::string& path, const PlanOptions& options, OutputFormat format) {
+int InspectMeshAt(const Request& request) {
+  const std::string& path = request.path;
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
+  Scene scene = SceneOfMesh(path);
+  const auto options = PlanOptionsOf(request, scene);
+  if (!options.ok()) return PrintError(options.status());
   WaveOptions wave_options;
-  wave_options.plan = options;
+  wave_options.plan = *options;
   wave_options.single_mesh = wave_options.plan_only = true;
-  SceneWaves waves(SceneOfMesh(path), wave_options);
+  Warn(scene.warnings);
+  SceneWaves waves(std::move(scene), wave_options);
   while (waves.Next()) waves.TakeSurvey({0, 0}, SurveyOf(*file));
   Warn(PlanWarnings(waves.plan()));
   const SurveyRecord& r = waves.records().at({0, 0});
   const Json plan = PlanJson(waves.plan(), 1);
-  if (format == OutputFormat::kJson) {
+  if (request.format == OutputFormat::kJson) {
     Json json = RecordJson(r);
     json["polygons"] = file->polygon_count;
     json.update(plan);
@@ -180,13 +236,12 @@ int InspectCommand(const Args& args) {
   const auto profile = WaterProfileFromFlags(args);
   if (!profile.ok()) return PrintUsageError(profile.status());
   const bool mesh = IsSingleMesh(path);
-  const std::string choice = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
-  const auto water = ReadWaterChoice(choice, *tolerance);
-  if (!water.ok()) return PrintError(water.status());
-  PlanOptions options;
-  options.water = water->options;
-  options.water.profile = *profile;
-  return mesh ? InspectMeshAt(path, options, *format) : InspectSceneAt(path, options, *format);
+  if (mesh && (args.IsGiven("area") || args.IsGiven("propose-area"))) {
+    return PrintUsageError(absl::InvalidArgumentError("--area, --propose-area: only scenes have an area"));
+  }
+  const std::string water = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
+  const Request request{path, args.Text("area"), args.Text("propose-area"), water, *tolerance, *profile, *format};
+  return mesh ? InspectMeshAt(request) : InspectSceneAt(request);
 }
 
 }  // namespace tilemend

@@ -40,8 +40,7 @@ std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene, const st
 
 }  // namespace
 
-absl::StatusOr<Inspection> InspectScene(const std::string& path, const PlanOptions& options) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(path, ReadTileBounds));
+Inspection InspectScene(Scene scene, const PlanOptions& options) {
   WaveOptions wave_options;
   wave_options.plan = options;
   wave_options.plan_only = true;

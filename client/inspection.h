@@ -19,7 +19,7 @@ struct Inspection {
 };
 
 // Surveys all tiles of a scene, as many at once as there are cores, and plans.
-absl::StatusOr<Inspection> InspectScene(const std::string& path, const PlanOptions& options);
+Inspection InspectScene(Scene scene, const PlanOptions& options);
 
 // Whether `path` is a file and no scene.json: a single mesh.
 bool IsSingleMesh(const std::string& path);

@@ -34,6 +34,7 @@ std::vector<FlagSpec> JobFlags() {
   flags.push_back(
       {"seam-smoothing", "X", "of wang: how much seams are smoothed, 0 to 1", absl::StrCat(defaults.seam_smoothing)});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
+  flags.push_back(AreaFlag());
   flags.push_back(WaterColourFlag());
   flags.push_back({"textures", "copy|link|off", "material files and images of OBJ tiles; link: images as hard links",
                    defaults.textures});
@@ -52,13 +53,17 @@ std::vector<FlagSpec> SurfaceFlags() {
 }
 
 std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
-  std::string help = "fill level water flat; FILE: GeoJSON areas with and without water";
+  std::string help = "fill level water flat; FILE: polygons with and without water, GeoJSON or GeoPackage";
   if (default_value.empty()) help += " (default auto, for single meshes off)";
   return {{"water", "auto|off|FILE", help, default_value},
           {"water-tolerance", "METRES", "how far the rim of water may be off its level, 0.001 to 10",
            absl::StrCat(JobSpec().water_tolerance)},
           {"water-profile", "city|usgs", "what auto finds: lakes from 1000 m2, rivers from 6 m, or 8000 m2, 30 m",
            JobSpec().water_profile}};
+}
+
+FlagSpec AreaFlag() {
+  return {"area", "FILE", "polygon of what is to be covered, GeoJSON or GeoPackage (default: the scene's cells)", ""};
 }
 
 absl::StatusOr<double> WaterToleranceFromFlags(const Args& args) { return args.Number("water-tolerance", 0.001, 10); }
@@ -93,6 +98,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(spec.seam_smoothing, args.Number("seam-smoothing", 0, 1));
   spec.water = args.Text("water");
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
+  spec.area = AbsolutePath(args.Text("area"));
   TILEMEND_ASSIGN_OR_RETURN(spec.water_tolerance, WaterToleranceFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(const WaterProfile profile, WaterProfileFromFlags(args));
   spec.water_profile = profile.name;

@@ -17,7 +17,8 @@ LIBRARIES = {
     'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'gtest/': 'gtest',
-    'gmock/': 'gtest', 'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
+    'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
+    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -40,6 +41,8 @@ RULES = {
     'common/mesh/winding': rule(['common/mesh'], ['clipper']),
 
     'common/grid': rule(['common/util', 'common/mesh'], ['absl', 'json', 'pugixml']),
+
+    'common/gis': rule(['common/util', 'common/mesh', 'common/grid'], ['absl', 'gdal']),
 
     'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['eigen']),
 
@@ -135,12 +138,13 @@ RULES = {
         ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
-        ['common/util', 'common/grid', 'common/records', 'common/codec', 'common/store', 'coordinator/plan/types',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store',
+         'coordinator/plan/types',
          'coordinator/waves'],
         ['absl', 'json']),
 
     'coordinator/service': rule(
-        ['common/util', 'common/grid', 'common/records', 'common/store', 'common/metrics', 'common/rpc',
+        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/store', 'common/metrics', 'common/rpc',
          'coordinator/state', 'coordinator/waves', 'coordinator/report'],
         ['absl', 'protobuf']),
 
@@ -148,7 +152,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
+        ['common/util', 'common/gis', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
          'worker/fill', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),

@@ -42,6 +42,7 @@ struct Scene {
   int32_t cols = 0, rows = 0;
   bool area_known = false;       // false: found by file names only, so the rim of the area stays open
   PlanePolygon area;             // what is to be covered, inside cells too; empty: the cells
+  std::string area_file;         // path of a file with the area, which is not read yet (area_choice.h); or empty
   bool found_by_name = false;    // there was no scene.json
   std::vector<SceneTile> tiles;  // every cell of the area once, sorted by (row, col)
   std::vector<std::string> warnings;
@@ -66,8 +67,8 @@ using BoundsReader = std::function<absl::StatusOr<Box>(const std::string& path)>
 //   Data/Tile_+CCC_+RRR/Tile_+CCC_+RRR.obj|ply (or the only .obj or .ply in that folder) with metadata.xml (SRS,
 //   SRSOrigin) beside Data.
 // scene.json: `cell_size` (number or [x, y]), `cols`, `rows` (1 to 100000), `tiles` [{`col`, `row`, `path`: file or
-// null}]; optional `crs`, `origin` [x, y, z], `grid_corner` [x, y], `area_known` (default true). Other fields are
-// ignored.
+// null}]; optional `crs`, `origin` [x, y, z], `grid_corner` [x, y], `area_known` (default true), `area` (a GeoJSON
+// Polygon or MultiPolygon in scene coordinates, or a file name). Other fields are ignored.
 //
 // For a scene found by name the grid is worked out from the tiles' bounds and indices (all tiles must agree), a warning
 // says what was found, area_known is false, and the numbering is shifted if an index is negative. `read_bounds` is

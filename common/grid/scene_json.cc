@@ -79,6 +79,42 @@ absl::Status ReadGrid(const Fields& fields, Scene* scene) {
   return absl::OkStatus();
 }
 
+absl::StatusOr<std::vector<Point2>> ReadRing(const Fields& fields, const Json& positions) {
+  const absl::Status wrong =
+      fields.Error("area", "expected rings of at least 4 positions [x, y], the last as the first");
+  std::vector<Point2> ring;
+  if (!positions.is_array() || positions.size() < 4) return wrong;
+  for (const Json& position : positions) {
+    const bool pair = position.is_array() && position.size() >= 2 && position[0].is_number() && position[1].is_number();
+    if (!pair) return wrong;
+    ring.emplace_back(position[0].get<double>(), position[1].get<double>());
+    if (!(ring.back().cwiseAbs().maxCoeff() <= kMostMetres)) {
+      return fields.Error("area", "must be at most 1e9 m from the origin");
+    }
+  }
+  if (ring.front() != ring.back()) return wrong;
+  ring.pop_back();
+  return ring;
+}
+
+absl::Status ReadArea(const Fields& fields, Scene* scene) {
+  const Json& area = fields["area"];
+  if (area.is_string()) {
+    scene->area_file = area.get<std::string>();
+    return scene->area_file.empty() ? fields.Error("area", "expected a file name") : absl::OkStatus();
+  }
+  const bool object = area.is_object() && area.contains("type") && area.contains("coordinates");
+  const bool polygon = object && area["type"] == "Polygon", several = object && area["type"] == "MultiPolygon";
+  if (!polygon && !several) return fields.Error("area", "expected a GeoJSON Polygon, MultiPolygon or a file name");
+  const Json polygons = polygon ? Json::array({area["coordinates"]}) : area["coordinates"];
+  for (const Json& rings : polygons) {
+    for (const Json& positions : rings) {
+      TILEMEND_ASSIGN_OR_RETURN(scene->area.rings.emplace_back(), ReadRing(fields, positions));
+    }
+  }
+  return scene->area.empty() ? fields.Error("area", "a polygon without rings") : absl::OkStatus();
+}
+
 absl::Status ReadHead(const Fields& fields, Scene* scene) {
   if (fields.Has("crs")) {
     if (!fields["crs"].is_string()) return fields.Error("crs", "expected a text");
@@ -90,6 +126,7 @@ absl::Status ReadHead(const Fields& fields, Scene* scene) {
     if (!fields["area_known"].is_boolean()) return fields.Error("area_known", "expected true or false");
     scene->area_known = fields["area_known"].get<bool>();
   }
+  if (fields.Has("area")) TILEMEND_RETURN_IF_ERROR(ReadArea(fields, scene));
   return ReadGrid(fields, scene);
 }
 
@@ -169,6 +206,19 @@ std::string Number(double value) { return Json(value).dump(); }
 
 std::string Text(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+// A Polygon whatever the rings are: they are read by the even-odd rule.
+std::string AreaText(const PlanePolygon& area) {
+  Json rings = Json::array();
+  for (const std::vector<Point2>& ring : area.rings) {
+    Json& positions = rings.emplace_back(Json::array());
+    for (size_t i = 0; i <= ring.size(); ++i) {
+      const Point2& p = ring[i % ring.size()];
+      positions.push_back({p.x(), p.y()});
+    }
+  }
+  return Json{{"type", "Polygon"}, {"coordinates", rings}}.dump();
+}
+
 }  // namespace
 
 absl::StatusOr<Scene> ParseSceneJson(const std::string& text, const std::string& name) {
@@ -188,6 +238,7 @@ absl::StatusOr<Scene> ReadSceneJson(const std::string& json_path, const std::str
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(json_path));
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, ParseSceneJson(text, json_path));
   scene.root = root;
+  if (!scene.area_file.empty()) scene.area_file = (std::filesystem::path(root) / scene.area_file).string();
   for (const SceneTile& tile : scene.tiles) {
     if (tile.path.empty()) continue;
     const std::filesystem::path file = std::filesystem::path(root) / tile.path;
@@ -212,6 +263,7 @@ std::string SceneJson(const Scene& scene) {
     absl::StrAppend(&out, " \"cell_size\": [", Number(grid.cell_size.x()), ", ", Number(grid.cell_size.y()), "],\n");
   }
   if (!scene.area_known) out += " \"area_known\": false,\n";
+  if (!scene.area.empty()) absl::StrAppend(&out, " \"area\": ", AreaText(scene.area), ",\n");
   absl::StrAppend(&out, " \"cols\": ", scene.cols, ",\n \"rows\": ", scene.rows, ",\n \"tiles\": [");
   const char* separator = "\n";
   for (const SceneTile& tile : scene.tiles) {

@@ -21,6 +21,7 @@
 #include "coordinator/plan/seam/area_edge.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
+#include "coordinator/plan/water/water_answers.h"
 
 namespace tilemend {
 namespace {
@@ -169,6 +170,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   LeaveFailedHoles(plan);
   MarkObjects(input, plan);
   FindWater(input, options.water, plan);
+  AnswerWaterAreas(options.water, plan);
   return plan;
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr size_t kMostAnswers = 10;  // that are warnings: a file may have the waters of a country
 constexpr std::array<const char*, 4> kTypes = {"A", "B", "C", "D"};
 
 const char* SingleName(SingleType type) {
@@ -58,11 +59,6 @@ void Count(const PlannedHole& hole, Json& counts) {
 }
 
 Json CellJson(CellId cell) { return Json::array({cell.col, cell.row}); }
-
-std::string FailureOf(const SceneReportInput& input, int32_t hole) {
-  const auto it = input.outcome.failures.find(hole);
-  return it != input.outcome.failures.end() ? it->second : input.plan->holes[hole].failure;
-}
 
 // Of a river those of its upper and its lower end.
 Json LevelJson(const WaterBody& body) {
@@ -158,6 +154,20 @@ Json WaterRows(const SceneReportInput& input) {
                 {"kind", body.river.stations.empty() ? "lake" : "river"},
                 {"holes", holes}});
     if (!body.river.stations.empty()) AddRiver(body, row);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// What became of the areas of --water.
+Json WaterAreaRows(const Plan& plan) {
+  Json rows = Json::array();
+  for (const WaterAnswer& answer : plan.water_answers) {
+    Json row = {{"feature", answer.label}, {"water", answer.water}, {"taken", answer.taken}};
+    if (!answer.reason.empty()) row["reason"] = answer.reason;
+    if (answer.taken) row["holes"] = answer.holes;
+    const int32_t body = answer.taken ? plan.holes[answer.holes.front()].water : -1;
+    if (body >= 0) row["level_m"] = LevelJson(plan.water[body]);
     rows.push_back(row);
   }
   return rows;
@@ -263,6 +273,11 @@ int64_t PeakRssBytes() {
 
 }  // namespace
 
+std::string FailureOf(const SceneReportInput& input, int32_t hole) {
+  const auto it = input.outcome.failures.find(hole);
+  return it != input.outcome.failures.end() ? it->second : input.plan->holes[hole].failure;
+}
+
 const char* TypeName(HoleType type) { return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1]; }
 
 const char* WayName(FillWay way) {
@@ -327,9 +342,15 @@ std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
 
 std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const int32_t area : plan.idle_water_areas) {
-    warnings.push_back(absl::StrFormat(
-        "--water: area %d of the file (counted from 0) covers no hole by more than half, so it has no effect", area));
+  size_t not_taken = 0;
+  for (const WaterAnswer& answer : plan.water_answers) {
+    if (answer.reason.empty() || ++not_taken > kMostAnswers) continue;
+    warnings.push_back(absl::StrFormat("--water: %s is %s: %s", answer.label,
+                                       answer.taken ? "taken for smaller holes only" : "not taken", answer.reason));
+  }
+  if (not_taken > kMostAnswers) {
+    warnings.push_back(absl::StrFormat("--water: %d of %d polygons are not taken; the report lists all (water_areas)",
+                                       not_taken, plan.water_answers.size()));
   }
   return warnings;
 }
@@ -356,6 +377,7 @@ std::string SceneReport(const SceneReportInput& input) {
                        {"continuous", plan.continuous},
                        {"outer_rims", plan.outer_rims},
                        {"water", WaterRows(input)},
+                       {"water_areas", WaterAreaRows(plan)},
                        {"left", LeftRows(left)},
                        {"not_holes", NotHoles(left)},
                        {"quality", QualityJson(input.outcome.quality)},

@@ -33,6 +33,9 @@ struct SceneReportInput {
 // What the report says is left open: of the plan, then of its outcome.
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
 
+// Why a hole is not filled; "" if it is.
+std::string FailureOf(const SceneReportInput& input, int32_t hole);
+
 // What the user should know of the plan, one line each.
 std::vector<std::string> PlanWarnings(const Plan& plan);
 

@@ -1,20 +1,24 @@
 #include "coordinator/report/water_choice.h"
 
-#include "common/grid/water_areas.h"
+#include <utility>
+
+#include "common/gis/area_file.h"
 #include "common/store/digest.h"
-#include "common/util/files.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 
-absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, double tolerance) {
+absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, double tolerance, const SceneFrame& frame) {
   WaterChoice choice;
   choice.options.tolerance = tolerance;
   choice.options.find = value != kNoWater;
   if (value == kFindWater || value == kNoWater) return choice;
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(value));
-  TILEMEND_ASSIGN_OR_RETURN(choice.options.areas, ParseWaterAreas(text, value));
-  choice.digest = Sha256Hex(text);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadAreaFile(value));
+  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame));
+  choice.options.areas = std::move(file.areas);
+  choice.coordinates = std::move(file.coordinates);
+  choice.warnings = std::move(file.warnings);
+  choice.digest = Sha256Hex(bytes);
   return choice;
 }
 

@@ -3,8 +3,10 @@
 #define TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_
 
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/gis/vector_file.h"
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
@@ -15,12 +17,14 @@ inline constexpr char kNoWater[] = "off";
 
 struct WaterChoice {
   WaterOptions options;
-  std::string digest;  // SHA-256 of the file, hex; empty without one
+  std::string digest;       // SHA-256 of the file, hex; empty without one
+  std::string coordinates;  // what those of the file were taken for; empty without one
+  std::vector<std::string> warnings;
 };
 
-// kFindWater, kNoWater, or a GeoJSON file (water_areas.h) of exceptions from kFindWater. Errors of ReadFile and
-// ParseWaterAreas, with the file in their text.
-absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, double tolerance);
+// kFindWater, kNoWater, or a file of exceptions from kFindWater (common/gis/area_file.h). `frame` says where the
+// scene's coordinates lie. Errors of ReadAreaFile and ParseWaterFile, with the file in their text.
+absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, double tolerance, const SceneFrame& frame);
 
 }  // namespace tilemend
 

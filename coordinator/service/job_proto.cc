@@ -54,6 +54,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (proto.size_limit() != 0) spec.size_limit = proto.size_limit();
   if (proto.has_seam_smoothing()) spec.seam_smoothing = proto.seam_smoothing();
   if (!proto.water().empty()) spec.water = proto.water();
+  spec.area = proto.area();
   if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
   if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
   spec.water_colour = proto.water_colour();
@@ -74,6 +75,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_size_limit(spec.size_limit);
   proto.set_seam_smoothing(spec.seam_smoothing);
   proto.set_water(spec.water);
+  proto.set_area(spec.area);
   proto.set_water_tolerance(spec.water_tolerance);
   proto.set_water_profile(spec.water_profile);
   proto.set_water_colour(spec.water_colour);

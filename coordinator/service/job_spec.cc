@@ -35,6 +35,7 @@ absl::Status JobSpec::Check() const {
   if (water.empty() || !IsUtf8(water)) {
     return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
   }
+  if (!IsUtf8(area)) return InvalidSpec("area", absl::StrCat("'", Printable(area), "' is no path in UTF-8"));
   TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
   if (WaterProfileNamed(water_profile) == nullptr) {
     return InvalidSpec("water_profile", absl::StrCat("'", Printable(water_profile), "': expected city or usgs"));

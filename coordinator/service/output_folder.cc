@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kMarker[] = ".tilemend-job";
+constexpr const char* kOfReport[] = {"report.json", "holes.geojson", "breaklines.geojson"};
 
 // The path without links, as far as it is there.
 fs::path Real(const fs::path& path) {
@@ -133,7 +134,8 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   for (const SceneTile& tile : scene.tiles) files.insert(OutputPath(tile));
   TILEMEND_RETURN_IF_ERROR(CheckApart(path, scene, files));
   if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
-  files.insert({"report.json", "scene.json"});
+  files.insert("scene.json");
+  files.insert(std::begin(kOfReport), std::end(kOfReport));
   OutputFolder folder(path, key, std::move(files));
   TILEMEND_RETURN_IF_ERROR(folder.Lock());
   if (!overwrite) {
@@ -195,7 +197,7 @@ absl::Status OutputFolder::BeginWriting() {
   TILEMEND_RETURN_IF_ERROR(WriteKey());
   keep_ = true;
   std::error_code error;
-  fs::remove(absl::StrCat(path_, "/report.json"), error);
+  for (const char* file : kOfReport) fs::remove(absl::StrCat(path_, "/", file), error);
   return absl::OkStatus();
 }
 

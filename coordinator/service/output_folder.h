@@ -35,8 +35,8 @@ class OutputFolder {
   ~OutputFolder();
 
   const std::string& path() const { return path_; }
-  // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output,
-  // which would not be true any more. kResourceExhausted, kPermissionDenied.
+  // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output
+  // and what goes with it, which would not be true any more. kResourceExhausted, kPermissionDenied.
   absl::Status BeginWriting();
   // These files, relative, belong to this output as well.
   void Adopt(const std::set<std::string>& files) { files_.insert(files.begin(), files.end()); }

@@ -14,6 +14,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/time/clock.h"
+#include "common/gis/area_file.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/error_info.h"
@@ -21,6 +22,8 @@
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "common/util/utc.h"
+#include "coordinator/report/area_choice.h"
+#include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
@@ -69,7 +72,8 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
           {"water-tolerance", spec.water_tolerance},
           {"water-profile", spec.water_profile},
           {"water-colour", spec.water_colour},
-          {"textures", spec.textures}};
+          {"textures", spec.textures},
+          {"area", spec.area}};
 }
 
 template <typename Message>
@@ -369,7 +373,10 @@ class ScenePipeline : public JobPipeline {
     if (const int64_t others = output_->TidyUp(); others > 0) {
       absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
     }
-    outcome.report = absl::StrCat(output_->path(), "/report.json");
+    const std::string folder = output_->path() + "/";
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "breaklines.geojson", BreaklinesGeoJson(report, scene)));
+    outcome.report = folder + "report.json";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report)));
     if (!EndAs(End::kComplete)) {
       TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
@@ -393,24 +400,26 @@ class ScenePipeline : public JobPipeline {
   std::map<CellId, v1::FillOutput> patches_;
 };
 
-// What makes two jobs write the same bytes. The file of water areas counts by its content.
-std::string JobKey(const JobSpec& spec, const WaterChoice& water) {
+// What makes two jobs write the same bytes. The files of water and of the area count by their content.
+std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
   return absl::StrFormat(
       "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %s\n"
-      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\n",
+      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\n",
       spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing,
       spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
-      spec.water_profile, spec.water_colour, spec.textures);
+      spec.water_profile, spec.water_colour, spec.textures, area_digest);
 }
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
-  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance, FrameOf(scene)));
   water.options.profile = *WaterProfileNamed(spec.water_profile);
+  for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {
     TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
-                              OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec, water)));
+                              OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec, water, area_digest)));
     output.emplace(std::move(claimed));
   }
   return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(water.options), std::move(output));

@@ -135,21 +135,22 @@ TEST_F(WaterRunTest, AnAreaThatDecidesNothingIsAWarning) {
       R"({"type": "Polygon", "coordinates": [[[116.3, 39.9], [116.4, 39.9], [116.4, 40], [116.3, 39.9]]]})");
   const Json report = Run(scene, folder_ / "out", {"--water", areas});
   ASSERT_THAT(report["warnings"], SizeIs(1));
-  EXPECT_THAT(report["warnings"][0].get<std::string>(), HasSubstr("area 0 of the file"));
-  EXPECT_THAT(Tilemend({"inspect", scene, "--water", areas}).err, HasSubstr("area 0 of the file"));
+  EXPECT_THAT(report["warnings"][0].get<std::string>(), HasSubstr("feature 0 is not taken"));
+  EXPECT_THAT(report["water_areas"], SizeIs(1));
+  EXPECT_THAT(Tilemend({"inspect", scene, "--water", areas}).err, HasSubstr("feature 0 is not taken"));
 }
 
 TEST_F(WaterRunTest, ABadFileIsNamedWithItsPlaceAndNothingIsWritten) {
   const std::string scene = WriteMade(LakeOverNineCells(Cut::kClipped), folder_ / "scene");
   const std::string mesh = scene + "/tiles/Tile_+000_+000.ply", out = folder_ / "out";
-  const std::string areas = folder_.Write("bad.geojson", R"({"type": "Polygon", "coordinates": [[[0, 0], [1]]]})");
+  const std::string areas = folder_.Write("bad.geojson", R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 1]]]})");
   const std::vector<std::vector<std::string>> commands = {
       {"run", scene, "--out", out}, {"inspect", scene}, {"inspect", mesh}, {"fill", mesh, "--out", out + ".ply"}};
   for (std::vector<std::string> words : commands) {
     words.insert(words.end(), {"--water", areas});
     const Ended bad = Tilemend(words);
     EXPECT_EQ(bad.code, 4) << words[0];
-    EXPECT_THAT(bad.err, HasSubstr(areas + ": GeoJSON.coordinates[0]: expected a ring of at least 4 positions"));
+    EXPECT_THAT(bad.err, HasSubstr(areas + ": feature 0, ring 0: expected a ring of at least 4 positions"));
     words.back() = folder_ / "none.geojson";
     const Ended none = Tilemend(words);
     EXPECT_EQ(none.code, 3) << words[0];

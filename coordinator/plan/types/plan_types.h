@@ -123,6 +123,15 @@ struct WaterBody {
   bool forced = false;  // an area says that it is water
 };
 
+// What became of an area of the user's (water_answers.h).
+struct WaterAnswer {
+  std::string label;           // of the area
+  bool water = true;           // what the area says
+  bool taken = false;          // some hole is filled as it says
+  std::vector<int32_t> holes;  // those, into Plan::holes
+  std::string reason;          // not taken, or not for the hole of which it covers most: why
+};
+
 struct LeftOpen {
   CellId cell;
   std::string reason;
@@ -136,8 +145,8 @@ struct Plan {
   std::vector<PlannedHole> holes;   // by cell, then in order of their first segment
   std::vector<FillColour> colours;  // of the holes
   std::vector<Seam> seams;
-  std::vector<WaterBody> water;           // in order of their first hole
-  std::vector<int32_t> idle_water_areas;  // of WaterOptions::areas: those that cover no hole by more than half
+  std::vector<WaterBody> water;            // in order of their first hole
+  std::vector<WaterAnswer> water_answers;  // one for each of WaterOptions::areas
   std::vector<BorderAudit> borders;
   std::vector<LeftOpen> left;
   int32_t clusters = 0;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "coordinator/plan/water/area_cover.h"
@@ -157,15 +156,12 @@ std::vector<int32_t> GroundOf(const Plan& plan, std::vector<int32_t> shore) {
   return shore;
 }
 
-// All that can be told without the bands. Fills plan.idle_water_areas.
-std::vector<Candidate> FindCandidates(const WaterOptions& options, Plan& plan) {
+// All that can be told without the bands.
+std::vector<Candidate> FindCandidates(const WaterOptions& options, const Plan& plan) {
   std::vector<Candidate> candidates;
   if (!options.find && options.areas.empty()) return candidates;
-  std::set<size_t> idle;
-  for (size_t a = 0; a < options.areas.size(); ++a) idle.insert(a);
   for (std::vector<int32_t>& holes : GroupHoles(plan)) {
     const std::vector<size_t> areas = AreasOver(plan, holes, options.areas);
-    for (const size_t a : areas) idle.erase(a);
     if (!(areas.empty() ? options.find : options.areas[areas.back()].water)) continue;
     Candidate c;
     c.shore = GroundOf(plan, ShoreOf(plan, holes));
@@ -175,7 +171,6 @@ std::vector<Candidate> FindCandidates(const WaterOptions& options, Plan& plan) {
     c.body.holes = std::move(holes);
     candidates.push_back(std::move(c));
   }
-  plan.idle_water_areas.assign(idle.begin(), idle.end());
   return candidates;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
 #include "common/grid/scene.h"
 #include "tests/support/temporary_folder.h"
@@ -93,6 +94,36 @@ TEST_F(SceneJsonTest, WritesWhatItReadsBack) {
   EXPECT_FALSE(again->area_known);
   EXPECT_EQ(Paths(*again), Paths(scene));
   EXPECT_EQ(SceneJson(*again), SceneJson(scene));
+}
+
+TEST_F(SceneJsonTest, AnAreaIsAPolygonOrAFile) {
+  const auto with = [this](const std::string& area) {
+    std::string json(kScene);
+    absl::StrReplaceAll({{R"("future")", absl::StrCat(R"("area": )", area, R"(, "future")")}}, &json);
+    return Load(json);
+  };
+  const auto polygon = with(R"({"type": "Polygon", "coordinates": [[[0, 0], [9, 0.5], [9, 9], [0, 0]]]})");
+  ASSERT_TRUE(polygon.ok()) << polygon.status();
+  EXPECT_THAT(polygon->area.rings, ElementsAre(ElementsAre(Point2(0, 0), Point2(9, 0.5), Point2(9, 9))));
+  const auto several = with(
+      R"({"type": "MultiPolygon", "coordinates": [[[[0, 0], [9, 0], [9, 9], [0, 0]]], [[[20, 0], [29, 0], [29, 9], [20, 0]]]]})");
+  ASSERT_TRUE(several.ok()) << several.status();
+  ASSERT_EQ(several->area.rings.size(), 2U);
+  const auto again = Load(SceneJson(*several));
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_EQ(again->area.rings, several->area.rings);
+  const auto file = with(R"("area.gpkg")");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->area_file, folder_ / "area.gpkg");
+  for (const char* bad : {"7", R"("")", R"({"type": "Point", "coordinates": [0, 0]})", R"({"type": "Polygon"})",
+                          R"({"type": "Polygon", "coordinates": []})", R"({"type": "Polygon", "coordinates": [7]})",
+                          R"({"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [0, 0]]]})",
+                          R"({"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [1, 0]]]})",
+                          R"({"type": "Polygon", "coordinates": [[[0, 0], [9e9, 0], [9, 9], [0, 0]]]})"}) {
+    const absl::Status status = with(bad).status();
+    EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << bad;
+    EXPECT_THAT(std::string(status.message()), HasSubstr("scene.json: area: ")) << bad;
+  }
 }
 
 TEST_F(SceneJsonTest, NamesThePlaceOfASyntaxError) {

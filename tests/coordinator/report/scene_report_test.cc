@@ -11,7 +11,6 @@ namespace tilemend {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
 PlannedHole Hole(CellId cell, HoleKind kind, HoleType type = HoleType::kNone) {
@@ -154,8 +153,28 @@ TEST_F(SceneReportTest, TellsTheSecondsOfEachStep) {
 
 TEST_F(SceneReportTest, PutsTheWarningsOfThePlanAfterThoseGiven) {
   input_.warnings = {"first"};
-  plan_.idle_water_areas = {4};
-  EXPECT_THAT(Report()["warnings"].get<std::vector<std::string>>(), ElementsAre("first", HasSubstr("area 4")));
+  plan_.water_answers = {{"feature 4", true, false, {}, "no hole lies under it"}};
+  EXPECT_THAT(Report()["warnings"].get<std::vector<std::string>>(),
+              ElementsAre("first", "--water: feature 4 is not taken: no hole lies under it"));
+}
+
+TEST_F(SceneReportTest, WarnsOfTenAreasThatAreNotTakenAndCountsTheRest) {
+  plan_.water_answers.assign(25, {"feature", true, false, {}, "no hole lies under it"});
+  plan_.water_answers[3].taken = true;
+  plan_.water_answers[3].holes = {0};
+  plan_.water_answers[3].reason.clear();
+  const auto warnings = PlanWarnings(plan_);
+  ASSERT_EQ(warnings.size(), 11U);
+  EXPECT_THAT(warnings.back(), ::testing::HasSubstr("24 of 25 polygons are not taken"));
+}
+
+TEST_F(SceneReportTest, AnswersEveryAreaOfWater) {
+  plan_.water = {{{1}, 12.5, {}, {}}};
+  plan_.holes[1].water = 0;
+  plan_.water_answers = {{"feature 0", true, true, {1}, ""}, {"feature 1", false, false, {}, "why"}};
+  const Json rows = Report()["water_areas"];
+  EXPECT_EQ(rows, Json::parse(R"([{"feature": "feature 0", "water": true, "taken": true, "holes": [1], "level_m": 12.5},
+                                  {"feature": "feature 1", "water": false, "taken": false, "reason": "why"}])"));
 }
 
 TEST_F(SceneReportTest, TextThatIsNotUtf8DoesNotBreakIt) {

@@ -19,6 +19,7 @@ TEST(JobProtoTest, ASpecComesBackAsItWas) {
   spec.tension = 0;
   spec.seam_smoothing = 0;
   spec.water = "/water.geojson";
+  spec.area = "/area.gpkg";
   spec.water_tolerance = 0.25;
   spec.water_profile = "usgs";
   EXPECT_EQ(SpecFromProto(SpecToProto(spec)), spec);

@@ -42,6 +42,7 @@ TEST(JobSpecTest, RefusesPathsThatAreNotUtf8) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.scene = kNotUtf8; }), "scene");
   EXPECT_EQ(Fault([](JobSpec& s) { s.out = kNotUtf8; }), "out");
   EXPECT_EQ(Fault([](JobSpec& s) { s.water = kNotUtf8; }), "water");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.area = kNotUtf8; }), "area");
 }
 
 TEST(JobSpecTest, KnowsTheSurfacesByName) {

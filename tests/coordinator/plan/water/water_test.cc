@@ -16,7 +16,6 @@
 namespace tilemend {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
@@ -191,7 +190,8 @@ TEST_P(WaterTest, AnAreaOverLessThanHalfDecidesNothing) {
   water.areas = {{false, {{Box(0, 0, 120, 50)}}}, {true, {{Box(500, 500, 600, 600)}}}, {true, {{Box(0, 0, 120, 100)}}}};
   const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
   EXPECT_THAT(plan.water, SizeIs(1));
-  EXPECT_THAT(plan.idle_water_areas, ElementsAre(0, 1));
+  ASSERT_THAT(plan.water_answers, SizeIs(3));
+  for (const size_t a : {0, 1, 2}) EXPECT_EQ(plan.water_answers[a].taken, a == 2) << plan.water_answers[a].reason;
 }
 
 TEST_P(WaterTest, OffFindsNothingButWhatAreasSay) {

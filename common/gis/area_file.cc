@@ -1,0 +1,136 @@
+#include "common/gis/area_file.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/grid/json_text.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+constexpr char kModule[] = "tilemend-gdal.so";
+constexpr std::string_view kSqlite("SQLite format 3\0", 16);
+
+using ReadVectorsFunction = void (*)(const VectorRequest&, VectorFile&);
+
+// Loads the module that lies beside the program; for a program in another folder of the build, beside the others.
+absl::StatusOr<ReadVectorsFunction> LoadModule() {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  std::string reason;
+  for (const std::filesystem::path& path : {folder / kModule, folder / "../bin" / kModule}) {
+    void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const function = module == nullptr ? nullptr : ::dlsym(module, "TilemendReadVectors");
+    if (function != nullptr) return reinterpret_cast<ReadVectorsFunction>(function);
+    if (const char* const said = ::dlerror();
+        said != nullptr && (reason.empty() || std::filesystem::exists(path, error))) {
+      reason = said;
+    }
+  }
+  return absl::InternalError(absl::StrCat("cannot load ", kModule, ", which reads GeoJSON and GeoPackage: ", reason));
+}
+
+// What JSON tells that GDAL does not.
+absl::Status LookIntoJson(VectorRequest& request) {
+  TILEMEND_ASSIGN_OR_RETURN(const nlohmann::json json, ParseJson(std::string(request.bytes), request.name));
+  if (!json.is_object()) return absl::InvalidArgumentError(absl::StrCat(request.name, ": GeoJSON: expected an object"));
+  const auto crs = json.find("crs");
+  request.names_crs = crs != json.end() && !crs->is_null();
+  const auto features = json.find("features");
+  if (features != json.end() && features->is_array()) request.features = static_cast<int64_t>(features->size());
+  return absl::OkStatus();
+}
+
+absl::StatusOr<VectorFile> Read(const std::string& bytes, const std::string& name, const SceneFrame& frame,
+                                bool unite) {
+  static const absl::StatusOr<ReadVectorsFunction> read_vectors = LoadModule();
+  VectorRequest request;
+  request.bytes = bytes;
+  request.name = name;
+  request.unite = unite;
+  request.frame = frame;
+  if (!request.bytes.starts_with(kSqlite)) TILEMEND_RETURN_IF_ERROR(LookIntoJson(request));
+  TILEMEND_RETURN_IF_ERROR(read_vectors.status());
+  VectorFile file;
+  (*read_vectors)(request, file);
+  if (!file.error.empty()) return absl::InvalidArgumentError(file.error);
+  return file;
+}
+
+// Gives a line to the area of water that most of its points are in.
+absl::Status GiveCentreline(VectorFeature line, const std::string& name, WaterFile& file) {
+  WaterArea* best = nullptr;
+  ptrdiff_t most = 0;
+  for (WaterArea& area : file.areas) {
+    const auto inside = std::count_if(line.line.begin(), line.line.end(),
+                                      [&](const Point2& p) { return area.water && Contains(area.polygon, p); });
+    if (inside <= most) continue;
+    most = inside;
+    best = &area;
+  }
+  if (2 * most <= std::ssize(line.line)) {
+    file.warnings.push_back(
+        absl::StrCat(name, ": ", line.label, ": a line that lies in no polygon of water, so it has no effect"));
+    return absl::OkStatus();
+  }
+  if (!best->centreline.empty()) {
+    return absl::InvalidArgumentError(absl::StrCat(name, ": ", line.label, ": a second centreline of ", best->label));
+  }
+  best->centreline = std::move(line.line);
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+SceneFrame FrameOf(const Scene& scene) {
+  SceneFrame frame{scene.crs, scene.origin};
+  const Grid& grid = scene.grid;
+  if (grid.cell_size.minCoeff() <= 0) return frame;
+  frame.lo = grid.corner;
+  frame.hi = grid.corner + grid.cell_size.cwiseProduct(Point2(scene.cols, scene.rows));
+  return frame;
+}
+
+absl::StatusOr<std::string> ReadAreaFile(const std::string& path) {
+  const std::string log = path + "-wal";
+  std::error_code error;
+  if (const auto size = std::filesystem::file_size(log, error); !error && size > 0) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": has changes that are still in ", log,
+                                                   "; close the program that has it open, or save to another file"));
+  }
+  return ReadFile(path);
+}
+
+absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::string& name, const SceneFrame& frame) {
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, false));
+  WaterFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
+  for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
+  for (VectorFeature& f : read.features) {
+    if (f.polygon.empty()) continue;
+    file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label});
+    f.line.clear();
+  }
+  for (VectorFeature& f : read.features) {
+    if (!f.line.empty()) TILEMEND_RETURN_IF_ERROR(GiveCentreline(std::move(f), name, file));
+  }
+  return file;
+}
+
+absl::StatusOr<AreaFile> ParseAreaFile(const std::string& bytes, const std::string& name, const SceneFrame& frame) {
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, true));
+  AreaFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
+  if (read.features.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": holds no polygon"));
+  file.area = std::move(read.features.front().polygon);
+  for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
+  return file;
+}
+
+}  // namespace tilemend

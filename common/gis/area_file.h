@@ -1,0 +1,48 @@
+// The files of --water and --area.
+#ifndef TILEMEND_COMMON_GIS_AREA_FILE_H_
+#define TILEMEND_COMMON_GIS_AREA_FILE_H_
+
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/gis/vector_file.h"
+#include "common/grid/scene.h"
+#include "common/grid/water_areas.h"
+
+namespace tilemend {
+
+// Where a scene's coordinates lie. Of a single mesh (no cell size) nothing is known.
+SceneFrame FrameOf(const Scene& scene);
+
+// The bytes of a file of polygons. As ReadFile; kInvalidArgument for a GeoPackage with changes that are still in its
+// log (`path`-wal), because another program has it open.
+absl::StatusOr<std::string> ReadAreaFile(const std::string& path);
+
+struct WaterFile {
+  std::vector<WaterArea> areas;  // in the order of the file
+  std::string coordinates;       // what those of the file were taken for, for people
+  std::vector<std::string> warnings;
+};
+
+// Reads GeoJSON or a GeoPackage (vector_file.h has the details). A polygon is an area; it may have the properties
+// `water` (true, as without it, or false), `level_m` (a number) and `centreline` (a GeoJSON LineString or its
+// coordinates, or WKT, in the coordinates of the file). A LineString that is a feature of its own is the centreline of
+// the area of water that most of its points are in.
+//
+// kInvalidArgument with `name` and the place: what ReadVectors refuses, two centrelines for one area. kInternal if the
+// module with GDAL cannot be loaded. The first call of a process loads it (some 40 ms).
+absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::string& name, const SceneFrame& frame);
+
+struct AreaFile {
+  PlanePolygon area;  // not empty
+  std::string coordinates;
+  std::vector<std::string> warnings;
+};
+
+// Reads one area: all polygons of one layer of such a file, united. Lines are refused, properties ignored.
+absl::StatusOr<AreaFile> ParseAreaFile(const std::string& bytes, const std::string& name, const SceneFrame& frame);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_GIS_AREA_FILE_H_

@@ -1,0 +1,177 @@
+#include "common/gis/raw_features.h"
+
+#include <cpl_json.h>
+
+#include <cmath>
+#include <memory>
+
+namespace tilemend {
+namespace {
+
+constexpr int kLeastPositions = 4;  // of a ring, the last being the first
+
+using GeometryPtr = std::unique_ptr<OGRGeometry>;
+
+[[noreturn]] void Refuse(const std::string& place, const std::string& what) { throw BadVectors{place + ": " + what}; }
+
+std::vector<Point2> PointsOf(const OGRSimpleCurve& curve, const std::string& place) {
+  std::vector<Point2> points;
+  for (int i = 0; i < curve.getNumPoints(); ++i) {
+    points.emplace_back(curve.getX(i), curve.getY(i));
+    if (!points.back().allFinite()) Refuse(place, "position " + std::to_string(i) + " is no pair of numbers");
+  }
+  return points;
+}
+
+void AddRing(const OGRLinearRing& ring, const std::string& place, PlanePolygon& polygon) {
+  if (ring.getNumPoints() < kLeastPositions) Refuse(place, "expected a ring of at least 4 positions");
+  std::vector<Point2> points = PointsOf(ring, place);
+  if (points.front() != points.back()) Refuse(place, "the ring is not closed: its last position is not its first");
+  points.pop_back();
+  polygon.rings.push_back(std::move(points));
+}
+
+void AddPolygon(const OGRPolygon& polygon, const std::string& place, PlanePolygon& to) {
+  if (polygon.getExteriorRing() == nullptr) Refuse(place, "a polygon without rings");
+  int index = 0;
+  for (const OGRLinearRing* ring : polygon) AddRing(*ring, place + ", ring " + std::to_string(index++), to);
+}
+
+std::vector<Point2> LineOf(const OGRGeometry* geometry, const std::string& place) {
+  if (geometry != nullptr && wkbFlatten(geometry->getGeometryType()) == wkbMultiLineString) {
+    const OGRMultiLineString& lines = *geometry->toMultiLineString();
+    if (lines.getNumGeometries() == 1) geometry = lines.getGeometryRef(0);
+  }
+  if (geometry == nullptr || wkbFlatten(geometry->getGeometryType()) != wkbLineString) {
+    Refuse(place, "expected one LineString");
+  }
+  std::vector<Point2> points = PointsOf(*geometry->toLineString(), place);
+  if (points.size() < 2) Refuse(place, "expected a line of at least 2 positions");
+  return points;
+}
+
+void SetGeometry(const OGRGeometry& geometry, VectorFeature& feature) {
+  // Arcs become chords.
+  const GeometryPtr linear(geometry.getLinearGeometry());
+  const OGRGeometry& plain = linear ? *linear : geometry;
+  switch (wkbFlatten(plain.getGeometryType())) {
+    case wkbPolygon:
+      return AddPolygon(*plain.toPolygon(), feature.label, feature.polygon);
+    case wkbMultiPolygon:
+      if (plain.IsEmpty()) Refuse(feature.label, "a MultiPolygon without polygons");
+      for (const OGRPolygon* part : *plain.toMultiPolygon()) AddPolygon(*part, feature.label, feature.polygon);
+      return;
+    case wkbLineString:
+    case wkbMultiLineString:
+      feature.line = LineOf(&plain, feature.label);
+      return;
+    default:
+      Refuse(feature.label, std::string(geometry.getGeometryName()) + ": expected Polygon, MultiPolygon or LineString");
+  }
+}
+
+// The index of a property that is there and not null, or -1.
+int FieldOf(const OGRFeature& feature, const char* name) {
+  const int index = feature.GetFieldIndex(name);
+  return index >= 0 && feature.IsFieldSetAndNotNull(index) ? index : -1;
+}
+
+bool WaterOf(const OGRFeature& feature, const std::string& place) {
+  const int index = FieldOf(feature, "water");
+  if (index < 0) return true;
+  const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
+  const int value = feature.GetFieldAsInteger(index);
+  // GeoPackages from programs without booleans hold 0 and 1.
+  if (definition.GetType() != OFTInteger || value < 0 || value > 1) {
+    Refuse(place, "property water: expected true or false");
+  }
+  return value != 0;
+}
+
+std::optional<double> LevelOf(const OGRFeature& feature, const std::string& place) {
+  const int index = FieldOf(feature, "level_m");
+  if (index < 0) return std::nullopt;
+  const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
+  const OGRFieldType type = definition.GetType();
+  const bool number = type == OFTReal || type == OFTInteger64 || type == OFTInteger;
+  const double level = number ? feature.GetFieldAsDouble(index) : 0;
+  if (!number || definition.GetSubType() == OFSTBoolean || !(std::abs(level) <= 1e5)) {
+    Refuse(place, "property level_m: expected a height in metres");
+  }
+  return level;
+}
+
+// A GeoJSON LineString or its coordinates, or WKT.
+std::vector<Point2> CentrelineOf(const OGRFeature& feature, const std::string& place) {
+  const int index = FieldOf(feature, "centreline");
+  if (index < 0) return {};
+  std::string text = feature.GetFieldAsString(index);
+  if (text.starts_with('[')) text = R"({"type": "LineString", "coordinates": )" + text + "}";
+  GeometryPtr geometry;
+  if (text.starts_with('{')) {
+    geometry.reset(OGRGeometryFactory::createFromGeoJson(text.c_str()));
+  } else if (OGRGeometry* read = nullptr;
+             OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &read) == OGRERR_NONE) {
+    geometry.reset(read);
+  }
+  return LineOf(geometry.get(), place + ", property centreline");
+}
+
+// Null where GEOS fails.
+GeometryPtr RegionOf(const PlanePolygon& polygon) {
+  GeometryPtr region = std::make_unique<OGRMultiPolygon>();
+  for (const std::vector<Point2>& points : polygon.rings) {
+    auto ring = std::make_unique<OGRLinearRing>();
+    for (const Point2& p : points) ring->addPoint(p.x(), p.y());
+    ring->closeRings();
+    OGRPolygon inside;
+    inside.addRingDirectly(ring.release());
+    const GeometryPtr valid(inside.MakeValid());
+    if (valid && region) region.reset(region->SymDifference(valid.get()));
+    if (!valid) region.reset();
+  }
+  return region;
+}
+
+std::string LabelOf(const OGRFeature& feature, const std::string& prefix) {
+  std::string label = prefix + "feature " + std::to_string(feature.GetFID());
+  const int index = FieldOf(feature, "name");
+  if (index >= 0) label += std::string(" (") + feature.GetFieldAsString(index) + ")";
+  return label;
+}
+
+}  // namespace
+
+std::vector<VectorFeature> RawFeaturesOf(OGRLayer& layer, const std::string& prefix) {
+  std::vector<VectorFeature> features;
+  for (const auto& feature : layer) {
+    VectorFeature& raw = features.emplace_back();
+    raw.label = LabelOf(*feature, prefix);
+    const OGRGeometry* geometry = feature->GetGeometryRef();
+    if (geometry == nullptr) Refuse(raw.label, "no geometry, or none that can be read");
+    SetGeometry(*geometry, raw);
+    raw.water = WaterOf(*feature, raw.label);
+    raw.level = LevelOf(*feature, raw.label);
+    if (raw.polygon.empty()) continue;
+    raw.line = CentrelineOf(*feature, raw.label);
+  }
+  return features;
+}
+
+VectorFeature Unite(const std::vector<VectorFeature>& features) {
+  if (features.size() == 1 && !features[0].polygon.empty()) return features[0];
+  GeometryPtr all = std::make_unique<OGRMultiPolygon>();
+  VectorFeature united;
+  for (const VectorFeature& feature : features) {
+    if (feature.polygon.empty()) Refuse(feature.label, "a line: expected Polygon or MultiPolygon");
+    united.label = feature.label;
+    const GeometryPtr part = RegionOf(feature.polygon);
+    if (part) all.reset(all->Union(part.get()));
+    if (!part || !all) Refuse(feature.label, "the polygon crosses itself in a way that cannot be resolved");
+  }
+  if (features.empty()) throw BadVectors{"holds no polygon"};
+  SetGeometry(*all, united);
+  return united;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,117 @@
+#include "coordinator/plan/water/water_answers.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "coordinator/plan/water/area_cover.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kDecides = 0.5;  // share of a body
+
+// Holes that are one body if they are water: a cluster, or a closed hole.
+struct Body {
+  std::vector<int32_t> holes;
+  std::vector<PlaneSegment> boundary;
+  int32_t decided_by = -1;  // the last area that covers more than half
+};
+
+std::vector<Body> BodiesOf(const Plan& plan) {
+  std::vector<Body> bodies;
+  std::map<int32_t, size_t> of_cluster;
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    const PlannedHole& hole = plan.holes[h];
+    size_t body = bodies.size();
+    if (hole.cluster >= 0) body = of_cluster.try_emplace(hole.cluster, body).first->second;
+    if (body == bodies.size()) bodies.emplace_back();
+    bodies[body].holes.push_back(static_cast<int32_t>(h));
+    for (const RimSegment& s : hole.segments) {
+      bodies[body].boundary.emplace_back(plan.vertices[s.from].position.head<2>(),
+                                         plan.vertices[s.to].position.head<2>());
+    }
+  }
+  return bodies;
+}
+
+std::string Number(double value) { return std::to_string(static_cast<int64_t>(std::llround(value))); }
+
+// Why a body that is under an area of water is not level water; "" if it is.
+std::string WhyNoWater(const Plan& plan, const Body& body) {
+  const PlannedHole& first = plan.holes[body.holes.front()];
+  for (const int32_t h : body.holes) {
+    if (plan.holes[h].water >= 0) return "";
+  }
+  if (!first.failure.empty()) return "the hole that it covers is left: " + first.failure;
+  if (first.kind == HoleKind::kClosed) return "the hole that it covers is none of the ground: it does not face up";
+  return "the hole that it covers has no shore";
+}
+
+class Answers {
+ public:
+  Answers(const std::vector<WaterArea>& areas, Plan& plan) : areas_(areas), plan_(plan), bodies_(BodiesOf(plan)) {
+    shares_.resize(areas.size());
+    for (size_t a = 0; a < areas.size(); ++a) {
+      for (size_t b = 0; b < bodies_.size(); ++b) {
+        const double share = CoveredShare(bodies_[b].boundary, areas[a]);
+        if (share > 0) shares_[a].emplace_back(b, share);
+        if (share > kDecides) bodies_[b].decided_by = static_cast<int32_t>(a);
+      }
+    }
+  }
+
+  void Run() {
+    for (size_t a = 0; a < areas_.size(); ++a) {
+      WaterAnswer answer;
+      answer.label = areas_[a].label;
+      answer.water = areas_[a].water;
+      double most = -1;  // m2
+      for (const auto& [b, share] : shares_[a]) {
+        std::string reason = WhyNot(static_cast<int32_t>(a), bodies_[b], share);
+        if (reason.empty()) {
+          answer.holes.insert(answer.holes.end(), bodies_[b].holes.begin(), bodies_[b].holes.end());
+        }
+        const double covered = share * AreaOf(bodies_[b]);
+        if (covered <= most) continue;
+        answer.reason = std::move(reason);
+        most = covered;
+      }
+      answer.taken = !answer.holes.empty();
+      if (shares_[a].empty()) answer.reason = "no hole lies under it";
+      plan_.water_answers.push_back(std::move(answer));
+    }
+  }
+
+ private:
+  double AreaOf(const Body& body) const {
+    double area = 0;
+    for (const int32_t h : body.holes) area += plan_.holes[h].area;
+    return area;
+  }
+
+  // Why area `a` does not decide on a body; "" if it does.
+  std::string WhyNot(int32_t a, const Body& body, double share) const {
+    const Point2 at = plan_.holes[body.holes.front()].centre;
+    if (share <= kDecides) {
+      return "it covers " + Number(100 * share) + " % of the hole at (" + Number(at.x()) + ", " + Number(at.y()) +
+             "), and more than half is needed";
+    }
+    if (body.decided_by != a) return "another after it decides on the same hole: " + areas_[body.decided_by].label;
+    return areas_[a].water ? WhyNoWater(plan_, body) : "";
+  }
+
+  const std::vector<WaterArea>& areas_;
+  Plan& plan_;
+  std::vector<Body> bodies_;
+  std::vector<std::vector<std::pair<size_t, double>>> shares_;  // by area: bodies that it covers some of
+};
+
+}  // namespace
+
+void AnswerWaterAreas(const WaterOptions& options, Plan& plan) {
+  if (!options.areas.empty()) Answers(options.areas, plan).Run();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,17 @@
+// What became of the areas that the user drew.
+#ifndef TILEMEND_COORDINATOR_PLAN_WATER_WATER_ANSWERS_H_
+#define TILEMEND_COORDINATOR_PLAN_WATER_WATER_ANSWERS_H_
+
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+// Fills plan.water_answers, one for each of options.areas, from what FindWater has decided: an area is taken if it is
+// the last that covers more than half of some body, and that body is filled as the area says. The reason
+// is about the body of which it covers most, if that is not filled so. Cost O(areas * bodies), and as CoveredShare
+// where they meet.
+void AnswerWaterAreas(const WaterOptions& options, Plan& plan);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_WATER_WATER_ANSWERS_H_

@@ -1,0 +1,34 @@
+#include "coordinator/report/area_choice.h"
+
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/gis/area_file.h"
+#include "common/grid/scene_area.h"
+#include "common/store/digest.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+absl::Status Cover(PlanePolygon area, const std::string& name, Scene& scene) {
+  const absl::Status status = CoverArea(std::move(area), scene);
+  return status.ok() ? status : absl::Status(status.code(), absl::StrCat(name, ": ", std::string(status.message())));
+}
+
+}  // namespace
+
+absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& scene) {
+  const std::string path = value.empty() ? scene.area_file : value;
+  if (path.empty()) {
+    if (!scene.area.empty()) TILEMEND_RETURN_IF_ERROR(Cover(scene.area, scene.root + "/scene.json: area", scene));
+    return std::string();
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadAreaFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(AreaFile file, ParseAreaFile(bytes, path, FrameOf(scene)));
+  TILEMEND_RETURN_IF_ERROR(Cover(std::move(file.area), path, scene));
+  for (std::string& warning : file.warnings) scene.warnings.push_back(std::move(warning));
+  return Sha256Hex(bytes);
+}
+
+}  // namespace tilemend

@@ -1,0 +1,19 @@
+// The value of --area.
+#ifndef TILEMEND_COORDINATOR_REPORT_AREA_CHOICE_H_
+#define TILEMEND_COORDINATOR_REPORT_AREA_CHOICE_H_
+
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/grid/scene.h"
+
+namespace tilemend {
+
+// Gives the scene the area of the file `value` (common/gis/area_file.h); with "" the one that scene.json names, if any.
+// Returns the SHA-256 of the file, hex; "" if none was read. Errors of ReadAreaFile, ParseAreaFile and CoverArea, with
+// the file in their text.
+absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& scene);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_REPORT_AREA_CHOICE_H_

@@ -1,0 +1,183 @@
+#include "coordinator/report/scene_geojson.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/strings/str_split.h"
+#include "coordinator/report/ring_chains.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string Dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+// What GDAL takes for the CRS: without any it would assume degrees.
+std::string CrsName(const std::string& crs) {
+  if (crs.empty()) return R"(LOCAL_CS["scene coordinates",UNIT["metre",1]])";
+  if (absl::StartsWithIgnoreCase(crs, "EPSG:")) {
+    const std::vector<std::string> parts = absl::StrSplit(crs.substr(5), '+');  // 25832+7837: with heights
+    return absl::StrCat("urn:ogc:def:crs:EPSG::", parts[0]);
+  }
+  double latitude = 0, longitude = 0;
+  if (std::sscanf(crs.c_str(), "ENU:%lf,%lf", &latitude, &longitude) != 2) return crs;
+  return absl::StrFormat("+proj=ortho +lat_0=%.12f +lon_0=%.12f +datum=WGS84 +units=m +no_defs", latitude, longitude);
+}
+
+// Collects the features of one file.
+class Features {
+ public:
+  explicit Features(const Scene& scene) : origin_(scene.origin) {
+    const Json crs = {{"type", "name"}, {"properties", {{"name", CrsName(scene.crs)}}}};
+    text_ = absl::StrCat("{\"type\": \"FeatureCollection\",\n\"crs\": ", Dump(crs), ",\n\"features\": [");
+  }
+
+  // `segments` as polygons; nothing if they bound none.
+  void AddPolygons(const Plan& plan, const std::vector<RimSegment>& segments, const Json& properties) {
+    std::vector<std::vector<Point2>> rings;
+    for (const std::vector<int32_t>& ring : RingsOf(segments)) {
+      std::vector<Point2>& points = rings.emplace_back();
+      for (const int32_t v : ring) points.push_back(plan.vertices[v].position.head<2>());
+    }
+    AddRings(rings, properties);
+  }
+
+  void AddRings(const std::vector<std::vector<Point2>>& rings, const Json& properties) {
+    if (rings.empty()) return;
+    std::string polygons;
+    const std::vector<RingPolygon> found = PolygonsOf(rings);
+    for (const RingPolygon& polygon : found) {
+      absl::StrAppend(&polygons, polygons.empty() ? "" : ", ", "[", Ring(rings[polygon.outline]));
+      for (const int32_t island : polygon.islands) absl::StrAppend(&polygons, ", ", Ring(rings[island]));
+      polygons += "]";
+    }
+    const bool single = found.size() == 1;
+    Add(single ? "Polygon" : "MultiPolygon", absl::StrCat(single ? "" : "[", polygons, single ? "" : "]"), properties);
+  }
+
+  void AddLine(const std::vector<Point3>& line, const Json& properties) {
+    std::string text;
+    for (const Point3& point : line) {
+      const Point3 p = point + origin_;
+      absl::StrAppendFormat(&text, "%s[%.3f, %.3f, %.3f]", text.empty() ? "[" : ", ", p.x(), p.y(), p.z());
+    }
+    Add("LineString", text + "]", properties);
+  }
+
+  std::string Text() && { return absl::StrCat(text_, "\n]}\n"); }
+
+ private:
+  std::string Ring(const std::vector<Point2>& ring) const {
+    std::string text = "[";
+    for (size_t i = 0; i <= ring.size(); ++i) {
+      const Point2 p = ring[i % ring.size()] + origin_.head<2>();
+      absl::StrAppendFormat(&text, "%s[%.3f, %.3f]", i == 0 ? "" : ", ", p.x(), p.y());
+    }
+    return text + "]";
+  }
+
+  void Add(const char* type, const std::string& coordinates, const Json& properties) {
+    absl::StrAppend(&text_, first_ ? "\n" : ",\n", R"({"type": "Feature", "properties": )", Dump(properties),
+                    R"(, "geometry": {"type": ")", type, R"(", "coordinates": )", coordinates, "}}");
+    first_ = false;
+  }
+
+  const Point3 origin_;
+  std::string text_;
+  bool first_ = true;
+};
+
+double Millimetres(double value) { return std::round(value * 1000) / 1000; }
+
+// The share of a hole's original boundary that stands on objects, by its length.
+double ShareOnObjects(const Plan& plan, const PlannedHole& hole) {
+  double whole = 0, on_objects = 0;
+  for (const RimSegment& s : hole.segments) {
+    if (s.seam) continue;
+    const PlanVertex &a = plan.vertices[s.from], &b = plan.vertices[s.to];
+    const double length = (a.position - b.position).norm();
+    whole += length;
+    if (a.on_object && b.on_object) on_objects += length;
+  }
+  return whole > 0 ? on_objects / whole : 0;
+}
+
+Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h) {
+  const PlannedHole& hole = input.plan->holes[h];
+  const std::string failure = FailureOf(input, h);
+  Json row = {{"hole", h},
+              {"cell", ToString(hole.cell)},
+              {"kind", KindName(hole.kind)},
+              {"type", nullptr},
+              {"cluster", nullptr},
+              {"layer", nullptr},
+              {"area_m2", Millimetres(hole.area)},
+              {"perimeter_m", Millimetres(hole.perimeter)},
+              {"outcome", failure.empty() ? "filled" : "left"},
+              {"reason", failure.empty() ? Json() : Json(failure)},
+              {"method", nullptr},
+              {"level_m", nullptr},
+              {"share_on_objects", Millimetres(ShareOnObjects(*input.plan, hole))}};
+  if (const char* type = TypeName(hole.type)) row["type"] = type;
+  if (hole.kind != HoleKind::kClosed) {
+    row["cluster"] = hole.cluster;
+    row["layer"] = hole.layer;
+  }
+  const auto size = input.outcome.sizes.find(h);
+  if (size != input.outcome.sizes.end() && failure.empty()) row["method"] = WayName(size->second.way);
+  if (hole.water < 0) return row;
+  const WaterBody& body = input.plan->water[hole.water];
+  if (body.river.stations.empty()) row["level_m"] = Millimetres(body.level + scene.origin.z());
+  return row;
+}
+
+}  // namespace
+
+std::string HolesGeoJson(const SceneReportInput& input, const Scene& scene) {
+  Features features(scene);
+  for (size_t h = 0; h < input.plan->holes.size(); ++h) {
+    const auto id = static_cast<int32_t>(h);
+    features.AddPolygons(*input.plan, input.plan->holes[h].segments, HoleProperties(input, scene, id));
+  }
+  return std::move(features).Text();
+}
+
+std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene) {
+  const Plan& plan = *input.plan;
+  Features features(scene);
+  for (size_t w = 0; w < plan.water.size(); ++w) {
+    std::vector<RimSegment> segments;
+    double area = 0;
+    for (const int32_t h : plan.water[w].holes) {
+      if (!FailureOf(input, h).empty()) continue;
+      segments.insert(segments.end(), plan.holes[h].segments.begin(), plan.holes[h].segments.end());
+      area += plan.holes[h].area;
+    }
+    if (segments.empty()) continue;
+    const std::vector<Point3>& stations = plan.water[w].river.stations;
+    const Json level = Millimetres(plan.water[w].level + scene.origin.z());
+    const Json highest = stations.empty() ? level : Json(Millimetres(stations.front().z() + scene.origin.z()));
+    Json row = {{"kind", "shore"},      {"body", w},         {"level_m", stations.empty() ? level : Json()},
+                {"highest_m", highest}, {"lowest_m", level}, {"area_m2", Millimetres(area)}};
+    features.AddPolygons(plan, segments, row);
+    if (stations.empty()) continue;
+    row["kind"] = "centreline";
+    features.AddLine(stations, row);
+  }
+  return std::move(features).Text();
+}
+
+std::string AreaGeoJson(const PlanePolygon& area, const Scene& scene) {
+  Features features(scene);
+  features.AddRings(area.rings, {{"kind", "area"}});
+  return std::move(features).Text();
+}
+
+}  // namespace tilemend

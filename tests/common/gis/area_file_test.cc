@@ -1,0 +1,123 @@
+#include "common/gis/area_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/common/gis/geojson_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+TEST(FrameOfTest, AGridHasAnExtentAndAMeshHasNone) {
+  Scene scene;
+  scene.crs = "EPSG:25832";
+  scene.origin = {600000, 5000000, 400};
+  EXPECT_GT(FrameOf(scene).lo.x(), FrameOf(scene).hi.x());
+  scene.grid = {{-10, 20}, {100, 50}};
+  scene.cols = 3;
+  scene.rows = 2;
+  const SceneFrame frame = FrameOf(scene);
+  EXPECT_EQ(frame.lo, Point2(-10, 20));
+  EXPECT_EQ(frame.hi, Point2(290, 120));
+  EXPECT_EQ(frame.crs, "EPSG:25832");
+  EXPECT_EQ(frame.origin, scene.origin);
+}
+
+TEST(ReadAreaFileTest, AFileWithALogIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("lakes.gpkg", "SQLite format 3");
+  EXPECT_TRUE(ReadAreaFile(path).ok());
+  folder.Write("lakes.gpkg-wal", "changes");
+  const absl::Status open = ReadAreaFile(path).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(open)) << open;
+  EXPECT_THAT(std::string(open.message()), HasSubstr("lakes.gpkg-wal"));
+  EXPECT_TRUE(absl::IsNotFound(ReadAreaFile(folder / "none.gpkg").status()));
+}
+
+TEST(ParseWaterFileTest, ALineOfItsOwnIsTheCentrelineOfTheWaterAroundIt) {
+  const std::string text = CollectionText({FeatureText(LineText({{1, 5}, {5, 5}, {12, 5}})),
+                                           FeatureText(PolygonText(SquareAt(0, 0, 100)), R"({"water":false})"),
+                                           FeatureText(PolygonText(SquareAt(0, 0, 10)), R"({"name":"Isar"})"),
+                                           FeatureText(PolygonText(SquareAt(50, 50, 10)))});
+  const auto file = ParseWaterFile(text, "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  ASSERT_THAT(file->areas, SizeIs(3));
+  EXPECT_THAT(file->areas[0].centreline, IsEmpty()) << "no water";
+  EXPECT_THAT(file->areas[1].centreline, ElementsAre(Point2(1, 5), Point2(5, 5), Point2(12, 5)));
+  EXPECT_EQ(file->areas[1].label, "feature 2 (Isar)");
+  EXPECT_THAT(file->areas[2].centreline, IsEmpty());
+  EXPECT_THAT(file->warnings, IsEmpty());
+}
+
+TEST(ParseWaterFileTest, ALineInNoWaterIsAWarning) {
+  const auto file = ParseWaterFile(CollectionText({FeatureText(LineText({{1, 5}, {5, 5}}))}), "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->areas, IsEmpty());
+  EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0: a line that lies in no polygon")));
+}
+
+TEST(ParseWaterFileTest, TwoCentrelinesOfOneWaterAreAnError) {
+  const std::string line = LineText({{1, 5}, {5, 5}}), square = PolygonText(SquareAt(0, 0, 10));
+  for (const std::string& text :
+       {CollectionText({FeatureText(square), FeatureText(line), FeatureText(line)}),
+        CollectionText({FeatureText(square, R"({"centreline":[[1,1],[2,2]]})"), FeatureText(line)})}) {
+    const absl::Status status = ParseWaterFile(text, "f", {}).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_THAT(std::string(status.message()), HasSubstr("a second centreline of feature 0"));
+  }
+}
+
+TEST(ParseWaterFileTest, AnEmptyCollectionHasNone) {
+  const auto file = ParseWaterFile(CollectionText({}), "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->areas, IsEmpty());
+}
+
+TEST(ParseWaterFileTest, BrokenJsonIsToldWithItsPlace) {
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"", "f: not JSON: byte 1"},
+           {"{\n \"type\": \"Polygon\",\n \"coordinates\": [}", "line 3, column 18"},
+           {"[1]", "f: GeoJSON: expected an object"}}) {
+    const absl::Status status = ParseWaterFile(text, "f", {}).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << text;
+    EXPECT_THAT(std::string(status.message()), HasSubstr(message)) << text;
+  }
+}
+
+TEST(ParseAreaFileTest, PolygonsAreUnitedWhereTheyOverlap) {
+  const std::string text =
+      CollectionText({FeatureText(PolygonText(SquareAt(0, 0, 10))), FeatureText(PolygonText(SquareAt(5, 0, 10))),
+                      FeatureText(PolygonText(SquareAt(40, 0, 10)))});
+  const auto file = ParseAreaFile(text, "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->area.rings, SizeIs(2));
+  for (const double x : {1, 7, 12, 45}) EXPECT_TRUE(Contains(file->area, {x, 5})) << x;
+  EXPECT_FALSE(Contains(file->area, {20, 5}));
+}
+
+TEST(ParseAreaFileTest, OnePolygonIsTakenAsItIs) {
+  const auto file = ParseAreaFile(PolygonText({{0, 0}, {9, 0}, {0, 7}}), "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->area.rings, ElementsAre(ElementsAre(Point2(0, 0), Point2(9, 0), Point2(0, 7))));
+}
+
+TEST(ParseAreaFileTest, WithoutAPolygonThereIsNoArea) {
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {CollectionText({}), "f: holds no polygon"},
+           {LineText({{0, 0}, {1, 1}}), "f: feature 0: a line: expected Polygon or MultiPolygon"}}) {
+    const absl::Status status = ParseAreaFile(text, "f", {}).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_THAT(std::string(status.message()), HasSubstr(message));
+  }
+}
+
+}  // namespace
+}  // namespace tilemend

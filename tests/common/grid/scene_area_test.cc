@@ -1,0 +1,107 @@
+#include "common/grid/scene_area.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+// Two cells of 100 m beside each other, from (0, 0).
+Scene TwoCells() {
+  Scene scene;
+  scene.grid = {{0, 0}, {100, 100}};
+  scene.cols = 2;
+  scene.rows = 1;
+  scene.tiles = {{{0, 0}, "a.ply"}, {{1, 0}, "b.ply"}};
+  return scene;
+}
+
+PlanePolygon Box(double x0, double y0, double x1, double y1) { return {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}}; }
+
+std::vector<std::string> CellsOf(const Scene& scene) {
+  std::vector<std::string> cells;
+  for (const SceneTile& tile : scene.tiles) cells.push_back(ToString(tile.cell) + tile.path);
+  return cells;
+}
+
+TEST(CoverAreaTest, AnAreaWithinTheCellsChangesNoCell) {
+  Scene scene = TwoCells();
+  ASSERT_TRUE(CoverArea(Box(10, 10, 190, 90), scene).ok());
+  EXPECT_TRUE(scene.area_known);
+  EXPECT_THAT(scene.area.rings, SizeIs(1));
+  EXPECT_THAT(CellsOf(scene), ElementsAre("+000_+000a.ply", "+001_+000b.ply"));
+  EXPECT_THAT(scene.warnings, IsEmpty());
+}
+
+TEST(CoverAreaTest, SquaresThatItCoversBecomeCells) {
+  Scene scene = TwoCells();
+  ASSERT_TRUE(CoverArea(Box(10, 10, 250, 150), scene).ok());
+  EXPECT_EQ(scene.cols, 3);
+  EXPECT_EQ(scene.rows, 2);
+  EXPECT_THAT(CellsOf(scene),
+              ElementsAre("+000_+000a.ply", "+001_+000b.ply", "+002_+000", "+000_+001", "+001_+001", "+002_+001"));
+}
+
+TEST(CoverAreaTest, WhatItOnlyTouchesStaysOutside) {
+  Scene scene = TwoCells();
+  ASSERT_TRUE(CoverArea(Box(-0.2, -0.2, 200.2, 100.2), scene).ok());
+  EXPECT_THAT(scene.tiles, SizeIs(2));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("less than 1 % of")));
+}
+
+TEST(CoverAreaTest, BeyondTheGridsCornerTheNumberingIsShifted) {
+  Scene scene = TwoCells();
+  ASSERT_TRUE(CoverArea(Box(-150, 10, 190, 90), scene).ok());
+  EXPECT_EQ(scene.grid.corner, Point2(-200, 0));
+  EXPECT_EQ(scene.cols, 4);
+  EXPECT_THAT(CellsOf(scene), ElementsAre("+000_+000", "+001_+000", "+002_+000a.ply", "+003_+000b.ply"));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("begins 2 columns west and 0 rows south")));
+}
+
+TEST(CoverAreaTest, AnAreaOfWholeCellsIsTheCells) {
+  Scene scene = TwoCells();
+  ASSERT_TRUE(CoverArea(Box(-0.3, -0.3, 300, 100.3), scene).ok());
+  EXPECT_TRUE(scene.area.empty());
+  EXPECT_TRUE(scene.area_known);
+  EXPECT_THAT(scene.tiles, SizeIs(3));
+  ASSERT_TRUE(CoverArea(Box(0, 0, 290, 100), scene).ok());
+  EXPECT_FALSE(scene.area.empty());
+}
+
+TEST(CoverAreaTest, AnOpeningOfTheAreaMakesNoCells) {
+  Scene scene = TwoCells();
+  PlanePolygon frame = Box(0, 0, 500, 500);
+  frame.rings.push_back(Box(200, 0, 500, 500).rings[0]);
+  ASSERT_TRUE(CoverArea(frame, scene).ok());
+  EXPECT_EQ(scene.cols, 2);
+  EXPECT_EQ(scene.rows, 5);
+  EXPECT_THAT(scene.tiles, SizeIs(10));
+}
+
+TEST(CoverAreaTest, ANameThatAnotherTileHasIsRefused) {
+  Scene scene = TwoCells();
+  scene.tiles[0].path = "tiles/Tile_+000_+000.ply";
+  const absl::Status status = CoverArea(Box(-90, 10, 190, 90), scene);
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("tiles/Tile_+000_+000.ply"));
+}
+
+TEST(CoverAreaTest, AnAreaOfAnotherPlaceIsRefused) {
+  for (const PlanePolygon& area : {Box(0, 0, 1e9, 1e9), Box(1e9, 1e9, 1e9 + 1, 1e9 + 1), Box(5, 5, 5, 9)}) {
+    Scene scene = TwoCells();
+    const absl::Status status = CoverArea(area, scene);
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_THAT(scene.tiles, SizeIs(2));
+  }
+}
+
+}  // namespace
+}  // namespace tilemend

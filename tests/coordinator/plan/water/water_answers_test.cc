@@ -1,0 +1,107 @@
+#include "coordinator/plan/water/water_answers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+std::vector<Point2> Box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+// A plan of holes that are boxes.
+class WaterAnswersTest : public ::testing::Test {
+ protected:
+  PlannedHole& AddHole(HoleKind kind, const std::vector<Point2>& ring, int32_t cluster = -1) {
+    const auto base = static_cast<int32_t>(plan_.vertices.size());
+    PlannedHole& hole = plan_.holes.emplace_back();
+    hole.kind = kind;
+    hole.cluster = cluster;
+    hole.centre = (ring[0] + ring[2]) / 2;
+    for (int32_t i = 0; i < 4; ++i) {
+      plan_.vertices.push_back({{0, 0}, i, {ring[i].x(), ring[i].y(), 0}});
+      hole.segments.push_back({base + i, base + (i + 1) % 4});
+    }
+    return hole;
+  }
+  const std::vector<WaterAnswer>& Answer(std::vector<WaterArea> areas) {
+    WaterOptions options;
+    options.areas = std::move(areas);
+    AnswerWaterAreas(options, plan_);
+    return plan_.water_answers;
+  }
+
+  Plan plan_;
+};
+
+TEST_F(WaterAnswersTest, WithoutAreasThereIsNothingToAnswer) {
+  AddHole(HoleKind::kClosed, Box(0, 0, 10, 10)).water = 0;
+  EXPECT_THAT(Answer({}), IsEmpty());
+}
+
+TEST_F(WaterAnswersTest, AnAreaIsTakenForAllHolesOfTheBody) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 10, 10), 0).water = 0;
+  AddHole(HoleKind::kClosed, Box(50, 0, 60, 10));
+  AddHole(HoleKind::kOpenI, Box(10, 0, 20, 10), 0).water = 0;
+  const auto& answers = Answer({{true, {{Box(-1, -1, 21, 11)}}, {}, {}, "lake"}});
+  ASSERT_THAT(answers, SizeIs(1));
+  EXPECT_TRUE(answers[0].taken);
+  EXPECT_EQ(answers[0].label, "lake");
+  EXPECT_THAT(answers[0].holes, ElementsAre(0, 2));
+  EXPECT_EQ(answers[0].reason, "");
+}
+
+TEST_F(WaterAnswersTest, AnAreaWithoutWaterIsTakenToo) {
+  AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));
+  EXPECT_TRUE(Answer({{false, {{Box(-1, -1, 11, 11)}}}})[0].taken);
+}
+
+TEST_F(WaterAnswersTest, SaysWhatIsMissing) {
+  AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));  // of a wall: no water though an area says so
+  AddHole(HoleKind::kClosed, Box(20, 0, 30, 10)).failure = "its boundary crosses itself";
+  AddHole(HoleKind::kOpenI, Box(40, 0, 50, 10), 0);
+  AddHole(HoleKind::kOpenI, Box(60, 0, 70, 10), 1).water = 0;
+  const auto& answers = Answer({{true, {{Box(0, 0, 10, 10)}}},
+                                {true, {{Box(20, 0, 30, 10)}}},
+                                {true, {{Box(40, 0, 50, 10)}}},
+                                {true, {{Box(60, 0, 63, 10)}}},
+                                {true, {{Box(80, 0, 90, 10)}}}});
+  const std::vector<std::string> reasons = {"does not face up", "is left: its boundary crosses itself", "has no shore",
+                                            "covers 30 % of the hole at (65, 5)", "no hole lies under it"};
+  ASSERT_THAT(answers, SizeIs(reasons.size()));
+  for (size_t i = 0; i < reasons.size(); ++i) {
+    EXPECT_FALSE(answers[i].taken) << i;
+    EXPECT_THAT(answers[i].holes, IsEmpty()) << i;
+    EXPECT_THAT(answers[i].reason, HasSubstr(reasons[i])) << i;
+  }
+}
+
+TEST_F(WaterAnswersTest, ASmallHoleDoesNotHideALargeOneThatIsNotTaken) {
+  PlannedHole& pond = AddHole(HoleKind::kClosed, Box(0, 0, 1, 1));
+  pond.water = 0;
+  pond.area = 1;
+  AddHole(HoleKind::kOpenI, Box(2, 0, 12, 10), 0).area = 100;
+  const auto& answers = Answer({{true, {{Box(0, 0, 6, 10)}}}});
+  EXPECT_TRUE(answers[0].taken);
+  EXPECT_THAT(answers[0].holes, ElementsAre(0));
+  EXPECT_THAT(answers[0].reason, HasSubstr("covers 40 % of the hole"));
+}
+
+TEST_F(WaterAnswersTest, TheLastAreaOverAHoleDecides) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 10, 10), 0).water = 0;
+  const auto& answers =
+      Answer({{false, {{Box(0, 0, 10, 10)}}, {}, {}, "dry"}, {true, {{Box(0, 0, 10, 9)}}, {}, {}, "wet"}});
+  EXPECT_FALSE(answers[0].taken);
+  EXPECT_EQ(answers[0].reason, "another after it decides on the same hole: wet");
+  EXPECT_TRUE(answers[1].taken);
+}
+
+}  // namespace
+}  // namespace tilemend
