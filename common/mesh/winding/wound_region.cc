@@ -64,9 +64,8 @@ Paths PathsOf(std::span<const LatticePoint> points, std::span<const DirectedEdge
   return paths;
 }
 
-// Where a corner of one loop lies inside an edge of another or its own, the edge gets it too.
-void ShareCorners(Paths& loops) {
-  std::vector<LatticePoint> corners;
+// Where a corner of one loop lies inside an edge of another or its own, the edge gets it too, and so it gets `corners`.
+void ShareCorners(std::vector<LatticePoint> corners, Paths& loops) {
   for (const Path& loop : loops) {
     for (const IntPoint& p : loop) corners.push_back(ToLattice(p));
   }
@@ -113,9 +112,10 @@ Paths Clipped(const Paths& paths, const std::optional<LatticeBox>& box, Winding 
 }
 
 // Rounds until nothing changes: crossings that rounding made are resolved as well.
-Paths Simple(Paths loops) {
+//   points  those of the boundary: Clipper leaves some out of straight edges whatever its options
+Paths Simple(const std::vector<LatticePoint>& points, Paths loops) {
   for (int round = 0; round < kMostRounds; ++round) {
-    ShareCorners(loops);
+    ShareCorners({}, loops);
     Clipper clipper(kOptions);
     clipper.AddPaths(loops, ClipperLib::ptSubject, true);
     Paths again = Executed(clipper, ClipperLib::ctUnion);
@@ -128,7 +128,7 @@ Paths Simple(Paths loops) {
     loops = std::move(again);
     if (stable) break;
   }
-  ShareCorners(loops);
+  ShareCorners(points, loops);
   return loops;
 }
 
@@ -227,7 +227,12 @@ class Numberer {
 
 WoundRegion FindWoundRegion(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
                             const std::optional<LatticeBox>& box, Winding winding) {
-  const Paths loops = Simple(Clipped(PathsOf(points, segments), box, winding));
+  const Paths boundary = PathsOf(points, segments);
+  std::vector<LatticePoint> used;
+  for (const Path& path : boundary) {
+    for (const IntPoint& p : path) used.push_back(ToLattice(p));
+  }
+  const Paths loops = Simple(used, Clipped(boundary, box, winding));
   return Numberer(points, segments, box).Run(loops);
 }
 

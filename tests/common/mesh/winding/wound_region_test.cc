@@ -123,6 +123,26 @@ TEST(WoundRegionTest, IsSimpleWhateverTheBoundary) {
   }
 }
 
+// On a coarse lattice most boundaries run along themselves.
+TEST(WoundRegionTest, HasACornerAtEveryPointAlongItsBoundary) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 300; ++round) {
+    std::vector<LatticePoint> loop;
+    for (int k = 0; k < 4 + round % 20; ++k) {
+      loop.push_back({static_cast<int64_t>(random() % 7) * 10, static_cast<int64_t>(random() % 7) * 10});
+    }
+    const Boundary boundary({loop});
+    const WoundRegion region = FindWoundRegion(boundary.points, boundary.segments);
+    const std::vector<LatticePoint> p = AllPoints(boundary, region);
+    for (const DirectedEdge& s : region.segments) {
+      const auto [a, b] = std::minmax(p[s.from], p[s.to]);
+      for (const LatticePoint& q : boundary.points) {
+        EXPECT_FALSE(a < q && q < b && Orientation(a, b, q) == 0) << round << ": " << q.x << ", " << q.y;
+      }
+    }
+  }
+}
+
 TEST(LoopsBetweenTest, EndWhereTheyMeetThemselves) {
   // Two triangles that share vertex 2, both left out of the inner boundary.
   const std::vector<DirectedEdge> outer = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 2}, {2, 0}};
