@@ -100,6 +100,7 @@ class CellHolesBuilder {
     const PlanVertex& p = plan_.vertices[plan_vertex];
     const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
     const PlanVertex& s = plan_.vertices[source];
+    if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
     if (s.index >= 0 || s.height_known) return s.position.z();
     const auto height = heights_.height.find(source);
     if (height == heights_.height.end()) return std::nullopt;

@@ -277,16 +277,21 @@ void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) 
 }
 
 void SettleWater(const Plan& plan, SeamHeights& heights) {
+  const auto settle = [&](const std::vector<RimSegment>& segments, const auto& level_at) {
+    for (const RimSegment& s : segments) {
+      for (const int32_t v : {s.from, s.to}) {
+        const PlanVertex& vertex = plan.vertices[v];
+        if (vertex.index < 0 && !vertex.height_known) heights.height[v] = level_at(vertex.position);
+      }
+    }
+  };
   for (const WaterBody& body : plan.water) {
     const auto level_at = [&](const Point3& p) {
       return body.river.stations.empty() ? body.level : LevelAt(body.river, p.head<2>(), plan.lattice_step);
     };
     for (const int32_t h : body.holes) {
-      for (const RimSegment& s : plan.holes[h].segments) {
-        for (const int32_t v : {s.from, s.to}) {
-          if (plan.vertices[v].index < 0) heights.height[v] = level_at(plan.vertices[v].position);
-        }
-      }
+      settle(plan.holes[h].segments, level_at);
+      for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) settle(region, level_at);
     }
   }
 }

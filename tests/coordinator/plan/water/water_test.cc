@@ -221,6 +221,26 @@ INSTANTIATE_TEST_SUITE_P(Cuts, WaterTest, ::testing::Values(Cut::kClipped, Cut::
   return std::string(cut.param == Cut::kClipped ? "Clipped" : "Ragged");
 });
 
+// Also where the vertex on the grid line beside it stands on a tree.
+TEST(WaterOfOverlapsTest, NewVerticesOnATilesOwnOutlineTakeTheLevel) {
+  const Plan plan = PlanOf(LakeOverNineCells(Cut::kOverlap));
+  ASSERT_THAT(plan.water, SizeIs(1));
+  SeamHeights heights;
+  SettleWater(plan, heights);
+  int followers = 0;
+  for (const int32_t h : plan.water[0].holes) {
+    for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) {
+      for (const RimSegment& s : region) {
+        if (plan.vertices[s.from].index >= 0 || plan.vertices[s.from].height_known) continue;
+        ++followers;
+        ASSERT_TRUE(heights.height.contains(s.from));
+        EXPECT_EQ(heights.height.at(s.from), plan.water[0].level);
+      }
+    }
+  }
+  EXPECT_GT(followers, 10);
+}
+
 // A wall of 40 x 12 squares of 1 m by 5 cm with a slit: its rim is level within 10 cm.
 TEST(WaterOfMeshesTest, ASlitInAWallIsNoWater) {
   std::vector<std::string> picture(12, std::string(40, '#'));
