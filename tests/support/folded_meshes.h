@@ -12,8 +12,15 @@
 
 #include "tests/support/mesh_builders.h"
 #include "tests/support/patch_checks.h"
+#include "worker/fill/hole/fill_options.h"
 
 namespace tilemend {
+
+inline FillOptions With(Surface surface) {
+  FillOptions options;
+  options.surface = surface;
+  return options;
+}
 
 inline constexpr double kWallHeight = 10;
 

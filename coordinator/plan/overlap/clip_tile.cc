@@ -76,18 +76,15 @@ class Clipper {
     for (const BoundaryEdge& e : record_.edges) result_.cut.push_back(leaving.contains(group_[e.from]));
   }
 
-  WoundRegion Region() const {
+  WoundRegion Region() {
+    cut_edges_.clear();
     std::vector<DirectedEdge> edges;
-    for (const int32_t e : CutEdges()) edges.push_back({record_.edges[e].from, record_.edges[e].to});
-    return FindWoundRegion(points_, edges, Box());
-  }
-
-  std::vector<int32_t> CutEdges() const {
-    std::vector<int32_t> edges;
     for (size_t e = 0; e < result_.cut.size(); ++e) {
-      if (result_.cut[e]) edges.push_back(static_cast<int32_t>(e));
+      if (!result_.cut[e]) continue;
+      cut_edges_.push_back(static_cast<int32_t>(e));
+      edges.push_back({record_.edges[e].from, record_.edges[e].to});
     }
-    return edges;
+    return FindWoundRegion(points_, edges, Box());
   }
 
   // Islands of surface that lie, in part at least, where the region has none are cut as well.
@@ -195,7 +192,7 @@ class Clipper {
 
   ClipVertex AtVertex(int32_t v, const Point2& place) const {
     ClipVertex vertex{{place.x(), place.y(), record_.vertices[v].position.z()}, {}, 0};
-    for (const int32_t e : CutEdges()) {
+    for (const int32_t e : cut_edges_) {
       if (record_.edges[e].from == v || record_.edges[e].to == v) vertex.through.push_back(e);
     }
     vertex.length = ShortestOf(vertex.through);
@@ -204,14 +201,13 @@ class Clipper {
 
   ClipVertex AtCorner(const RegionCorner& corner, const Point2& place) const {
     ClipVertex vertex{{place.x(), place.y(), std::numeric_limits<double>::infinity()}, {}, 0};
-    const std::vector<int32_t> cut = CutEdges();
     for (const int32_t s : corner.through) {
-      const BoundaryEdge& e = record_.edges[cut[s]];
+      const BoundaryEdge& e = record_.edges[cut_edges_[s]];
       const Point3 &a = record_.vertices[e.from].position, &b = record_.vertices[e.to].position;
       const double length = Flat(b - a).squaredNorm();
       const double share = length > 0 ? std::clamp((place - Flat(a)).dot(Flat(b - a)) / length, 0.0, 1.0) : 0;
       vertex.position.z() = std::min(vertex.position.z(), a.z() + share * (b.z() - a.z()));
-      vertex.through.push_back(cut[s]);
+      vertex.through.push_back(cut_edges_[s]);
     }
     if (vertex.through.empty())
       vertex.position.z() = NearestHeight(place);  // the boundary touches a corner of the square
@@ -243,6 +239,7 @@ class Clipper {
   const LatticeWindow window_;
   std::vector<LatticePoint> points_;   // of the record's vertices
   std::vector<int32_t> group_;         // of each vertex: its connected part of the boundary
+  std::vector<int32_t> cut_edges_;     // of the record, as the region had them
   std::map<int32_t, int32_t> number_;  // vertex or corner of the region -> vertex of the result
   ClippedTile result_;
 };

@@ -12,12 +12,9 @@
 namespace tilemend {
 namespace {
 
-// Ends of surface of two tiles, this near by the length of the shorter of their edges, are
-// put in one place: an edge between them would be too short beside the others.
+// Ends of surface of two tiles, this near by the length of the shorter of their edges, are put in one place: an edge
+// between them would be too short beside the others.
 constexpr double kSamePlace = 0.3;
-
-// The side that makes the border: b is east or north of a.
-using Border = std::pair<CellId, CellId>;
 
 Border BorderOf(CellId cell, Side side) {
   return OutwardOf(side) > 0 ? Border{cell, Across(cell, side)} : Border{Across(cell, side), cell};
@@ -137,8 +134,7 @@ class Joiner {
 
   static CellId TileOf(const Border& border, int tile) { return tile == 0 ? border.first : border.second; }
   static Side SideOf(const Border& border, int tile) {
-    const bool vertical = border.first.row == border.second.row;
-    return vertical ? (tile == 0 ? kEast : kWest) : (tile == 0 ? kNorth : kSouth);
+    return IsVertical(border) ? (tile == 0 ? kEast : kWest) : (tile == 0 ? kNorth : kSouth);
   }
 
   ClippedTile* ClippedOf(const Border& border, int tile) {

@@ -25,18 +25,19 @@ struct LineVertex {
 
 // Makes one hole of two of a tile. What is left of `part` has no segments.
 void Absorb(PlannedHole& part, PlannedHole& hole) {
-  hole.centre += part.centre;
+  const auto own = static_cast<double>(hole.segments.size()), more = static_cast<double>(part.segments.size());
+  hole.centre = (own * hole.centre + more * part.centre) / (own + more);  // as MeasureHole: of the segments
   hole.area += part.area;
   hole.perimeter += part.perimeter;
   hole.boundary_vertices += part.boundary_vertices;
   hole.projects &= part.projects;
-  if (part.kind != HoleKind::kClosed && hole.kind != HoleKind::kOpenII) {
+  const bool reaches_rim = part.kind == HoleKind::kOpenII && hole.kind != HoleKind::kOpenII;
+  if (reaches_rim || hole.kind == HoleKind::kClosed) {
     hole.kind = part.kind;
     hole.type = part.type;
     hole.single = part.single;
   }
   hole.segments.insert(hole.segments.end(), part.segments.begin(), part.segments.end());
-  std::move(part.own_regions.begin(), part.own_regions.end(), std::back_inserter(hole.own_regions));
   part.segments.clear();
 }
 

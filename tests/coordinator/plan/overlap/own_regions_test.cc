@@ -92,6 +92,23 @@ TEST_P(OwnRegionsTest, AHoleOverPiecesHasOneRegion) {
   EXPECT_NEAR(area, 4 + 4 + 25 + 40, 40 * margin);
 }
 
+// A pier between two bays ends beyond the grid line and short of the outline: there the bays are one.
+TEST(HoldTogetherTest, HolesThatAChainHoldsTogetherAreOne) {
+  SurveyedScene scene =
+      OverlappingScene({"#######", "#######", "#######", "#######", "#######", "#######", "#######",  //
+                        "-------",                                                                    //
+                        "#..#..#", "#..#..#", "#######", "#######", "#######", "#######", "#######"},
+                       7, 0.1);
+  for (Point3& p : scene.tiles.at({0, 0}).points) {
+    if (p.x() > 2.9 && p.x() < 4.1 && p.y() > 7) p.y() = 7.05F;
+  }
+  const Plan plan = PlanOf(SurveyScene(scene.grid, std::move(scene.tiles)));
+  ASSERT_THAT(plan.holes, SizeIs(1));
+  EXPECT_NEAR(plan.holes[0].area, 8, 1) << "of both bays";
+  EXPECT_NEAR(plan.holes[0].centre.x(), 3.5, 0.1) << "between them";
+  EXPECT_THAT(plan.holes[0].own_regions, SizeIs(1));
+}
+
 TEST_P(OwnRegionsTest, Close) {
   for (const int pieces : {1, 2}) {
     const Plan plan = PlanOf(OverlappingScene(kWaters, 10, GetParam(), pieces));

@@ -12,12 +12,6 @@
 namespace tilemend {
 namespace {
 
-FillOptions With(Surface surface) {
-  FillOptions options;
-  options.surface = surface;
-  return options;
-}
-
 class FoldedFillTest : public testing::TestWithParam<Surface> {};
 INSTANTIATE_TEST_SUITE_P(Surfaces, FoldedFillTest, testing::Values(Surface::kWang, Surface::kThinPlate));
 

@@ -13,12 +13,6 @@ namespace {
 
 double Slope(double x, double y) { return 0.4 * x - 0.2 * y; }
 
-FillOptions With(Surface surface) {
-  FillOptions options;
-  options.surface = surface;
-  return options;
-}
-
 class PlaneFillTest : public testing::TestWithParam<Surface> {};
 INSTANTIATE_TEST_SUITE_P(Surfaces, PlaneFillTest, testing::Values(Surface::kWang, Surface::kThinPlate));
 
