@@ -9,7 +9,7 @@
 
 namespace tilemend {
 
-inline constexpr int32_t kProtocolVersion = 1;
+inline constexpr int32_t kProtocolVersion = 2;
 
 // Bytes of a blob in one message of a stream.
 inline constexpr size_t kMaxChunkBytes = size_t{1} << 20;

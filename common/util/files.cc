@@ -102,24 +102,28 @@ std::string TemporaryName(const std::string& path) {
   return absl::StrCat(path, kPartSuffix, absl::Hex(process, absl::kZeroPad8), "-", counter.fetch_add(1));
 }
 
-// Calls `write` with a new file beside `path`, syncs it (unless `sync` is kNo) and renames it into place.
+// Calls `write` with the new file `path` and syncs it (unless `sync` is kNo). Errors speak of `told`.
+template <class Write>
+absl::Status WriteNew(const std::string& path, const std::string& told, Sync sync, Write write) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  if (file.get() < 0) return WriteErrnoStatus(errno, "cannot create", told);
+  absl::Status status = write(file.get());
+  if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0)
+    status = WriteErrnoStatus(errno, "cannot sync", told);
+  if (file.Close() != 0 && status.ok()) status = WriteErrnoStatus(errno, "cannot close", told);
+  if (!status.ok()) ::unlink(path.c_str());
+  return status;
+}
+
+// The same with a new file beside `path`, which is then renamed into place.
 template <class Write>
 absl::Status WriteInPlace(const std::string& path, Sync sync, Write write) {
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(path));
   const std::string temporary = TemporaryName(path);
-  absl::Status status;
-  {
-    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-    if (file.get() < 0) return WriteErrnoStatus(errno, "cannot create", path);
-    status = write(file.get());
-    if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0)
-      status = WriteErrnoStatus(errno, "cannot sync", path);
-    if (file.Close() != 0 && status.ok()) status = WriteErrnoStatus(errno, "cannot close", path);
-  }
-  if (status.ok() && ::rename(temporary.c_str(), path.c_str()) != 0) {
-    status = WriteErrnoStatus(errno, "cannot rename into place", path);
-  }
-  if (!status.ok()) ::unlink(temporary.c_str());
+  TILEMEND_RETURN_IF_ERROR(WriteNew(temporary, path, sync, write));
+  if (::rename(temporary.c_str(), path.c_str()) == 0) return absl::OkStatus();
+  const absl::Status status = WriteErrnoStatus(errno, "cannot rename into place", path);
+  ::unlink(temporary.c_str());
   return status;
 }
 
@@ -150,6 +154,19 @@ absl::Status CopyBytes(int from, int to, const std::string& from_path, const std
   }
 }
 
+absl::Status CloneOrCopy(int from, int to, const std::string& from_path, const std::string& to_path) {
+  const bool shared = ::ioctl(to, FICLONE, from) == 0;
+  return shared ? absl::OkStatus() : CopyBytes(from, to, from_path, to_path);
+}
+
+// Whether `file` is open and a regular file; fills `info`.
+absl::Status CheckSource(int file, const std::string& path, struct stat& info) {
+  if (file < 0) return ErrnoStatus(errno, "cannot open", path);
+  if (::fstat(file, &info) != 0) return ErrnoStatus(errno, "cannot stat", path);
+  if (S_ISREG(info.st_mode)) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(path, ": not a regular file"));
+}
+
 }  // namespace
 
 absl::StatusOr<std::string> ReadFile(const std::string& path) {
@@ -177,22 +194,57 @@ absl::Status WriteFileAtomically(const std::string& path, std::string_view conte
   return WriteInPlace(path, sync, [&](int file) { return WriteAll(file, content, path); });
 }
 
-absl::Status CarryFile(const std::string& from, const std::string& to, Carry how) {
-  const Descriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (source.get() < 0) return ErrnoStatus(errno, "cannot open", from);
+absl::Status WriteNewFile(const std::string& path, std::string_view content) {
+  return WriteNew(path, path, Sync::kYes, [&](int file) { return WriteAll(file, content, path); });
+}
+
+absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::string& to, Carry how) {
   struct stat info {};
-  if (::fstat(source.get(), &info) != 0) return ErrnoStatus(errno, "cannot stat", from);
-  if (!S_ISREG(info.st_mode)) return absl::InvalidArgumentError(absl::StrCat(from, ": not a regular file"));
+  const Descriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  TILEMEND_RETURN_IF_ERROR(CheckSource(source.get(), from, info));
+  const bool linked =
+      how == Carry::kLink && ::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  if (!linked) {
+    TILEMEND_RETURN_IF_ERROR(
+        WriteNew(to, to, Sync::kYes, [&](int file) { return CloneOrCopy(source.get(), file, from, to); }));
+  }
+  return static_cast<int64_t>(info.st_size);
+}
+
+absl::Status MoveFile(const std::string& from, const std::string& to) {
+  TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));
+  if (::rename(from.c_str(), to.c_str()) != 0) {
+    if (errno == EXDEV) {
+      TILEMEND_RETURN_IF_ERROR(CarryFile(from, to, Carry::kCopy));
+    } else if (errno == ENOENT) {
+      return absl::NotFoundError(absl::StrCat(from, ": is gone"));
+    } else {
+      return WriteErrnoStatus(errno, "cannot rename into place", to);
+    }
+  }
+  ::unlink(from.c_str());  // is still there if both were names of one file: rename does nothing then
+  return absl::OkStatus();
+}
+
+absl::Status SyncFolder(const std::string& path) {
+  const Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.get() < 0) return WriteErrnoStatus(errno, "cannot open", path);
+  // Some file systems know no such thing.
+  if (::fsync(folder.get()) == 0 || errno == EINVAL || errno == ENOTSUP) return absl::OkStatus();
+  return WriteErrnoStatus(errno, "cannot sync", path);
+}
+
+absl::Status CarryFile(const std::string& from, const std::string& to, Carry how) {
+  struct stat info {};
+  const Descriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  TILEMEND_RETURN_IF_ERROR(CheckSource(source.get(), from, info));
   std::error_code error;
   if (std::filesystem::weakly_canonical(from, error) == std::filesystem::weakly_canonical(to, error)) {
     return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
   }
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));
   if (how == Carry::kLink && LinkInPlace(from, to)) return absl::OkStatus();
-  return WriteInPlace(to, Sync::kYes, [&](int file) {
-    const bool shared = ::ioctl(file, FICLONE, source.get()) == 0;
-    return shared ? absl::OkStatus() : CopyBytes(source.get(), file, from, to);
-  });
+  return WriteInPlace(to, Sync::kYes, [&](int file) { return CloneOrCopy(source.get(), file, from, to); });
 }
 
 }  // namespace tilemend

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COMMON_UTIL_FILES_H_
 #define TILEMEND_COMMON_UTIL_FILES_H_
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,21 @@ enum class Carry { kCopy, kLink };
 // parent folders. `from` stays as it is. kNotFound and kInvalidArgument for `from`, which is to be a regular file;
 // kInvalidArgument if `to` is `from`; else as WriteFileAtomically.
 absl::Status CarryFile(const std::string& from, const std::string& to, Carry how);
+
+// For files whose folder must be there, and that nobody else writes: no temporary name, and no folder is made.
+// WriteNewFile writes and syncs a file that is not there yet; CarryToNewFile gives `to` the content of `from`, as
+// CarryFile does, and returns its size. After an error there is no file. Errors as above, and kInvalidArgument if
+// there is a file.
+absl::Status WriteNewFile(const std::string& path, std::string_view content);
+absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::string& to, Carry how);
+
+// Gives the file `from` the name `to`, in place of what is there; a reader sees the old file or the new one. Creates
+// missing parent folders. Across file systems the file is copied. kNotFound if `from` is gone; else as
+// WriteFileAtomically.
+absl::Status MoveFile(const std::string& from, const std::string& to);
+
+// Has the names in a folder survive a power cut.
+absl::Status SyncFolder(const std::string& path);
 
 }  // namespace tilemend
 

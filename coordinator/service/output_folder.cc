@@ -16,6 +16,7 @@
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -74,7 +75,7 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
   std::error_code error;
   bool empty = true;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error))
-    empty = empty && at->path().filename() == kMarker;
+    empty = empty && (at->path().filename() == kMarker || at->path().filename() == kAttemptFolder);
   if (error == std::errc::permission_denied)
     return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message(), "; choose another --out"));
   const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
@@ -142,6 +143,7 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
     TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));  // another job may have ended here since
     if (!folder.keep_) TILEMEND_RETURN_IF_ERROR(folder.WriteKey());
   }
+  TILEMEND_ASSIGN_OR_RETURN(folder.attempts_, AttemptFolder::Make(path));
   return folder;
 }
 
@@ -172,11 +174,14 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       files_(std::move(other.files_)),
       made_(std::move(other.made_)),
       marker_(std::exchange(other.marker_, -1)),
-      keep_(other.keep_) {}
+      keep_(other.keep_),
+      attempts_(std::exchange(other.attempts_, std::nullopt)),
+      placed_(std::move(other.placed_)) {}
 
 OutputFolder::~OutputFolder() {
   if (path_.empty()) return;
   if (!keep_) {
+    if (attempts_) attempts_->Remove();
     if (marker_ >= 0) ::unlink(Marker().c_str());
     for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
   }
@@ -201,12 +206,42 @@ absl::Status OutputFolder::BeginWriting() {
   return absl::OkStatus();
 }
 
+absl::Status OutputFolder::Place(const AttemptFile& file) {
+  if (!files_.contains(file.path)) {
+    return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
+  }
+  TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
+  placed_[file.path] = file.bytes;
+  return absl::OkStatus();
+}
+
+absl::Status OutputFolder::SeeAll() const {
+  int64_t missing = 0;
+  std::string first;
+  std::set<std::string> folders;
+  for (const auto& [file, bytes] : placed_) {
+    const fs::path path = fs::path(path_) / file;
+    std::error_code error;
+    folders.insert(path.parent_path().string());
+    if (fs::is_regular_file(path, error) && static_cast<int64_t>(fs::file_size(path, error)) == bytes) continue;
+    if (missing++ == 0) first = path.string();
+  }
+  if (missing > 0) {
+    return absl::AbortedError(
+        absl::StrCat(Printable(first), ": not there as it was written, as ", missing, " of ", placed_.size(),
+                     " files of the output; was something removed while the job ran? Run the job again"));
+  }
+  for (const std::string& folder : folders) TILEMEND_RETURN_IF_ERROR(SyncFolder(folder));
+  return absl::OkStatus();
+}
+
 int64_t OutputFolder::TidyUp() {
   int64_t others = 0;
   std::error_code error;
   std::vector<fs::path> parts;
   for (fs::recursive_directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {
     std::error_code ignored;
+    if (at->path().filename() == kAttemptFolder) at.disable_recursion_pending();
     if (at->is_directory(ignored)) continue;
     const std::string file = at->path().lexically_relative(path_).string();
     if (file == kMarker || files_.contains(file)) continue;
@@ -223,6 +258,7 @@ int64_t OutputFolder::TidyUp() {
 
 void OutputFolder::Finish() {
   keep_ = true;
+  attempts_->Remove();
   ::unlink(Marker().c_str());
 }
 

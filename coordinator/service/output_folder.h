@@ -3,6 +3,8 @@
 #define TILEMEND_COORDINATOR_SERVICE_OUTPUT_FOLDER_H_
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,12 +13,13 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/grid/scene.h"
+#include "coordinator/service/attempt_folder.h"
 
 namespace tilemend {
 
 // Claims a folder for one job. While the job lives, a file `.tilemend-job` there is locked. Until the output is
 // complete it holds the job's key, so that the same job, run again, goes on there, and no other. (The key of a job that
-// overwrites is there from its first tile on.)
+// overwrites is there from its first tile on.) The files that workers write get their names from this class alone.
 //
 // What is refused:
 //  - a folder that holds anything but an unfinished output of the same job, unless it may be overwritten. Overwriting
@@ -31,15 +34,23 @@ class OutputFolder {
                                             const std::string& key);
   OutputFolder(OutputFolder&& other) noexcept;
   OutputFolder& operator=(OutputFolder&&) = delete;
-  // Takes away what Claim made, unless there is output.
+  // Takes away what Claim made, unless there is output. What attempts wrote for an unfinished output stays then: the
+  // same job, run again, may know them as done.
   ~OutputFolder();
 
   const std::string& path() const { return path_; }
+  // Where workers write, from Claim to Finish.
+  const AttemptFolder& attempts() const { return *attempts_; }
   // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output
   // and what goes with it, which would not be true any more. kResourceExhausted, kPermissionDenied.
   absl::Status BeginWriting();
   // These files, relative, belong to this output as well.
   void Adopt(const std::set<std::string>& files) { files_.insert(files.begin(), files.end()); }
+  // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
+  absl::Status Place(const AttemptFile& file);
+  // Looks at every file that was placed, and has their names survive a power cut. kAborted if one is not there as it
+  // was placed.
+  absl::Status SeeAll() const;
   // Removes what killed workers left half-written; gives the number of files there that are not of this output.
   int64_t TidyUp();
   // The output is complete.
@@ -59,6 +70,8 @@ class OutputFolder {
   std::vector<std::string> made_;  // folders, the outermost first
   int marker_ = -1;                // descriptor
   bool keep_ = false;
+  std::optional<AttemptFolder> attempts_;  // while the folder is claimed
+  std::map<std::string, int64_t> placed_;  // bytes by relative path
 };
 
 }  // namespace tilemend

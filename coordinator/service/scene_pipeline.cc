@@ -243,7 +243,8 @@ class ScenePipeline : public JobPipeline {
     writing_ = true;
     v1::AssembleInput input;
     *input.mutable_tile() = Ref(*work.tile);
-    input.set_output(absl::StrCat(spec_.out, "/", OutputPath(*work.tile)));
+    input.set_output(OutputPath(*work.tile));
+    input.set_attempts(output_->attempts().path());
     input.set_float32(work.float32);
     input.set_tile_vertices(work.tile_vertices);
     if (auto patches = patches_.extract(work.tile->cell)) {
@@ -262,7 +263,9 @@ class ScenePipeline : public JobPipeline {
     if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
     output_->Adopt({library});
     input.set_library(std::move(library));
-    for (const std::string& path : files_.CarriedBy(tile.cell)) input.add_carried(path);
+    const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
+    output_->Adopt({carried.begin(), carried.end()});
+    for (const std::string& path : carried) input.add_carried(path);
     input.set_link_images(spec_.textures == "link");
     input.set_output_root(spec_.out);
   }
@@ -279,7 +282,8 @@ class ScenePipeline : public JobPipeline {
 
   absl::Status Take(const TaskResult& result) {
     const absl::Status status = Decode(result);
-    if (!status.ok()) return Unreadable(result.cell, status);
+    if (!status.ok() && result.stage != Stage::kAssemble) return Unreadable(result.cell, status);
+    if (!status.ok()) return status;
     if (result.stage != Stage::kSurvey) return absl::OkStatus();
     return CheckInsideCell(waves_.records().at(result.cell), waves_.scene(), waves_.tile(result.cell));
   }
@@ -316,11 +320,18 @@ class ScenePipeline : public JobPipeline {
         TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(*result.output));
         files_.Warn(result.cell, {output.warnings().begin(), output.warnings().end()});
         waves_.TakeAssemble();
-        return absl::OkStatus();
+        return Place(output);
       }
       default:
         return absl::InvalidArgumentError("unknown stage");
     }
+  }
+
+  absl::Status Place(const v1::AssembleOutput& output) {
+    for (const v1::WrittenFile& file : output.files()) {
+      TILEMEND_RETURN_IF_ERROR(output_->Place({file.attempt(), file.path(), file.bytes(), file.digest()}));
+    }
+    return absl::OkStatus();
   }
 
   // Goes on without a cell that workers died of, or whose filling broke: the failure of a cell is not that of the job.
@@ -364,6 +375,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
+    TILEMEND_RETURN_IF_ERROR(output_->SeeAll());
     const Scene& scene = waves_.scene();
     if (scene.found_by_name) {
       TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene)));

@@ -22,6 +22,7 @@
 #include "worker/fill/space/surface_index.h"
 #include "worker/materials/survey_look.h"
 #include "worker/materials/write_materials.h"
+#include "worker/service/attempt_files.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -192,29 +193,32 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
 
 // Writes the material file of the tile's filled faces, and carries what it names.
 absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInput& input,
-                                                          const std::vector<FillMaterial>& materials) {
+                                                          const std::vector<FillMaterial>& materials,
+                                                          AttemptFiles& files) {
   const std::string& root = input.tile().root();
   std::vector<std::string> carried(input.carried().begin(), input.carried().end());
   if (!materials.empty()) {
     const std::string from = input.new_library() ? "" : absl::StrCat(root, "/", input.library());
-    const std::string to = absl::StrCat(input.output_root(), "/", input.library());
-    TILEMEND_RETURN_IF_ERROR(WriteMaterials(from, to, materials));
+    TILEMEND_ASSIGN_OR_RETURN(const std::string text, MaterialsAfter(from, materials));
+    TILEMEND_RETURN_IF_ERROR(files.Write(input.library(), text));
   } else if (!input.new_library() && !input.library().empty()) {
     carried.push_back(input.library());
   }
-  return CarryFiles(root, input.output_root(), carried, input.link_images());
+  return CarryFiles(
+      root, carried, input.link_images(),
+      [&](const std::string& from, const std::string& path, Carry how) { return files.Carry(from, path, how); });
 }
 
 absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const CancelToken& cancel) {
   TILEMEND_ASSIGN_OR_RETURN(const Assembled tile, AssembleTile(input));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   v1::AssembleOutput output;
-  TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile.materials));
+  AttemptFiles files(input.attempts(), input.output_root());
+  TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile.materials, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
-  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(input.output(), tile.bytes));
-  output.set_bytes(static_cast<int64_t>(tile.bytes.size()));
-  output.set_digest(Sha256Hex(tile.bytes));
+  TILEMEND_RETURN_IF_ERROR(files.Write(input.output(), tile.bytes));
+  for (v1::WrittenFile& file : files.Keep()) *output.add_files() = std::move(file);
   return output.SerializeAsString();
 }
 

@@ -151,5 +151,33 @@ TEST_F(FilesTest, CarryingLeavesAFileAloneThatItWouldWriteOverItself) {
   EXPECT_FALSE(fs::exists(folder_ / "to"));
 }
 
+TEST_F(FilesTest, NewFilesNeedTheirFolderAndNoOtherFile) {
+  ASSERT_TRUE(WriteNewFile(folder_ / "a", "x").ok());
+  EXPECT_EQ(WriteNewFile(folder_ / "a", "y").code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(CarryToNewFile(folder_ / "a", folder_ / "a", Carry::kLink).status().code(),
+            absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(ReadFile(folder_ / "a").value(), "x");
+  EXPECT_EQ(CarryToNewFile(folder_ / "a", folder_ / "b", Carry::kCopy).value(), 1);
+  EXPECT_EQ(CarryToNewFile(folder_ / "a", folder_ / "c", Carry::kLink).value(), 1);
+  EXPECT_EQ(fs::hard_link_count(folder_ / "a"), 2U);
+  EXPECT_FALSE(WriteNewFile(folder_ / "none/a", "x").ok());
+  EXPECT_FALSE(CarryToNewFile(folder_ / "a", folder_ / "none/a", Carry::kLink).ok());
+  EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+TEST_F(FilesTest, MovesAFileInPlaceOfAnother) {
+  folder_.Write("from", "new");
+  folder_.Write("deep/to", "old");
+  ASSERT_TRUE(MoveFile(folder_ / "from", folder_ / "deep/to").ok());
+  EXPECT_EQ(ReadFile(folder_ / "deep/to").value(), "new");
+  EXPECT_EQ(MoveFile(folder_ / "from", folder_ / "deep/to").code(), absl::StatusCode::kNotFound);
+  EXPECT_EQ(ReadFile(folder_ / "deep/to").value(), "new");
+  fs::create_hard_link(folder_ / "deep/to", folder_ / "from");
+  ASSERT_TRUE(MoveFile(folder_ / "from", folder_ / "deep/to").ok());
+  EXPECT_FALSE(fs::exists(folder_ / "from")) << "two names of one file";
+  EXPECT_TRUE(SyncFolder(folder_ / "deep").ok());
+  EXPECT_FALSE(SyncFolder(folder_ / "none").ok());
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 
+#include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "tests/support/temporary_folder.h"
@@ -135,6 +138,79 @@ TEST_F(OutputFolderTest, RefusesAPathThatCannotBeAFolder) {
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_.Write("file", "x")).status()));
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "file/below").status()));
   EXPECT_TRUE(absl::IsInvalidArgument(Claim("s3://bucket/out").status()));
+}
+
+class PlacedFilesTest : public OutputFolderTest {
+ protected:
+  PlacedFilesTest() {
+    auto claimed = Claim(out_);
+    EXPECT_TRUE(claimed.ok()) << claimed.status();
+    output_.emplace(*std::move(claimed));
+    EXPECT_TRUE(output_->BeginWriting().ok());
+  }
+  // As a worker leaves it.
+  AttemptFile Attempt(const std::string& content = "filled") {
+    AttemptFile file{absl::StrCat(std::string(32, 'a'), "-", ++attempts_), "tiles/a.ply",
+                     static_cast<int64_t>(content.size()), Sha256Hex(content)};
+    folder_.Write(absl::StrCat("deep/out/.tilemend-attempts/", file.attempt), content);
+    return file;
+  }
+
+  std::optional<OutputFolder> output_;
+  int attempts_ = 0;
+};
+
+TEST_F(PlacedFilesTest, GetTheirNames) {
+  const AttemptFile file = Attempt();
+  ASSERT_TRUE(output_->Place(file).ok());
+  EXPECT_EQ(ReadFile(out_ + "/tiles/a.ply").value(), "filled");
+  EXPECT_TRUE(output_->Place(file).ok()) << "again, after a restart";
+  EXPECT_TRUE(output_->SeeAll().ok());
+  EXPECT_EQ(output_->TidyUp(), 0);
+  output_->Finish();
+  EXPECT_FALSE(Exists("deep/out/.tilemend-attempts"));
+}
+
+TEST_F(PlacedFilesTest, MustBeThereAndOfThisOutput) {
+  AttemptFile gone = Attempt();
+  ASSERT_TRUE(output_->Place(gone).ok());
+  gone.digest = Sha256Hex("other");
+  EXPECT_TRUE(absl::IsUnavailable(output_->Place(gone))) << "another file has the name";
+  AttemptFile strange = Attempt();
+  strange.path = "../mine.txt";
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(strange)));
+  AttemptFile outside = Attempt();
+  outside.attempt = "../../../scene/tiles/a.ply";
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  outside.attempt = "key";
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  EXPECT_TRUE(Exists("scene/tiles/a.ply"));
+}
+
+TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  EXPECT_TRUE(output_->SeeAll().ok());
+  folder_.Write("deep/out/tiles/a.ply", "cut");
+  EXPECT_TRUE(absl::IsAborted(output_->SeeAll()));
+  fs::remove_all(out_);
+  const absl::Status status = output_->SeeAll();
+  EXPECT_TRUE(absl::IsAborted(status)) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("1 of 1 files"));
+}
+
+TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
+  const AttemptFile file = Attempt();
+  output_.reset();
+  auto again = Claim(out_);
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_TRUE(again->Place(file).ok());
+}
+
+TEST_F(PlacedFilesTest, HaveAKeyThatStays) {
+  const std::string key = ReadFile(output_->attempts().key_file()).value();
+  EXPECT_EQ(key.size(), 32U);
+  output_.reset();
+  EXPECT_EQ(ReadFile(Claim(out_)->attempts().key_file()).value(), key);
 }
 
 }  // namespace

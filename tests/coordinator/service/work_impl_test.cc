@@ -80,7 +80,7 @@ TEST_F(WorkImplTest, LeasesNothingToAWorkerThatIsGone) {
 
 TEST_F(WorkImplTest, RefusesAnotherProtocol) {
   v1::SyncRequest request = NewSync();
-  request.set_protocol(2);
+  request.set_protocol(kProtocolVersion + 1);
   EXPECT_EQ(ErrorReason(impl_.Sync(request, [] { return true; }).status()), "PROTOCOL_VERSION");
 }
 

@@ -13,6 +13,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
+#include "common/util/error_info.h"
 #include "tests/support/mesh_builders.h"
 #include "tests/support/patch_checks.h"
 #include "tests/support/temporary_folder.h"
@@ -120,6 +121,15 @@ class SceneStagesTest : public testing::Test {
     return output;
   }
 
+  std::string TileOf(const v1::AssembleOutput& output) {
+    return output.files_size() == 1 ? ReadFile(folder_ / output.files(0).attempt()).value() : "";
+  }
+
+  int FilesInFolder() const {
+    const std::filesystem::directory_iterator all(folder_.path());
+    return static_cast<int>(std::distance(begin(all), end(all)));
+  }
+
   // A tile of the mesh in the folder.
   v1::TileRef WriteTile(const TriMesh& mesh, const std::string& name) {
     const std::vector<int32_t> like(mesh.points.size(), -1);
@@ -145,7 +155,9 @@ class SceneStagesTest : public testing::Test {
     const CellHoles work = HoleOf(mesh);
     v1::AssembleInput input;
     *input.mutable_tile() = tile;
-    input.set_output(folder_ / "out/a.ply");
+    input.set_output("out/a.ply");
+    input.set_attempts(folder_.path());
+    input.set_output_root(folder_ / "output");
     input.set_tile_vertices(static_cast<int64_t>(mesh.points.size()));
     *input.mutable_vertices() = ToProto(work.vertices);
     *input.mutable_patches() = RunWell<v1::FillOutput>(Stage::kFill, FillInputOf(work));
@@ -271,9 +283,11 @@ TEST_F(SceneStagesTest, AssemblesTheTileWithItsPatches) {
   const TriMesh mesh = HoledRoof();
   const v1::AssembleInput input = AssembleInputOf(mesh, WriteTile(mesh, "a.ply"));
   const auto output = RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
-  const std::string written = ReadFile(folder_ / "out/a.ply").value();
-  EXPECT_EQ(output.bytes(), static_cast<int64_t>(written.size()));
-  EXPECT_EQ(output.digest(), Sha256Hex(written));
+  const std::string written = TileOf(output);
+  EXPECT_EQ(output.files(0).path(), "out/a.ply");
+  EXPECT_EQ(output.files(0).bytes(), static_cast<int64_t>(written.size()));
+  EXPECT_EQ(output.files(0).digest(), Sha256Hex(written));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/a.ply")) << "only the coordinator gives it its name";
   const auto file = ParseMesh(MeshFormat::kPly, written, "a.ply");
   ASSERT_TRUE(file.ok()) << file.status();
   EXPECT_TRUE(std::equal(mesh.triangles.begin(), mesh.triangles.end(), file->mesh.triangles.begin()));
@@ -283,17 +297,19 @@ TEST_F(SceneStagesTest, AssemblesTheTileWithItsPatches) {
 TEST_F(SceneStagesTest, CopiesATileWithoutPatchesByteForByte) {
   v1::AssembleInput input;
   *input.mutable_tile() = WriteTile(HoledRoof(), "a.ply");
-  input.set_output(folder_ / "out/a.ply");
-  RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
-  EXPECT_EQ(ReadFile(folder_ / "out/a.ply").value(), ReadFile(folder_ / "a.ply").value());
+  input.set_output("out/a.ply");
+  input.set_attempts(folder_.path());
+  const auto output = RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
+  EXPECT_EQ(TileOf(output), ReadFile(folder_ / "a.ply").value());
+  EXPECT_EQ(output.files(0).digest(), input.tile().digest());
 }
 
 TEST_F(SceneStagesTest, MakesATileWhereThereWasNone) {
   v1::AssembleInput input;
-  input.set_output(folder_ / "out/new.ply");
+  input.set_output("out/new.ply");
+  input.set_attempts(folder_.path());
   input.set_float32(true);
-  RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
-  EXPECT_THAT(ReadFile(folder_ / "out/new.ply").value(), HasSubstr("property float x"));
+  EXPECT_THAT(TileOf(RunWell<v1::AssembleOutput>(Stage::kAssemble, input)), HasSubstr("property float x"));
 }
 
 TEST_F(SceneStagesTest, WritesNothingWhenTheTileHasChangedOrTheTaskIsCancelled) {
@@ -305,7 +321,17 @@ TEST_F(SceneStagesTest, WritesNothingWhenTheTileHasChangedOrTheTaskIsCancelled) 
   const absl::Status changed = Run(Stage::kAssemble, input).status();
   EXPECT_EQ(changed.code(), absl::StatusCode::kAborted);
   EXPECT_THAT(std::string(changed.message()), HasSubstr("changed while the job ran"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/a.ply"));
+  EXPECT_EQ(FilesInFolder(), 1) << "the tile";
+}
+
+TEST_F(SceneStagesTest, LeavesAMachineThatDoesNotSeeTheOutputToAnother) {
+  const TriMesh mesh = HoledRoof();
+  v1::AssembleInput input = AssembleInputOf(mesh, WriteTile(mesh, "a.ply"));
+  input.set_attempts(folder_ / "gone");
+  const absl::Status status = Run(Stage::kAssemble, input).status();
+  EXPECT_TRUE(absl::IsUnavailable(status)) << status;
+  EXPECT_EQ(ErrorReason(status), "FOLDER_NOT_SEEN");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "gone")) << "no folder is made";
 }
 
 TEST_F(SceneStagesTest, RefusesARimVertexThatTheTileDoesNotHave) {

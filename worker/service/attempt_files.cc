@@ -1,0 +1,83 @@
+#include "worker/service/attempt_files.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "common/store/digest.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+std::string NewName() {
+  std::random_device random;
+  return absl::StrFormat("%08x%08x%08x%08x", random(), random(), random(), random());
+}
+
+// What is wrong with the place to write to is wrong on this machine; another may do better.
+absl::Status OfThisMachine(const absl::Status& status) {
+  if (status.ok() || absl::IsResourceExhausted(status)) return status;
+  return WithErrorInfo(absl::UnavailableError(status.message()), {"FOLDER_NOT_SEEN", {}});
+}
+
+}  // namespace
+
+AttemptFiles::AttemptFiles(std::string attempts, std::string output)
+    : attempts_(std::move(attempts)), output_(std::move(output)), name_(NewName()) {}
+
+AttemptFiles::~AttemptFiles() {
+  for (const v1::WrittenFile& file : files_) ::unlink(PathOf(file).c_str());
+}
+
+v1::WrittenFile AttemptFiles::NewFile(const std::string& path) const {
+  v1::WrittenFile file;
+  file.set_path(path);
+  file.set_attempt(absl::StrCat(name_, "-", files_.size()));
+  return file;
+}
+
+std::string AttemptFiles::PathOf(const v1::WrittenFile& file) const {
+  return absl::StrCat(attempts_, "/", file.attempt());
+}
+
+absl::Status AttemptFiles::Write(const std::string& path, std::string_view bytes) {
+  v1::WrittenFile file = NewFile(path);
+  TILEMEND_RETURN_IF_ERROR(OfThisMachine(WriteNewFile(PathOf(file), bytes)));
+  file.set_bytes(static_cast<int64_t>(bytes.size()));
+  file.set_digest(Sha256Hex(bytes));
+  files_.push_back(std::move(file));
+  return absl::OkStatus();
+}
+
+absl::Status AttemptFiles::Carry(const std::string& from, const std::string& path, ::tilemend::Carry how) {
+  std::error_code error;
+  if (std::filesystem::weakly_canonical(from, error) ==
+      std::filesystem::weakly_canonical(absl::StrCat(output_, "/", path), error)) {
+    return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
+  }
+  v1::WrittenFile file = NewFile(path);
+  const auto size = CarryToNewFile(from, PathOf(file), how);
+  if (!size.ok()) {
+    const bool can_write = ::access(attempts_.c_str(), W_OK) == 0;
+    return can_write ? size.status() : OfThisMachine(size.status());
+  }
+  file.set_bytes(*size);
+  files_.push_back(std::move(file));
+  return absl::OkStatus();
+}
+
+std::vector<v1::WrittenFile> AttemptFiles::Keep() {
+  std::vector<v1::WrittenFile> files = std::exchange(files_, {});
+  std::reverse(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace tilemend

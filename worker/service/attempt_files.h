@@ -1,0 +1,50 @@
+// The files that one attempt at a task writes.
+#ifndef TILEMEND_WORKER_SERVICE_ATTEMPT_FILES_H_
+#define TILEMEND_WORKER_SERVICE_ATTEMPT_FILES_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/util/files.h"
+#include "tilemend/v1/stages.pb.h"
+
+namespace tilemend {
+
+// Writes files under names that no other attempt has, into a folder that the coordinator made and takes away with the
+// job. Only the coordinator gives them their final names, so that an attempt that was given up, however late it wakes,
+// changes nothing of the output. Makes no folder: after the job's end every write fails. Not thread-safe.
+//
+// Errors: kUnavailable (FOLDER_NOT_SEEN) if this machine cannot write there; kResourceExhausted; and those of the file
+// that is read.
+class AttemptFiles {
+ public:
+  // `attempts` is the folder, `output` that of the final names.
+  AttemptFiles(std::string attempts, std::string output);
+  // Removes what it wrote, unless it was kept.
+  ~AttemptFiles();
+  AttemptFiles(const AttemptFiles&) = delete;
+  AttemptFiles& operator=(const AttemptFiles&) = delete;
+
+  // A file with these bytes, that is to go to `path` of the output.
+  absl::Status Write(const std::string& path, std::string_view bytes);
+  // A file as `from`. kInvalidArgument if `path` of the output is that file itself.
+  absl::Status Carry(const std::string& from, const std::string& path, ::tilemend::Carry how);
+
+  // What was written, the last first. The coordinator sees to the files from now on.
+  std::vector<v1::WrittenFile> Keep();
+
+ private:
+  v1::WrittenFile NewFile(const std::string& path) const;
+  std::string PathOf(const v1::WrittenFile& file) const;
+
+  const std::string attempts_;
+  const std::string output_;
+  const std::string name_;  // of the attempt
+  std::vector<v1::WrittenFile> files_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_SERVICE_ATTEMPT_FILES_H_
