@@ -3,6 +3,7 @@
 #include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -17,7 +18,8 @@ namespace tilemend {
 namespace {
 
 constexpr absl::Duration kPause = absl::Milliseconds(200);
-constexpr absl::Duration kReconnectPatience = absl::Seconds(10);
+constexpr absl::Duration kLongestPause = absl::Seconds(2);
+constexpr absl::Duration kReconnectPatience = absl::Minutes(10);
 constexpr std::chrono::seconds kCallTimeout(30);
 
 absl::Status Unreachable(const absl::Status& status) {
@@ -111,17 +113,22 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
   const absl::Duration reconnect_patience =
       patience_ > absl::ZeroDuration() ? kReconnectPatience : absl::ZeroDuration();
   absl::Time give_up = absl::Now() + patience_;
+  absl::Duration pause = kPause;
   while (true) {
     const uint64_t cursor = request.cursor();
     const absl::Status status = WatchOnce(request, show, last);
     if (IsOver(last.state())) return last;
-    if (request.cursor() != cursor) give_up = absl::Now() + reconnect_patience;
+    if (request.cursor() != cursor) {
+      give_up = absl::Now() + reconnect_patience;
+      pause = kPause;
+    }
     if (!status.ok() && !absl::IsUnavailable(status)) return status;
-    if (absl::Now() + kPause > give_up) {
+    if (absl::Now() + pause > give_up) {
       if (last.name().empty()) return Unreachable(status);
       return absl::UnavailableError(absl::StrCat(name, ": lost the coordinator: ", std::string(status.message())));
     }
-    absl::SleepFor(kPause);
+    absl::SleepFor(pause);
+    pause = std::min(2 * pause, kLongestPause);
   }
 }
 

@@ -23,7 +23,7 @@ namespace tilemend {
 class JobClient {
  public:
   // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable); a watch that has been under way
-  // waits longer, unless `patience` is 0.
+  // waits ten minutes, in which the coordinator may start again, unless `patience` is 0.
   JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration patience);
   ~JobClient();
 

@@ -1,18 +1,21 @@
 // tilemend-coordinator: takes jobs, plans them and gives their tasks to workers.
 #include <cstdio>
+#include <cstdlib>
 #include <semaphore>
 #include <string>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "absl/time/clock.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/rpc/endpoint.h"
 #include "common/util/exit_codes.h"
+#include "common/util/failpoint.h"
 #include "common/util/flags.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
+#include "coordinator/journal/sqlite_journal.h"
+#include "coordinator/journal/work_lock.h"
 #include "coordinator/service/coordinator_impl.h"
 #include "coordinator/service/grpc_services.h"
 #include "coordinator/service/scene_pipeline.h"
@@ -24,7 +27,7 @@ std::vector<FlagSpec> CoordinatorFlags() {
   return {
       {"listen", "HOST:PORT", "address for clients and workers", "127.0.0.1:7070"},
       {"metrics", "HOST:PORT", "serve Prometheus metrics on http://HOST:PORT/metrics", ""},
-      {"work", "DIR", "folder for intermediate files; needed", ""},
+      {"work", "DIR", "folder for jobs and intermediate files; needed", ""},
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
       {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
       {"version", "", "show the release", ""},
@@ -43,7 +46,6 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.lease = absl::Seconds(lease);
   TILEMEND_ASSIGN_OR_RETURN(const int64_t max_jobs, flags.Integer("max-jobs", 1, 10000));
   options.max_running_jobs = static_cast<size_t>(max_jobs);
-  options.state.epoch = static_cast<uint32_t>(absl::ToUnixSeconds(absl::Now()));
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
   return options;
@@ -57,6 +59,8 @@ int Fail(const absl::Status& status, int code) {
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   SignalWatcher signals;  // before any other thread
   PrometheusRegistry metrics;
+  TILEMEND_ASSIGN_OR_RETURN(const WorkLock lock, WorkLock::Take(options.work_folder));
+  TILEMEND_ASSIGN_OR_RETURN(options.journal, OpenSqliteJournal(options.work_folder + "/journal.sqlite"));
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl));
@@ -93,6 +97,9 @@ int Main(const std::vector<std::string>& words) {
   }
   auto options = OptionsFromFlags(*flags);
   if (!options.ok()) return Fail(options.status(), kExitUsage);
+  const char* failpoint = std::getenv("TILEMEND_FAILPOINT");
+  const absl::Status armed = ArmFailPoint(failpoint == nullptr ? "" : failpoint);
+  if (!armed.ok()) return Fail(armed, kExitUsage);
   const absl::Status status = Serve(*flags, *std::move(options));
   return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
 }

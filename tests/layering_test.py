@@ -132,6 +132,9 @@ RULES = {
 
     'coordinator/state': rule(['common/util', 'common/grid'], ['absl'], pure=True),
 
+    'coordinator/journal': rule(
+        ['common/util', 'common/store', 'common/grid', 'coordinator/state'], ['absl', 'sqlite']),
+
     'coordinator/waves': rule(
         ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam',
          'coordinator/plan/water', 'coordinator/plan/colour', 'coordinator/plan'],
@@ -145,10 +148,11 @@ RULES = {
 
     'coordinator/service': rule(
         ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/store', 'common/metrics', 'common/rpc',
-         'coordinator/state', 'coordinator/waves', 'coordinator/report'],
+         'coordinator/state', 'coordinator/journal', 'coordinator/waves', 'coordinator/report'],
         ['absl', 'protobuf']),
 
-    'coordinator': rule(['common/util', 'common/metrics', 'common/rpc', 'coordinator/service'], ['absl']),
+    'coordinator': rule(
+        ['common/util', 'common/metrics', 'common/rpc', 'coordinator/journal', 'coordinator/service'], ['absl']),
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(

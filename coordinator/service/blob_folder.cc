@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "absl/cleanup/cleanup.h"
 #include "absl/strings/str_cat.h"
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
+#include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -24,6 +26,7 @@ absl::Status FileError(int error, const std::string& what, const std::string& pa
   if (error == ENOSPC || error == EDQUOT || error == EMFILE || error == ENFILE)
     return absl::ResourceExhaustedError(text);
   if (error == ENOENT) return absl::NotFoundError(text);
+  if (error == EIO) return absl::UnavailableError(text);  // the machine's failure, not the task's
   return absl::InternalError(text);
 }
 
@@ -63,9 +66,13 @@ absl::StatusOr<int64_t> BlobFolder::Writer::Commit(const std::string& expected) 
         absl::InvalidArgumentError(absl::StrCat("blob ", expected, ": its ", size_, " bytes have the digest ", digest)),
         {"BLOB_CORRUPT", {{"digest", expected}}});
   }
+  if (sync_ == Sync::kYes) {
+    if (FailPoint("blob.sync")) return FileError(EIO, "cannot sync (injected)", path_);
+    if (::fsync(fd_) != 0) return FileError(errno, "cannot sync", path_);
+  }
   const int closed = ::close(std::exchange(fd_, -1));
   if (closed != 0) return FileError(errno, "cannot close", path_);
-  TILEMEND_RETURN_IF_ERROR(folder_.MoveIntoPlace(path_, digest));
+  TILEMEND_RETURN_IF_ERROR(folder_.MoveIntoPlace(path_, digest, sync_));
   path_.clear();
   return size_;
 }
@@ -77,21 +84,21 @@ absl::StatusOr<std::shared_ptr<BlobFolder>> BlobFolder::Create(const std::string
   return std::make_shared<BlobFolder>(path);
 }
 
-absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes) {
+absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync) {
   const std::string digest = Sha256Hex(bytes);
-  if (Size(digest).ok()) return digest;
-  TILEMEND_ASSIGN_OR_RETURN(const std::unique_ptr<Writer> writer, NewWriter());
+  if (sync == Sync::kNo && Size(digest).ok()) return digest;
+  TILEMEND_ASSIGN_OR_RETURN(const std::unique_ptr<Writer> writer, NewWriter(sync));
   TILEMEND_RETURN_IF_ERROR(writer->Append(bytes));
   TILEMEND_ASSIGN_OR_RETURN([[maybe_unused]] const int64_t size, writer->Commit(digest));
   return digest;
 }
 
-absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter() {
+absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter(Sync sync) {
   if (removed_.load()) return absl::FailedPreconditionError(absl::StrCat(path_, ": the job is over"));
   std::string path = absl::StrCat(path_, "/part-", next_temporary_.fetch_add(1));
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (fd < 0) return FileError(errno, "cannot create", path);
-  return std::unique_ptr<Writer>(new Writer(*this, std::move(path), fd));
+  return std::unique_ptr<Writer>(new Writer(*this, sync, std::move(path), fd));
 }
 
 absl::StatusOr<std::string> BlobFolder::PathOf(const std::string& digest) const {
@@ -99,14 +106,18 @@ absl::StatusOr<std::string> BlobFolder::PathOf(const std::string& digest) const 
   return absl::StrCat(path_, "/", digest.substr(0, 2), "/", digest.substr(2));
 }
 
-absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::string& digest) {
+absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
-  if (::rename(temporary.c_str(), path.c_str()) == 0) return absl::OkStatus();
-  // Not create_directories: it would bring a removed folder back.
   const std::string parent = absl::StrCat(path_, "/", digest.substr(0, 2));
-  if (::mkdir(parent.c_str(), 0700) != 0 && errno != EEXIST) return FileError(errno, "cannot create folder", parent);
-  if (::rename(temporary.c_str(), path.c_str()) != 0) return FileError(errno, "cannot rename into place", path);
-  return absl::OkStatus();
+  if (::rename(temporary.c_str(), path.c_str()) != 0) {
+    // Not create_directories: it would bring a removed folder back.
+    if (::mkdir(parent.c_str(), 0700) != 0 && errno != EEXIST) return FileError(errno, "cannot create folder", parent);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) return FileError(errno, "cannot rename into place", path);
+  }
+  if (sync == Sync::kNo) return absl::OkStatus();
+  FailPoint("blob.renamed");
+  TILEMEND_RETURN_IF_ERROR(SyncFolder(parent));
+  return SyncFolder(path_);  // in which another blob may have made `parent`
 }
 
 absl::StatusOr<int64_t> BlobFolder::Size(const std::string& digest) const {
@@ -142,6 +153,19 @@ absl::Status BlobFolder::ReadChunks(const std::string& digest,
     if (n == 0 || !take(std::string_view(buffer.data(), static_cast<size_t>(n)))) break;
   }
   return absl::OkStatus();
+}
+
+absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<fs::path> others;
+  for (fs::recursive_directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {
+    if (at->is_directory(error)) continue;
+    const std::string digest = at->path().parent_path().filename().string() + at->path().filename().string();
+    if (!digests.contains(digest)) others.push_back(at->path());
+  }
+  for (const fs::path& other : others) fs::remove(other, error);
+  return error ? FileError(error.value(), "cannot look through it", path_) : absl::OkStatus();
 }
 
 void BlobFolder::Remove() {

@@ -6,17 +6,19 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/store/digest.h"
+#include "common/util/files.h"
 
 namespace tilemend {
 
-// Thread-safe. A blob appears at once or not at all. Nothing is synced to disk: blobs are no longer needed after a
-// crash, for their job is then gone too.
+// Thread-safe. A blob appears at once or not at all. One that is written with Sync::kYes is on the disk with its name
+// when the write returns. The others are made again after a crash, so they need not be.
 class BlobFolder {
  public:
   // A blob that comes in pieces. Leaves nothing behind unless Commit succeeds.
@@ -32,21 +34,24 @@ class BlobFolder {
 
    private:
     friend class BlobFolder;
-    Writer(BlobFolder& folder, std::string path, int fd) : folder_(folder), path_(std::move(path)), fd_(fd) {}
+    Writer(BlobFolder& folder, Sync sync, std::string path, int fd)
+        : folder_(folder), sync_(sync), path_(std::move(path)), fd_(fd) {}
     BlobFolder& folder_;
+    const Sync sync_;
     std::string path_;
     int fd_;
     int64_t size_ = 0;
     Sha256 sha_;
   };
 
-  // Makes the folder.
+  // Makes the folder, or goes on with it.
   static absl::StatusOr<std::shared_ptr<BlobFolder>> Create(const std::string& path);
   explicit BlobFolder(std::string path) : path_(std::move(path)) {}
 
-  // The digest of `bytes`, which are stored unless they are there already.
-  absl::StatusOr<std::string> Put(std::string_view bytes);
-  absl::StatusOr<std::unique_ptr<Writer>> NewWriter();
+  // The digest of `bytes`, which are stored unless they are there already (with Sync::kYes in any case: what is there
+  // may not be on the disk).
+  absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo);
+  absl::StatusOr<std::unique_ptr<Writer>> NewWriter(Sync sync = Sync::kNo);
 
   // kNotFound (BLOB_NOT_FOUND), kInvalidArgument for a malformed digest, here and below.
   absl::StatusOr<int64_t> Size(const std::string& digest) const;
@@ -54,12 +59,15 @@ class BlobFolder {
   // Gives the blob's bytes to `take` in order, at most kMaxChunkBytes at a time, until it returns false.
   absl::Status ReadChunks(const std::string& digest, const std::function<bool(std::string_view)>& take) const;
 
+  // Removes all but these, and what was being written when an earlier process ended. Before anything else is called.
+  absl::Status KeepOnly(const std::set<std::string>& digests);
+
   // Removes the folder and refuses every later write.
   void Remove();
 
  private:
   absl::StatusOr<std::string> PathOf(const std::string& digest) const;
-  absl::Status MoveIntoPlace(const std::string& temporary, const std::string& digest);
+  absl::Status MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync);
 
   std::string path_;
   std::atomic<uint64_t> next_temporary_{0};

@@ -1,5 +1,6 @@
 #include "coordinator/service/coordinator_impl.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <random>
 #include <utility>
@@ -32,14 +33,6 @@ std::string NewJobId() {
   return absl::StrFormat("%08x%04x", random(), random() & 0xffff);
 }
 
-// Two spellings of one folder give one key.
-std::string OutKey(const JobSpec& spec) {
-  if (spec.out.empty() || spec.dry_run) return "";
-  std::string key = std::filesystem::path(spec.out).lexically_normal().string();
-  while (key.size() > 1 && key.back() == '/') key.pop_back();
-  return key;
-}
-
 absl::Status InvalidRequestId() {
   return WithErrorInfo(
       absl::InvalidArgumentError(absl::StrCat("request_id: longer than ", kMaxRequestIdBytes, " bytes")),
@@ -66,14 +59,20 @@ absl::StatusOr<std::unique_ptr<CoordinatorImpl>> CoordinatorImpl::Create(Coordin
         absl::StrCat(options.work_folder, ": cannot create the work folder: ", error.message()));
   }
   if (!options.clock) options.clock = SteadyWallClock();
-  return std::unique_ptr<CoordinatorImpl>(new CoordinatorImpl(std::move(options), std::move(factory), metrics));
+  if (options.journal == nullptr) options.journal = NewForgetfulJournal();
+  options.state.epoch = options.journal->epoch();
+  std::unique_ptr<CoordinatorImpl> impl(new CoordinatorImpl(std::move(options), std::move(factory), metrics));
+  TILEMEND_RETURN_IF_ERROR(impl->Restore());
+  if (impl->options_.background_ticks) impl->ticker_ = std::thread([&impl = *impl] { impl.TickLoop(); });
+  return impl;
 }
 
 CoordinatorImpl::CoordinatorImpl(CoordinatorOptions options, PipelineFactory factory, MetricsRegistry& metrics)
-    : options_(std::move(options)), factory_(std::move(factory)), metrics_(metrics), state_(options_.state) {
-  metrics_.Show(state_);
-  if (options_.background_ticks) ticker_ = std::thread([this] { TickLoop(); });
-}
+    : options_(std::move(options)),
+      journal_(options_.journal),
+      factory_(std::move(factory)),
+      metrics_(metrics),
+      state_(options_.state) {}
 
 CoordinatorImpl::~CoordinatorImpl() {
   StopWaiting();
@@ -85,7 +84,7 @@ CoordinatorImpl::~CoordinatorImpl() {
       if (entry.runner != nullptr) runners.push_back(std::move(entry.runner));
     }
   }
-  for (const auto& runner : runners) runner->Cancel();
+  for (const auto& runner : runners) runner->Abandon();
   runners.clear();  // joins; their sinks take the lock
 }
 
@@ -96,18 +95,38 @@ void CoordinatorImpl::StopWaiting() {
   Changed();
 }
 
+std::string CoordinatorImpl::OutKey(const JobSpec& spec) {
+  if (spec.out.empty() || spec.dry_run) return "";
+  std::string key = std::filesystem::path(spec.out).lexically_normal().string();
+  while (key.size() > 1 && key.back() == '/') key.pop_back();
+  return key;
+}
+
+std::string CoordinatorImpl::FolderOf(const std::string& job) const {
+  return absl::StrCat(options_.work_folder, "/jobs/", job);
+}
+
 void CoordinatorImpl::Changed() {
   work_changed_.notify_all();
   job_changed_.notify_all();
 }
 
-absl::StatusOr<Effects> CoordinatorImpl::Apply(const Event& event, std::optional<std::string> content) {
+absl::StatusOr<Effects> CoordinatorImpl::Apply(const Event& event, Contents contents) {
   TILEMEND_ASSIGN_OR_RETURN(Effects effects, state_.Apply(event));
   for (const Stage stage : effects.retried) metrics_.Retried(stage);
+  for (const StruckTask& task : effects.struck) PutStrike(task);
   for (const SettledTask& task : effects.settled) {
-    metrics_.Settled(task, options_.clock());
+    std::optional<std::string> content;
+    if (!contents.empty()) {
+      content = std::move(contents.front());
+      contents.pop_front();
+    }
+    if (!task.known) {
+      metrics_.Settled(task, options_.clock());
+      PutResult(task, content);
+    }
     if (JobRunner* runner = entries_.at(task.key.job).runner.get(); runner != nullptr) {
-      runner->Deliver(task, std::exchange(content, std::nullopt));
+      runner->Deliver(task, std::move(content));
     }
   }
   if (!effects.retried.empty() || !effects.settled.empty()) Changed();
@@ -134,8 +153,7 @@ v1::Job CoordinatorImpl::Describe(const Job& job) const {
 absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request) {
   const JobSpec spec = SpecFromProto(request.spec());
   TILEMEND_RETURN_IF_ERROR(spec.Check());
-  Lock lock(mutex_);
-  return StartJob(spec, request.request_id());
+  return Answer([&] { return StartJob(spec, request.request_id()); });
 }
 
 absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id) {
@@ -149,12 +167,13 @@ absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std
   const std::string out_key = OutKey(spec);
   TILEMEND_RETURN_IF_ERROR(CheckNewJob(out_key));
   const std::string id = NewJobId();
-  TILEMEND_ASSIGN_OR_RETURN(auto blobs, BlobFolder::Create(absl::StrCat(options_.work_folder, "/jobs/", id)));
+  TILEMEND_ASSIGN_OR_RETURN(auto blobs, BlobFolder::Create(FolderOf(id)));
   TILEMEND_RETURN_IF_ERROR(Apply(JobCreated{id, request_id, options_.clock()}).status());
   JobEntry& entry = entries_[id];
   entry.spec = spec;
   entry.out_key = out_key;
   entry.blobs = blobs;
+  PutJob(*state_.FindJob(id), false);
   entry.runner = std::make_unique<JobRunner>(spec, factory_, std::move(blobs), SinkOf(id));
   metrics_.Show(state_);
   return Describe(*state_.FindJob(id));
@@ -180,16 +199,41 @@ absl::Status CoordinatorImpl::CheckNewJob(const std::string& out_key) const {
 
 JobRunner::Sink CoordinatorImpl::SinkOf(const std::string& id) {
   return {.add_tasks = [this, id](std::vector<TaskSpec> tasks,
-                                  const Progress& progress) { OnTasks(id, std::move(tasks), progress); },
-          .finished = [this, id](absl::StatusOr<JobOutcome> outcome) { OnFinished(id, std::move(outcome)); }};
+                                  const Progress& progress) { return OnTasks(id, std::move(tasks), progress); },
+          .await = [this] { journal_->Await(); },
+          .completed = [this, id](const JobOutcome& outcome,
+                                  const Progress& progress) { OnCompleted(id, outcome, progress); },
+          .finished = [this, id](absl::StatusOr<JobOutcome> outcome) { OnFinished(id, std::move(outcome)); },
+          .released = [this, id] { OnReleased(id); }};
 }
 
-void CoordinatorImpl::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {
+absl::Status CoordinatorImpl::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {
+  TILEMEND_ASSIGN_OR_RETURN(Contents contents, Recall(id, tasks));
   Lock lock(mutex_);
-  // Both fail only if the job is over; then its runner is being cancelled.
-  Apply(JobProgressed{id, progress}).IgnoreError();
-  if (!tasks.empty()) Apply(TasksAdded{id, std::move(tasks)}).IgnoreError();
+  bool& resuming = entries_.at(id).resuming;
+  resuming = resuming && std::all_of(tasks.begin(), tasks.end(), [](const TaskSpec& t) { return t.known.has_value(); });
+  // Both fail only if the job is over; then its runner is being cancelled. A job that resumes runs through all it has
+  // done; nobody is to see it begin again.
+  if (!resuming) Apply(JobProgressed{id, progress}).IgnoreError();
+  if (!tasks.empty()) Apply(TasksAdded{id, std::move(tasks)}, std::move(contents)).IgnoreError();
   Changed();
+  return absl::OkStatus();
+}
+
+void CoordinatorImpl::OnCompleted(const std::string& id, const JobOutcome& outcome, const Progress& progress) {
+  {
+    Lock lock(mutex_);
+    Apply(JobProgressed{id, progress}).IgnoreError();
+    const Job& job = *state_.FindJob(id);
+    // The end is durable now, and told when the output is free for others.
+    const bool partial = outcome.partial || job.counts.quarantined > 0;
+    JobEntry& entry = entries_.at(id);
+    entry.ended = options_.clock();
+    v1::Job end = JobToProto(job, entry.spec, outcome, absl::OkStatus());
+    SetEnd(partial ? JobState::kPartial : JobState::kDone, entry.ended, end);
+    PutJob(job, false, std::move(end));
+  }
+  journal_->Await();
 }
 
 void CoordinatorImpl::OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome) {
@@ -203,16 +247,24 @@ void CoordinatorImpl::OnFinished(const std::string& id, absl::StatusOr<JobOutcom
     state = entry.outcome.partial ? JobState::kPartial : JobState::kDone;
   } else {
     entry.error = outcome.status();
+    entry.ended = options_.clock();
   }
-  Apply(JobFinished{id, state, options_.clock()}).IgnoreError();
+  Apply(JobFinished{id, state, entry.ended}).IgnoreError();
+  if (!outcome.ok()) PutJob(*job, true);
   metrics_.Show(state_);
   Changed();
 }
 
-absl::StatusOr<v1::Job> CoordinatorImpl::GetJob(const v1::GetJobRequest& request) {
+void CoordinatorImpl::OnReleased(const std::string& id) {
   Lock lock(mutex_);
-  TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
-  return Describe(*job);
+  PutJob(*state_.FindJob(id), true);
+}
+
+absl::StatusOr<v1::Job> CoordinatorImpl::GetJob(const v1::GetJobRequest& request) {
+  return Answer([&]() -> absl::StatusOr<v1::Job> {
+    TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
+    return Describe(*job);
+  });
 }
 
 absl::StatusOr<v1::ListJobsResponse> CoordinatorImpl::ListJobs(const v1::ListJobsRequest& request) {
@@ -222,43 +274,50 @@ absl::StatusOr<v1::ListJobsResponse> CoordinatorImpl::ListJobs(const v1::ListJob
   if (!request.page_token().empty() && !absl::SimpleAtoi(request.page_token(), &below)) {
     return InvalidPage(absl::StrCat("page_token: '", request.page_token(), "' was not given out here"));
   }
-  Lock lock(mutex_);
-  const auto& numbers = state_.job_numbers();
-  v1::ListJobsResponse response;
-  auto it = numbers.lower_bound(below);
-  while (it != numbers.begin() && response.jobs_size() < size) {
-    --it;
-    *response.add_jobs() = Describe(*state_.FindJob(it->second));
-  }
-  if (it != numbers.begin()) response.set_next_page_token(absl::StrCat(it->first));
-  return response;
+  return Answer([&] {
+    const auto& numbers = state_.job_numbers();
+    v1::ListJobsResponse response;
+    auto it = numbers.lower_bound(below);
+    while (it != numbers.begin() && response.jobs_size() < size) {
+      --it;
+      *response.add_jobs() = Describe(*state_.FindJob(it->second));
+    }
+    if (it != numbers.begin()) response.set_next_page_token(absl::StrCat(it->first));
+    return response;
+  });
 }
 
 absl::StatusOr<v1::Job> CoordinatorImpl::CancelJob(const v1::CancelJobRequest& request) {
-  Lock lock(mutex_);
-  TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
+  return Answer([&] { return Cancel(request.name()); });
+}
+
+absl::StatusOr<v1::Job> CoordinatorImpl::Cancel(const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(name));
   if (job->state == JobState::kCancelled) return Describe(*job);
   JobRunner* runner = IsOver(job->state) ? nullptr : entries_.at(job->id).runner.get();
   if (runner != nullptr && !runner->Cancel()) {
-    return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(request.name(), ": too late, it is just ending")),
+    return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(name, ": too late, it is just ending")),
                          {"JOB_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
   }
   TILEMEND_RETURN_IF_ERROR(Apply(JobCancelled{job->id, options_.clock()}).status());
+  PutJob(*job, true);
   metrics_.Show(state_);
   Changed();
   return Describe(*job);
 }
 
 absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& request) {
-  Lock lock(mutex_);
-  TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
-  if (IsOver(job->state)) {
-    JobSpec spec = entries_.at(job->id).spec;
-    spec.overwrite = spec.overwrite || request.overwrite();
-    return StartJob(std::move(spec), request.request_id());
-  }
-  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),
-                       {"JOB_NOT_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
+  return Answer([&]() -> absl::StatusOr<v1::Job> {
+    TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
+    if (IsOver(job->state)) {
+      JobSpec spec = entries_.at(job->id).spec;
+      spec.overwrite = spec.overwrite || request.overwrite();
+      return StartJob(std::move(spec), request.request_id());
+    }
+    return WithErrorInfo(
+        absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),
+        {"JOB_NOT_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
+  });
 }
 
 absl::Status CoordinatorImpl::WatchJob(const v1::WatchJobRequest& request,
@@ -274,6 +333,7 @@ absl::Status CoordinatorImpl::WatchJob(const v1::WatchJobRequest& request,
     if (over || (job->version > cursor && now >= next_send)) {
       const v1::Job message = Describe(*job);
       lock.unlock();
+      journal_->Await();
       if (!send(message)) return absl::CancelledError("the watcher went away");
       if (over) return absl::OkStatus();
       cursor = message.cursor();

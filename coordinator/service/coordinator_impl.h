@@ -1,11 +1,15 @@
-// The coordinator: the state machine, its lock, its clock, its blobs and the pipelines of its jobs. Every RPC is one
-// call here; nothing here knows gRPC.
+// The coordinator: the state machine, its lock, its clock, its journal, its blobs and the pipelines of its jobs. Every
+// RPC is one call here; nothing here knows gRPC.
+//
+// What it told anybody is durable: events take effect in memory and are put into the journal under one lock, and every
+// answer, every worker's task and every call of a pipeline waits until the journal has what was put before.
 #ifndef TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
 #define TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
 
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +23,7 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "common/metrics/metrics.h"
+#include "coordinator/journal/journal.h"
 #include "coordinator/service/blob_folder.h"
 #include "coordinator/service/coordinator_metrics.h"
 #include "coordinator/service/job_pipeline.h"
@@ -30,9 +35,11 @@
 namespace tilemend {
 
 struct CoordinatorOptions {
-  std::string work_folder;                   // blobs go to work_folder/jobs/{id}; made if missing
+  std::string work_folder;  // of this process alone; blobs go to work_folder/jobs/{id}; made if missing
+  // Its jobs go on. Null: a journal that forgets, for a coordinator whose jobs end with it.
+  std::shared_ptr<Journal> journal;
   absl::Duration lease = absl::Seconds(30);  // > 2 s: a worker calls at least once a second
-  StateOptions state;
+  StateOptions state;                        // its epoch is that of the journal
   size_t max_running_jobs = 64;
   // Never goes back. Default: the wall clock at construction plus a steady clock since.
   std::function<absl::Time()> clock;
@@ -45,7 +52,7 @@ class CoordinatorImpl {
  public:
   static absl::StatusOr<std::unique_ptr<CoordinatorImpl>> Create(CoordinatorOptions options, PipelineFactory factory,
                                                                  MetricsRegistry& metrics);
-  // Cancels what runs and waits for it.
+  // Leaves jobs as they are: with the journal they go on.
   ~CoordinatorImpl();
 
   absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request);
@@ -78,7 +85,10 @@ class CoordinatorImpl {
     absl::Status error;
     std::shared_ptr<BlobFolder> blobs;
     std::unique_ptr<JobRunner> runner;
+    absl::Time ended;       // of one whose output is complete
+    bool resuming = false;  // all its tasks so far were settled by an earlier process
   };
+  using Contents = std::deque<std::optional<std::string>>;
   // A result as it came, made ready without the lock.
   struct Report {
     v1::TaskRef ref;
@@ -91,16 +101,49 @@ class CoordinatorImpl {
 
   CoordinatorImpl(CoordinatorOptions options, PipelineFactory factory, MetricsRegistry& metrics);
 
+  // Two spellings of one folder give one key.
+  static std::string OutKey(const JobSpec& spec);
+  std::string FolderOf(const std::string& job) const;
+  // Whether outputs are to be on the disk before they are committed.
+  tilemend::Sync OutputSync() const { return journal_->is_durable() ? tilemend::Sync::kYes : tilemend::Sync::kNo; }
+
   // All below with the lock held, unless said otherwise.
   absl::StatusOr<const Job*> JobNamed(const std::string& name) const;
   absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id);
   absl::Status CheckNewJob(const std::string& out_key) const;
+  absl::StatusOr<v1::Job> Cancel(const std::string& name);
   JobRunner::Sink SinkOf(const std::string& id);
   v1::Job Describe(const Job& job) const;
   void Changed();
-  absl::StatusOr<Effects> Apply(const Event& event, std::optional<std::string> content = std::nullopt);
-  void OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress);  // takes the lock
-  void OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome);                  // takes the lock
+  // `contents`: outputs of the tasks that the event settles, one after the other, that are not blobs.
+  absl::StatusOr<Effects> Apply(const Event& event, Contents contents = {});
+  // The job as it is now, or as `message` tells it.
+  void PutJob(const Job& job, bool released, std::optional<v1::Job> message = std::nullopt);
+  void PutResult(const SettledTask& task, const std::optional<std::string>& content);
+  void PutStrike(const StruckTask& task);
+
+  // Calls of the runners; each takes the lock.
+  absl::Status OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress);
+  void OnCompleted(const std::string& id, const JobOutcome& outcome, const Progress& progress);
+  void OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome);
+  void OnReleased(const std::string& id);
+  // Adds to `tasks` what earlier processes know of them; gives the contents of the known ones in order. Without the
+  // lock.
+  absl::StatusOr<Contents> Recall(const std::string& id, std::vector<TaskSpec>& tasks);
+  // What `make` gives under the lock, once all that it was made from is durable. Without the lock.
+  template <class Make>
+  auto Answer(Make make) {
+    Lock lock(mutex_);
+    auto answer = make();
+    lock.unlock();
+    journal_->Await();
+    return answer;
+  }
+
+  // The jobs of the journal go on, and what no job needs is removed. Before anything else.
+  absl::Status Restore();
+  absl::Status RestoreJob(JobRecord record);
+  absl::Status SweepFolders();
 
   std::vector<Report> PrepareReports(const v1::SyncRequest& request);  // without the lock
   Report PrepareReport(const v1::FinishedTask& finished);              // without the lock
@@ -118,6 +161,7 @@ class CoordinatorImpl {
   void TickLoop();
 
   const CoordinatorOptions options_;
+  const std::shared_ptr<Journal> journal_;
   const PipelineFactory factory_;
   CoordinatorMetrics metrics_;
 

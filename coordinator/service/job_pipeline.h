@@ -5,6 +5,10 @@
 //
 // Results come in any order and the order differs from run to run. A pipeline whose output must not depend on it keeps
 // results by (stage, cell) and computes from whole sets.
+//
+// A coordinator that starts again runs the pipelines of its jobs again, from Start on. A task with the same cell, stage
+// and input as one that was settled before gets that result. So a pipeline must not put into an input what differs from
+// run to run (or its task is done again), and must find its own traces on the disk in order.
 #ifndef TILEMEND_COORDINATOR_SERVICE_JOB_PIPELINE_H_
 #define TILEMEND_COORDINATOR_SERVICE_JOB_PIPELINE_H_
 
@@ -87,6 +91,10 @@ class JobPipeline {
   // Writes what is written at the end. Called once, last, unless the job failed or was cancelled. What it wrote is
   // complete only if no Cancel was taken.
   virtual absl::StatusOr<JobOutcome> Finish() = 0;
+
+  // After Finish, once its outcome is durable: gives up what kept others from the output. Of a coordinator that ended
+  // in between, the next one makes the pipeline anew and calls this alone.
+  virtual void Release() {}
 
   // From another thread, at any time: the job is to be cancelled, a running call should return soon (with any status).
   // Nothing half-written may stay. False if it comes too late: then Finish has completed the output and succeeds.

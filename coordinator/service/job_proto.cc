@@ -1,6 +1,7 @@
 #include "coordinator/service/job_proto.h"
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/strip.h"
 #include "common/rpc/status_proto.h"
 
 namespace tilemend {
@@ -39,6 +40,25 @@ void SetProgress(const Job& job, v1::Progress& proto) {
   proto.set_tasks_running(job.counts.leased);
   proto.set_tasks_retried(job.counts.retried);
   proto.set_tasks_quarantined(job.counts.quarantined);
+}
+
+absl::Time TimeOf(const google::protobuf::Timestamp& proto) {
+  return absl::FromUnixSeconds(proto.seconds()) + absl::Nanoseconds(proto.nanos());
+}
+
+JobState StateFromProto(v1::JobState state) {
+  switch (state) {
+    case v1::DONE:
+      return JobState::kDone;
+    case v1::PARTIAL:
+      return JobState::kPartial;
+    case v1::FAILED:
+      return JobState::kFailed;
+    case v1::CANCELLED:
+      return JobState::kCancelled;
+    default:
+      return JobState::kRunning;
+  }
 }
 
 }  // namespace
@@ -85,19 +105,44 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   return proto;
 }
 
+void SetEnd(JobState state, absl::Time time, v1::Job& proto) {
+  proto.set_state(StateToProto(state));
+  if (IsOver(state)) SetTime(time, *proto.mutable_end_time());
+}
+
 v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error) {
   v1::Job proto;
   proto.set_name(absl::StrCat("jobs/", job.id));
-  proto.set_state(StateToProto(job.state));
+  SetEnd(job.state, job.ended, proto);
   *proto.mutable_spec() = SpecToProto(spec);
   SetProgress(job, *proto.mutable_progress());
   SetTime(job.created, *proto.mutable_create_time());
-  if (IsOver(job.state)) SetTime(job.ended, *proto.mutable_end_time());
   if (!error.ok()) *proto.mutable_error() = StatusToProto(error);
   proto.set_message(outcome.message);
   proto.set_report(outcome.report);
   proto.set_cursor(job.version);
   return proto;
+}
+
+ToldJob JobFromProto(const v1::Job& proto) {
+  ToldJob told;
+  told.spec = SpecFromProto(proto.spec());
+  told.outcome.message = proto.message();
+  told.outcome.report = proto.report();
+  if (proto.has_error()) told.error = StatusFromProto(proto.error());
+  Job& job = told.job;
+  job.id = std::string(absl::StripPrefix(proto.name(), "jobs/"));
+  job.state = StateFromProto(proto.state());
+  job.created = TimeOf(proto.create_time());
+  if (!IsOver(job.state)) return told;
+  job.ended = TimeOf(proto.end_time());
+  const v1::Progress& p = proto.progress();
+  job.progress = {p.phase(), p.cells(), p.cells_done(), p.holes(), p.holes_filled()};
+  job.counts.added = p.tasks();
+  job.counts.quarantined = p.tasks_quarantined();
+  job.counts.committed = p.tasks_done() - p.tasks_quarantined();
+  job.counts.retried = p.tasks_retried();
+  return told;
 }
 
 }  // namespace tilemend

@@ -15,6 +15,18 @@ v1::JobSpec SpecToProto(const JobSpec& spec);
 
 v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error);
 
+// Makes the message tell that the job is over.
+void SetEnd(JobState state, absl::Time time, v1::Job& proto);
+
+// What a message tells of a job, for a coordinator that starts again.
+struct ToldJob {
+  Job job;  // without request_id, number and version; progress and counts only if it is over
+  JobSpec spec;
+  JobOutcome outcome;
+  absl::Status error;
+};
+ToldJob JobFromProto(const v1::Job& proto);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_SERVICE_JOB_PROTO_H_

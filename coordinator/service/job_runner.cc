@@ -3,18 +3,18 @@
 #include <exception>
 #include <utility>
 
-#include "absl/cleanup/cleanup.h"
 #include "absl/strings/str_cat.h"
+#include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 
-JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink)
+JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink, Mode mode)
     : spec_(std::move(spec)),
       factory_(std::move(factory)),
       blobs_(std::move(blobs)),
       sink_(std::move(sink)),
-      thread_([this] { Run(); }) {}
+      thread_([this, mode] { mode == Mode::kRun ? Run() : ReleaseOnly(); }) {}
 
 JobRunner::~JobRunner() {
   Cancel();
@@ -31,6 +31,10 @@ void JobRunner::Deliver(SettledTask task, std::optional<std::string> content) {
 
 bool JobRunner::Cancel() {
   std::lock_guard<std::mutex> lock(mutex_);
+  return TryCancel();
+}
+
+bool JobRunner::TryCancel() {
   if (cancelled_) return true;
   if (too_late_ || (pipeline_ != nullptr && !pipeline_->Cancel())) return false;
   cancelled_ = true;
@@ -38,40 +42,63 @@ bool JobRunner::Cancel() {
   return true;
 }
 
+void JobRunner::Abandon() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  abandoned_ = TryCancel();
+}
+
 void JobRunner::Run() {
-  absl::StatusOr<JobOutcome> outcome = absl::InternalError("the pipeline gave no outcome");
-  try {
-    outcome = RunPipeline();
-  } catch (const std::bad_alloc&) {
-    outcome = absl::ResourceExhaustedError("the coordinator is out of memory");
-  } catch (const std::exception& error) {
-    outcome = absl::InternalError(absl::StrCat("the pipeline threw: ", error.what()));
+  sink_.await();
+  std::unique_ptr<JobPipeline> pipeline;
+  absl::StatusOr<JobOutcome> outcome = Settle(RunPipeline(pipeline));
+  if (outcome.ok()) {
+    FailPoint("job.finished");
+    sink_.completed(*outcome, pipeline->GetProgress());
+    pipeline->Release();
+    FailPoint("job.released");
   }
+  pipeline.reset();
   may_write_.store(false);
-  bool cancelled = false;
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    cancelled = cancelled_;
+    if (abandoned_) return;
   }
-  if (cancelled) outcome = absl::CancelledError("the job was cancelled");
   sink_.finished(std::move(outcome));  // before the blobs go, which takes time in which the job could be cancelled
   blobs_->Remove();
+  sink_.released();
   ended_.store(true);
 }
 
-absl::StatusOr<JobOutcome> JobRunner::RunPipeline() {
-  TILEMEND_ASSIGN_OR_RETURN(const std::unique_ptr<JobPipeline> pipeline, factory_(spec_));
-  {
-    std::lock_guard<std::mutex> lock(mutex_);
-    if (cancelled_) return absl::CancelledError("the job was cancelled");
-    pipeline_ = pipeline.get();
+void JobRunner::ReleaseOnly() {
+  // An error here says that there is nothing to release, or nothing that could be reached.
+  if (const auto pipeline = factory_(spec_); pipeline.ok()) (*pipeline)->Release();
+  may_write_.store(false);
+  sink_.released();
+  ended_.store(true);
+}
+
+absl::StatusOr<JobOutcome> JobRunner::Settle(absl::StatusOr<JobOutcome> outcome) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  pipeline_ = nullptr;
+  too_late_ = !cancelled_;
+  if (cancelled_) return absl::CancelledError("the job was cancelled");
+  return outcome;
+}
+
+absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& pipeline) {
+  try {
+    TILEMEND_ASSIGN_OR_RETURN(pipeline, factory_(spec_));
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      if (cancelled_) return absl::CancelledError("the job was cancelled");
+      pipeline_ = pipeline.get();
+    }
+    return DrivePipeline(*pipeline);
+  } catch (const std::bad_alloc&) {
+    return absl::ResourceExhaustedError("the coordinator is out of memory");
+  } catch (const std::exception& error) {
+    return absl::InternalError(absl::StrCat("the pipeline threw: ", error.what()));
   }
-  const auto forget = absl::MakeCleanup([this] {
-    std::lock_guard<std::mutex> lock(mutex_);
-    pipeline_ = nullptr;
-    too_late_ = !cancelled_;
-  });
-  return DrivePipeline(*pipeline);
 }
 
 absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
@@ -81,23 +108,32 @@ absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
     if (outstanding_ == 0) {
       return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
     }
-    TILEMEND_ASSIGN_OR_RETURN(Delivery delivery, NextDelivery());
-    TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(std::move(delivery)));
-    TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
-    TILEMEND_RETURN_IF_ERROR(AddTasks(pipeline, std::move(tasks)));
+    TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
+    for (Delivery& delivery : deliveries) TILEMEND_RETURN_IF_ERROR(TakeDelivery(pipeline, std::move(delivery)));
   }
   return pipeline.Finish();
 }
 
-absl::StatusOr<JobRunner::Delivery> JobRunner::NextDelivery() {
+absl::StatusOr<std::deque<JobRunner::Delivery>> JobRunner::NextDeliveries() {
   std::unique_lock<std::mutex> lock(mutex_);
   changed_.wait(lock, [this] { return cancelled_ || !deliveries_.empty(); });
   if (cancelled_) return absl::CancelledError("the job was cancelled");
-  Delivery delivery = std::move(deliveries_.front());
-  deliveries_.pop_front();
+  std::deque<Delivery> deliveries = std::exchange(deliveries_, {});
+  lock.unlock();
+  sink_.await();
+  return deliveries;
+}
+
+absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (cancelled_) return absl::CancelledError("the job was cancelled");
+  }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
   --outstanding_;
-  return delivery;
+  TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(std::move(delivery)));
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
+  return AddTasks(pipeline, std::move(tasks));
 }
 
 absl::StatusOr<TaskResult> JobRunner::ToResult(Delivery delivery) const {
@@ -124,8 +160,7 @@ absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tas
     task.input = std::string();
   }
   outstanding_ += static_cast<int64_t>(specs.size());
-  sink_.add_tasks(std::move(specs), pipeline.GetProgress());
-  return absl::OkStatus();
+  return sink_.add_tasks(std::move(specs), pipeline.GetProgress());
 }
 
 }  // namespace tilemend

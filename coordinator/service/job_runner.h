@@ -26,12 +26,21 @@ class JobRunner {
  public:
   // Called on the job's thread, without any lock of the runner.
   struct Sink {
-    std::function<void(std::vector<TaskSpec>, const Progress&)> add_tasks;  // the inputs are in the blob folder
-    std::function<void(absl::StatusOr<JobOutcome>)> finished;               // last; kCancelled after Cancel
+    // The inputs are in the blob folder. An error fails the job.
+    std::function<absl::Status(std::vector<TaskSpec>, const Progress&)> add_tasks;
+    // Waits until all that was delivered, and the job itself, is durable: only then may anybody see what follows of it.
+    std::function<void()> await;
+    // The output is complete. Makes that durable.
+    std::function<void(const JobOutcome&, const Progress&)> completed;
+    std::function<void(absl::StatusOr<JobOutcome>)> finished;  // kCancelled after Cancel
+    std::function<void()> released;                            // last; the job has left nothing to take away
   };
+  enum class Mode { kRun, kRelease };
 
-  // Starts the thread. Removes the blob folder at the job's end.
-  JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink);
+  // Starts the thread. Removes the blob folder at the job's end. With kRelease the job is over, but the coordinator
+  // ended before its output was released: nothing but that is done, and `blobs` may be null.
+  JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink,
+            Mode mode = Mode::kRun);
   // Cancels and waits for the thread.
   ~JobRunner();
 
@@ -43,6 +52,9 @@ class JobRunner {
 
   // False if the pipeline has come to its end before: the job ends as it was about to.
   bool Cancel();
+
+  // Ends the thread soon and the job not at all: it tells nobody, and what is on the disk stays.
+  void Abandon();
 
   // True until the pipeline has ended: the job may write to its output, even if cancelled.
   bool may_write() const { return may_write_.load(); }
@@ -56,10 +68,17 @@ class JobRunner {
     std::optional<std::string> content;
   };
 
+  bool TryCancel();  // with the lock held
   void Run();
-  absl::StatusOr<JobOutcome> RunPipeline();
+  void ReleaseOnly();
+  // Makes the pipeline and runs it to its end, whatever it throws.
+  absl::StatusOr<JobOutcome> RunPipeline(std::unique_ptr<JobPipeline>& pipeline);
   absl::StatusOr<JobOutcome> DrivePipeline(JobPipeline& pipeline);
-  absl::StatusOr<Delivery> NextDelivery();
+  // Durable ones.
+  absl::StatusOr<std::deque<Delivery>> NextDeliveries();
+  absl::Status TakeDelivery(JobPipeline& pipeline, Delivery delivery);
+  // The end as it counts: `outcome`, or that it was cancelled before. From now on it is too late for that.
+  absl::StatusOr<JobOutcome> Settle(absl::StatusOr<JobOutcome> outcome);
   absl::StatusOr<TaskResult> ToResult(Delivery delivery) const;
   absl::Status AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks);
 
@@ -76,6 +95,7 @@ class JobRunner {
   std::condition_variable changed_;
   std::deque<Delivery> deliveries_;
   bool cancelled_ = false;
+  bool abandoned_ = false;
   bool too_late_ = false;            // to cancel
   JobPipeline* pipeline_ = nullptr;  // while it may be cancelled
   std::thread thread_;               // last: it uses the others

@@ -176,6 +176,11 @@ class ScenePipeline : public JobPipeline {
 
   bool Cancel() override { return EndAs(End::kCancelled); }
 
+  void Release() override {
+    // Without a report it is not the output that was finished.
+    if (output_ && std::filesystem::exists(output_->path() + "/report.json")) output_->Finish();
+  }
+
   absl::StatusOr<JobOutcome> Finish() override {
     const SceneReportInput report = Report();
     JobOutcome outcome;
@@ -394,7 +399,6 @@ class ScenePipeline : public JobPipeline {
       TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
       return absl::CancelledError("the job was cancelled");
     }
-    output_->Finish();
     return absl::OkStatus();
   }
 

@@ -79,6 +79,7 @@ absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& re
     TILEMEND_RETURN_IF_ERROR(AwaitNews(request, alive, lock, response));
     blobs = BlobsOf(response);
   }
+  journal_->Await();
   InlineInputs(blobs, response);
   return response;
 }
@@ -114,7 +115,7 @@ CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const v1::FinishedTask& f
     const auto& runner = entries_.at(key.job).runner;
     queue_full = runner != nullptr && runner->queued_bytes() > kMaxQueuedBytes;
   }
-  if (is_inline && queue_full && (*blobs)->Put(output.content()).ok()) report.content.reset();
+  if (is_inline && queue_full && (*blobs)->Put(output.content(), OutputSync()).ok()) report.content.reset();
   if (!is_inline && !(*blobs)->Size(digest).ok()) {
     report.event =
         TaskFailed{key, token, true, absl::UnavailableError(absl::StrCat("blob ", digest, " did not arrive"))};
@@ -125,7 +126,7 @@ CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const v1::FinishedTask& f
 void CoordinatorImpl::TakeReports(std::vector<Report> reports, v1::SyncResponse& response) {
   for (Report& report : reports) {
     const int64_t bytes = report.content.has_value() ? static_cast<int64_t>(report.content->size()) : 0;
-    const auto result = Apply(report.event, std::move(report.content));
+    const auto result = Apply(report.event, {std::move(report.content)});
     if (result.ok()) {
       metrics_.BlobReceived(bytes);
     } else {
@@ -247,7 +248,7 @@ absl::StatusOr<v1::WriteBlobResponse> CoordinatorImpl::WriteBlob(
   const std::string digest = message.digest();
   if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
   TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(message.job()));
-  TILEMEND_ASSIGN_OR_RETURN(const auto writer, blobs->NewWriter());
+  TILEMEND_ASSIGN_OR_RETURN(const auto writer, blobs->NewWriter(OutputSync()));
   do {
     if (message.data().size() > kMaxChunkBytes) {
       return absl::InvalidArgumentError(absl::StrCat("a chunk may have ", kMaxChunkBytes, " bytes at most"));

@@ -176,22 +176,26 @@ void CoordinatorState::BackToPending(Job& job, Task& task, Effects& effects) {
   effects.retried.push_back(task.stage);
 }
 
-void CoordinatorState::Settle(Job& job, Task& task, TaskState state, std::string output, absl::Status error,
-                              Effects& effects) {
+void CoordinatorState::Settle(Job& job, Task& task, KnownResult result, Effects& effects) {
   EndLease(job, task);
-  task.state = state;
-  task.input.clear();
-  int64_t& count = state == TaskState::kCommitted ? job.counts.committed
-                   : state == TaskState::kFailed  ? job.counts.failed
-                                                  : job.counts.quarantined;
+  EnterResult(job, task, std::move(result), false, effects);
+}
+
+void CoordinatorState::EnterResult(Job& job, Task& task, KnownResult result, bool known, Effects& effects) {
+  task.state = result.state;
+  int64_t& count = task.state == TaskState::kCommitted ? job.counts.committed
+                   : task.state == TaskState::kFailed  ? job.counts.failed
+                                                       : job.counts.quarantined;
   ++count;
   ++job.version;
   effects.settled.push_back({.key = {job.id, task.id},
                              .cell = task.cell,
                              .stage = task.stage,
-                             .state = state,
-                             .output = std::move(output),
-                             .error = std::move(error),
+                             .input = std::exchange(task.input, {}),
+                             .state = task.state,
+                             .output = std::move(result.output),
+                             .error = std::move(result.error),
+                             .known = known,
                              .leased_at = task.leased_at});
 }
 
@@ -199,9 +203,10 @@ void CoordinatorState::LoseLease(Job& job, Task& task, Effects& effects) {
   task.lost_workers.push_back(task.worker);
   if (static_cast<int32_t>(task.lost_workers.size()) < options_.quarantine_after) {
     BackToPending(job, task, effects);
+    effects.struck.push_back({{job.id, task.id}, task.cell, task.stage, task.input, task.lost_workers});
     return;
   }
-  Settle(job, task, TaskState::kQuarantined, "", Quarantined(task), effects);
+  Settle(job, task, {TaskState::kQuarantined, "", Quarantined(task)}, effects);
 }
 
 void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time) {
@@ -228,28 +233,52 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobCreated& event) {
   job.request_id = event.request_id;
   job.number = job_numbers_.empty() ? 1 : job_numbers_.rbegin()->first + 1;
   job.created = event.time;
-  job.version = 1;
-  job_numbers_[job.number] = job.id;
-  running_[job.number] = job.id;
-  if (!job.request_id.empty()) requests_[job.request_id] = job.id;
-  jobs_[event.job] = std::move(job);
+  job.version = FirstVersion();
+  Insert(std::move(job));
   return Effects();
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const JobRestored& event) {
+  if (event.job.id.empty() || jobs_.contains(event.job.id)) {
+    return absl::InvalidArgumentError(absl::StrCat("jobs/", event.job.id, ": cannot be restored"));
+  }
+  if (!job_numbers_.empty() && event.job.number <= job_numbers_.rbegin()->first) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("jobs/", event.job.id, ": number ", event.job.number, " is not new"));
+  }
+  Job job = event.job;
+  job.version = FirstVersion();
+  Insert(std::move(job));
+  return Effects();
+}
+
+void CoordinatorState::Insert(Job job) {
+  job_numbers_[job.number] = job.id;
+  if (!IsOver(job.state)) running_[job.number] = job.id;
+  if (!job.request_id.empty()) requests_[job.request_id] = job.id;
+  jobs_[job.id] = std::move(job);
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const TasksAdded& event) {
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+  Effects effects;
   for (const TaskSpec& spec : event.tasks) {
-    Task task;
-    task.id = ++job->counts.added;
+    const int64_t id = ++job->counts.added;
+    Task& task = job->tasks[id];
+    task.id = id;
     task.cell = spec.cell;
     task.stage = spec.stage;
     task.input = spec.input;
-    job->pending.insert(task.id);
+    task.lost_workers = spec.lost_workers;
+    if (spec.known) {
+      EnterResult(*job, task, *spec.known, true, effects);
+      continue;
+    }
+    job->pending.insert(id);
     ++job->counts.pending;
-    job->tasks[task.id] = std::move(task);
   }
   ++job->version;
-  return Effects();
+  return effects;
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const WorkerSeen& event) {
@@ -301,7 +330,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskCompleted& event) {
   TILEMEND_ASSIGN_OR_RETURN(Task * task, TaskForResult(event.key, event.token));
   Effects effects;
   if (task != nullptr)
-    Settle(jobs_.at(event.key.job), *task, TaskState::kCommitted, event.output, absl::OkStatus(), effects);
+    Settle(jobs_.at(event.key.job), *task, {TaskState::kCommitted, event.output, absl::OkStatus()}, effects);
   return effects;
 }
 
@@ -313,7 +342,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   if (event.machine && ++task->returns < options_.max_returns) {
     BackToPending(job, *task, effects);
   } else {
-    Settle(job, *task, TaskState::kFailed, "", event.error, effects);
+    Settle(job, *task, {TaskState::kFailed, "", event.error}, effects);
   }
   return effects;
 }

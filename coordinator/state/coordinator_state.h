@@ -29,8 +29,8 @@ namespace tilemend {
 struct StateOptions {
   int32_t quarantine_after = 3;  // >= 1, lost workers
   int32_t max_returns = 3;       // >= 1, machine errors reported by living workers before one counts as the task's own
-  // Tokens start at epoch << 32. A coordinator that starts anew takes a larger epoch, so that it refuses what an
-  // earlier one gave out.
+  // Tokens of attempts and versions of jobs start at epoch << 32. A coordinator that starts anew takes a larger epoch:
+  // it refuses what an earlier one gave out, and its jobs are news to whoever watched them before.
   uint32_t epoch = 0;
 };
 
@@ -67,6 +67,7 @@ class CoordinatorState {
  private:
   using Result = absl::StatusOr<Effects>;
   Result On(const JobCreated& event);
+  Result On(const JobRestored& event);
   Result On(const TasksAdded& event);
   Result On(const WorkerSeen& event);
   Result On(const TaskLeased& event);
@@ -87,9 +88,15 @@ class CoordinatorState {
   absl::StatusOr<Task*> TaskForResult(const TaskKey& key, uint64_t token);
   void EndLease(Job& job, Task& task);
   void BackToPending(Job& job, Task& task, Effects& effects);
-  void Settle(Job& job, Task& task, TaskState state, std::string output, absl::Status error, Effects& effects);
+  // Of a leased task; `result` says how.
+  void Settle(Job& job, Task& task, KnownResult result, Effects& effects);
+  // Of one that is pending or leased no more.
+  void EnterResult(Job& job, Task& task, KnownResult result, bool known, Effects& effects);
+  void Insert(Job job);
   void LoseLease(Job& job, Task& task, Effects& effects);
   void EndJob(Job& job, JobState state, absl::Time time);
+  // Of a job when it gets known here: above all that an earlier epoch can have reached.
+  uint64_t FirstVersion() const { return (static_cast<uint64_t>(options_.epoch) << 32) + 1; }
   bool IsLastChance(const Task& task) const;
 
   StateOptions options_;

@@ -4,6 +4,7 @@
 #define TILEMEND_COORDINATOR_STATE_EVENT_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,10 +21,24 @@ struct JobCreated {
   absl::Time time;
 };
 
+// A job as an earlier process knew it. Its tasks are added anew.
+struct JobRestored {
+  Job job;  // without tasks, pending or counts of tasks unless it is over; its number is larger than any before
+};
+
+// How a task was settled in an earlier process.
+struct KnownResult {
+  TaskState state = TaskState::kCommitted;  // a settled one
+  std::string output;                       // kCommitted: digest of the output blob
+  absl::Status error;                       // kFailed, kQuarantined: why
+};
+
 struct TaskSpec {
   CellId cell;
   Stage stage = Stage::kSurvey;
-  std::string input;  // digest of the input blob
+  std::string input;                           // digest of the input blob
+  std::optional<KnownResult> known = {};       // then it is settled as soon as it is added
+  std::vector<std::string> lost_workers = {};  // in earlier processes, fewer than make a quarantine
 };
 
 struct TasksAdded {
@@ -99,24 +114,36 @@ struct JobFinished {
   absl::Time time;
 };
 
-using Event = std::variant<JobCreated, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted, TaskFailed,
-                           LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobCancelled, JobFinished>;
+using Event = std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted,
+                           TaskFailed, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobCancelled, JobFinished>;
 
 // A task that an event brought to its end. Every task of a job that is not cut short is settled exactly once.
 struct SettledTask {
   TaskKey key;
   CellId cell;
   Stage stage = Stage::kSurvey;
+  std::string input;  // digest
   TaskState state = TaskState::kCommitted;
   std::string output;    // kCommitted: digest
   absl::Status error;    // kFailed, kQuarantined (kAborted, QUARANTINED): why
-  absl::Time leased_at;  // of the attempt that settled it
+  bool known = false;    // the result is of an earlier process
+  absl::Time leased_at;  // of the attempt that settled it, unless known
+};
+
+// A task that goes back to pending because the worker that held it was lost.
+struct StruckTask {
+  TaskKey key;
+  CellId cell;
+  Stage stage = Stage::kSurvey;
+  std::string input;                      // digest
+  std::vector<std::string> lost_workers;  // all so far
 };
 
 // What an event led to.
 struct Effects {
   std::vector<SettledTask> settled;
   std::vector<Stage> retried;  // one for each task that went back to pending
+  std::vector<StruckTask> struck;
 };
 
 }  // namespace tilemend

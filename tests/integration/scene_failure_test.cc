@@ -149,6 +149,7 @@ class FinishWatcher : public JobPipeline {
   }
   bool Done() const override { return pipeline_->Done(); }
   Progress GetProgress() const override { return pipeline_->GetProgress(); }
+  void Release() override { pipeline_->Release(); }
   bool Cancel() override { return pipeline_->Cancel(); }
   absl::StatusOr<JobOutcome> Finish() override {
     before_();

@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
 #include "absl/strings/strip.h"
+#include "coordinator/journal/sqlite_journal.h"
 #include "tests/support/direct_link.h"
 
 namespace tilemend {
@@ -31,21 +32,28 @@ TempFolder::~TempFolder() {
   std::filesystem::remove_all(path_, error);
 }
 
-TestCluster::TestCluster(ClusterOptions options) {
+TestCluster::TestCluster(ClusterOptions options) : options_(std::move(options)) { StartCoordinator(); }
+
+void TestCluster::StartCoordinator() {
   CoordinatorOptions coordinator;
   coordinator.work_folder = folder_ / "work";
   coordinator.lease = kLease;
-  coordinator.state = options.state;
-  coordinator.max_running_jobs = options.max_running_jobs;
-  if (options.fake_clock) {
+  coordinator.state = options_.state;
+  coordinator.max_running_jobs = options_.max_running_jobs;
+  if (options_.durable) {
+    auto journal = OpenSqliteJournal(folder_ / "journal.sqlite");
+    EXPECT_TRUE(journal.ok()) << journal.status();
+    coordinator.journal = *std::move(journal);
+  }
+  if (options_.fake_clock) {
     coordinator.clock = [this] { return clock_.Now(); };
     coordinator.background_ticks = false;
   }
-  auto impl = CoordinatorImpl::Create(coordinator, options.factory, metrics_);
+  auto impl = CoordinatorImpl::Create(std::move(coordinator), options_.factory, metrics_);
   EXPECT_TRUE(impl.ok()) << impl.status();
   impl_ = *std::move(impl);
   if (!kHasGrpc) return;
-  auto server = CoordinatorServer::Start(options.listen, *impl_);
+  auto server = CoordinatorServer::Start(options_.listen, *impl_);
   EXPECT_TRUE(server.ok()) << server.status();
   server_ = *std::move(server);
 }
@@ -71,6 +79,13 @@ Worker& TestCluster::AddWorker(const std::string& name, int threads, StageRunner
 void TestCluster::KillWorker(const std::string& name) {
   workers_.at(name)->Abandon();
   workers_.erase(name);
+}
+
+void TestCluster::Restart() {
+  while (!workers_.empty()) KillWorker(workers_.begin()->first);
+  server_.reset();
+  impl_.reset();
+  StartCoordinator();
 }
 
 void TestCluster::ExpireLeases() {

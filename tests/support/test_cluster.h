@@ -60,6 +60,7 @@ struct ClusterOptions {
   StateOptions state;
   size_t max_running_jobs = 64;
   bool fake_clock = false;  // leases then run out only through clock() and Tick()
+  bool durable = false;     // for Restart
 };
 
 class TestCluster {
@@ -71,6 +72,8 @@ class TestCluster {
   Worker& AddWorker(const std::string& name, int threads = 1, StageRunner runner = ToyStageRunner());
   // As if its machine had lost power.
   void KillWorker(const std::string& name);
+  // The coordinator ends without a word and another one starts in its place; workers go with it. Only if durable.
+  void Restart();
   // Time passes until every lease has run out. A worker that is alive is known again with its next call.
   void ExpireLeases();
 
@@ -91,6 +94,9 @@ class TestCluster {
   v1::Job WaitFor(const std::string& name);
 
  private:
+  void StartCoordinator();
+
+  const ClusterOptions options_;
   TempFolder folder_;
   FakeClock clock_;
   PrometheusRegistry metrics_;

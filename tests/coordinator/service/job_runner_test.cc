@@ -62,7 +62,11 @@ class JobRunnerTest : public ::testing::Test {
     JobRunner::Sink sink;
     sink.add_tasks = [this](std::vector<TaskSpec> tasks, const Progress& progress) {
       if (!tasks.empty()) tasks_.set_value({std::move(tasks), progress});
+      return absl::OkStatus();
     };
+    sink.await = [] {};
+    sink.completed = [](const JobOutcome&, const Progress&) {};
+    sink.released = [] {};
     sink.finished = [this](absl::StatusOr<JobOutcome> outcome) { outcome_.set_value(std::move(outcome)); };
     return std::make_unique<JobRunner>(JobSpec(), std::move(factory), blobs_, std::move(sink));
   }

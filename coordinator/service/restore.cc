@@ -1,0 +1,141 @@
+// What CoordinatorImpl gives to its journal, and how it goes on with what it finds there.
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/status_proto.h"
+#include "common/util/failpoint.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "coordinator/service/coordinator_impl.h"
+#include "coordinator/service/job_proto.h"
+
+namespace tilemend {
+namespace {
+
+// Contents that wait for the pipeline in memory; beyond that they go to disk.
+constexpr size_t kMostKnownBytes = size_t{64} << 20;
+
+absl::Status ErrorOf(const std::string& bytes) {
+  v1::Status proto;
+  if (!proto.ParseFromString(bytes)) return absl::DataLossError("the journal's text of an error cannot be read");
+  return StatusFromProto(proto);
+}
+
+}  // namespace
+
+void CoordinatorImpl::PutJob(const Job& job, bool released, std::optional<v1::Job> message) {
+  if (!journal_->is_durable()) return;
+  if (!message) message = Describe(job);
+  const bool over = message->state() != v1::RUNNING;
+  journal_->PutJob({job.number, job.request_id, message->SerializeAsString(), over, released});
+}
+
+void CoordinatorImpl::PutResult(const SettledTask& task, const std::optional<std::string>& content) {
+  if (!journal_->is_durable()) return;
+  ResultRecord result{task.state, task.output, content, "", {}};
+  if (task.state != TaskState::kCommitted) result.error = StatusToProto(task.error).SerializeAsString();
+  journal_->PutResult(state_.FindJob(task.key.job)->number, {task.cell, task.stage, task.input}, std::move(result));
+}
+
+void CoordinatorImpl::PutStrike(const StruckTask& task) {
+  if (!journal_->is_durable()) return;
+  ResultRecord result;
+  result.state = TaskState::kPending;
+  result.lost_workers = task.lost_workers;
+  journal_->PutResult(state_.FindJob(task.key.job)->number, {task.cell, task.stage, task.input}, std::move(result));
+}
+
+absl::StatusOr<CoordinatorImpl::Contents> CoordinatorImpl::Recall(const std::string& id, std::vector<TaskSpec>& tasks) {
+  Contents contents;
+  int64_t number = 0;
+  std::shared_ptr<BlobFolder> blobs;
+  {
+    Lock lock(mutex_);
+    number = state_.FindJob(id)->number;
+    blobs = entries_.at(id).blobs;
+  }
+  size_t bytes = 0;
+  for (TaskSpec& task : tasks) {
+    TILEMEND_ASSIGN_OR_RETURN(std::optional<ResultRecord> found,
+                              journal_->Find(number, {task.cell, task.stage, task.input}));
+    if (!found) continue;
+    if (!IsSettled(found->state)) {
+      task.lost_workers = std::move(found->lost_workers);
+      continue;
+    }
+    const bool is_blob = found->state == TaskState::kCommitted && !found->content;
+    if (is_blob && !blobs->Size(found->output).ok()) continue;  // it was lost: the task is done again
+    task.known = KnownResult{found->state, found->output, absl::OkStatus()};
+    if (found->state != TaskState::kCommitted) task.known->error = ErrorOf(found->error);
+    if (found->content) bytes += found->content->size();
+    if (found->content && bytes > kMostKnownBytes && blobs->Put(*found->content).ok()) found->content.reset();
+    contents.push_back(std::move(found->content));
+  }
+  return contents;
+}
+
+absl::Status CoordinatorImpl::Restore() {
+  for (JobRecord& record : journal_->TakeJobs()) TILEMEND_RETURN_IF_ERROR(RestoreJob(std::move(record)));
+  metrics_.Show(state_);
+  return SweepFolders();
+}
+
+absl::Status CoordinatorImpl::RestoreJob(JobRecord record) {
+  v1::Job message;
+  if (!message.ParseFromString(record.body)) {
+    return absl::DataLossError(
+        absl::StrCat(options_.work_folder, ": job ", record.number, " of its journal cannot be read"));
+  }
+  ToldJob told = JobFromProto(message);
+  told.job.number = record.number;
+  told.job.request_id = std::move(record.request_id);
+  const std::string id = told.job.id;
+  if (!record.over) told.job.progress.phase = "resume";
+  // The lock is for the runners of the jobs before.
+  Lock lock(mutex_);
+  TILEMEND_RETURN_IF_ERROR(Apply(JobRestored{std::move(told.job)}).status());
+  JobEntry& entry = entries_[id];
+  entry.spec = std::move(told.spec);
+  entry.out_key = OutKey(entry.spec);
+  entry.outcome = std::move(told.outcome);
+  entry.error = std::move(told.error);
+  if (record.over && record.released) return absl::OkStatus();
+  if (record.over) {
+    entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, nullptr, SinkOf(id), JobRunner::Mode::kRelease);
+    return absl::OkStatus();
+  }
+  TILEMEND_ASSIGN_OR_RETURN(entry.blobs, BlobFolder::Create(FolderOf(id)));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> outputs, journal_->Outputs(record.number));
+  TILEMEND_RETURN_IF_ERROR(entry.blobs->KeepOnly({outputs.begin(), outputs.end()}));
+  FailPoint("restore.swept");
+  entry.resuming = true;
+  entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id));
+  return absl::OkStatus();
+}
+
+absl::Status CoordinatorImpl::SweepFolders() {
+  if (!journal_->is_durable()) return absl::OkStatus();
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<fs::path> old;
+  const fs::path jobs = fs::path(options_.work_folder) / "jobs";
+  if (!fs::exists(jobs, error)) return absl::OkStatus();
+  {
+    Lock lock(mutex_);
+    for (fs::directory_iterator at(jobs, error), end; !error && at != end; at.increment(error)) {
+      const auto entry = entries_.find(at->path().filename().string());
+      if (entry == entries_.end() || entry->second.blobs == nullptr) old.push_back(at->path());
+    }
+  }
+  for (const fs::path& path : old) {
+    if (!error) fs::remove_all(path, error);
+  }
+  if (!error) return absl::OkStatus();
+  return absl::PermissionDeniedError(
+      absl::StrCat(jobs.string(), ": cannot take away what no job needs: ", error.message()));
+}
+
+}  // namespace tilemend

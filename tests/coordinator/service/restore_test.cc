@@ -1,0 +1,284 @@
+// A coordinator that ends and starts again from its journal.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "common/rpc/limits.h"
+#include "coordinator/journal/sqlite_journal.h"
+#include "tests/support/test_cluster.h"
+
+namespace tilemend {
+namespace {
+
+ClusterOptions Durable() {
+  ClusterOptions options;
+  options.durable = true;
+  options.fake_clock = true;
+  return options;
+}
+
+// Runs `tasks` tasks, then none.
+class Budget {
+ public:
+  explicit Budget(int tasks) : left_(tasks) {}
+  StageRunner Runner() {
+    return [this](Stage stage, const std::string& input, const CancelToken& cancel) -> absl::StatusOr<std::string> {
+      if (--left_ < 0) {
+        exhausted_ = true;
+        exhausted_.notify_all();
+        while (!cancel.cancelled()) absl::SleepFor(absl::Milliseconds(1));
+        return absl::CancelledError("no more");
+      }
+      return ToyStageRunner()(stage, input, cancel);
+    };
+  }
+  void AwaitEnd() { exhausted_.wait(false); }
+
+ private:
+  std::atomic<int> left_;
+  std::atomic<bool> exhausted_{false};
+};
+
+StageRunner Counting(std::atomic<int>& count) {
+  return [&count](Stage stage, const std::string& input, const CancelToken& cancel) {
+    ++count;
+    return ToyStageRunner()(stage, input, cancel);
+  };
+}
+
+v1::Job Undisturbed(const std::string& scene) {
+  TestCluster cluster;
+  cluster.AddWorker("w", 2);
+  return cluster.WaitFor(cluster.Submit(scene).name());
+}
+
+int FilesBelow(const std::string& folder) {
+  int files = 0;
+  if (!std::filesystem::exists(folder)) return 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) files += entry.is_regular_file();
+  return files;
+}
+
+// 5 x 4 cells are 60 tasks. Outputs of 100 kB are blobs, those of 1 kB are in the journal.
+class RestoreTest : public ::testing::TestWithParam<int> {
+ protected:
+  const std::string scene_ = absl::StrCat("toy://5x4?bytes=", GetParam());
+};
+
+TEST_P(RestoreTest, AJobGoesOnFromEveryTask) {
+  const v1::Job undisturbed = Undisturbed(scene_);
+  for (int done = 0; done < 60; done += 7) {
+    SCOPED_TRACE(absl::StrCat(done, " tasks before the end of the first coordinator"));
+    TestCluster cluster(Durable());
+    Budget budget(done);
+    cluster.AddWorker("first", 2, budget.Runner());
+    const std::string name = cluster.Submit(scene_).name();
+    budget.AwaitEnd();
+    cluster.Restart();
+    std::atomic<int> again{0};
+    cluster.AddWorker("second", 2, Counting(again));
+    const v1::Job job = cluster.WaitFor(name);
+    EXPECT_EQ(job.state(), v1::DONE);
+    EXPECT_EQ(job.message(), undisturbed.message());
+    EXPECT_EQ(job.progress().tasks(), undisturbed.progress().tasks());
+    EXPECT_EQ(job.progress().tasks_done(), undisturbed.progress().tasks_done());
+    EXPECT_EQ(job.progress().phase(), undisturbed.progress().phase());
+    EXPECT_LE(done + again, 60 + 2) << "more than those in flight were done again";
+  }
+}
+
+TEST_P(RestoreTest, AJobOutlivesManyCoordinators) {
+  TestCluster cluster(Durable());
+  const std::string name = cluster.Submit(scene_).name();
+  for (int i = 0; i < 12; ++i) {
+    Budget budget(4);
+    cluster.AddWorker("short", 1, budget.Runner());
+    budget.AwaitEnd();
+    cluster.Restart();
+  }
+  std::atomic<int> left{0};
+  cluster.AddWorker("last", 1, Counting(left));
+  EXPECT_EQ(cluster.WaitFor(name).message(), Undisturbed(scene_).message());
+  EXPECT_LE(left, 60 - 12 * 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bytes, RestoreTest, ::testing::Values(0, 1000, 100'000));
+
+TEST(RestoreJobsTest, WhatIsOverStaysAsItWas) {
+  TestCluster cluster(Durable());
+  cluster.AddWorker("w", 2);
+  std::vector<v1::Job> before;
+  for (const char* scene : {"toy://3x3", "toy://2x2?plan_error=1", "toy://2x2?fail=1,1", "none"})
+    before.push_back(cluster.WaitFor(cluster.Submit(scene).name()));
+  cluster.KillWorker("w");
+  v1::CancelJobRequest cancel;
+  cancel.set_name(cluster.Submit("toy://4x4").name());
+  before.push_back(*cluster.impl().CancelJob(cancel));
+  cluster.Restart();
+  cluster.Restart();
+  for (v1::Job& job : before) {
+    v1::Job after = cluster.Get(job.name());
+    EXPECT_GT(after.cursor(), job.cursor()) << "who watches hears of it again";
+    job.clear_cursor();
+    after.clear_cursor();
+    // A task that was in flight is not told of.
+    job.mutable_progress()->clear_tasks_running();
+    EXPECT_EQ(after.DebugString(), job.DebugString());
+  }
+  EXPECT_EQ(cluster.impl().ListJobs({})->jobs_size(), 5);
+}
+
+TEST(RestoreJobsTest, ARequestIdGivesTheSameJob) {
+  TestCluster cluster(Durable());
+  v1::CreateJobRequest request;
+  request.mutable_spec()->set_scene("toy://2x2");
+  request.mutable_spec()->set_out(cluster.folder() / "o");
+  request.set_request_id("mine");
+  const std::string name = cluster.impl().CreateJob(request)->name();
+  cluster.Restart();
+  EXPECT_EQ(cluster.impl().CreateJob(request)->name(), name);
+  request.set_request_id("another");
+  EXPECT_TRUE(absl::IsAborted(cluster.impl().CreateJob(request).status())) << "the folder is in use";
+  cluster.AddWorker("w");
+  EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
+}
+
+TEST(RestoreJobsTest, BlobsThatNoJobNeedsGo) {
+  TestCluster cluster(Durable());
+  Budget budget(3);
+  cluster.AddWorker("w", 1, budget.Runner());
+  const std::string name = cluster.Submit("toy://3x3?bytes=100000").name();
+  budget.AwaitEnd();
+  const std::string folder = cluster.folder() / "work/" + name;
+  std::filesystem::create_directories(cluster.folder() / "work/jobs/older");
+  std::ofstream(cluster.folder() / "work/jobs/older/blob") << "left";
+  std::ofstream(folder + "/part-99") << "left";
+  v1::CancelJobRequest cancel;
+  cancel.set_name(name);
+  cluster.Restart();
+  EXPECT_FALSE(std::filesystem::exists(cluster.folder() / "work/jobs/older"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/part-99"));
+  ASSERT_TRUE(cluster.impl().CancelJob(cancel).ok());
+  cluster.Restart();
+  EXPECT_EQ(FilesBelow(cluster.folder() / "work/jobs"), 0);
+}
+
+TEST(RestoreJobsTest, ABlobThatWasLostIsMadeAgain) {
+  TestCluster cluster(Durable());
+  Budget budget(5);
+  cluster.AddWorker("w", 1, budget.Runner());
+  const std::string name = cluster.Submit("toy://3x3?bytes=100000").name();
+  budget.AwaitEnd();
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(cluster.folder() / "work/" + name)) {
+    if (entry.is_regular_file() && entry.file_size() > 50'000) std::filesystem::remove(entry.path());
+  }
+  cluster.Restart();
+  cluster.AddWorker("w");
+  EXPECT_EQ(cluster.WaitFor(name).message(), Undisturbed("toy://3x3?bytes=100000").message());
+}
+
+TEST(RestoreJobsTest, LostWorkersAreRemembered) {
+  ClusterOptions options = Durable();
+  options.state.quarantine_after = 2;
+  TestCluster cluster(options);
+  Budget none(0);
+  cluster.AddWorker("first", 1, none.Runner());
+  const std::string name = cluster.Submit("toy://1x1").name();
+  none.AwaitEnd();
+  cluster.KillWorker("first");
+  cluster.ExpireLeases();
+  cluster.Restart();
+  Budget none_again(0);
+  cluster.AddWorker("second", 1, none_again.Runner());
+  none_again.AwaitEnd();
+  cluster.KillWorker("second");
+  cluster.ExpireLeases();
+  cluster.Restart();
+  cluster.AddWorker("third");
+  const v1::Job job = cluster.WaitFor(name);
+  EXPECT_EQ(job.state(), v1::PARTIAL) << job.DebugString();
+  EXPECT_EQ(job.progress().tasks_quarantined(), 1);
+}
+
+TEST(RestoreJobsTest, AResultOfTheTimeBeforeIsRefused) {
+  TestCluster cluster(Durable());
+  const std::string name = cluster.Submit("toy://1x1").name();
+  v1::SyncRequest request;
+  request.set_protocol(kProtocolVersion);
+  request.set_worker("w");
+  request.set_threads(1);
+  request.set_wait_ms(1000);
+  const auto alive = [] { return true; };
+  v1::SyncResponse response;
+  while (response.start().empty()) {
+    request.set_sequence(request.sequence() + 1);
+    response = *cluster.impl().Sync(request, alive);
+  }
+  const v1::TaskRef old = response.start(0).ref();
+  cluster.Restart();
+  v1::FinishedTask& finished = *request.add_finished();
+  *finished.mutable_ref() = old;
+  finished.mutable_output()->set_content("1");
+  finished.mutable_output()->set_size(1);
+  response.Clear();
+  while (response.start().empty()) {
+    request.set_sequence(request.sequence() + 1);
+    response = *cluster.impl().Sync(request, alive);
+  }
+  EXPECT_GT(response.start(0).ref().attempt_token(), old.attempt_token());
+  EXPECT_EQ(cluster.Get(name).progress().tasks_done(), 0);
+}
+
+// Of a job that is over: can do nothing but release.
+class Releasing : public JobPipeline {
+ public:
+  explicit Releasing(std::atomic<int>& count) : count_(count) {}
+  absl::StatusOr<std::vector<NewTask>> Start() override { return absl::InternalError("it is over"); }
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult) override { return absl::InternalError("it is over"); }
+  bool Done() const override { return true; }
+  Progress GetProgress() const override { return {}; }
+  absl::StatusOr<JobOutcome> Finish() override { return absl::InternalError("it is over"); }
+  void Release() override { ++count_; }
+
+ private:
+  std::atomic<int>& count_;
+};
+
+// Between the end that is durable and the release of the output.
+TEST(RestoreJobsTest, AnOutputThatWasNotReleasedIs) {
+  TempFolder folder;
+  std::atomic<int> released{0};
+  v1::Job told;
+  told.set_name("jobs/x");
+  told.set_state(v1::DONE);
+  told.mutable_spec()->set_scene("s");
+  told.mutable_spec()->set_out("o");
+  for (const int expected : {1, 1}) {
+    auto journal = *OpenSqliteJournal(folder / "journal");
+    if (journal->epoch() == 1) {
+      journal->PutJob({.number = 1, .body = told.SerializeAsString(), .over = true});
+      journal.reset();
+      journal = *OpenSqliteJournal(folder / "journal");
+    }
+    CoordinatorOptions options;
+    options.work_folder = folder / "work";
+    options.journal = std::move(journal);
+    options.background_ticks = false;
+    const auto impl = CoordinatorImpl::Create(
+        std::move(options), [&](const JobSpec&) { return std::make_unique<Releasing>(released); },
+        *MetricsRegistry::Null());
+    ASSERT_TRUE(impl.ok()) << impl.status();
+    v1::GetJobRequest get;
+    get.set_name("jobs/x");
+    EXPECT_EQ((*impl)->GetJob(get)->state(), v1::DONE);
+    while (released < expected) absl::SleepFor(absl::Milliseconds(1));
+    EXPECT_EQ(released, expected);
+  }
+}
+
+}  // namespace
+}  // namespace tilemend
