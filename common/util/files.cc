@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -121,7 +122,11 @@ absl::Status WriteInPlace(const std::string& path, Sync sync, Write write) {
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(path));
   const std::string temporary = TemporaryName(path);
   TILEMEND_RETURN_IF_ERROR(WriteNew(temporary, path, sync, write));
-  if (::rename(temporary.c_str(), path.c_str()) == 0) return absl::OkStatus();
+  FailPoint("file.written");
+  if (::rename(temporary.c_str(), path.c_str()) == 0) {
+    FailPoint("file.renamed");
+    return absl::OkStatus();
+  }
   const absl::Status status = WriteErrnoStatus(errno, "cannot rename into place", path);
   ::unlink(temporary.c_str());
   return status;
@@ -222,6 +227,7 @@ absl::Status MoveFile(const std::string& from, const std::string& to) {
       return WriteErrnoStatus(errno, "cannot rename into place", to);
     }
   }
+  FailPoint("file.moved");
   ::unlink(from.c_str());  // is still there if both were names of one file: rename does nothing then
   return absl::OkStatus();
 }

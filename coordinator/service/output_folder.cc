@@ -14,6 +14,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
+#include "common/util/failpoint.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -192,10 +193,12 @@ std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kMark
 
 absl::Status OutputFolder::WriteKey() {
   const auto size = static_cast<ssize_t>(key_.size());
-  if (::ftruncate(marker_, 0) != 0 || ::pwrite(marker_, key_.data(), key_.size(), 0) != size || ::fsync(marker_) != 0) {
+  // Never empty in between: a job that is interrupted here and run again would not know its output.
+  if (::pwrite(marker_, key_.data(), key_.size(), 0) != size || ::ftruncate(marker_, size) != 0) {
     return MarkerError(path_);
   }
-  return absl::OkStatus();
+  FailPoint("output.claimed");
+  return ::fsync(marker_) == 0 ? absl::OkStatus() : MarkerError(path_);
 }
 
 absl::Status OutputFolder::BeginWriting() {

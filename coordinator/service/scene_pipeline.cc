@@ -395,6 +395,7 @@ class ScenePipeline : public JobPipeline {
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "breaklines.geojson", BreaklinesGeoJson(report, scene)));
     outcome.report = folder + "report.json";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report)));
+    TILEMEND_RETURN_IF_ERROR(SyncFolder(output_->path()));
     if (!EndAs(End::kComplete)) {
       TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
       return absl::CancelledError("the job was cancelled");

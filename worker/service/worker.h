@@ -35,7 +35,7 @@ struct WorkerOptions {
   // tasks from idle ones.
   int prefetch = 0;
   absl::Duration first_backoff = absl::Milliseconds(50);
-  absl::Duration max_backoff = absl::Seconds(5);
+  absl::Duration max_backoff = absl::Seconds(1);
 };
 
 // "host-pid-random".

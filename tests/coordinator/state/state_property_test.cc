@@ -1,9 +1,11 @@
-// Random histories: whatever workers do, every task is settled exactly once and none is lost.
+// Random histories: whatever workers do, and however often the coordinator ends and starts again from what it has put
+// down, every task is settled exactly once and none is lost.
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -17,7 +19,9 @@ constexpr absl::Duration kLease = absl::Seconds(10);
 class History {
  public:
   explicit History(uint32_t seed, int32_t quarantine_after)
-      : state_({.quarantine_after = quarantine_after, .epoch = 3}), random_(seed) {}
+      : quarantine_after_(quarantine_after),
+        state_({.quarantine_after = quarantine_after, .epoch = 3}),
+        random_(seed) {}
 
   void Step() {
     now_ += absl::Milliseconds(Draw(3000));
@@ -44,6 +48,36 @@ class History {
       default:
         return Draw(20) == 0 ? CancelAJob() : Renew();
     }
+  }
+
+  // Another coordinator begins with what this one has put down: jobs, results and strikes.
+  void Restart() {
+    const CoordinatorState before =
+        std::exchange(state_, CoordinatorState({.quarantine_after = quarantine_after_, .epoch = ++epoch_}));
+    for (const auto& [number, id] : before.job_numbers()) {
+      Job job = *before.FindJob(id);
+      const int64_t settled = job.counts.settled();
+      job.tasks.clear();
+      job.pending.clear();
+      if (!IsOver(job.state)) job.counts = {};
+      ASSERT_TRUE(state_.Apply(JobRestored{job}).ok());
+      EXPECT_GT(state_.FindJob(id)->version, before.FindJob(id)->version);
+      if (IsOver(job.state)) continue;
+      TasksAdded again{id, added_[id]};
+      for (size_t i = 0; i < again.tasks.size(); ++i) {
+        const TaskKey key{id, static_cast<int64_t>(i) + 1};
+        if (const auto it = results_.find(key); it != results_.end()) again.tasks[i].known = it->second;
+        again.tasks[i].lost_workers = struck_[key];
+      }
+      const auto effects = state_.Apply(again);
+      ASSERT_TRUE(effects.ok());
+      ASSERT_EQ(static_cast<int64_t>(effects->settled.size()), settled);
+      for (const SettledTask& task : effects->settled) {
+        EXPECT_TRUE(task.known);
+        EXPECT_EQ(task.output, results_.at(task.key).output);
+      }
+    }
+    EXPECT_GT(state_.NextToken(), before.NextToken());
   }
 
   // A good worker does what is left.
@@ -102,7 +136,12 @@ class History {
   void Apply(const Event& event) {
     const auto effects = state_.Apply(event);
     if (!effects.ok()) return;
-    for (const SettledTask& task : effects->settled) ++settled_[task.key];
+    for (const SettledTask& task : effects->settled) {
+      ++settled_[task.key];
+      EXPECT_EQ(task.input, added_.at(task.key.job).at(static_cast<size_t>(task.key.task) - 1).input);
+      results_[task.key] = {task.state, task.output, task.error};
+    }
+    for (const StruckTask& task : effects->struck) struck_[task.key] = task.lost_workers;
   }
   std::string AnyJob() { return state_.jobs().empty() ? "none" : absl::StrCat("j", Draw(jobs_)); }
 
@@ -112,7 +151,13 @@ class History {
   }
   void MoreTasks() {
     TasksAdded event{AnyJob(), {}};
-    for (int i = Draw(6); i >= 0; --i) event.tasks.push_back({{Draw(9), Draw(9)}, kAllStages[Draw(4)], "in"});
+    const Job* job = state_.FindJob(event.job);
+    if (job == nullptr || IsOver(job->state)) return;
+    std::vector<TaskSpec>& added = added_[event.job];
+    for (int i = Draw(6); i >= 0; --i) {
+      event.tasks.push_back({{Draw(9), Draw(9)}, kAllStages[Draw(4)], absl::StrCat("in", added.size())});
+      added.push_back(event.tasks.back());
+    }
     Apply(event);
   }
   void See(const std::string& worker) { Apply(WorkerSeen{worker, 1 + Draw(4), Draw(10) == 0, now_}); }
@@ -145,12 +190,17 @@ class History {
   }
   void CancelAJob() { Apply(JobCancelled{AnyJob(), now_}); }
 
+  const int32_t quarantine_after_;
+  uint32_t epoch_ = 3;
   CoordinatorState state_;
   std::mt19937 random_;
   absl::Time now_ = absl::FromUnixSeconds(1000);
   int jobs_ = 0;
   std::vector<std::pair<TaskKey, uint64_t>> given_;
   std::map<TaskKey, int> settled_;
+  std::map<std::string, std::vector<TaskSpec>> added_;  // by job
+  std::map<TaskKey, KnownResult> results_;
+  std::map<TaskKey, std::vector<std::string>> struck_;
 };
 
 class StatePropertyTest : public ::testing::TestWithParam<int32_t> {};
@@ -165,6 +215,24 @@ TEST_P(StatePropertyTest, EveryTaskIsSettledExactlyOnceAndNoneIsLost) {
       if (HasFatalFailure()) return;
     }
     history.Finish();
+    history.CheckCounts();
+    history.CheckAllSettledOnce();
+    if (HasFailure()) return;
+  }
+}
+
+TEST_P(StatePropertyTest, NothingIsLostOrDoneTwiceOverRestarts) {
+  for (uint32_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(absl::StrCat("seed ", seed));
+    History history(seed, GetParam());
+    for (int step = 0; step < 400; ++step) {
+      history.Step();
+      if (step % 37 == 0) history.Restart();
+      history.CheckCounts();
+      if (HasFatalFailure()) return;
+    }
+    history.Finish();
+    history.Restart();
     history.CheckCounts();
     history.CheckAllSettledOnce();
     if (HasFailure()) return;

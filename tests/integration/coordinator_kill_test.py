@@ -1,0 +1,350 @@
+#!/usr/bin/env python3
+"""Kills a coordinator at random moments and at every durable write, and holds what comes of it to an undisturbed run.
+
+    coordinator_kill_test.py BIN [--kills 300] [--each 5] [--seed 1] [--failpoints NAME,NAME]
+
+BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. A job runs on a made scene with two
+workers. The coordinator is killed (SIGKILL), a new one is started on the same folder, and so on until the job is over.
+Then every file of the output must be that of the undisturbed run (report.json but for dates and seconds), no task may
+have been committed twice or forgotten, no more tasks may have run than were in flight at the kills, and nothing may be
+left in the output or in the work folder. Prints its figures. Exit code 1 if anything was not so.
+"""
+import argparse
+import glob
+import json
+import os
+import random
+import re
+import shutil
+import signal
+import socket
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+
+FAILPOINTS = ['journal.make', 'journal.commit', 'journal.committed', 'journal.checkpointed', 'journal.tidy', 'blob.sync',
+              'blob.renamed', 'restore.swept', 'output.claimed', 'file.written', 'file.renamed', 'file.moved',
+              'job.finished', 'job.released']
+# What is reached only by a coordinator that starts again.
+ONLY_AGAIN = {'restore.swept'}
+THREADS = [1, 1]  # of the workers
+LIMIT = 120  # seconds for anything to happen
+
+
+class Failure(Exception):
+    pass
+
+
+def require(condition, text):
+    if not condition:
+        raise Failure(text)
+
+
+def free_port():
+    with socket.socket() as s:
+        s.bind(('127.0.0.1', 0))
+        return s.getsockname()[1]
+
+
+def await_(what, condition):
+    end = time.time() + LIMIT
+    while time.time() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.005)
+    raise Failure(f'waited in vain for {what}')
+
+
+class Bench:
+    """A work folder, its coordinators and workers."""
+
+    def __init__(self, bin_folder, folder):
+        self.bin, self.folder = bin_folder, folder
+        self.work = os.path.join(folder, 'work')
+        self.port = free_port()
+        self.address = f'127.0.0.1:{self.port}'
+        self.coordinator = None
+        self.log = None
+        self.workers, self.worker_ports = [], []
+
+    def program(self, name):
+        return os.path.join(self.bin, name)
+
+    def start(self, failpoint=''):
+        self.log = open(os.path.join(self.folder, 'coordinator.log'), 'w+')
+        self.coordinator = subprocess.Popen(
+            [self.program('tilemend-coordinator'), '--work', self.work, '--listen', self.address, '--lease', '30'],
+            stderr=self.log, env=dict(os.environ, TILEMEND_FAILPOINT=failpoint))
+
+    def said(self):
+        with open(self.log.name) as log:
+            return log.read()
+
+    def await_serving(self):
+        await_('the coordinator to serve', lambda: 'listening' in self.said() or self.coordinator.poll() is not None)
+        return self.coordinator.poll() is None
+
+    def kill(self):
+        self.coordinator.send_signal(signal.SIGKILL)
+        self.coordinator.wait()
+
+    def add_workers(self):
+        for number, threads in enumerate(THREADS):
+            path = os.path.join(self.folder, f'worker{number}.log')
+            self.workers.append(subprocess.Popen(
+                [self.program('tilemend-worker'), '--coordinator', self.address, '--threads', str(threads),
+                 '--metrics', '127.0.0.1:0'], stderr=open(path, 'w')))
+            said = await_('a worker', lambda path=path: re.search(r'127\.0\.0\.1:(\d+)/metrics', open(path).read()))
+            self.worker_ports.append(int(said.group(1)))
+
+    def tasks_run(self):
+        total = 0
+        for port in self.worker_ports:
+            with urllib.request.urlopen(f'http://127.0.0.1:{port}/metrics') as answer:
+                for line in answer.read().decode().splitlines():
+                    if line.startswith('tilemend_worker_tasks_started_total'):
+                        total += int(float(line.split()[-1]))
+        return total
+
+    def client(self, *words):
+        return subprocess.run([self.program('tilemend'), *words, '--coordinator', self.address], capture_output=True,
+                              text=True, timeout=LIMIT)
+
+    def get(self, name):
+        got = self.client('get', name, '-o', 'json')
+        return json.loads(got.stdout) if got.returncode == 0 else None
+
+    def submit(self, scene, out, request):
+        return subprocess.Popen([self.program('tilemend'), 'submit', scene, '--out', out, '--coordinator', self.address,
+                                 '--request-id', request, '--wait', '-o', 'json'], stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True)
+
+    def check_committed_once(self):
+        """In a copy of what the dead coordinator left."""
+        copy = os.path.join(self.folder, 'copy')
+        shutil.rmtree(copy, ignore_errors=True)
+        os.makedirs(copy)
+        for path in glob.glob(os.path.join(self.work, 'journal.sqlite*')):
+            shutil.copy(path, copy)
+        path = os.path.join(copy, 'journal.sqlite')
+        if not os.path.exists(path):
+            return
+        with sqlite3.connect(path) as journal:
+            twice = journal.execute('SELECT count(*) FROM (SELECT 1 FROM result WHERE state > 1 GROUP BY job, name'
+                                    ' HAVING count(*) > 1)').fetchone()[0]
+        require(twice == 0, f'{twice} tasks were committed twice')
+
+    def close(self):
+        for process in [*self.workers, self.coordinator]:
+            if process is not None and process.poll() is None:
+                process.kill()
+                process.wait()
+
+
+def content(path):
+    with open(path, 'rb') as file:
+        data = file.read()
+    if os.path.basename(path) != 'report.json':
+        return data
+    report = json.loads(data)
+    for key in ('seconds', 'date', 'peak_rss_bytes'):
+        report.pop(key, None)
+    return json.dumps(report, sort_keys=True)
+
+
+def files(folder):
+    return {os.path.relpath(os.path.join(where, name), folder)
+            for where, _, names in os.walk(folder) for name in names}
+
+
+def check_output(reference, out):
+    wanted, found = files(reference), files(out)
+    require(wanted == found, f'missing {sorted(wanted - found)}, too many {sorted(found - wanted)}')
+    wrong = [name for name in sorted(wanted) if content(os.path.join(reference, name)) != content(os.path.join(out, name))]
+    require(not wrong, f'other bytes: {wrong}')
+
+
+class Figures:
+    def __init__(self):
+        self.kills, self.jobs, self.again, self.most_again, self.in_flight = 0, 0, 0, 0, 0
+        self.serving, self.back = [], []  # seconds from the start of a coordinator
+        self.reached = {}
+
+
+class JobRun:
+    """One job from submit to its end, with kills in between."""
+
+    def __init__(self, bench, scene, reference, figures, number):
+        self.bench, self.scene, self.reference, self.figures = bench, scene, reference, figures
+        self.out = os.path.join(bench.folder, f'out{number}')
+        self.ran_before = bench.tasks_run()
+        self.kills = 0
+        self.client = bench.submit(scene, self.out, f'r{number}')
+
+    def is_over(self):
+        return self.client.poll() is not None
+
+    def killed(self):
+        self.kills += 1
+        self.bench.check_committed_once()
+        start = time.time()
+        self.bench.start()
+        require(self.bench.await_serving(), f'the coordinator did not start again: {self.bench.said()}')
+        self.figures.serving.append(time.time() - start)
+
+        def at_work():
+            got = self.bench.client('list', '-o', 'json')
+            jobs = json.loads(got.stdout) if got.returncode == 0 else []
+            jobs = jobs.get('jobs', []) if isinstance(jobs, dict) else jobs
+            return self.is_over() or (jobs and (jobs[0]['state'] != 'running' or jobs[0]['progress']['tasks_running'] > 0))
+        await_('the job to go on', at_work)
+        self.figures.back.append(time.time() - start)
+
+    def finish(self):
+        try:
+            stdout, stderr = self.client.communicate(timeout=LIMIT)
+        except subprocess.TimeoutExpired:
+            self.client.kill()
+            raise Failure(f'the job did not end: {self.bench.client("list").stdout} {self.bench.said()}')
+        require(self.client.returncode == 0, f'exit code {self.client.returncode}: {stdout}{stderr}{self.bench.said()}')
+        progress = json.loads(stdout)['progress']
+        require(progress['tasks'] == progress['tasks_done'], f'tasks: {progress}')
+        require(progress['tasks_quarantined'] == 0, f'quarantined: {progress}')
+        check_output(self.reference, self.out)
+        again = self.bench.tasks_run() - self.ran_before - progress['tasks']
+        # A task that a worker got and the coordinator did not give out durably does not exist: it is in flight, too.
+        require(0 <= again <= self.kills * sum(THREADS), f'{again} tasks were done again at {self.kills} kills')
+        await_('the work folder to be empty', lambda: not files(os.path.join(self.bench.work, 'jobs')))
+        figures = self.figures
+        figures.jobs += 1
+        figures.kills += self.kills
+        figures.again += again
+        figures.most_again = max(figures.most_again, again)
+        figures.in_flight += self.kills * sum(THREADS)
+        shutil.rmtree(self.out)
+
+
+def kill_at_random(bench, scene, reference, figures, kills, seconds, dice):
+    number = 0
+    while figures.kills < kills:
+        number += 1
+        run = JobRun(bench, scene, reference, figures, f'-random-{number}')
+        for _ in range(min(dice.randint(1, 6), kills - figures.kills)):
+            time.sleep(dice.uniform(0, seconds))
+            if run.is_over():
+                break
+            bench.kill()
+            run.killed()
+        run.finish()
+
+
+def pass_failpoint(bench, scene, reference, figures, name, times, number):
+    """A job whose coordinator dies the given time that it passes the place; False if that never comes."""
+    bench.kill()
+    if name == 'journal.make':
+        shutil.rmtree(bench.work)
+    first = name not in ONLY_AGAIN
+    bench.start(f'{name}:{times}' if first else '')
+    serving = bench.await_serving()
+    if not serving:
+        bench.start()
+        bench.await_serving()
+    run = JobRun(bench, scene, reference, figures, number)
+    if not first:
+        await_('a task', lambda: bench.tasks_run() > run.ran_before)
+        bench.kill()
+        run.kills += 1
+        bench.start(f'{name}:{times}')
+    died = not serving
+    if serving:
+        # What is done when nothing else is to do comes half a second after the end.
+        end = None
+        while bench.coordinator.poll() is None and (end is None or time.time() < end):
+            if run.is_over() and end is None:
+                end = time.time() + 3
+            time.sleep(0.005)
+        died = bench.coordinator.poll() is not None
+        if died:
+            require(bench.coordinator.returncode == -signal.SIGKILL, f'the coordinator ended by itself: {bench.said()}')
+            run.killed()
+    run.finish()
+    return died
+
+
+def kill_at_failpoints(bench, scene, reference, figures, each, names):
+    for name in names:
+        figures.reached[name] = 0
+        times = 0
+        for number in range(each):
+            times += 1
+            if pass_failpoint(bench, scene, reference, figures, name, times, f'-{name}-{number}'):
+                figures.reached[name] += 1
+            elif times > 1:  # it is passed less often than that: once more from the first time
+                times = 1
+                figures.reached[name] += pass_failpoint(bench, scene, reference, figures, name, 1, f'-{name}-{number}b')
+    missing = [name for name, reached in figures.reached.items() if reached < each]
+    require(not missing, f'not reached {each} times: {missing} of {figures.reached}')
+
+
+def fail_commits(bench, scene, reference, figures, each):
+    """A commit that fails ends the coordinator with its message; the next one goes on."""
+    for number in range(each):
+        bench.kill()
+        bench.start(f'journal.commit:{3 + 4 * number}:error')
+        bench.await_serving()
+        run = JobRun(bench, scene, reference, figures, f'-error-{number}')
+        await_('the coordinator to end', lambda: bench.coordinator.poll() is not None)
+        require(bench.coordinator.returncode == 5, f'exit code {bench.coordinator.returncode}')
+        require('the journal cannot be written' in bench.said(), bench.said())
+        run.killed()
+        run.finish()
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('bin')
+    parser.add_argument('--kills', type=int, default=300)
+    parser.add_argument('--each', type=int, default=5)
+    parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--failpoints', default=','.join(FAILPOINTS))
+    arguments = parser.parse_args()
+    dice = random.Random(arguments.seed)
+    figures = Figures()
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(arguments.bin, folder)
+        scene, reference = os.path.join(folder, 'scene'), os.path.join(folder, 'reference')
+        subprocess.run([bench.program('tilemend-make-scene'), scene, '--cols', '4', '--rows', '4', '--cell', '100',
+                        '--spacing', '1'], check=True, stdout=subprocess.DEVNULL)
+        start = time.time()
+        subprocess.run([bench.program('tilemend'), 'run', scene, '--out', reference, '--workers', '2'], check=True,
+                       capture_output=True)
+        seconds = time.time() - start
+        try:
+            bench.start()
+            bench.await_serving()
+            bench.add_workers()
+
+            kill_at_random(bench, scene, reference, figures, arguments.kills, seconds, dice)
+            at_random = figures.kills
+            kill_at_failpoints(bench, scene, reference, figures, arguments.each,
+                               [name for name in arguments.failpoints.split(',') if name])
+            fail_commits(bench, scene, reference, figures, arguments.each)
+        except Failure as failure:
+            print(f'FAILED after {figures.kills} kills in {figures.jobs} jobs: {failure}')
+            sys.exit(1)
+        finally:
+            bench.close()
+    back, serving = sorted(figures.back), sorted(figures.serving)
+    print(f'{at_random} kills at random, {sum(figures.reached.values())} at {len(figures.reached)} durable writes, '
+          f'{arguments.each} failed commits, {figures.jobs} jobs: every byte as undisturbed, 0 tasks lost, 0 committed twice')
+    print(f'{figures.again} tasks done again (at most {figures.in_flight} were in flight), serving again after '
+          f'{serving[len(serving) // 2]:.2f} s (median), {serving[-1]:.2f} s (most), at work again after '
+          f'{back[len(back) // 2]:.2f} s (median), {back[-1]:.2f} s (most)')
+
+
+if __name__ == '__main__':
+    main()
