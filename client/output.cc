@@ -52,6 +52,7 @@ Json JobJson(const v1::Job& job) {
                      {"message", job.error().message()},
                      {"reason", ErrorReason(error)}};
   }
+  for (const std::string& warning : job.warnings()) json["warnings"].push_back(warning);
   if (!job.message().empty()) json["message"] = job.message();
   if (!job.report().empty()) json["report"] = job.report();
   return json;
@@ -119,6 +120,7 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
                                                 {"tasks", Share(p.tasks_done(), p.tasks())}};
   if (p.tasks_retried() > 0) rows.push_back({"retried", absl::StrCat(p.tasks_retried())});
   if (p.tasks_quarantined() > 0) rows.push_back({"quarantined", absl::StrCat(p.tasks_quarantined())});
+  for (const std::string& warning : job.warnings()) rows.push_back({"warning", warning});
   if (!job.message().empty()) rows.push_back({"message", job.message()});
   if (job.has_error()) rows.push_back({"error", job.error().message()});
   if (!job.report().empty()) rows.push_back({"report", job.report()});
@@ -166,6 +168,9 @@ ProgressDisplay::~ProgressDisplay() {
 
 void ProgressDisplay::Show(const v1::Job& job) {
   const v1::Progress& p = job.progress();
+  for (; warnings_ < job.warnings_size(); ++warnings_) {
+    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? "\r\033[K" : "", job.name().c_str(), job.warnings(warnings_).c_str());
+  }
   if (!is_terminal_) {
     if (p.phase() != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), p.phase().c_str());
     phase_ = p.phase();

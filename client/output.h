@@ -49,6 +49,7 @@ class ProgressDisplay {
  private:
   const bool is_terminal_;
   bool has_bar_ = false;
+  int warnings_ = 0;  // shown so far
   std::string phase_;
 };
 

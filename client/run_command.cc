@@ -42,6 +42,15 @@ absl::StatusOr<std::string> MakeWorkFolder(const std::string& parent) {
   return path;
 }
 
+// A job that was refused.
+v1::Job NotBegun(const v1::JobSpec& spec, const absl::Status& error) {
+  v1::Job job;
+  job.set_state(v1::FAILED);
+  *job.mutable_spec() = spec;
+  *job.mutable_error() = StatusToProto(error);
+  return job;
+}
+
 // Runs the job to its end. The first signal cancels it.
 absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const std::string& work_folder,
                                     SignalWatcher& signals) {
@@ -49,25 +58,29 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   options.work_folder = work_folder;
   // Workers of this process cannot be lost without it; a machine that slept must not look like one that died.
   options.lease = absl::Hours(24);
+  // The only worker is this process: what it gets wrong once it gets wrong again.
+  options.check_result = SceneResultCheck(TileCheck::kSize);
+  options.state.max_refusals = 1;
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(options, ScenePipelineFactory(), *MetricsRegistry::Null()));
   TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *impl));
   JobClient client(server->rpc().InProcessChannel(), absl::ZeroDuration());
   v1::CreateJobRequest request;
   *request.mutable_spec() = spec;
-  TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, client.Create(request));
+  const auto job = client.Create(request);
+  if (!job.ok()) return NotBegun(spec, job.status());
   WorkerOptions worker_options;
   worker_options.id = "embedded";
   worker_options.threads = threads;
   worker_options.prefetch = threads;  // the only worker
   Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(),
                 *MetricsRegistry::Null());
-  signals.Start([&client, name = job.name()](int) {
+  signals.Start([&client, name = job->name()](int) {
     // Refused if the job has just ended; then there is nothing to cancel.
     client.Cancel(name).status().IgnoreError();
   });
   ProgressDisplay display;
-  auto end = client.Watch(job.name(), [&display](const v1::Job& now) { display.Show(now); });
+  auto end = client.Watch(job->name(), [&display](const v1::Job& now) { display.Show(now); });
   signals.Stop();  // before the client goes
   return end;
 }

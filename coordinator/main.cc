@@ -46,6 +46,7 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.lease = absl::Seconds(lease);
   TILEMEND_ASSIGN_OR_RETURN(const int64_t max_jobs, flags.Integer("max-jobs", 1, 10000));
   options.max_running_jobs = static_cast<size_t>(max_jobs);
+  options.check_result = SceneResultCheck(TileCheck::kDigest);
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
   return options;

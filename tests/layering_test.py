@@ -140,6 +140,8 @@ RULES = {
          'coordinator/plan/water', 'coordinator/plan/colour', 'coordinator/plan'],
         ['absl', 'eigen'], pure=True),
 
+    'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
+
     'coordinator/report': rule(
         ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store',
          'coordinator/plan/types',
@@ -147,8 +149,9 @@ RULES = {
         ['absl', 'json']),
 
     'coordinator/service': rule(
-        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/store', 'common/metrics', 'common/rpc',
-         'coordinator/state', 'coordinator/journal', 'coordinator/waves', 'coordinator/report'],
+        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/metrics',
+         'common/rpc', 'coordinator/state', 'coordinator/check', 'coordinator/journal', 'coordinator/waves',
+         'coordinator/report'],
         ['absl', 'protobuf']),
 
     'coordinator': rule(

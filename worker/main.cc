@@ -43,6 +43,9 @@ absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("coordinator")));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
   options.id = NewWorkerId();
+  options.tell = [](const std::string& reason) {
+    std::fprintf(stderr, "tilemend-worker: %s\n", reason.empty() ? "gets tasks again" : reason.c_str());
+  };
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -172,27 +173,41 @@ absl::Status CheckSource(int file, const std::string& path, struct stat& info) {
   return absl::InvalidArgumentError(absl::StrCat(path, ": not a regular file"));
 }
 
-}  // namespace
-
-absl::StatusOr<std::string> ReadFile(const std::string& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) return ErrnoStatus(errno, "cannot open", path);
-  struct stat info {};
-  if (::fstat(file.get(), &info) != 0) return ErrnoStatus(errno, "cannot stat", path);
-  if (!S_ISREG(info.st_mode)) return absl::InvalidArgumentError(absl::StrCat(path, ": not a regular file"));
-  std::string content(static_cast<size_t>(info.st_size), '\0');
+// Up to `length` bytes from `offset` on: fewer if the file has shrunk.
+absl::StatusOr<std::string> ReadRange(int file, int64_t offset, int64_t length, const std::string& path) {
+  std::string content(static_cast<size_t>(length), '\0');
   size_t have = 0;
   while (have < content.size()) {
-    const ssize_t n = ::read(file.get(), content.data() + have, content.size() - have);
+    const ssize_t n = ::pread(file, content.data() + have, content.size() - have, offset + static_cast<int64_t>(have));
     if (n < 0) {
       if (errno == EINTR) continue;
       return ErrnoStatus(errno, "cannot read", path);
     }
-    if (n == 0) break;  // the file shrank while it was read
+    if (n == 0) break;
     have += static_cast<size_t>(n);
   }
   content.resize(have);
   return content;
+}
+
+}  // namespace
+
+absl::StatusOr<std::string> ReadFile(const std::string& path) {
+  struct stat info {};
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
+  return ReadRange(file.get(), 0, info.st_size, path);
+}
+
+absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most) {
+  struct stat info {};
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
+  FileEnds ends{info.st_size, "", ""};
+  const int64_t length = std::min<int64_t>(most, info.st_size);
+  TILEMEND_ASSIGN_OR_RETURN(ends.first, ReadRange(file.get(), 0, length, path));
+  TILEMEND_ASSIGN_OR_RETURN(ends.last, ReadRange(file.get(), info.st_size - length, length, path));
+  return ends;
 }
 
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync) {

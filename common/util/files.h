@@ -15,6 +15,13 @@ namespace tilemend {
 // the message names the path.
 absl::StatusOr<std::string> ReadFile(const std::string& path);
 
+// The size of a regular file and up to `most` bytes of its beginning and of its end. Errors as ReadFile.
+struct FileEnds {
+  int64_t size = 0;
+  std::string first, last;
+};
+absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most);
+
 // kNo leaves it to the kernel when the bytes reach the disk: after a power cut the file may be empty or torn. For data
 // that is checked when it is read and can be made again.
 enum class Sync { kYes, kNo };

@@ -22,13 +22,20 @@ absl::StatusOr<Box> ReadTileBounds(const std::string& path) {
   return box;
 }
 
+Box2 ReachOfCell(const Scene& scene, CellId cell) {
+  const Grid& grid = scene.grid;
+  const Point2 lo = grid.corner + Point2(cell.col * grid.cell_size.x(), cell.row * grid.cell_size.y());
+  const Point2 reach = kReachBeyondCell * grid.cell_size;
+  return {lo - reach, lo + grid.cell_size + reach};
+}
+
 absl::Status CheckInsideCell(const SurveyRecord& record, const Scene& scene, const SceneTile& tile) {
   const Grid& grid = scene.grid;
   const Point2 lo = grid.corner + Point2(tile.cell.col * grid.cell_size.x(), tile.cell.row * grid.cell_size.y());
-  const Point2 reach = kReachBeyondCell * grid.cell_size;
   const Point2 hi = lo + grid.cell_size;
-  const bool inside = (record.lo.head<2>().array() >= (lo - reach).array()).all() &&
-                      (record.hi.head<2>().array() <= (hi + reach).array()).all();
+  const Box2 reach = ReachOfCell(scene, tile.cell);
+  const bool inside = (record.lo.head<2>().array() >= reach.lo.array()).all() &&
+                      (record.hi.head<2>().array() <= reach.hi.array()).all();
   if (inside) return absl::OkStatus();
   return absl::InvalidArgumentError(absl::StrFormat(
       "%s/%s: outside its cell %s: the tile spans x %.10g to %.10g, y %.10g to %.10g, the cell x %.10g to %.10g, "

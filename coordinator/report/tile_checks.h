@@ -14,8 +14,14 @@ namespace tilemend {
 // The bounds of a mesh file, for LoadScene on folders without scene.json.
 absl::StatusOr<Box> ReadTileBounds(const std::string& path);
 
-// kInvalidArgument, naming the file and both extents, if `tile` of `scene`, with the survey `record`, does not lie in
-// its cell or at most a quarter cell beyond it.
+// Where the tile of a cell may lie: in its cell or at most a quarter cell beyond it.
+struct Box2 {
+  Point2 lo, hi;
+};
+Box2 ReachOfCell(const Scene& scene, CellId cell);
+
+// kInvalidArgument, naming the file and both extents, if `tile` of `scene`, with the survey `record`, does not lie
+// within the reach of its cell.
 absl::Status CheckInsideCell(const SurveyRecord& record, const Scene& scene, const SceneTile& tile);
 
 }  // namespace tilemend

@@ -15,7 +15,6 @@ struct AttemptFile {
   std::string attempt;  // its name among the attempts
   std::string path;     // where it is to go, relative to the output's folder
   int64_t bytes = 0;
-  std::string digest;  // SHA-256; empty: not known
 };
 
 inline constexpr char kAttemptFolder[] = ".tilemend-attempts";
@@ -36,8 +35,8 @@ class AttemptFolder {
   // there or has another size, kUnavailable if this machine does not see the folder itself.
   static absl::Status Check(const std::string& attempts, const AttemptFile& file);
 
-  // Gives the file its final name in `output`. A file that is gone, but has its final name with its size and digest,
-  // was placed before. Else kUnavailable.
+  // Gives the file its final name in `output`. One that is gone from a folder that still has its key, while a file of
+  // its size has its final name, was placed by an earlier process. Else kUnavailable.
   absl::Status Place(const AttemptFile& file, const std::string& output) const;
 
   // Takes the folder away with all that is in it.

@@ -12,6 +12,7 @@
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "coordinator/service/job_proto.h"
 
 namespace tilemend {
@@ -31,6 +32,14 @@ std::function<absl::Time()> SteadyWallClock() {
 std::string NewJobId() {
   std::random_device random;
   return absl::StrFormat("%08x%04x", random(), random() & 0xffff);
+}
+
+absl::Status CheckScene(const std::string& scene) {
+  std::error_code error;
+  if (scene.find("://") != std::string::npos || std::filesystem::exists(scene, error)) return absl::OkStatus();
+  return WithErrorInfo(absl::NotFoundError(absl::StrCat(Printable(scene), ": no such scene where the coordinator runs",
+                                                        error ? ": " + error.message() : "")),
+                       {"SCENE_NOT_FOUND", {{"scene", scene}}});
 }
 
 absl::Status InvalidRequestId() {
@@ -153,7 +162,12 @@ v1::Job CoordinatorImpl::Describe(const Job& job) const {
 absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request) {
   const JobSpec spec = SpecFromProto(request.spec());
   TILEMEND_RETURN_IF_ERROR(spec.Check());
-  return Answer([&] { return StartJob(spec, request.request_id()); });
+  const absl::Status scene = CheckScene(spec.scene);  // without the lock: a mount may hang
+  return Answer([&]() -> absl::StatusOr<v1::Job> {
+    const bool is_new = request.request_id().empty() || state_.FindRequest(request.request_id()) == nullptr;
+    if (is_new) TILEMEND_RETURN_IF_ERROR(scene);
+    return StartJob(spec, request.request_id());
+  });
 }
 
 absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id) {
@@ -204,7 +218,12 @@ JobRunner::Sink CoordinatorImpl::SinkOf(const std::string& id) {
           .completed = [this, id](const JobOutcome& outcome,
                                   const Progress& progress) { OnCompleted(id, outcome, progress); },
           .finished = [this, id](absl::StatusOr<JobOutcome> outcome) { OnFinished(id, std::move(outcome)); },
-          .released = [this, id] { OnReleased(id); }};
+          .released = [this, id] { OnReleased(id); },
+          .folders =
+              [this, id](JobFolders folders) {
+                Lock lock(mutex_);
+                trust_.AddJob(id, std::move(folders));
+              }};
 }
 
 absl::Status CoordinatorImpl::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {
@@ -351,12 +370,13 @@ void CoordinatorImpl::Tick() {
   std::vector<std::unique_ptr<JobRunner>> ended;
   Lock lock(mutex_);
   for (const Event& event : state_.Overdue(options_.clock(), options_.lease)) {
-    if (const auto* lost = std::get_if<WorkerLost>(&event)) sequences_.erase(lost->worker);
+    if (const auto* lost = std::get_if<WorkerLost>(&event)) ForgetWorker(lost->worker);
     Apply(event).IgnoreError();
   }
   for (auto& [id, entry] : entries_) {
     if (entry.runner == nullptr || !entry.runner->ended()) continue;
     ended.push_back(std::move(entry.runner));
+    trust_.RemoveJob(id);
     entry.blobs.reset();
   }
   metrics_.Show(state_);

@@ -28,6 +28,8 @@
 #include "coordinator/service/coordinator_metrics.h"
 #include "coordinator/service/job_pipeline.h"
 #include "coordinator/service/job_runner.h"
+#include "coordinator/service/result_checks.h"
+#include "coordinator/service/worker_trust.h"
 #include "coordinator/state/coordinator_state.h"
 #include "tilemend/v1/jobs.pb.h"
 #include "tilemend/v1/work.pb.h"
@@ -43,6 +45,8 @@ struct CoordinatorOptions {
   size_t max_running_jobs = 64;
   // Never goes back. Default: the wall clock at construction plus a steady clock since.
   std::function<absl::Time()> clock;
+  // Looks at every result before it is taken; none: all are.
+  ResultCheck check_result = {};
   // Looks for overdue leases in the background; without it only Tick does (tests).
   bool background_ticks = true;
 };
@@ -95,6 +99,16 @@ class CoordinatorImpl {
     Stage stage;
     Event event;  // TaskCompleted or TaskFailed
     std::optional<std::string> content;
+    std::string refusal = {};  // why the result is not taken, for people; else empty
+    bool held = false;         // the worker held the task when its report came
+  };
+  // What a worker holds.
+  struct Lease {
+    CellId cell;
+    Stage stage;
+    std::string input;  // digest
+    std::shared_ptr<BlobFolder> blobs;
+    bool queue_full = false;
   };
   using Lock = std::unique_lock<std::mutex>;
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -145,14 +159,29 @@ class CoordinatorImpl {
   absl::Status RestoreJob(JobRecord record);
   absl::Status SweepFolders();
 
-  std::vector<Report> PrepareReports(const v1::SyncRequest& request);  // without the lock
-  Report PrepareReport(const v1::FinishedTask& finished);              // without the lock
-  void TakeReports(std::vector<Report> reports, v1::SyncResponse& response);
+  // Without the lock: these look at results, and at files.
+  std::vector<Report> PrepareReports(const v1::SyncRequest& request);
+  Report PrepareReport(const std::string& worker, const v1::FinishedTask& finished);
+  void PrepareOutput(const std::string& worker, const Lease& lease, const v1::BlobRef& output, Report& report);
+  absl::Status CheckOutput(const Lease& lease, const v1::BlobRef& output) const;
+  void FailJobsThatAreGone(const std::vector<std::string>& jobs);
+  std::optional<Lease> LeaseOf(const std::string& worker, const v1::TaskRef& ref);  // takes the lock
+
+  // Whether another process has called itself so.
+  absl::Status CheckSecret(const v1::SyncRequest& request);
+  // Gives the jobs whose folders the worker does not see.
+  std::vector<std::string> TakeSeen(const v1::SyncRequest& request);
+  void TakeReports(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response);
+  bool TakeReport(const std::string& worker, Report& report);
+  void OnRefused(const std::string& worker, const Report& report, const Effects& effects);
+  void Warn(const std::string& job, const std::string& warning);
+  void ForgetWorker(const std::string& worker);
   void RenewHeld(const v1::SyncRequest& request);
   // Waits until there is news for the worker and writes it down; kAborted if a newer call took over.
   absl::Status AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive, Lock& lock,
                          v1::SyncResponse& response);
   void TellState(const v1::SyncRequest& request, v1::SyncResponse& response);
+  void TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const;
   void LeaseTasks(const std::string& worker);
   std::map<std::string, std::shared_ptr<BlobFolder>> BlobsOf(const v1::SyncResponse& response);
   void InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs, v1::SyncResponse& response);
@@ -172,7 +201,12 @@ class CoordinatorImpl {
   bool stopping_ = false;
   CoordinatorState state_;
   std::map<std::string, JobEntry> entries_;
-  std::map<std::string, uint64_t> sequences_;  // of the last call of each worker
+  struct Caller {
+    uint64_t sequence = 0;  // of its last call
+    std::string secret;
+  };
+  std::map<std::string, Caller> callers_;  // workers
+  WorkerTrust trust_;
   std::thread ticker_;
 };
 

@@ -19,6 +19,7 @@ CoordinatorMetrics::CoordinatorMetrics(MetricsRegistry& registry) {
         registry.AddCounter(prefix + "tasks_retried_total", "Attempts lost to a machine's failure.", labels);
     stage.refused_late = registry.AddCounter(prefix + "tasks_refused_late_total",
                                              "Results refused because their attempt had been given up.", labels);
+    stage.refused = registry.AddCounter(prefix + "results_refused_total", "Results that were wrong.", labels);
     stage.seconds = registry.AddHistogram(prefix + "task_seconds", "From the lease to the result that ended the task.",
                                           labels, Histogram::ScaledBounds(0.001, 2, 20));
   }
@@ -27,6 +28,10 @@ CoordinatorMetrics::CoordinatorMetrics(MetricsRegistry& registry) {
     jobs_[i] = registry.AddGauge(prefix + "jobs", "Jobs by state.", {{"state", state}});
   }
   workers_ = registry.AddGauge(prefix + "workers_connected", "Workers that call.", {});
+  workers_set_aside_ =
+      registry.AddGauge(prefix + "workers_set_aside", "Workers that get no task, as a result of theirs was wrong.", {});
+  workers_blind_ = registry.AddGauge(prefix + "workers_blind",
+                                     "Workers that do not see the folders of a job, counted for each job.", {});
   tasks_pending_ = registry.AddGauge(prefix + "tasks_pending", "Tasks that wait for a worker.", {});
   tasks_running_ = registry.AddGauge(prefix + "tasks_running", "Tasks that workers hold.", {});
   blob_bytes_sent_ = registry.AddCounter(prefix + "blob_sent_bytes_total", "Bytes of blobs sent to workers.", {});
@@ -57,6 +62,11 @@ void CoordinatorMetrics::Show(const CoordinatorState& state) {
   workers_->Set(static_cast<double>(state.workers().size()));
   tasks_pending_->Set(static_cast<double>(pending));
   tasks_running_->Set(static_cast<double>(running));
+}
+
+void CoordinatorMetrics::ShowTrust(size_t set_aside, size_t blind) {
+  workers_set_aside_->Set(static_cast<double>(set_aside));
+  workers_blind_->Set(static_cast<double>(blind));
 }
 
 }  // namespace tilemend

@@ -19,11 +19,13 @@ class CoordinatorMetrics {
   void Started(Stage stage) { Of(stage).started->Increment(); }
   void Retried(Stage stage) { Of(stage).retried->Increment(); }
   void RefusedLate(Stage stage) { Of(stage).refused_late->Increment(); }
+  void Refused(Stage stage) { Of(stage).refused->Increment(); }
   void Settled(const SettledTask& task, absl::Time now);
   void BlobSent(int64_t bytes) { blob_bytes_sent_->Increment(static_cast<double>(bytes)); }
   void BlobReceived(int64_t bytes) { blob_bytes_received_->Increment(static_cast<double>(bytes)); }
   // Sets the gauges: O(jobs).
   void Show(const CoordinatorState& state);
+  void ShowTrust(size_t set_aside, size_t blind);
 
  private:
   struct PerStage {
@@ -33,6 +35,7 @@ class CoordinatorMetrics {
     Counter* quarantined;
     Counter* retried;
     Counter* refused_late;
+    Counter* refused;
     Histogram* seconds;
   };
   // The last one takes what a worker calls by no known stage.
@@ -41,6 +44,8 @@ class CoordinatorMetrics {
   std::array<PerStage, kAllStages.size() + 1> stages_;
   std::array<Gauge*, 5> jobs_;
   Gauge* workers_;
+  Gauge* workers_set_aside_;
+  Gauge* workers_blind_;
   Gauge* tasks_pending_;
   Gauge* tasks_running_;
   Counter* blob_bytes_sent_;

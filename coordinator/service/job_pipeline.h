@@ -23,11 +23,12 @@
 #include "common/grid/scene.h"
 #include "common/records/surface.h"
 #include "common/util/stage.h"
+#include "coordinator/service/job_folders.h"
 #include "coordinator/state/job.h"
 
 namespace tilemend {
 
-// What is to be done. Paths are seen by the coordinator and every worker.
+// What is to be done. Paths are absolute or URIs, and seen by the coordinator and every worker.
 struct JobSpec {
   std::string scene;                                   // a folder or a scene.json; not empty
   std::string out;                                     // a folder; not empty unless dry_run
@@ -75,7 +76,10 @@ class JobPipeline {
  public:
   virtual ~JobPipeline() = default;
 
-  // The first tasks. Called once, first.
+  // What a worker must see to get tasks. Called once, first. Without any, every worker gets them.
+  virtual absl::StatusOr<JobFolders> Folders() const { return JobFolders(); }
+
+  // The first tasks. Called once, then.
   virtual absl::StatusOr<std::vector<NewTask>> Start() = 0;
 
   // Takes one result, once for every task, and gives the tasks that it makes possible, in the order in which they

@@ -121,6 +121,7 @@ v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcom
   proto.set_message(outcome.message);
   proto.set_report(outcome.report);
   proto.set_cursor(job.version);
+  proto.mutable_warnings()->Add(job.warnings.begin(), job.warnings.end());
   return proto;
 }
 
@@ -134,6 +135,7 @@ ToldJob JobFromProto(const v1::Job& proto) {
   job.id = std::string(absl::StripPrefix(proto.name(), "jobs/"));
   job.state = StateFromProto(proto.state());
   job.created = TimeOf(proto.create_time());
+  job.warnings.assign(proto.warnings().begin(), proto.warnings().end());
   if (!IsOver(job.state)) return told;
   job.ended = TimeOf(proto.end_time());
   const v1::Progress& p = proto.progress();

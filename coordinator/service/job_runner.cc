@@ -47,6 +47,12 @@ void JobRunner::Abandon() {
   abandoned_ = TryCancel();
 }
 
+void JobRunner::Fail(absl::Status error) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  failure_ = std::move(error);
+  changed_.notify_one();
+}
+
 void JobRunner::Run() {
   sink_.await();
   std::unique_ptr<JobPipeline> pipeline;
@@ -93,6 +99,8 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
       if (cancelled_) return absl::CancelledError("the job was cancelled");
       pipeline_ = pipeline.get();
     }
+    TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
+    sink_.folders(std::move(folders));
     return DrivePipeline(*pipeline);
   } catch (const std::bad_alloc&) {
     return absl::ResourceExhaustedError("the coordinator is out of memory");
@@ -116,8 +124,9 @@ absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
 
 absl::StatusOr<std::deque<JobRunner::Delivery>> JobRunner::NextDeliveries() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return cancelled_ || !deliveries_.empty(); });
+  changed_.wait(lock, [this] { return cancelled_ || !failure_.ok() || !deliveries_.empty(); });
   if (cancelled_) return absl::CancelledError("the job was cancelled");
+  TILEMEND_RETURN_IF_ERROR(failure_);
   std::deque<Delivery> deliveries = std::exchange(deliveries_, {});
   lock.unlock();
   sink_.await();

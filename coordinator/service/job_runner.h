@@ -32,8 +32,9 @@ class JobRunner {
     std::function<void()> await;
     // The output is complete. Makes that durable.
     std::function<void(const JobOutcome&, const Progress&)> completed;
-    std::function<void(absl::StatusOr<JobOutcome>)> finished;  // kCancelled after Cancel
-    std::function<void()> released;                            // last; the job has left nothing to take away
+    std::function<void(absl::StatusOr<JobOutcome>)> finished;            // kCancelled after Cancel
+    std::function<void()> released;                                      // last; the job has left nothing to take away
+    std::function<void(JobFolders)> folders = [](const JobFolders&) {};  // first
   };
   enum class Mode { kRun, kRelease };
 
@@ -55,6 +56,9 @@ class JobRunner {
 
   // Ends the thread soon and the job not at all: it tells nobody, and what is on the disk stays.
   void Abandon();
+
+  // Ends the job with this error, unless it has come to its end.
+  void Fail(absl::Status error);
 
   // True until the pipeline has ended: the job may write to its output, even if cancelled.
   bool may_write() const { return may_write_.load(); }
@@ -96,6 +100,7 @@ class JobRunner {
   std::deque<Delivery> deliveries_;
   bool cancelled_ = false;
   bool abandoned_ = false;
+  absl::Status failure_;
   bool too_late_ = false;            // to cancel
   JobPipeline* pipeline_ = nullptr;  // while it may be cancelled
   std::thread thread_;               // last: it uses the others

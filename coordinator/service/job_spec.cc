@@ -21,6 +21,15 @@ absl::Status CheckRange(const std::string& field, double value, double low, doub
   return InvalidSpec(field, absl::StrCat(value, " is not between ", low, " and ", high));
 }
 
+constexpr size_t kMostPathBytes = 4096;
+
+// Another process has another working directory.
+absl::Status CheckAbsolute(const std::string& field, const std::string& path) {
+  if (path.size() > kMostPathBytes) return InvalidSpec(field, "a path of more than 4096 bytes");
+  if (path.empty() || path.front() == '/' || path.find("://") != std::string::npos) return absl::OkStatus();
+  return InvalidSpec(field, absl::StrCat("'", Printable(path), "': a relative path; give one that begins with /"));
+}
+
 }  // namespace
 
 absl::Status JobSpec::Check() const {
@@ -28,6 +37,8 @@ absl::Status JobSpec::Check() const {
   if (out.empty() && !dry_run) return InvalidSpec("out", "no folder is given to write to");
   if (!IsUtf8(scene)) return InvalidSpec("scene", absl::StrCat(Printable(scene), ": a path that is not UTF-8"));
   if (!IsUtf8(out)) return InvalidSpec("out", absl::StrCat(Printable(out), ": a path that is not UTF-8"));
+  TILEMEND_RETURN_IF_ERROR(CheckAbsolute("scene", scene));
+  TILEMEND_RETURN_IF_ERROR(CheckAbsolute("out", out));
   const std::optional<Surface> named = SurfaceNamed(surface);
   if (!named) {
     return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "': expected thin-plate or wang"));
@@ -35,6 +46,8 @@ absl::Status JobSpec::Check() const {
   if (water.empty() || !IsUtf8(water)) {
     return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
   }
+  if (water != "auto" && water != "off") TILEMEND_RETURN_IF_ERROR(CheckAbsolute("water", water));
+  TILEMEND_RETURN_IF_ERROR(CheckAbsolute("area", area));
   if (!IsUtf8(area)) return InvalidSpec("area", absl::StrCat("'", Printable(area), "' is no path in UTF-8"));
   TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
   if (WaterProfileNamed(water_profile) == nullptr) {

@@ -29,6 +29,7 @@
 #include "coordinator/report/water_choice.h"
 #include "coordinator/service/output_folder.h"
 #include "coordinator/service/scene_files.h"
+#include "coordinator/service/scene_folders.h"
 #include "coordinator/waves/scene_waves.h"
 #include "tilemend/v1/stages.pb.h"
 
@@ -150,6 +151,10 @@ class ScenePipeline : public JobPipeline {
         waves_(std::move(scene), WaveOptionsOf(spec_, std::move(water)),
                [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }) {}
 
+  absl::StatusOr<JobFolders> Folders() const override {
+    return FoldersOf(waves_.scene(), output_ ? &output_->attempts() : nullptr);
+  }
+
   absl::StatusOr<std::vector<NewTask>> Start() override {
     const std::vector<SceneTile>& tiles = waves_.scene().tiles;
     if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
@@ -217,6 +222,8 @@ class ScenePipeline : public JobPipeline {
     v1::SurveyInput input;
     *input.mutable_tile() = Ref(*work.tile);
     input.set_look(!spec_.dry_run);
+    const Box2 reach = ReachOfCell(waves_.scene(), work.tile->cell);
+    for (const double x : {reach.lo.x(), reach.lo.y(), reach.hi.x(), reach.hi.y()}) input.add_reach(x);
     return NewTask{work.tile->cell, Stage::kSurvey, input.SerializeAsString()};
   }
 
@@ -270,7 +277,7 @@ class ScenePipeline : public JobPipeline {
     input.set_library(std::move(library));
     const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
     output_->Adopt({carried.begin(), carried.end()});
-    for (const std::string& path : carried) input.add_carried(path);
+    input.mutable_carried()->Add(carried.begin(), carried.end());
     input.set_link_images(spec_.textures == "link");
     input.set_output_root(spec_.out);
   }
@@ -287,8 +294,7 @@ class ScenePipeline : public JobPipeline {
 
   absl::Status Take(const TaskResult& result) {
     const absl::Status status = Decode(result);
-    if (!status.ok() && result.stage != Stage::kAssemble) return Unreadable(result.cell, status);
-    if (!status.ok()) return status;
+    if (!status.ok()) return result.stage == Stage::kAssemble ? status : Unreadable(result.cell, status);
     if (result.stage != Stage::kSurvey) return absl::OkStatus();
     return CheckInsideCell(waves_.records().at(result.cell), waves_.scene(), waves_.tile(result.cell));
   }
@@ -334,7 +340,7 @@ class ScenePipeline : public JobPipeline {
 
   absl::Status Place(const v1::AssembleOutput& output) {
     for (const v1::WrittenFile& file : output.files()) {
-      TILEMEND_RETURN_IF_ERROR(output_->Place({file.attempt(), file.path(), file.bytes(), file.digest()}));
+      TILEMEND_RETURN_IF_ERROR(output_->Place({file.attempt(), file.path(), file.bytes()}));
     }
     return absl::OkStatus();
   }
@@ -344,13 +350,13 @@ class ScenePipeline : public JobPipeline {
   absl::Status Leave(const TaskResult& result) {
     const absl::Status& error = result.output.status();
     const std::string reason(error.message());
-    const bool quarantined = ErrorReason(error) == "QUARANTINED";
-    if (result.stage == Stage::kAssemble && quarantined) {
+    const bool given_up = ErrorReason(error) == "QUARANTINED" || ErrorReason(error) == "RESULT_REFUSED";
+    if (result.stage == Stage::kAssemble && given_up) {
       waves_.LeaveTile(result.cell, reason);
       return absl::OkStatus();
     }
     const bool filling = result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
-    if (!filling || !(quarantined || absl::IsInternal(error))) return error;
+    if (!filling || !(given_up || absl::IsInternal(error))) return error;
     waves_.LeaveHoles(result.cell, reason);
     rims_.erase(result.cell);
     return absl::OkStatus();

@@ -1,5 +1,6 @@
 // The worker's side of CoordinatorImpl: Sync and blobs.
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -7,8 +8,10 @@
 #include "common/rpc/limits.h"
 #include "common/rpc/status_proto.h"
 #include "common/store/digest.h"
+#include "common/store/fingerprint.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "coordinator/service/coordinator_impl.h"
 
 namespace tilemend {
@@ -42,6 +45,10 @@ v1::TaskRef RefOf(const TaskKey& key, uint64_t token) {
   return ref;
 }
 
+bool IsInline(const v1::BlobRef& blob) { return blob.size() == static_cast<int64_t>(blob.content().size()); }
+
+std::string DigestOf(const v1::BlobRef& blob) { return IsInline(blob) ? Sha256Hex(blob.content()) : blob.digest(); }
+
 bool IsMachineError(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsResourceExhausted(status);
 }
@@ -67,15 +74,21 @@ absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& re
   std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
   {
     Lock lock(mutex_);
-    uint64_t& sequence = sequences_[request.worker()];
+    TILEMEND_RETURN_IF_ERROR(CheckSecret(request));
+    uint64_t& sequence = callers_[request.worker()].sequence;
     sequence = std::max(sequence, request.sequence());
     work_changed_.notify_all();  // an older call of this worker ends
     const bool is_new = state_.FindWorker(request.worker()) == nullptr;
     TILEMEND_RETURN_IF_ERROR(
         Apply(WorkerSeen{request.worker(), request.threads(), request.draining(), options_.clock()}).status());
     if (is_new) metrics_.Show(state_);
-    TakeReports(std::move(reports), response);
+    TakeReports(request.worker(), std::move(reports), response);
     RenewHeld(request);
+    if (const std::vector<std::string> unseen = TakeSeen(request); !unseen.empty()) {
+      lock.unlock();
+      FailJobsThatAreGone(unseen);
+      lock.lock();
+    }
     TILEMEND_RETURN_IF_ERROR(AwaitNews(request, alive, lock, response));
     blobs = BlobsOf(response);
   }
@@ -84,50 +97,120 @@ absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& re
   return response;
 }
 
+absl::Status CoordinatorImpl::CheckSecret(const v1::SyncRequest& request) {
+  std::string& secret = callers_.try_emplace(request.worker(), Caller{0, request.secret()}).first->second.secret;
+  if (secret == request.secret()) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::PermissionDeniedError(absl::StrCat("another process is worker ", Printable(request.worker()))),
+      {"WORKER_SECRET", {}});
+}
+
+std::vector<std::string> CoordinatorImpl::TakeSeen(const v1::SyncRequest& request) {
+  std::vector<std::string> unseen;
+  for (const v1::FoldersSeen& seen : request.seen()) {
+    const auto warning = trust_.TakeSeen(request.worker(), seen, options_.clock());
+    if (!warning) continue;
+    Warn(seen.job(), *warning);
+    unseen.push_back(seen.job());
+  }
+  metrics_.ShowTrust(trust_.set_aside(), trust_.blind());
+  return unseen;
+}
+
+// A job whose folders the coordinator does not see either any more has no worker to wait for.
+void CoordinatorImpl::FailJobsThatAreGone(const std::vector<std::string>& jobs) {
+  for (const std::string& job : jobs) {
+    JobFolders folders;
+    {
+      Lock lock(mutex_);
+      const JobFolders* known = trust_.FoldersOf(job);
+      if (known == nullptr) continue;
+      folders = *known;
+    }
+    absl::Status gone;
+    for (const KnownFile& file : folders.files) gone.Update(FingerprintOf(file.path).status());
+    if (gone.ok()) continue;
+    Lock lock(mutex_);
+    const auto entry = entries_.find(job);
+    if (entry == entries_.end() || entry->second.runner == nullptr) continue;
+    entry->second.runner->Fail(
+        absl::AbortedError(absl::StrCat(std::string(gone.message()), ": was it removed while the job ran?")));
+  }
+}
+
 std::vector<CoordinatorImpl::Report> CoordinatorImpl::PrepareReports(const v1::SyncRequest& request) {
   std::vector<Report> reports;
   reports.reserve(static_cast<size_t>(request.finished_size()));
-  for (const v1::FinishedTask& finished : request.finished()) reports.push_back(PrepareReport(finished));
+  for (const v1::FinishedTask& finished : request.finished()) {
+    reports.push_back(PrepareReport(request.worker(), finished));
+  }
   return reports;
 }
 
-CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const v1::FinishedTask& finished) {
+CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const std::string& worker, const v1::FinishedTask& finished) {
   Report report{finished.ref(), static_cast<Stage>(finished.stage()), {}, std::nullopt};
   const TaskKey key = KeyOf(finished.ref());
   const uint64_t token = finished.ref().attempt_token();
-  if (!finished.has_output()) {
-    absl::Status error = StatusFromProto(finished.error());
-    if (error.ok()) error = absl::UnknownError("the worker reported neither an output nor an error");
-    const bool machine = IsMachineError(error);
-    report.event = TaskFailed{key, token, machine, std::move(error)};
+  const std::optional<Lease> lease = LeaseOf(worker, finished.ref());
+  report.held = lease.has_value();
+  if (finished.has_output()) {
+    report.event = TaskCompleted{key, token, DigestOf(finished.output())};
+    if (lease) PrepareOutput(worker, *lease, finished.output(), report);
     return report;
   }
-  const auto blobs = FindBlobs(key.job);
-  const v1::BlobRef& output = finished.output();
-  const bool is_inline = output.size() == static_cast<int64_t>(output.content().size());
-  const std::string digest = is_inline ? Sha256Hex(output.content()) : output.digest();
-  report.event = TaskCompleted{key, token, digest};
-  if (is_inline) report.content = output.content();
-  if (!blobs.ok() || *blobs == nullptr) return report;  // the job is over: the state will refuse it
-  bool queue_full = false;
-  {
-    Lock lock(mutex_);
-    const auto& runner = entries_.at(key.job).runner;
-    queue_full = runner != nullptr && runner->queued_bytes() > kMaxQueuedBytes;
-  }
-  if (is_inline && queue_full && (*blobs)->Put(output.content(), OutputSync()).ok()) report.content.reset();
-  if (!is_inline && !(*blobs)->Size(digest).ok()) {
-    report.event =
-        TaskFailed{key, token, true, absl::UnavailableError(absl::StrCat("blob ", digest, " did not arrive"))};
-  }
+  absl::Status error = StatusFromProto(finished.error());
+  if (error.ok()) error = absl::UnknownError("the worker reported neither an output nor an error");
+  const bool machine = IsMachineError(error);
+  report.event = TaskFailed{key, token, machine, std::move(error)};
   return report;
 }
 
-void CoordinatorImpl::TakeReports(std::vector<Report> reports, v1::SyncResponse& response) {
+std::optional<CoordinatorImpl::Lease> CoordinatorImpl::LeaseOf(const std::string& worker, const v1::TaskRef& ref) {
+  Lock lock(mutex_);
+  const Task* task = state_.FindTask(KeyOf(ref));
+  if (task == nullptr || task->state != TaskState::kLeased || task->token != ref.attempt_token() ||
+      task->worker != worker) {
+    return std::nullopt;
+  }
+  const JobEntry& entry = entries_.at(ref.job());
+  if (entry.blobs == nullptr) return std::nullopt;
+  const bool queue_full = entry.runner != nullptr && entry.runner->queued_bytes() > kMaxQueuedBytes;
+  return Lease{task->cell, task->stage, task->input, entry.blobs, queue_full};
+}
+
+// Puts down in the report what is to become of an output.
+void CoordinatorImpl::PrepareOutput(const std::string& worker, const Lease& lease, const v1::BlobRef& output,
+                                    Report& report) {
+  const TaskKey key = KeyOf(report.ref);
+  const uint64_t token = report.ref.attempt_token();
+  if (const absl::Status status = CheckOutput(lease, output); absl::IsDataLoss(status)) {
+    report.refusal =
+        absl::StrCat("the result of worker ", Printable(worker), " for cell ", ToString(lease.cell), ", stage ",
+                     std::string(StageName(lease.stage)), ", is wrong: ", std::string(status.message()));
+    const absl::Status error = WithErrorInfo(absl::InternalError(report.refusal), {"RESULT_REFUSED", {}});
+    report.event = TaskFailed{key, token, true, error, DigestOf(output)};
+  } else if (!status.ok()) {
+    report.event = TaskFailed{key, token, true, absl::UnavailableError(status.message())};
+  } else if (IsInline(output) && !(lease.queue_full && lease.blobs->Put(output.content(), OutputSync()).ok())) {
+    report.content = output.content();
+  }
+}
+
+absl::Status CoordinatorImpl::CheckOutput(const Lease& lease, const v1::BlobRef& output) const {
+  if (!IsInline(output) && !lease.blobs->Size(output.digest()).ok()) {
+    return absl::UnavailableError(absl::StrCat("blob ", Printable(output.digest()), " did not arrive"));
+  }
+  if (!options_.check_result) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const std::string input, lease.blobs->Read(lease.input));
+  if (IsInline(output)) return options_.check_result(lease.stage, input, output.content());
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, lease.blobs->Read(output.digest()));
+  return options_.check_result(lease.stage, input, bytes);
+}
+
+void CoordinatorImpl::TakeReports(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response) {
   for (Report& report : reports) {
     const int64_t bytes = report.content.has_value() ? static_cast<int64_t>(report.content->size()) : 0;
-    const auto result = Apply(report.event, {std::move(report.content)});
-    if (result.ok()) {
+    if (TakeReport(worker, report)) {
       metrics_.BlobReceived(bytes);
     } else {
       metrics_.RefusedLate(report.stage);
@@ -136,9 +219,45 @@ void CoordinatorImpl::TakeReports(std::vector<Report> reports, v1::SyncResponse&
   }
 }
 
+// False if it comes too late, or from one that does not hold the task.
+bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
+  const Task* task = state_.FindTask(KeyOf(report.ref));
+  if (task != nullptr && task->state == TaskState::kLeased && !report.held) return false;
+  const auto effects = Apply(report.event, {std::move(report.content)});
+  if (!effects.ok()) return false;
+  const auto* failed = std::get_if<TaskFailed>(&report.event);
+  if (failed != nullptr && ErrorReason(failed->error) == "FOLDER_NOT_SEEN") trust_.Doubt(worker, report.ref.job());
+  if (!report.refusal.empty()) OnRefused(worker, report, *effects);
+  return true;
+}
+
+void CoordinatorImpl::OnRefused(const std::string& worker, const Report& report, const Effects& effects) {
+  metrics_.Refused(report.stage);
+  Warn(report.ref.job(), report.refusal);
+  if (effects.settled.empty()) {
+    trust_.SetAside(worker, report.refusal);
+    Apply(WorkerLeft{worker}).IgnoreError();  // others do what it holds
+  } else if (const Task* task = state_.FindTask(KeyOf(report.ref)); task != nullptr) {
+    // Several came to it: the fault is in the task.
+    for (const auto& [refused, digest] : task->refused) trust_.Restore(refused);
+  }
+  metrics_.ShowTrust(trust_.set_aside(), trust_.blind());
+}
+
+void CoordinatorImpl::Warn(const std::string& job, const std::string& warning) {
+  if (Apply(JobWarned{job, warning}).ok()) job_changed_.notify_all();
+}
+
+void CoordinatorImpl::ForgetWorker(const std::string& worker) {
+  callers_.erase(worker);
+  trust_.RemoveWorker(worker);
+}
+
 void CoordinatorImpl::RenewHeld(const v1::SyncRequest& request) {
   const absl::Time deadline = options_.clock() + options_.lease;
   for (const v1::TaskRef& ref : request.held()) {
+    const Task* task = state_.FindTask(KeyOf(ref));
+    if (task == nullptr || task->worker != request.worker()) continue;
     // Fails if the lease was lost; TellState then leaves the task out.
     Apply(LeaseRenewed{KeyOf(ref), ref.attempt_token(), deadline}).IgnoreError();
   }
@@ -149,21 +268,21 @@ absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, const st
   const absl::Duration wait = std::clamp(absl::Milliseconds(request.wait_ms()), absl::ZeroDuration(), kMaxPoll);
   const SteadyTime deadline = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(wait);
   while (true) {
-    const auto sequence = sequences_.find(request.worker());
-    if (sequence == sequences_.end() || sequence->second > request.sequence()) {
+    const auto caller = callers_.find(request.worker());
+    if (caller == callers_.end() || caller->second.sequence > request.sequence()) {
       return absl::AbortedError("a newer call of this worker took over");
     }
     if (!alive()) return absl::CancelledError("the worker went away");
     if (request.draining() && request.held().empty()) {
       Apply(WorkerLeft{request.worker()}).IgnoreError();
-      sequences_.erase(sequence);
+      ForgetWorker(request.worker());
       metrics_.Show(state_);
       response.set_leave(true);
       return absl::OkStatus();
     }
     TellState(request, response);
-    const bool news =
-        response.start_size() > 0 || response.acknowledged_size() > 0 || response.keep_size() < request.held_size();
+    const bool news = response.start_size() > 0 || response.look_size() > 0 || response.acknowledged_size() > 0 ||
+                      response.keep_size() < request.held_size();
     if (stopping_ && !news) return absl::UnavailableError("the coordinator is shutting down");
     if (news || std::chrono::steady_clock::now() >= deadline) return absl::OkStatus();
     work_changed_.wait_until(lock, deadline);
@@ -173,6 +292,9 @@ absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, const st
 void CoordinatorImpl::TellState(const v1::SyncRequest& request, v1::SyncResponse& response) {
   response.clear_start();
   response.clear_keep();
+  response.clear_look();
+  response.set_set_aside(trust_.WhySetAside(request.worker()));
+  if (!stopping_ && !request.draining()) TellToLook(request, response);
   if (!stopping_) LeaseTasks(request.worker());
   const WorkerRecord* worker = state_.FindWorker(request.worker());
   if (worker == nullptr) return;  // it was lost while it waited; its next call makes it known again
@@ -190,9 +312,20 @@ void CoordinatorImpl::TellState(const v1::SyncRequest& request, v1::SyncResponse
   }
 }
 
+void CoordinatorImpl::TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const {
+  std::set<std::string> busy;
+  for (const v1::FoldersSeen& seen : request.seen()) {
+    if (seen.looking()) busy.insert(seen.job());
+  }
+  for (v1::JobFolders& folders : trust_.ToLookAt(request.worker(), busy, options_.clock())) {
+    *response.add_look() = std::move(folders);
+  }
+}
+
 void CoordinatorImpl::LeaseTasks(const std::string& worker) {
   const absl::Time now = options_.clock();
-  for (const TaskKey& key : state_.ChooseTasks(worker)) {
+  const auto may = [&](const std::string& job) { return trust_.MayWorkOn(worker, job); };
+  for (const TaskKey& key : state_.ChooseTasks(worker, may)) {
     const Stage stage = state_.FindTask(key)->stage;
     if (Apply(TaskLeased{key, worker, state_.NextToken(), now, now + options_.lease}).ok()) metrics_.Started(stage);
   }

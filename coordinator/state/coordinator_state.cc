@@ -1,5 +1,6 @@
 #include "coordinator/state/coordinator_state.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -92,7 +93,8 @@ bool CoordinatorState::IsLastChance(const Task& task) const {
          options_.quarantine_after > 1;
 }
 
-std::vector<TaskKey> CoordinatorState::ChooseTasks(const std::string& worker) const {
+std::vector<TaskKey> CoordinatorState::ChooseTasks(const std::string& worker,
+                                                   const std::function<bool(const std::string& job)>& may) const {
   const WorkerRecord* record = FindWorker(worker);
   std::vector<TaskKey> chosen;
   if (record == nullptr || record->draining) return chosen;
@@ -102,8 +104,10 @@ std::vector<TaskKey> CoordinatorState::ChooseTasks(const std::string& worker) co
   const size_t free = record->threads - std::min<size_t>(record->threads, record->held.size());
   for (const auto& [number, id] : running_) {
     const Job& job = jobs_.at(id);
+    if (job.pending.empty() || !may(id)) continue;
     for (const int64_t task : job.pending) {
       if (chosen.size() >= free) return chosen;
+      if (job.tasks.at(task).refused.contains(worker)) continue;
       if (IsLastChance(job.tasks.at(task))) {
         // Alone or not at all. A worker that holds others takes nothing more before it, so that it comes to its turn.
         if (record->held.empty() && chosen.empty()) chosen.push_back({id, task});
@@ -339,12 +343,22 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   Effects effects;
   if (task == nullptr) return effects;
   Job& job = jobs_.at(event.key.job);
-  if (event.machine && ++task->returns < options_.max_returns) {
+  const bool again =
+      event.refused.empty() ? event.machine && ++task->returns < options_.max_returns : !Refuse(*task, event.refused);
+  if (again) {
     BackToPending(job, *task, effects);
   } else {
     Settle(job, *task, {TaskState::kFailed, "", event.error}, effects);
   }
   return effects;
+}
+
+bool CoordinatorState::Refuse(Task& task, const std::string& digest) const {
+  const bool agreed = std::any_of(task.refused.begin(), task.refused.end(), [&](const auto& refused) {
+    return refused.first != task.worker && refused.second == digest;
+  });
+  task.refused[task.worker] = digest;
+  return agreed || static_cast<int32_t>(task.refused.size()) >= options_.max_refusals;
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const LeaseExpired& event) {
@@ -384,6 +398,15 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobProgressed& event) {
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
   if (job->progress == event.progress) return Effects();
   job->progress = event.progress;
+  ++job->version;
+  return Effects();
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const JobWarned& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+  const bool known = std::find(job->warnings.begin(), job->warnings.end(), event.warning) != job->warnings.end();
+  if (known || job->warnings.size() >= kMostWarnings) return Effects();
+  job->warnings.push_back(event.warning);
   ++job->version;
   return Effects();
 }

@@ -8,6 +8,8 @@
 //  - A task that was with `quarantine_after` workers when they were lost is quarantined, with their names.
 //    Before its last chance it is given only to a worker that holds nothing, and alone, so that it takes no other task
 //    down with it and no other task takes the blame.
+//  - A task whose results were refused goes to another worker. It has failed when `max_refusals` workers gave a wrong
+//    result, or two gave the same: then the fault is not theirs.
 //  - Deterministic: the same events in the same order give the same state and the same choices.
 //
 // No I/O, no threads, no clock. Not thread-safe. An event costs O(log(tasks)), a lost worker O(held log(tasks)).
@@ -15,6 +17,7 @@
 #define TILEMEND_COORDINATOR_STATE_COORDINATOR_STATE_H_
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +31,7 @@ namespace tilemend {
 
 struct StateOptions {
   int32_t quarantine_after = 3;  // >= 1, lost workers
+  int32_t max_refusals = 3;      // >= 1, workers whose results were refused
   int32_t max_returns = 3;       // >= 1, machine errors reported by living workers before one counts as the task's own
   // Tokens of attempts and versions of jobs start at epoch << 32. A coordinator that starts anew takes a larger epoch:
   // it refuses what an earlier one gave out, and its jobs are news to whoever watched them before.
@@ -44,8 +48,11 @@ class CoordinatorState {
   absl::StatusOr<Effects> Apply(const Event& event);
 
   // The tasks to lease to `worker` now, at most as many as it has free threads: oldest job first, then in the order in
-  // which the pipeline added them. Empty for an unknown or draining worker.
-  std::vector<TaskKey> ChooseTasks(const std::string& worker) const;
+  // which the pipeline added them. Empty for an unknown or draining worker. Only of jobs that it `may` work on, and no
+  // task of which its result was refused.
+  std::vector<TaskKey> ChooseTasks(
+      const std::string& worker,
+      const std::function<bool(const std::string& job)>& may = [](const auto&) { return true; }) const;
 
   // A token for the next TaskLeased: larger than all that were applied.
   uint64_t NextToken() const { return last_token_ + 1; }
@@ -78,6 +85,7 @@ class CoordinatorState {
   Result On(const WorkerLost& event);
   Result On(const WorkerLeft& event);
   Result On(const JobProgressed& event);
+  Result On(const JobWarned& event);
   Result On(const JobCancelled& event);
   Result On(const JobFinished& event);
 
@@ -94,6 +102,8 @@ class CoordinatorState {
   void EnterResult(Job& job, Task& task, KnownResult result, bool known, Effects& effects);
   void Insert(Job job);
   void LoseLease(Job& job, Task& task, Effects& effects);
+  // Puts a refusal down; whether the task has failed by it.
+  bool Refuse(Task& task, const std::string& digest) const;
   void EndJob(Job& job, JobState state, absl::Time time);
   // Of a job when it gets known here: above all that an earlier epoch can have reached.
   uint64_t FirstVersion() const { return (static_cast<uint64_t>(options_.epoch) << 32) + 1; }

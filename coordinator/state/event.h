@@ -79,6 +79,8 @@ struct TaskFailed {
   uint64_t token = 0;
   bool machine = false;  // the machine's failure, not the cell's: another attempt is worth it
   absl::Status error;    // not OK
+  // The digest of a result that was refused, else empty: the worker's failure, unless another gives the same.
+  std::string refused = {};
 };
 
 // The holder did not renew in time: as if the worker was lost, for this task alone.
@@ -102,6 +104,12 @@ struct JobProgressed {
   Progress progress;
 };
 
+// Something that a user should know of the job.
+struct JobWarned {
+  std::string job;
+  std::string warning;
+};
+
 struct JobCancelled {
   std::string job;
   absl::Time time;
@@ -114,8 +122,9 @@ struct JobFinished {
   absl::Time time;
 };
 
-using Event = std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted,
-                           TaskFailed, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobCancelled, JobFinished>;
+using Event =
+    std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted, TaskFailed,
+                 LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned, JobCancelled, JobFinished>;
 
 // A task that an event brought to its end. Every task of a job that is not cut short is settled exactly once.
 struct SettledTask {

@@ -42,9 +42,10 @@ struct Task {
   Stage stage = Stage::kSurvey;
   std::string input;  // digest of the input blob
   TaskState state = TaskState::kPending;
-  int32_t attempts = 0;                   // leases so far
-  int32_t returns = 0;                    // attempts that the machine gave back with an error
-  std::vector<std::string> lost_workers;  // workers that were lost while they held it
+  int32_t attempts = 0;                        // leases so far
+  int32_t returns = 0;                         // attempts that the machine gave back with an error
+  std::vector<std::string> lost_workers;       // workers that were lost while they held it
+  std::map<std::string, std::string> refused;  // digests of the results that were refused, by worker
   // Of the present lease, or of the one that settled it:
   uint64_t token = 0;
   std::string worker;
@@ -58,6 +59,8 @@ struct TaskKey {
   int64_t task = 0;
   auto operator<=>(const TaskKey&) const = default;
 };
+
+inline constexpr size_t kMostWarnings = 20;
 
 struct TaskCounts {
   int64_t added = 0;
@@ -77,6 +80,7 @@ struct Job {
   absl::Time ended = absl::InfiniteFuture();
   uint64_t version = 0;  // grows with each change of the job
   Progress progress;
+  std::vector<std::string> warnings;  // each once, at most kMostWarnings
   TaskCounts counts;
   std::map<int64_t, Task> tasks;  // emptied when the job is over
   std::set<int64_t> pending;      // ids of the tasks in state kPending

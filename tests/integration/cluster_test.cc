@@ -255,9 +255,10 @@ TEST(ClusterTest, APipelineWithoutTasksThatIsNotDoneFails) {
 
 TEST(ClusterTest, AMissingSceneIsNotFound) {
   TestCluster cluster;
-  const v1::Job job = cluster.WaitFor(cluster.Submit("nowhere").name());
-  EXPECT_EQ(job.state(), v1::FAILED);
-  EXPECT_EQ(job.error().code(), static_cast<int>(absl::StatusCode::kNotFound));
+  v1::CreateJobRequest request;
+  request.mutable_spec()->set_scene("/nowhere");
+  request.mutable_spec()->set_out(cluster.folder() / "out");
+  EXPECT_TRUE(absl::IsNotFound(cluster.impl().CreateJob(request).status()));
 }
 
 TEST(ClusterTest, ADrainingWorkerFinishesWhatItHasAndLeaves) {

@@ -1,4 +1,4 @@
-// What workers do that are late, cut off, broken or lie: a job never ends as done with a wrong or missing tile.
+// Workers that are late or cut off: a job never ends as done with a wrong or missing tile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,44 +7,22 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
+#include "absl/strings/str_replace.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
-#include "coordinator/service/scene_pipeline.h"
-#include "tests/support/output_checks.h"
-#include "tests/support/test_cluster.h"
+#include "tests/support/untrusted_workers.h"
 #include "tilemend/v1/stages.pb.h"
-#include "worker/service/scene_stages.h"
+#include "worker/service/look_at_folders.h"
 
 namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
-
-class UntrustedWorkerTest : public ::testing::Test {
- protected:
-  UntrustedWorkerTest() : cluster_(Options()) { WriteMade(SmallScene(Cut::kClipped), scene_); }
-
-  static ClusterOptions Options() {
-    ClusterOptions options;
-    options.factory = ScenePipelineFactory();
-    return options;
-  }
-  static std::string Out(const v1::Job& job) { return job.spec().out(); }
-  // The tiles of an undisturbed job.
-  std::map<std::string, std::string> Undisturbed() {
-    cluster_.AddWorker("undisturbed", 2, SceneStageRunner());
-    const v1::Job job = cluster_.WaitFor(cluster_.Submit(scene_).name());
-    EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
-    cluster_.KillWorker("undisturbed");
-    return TilesBelow(Out(job));
-  }
-
-  TestCluster cluster_;
-  const std::string scene_ = cluster_.folder() / "scene";
-};
 
 // Also while others write there.
 void Remove(const std::string& folder) {
@@ -133,6 +111,96 @@ TEST_F(UntrustedWorkerTest, TilesThatAreDeletedBeforeTheEndAreMissed) {
   EXPECT_EQ(ExitCodeOf(StatusFromProto(job.error())), kExitRetryable);
   EXPECT_THAT(job.error().message(), HasSubstr("not there as it was written"));
   EXPECT_FALSE(std::filesystem::exists(out + "/report.json"));
+}
+
+// Sees one folder under the name of another, as over a mount that is not that of the others.
+struct OtherMount {
+  std::string path, there;
+  std::string Map(const std::string& text) const { return absl::StrReplaceAll(text, {{path, there}}); }
+
+  StageRunner Runner() const {
+    return [*this, run = SceneStageRunner()](Stage stage, const std::string& bytes, const CancelToken& cancel) {
+      v1::AssembleInput input;
+      if (stage != Stage::kAssemble || !input.ParseFromString(bytes)) return run(stage, bytes, cancel);
+      input.set_attempts(Map(input.attempts()));
+      return run(stage, input.SerializeAsString(), cancel);
+    };
+  }
+  v1::FoldersSeen Look(const v1::JobFolders& folders) const {
+    v1::JobFolders mapped = folders;
+    for (std::string& file : *mapped.mutable_files()) file = Map(file);
+    mapped.set_attempts(Map(folders.attempts()));
+    return LookAtFolders(mapped);
+  }
+};
+
+class OtherMountTest : public UntrustedWorkerTest {
+ protected:
+  void AddStranger(const OtherMount& mount) {
+    WorkerOptions options;
+    options.id = "stranger";
+    options.look = [mount](const v1::JobFolders& folders) { return mount.Look(folders); };
+    cluster_.AddWorker(options, mount.Runner());
+  }
+  // With a good worker that comes when the stranger has been told of.
+  v1::Job RunWithBoth() {
+    const std::string name = cluster_.Submit(scene_).name();
+    while (cluster_.Get(name).warnings().empty()) std::this_thread::yield();
+    EXPECT_EQ(cluster_.Metric("tilemend_coordinator_workers_blind"), 1);
+    EXPECT_EQ(cluster_.Get(name).progress().tasks_running(), 0) << "it gets no task";
+    cluster_.AddWorker("good", 2, SceneStageRunner());
+    return cluster_.WaitFor(name);
+  }
+};
+
+TEST_F(OtherMountTest, AWorkerWithAnotherOutputFolderGetsNoTask) {
+  const std::string there = cluster_.folder() / "elsewhere";
+  std::filesystem::create_directories(there + "/.tilemend-attempts");
+  ASSERT_TRUE(WriteFileAtomically(there + "/.tilemend-attempts/key", std::string(32, '0')).ok());
+  AddStranger({cluster_.folder() / "out-1", there});
+  const v1::Job job = RunWithBoth();
+  EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
+  EXPECT_EQ(TilesBelow(Out(job)).size(), 12U);
+  ASSERT_EQ(job.warnings_size(), 1);
+  EXPECT_THAT(job.warnings(0), HasSubstr("worker stranger gets no task"));
+  EXPECT_THAT(job.warnings(0), HasSubstr("another file there"));
+  EXPECT_FALSE(std::filesystem::exists(there + "/tiles"));
+}
+
+TEST_F(OtherMountTest, AWorkerWithoutTheSceneGetsNoTask) {
+  AddStranger({scene_, cluster_.folder() / "elsewhere"});
+  const v1::Job job = RunWithBoth();
+  EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
+  ASSERT_EQ(job.warnings_size(), 1);
+  EXPECT_THAT(job.warnings(0), HasSubstr("elsewhere"));
+}
+
+TEST_F(OtherMountTest, AWorkerThatLosesTheOutputWhileItWorksIsReplaced) {
+  OtherMount lost{cluster_.folder() / "out-1", cluster_.folder() / "elsewhere"};
+  WorkerOptions options;
+  options.id = "stranger";
+  std::atomic<int> looks{0};
+  options.look = [&](const v1::JobFolders& folders) {
+    return ++looks == 1 ? LookAtFolders(folders) : lost.Look(folders);
+  };
+  cluster_.AddWorker(options, lost.Runner());
+  const v1::Job job = RunWithBoth();
+  EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
+  EXPECT_EQ(TilesBelow(Out(job)).size(), 12U);
+}
+
+TEST_F(UntrustedWorkerTest, PathsMustBeAbsoluteAndTheSceneThere) {
+  v1::CreateJobRequest request;
+  const auto refused = [&](const std::string& scene, const std::string& out) {
+    request.mutable_spec()->set_scene(scene);
+    request.mutable_spec()->set_out(out);
+    return cluster_.impl().CreateJob(request).status();
+  };
+  EXPECT_EQ(ErrorReason(refused("scene", "/tmp/out")), "INVALID_SPEC");
+  EXPECT_EQ(ErrorReason(refused(scene_, "out")), "INVALID_SPEC");
+  const absl::Status gone = refused(cluster_.folder() / "none", "/tmp/out");
+  EXPECT_EQ(ErrorReason(gone), "SCENE_NOT_FOUND");
+  EXPECT_EQ(ExitCodeOf(gone), kExitNotFound);
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ void TestCluster::StartCoordinator() {
   coordinator.work_folder = folder_ / "work";
   coordinator.lease = kLease;
   coordinator.state = options_.state;
+  coordinator.check_result = options_.check_result;
   coordinator.max_running_jobs = options_.max_running_jobs;
   if (options_.durable) {
     auto journal = OpenSqliteJournal(folder_ / "journal.sqlite");
@@ -71,7 +72,11 @@ Worker& TestCluster::AddWorker(const std::string& name, int threads, StageRunner
   WorkerOptions options;
   options.id = name;
   options.threads = threads;
-  auto& worker = workers_[name];
+  return AddWorker(options, std::move(runner));
+}
+
+Worker& TestCluster::AddWorker(const WorkerOptions& options, StageRunner runner) {
+  auto& worker = workers_[options.id];
   worker = std::make_unique<Worker>(options, NewLink(), std::move(runner), *MetricsRegistry::Null());
   return *worker;
 }

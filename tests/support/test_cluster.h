@@ -59,6 +59,7 @@ struct ClusterOptions {
   PipelineFactory factory = ToyPipelineFactory();
   StateOptions state;
   size_t max_running_jobs = 64;
+  ResultCheck check_result;
   bool fake_clock = false;  // leases then run out only through clock() and Tick()
   bool durable = false;     // for Restart
 };
@@ -70,6 +71,7 @@ class TestCluster {
 
   // Starts a worker; the name is its id.
   Worker& AddWorker(const std::string& name, int threads = 1, StageRunner runner = ToyStageRunner());
+  Worker& AddWorker(const WorkerOptions& options, StageRunner runner);
   // As if its machine had lost power.
   void KillWorker(const std::string& name);
   // The coordinator ends without a word and another one starts in its place; workers go with it. Only if durable.

@@ -1,4 +1,5 @@
 // The toy in place of the geometry, for the programs of the tests.
+#include "coordinator/service/result_checks.h"
 #include "coordinator/service/scene_pipeline.h"
 #include "tests/support/toy_engine.h"
 #include "worker/service/scene_stages.h"
@@ -6,6 +7,8 @@
 namespace tilemend {
 
 PipelineFactory ScenePipelineFactory() { return ToyPipelineFactory(); }
+
+ResultCheck SceneResultCheck(TileCheck) { return {}; }
 
 StageRunner SceneStageRunner() { return ToyStageRunner(); }
 

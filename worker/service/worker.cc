@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -20,6 +21,14 @@
 #include "common/util/status_macros.h"
 
 namespace tilemend {
+namespace {
+
+std::string NewSecret() {
+  std::random_device random;
+  return absl::StrFormat("%08x%08x%08x%08x", random(), random(), random(), random());
+}
+
+}  // namespace
 
 std::string NewWorkerId() {
   std::array<char, 256> host{};
@@ -29,7 +38,7 @@ std::string NewWorkerId() {
 
 Worker::Worker(const WorkerOptions& options, std::unique_ptr<WorkLink> link, StageRunner runner,
                MetricsRegistry& metrics)
-    : options_(options), link_(std::move(link)), runner_(std::move(runner)), metrics_(metrics) {
+    : options_(options), secret_(NewSecret()), link_(std::move(link)), runner_(std::move(runner)), metrics_(metrics) {
   threads_.emplace_back([this] { SyncLoop(); });
   for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { RunTasks(); });
 }
@@ -128,7 +137,9 @@ v1::SyncRequest Worker::NextRequest() {
   v1::SyncRequest request;
   request.set_protocol(kProtocolVersion);
   request.set_worker(options_.id);
+  request.set_secret(secret_);
   request.set_sequence(++sequence_);
+  for (const auto& [job, seen] : seen_) *request.add_seen() = seen;
   int32_t threads = options_.threads + options_.prefetch;
   for (const auto& [token, held] : held_) {
     if (held->dropped) {
@@ -163,6 +174,7 @@ void Worker::Take(const v1::SyncRequest& request, v1::SyncResponse response) {
     if (!kept.contains(ref.attempt_token())) DropHeld(ref.attempt_token());
   }
   if (mode_ >= Mode::kStopping) return;
+  TakeLooks(request, response);
   for (v1::Task& task : *response.mutable_start()) {
     const uint64_t token = task.ref().attempt_token();
     if (held_.contains(token) || finished_.contains(token)) continue;
@@ -172,6 +184,26 @@ void Worker::Take(const v1::SyncRequest& request, v1::SyncResponse response) {
     ready_.push_back(std::move(held));
   }
   changed_.notify_all();
+}
+
+void Worker::TakeLooks(const v1::SyncRequest& request, const v1::SyncResponse& response) {
+  for (const v1::FoldersSeen& seen : request.seen()) {
+    if (!seen.looking()) seen_.erase(seen.job());
+  }
+  for (const v1::JobFolders& folders : response.look()) {
+    v1::FoldersSeen looking;
+    looking.set_job(folders.job());
+    looking.set_looking(true);
+    if (seen_.emplace(folders.job(), std::move(looking)).second) to_look_.push_back(folders);
+  }
+  if (response.set_aside() != set_aside_) options_.tell(set_aside_ = response.set_aside());
+}
+
+void Worker::Look(const v1::JobFolders& folders) {
+  v1::FoldersSeen seen = options_.look(folders);
+  std::lock_guard<std::mutex> lock(mutex_);
+  seen_[folders.job()] = std::move(seen);
+  if (waiting_call_ != nullptr) waiting_call_->Interrupt();
 }
 
 void Worker::DropHeld(uint64_t token) {
@@ -189,14 +221,24 @@ void Worker::DropHeld(uint64_t token) {
 void Worker::RunTasks() {
   while (true) {
     std::shared_ptr<Held> held;
+    std::optional<v1::JobFolders> folders;
     {
       std::unique_lock<std::mutex> lock(mutex_);
-      changed_.wait(lock, [this] { return ended_ || !ready_.empty(); });
+      changed_.wait(lock, [this] { return ended_ || !ready_.empty() || !to_look_.empty(); });
       if (ended_) return;
-      held = std::move(ready_.front());
-      ready_.pop_front();
+      if (!to_look_.empty()) {
+        folders = std::move(to_look_.front());
+        to_look_.pop_front();
+      } else {
+        held = std::move(ready_.front());
+        ready_.pop_front();
+      }
     }
-    RunTask(*held);
+    if (folders) {
+      Look(*folders);
+    } else {
+      RunTask(*held);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -22,6 +23,7 @@
 #include "common/metrics/metrics.h"
 #include "common/util/cancel_token.h"
 #include "tilemend/v1/work.pb.h"
+#include "worker/service/look_at_folders.h"
 #include "worker/service/stage_runner.h"
 #include "worker/service/work_link.h"
 #include "worker/service/worker_metrics.h"
@@ -36,6 +38,8 @@ struct WorkerOptions {
   int prefetch = 0;
   absl::Duration first_backoff = absl::Milliseconds(50);
   absl::Duration max_backoff = absl::Seconds(1);
+  std::function<v1::FoldersSeen(const v1::JobFolders&)> look = LookAtFolders;  // on a thread of tasks
+  std::function<void(const std::string&)> tell = [](const std::string&) {};    // that it was set aside, once
 };
 
 // "host-pid-random".
@@ -72,16 +76,19 @@ class Worker {
   bool SyncOnce(absl::Duration& backoff);  // false: the end
   v1::SyncRequest NextRequest();           // with the lock held
   void Take(const v1::SyncRequest& request, v1::SyncResponse response);
-  void DropHeld(uint64_t token);       // with the lock held
-  bool Pause(absl::Duration backoff);  // false: the end
+  void TakeLooks(const v1::SyncRequest& request, const v1::SyncResponse& response);  // with the lock held
+  void DropHeld(uint64_t token);                                                     // with the lock held
+  bool Pause(absl::Duration backoff);                                                // false: the end
   void SetMode(Mode mode);
 
   void RunTasks();
   void RunTask(Held& held);
+  void Look(const v1::JobFolders& folders);
   absl::StatusOr<std::string> Compute(const Held& held);
   v1::FinishedTask Report(const v1::Task& task, absl::StatusOr<std::string> output);
 
   const WorkerOptions options_;
+  const std::string secret_;
   const std::unique_ptr<WorkLink> link_;
   const StageRunner runner_;
   WorkerMetrics metrics_;
@@ -94,6 +101,9 @@ class Worker {
   uint64_t sequence_ = 0;
   std::map<uint64_t, std::shared_ptr<Held>> held_;  // by attempt token, dropped ones too
   std::deque<std::shared_ptr<Held>> ready_;
+  std::deque<v1::JobFolders> to_look_;
+  std::map<std::string, v1::FoldersSeen> seen_;    // by job, until the coordinator has it
+  std::string set_aside_;                          // as it was told last
   std::map<uint64_t, v1::FinishedTask> finished_;  // by attempt token, until acknowledged
   SyncCall* waiting_call_ = nullptr;               // that may be interrupted
   std::vector<std::thread> threads_;

@@ -14,7 +14,7 @@ TEST(AttemptFolderTest, ChecksWhatAWorkerSaysItWrote) {
   ASSERT_TRUE(attempts.ok()) << attempts.status();
   const std::string name(34, 'b');
   const auto check = [&](const std::string& attempt, int64_t bytes) {
-    return AttemptFolder::Check(attempts->path(), {attempt, "tiles/a.ply", bytes, ""});
+    return AttemptFolder::Check(attempts->path(), {attempt, "tiles/a.ply", bytes});
   };
   EXPECT_TRUE(absl::IsDataLoss(check(name, 4)));
   folder.Write(absl::StrCat(".tilemend-attempts/", name), "tile");

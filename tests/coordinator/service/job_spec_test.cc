@@ -15,8 +15,8 @@ const std::string kNotUtf8 = "\xff";
 
 JobSpec Valid() {
   JobSpec spec;
-  spec.scene = std::string("scene");
-  spec.out = std::string("out");
+  spec.scene = std::string("/scene");
+  spec.out = std::string("/out");
   return spec;
 }
 
@@ -43,6 +43,16 @@ TEST(JobSpecTest, RefusesPathsThatAreNotUtf8) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.out = kNotUtf8; }), "out");
   EXPECT_EQ(Fault([](JobSpec& s) { s.water = kNotUtf8; }), "water");
   EXPECT_EQ(Fault([](JobSpec& s) { s.area = kNotUtf8; }), "area");
+}
+
+TEST(JobSpecTest, RefusesPathsThatMeanSomethingElseElsewhere) {
+  for (const std::string& path : {std::string("a/b"), std::string("./a"), "/" + std::string(5000, 'x')}) {
+    EXPECT_EQ(Fault([&](JobSpec& s) { s.scene = path; }), "scene");
+    EXPECT_EQ(Fault([&](JobSpec& s) { s.out = path; }), "out");
+    EXPECT_EQ(Fault([&](JobSpec& s) { s.water = path; }), "water");
+    EXPECT_EQ(Fault([&](JobSpec& s) { s.area = path; }), "area");
+  }
+  EXPECT_EQ(Fault([](JobSpec& s) { s.scene = std::string("s3://bucket/scene"); }), "");
 }
 
 TEST(JobSpecTest, KnowsTheSurfacesByName) {

@@ -115,5 +115,55 @@ TEST_F(WorkImplTest, RefusesBadBlobs) {
   EXPECT_FALSE(write(id, Sha256Hex("a"), {}).ok());
 }
 
+void Finish(const v1::Task& task, v1::SyncRequest& request) {
+  auto* finished = request.add_finished();
+  *finished->mutable_ref() = task.ref();
+  finished->set_stage(task.stage());
+  finished->mutable_output()->set_content("5 ");
+  finished->mutable_output()->set_size(2);
+}
+
+TEST_F(WorkImplTest, TakesAResultFromItsHolderAlone) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const v1::Task task = AwaitTask("holder");
+  v1::SyncRequest stranger = NewSync("stranger", 0);
+  Finish(task, stranger);
+  *stranger.add_held() = task.ref();
+  EXPECT_EQ(Sync(stranger).keep_size(), 0);
+  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 0);
+  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_refused_late_total{stage=\"survey\"}"), 1);
+  v1::SyncRequest holder = NewSync("holder", 0);
+  Finish(task, holder);
+  Sync(holder);
+  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 1);
+}
+
+TEST_F(WorkImplTest, AStrangerCannotRenewALease) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::Task task = AwaitTask("holder");
+  cluster_.clock().Advance(absl::Seconds(8));
+  v1::SyncRequest stranger = NewSync("stranger", 0);
+  *stranger.add_held() = task.ref();
+  stranger.set_wait_ms(0);
+  Sync(stranger);
+  cluster_.clock().Advance(absl::Seconds(8));
+  impl_.Tick();
+  EXPECT_EQ(AwaitTask("other").ref().task(), task.ref().task());
+}
+
+TEST_F(WorkImplTest, AWorkersNameIsItsOwn) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  v1::SyncRequest first = NewSync();
+  first.set_secret("mine");
+  Sync(first);
+  for (const char* secret : {"", "guessed"}) {
+    v1::SyncRequest stranger = NewSync();
+    stranger.set_secret(secret);
+    EXPECT_EQ(ErrorReason(impl_.Sync(stranger, [] { return true; }).status()), "WORKER_SECRET");
+  }
+  first.set_sequence(++sequence_);
+  Sync(first);
+}
+
 }  // namespace
 }  // namespace tilemend

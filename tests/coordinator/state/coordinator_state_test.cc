@@ -244,5 +244,54 @@ TEST_F(CoordinatorStateTest, EveryChangeOfAJobRaisesItsVersion) {
   EXPECT_EQ(state_.FindJob("a")->version, before);
 }
 
+TEST_F(CoordinatorStateTest, GivesNoTaskOfAJobThatTheWorkerMayNotWorkOn) {
+  AddJob("a", 1);
+  AddJob("b", 1);
+  See("w", 2);
+  const auto only_b = [](const std::string& job) { return job == "b"; };
+  EXPECT_THAT(state_.ChooseTasks("w", only_b), ElementsAre(TaskKey{"b", 1}));
+}
+
+class RefusedResultTest : public CoordinatorStateTest {
+ protected:
+  // A lease whose result is refused.
+  Effects Refuse(const std::string& worker, const std::string& digest) {
+    See(worker);
+    const uint64_t token = Lease(Key("a", 1), worker);
+    return Do(TaskFailed{Key("a", 1), token, true, absl::InternalError("wrong"), digest});
+  }
+};
+
+TEST_F(RefusedResultTest, GoesToAnotherWorker) {
+  AddJob("a", 1);
+  EXPECT_THAT(Refuse("w", "x").retried, SizeIs(1));
+  EXPECT_THAT(state_.ChooseTasks("w"), IsEmpty());
+  See("other");
+  EXPECT_THAT(state_.ChooseTasks("other"), ElementsAre(TaskKey{"a", 1}));
+}
+
+TEST_F(RefusedResultTest, HasFailedWhenTwoGiveTheSame) {
+  AddJob("a", 1);
+  Refuse("one", "x");
+  const Effects effects = Refuse("other", "x");
+  ASSERT_THAT(effects.settled, SizeIs(1));
+  EXPECT_EQ(effects.settled[0].state, TaskState::kFailed);
+}
+
+TEST_F(RefusedResultTest, HasFailedWhenThreeWorkersAreWrong) {
+  AddJob("a", 1);
+  EXPECT_THAT(Refuse("one", "x").settled, IsEmpty());
+  EXPECT_THAT(Refuse("two", "y").settled, IsEmpty());
+  EXPECT_THAT(Refuse("three", "z").settled, SizeIs(1));
+}
+
+TEST_F(CoordinatorStateTest, KeepsAWarningOnceAndNotTooMany) {
+  AddJob("a", 1);
+  for (int i = 0; i < 100; ++i) Do(JobWarned{"a", absl::StrCat("worker ", i / 2)});
+  EXPECT_THAT(state_.FindJob("a")->warnings, SizeIs(kMostWarnings));
+  EXPECT_EQ(state_.FindJob("a")->warnings[1], "worker 1");
+  EXPECT_EQ(ReasonOf(JobWarned{"b", "?"}), "JOB_NOT_FOUND");
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -1,0 +1,18 @@
+#include "common/store/fingerprint.h"
+
+#include <algorithm>
+
+#include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+
+absl::StatusOr<std::string> FingerprintOf(const std::string& path) {
+  constexpr int64_t kEnd = 64 << 10;
+  TILEMEND_ASSIGN_OR_RETURN(const FileEnds ends, ReadFileEnds(path, kEnd));
+  return Sha256Hex(absl::StrCat(ends.size, "\n", ends.first, ends.last));
+}
+
+}  // namespace tilemend

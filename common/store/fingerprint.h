@@ -1,0 +1,17 @@
+// What a file looks like, without reading all of it.
+#ifndef TILEMEND_COMMON_STORE_FINGERPRINT_H_
+#define TILEMEND_COMMON_STORE_FINGERPRINT_H_
+
+#include <string>
+
+#include "absl/status/statusor.h"
+
+namespace tilemend {
+
+// A SHA-256 over the size of a regular file and its first and last 64 KiB: two machines that see the same file get the
+// same, and copies of it as well. Errors as ReadFile.
+absl::StatusOr<std::string> FingerprintOf(const std::string& path);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_STORE_FINGERPRINT_H_

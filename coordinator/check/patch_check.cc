@@ -1,0 +1,136 @@
+#include "coordinator/check/patch_check.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+
+namespace tilemend {
+namespace {
+
+// A reason is a line for people.
+constexpr size_t kMostReasonBytes = 2048;
+
+absl::Status Wrong(int32_t hole, const std::string& what) {
+  return absl::InvalidArgumentError(absl::StrCat("hole ", hole, ": ", what));
+}
+
+using Edges = std::vector<uint64_t>;  // directed, sorted
+
+uint64_t EdgeKey(uint32_t from, uint32_t to) { return static_cast<uint64_t>(from) << 32 | to; }
+
+uint64_t Reversed(uint64_t edge) { return edge << 32 | edge >> 32; }
+
+Edges EdgesOf(const HolePatch& patch, size_t rim_vertices) {
+  const auto number = [&](int32_t corner) {
+    return static_cast<uint32_t>(corner >= 0 ? corner : static_cast<int64_t>(rim_vertices) - 1 - corner);
+  };
+  Edges edges;
+  edges.reserve(3 * patch.triangles.size());
+  for (const Triangle& t : patch.triangles) {
+    for (int k = 0; k < 3; ++k) edges.push_back(EdgeKey(number(t[k]), number(t[(k + 1) % 3])));
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+Edges RimOf(const CellHole& hole) {
+  Edges rim;
+  rim.reserve(hole.segments.size());
+  for (const RimSegment& s : hole.segments) {
+    rim.push_back(EdgeKey(static_cast<uint32_t>(s.from), static_cast<uint32_t>(s.to)));
+  }
+  std::sort(rim.begin(), rim.end());
+  return rim;
+}
+
+absl::Status CheckEdges(const CellHole& hole, const HolePatch& patch, size_t rim_vertices) {
+  const auto is_flat = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[0] == t[2]; };
+  if (std::any_of(patch.triangles.begin(), patch.triangles.end(), is_flat)) {
+    return Wrong(hole.id, "a triangle with a corner twice");
+  }
+  const Edges edges = EdgesOf(patch, rim_vertices), rim = RimOf(hole);
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) {
+    return Wrong(hole.id, "an edge with two triangles on one side");
+  }
+  if (!std::includes(edges.begin(), edges.end(), rim.begin(), rim.end())) {
+    return Wrong(hole.id, "a rim segment without a triangle");
+  }
+  Edges inner, back;
+  inner.reserve(edges.size() - rim.size());
+  std::set_difference(edges.begin(), edges.end(), rim.begin(), rim.end(), std::back_inserter(inner));
+  back.reserve(inner.size());
+  for (const uint64_t edge : inner) back.push_back(Reversed(edge));
+  std::sort(back.begin(), back.end());
+  return inner == back ? absl::OkStatus() : Wrong(hole.id, "an edge inside that is left open");
+}
+
+// As ReachOf, twice as far: a surface may go beyond its rim, but not away. Water lies where its level is.
+Eigen::AlignedBox3d PlaceOf(const CellHoles& asked, const CellHole& hole) {
+  Eigen::AlignedBox3d box;
+  for (const RimSegment& s : hole.segments) box.extend(asked.vertices[s.from].position);
+  const double size = box.diagonal().norm();
+  const Point3 middle = box.center();
+  if (hole.level) box.extend(Point3(middle.x(), middle.y(), *hole.level));
+  for (const Point3& station : hole.river.stations) box.extend(Point3(middle.x(), middle.y(), station.z()));
+  return {box.min() - Point3::Constant(size), box.max() + Point3::Constant(size)};
+}
+
+absl::Status CheckPoints(const CellHoles& asked, const CellHole& hole, const HolePatch& patch) {
+  const Eigen::AlignedBox3d place = PlaceOf(asked, hole);
+  for (const Point3& p : patch.new_points) {
+    // False for what is not a number, too.
+    const bool inside = (p.array() >= place.min().array()).all() && (p.array() <= place.max().array()).all();
+    if (!inside) return Wrong(hole.id, "a new vertex far from the hole");
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckPatch(const CellHoles& asked, const CellHole& hole, const HolePatch& patch) {
+  if (!patch.failure.empty()) {
+    if (patch.failure.size() > kMostReasonBytes) return Wrong(hole.id, "a reason of many kilobytes");
+    const bool bare = patch.triangles.empty() && patch.new_points.empty() && !patch.hold_out;
+    return bare ? absl::OkStatus() : Wrong(hole.id, "both a reason to leave it and a patch");
+  }
+  if (patch.way == FillWay::kNone) return Wrong(hole.id, "filled in no way");
+  const absl::Status status = CheckEdges(hole, patch, asked.vertices.size());
+  return status.ok() ? CheckPoints(asked, hole, patch) : status;
+}
+
+absl::Status CheckQuality(const std::vector<HolePatch>& patches, const QualityTally& quality) {
+  int64_t triangles = 0;
+  for (const HolePatch& patch : patches) triangles += static_cast<int64_t>(patch.triangles.size());
+  int64_t sum = 0;
+  bool fits = quality.triangles == triangles;
+  for (const int64_t n : quality.histogram) {
+    fits = fits && n >= 0 && n <= triangles;
+    sum += fits ? n : 0;
+  }
+  fits = fits && sum == triangles && quality.poor >= 0 && quality.poor <= triangles && quality.poor_forced >= 0 &&
+         quality.poor_forced <= quality.poor && quality.sum_millionths >= 0 &&
+         quality.sum_millionths <= 1'000'000 * triangles && quality.least >= 0 && quality.least <= 1;
+  return fits ? absl::OkStatus() : absl::InvalidArgumentError("a quality that is not that of the triangles");
+}
+
+}  // namespace
+
+absl::Status CheckPatches(const CellHoles& asked, const std::vector<HolePatch>& patches, const QualityTally& quality) {
+  std::map<int32_t, const HolePatch*> given;
+  for (const HolePatch& patch : patches) {
+    if (!given.emplace(patch.hole, &patch).second) return Wrong(patch.hole, "two patches");
+  }
+  for (const CellHole& hole : asked.holes) {
+    const auto patch = given.find(hole.id);
+    if (patch == given.end()) return Wrong(hole.id, "no patch");
+    const absl::Status status = CheckPatch(asked, hole, *patch->second);
+    if (!status.ok()) return status;
+  }
+  if (given.size() != asked.holes.size())
+    return absl::InvalidArgumentError("a patch for a hole that was not asked for");
+  return CheckQuality(patches, quality);
+}
+
+}  // namespace tilemend

@@ -1,0 +1,82 @@
+#include "coordinator/check/sample_check.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "absl/strings/str_cat.h"
+
+namespace tilemend {
+namespace {
+
+absl::Status Wrong(int32_t vertex, const char* what) {
+  return absl::InvalidArgumentError(absl::StrCat("vertex ", vertex, ": ", what));
+}
+
+bool AllFinite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+// Heights that a surface over these holes can have: those of the rim, and as far again as the holes are large.
+absl::Status CheckHeights(const CellHoles& asked, std::span<const int32_t> seam_vertex,
+                          std::span<const double> height) {
+  Eigen::AlignedBox2d extent;
+  Eigen::AlignedBox1d heights;
+  for (const RimVertex& v : asked.vertices) {
+    extent.extend(Point2(v.position.head<2>()));
+    if (v.height_known) heights.extend(Eigen::Matrix<double, 1, 1>(v.position.z()));
+  }
+  if (heights.isEmpty()) return absl::OkStatus();
+  const double size = extent.diagonal().norm() + heights.diagonal().norm();
+  for (size_t i = 0; i < height.size(); ++i) {
+    const bool near = height[i] >= heights.min().x() - size && height[i] <= heights.max().x() + size;
+    if (!near) return Wrong(seam_vertex[i], "a height far from those of the rim");
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::Status CheckClusterSamples(const CellHoles& asked, const ClusterColumns& given) {
+  const size_t n = given.seam_vertex.size();
+  if (given.height.size() != n || given.laplacian.size() != n || given.slope_x.size() != n ||
+      given.slope_y.size() != n) {
+    return absl::InvalidArgumentError("columns of unequal length");
+  }
+  if (n == 0) return absl::OkStatus();
+  std::set<int32_t> wanted;
+  for (const RimVertex& v : asked.vertices) {
+    if (v.seam_vertex >= 0) wanted.insert(v.seam_vertex);
+  }
+  for (const int32_t vertex : given.seam_vertex) {
+    if (wanted.erase(vertex) == 0) return Wrong(vertex, "not asked for, or given twice");
+  }
+  if (!wanted.empty()) return Wrong(*wanted.begin(), "no sample");
+  if (!AllFinite(given.laplacian) || !AllFinite(given.slope_x) || !AllFinite(given.slope_y)) {
+    return absl::InvalidArgumentError("a Laplacian or slope that is no number");
+  }
+  return CheckHeights(asked, given.seam_vertex, given.height);
+}
+
+absl::Status CheckLayerSamples(const CellHoles& asked, std::span<const int32_t> seam_vertex,
+                               std::span<const double> height) {
+  if (height.size() != seam_vertex.size()) return absl::InvalidArgumentError("columns of unequal length");
+  std::multiset<int32_t> wanted;
+  for (const CellHole& hole : asked.holes) {
+    std::set<int32_t> of_hole;
+    for (const RimSegment& s : hole.segments) of_hole.insert({s.from, s.to});
+    for (const int32_t v : of_hole) {
+      if (!asked.vertices[v].height_known) wanted.insert(asked.vertices[v].seam_vertex);
+    }
+  }
+  for (const int32_t vertex : seam_vertex) {
+    const auto it = wanted.find(vertex);
+    if (it == wanted.end()) return Wrong(vertex, "not asked for, or given too often");
+    wanted.erase(it);
+  }
+  if (!wanted.empty()) return Wrong(*wanted.begin(), "no sample");
+  return CheckHeights(asked, seam_vertex, height);
+}
+
+}  // namespace tilemend

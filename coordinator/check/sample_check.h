@@ -1,0 +1,29 @@
+// Whether heights along seams are what was asked for.
+#ifndef TILEMEND_COORDINATOR_CHECK_SAMPLE_CHECK_H_
+#define TILEMEND_COORDINATOR_CHECK_SAMPLE_CHECK_H_
+
+#include <cstdint>
+#include <span>
+
+#include "absl/status/status.h"
+#include "common/records/cell_holes.h"
+
+namespace tilemend {
+
+// Samples of the surface of a cluster, in columns: kInvalidArgument, saying what is wrong first, unless there are none,
+// or exactly one for each vertex of `asked` that lies on a seam, with a finite Laplacian and slope, and a height no
+// further from those of the rim than the holes are large. The band is not needed. O(n log n).
+struct ClusterColumns {
+  std::span<const int32_t> seam_vertex;
+  std::span<const double> height, laplacian, slope_x, slope_y;
+};
+absl::Status CheckClusterSamples(const CellHoles& asked, const ClusterColumns& given);
+
+// Samples of one layer: the same for heights at the seam vertices of `asked` without a known height; one vertex may
+// have several, from holes that share it.
+absl::Status CheckLayerSamples(const CellHoles& asked, std::span<const int32_t> seam_vertex,
+                               std::span<const double> height);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_CHECK_SAMPLE_CHECK_H_

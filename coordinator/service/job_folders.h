@@ -1,0 +1,22 @@
+// How a worker shows that it sees the folders of a job.
+#ifndef TILEMEND_COORDINATOR_SERVICE_JOB_FOLDERS_H_
+#define TILEMEND_COORDINATOR_SERVICE_JOB_FOLDERS_H_
+
+#include <string>
+#include <vector>
+
+namespace tilemend {
+
+struct KnownFile {
+  std::string path;         // absolute
+  std::string fingerprint;  // as the coordinator sees it (common/store/fingerprint.h)
+};
+
+struct JobFolders {
+  std::vector<KnownFile> files;  // of the scene and of the output
+  std::string attempts;          // a folder in which a worker must be able to make a file; empty: none
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_SERVICE_JOB_FOLDERS_H_

@@ -1,0 +1,189 @@
+#include "coordinator/service/result_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/mesh_file.h"
+#include "common/rpc/look_payloads.h"
+#include "common/rpc/stage_payloads.h"
+#include "common/store/digest.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "coordinator/check/mesh_outline.h"
+#include "coordinator/check/patch_check.h"
+#include "coordinator/check/sample_check.h"
+#include "coordinator/check/survey_check.h"
+#include "coordinator/report/tile_checks.h"
+#include "coordinator/service/attempt_folder.h"
+#include "tilemend/v1/stages.pb.h"
+
+namespace tilemend {
+namespace {
+
+absl::Status Wrong(const std::string& what) { return absl::DataLossError(what); }
+
+// The worker's fault, whatever the code.
+absl::Status AsWrong(const absl::Status& status) { return status.ok() ? status : Wrong(std::string(status.message())); }
+
+template <typename Message>
+absl::StatusOr<Message> Parse(const std::string& bytes) {
+  Message message;
+  if (!message.ParseFromString(bytes)) return Wrong("not the expected message");
+  return message;
+}
+
+// As the worker was told, without the band, which no check needs.
+template <typename Input>
+absl::StatusOr<CellHoles> HolesOf(Input& input) {
+  input.mutable_holes()->clear_band();
+  return FromProto(input.holes());
+}
+
+template <typename T>
+std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
+  return {values.data(), static_cast<size_t>(values.size())};
+}
+
+std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
+
+absl::StatusOr<int64_t> SizeOf(const std::string& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) return absl::UnavailableError(absl::StrCat(path, ": ", error.message()));
+  return static_cast<int64_t>(size);
+}
+
+// What only few tiles are said to be, and a look at the tile settles.
+absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& record) {
+  const bool closed = record.triangle_count > 0 && record.edges.empty();
+  const auto& reach = input.reach();
+  const bool outside =
+      record.vertex_count > 0 && reach.size() == 4 &&
+      (record.lo.x() < reach[0] || record.lo.y() < reach[1] || record.hi.x() > reach[2] || record.hi.y() > reach[3]);
+  if (!closed && !outside) return absl::OkStatus();
+  const auto file = ReadMeshFile(PathOf(input.tile()));
+  if (!file.ok()) return absl::UnavailableError(file.status().message());
+  if (closed && HasBoundary(file->mesh)) return Wrong("no boundary, where the tile has one");
+  if (!outside) return absl::OkStatus();
+  Eigen::AlignedBox3d bounds;
+  for (const Point3& p : file->mesh.points) bounds.extend(p);
+  return bounds.min() == record.lo && bounds.max() == record.hi ? absl::OkStatus()
+                                                                : Wrong("bounds that are not the tile's");
+}
+
+absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(output_bytes));
+  if (!IsDigest(output.digest())) return Wrong("a digest that is none");
+  TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
+  const auto record = FromProto(output);
+  if (!record.ok()) return AsWrong(record.status());
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
+  TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
+  return CheckUnusual(input, *record);
+}
+
+absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::SampleClusterInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
+  if (output.cluster() != input.cluster()) return Wrong("another cluster");
+  if (output.has_hold_out()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.hold_out()).status()));
+  return AsWrong(
+      CheckClusterSamples(asked, {Column(output.seam_vertex()), Column(output.height()), Column(output.laplacian()),
+                                  Column(output.slope_x()), Column(output.slope_y())}));
+}
+
+absl::Status CheckLayerResult(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::SampleLayerInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleLayerOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
+  return AsWrong(CheckLayerSamples(asked, Column(output.seam_vertex()), Column(output.height())));
+}
+
+absl::Status CheckFillResult(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::FillInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::FillOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
+  const auto patches = FromProto(output, asked.vertices.size());
+  if (!patches.ok()) return AsWrong(patches.status());
+  const auto quality = FromProto(output.quality());
+  if (!quality.ok()) return AsWrong(quality.status());
+  return AsWrong(CheckPatches(asked, *patches, *quality));
+}
+
+bool HasPatch(const v1::AssembleInput& input) {
+  const auto& patches = input.patches().patches();
+  return std::any_of(patches.begin(), patches.end(),
+                     [](const v1::PatchExtent& patch) { return patch.triangles() > 0; });
+}
+
+absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileCheck how) {
+  if (tile.path() != input.output()) return Wrong("another tile");
+  if (!IsDigest(tile.digest())) return Wrong("a digest that is none");
+  if (!input.tile().path().empty()) {
+    const bool patched = HasPatch(input);
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(PathOf(input.tile())));
+    if (patched ? tile.bytes() <= original : tile.bytes() != original)
+      return Wrong("a tile that is not the original with its patches");
+    if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
+  }
+  if (how == TileCheck::kSize) return absl::OkStatus();
+  const auto bytes = ReadFile(absl::StrCat(input.attempts(), "/", tile.attempt()));
+  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
+  return Sha256Hex(*bytes) == tile.digest() ? absl::OkStatus() : Wrong("a tile that is not as it was written");
+}
+
+// The files beside the tile: each is expected, once; what is left out has a warning.
+absl::Status CheckBeside(const v1::AssembleInput& input, const v1::AssembleOutput& output) {
+  std::set<std::string> carried(input.carried().begin(), input.carried().end());
+  bool library = false;
+  for (int i = 1; i < output.files_size(); ++i) {
+    const v1::WrittenFile& file = output.files(i);
+    if (file.path() == input.library() && !std::exchange(library, true)) continue;
+    if (carried.erase(file.path()) == 0) return Wrong("a file that is not asked for");
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(absl::StrCat(input.tile().root(), "/", file.path())));
+    if (file.bytes() != original) return Wrong("a file that is not the original");
+  }
+  return static_cast<int>(carried.size()) <= output.warnings_size() ? absl::OkStatus() : Wrong("a file is missing");
+}
+
+absl::Status CheckAssembleResult(const std::string& input_bytes, const std::string& output_bytes, TileCheck how) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(output_bytes));
+  if (output.files().empty()) return Wrong("no tile");
+  for (const v1::WrittenFile& file : output.files()) {
+    const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
+    TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
+  }
+  TILEMEND_RETURN_IF_ERROR(CheckTile(input, output.files(0), how));
+  return CheckBeside(input, output);
+}
+
+}  // namespace
+
+ResultCheck SceneResultCheck(TileCheck tiles) {
+  return [tiles](Stage stage, const std::string& input, const std::string& output) {
+    switch (stage) {
+      case Stage::kSurvey:
+        return CheckSurveyResult(input, output);
+      case Stage::kSampleCluster:
+        return CheckClusterResult(input, output);
+      case Stage::kSampleLayer:
+        return CheckLayerResult(input, output);
+      case Stage::kFill:
+        return CheckFillResult(input, output);
+      case Stage::kAssemble:
+        return CheckAssembleResult(input, output, tiles);
+    }
+    return absl::InternalError("unknown stage");
+  };
+}
+
+}  // namespace tilemend

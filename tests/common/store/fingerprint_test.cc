@@ -1,0 +1,31 @@
+#include "common/store/fingerprint.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+TEST(FingerprintTest, IsThatOfTheContent) {
+  const TemporaryFolder folder;
+  std::string content(200'000, 'a');
+  const std::string first = FingerprintOf(folder.Write("a", content)).value();
+  EXPECT_EQ(FingerprintOf(folder.Write("copy", content)).value(), first);
+  for (const size_t at : {size_t{0}, content.size() - 1}) {
+    std::string other = content;
+    other[at] = 'b';
+    EXPECT_NE(FingerprintOf(folder.Write("b", other)).value(), first) << at;
+  }
+  EXPECT_NE(FingerprintOf(folder.Write("c", content + "a")).value(), first);
+  EXPECT_NE(FingerprintOf(folder.Write("d", "")).value(), FingerprintOf(folder.Write("e", "x")).value());
+}
+
+TEST(FingerprintTest, NamesWhatIsNotThere) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(absl::IsNotFound(FingerprintOf(folder / "none").status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(FingerprintOf(folder.path()).status()));
+}
+
+}  // namespace
+}  // namespace tilemend

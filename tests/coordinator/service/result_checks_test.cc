@@ -1,0 +1,100 @@
+#include "coordinator/service/result_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <random>
+
+#include "coordinator/service/scene_pipeline.h"
+#include "tests/support/output_checks.h"
+#include "tests/support/temporary_folder.h"
+#include "tilemend/v1/stages.pb.h"
+#include "worker/service/scene_stages.h"
+
+namespace tilemend {
+namespace {
+
+struct Exchange {
+  Stage stage;
+  std::string input, output;
+};
+
+// What a sound worker is asked and gives in a small scene, stage by stage; its files are there.
+class ResultChecksTest : public testing::Test {
+ protected:
+  // `see` is called with each exchange before the pipeline takes it.
+  void Run(const std::function<void(const Exchange&)>& see, Surface surface = Surface::kThinPlate) {
+    WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+    JobSpec spec;
+    spec.scene = folder_ / "scene";
+    spec.out = folder_ / std::string(SurfaceName(surface));
+    spec.surface = SurfaceName(surface);
+    auto pipeline = ScenePipelineFactory()(spec);
+    ASSERT_TRUE(pipeline.ok()) << pipeline.status();
+    auto tasks = (*pipeline)->Start();
+    ASSERT_TRUE(tasks.ok()) << tasks.status();
+    std::deque<NewTask> open(tasks->begin(), tasks->end());
+    while (!open.empty()) {
+      const NewTask task = open.front();
+      open.pop_front();
+      auto output = SceneStageRunner()(task.stage, task.input, CancelToken());
+      ASSERT_TRUE(output.ok()) << output.status();
+      see({task.stage, task.input, *output});
+      tasks = (*pipeline)->OnTaskDone({task.cell, task.stage, *std::move(output)});
+      ASSERT_TRUE(tasks.ok()) << tasks.status();
+      open.insert(open.end(), tasks->begin(), tasks->end());
+    }
+  }
+
+  const TemporaryFolder folder_;
+  const ResultCheck check_ = SceneResultCheck(TileCheck::kDigest);
+};
+
+TEST_F(ResultChecksTest, TakesWhatASoundWorkerGives) {
+  std::map<Stage, int> seen;
+  const auto see = [&](const Exchange& e) {
+    ++seen[e.stage];
+    const absl::Status status = check_(e.stage, e.input, e.output);
+    EXPECT_TRUE(status.ok()) << StageName(e.stage) << ": " << status;
+  };
+  Run(see);
+  Run(see, Surface::kWang);
+  EXPECT_EQ(seen.size(), kAllStages.size());
+}
+
+// Bytes from the network may be anything: the check says no, and does not fall over.
+TEST_F(ResultChecksTest, AnswersWhateverTheBytes) {
+  std::mt19937 random(1);
+  int refused = 0;
+  Run([&](const Exchange& e) {
+    for (int round = 0; round < 60; ++round) {
+      std::string bytes = e.output;
+      for (uint32_t changes = 1 + random() % 4; changes > 0 && !bytes.empty(); --changes) {
+        const size_t at = random() % bytes.size();
+        const uint32_t how = random() % 3;
+        if (how == 0) bytes[at] = static_cast<char>(random());
+        if (how == 1) bytes.erase(at, 1 + random() % 8);
+        if (how == 2) bytes.insert(at, std::string(1 + random() % 8, static_cast<char>(random())));
+      }
+      const absl::Status status = check_(e.stage, e.input, bytes);
+      refused += status.ok() ? 0 : 1;
+    }
+  });
+  EXPECT_GT(refused, 1000);
+}
+
+TEST_F(ResultChecksTest, ARefusalIsTheWorkersFaultAndNothingElseIs) {
+  Run([&](const Exchange& e) {
+    EXPECT_TRUE(absl::IsDataLoss(check_(e.stage, e.input, "\xff\xff")));
+    if (e.stage != Stage::kSurvey) return;
+    v1::SurveyInput input;
+    ASSERT_TRUE(input.ParseFromString(e.input));
+    input.mutable_tile()->set_path("gone.ply");
+    EXPECT_TRUE(absl::IsUnavailable(check_(e.stage, input.SerializeAsString(), e.output)));
+  });
+}
+
+}  // namespace
+}  // namespace tilemend
