@@ -1,11 +1,18 @@
 #include "coordinator/service/scene_files.h"
 
 #include <filesystem>
+#include <system_error>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/text.h"
 
 namespace tilemend {
+
+std::string FolderInScene(const std::string& out, const std::string& root) {
+  std::error_code error;
+  const std::filesystem::path relative = std::filesystem::relative(out, root, error);
+  return error || relative.empty() || *relative.begin() == ".." ? "" : relative.string();
+}
 
 bool SceneFiles::HidesAnother(const std::string& path) const {
   return !output_.empty() && files_.contains((std::filesystem::path(output_) / path).lexically_normal().string());

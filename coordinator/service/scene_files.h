@@ -14,6 +14,9 @@
 
 namespace tilemend {
 
+// The path of the folder `out` from the scene's folder, if it lies inside; else empty.
+std::string FolderInScene(const std::string& out, const std::string& root);
+
 // Every file is carried once, by the first of the tiles that name it. A material file that only one tile names is that
 // tile's own: it is where the materials of its filled faces are added. A tile without one gets a file for them.
 //

@@ -132,13 +132,6 @@ absl::Status Unreadable(CellId cell, const absl::Status& status) {
 
 constexpr char kMetadata[] = "metadata.xml";
 
-// The path of the output's folder from the scene's, if it lies inside; else empty.
-std::string FolderInScene(const std::string& out, const Scene& scene) {
-  std::error_code error;
-  const std::filesystem::path relative = std::filesystem::relative(out, scene.root, error);
-  return error || relative.empty() || *relative.begin() == ".." ? "" : relative.string();
-}
-
 // Drives the waves of a scene with tasks: encodes work, decodes results, keeps the patches as they come, and owns the
 // output.
 class ScenePipeline : public JobPipeline {
@@ -147,7 +140,7 @@ class ScenePipeline : public JobPipeline {
       : spec_(std::move(spec)),
         shape_(ShapeOptionsOf(spec_)),
         output_(std::move(output)),
-        files_(output_ ? FolderInScene(output_->path(), scene) : ""),
+        files_(output_ ? FolderInScene(output_->path(), scene.root) : ""),
         waves_(std::move(scene), WaveOptionsOf(spec_, std::move(water)),
                [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }) {}
 

@@ -112,7 +112,7 @@ TEST(RestoreJobsTest, WhatIsOverStaysAsItWas) {
   TestCluster cluster(Durable());
   cluster.AddWorker("w", 2);
   std::vector<v1::Job> before;
-  for (const char* scene : {"toy://3x3", "toy://2x2?plan_error=1", "toy://2x2?fail=1,1", "none"})
+  for (const char* scene : {"toy://3x3", "toy://2x2?plan_error=1", "toy://2x2?fail=1,1", "toy://none"})
     before.push_back(cluster.WaitFor(cluster.Submit(scene).name()));
   cluster.KillWorker("w");
   v1::CancelJobRequest cancel;

@@ -64,5 +64,11 @@ TEST(SceneFilesTest, WarningsComeByCellAndAreCountedBeyondALimit) {
   EXPECT_EQ(files.Warnings().back(), "2 more warnings on material files and images");
 }
 
+TEST(FolderInSceneTest, IsEmptyOutside) {
+  EXPECT_EQ(FolderInScene("/a/scene/deep/out", "/a/scene"), "deep/out");
+  EXPECT_EQ(FolderInScene("/a/out", "/a/scene"), "");
+  EXPECT_EQ(FolderInScene("/a/scene-2", "/a/scene"), "");
+}
+
 }  // namespace
 }  // namespace tilemend
