@@ -15,6 +15,7 @@
 #include "common/util/error_info.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
+#include "coordinator/service/job_pipeline.h"
 
 namespace tilemend {
 namespace {
@@ -171,6 +172,7 @@ void ProgressDisplay::Show(const v1::Job& job) {
   for (; warnings_ < job.warnings_size(); ++warnings_) {
     std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? "\r\033[K" : "", job.name().c_str(), job.warnings(warnings_).c_str());
   }
+  if (p.phase() == kResumePhase) return;  // it runs through what was shown before
   if (!is_terminal_) {
     if (p.phase() != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), p.phase().c_str());
     phase_ = p.phase();

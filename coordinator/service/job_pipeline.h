@@ -52,6 +52,9 @@ struct JobSpec {
   absl::Status Check() const;
 };
 
+// The phase of a job that runs again through what it did before its coordinator ended.
+inline constexpr char kResumePhase[] = "resume";
+
 struct NewTask {
   CellId cell;
   Stage stage = Stage::kSurvey;

@@ -93,7 +93,7 @@ absl::Status CoordinatorImpl::RestoreJob(JobRecord record) {
   told.job.number = record.number;
   told.job.request_id = std::move(record.request_id);
   const std::string id = told.job.id;
-  if (!record.over) told.job.progress.phase = "resume";
+  if (!record.over) told.job.progress.phase = kResumePhase;
   // The lock is for the runners of the jobs before.
   Lock lock(mutex_);
   TILEMEND_RETURN_IF_ERROR(Apply(JobRestored{std::move(told.job)}).status());

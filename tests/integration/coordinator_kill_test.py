@@ -15,6 +15,7 @@ import json
 import os
 import random
 import re
+import resource
 import shutil
 import signal
 import socket
@@ -31,6 +32,7 @@ FAILPOINTS = ['journal.make', 'journal.commit', 'journal.committed', 'journal.ch
 # What is reached only by a coordinator that starts again.
 ONLY_AGAIN = {'restore.swept'}
 THREADS = [1, 1]  # of the workers
+LARGEST_FILE = 300000  # bytes: more than any blob here, less than the journal of a job
 LIMIT = 120  # seconds for anything to happen
 
 
@@ -74,11 +76,15 @@ class Bench:
     def program(self, name):
         return os.path.join(self.bin, name)
 
-    def start(self, failpoint=''):
+    def start(self, failpoint='', largest_file=resource.RLIM_INFINITY):
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file, largest_file))
+
         self.log = open(os.path.join(self.folder, 'coordinator.log'), 'w+')
         self.coordinator = subprocess.Popen(
             [self.program('tilemend-coordinator'), '--work', self.work, '--listen', self.address, '--lease', '30'],
-            stderr=self.log, env=dict(os.environ, TILEMEND_FAILPOINT=failpoint))
+            stderr=self.log, env=dict(os.environ, TILEMEND_FAILPOINT=failpoint), preexec_fn=limit, restore_signals=False)
 
     def said(self):
         with open(self.log.name) as log:
@@ -211,6 +217,8 @@ class JobRun:
             self.client.kill()
             raise Failure(f'the job did not end: {self.bench.client("list").stdout} {self.bench.said()}')
         require(self.client.returncode == 0, f'exit code {self.client.returncode}: {stdout}{stderr}{self.bench.said()}')
+        shown = stderr.splitlines()
+        require(len(shown) == len(set(shown)), f'shown twice: {shown}')
         progress = json.loads(stdout)['progress']
         require(progress['tasks'] == progress['tasks_done'], f'tasks: {progress}')
         require(progress['tasks_quarantined'] == 0, f'quarantined: {progress}')
@@ -304,6 +312,30 @@ def fail_commits(bench, scene, reference, figures, each):
         run.finish()
 
 
+def fill_the_disk(bench, scene, reference, figures, each):
+    """As fail_commits, where a file can grow no more."""
+    for number in range(each):
+        bench.kill()
+        shutil.rmtree(bench.work)
+        bench.start(largest_file=LARGEST_FILE + 20000 * number)
+        bench.await_serving()
+        run = JobRun(bench, scene, reference, figures, f'-full-{number}')
+        await_('the coordinator to end', lambda: bench.coordinator.poll() is not None or run.is_over())
+        require(bench.coordinator.poll() == 5, f'exit code {bench.coordinator.poll()} {run.is_over()}: {bench.said()}')
+        require('the journal cannot be written' in bench.said(), bench.said())
+        run.killed()
+        run.finish()
+
+
+def print_figures(figures, at_random, each):
+    back, serving = sorted(figures.back), sorted(figures.serving)
+    print(f'{at_random} kills at random, {sum(figures.reached.values())} at {len(figures.reached)} durable writes, '
+          f'{each} failed commits, {each} full disks, {figures.jobs} jobs: every byte as undisturbed, 0 tasks lost, 0 committed twice')
+    print(f'{figures.again} tasks done again (at most {figures.in_flight} were in flight), serving again after '
+          f'{serving[len(serving) // 2]:.2f} s (median), {serving[-1]:.2f} s (most), at work again after '
+          f'{back[len(back) // 2]:.2f} s (median), {back[-1]:.2f} s (most)')
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('bin')
@@ -333,17 +365,13 @@ def main():
             kill_at_failpoints(bench, scene, reference, figures, arguments.each,
                                [name for name in arguments.failpoints.split(',') if name])
             fail_commits(bench, scene, reference, figures, arguments.each)
+            fill_the_disk(bench, scene, reference, figures, arguments.each)
         except Failure as failure:
             print(f'FAILED after {figures.kills} kills in {figures.jobs} jobs: {failure}')
             sys.exit(1)
         finally:
             bench.close()
-    back, serving = sorted(figures.back), sorted(figures.serving)
-    print(f'{at_random} kills at random, {sum(figures.reached.values())} at {len(figures.reached)} durable writes, '
-          f'{arguments.each} failed commits, {figures.jobs} jobs: every byte as undisturbed, 0 tasks lost, 0 committed twice')
-    print(f'{figures.again} tasks done again (at most {figures.in_flight} were in flight), serving again after '
-          f'{serving[len(serving) // 2]:.2f} s (median), {serving[-1]:.2f} s (most), at work again after '
-          f'{back[len(back) // 2]:.2f} s (median), {back[-1]:.2f} s (most)')
+    print_figures(figures, at_random, arguments.each)
 
 
 if __name__ == '__main__':
