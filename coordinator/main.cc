@@ -30,6 +30,8 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"work", "DIR", "folder for jobs and intermediate files; needed", ""},
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
       {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
+      {"check-tiles", "digest|size", "what of a written tile is held to what its worker says; digest: reads it",
+       "digest"},
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
   };
@@ -46,7 +48,11 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.lease = absl::Seconds(lease);
   TILEMEND_ASSIGN_OR_RETURN(const int64_t max_jobs, flags.Integer("max-jobs", 1, 10000));
   options.max_running_jobs = static_cast<size_t>(max_jobs);
-  options.check_result = SceneResultCheck(TileCheck::kDigest);
+  const std::string tiles = flags.Text("check-tiles");
+  if (tiles != "digest" && tiles != "size") {
+    return absl::InvalidArgumentError(absl::StrCat("--check-tiles '", tiles, "': expected digest or size"));
+  }
+  options.check_result = SceneResultCheck(tiles == "size" ? TileCheck::kSize : TileCheck::kDigest);
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
   return options;

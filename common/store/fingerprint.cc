@@ -15,4 +15,10 @@ absl::StatusOr<std::string> FingerprintOf(const std::string& path) {
   return Sha256Hex(absl::StrCat(ends.size, "\n", ends.first, ends.last));
 }
 
+absl::StatusOr<std::string> Sha256OfFile(const std::string& path) {
+  Sha256 sha;
+  TILEMEND_RETURN_IF_ERROR(ReadInPieces(path, 1 << 20, [&](std::string_view piece) { sha.Update(piece); }));
+  return sha.FinishHex();
+}
+
 }  // namespace tilemend

@@ -12,6 +12,9 @@ namespace tilemend {
 // same, and copies of it as well. Errors as ReadFile.
 absl::StatusOr<std::string> FingerprintOf(const std::string& path);
 
+// The SHA-256 of a whole file, as Sha256Hex of its bytes; holds a MiB of it at a time. Errors as ReadFile.
+absl::StatusOr<std::string> Sha256OfFile(const std::string& path);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_STORE_FINGERPRINT_H_

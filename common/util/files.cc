@@ -210,6 +210,18 @@ absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most) {
   return ends;
 }
 
+absl::Status ReadInPieces(const std::string& path, int64_t most, const std::function<void(std::string_view)>& take) {
+  struct stat info {};
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
+  for (int64_t at = 0; at < info.st_size; at += most) {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string piece,
+                              ReadRange(file.get(), at, std::min<int64_t>(most, info.st_size - at), path));
+    take(piece);
+  }
+  return absl::OkStatus();
+}
+
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync) {
   return WriteInPlace(path, sync, [&](int file) { return WriteAll(file, content, path); });
 }

@@ -3,6 +3,7 @@
 #define TILEMEND_COMMON_UTIL_FILES_H_
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ struct FileEnds {
   std::string first, last;
 };
 absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most);
+
+// Calls `take` with a regular file piece by piece, of at most `most` bytes. Errors as ReadFile.
+absl::Status ReadInPieces(const std::string& path, int64_t most, const std::function<void(std::string_view)>& take);
 
 // kNo leaves it to the kernel when the bytes reach the disk: after a power cut the file may be empty or torn. For data
 // that is checked when it is read and can be made again.

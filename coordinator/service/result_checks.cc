@@ -13,7 +13,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
-#include "common/util/files.h"
+#include "common/store/fingerprint.h"
 #include "common/util/status_macros.h"
 #include "coordinator/check/mesh_outline.h"
 #include "coordinator/check/patch_check.h"
@@ -135,9 +135,9 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
   if (how == TileCheck::kSize) return absl::OkStatus();
-  const auto bytes = ReadFile(absl::StrCat(input.attempts(), "/", tile.attempt()));
-  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
-  return Sha256Hex(*bytes) == tile.digest() ? absl::OkStatus() : Wrong("a tile that is not as it was written");
+  const auto digest = Sha256OfFile(absl::StrCat(input.attempts(), "/", tile.attempt()));
+  if (!digest.ok()) return absl::UnavailableError(digest.status().message());
+  return *digest == tile.digest() ? absl::OkStatus() : Wrong("a tile that is not as it was written");
 }
 
 // The files beside the tile: each is expected, once; what is left out has a warning.

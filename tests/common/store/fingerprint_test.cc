@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/store/digest.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -25,6 +26,16 @@ TEST(FingerprintTest, NamesWhatIsNotThere) {
   const TemporaryFolder folder;
   EXPECT_TRUE(absl::IsNotFound(FingerprintOf(folder / "none").status()));
   EXPECT_TRUE(absl::IsInvalidArgument(FingerprintOf(folder.path()).status()));
+}
+
+TEST(Sha256OfFileTest, IsThatOfTheBytes) {
+  const TemporaryFolder folder;
+  for (const size_t size : {size_t{0}, size_t{1} << 20, (size_t{3} << 20) + 7}) {
+    std::string content(size, 'a');
+    if (size > 0) content.back() = 'b';
+    EXPECT_EQ(Sha256OfFile(folder.Write("a", content)).value(), Sha256Hex(content));
+  }
+  EXPECT_TRUE(absl::IsNotFound(Sha256OfFile(folder / "none").status()));
 }
 
 }  // namespace
