@@ -30,6 +30,7 @@ namespace tilemend {
 namespace {
 
 constexpr std::chrono::milliseconds kIdle(500);  // without a put, before the log is emptied and old results are deleted
+constexpr int64_t kMostPages = 1000;             // given back to the disk in one transaction
 constexpr int64_t kMostDeleted = 2000;           // rows looked at in one transaction: some milliseconds
 
 using NameBytes = std::array<char, 16>;
@@ -140,7 +141,9 @@ class SqliteJournal : public Journal {
   void Commit(std::vector<Put> puts);  // here and below with database_mutex_ held
   absl::Status Insert(const JobRecord& job);
   absl::Status Insert(const NewResult& result);
-  bool TidyUp();  // false if there is nothing left to do
+  bool TidyUp();  // a little of it; false if there is nothing left to do
+  void DeleteOldResults();
+  void Shrink();
 
   const std::string path_;
 
@@ -153,7 +156,7 @@ class SqliteJournal : public Journal {
   std::mutex database_mutex_;
   SqliteDatabase database_;
   std::optional<SqliteStatement> put_job_, put_result_, put_content_, get_result_, get_content_, next_results_,
-      delete_result_, delete_content_;
+      delete_result_, delete_content_, free_pages_;
   uint32_t epoch_ = 0;
   std::vector<JobRecord> jobs_;
   std::mutex index_mutex_;
@@ -190,6 +193,7 @@ absl::Status SqliteJournal::Prepare() {
   TILEMEND_RETURN_IF_ERROR(
       prepare(next_results_, "SELECT number, job FROM result WHERE number > ? ORDER BY number LIMIT ?"));
   TILEMEND_RETURN_IF_ERROR(prepare(delete_result_, "DELETE FROM result WHERE number = ?"));
+  TILEMEND_RETURN_IF_ERROR(prepare(free_pages_, "PRAGMA freelist_count"));
   return prepare(delete_content_, "DELETE FROM content WHERE result = ?");
 }
 
@@ -393,32 +397,39 @@ absl::Status SqliteJournal::Insert(const NewResult& put) {
 }
 
 bool SqliteJournal::TidyUp() {
-  if (has_old_results_) {
-    std::vector<int64_t> old;
-    int64_t looked_at = 0;
-    next_results_->Bind(0, tidy_from_).Bind(1, kMostDeleted);
-    while (Require(next_results_->Step())) {
-      ++looked_at;
-      tidy_from_ = next_results_->Int(0);
-      if (!running_.contains(next_results_->Int(1))) old.push_back(tidy_from_);
-    }
-    has_old_results_ = looked_at == kMostDeleted;
-    if (old.empty()) return true;
-    Require(database_.Run("BEGIN IMMEDIATE"));
-    for (const int64_t number : old) {
-      Require(delete_result_->Bind(0, number).Run());
-      Require(delete_content_->Bind(0, number).Run());
-    }
-    FailPoint("journal.tidy");
-    Require(database_.Run("COMMIT"));
-    is_log_empty_ = false;
-    return true;
-  }
-  if (is_log_empty_) return false;
-  Require(database_.Run("PRAGMA incremental_vacuum(4000); PRAGMA wal_checkpoint(TRUNCATE);"));
-  FailPoint("journal.checkpointed");
-  is_log_empty_ = true;
+  if (!has_old_results_ && is_log_empty_) return false;
+  has_old_results_ ? DeleteOldResults() : Shrink();
   return true;
+}
+
+void SqliteJournal::DeleteOldResults() {
+  std::vector<int64_t> old;
+  int64_t looked_at = 0;
+  next_results_->Bind(0, tidy_from_).Bind(1, kMostDeleted);
+  while (Require(next_results_->Step())) {
+    ++looked_at;
+    tidy_from_ = next_results_->Int(0);
+    if (!running_.contains(next_results_->Int(1))) old.push_back(tidy_from_);
+  }
+  has_old_results_ = looked_at == kMostDeleted;
+  if (old.empty()) return;
+  Require(database_.Run("BEGIN IMMEDIATE"));
+  for (const int64_t number : old) {
+    Require(delete_result_->Bind(0, number).Run());
+    Require(delete_content_->Bind(0, number).Run());
+  }
+  FailPoint("journal.tidy");
+  Require(database_.Run("COMMIT"));
+  is_log_empty_ = false;
+}
+
+void SqliteJournal::Shrink() {
+  Require(database_.Run(absl::StrCat("PRAGMA incremental_vacuum(", kMostPages, ")")));
+  Require(database_.Run("PRAGMA wal_checkpoint(TRUNCATE)"));
+  FailPoint("journal.checkpointed");
+  Require(free_pages_->Step());
+  is_log_empty_ = free_pages_->Int(0) == 0;
+  free_pages_->Reset();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 """Kills a coordinator at random moments and at every durable write, and holds what comes of it to an undisturbed run.
 
     coordinator_kill_test.py BIN [--kills 300] [--each 5] [--seed 1] [--failpoints NAME,NAME]
+                            [--scene SCENE] [--options "of the job"]
 
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. A job runs on a made scene with two
 workers. The coordinator is killed (SIGKILL), a new one is started on the same folder, and so on until the job is over.
@@ -64,8 +65,9 @@ def await_(what, condition):
 class Bench:
     """A work folder, its coordinators and workers."""
 
-    def __init__(self, bin_folder, folder):
-        self.bin, self.folder = bin_folder, folder
+    def __init__(self, bin_folder, folder, options=()):
+        self.bin, self.folder, self.options = bin_folder, folder, options
+        self.code = 0  # of the undisturbed run
         self.work = os.path.join(folder, 'work')
         self.port = free_port()
         self.address = f'127.0.0.1:{self.port}'
@@ -124,9 +126,15 @@ class Bench:
         got = self.client('get', name, '-o', 'json')
         return json.loads(got.stdout) if got.returncode == 0 else None
 
+    def run_undisturbed(self, scene, out):
+        run = subprocess.run([self.program('tilemend'), 'run', scene, '--out', out, '--workers', '2', *self.options],
+                             capture_output=True, text=True)
+        self.code = run.returncode
+        require(self.code in (0, 100), f'tilemend run: exit code {self.code}: {run.stderr}')
+
     def submit(self, scene, out, request):
         return subprocess.Popen([self.program('tilemend'), 'submit', scene, '--out', out, '--coordinator', self.address,
-                                 '--request-id', request, '--wait', '-o', 'json'], stdout=subprocess.PIPE,
+                                 '--request-id', request, '--wait', '-o', 'json', *self.options], stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True)
 
     def check_committed_once(self):
@@ -177,6 +185,7 @@ def check_output(reference, out):
 class Figures:
     def __init__(self):
         self.kills, self.jobs, self.again, self.most_again, self.in_flight = 0, 0, 0, 0, 0
+        self.at_random, self.told = 0, 0
         self.serving, self.back = [], []  # seconds from the start of a coordinator
         self.reached = {}
 
@@ -216,7 +225,7 @@ class JobRun:
         except subprocess.TimeoutExpired:
             self.client.kill()
             raise Failure(f'the job did not end: {self.bench.client("list").stdout} {self.bench.said()}')
-        require(self.client.returncode == 0, f'exit code {self.client.returncode}: {stdout}{stderr}{self.bench.said()}')
+        require(self.client.returncode == self.bench.code, f'exit code {self.client.returncode}: {stdout}{stderr}{self.bench.said()}')
         shown = stderr.splitlines()
         require(len(shown) == len(set(shown)), f'shown twice: {shown}')
         progress = json.loads(stdout)['progress']
@@ -327,51 +336,108 @@ def fill_the_disk(bench, scene, reference, figures, each):
         run.finish()
 
 
-def print_figures(figures, at_random, each):
+def check_told_stays(bench, scene, figures, each):
+    """What a client was told is so after a kill that follows at once."""
+    def restart():
+        bench.kill()
+        figures.told += 1
+        bench.start()
+        bench.await_serving()
+
+    for number in range(each):
+        for worker in bench.workers:
+            worker.send_signal(signal.SIGSTOP)  # or the job could be over
+        out = os.path.join(bench.folder, f'told{number}')
+        made = json.loads(bench.client('submit', scene, '--out', out, '-o', 'json').stdout)
+        restart()
+        require(bench.get(made['name'])['state'] == 'running', f'{made["name"]} is not there any more')
+        cancelled = bench.client('cancel', made['name'])
+        require(cancelled.returncode == 0, cancelled.stderr)
+        restart()
+        require(bench.get(made['name'])['state'] == 'cancelled', f'{made["name"]} is not cancelled any more')
+        again = json.loads(bench.client('retry', made['name'], '-o', 'json').stdout)
+        restart()
+        require(bench.get(again['name'])['state'] == 'running', f'{again["name"]} is not there any more')
+        bench.client('cancel', again['name'])
+        for worker in bench.workers:
+            worker.send_signal(signal.SIGCONT)
+
+
+def check_refusals(bench):
+    """A second coordinator on the folder, and a file there that is no journal."""
+    def try_to_start(folder):
+        return subprocess.run([bench.program('tilemend-coordinator'), '--work', folder, '--listen', '127.0.0.1:0'],
+                              capture_output=True, text=True, timeout=LIMIT)
+    second = try_to_start(bench.work)
+    require(second.returncode == 5 and bench.work in second.stderr and f'process {bench.coordinator.pid} ' in second.stderr,
+            f'a second coordinator: {second}')
+    folder = os.path.join(bench.folder, 'foreign')
+    os.makedirs(folder)
+    path = os.path.join(folder, 'journal.sqlite')
+    with open(path, 'w') as file:
+        file.write('a diary of some other kind\n' * 100)
+    before = content(path)
+    foreign = try_to_start(folder)
+    require(foreign.returncode == 4 and path in foreign.stderr and content(path) == before, f'a foreign journal: {foreign}')
+
+
+def print_figures(figures, each):
     back, serving = sorted(figures.back), sorted(figures.serving)
-    print(f'{at_random} kills at random, {sum(figures.reached.values())} at {len(figures.reached)} durable writes, '
+    print(f'{figures.at_random} kills at random, {figures.told} just after an answer, {sum(figures.reached.values())} at {len(figures.reached)} durable writes, '
           f'{each} failed commits, {each} full disks, {figures.jobs} jobs: every byte as undisturbed, 0 tasks lost, 0 committed twice')
     print(f'{figures.again} tasks done again (at most {figures.in_flight} were in flight), serving again after '
           f'{serving[len(serving) // 2]:.2f} s (median), {serving[-1]:.2f} s (most), at work again after '
           f'{back[len(back) // 2]:.2f} s (median), {back[-1]:.2f} s (most)')
 
 
-def main():
+def parse_arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument('bin')
     parser.add_argument('--kills', type=int, default=300)
     parser.add_argument('--each', type=int, default=5)
     parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--scene', default='')
+    parser.add_argument('--options', default='')
     parser.add_argument('--failpoints', default=','.join(FAILPOINTS))
-    arguments = parser.parse_args()
-    dice = random.Random(arguments.seed)
-    figures = Figures()
-    with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(arguments.bin, folder)
-        scene, reference = os.path.join(folder, 'scene'), os.path.join(folder, 'reference')
+    return parser.parse_args()
+
+
+def run_all(bench, arguments, figures):
+    scene, reference = os.path.join(bench.folder, 'scene'), os.path.join(bench.folder, 'reference')
+    if arguments.scene:
+        scene = os.path.abspath(arguments.scene)
+    else:
         subprocess.run([bench.program('tilemend-make-scene'), scene, '--cols', '4', '--rows', '4', '--cell', '100',
                         '--spacing', '1'], check=True, stdout=subprocess.DEVNULL)
-        start = time.time()
-        subprocess.run([bench.program('tilemend'), 'run', scene, '--out', reference, '--workers', '2'], check=True,
-                       capture_output=True)
-        seconds = time.time() - start
-        try:
-            bench.start()
-            bench.await_serving()
-            bench.add_workers()
+    start = time.time()
+    bench.run_undisturbed(scene, reference)
+    seconds = time.time() - start
+    bench.start()
+    bench.await_serving()
+    bench.add_workers()
+    check_refusals(bench)
+    check_told_stays(bench, scene, figures, arguments.each)
+    kill_at_random(bench, scene, reference, figures, arguments.kills, seconds, random.Random(arguments.seed))
+    figures.at_random = figures.kills
+    kill_at_failpoints(bench, scene, reference, figures, arguments.each, [n for n in arguments.failpoints.split(',') if n])
+    fail_commits(bench, scene, reference, figures, arguments.each)
+    if not arguments.scene:  # LARGEST_FILE is made for the other
+        fill_the_disk(bench, scene, reference, figures, arguments.each)
 
-            kill_at_random(bench, scene, reference, figures, arguments.kills, seconds, dice)
-            at_random = figures.kills
-            kill_at_failpoints(bench, scene, reference, figures, arguments.each,
-                               [name for name in arguments.failpoints.split(',') if name])
-            fail_commits(bench, scene, reference, figures, arguments.each)
-            fill_the_disk(bench, scene, reference, figures, arguments.each)
+
+def main():
+    arguments = parse_arguments()
+    figures = Figures()
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(arguments.bin, folder, arguments.options.split())
+        try:
+            run_all(bench, arguments, figures)
         except Failure as failure:
             print(f'FAILED after {figures.kills} kills in {figures.jobs} jobs: {failure}')
             sys.exit(1)
         finally:
             bench.close()
-    print_figures(figures, at_random, arguments.each)
+    print_figures(figures, arguments.each)
 
 
 if __name__ == '__main__':
