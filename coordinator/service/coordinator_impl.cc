@@ -247,6 +247,7 @@ void CoordinatorImpl::OnCompleted(const std::string& id, const JobOutcome& outco
     // The end is durable now, and told when the output is free for others.
     const bool partial = outcome.partial || job.counts.quarantined > 0;
     JobEntry& entry = entries_.at(id);
+    entry.completed = true;
     entry.ended = options_.clock();
     v1::Job end = JobToProto(job, entry.spec, outcome, absl::OkStatus());
     SetEnd(partial ? JobState::kPartial : JobState::kDone, entry.ended, end);

@@ -89,8 +89,9 @@ class CoordinatorImpl {
     absl::Status error;
     std::shared_ptr<BlobFolder> blobs;
     std::unique_ptr<JobRunner> runner;
-    absl::Time ended;       // of one whose output is complete
-    bool resuming = false;  // all its tasks so far were settled by an earlier process
+    bool completed = false;  // its output is, and its end is in the journal
+    absl::Time ended;        // if it is
+    bool resuming = false;   // all its tasks so far were settled by an earlier process
   };
   using Contents = std::deque<std::optional<std::string>>;
   // A result as it came, made ready without the lock.

@@ -79,7 +79,10 @@ absl::StatusOr<CoordinatorImpl::Contents> CoordinatorImpl::Recall(const std::str
 
 absl::Status CoordinatorImpl::Restore() {
   for (JobRecord& record : journal_->TakeJobs()) TILEMEND_RETURN_IF_ERROR(RestoreJob(std::move(record)));
-  metrics_.Show(state_);
+  {
+    Lock lock(mutex_);  // the runners are at work
+    metrics_.Show(state_);
+  }
   return SweepFolders();
 }
 

@@ -245,7 +245,11 @@ void CoordinatorImpl::OnRefused(const std::string& worker, const Report& report,
 }
 
 void CoordinatorImpl::Warn(const std::string& job, const std::string& warning) {
-  if (Apply(JobWarned{job, warning}).ok()) job_changed_.notify_all();
+  const Job* warned = state_.FindJob(job);
+  const uint64_t before = warned == nullptr ? 0 : warned->version;
+  if (!Apply(JobWarned{job, warning}).ok() || warned->version == before) return;
+  job_changed_.notify_all();
+  if (!entries_.at(job).completed) PutJob(*warned, false);  // else its end is put down already
 }
 
 void CoordinatorImpl::ForgetWorker(const std::string& worker) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
@@ -231,6 +232,31 @@ TEST(RestoreJobsTest, AResultOfTheTimeBeforeIsRefused) {
   }
   EXPECT_GT(response.start(0).ref().attempt_token(), old.attempt_token());
   EXPECT_EQ(cluster.Get(name).progress().tasks_done(), 0);
+}
+
+// Waits for workers that see a file that is not there.
+class Elsewhere : public JobPipeline {
+ public:
+  absl::StatusOr<JobFolders> Folders() const override { return JobFolders{{{"/nowhere/at all", "print"}}, ""}; }
+  absl::StatusOr<std::vector<NewTask>> Start() override { return std::vector<NewTask>{{{0, 0}, Stage::kSurvey, "in"}}; }
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult) override { return std::vector<NewTask>(); }
+  bool Done() const override { return false; }
+  Progress GetProgress() const override { return {}; }
+  absl::StatusOr<JobOutcome> Finish() override { return JobOutcome(); }
+};
+
+TEST(RestoreJobsTest, WarningsAreRemembered) {
+  ClusterOptions options = Durable();
+  options.factory = [](const JobSpec&) { return std::make_unique<Elsewhere>(); };
+  TestCluster cluster(options);
+  cluster.AddWorker("w");
+  const std::string name = cluster.Submit("toy://1x1").name();
+  ASSERT_FALSE(name.empty());
+  while (cluster.Get(name).warnings().empty()) std::this_thread::yield();
+  const std::string warning = cluster.Get(name).warnings(0);
+  cluster.Restart();
+  ASSERT_EQ(cluster.Get(name).warnings_size(), 1);
+  EXPECT_EQ(cluster.Get(name).warnings(0), warning);
 }
 
 // Of a job that is over: can do nothing but release.
