@@ -19,13 +19,13 @@ struct BoundaryVertex {
   Eigen::Vector3d normal{0, 0,
                          1};   // unit, area-weighted mean of the triangles at the vertex; zero if they have no area
   double centroid_height = 0;  // mean height of the centroids of the triangles at the vertex (Wang 3.3, figure 8b)
-  int32_t piece = 0;           // the connected piece of surface that it is on: pieces at the boundary, from 0
 };
 
 // A boundary edge, directed as its triangle is: surface on the left, hole (or outside) on the right.
 struct BoundaryEdge {
   int32_t from = 0;  // into SurveyRecord::vertices
   int32_t to = 0;
+  int32_t piece = 0;  // of surface that hangs together by its edges: those at the boundary, from 0
 };
 
 // The record of one tile. Size is linear in the tile's boundary, not in the tile.

@@ -101,12 +101,12 @@ v1::SurveyOutput ToProto(const SurveyRecord& record) {
     AddPoint(v.position, vertices->mutable_position());
     AddPoint(v.normal, vertices->mutable_normal());
     vertices->add_centroid_height(v.centroid_height);
-    vertices->add_piece(v.piece);
   }
   for (const std::optional<Rgb>& colour : record.colours) vertices->add_colour(ColourToProto(colour));
   for (const BoundaryEdge& e : record.edges) {
     proto.add_edges(e.from);
     proto.add_edges(e.to);
+    proto.add_pieces(e.piece);
   }
   *proto.mutable_band() = EncodeMesh(record.band.points, record.band.triangles, kFinestStep);
   return proto;
@@ -126,20 +126,23 @@ absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto) {
   record.hi = proto.bounds_size() == 6 ? PointAt(proto.bounds(), 1) : Point3(-record.lo);
   const v1::BoundaryVertices& v = proto.vertices();
   const int n = v.index_size();
-  if (v.position_size() != 3 * n || v.normal_size() != 3 * n || v.centroid_height_size() != n || v.piece_size() != n ||
+  if (v.position_size() != 3 * n || v.normal_size() != 3 * n || v.centroid_height_size() != n ||
       (v.colour_size() != 0 && v.colour_size() != n)) {
     return Malformed("boundary vertices");
   }
-  if (!AllBelow(v.index(), record.vertex_count) || proto.edges_size() % 2 != 0 || !AllBelow(proto.edges(), n)) {
+  if (!AllBelow(v.index(), record.vertex_count) || proto.edges_size() != 2 * proto.pieces_size() ||
+      !AllBelow(proto.edges(), n)) {
     return Malformed("boundary indices");
   }
   for (int i = 0; i < n; ++i) {
     record.vertices.push_back(
-        {v.index(i), PointAt(v.position(), i), PointAt(v.normal(), i), v.centroid_height(i), v.piece(i)});
+        {v.index(i), PointAt(v.position(), i), PointAt(v.normal(), i), v.centroid_height(i)});
     if (!record.vertices.back().position.allFinite()) return Malformed("boundary vertex position");
   }
   for (const uint32_t colour : v.colour()) record.colours.push_back(ColourFromProto(colour));
-  for (int i = 0; i < proto.edges_size(); i += 2) record.edges.push_back({proto.edges(i), proto.edges(i + 1)});
+  for (int i = 0; i < proto.pieces_size(); ++i) {
+    record.edges.push_back({proto.edges(2 * i), proto.edges(2 * i + 1), proto.pieces(i)});
+  }
   TILEMEND_ASSIGN_OR_RETURN(record.band, DecodeMesh(proto.band()));
   if (record.band.points.size() < record.vertices.size()) return Malformed("band");
   for (int i = 0; i < n; ++i) record.band.points[i] = record.vertices[i].position;

@@ -70,19 +70,26 @@ Weld WeldMarked(const TriMesh& mesh, const std::vector<uint8_t>& marked) {
 
 struct HalfEdge {
   int32_t from, to;
+  int32_t triangle;
   int32_t lo() const { return std::min(from, to); }
   int32_t hi() const { return std::max(from, to); }
 };
 
-// The edges between welded vertices that are in exactly one triangle, in order of the triangles.
-std::vector<HalfEdge> UnmatchedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
+// The edges between welded vertices.
+struct WeldedEdges {
+  std::vector<HalfEdge> single;                     // in exactly one triangle; in order of the triangles
+  std::vector<std::pair<int32_t, int32_t>> across;  // triangles that share one
+};
+
+WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
   struct Entry {
     uint64_t key;
     int32_t order;
   };
   std::vector<HalfEdge> edges;
   std::vector<Entry> entries;
-  for (const Triangle& t : mesh.triangles) {
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
     const int32_t w[3] = {weld[t[0]], weld[t[1]], weld[t[2]]};
     const int welded = (w[0] != kNone) + (w[1] != kNone) + (w[2] != kNone);
     if (welded < 2) continue;
@@ -92,7 +99,7 @@ std::vector<HalfEdge> UnmatchedEdges(const TriMesh& mesh, const std::vector<int3
       continue;
     }
     for (int k = 0; k < 3; ++k) {
-      const HalfEdge e{w[k], w[(k + 1) % 3]};
+      const HalfEdge e{w[k], w[(k + 1) % 3], static_cast<int32_t>(i)};
       if (e.from == kNone || e.to == kNone) continue;
       entries.push_back(
           {static_cast<uint64_t>(e.lo()) << 32 | static_cast<uint32_t>(e.hi()), static_cast<int32_t>(edges.size())});
@@ -101,18 +108,20 @@ std::vector<HalfEdge> UnmatchedEdges(const TriMesh& mesh, const std::vector<int3
   }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
+  WeldedEdges result;
   std::vector<int32_t> single;
   for (size_t i = 0; i < entries.size();) {
-    size_t j = i;
-    while (j < entries.size() && entries[j].key == entries[i].key) ++j;
+    size_t j = i + 1;
+    for (; j < entries.size() && entries[j].key == entries[i].key; ++j) {
+      result.across.emplace_back(edges[entries[i].order].triangle, edges[entries[j].order].triangle);
+    }
     if (j - i == 1) single.push_back(entries[i].order);
     if (j - i > 2) ++record.nonmanifold_edges;
     i = j;
   }
   std::sort(single.begin(), single.end());
-  std::vector<HalfEdge> result;
-  result.reserve(single.size());
-  for (const int32_t s : single) result.push_back(edges[s]);
+  result.single.reserve(single.size());
+  for (const int32_t s : single) result.single.push_back(edges[s]);
   return result;
 }
 
@@ -193,17 +202,34 @@ void StoreVertexFigures(SurveyRecord& record) {
   }
 }
 
-// The connected piece of each boundary vertex, numbered in the order of the vertices.
-void StorePieces(const TriMesh& mesh, const Weld& weld, SurveyRecord& record) {
-  DisjointSets sets(static_cast<int32_t>(mesh.points.size()));
-  const auto of = [&](int32_t v) { return weld.weld[v] == kNone ? v : weld.first[weld.weld[v]]; };
-  for (const Triangle& t : mesh.triangles) {
-    sets.Join(of(t[0]), of(t[1]));
-    sets.Join(of(t[0]), of(t[2]));
+// The piece of surface of each boundary edge. Away from welded vertices triangles are of one piece when they share a
+// vertex; at those, when they share an edge.
+void StorePieces(const TriMesh& mesh, const Weld& weld, const WeldedEdges& edges, SurveyRecord& record) {
+  std::vector<int32_t> at_weld;  // the triangles with a welded corner: things of their own beside the other vertices
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    if (std::any_of(t.begin(), t.end(), [&](int32_t v) { return weld.weld[v] != kNone; })) {
+      at_weld.push_back(static_cast<int32_t>(i));
+    }
   }
+  const auto vertices = static_cast<int32_t>(mesh.points.size());
+  DisjointSets sets(vertices + static_cast<int32_t>(at_weld.size()));
+  const auto of_triangle = [&](int32_t t) {
+    return vertices + static_cast<int32_t>(std::lower_bound(at_weld.begin(), at_weld.end(), t) - at_weld.begin());
+  };
+  for (size_t i = 0, next = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const bool welded = next < at_weld.size() && at_weld[next] == static_cast<int32_t>(i);
+    const int32_t own = welded ? vertices + static_cast<int32_t>(next++) : t[0];
+    for (const int32_t v : t) {
+      if (weld.weld[v] == kNone) sets.Join(own, v);
+    }
+  }
+  for (const auto& [a, b] : edges.across) sets.Join(of_triangle(a), of_triangle(b));
   std::unordered_map<int32_t, int32_t> number;
-  for (BoundaryVertex& v : record.vertices) {
-    v.piece = number.try_emplace(sets.LowestOf(v.index), static_cast<int32_t>(number.size())).first->second;
+  for (size_t e = 0; e < edges.single.size(); ++e) {
+    const int32_t set = sets.LowestOf(of_triangle(edges.single[e].triangle));
+    record.edges[e].piece = number.try_emplace(set, static_cast<int32_t>(number.size())).first->second;
   }
 }
 
@@ -223,11 +249,11 @@ SurveyRecord SurveyTile(const TriMesh& mesh, bool float32) {
   const std::vector<uint8_t> marked = MarkUnbalancedVertices(mesh);
   const Weld weld = WeldMarked(mesh, marked);
   record.doubled_vertices = weld.doubled;
-  const std::vector<HalfEdge> edges = UnmatchedEdges(mesh, weld.weld, record);
-  const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges, record);
+  const WeldedEdges edges = FindWeldedEdges(mesh, weld.weld, record);
+  const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges.single, record);
   StoreBand(mesh, boundary, record);
   StoreVertexFigures(record);
-  StorePieces(mesh, weld, record);
+  StorePieces(mesh, weld, edges, record);
   return record;
 }
 

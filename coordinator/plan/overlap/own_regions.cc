@@ -191,7 +191,7 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
-    if (!gap.open) AddLink(from, to, way);
+    if (way.size() == 1) AddLink(from, to, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }

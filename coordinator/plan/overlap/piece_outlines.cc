@@ -24,7 +24,7 @@ struct Face {
 class OutlineFinder {
  public:
   OutlineFinder(const SurveyRecord& record, double reach) : record_(record), reach_(reach) {
-    for (const BoundaryVertex& v : record.vertices) box_[v.piece].extend(v.position);
+    for (size_t e = 0; e < record.edges.size(); ++e) box_[record.edges[e].piece].extend(Begin(e)).extend(End(e));
   }
 
   std::vector<bool> Run() {
@@ -64,7 +64,7 @@ class OutlineFinder {
       return upper ? box_.at(piece).max()[axis] : box_.at(piece).min()[axis];
     };
     for (size_t e = 0; e < record_.edges.size(); ++e) {
-      const int32_t piece = record_.vertices[record_.edges[e].from].piece;
+      const int32_t piece = record_.edges[e].piece;
       const double place = place_of(piece);
       if (std::abs(Begin(e)[axis] - place) > kStraight || std::abs(End(e)[axis] - place) > kStraight) continue;
       length[piece] += (End(e) - Begin(e)).norm();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -58,12 +59,35 @@ class FoldedFiller {
       const std::vector<LatticePoint> points = LatticePoints();
       if (round > 0 && TriangulateRegion(points, segments_).conflicts.empty()) break;
       if (round + 1 == kMostRounds) return false;
-      WoundRegion region = FindWoundRegion(points, segments_);
-      for (const RegionCorner& corner : region.corners) AddCorner(corner);
-      segments_ = std::move(region.segments);
+      TakeRegion(FindWoundRegion(points, segments_));
       PartTakenChords();
     }
     return true;
+  }
+
+  // A corner that a file can only hold where a vertex is already becomes that vertex: beside it, it would come back in
+  // every round.
+  void TakeRegion(const WoundRegion& region) {
+    const int32_t before = whole_.size();
+    std::map<std::pair<double, double>, int32_t> at;
+    for (const RegionSegment& s : segments_) at.try_emplace(PlaceOf(s.from), s.from);
+    std::vector<int32_t> corner_vertex;
+    for (const RegionCorner& corner : region.corners) {
+      const int32_t vertex = AddCorner(corner);
+      corner_vertex.push_back(at.try_emplace(PlaceOf(vertex), vertex).first->second);
+    }
+    const auto vertex_of = [&](int32_t v) { return v < before ? v : corner_vertex[v - before]; };
+    segments_.clear();
+    for (const RegionSegment& s : region.segments) {
+      const RegionSegment segment{vertex_of(s.from), vertex_of(s.to)};
+      if (segment.from != segment.to) segments_.push_back(segment);
+    }
+  }
+
+  // Seen from above.
+  std::pair<double, double> PlaceOf(int32_t v) const {
+    const Point3 p = frame_.ToFrame(whole_.positions[v]);
+    return {p.x(), p.y()};
   }
 
   // A hole that winds around nothing may be a wall, but not the outline of surface.
@@ -91,7 +115,7 @@ class FoldedFiller {
     return points;
   }
 
-  void AddCorner(const RegionCorner& corner) {
+  int32_t AddCorner(const RegionCorner& corner) {
     const Point2 place = window_->ToMetres(corner.place);
     double height = std::numeric_limits<double>::infinity(), size = height;
     for (const int32_t s : corner.through) {
@@ -102,7 +126,7 @@ class FoldedFiller {
       height = std::min(height, a.z() + share * (b.z() - a.z()));
       size = std::min({size, whole_.sizes[from], whole_.sizes[to]});
     }
-    AddVertex(frame_.ToScene(Point3(place.x(), place.y(), height - kDrop * size)), size);
+    return AddVertex(frame_.ToScene(Point3(place.x(), place.y(), height - kDrop * size)), size);
   }
 
   // An edge between two rim vertices that the surface has already gets a new vertex in its middle.
