@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -11,25 +12,29 @@ namespace tilemend {
 namespace {
 
 constexpr double kOnOutline = 2e-3;  // metres
+// Chains of two pieces end at most so far from each other where the pieces and the tile end together, times the reach.
+constexpr double kPieceEnds = 8;
 
 // A vertex where a chain off the outline ends or begins, seen along the walk.
 struct Event {
   double place = 0;
   int32_t vertex = 0;
   bool ends = false;  // surface ends here: counter-clockwise of it there is one layer less
+  bool on_outline = false;
 };
 
 class Walker {
  public:
-  Walker(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline)
-      : record_(record), taken_(taken), outline_(outline) {}
+  Walker(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline, double piece_reach)
+      : record_(record), taken_(taken), outline_(outline), piece_reach_(piece_reach) {}
 
   OutlineWalk Run() {
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       walk_.on_outline.push_back(taken_[e] && SideOf(record_.edges[e]).has_value());
     }
     FindEvents();
-    CloseInside();
+    CloseAtPieces();
+    SortEvents();
     if (events_.empty()) {
       walk_.all_open = LayersAt(0) <= 0;
     } else {
@@ -53,43 +58,51 @@ class Walker {
 
   void FindEvents() {
     std::map<int32_t, int> leaving;  // chains that begin there, less those that end
+    std::set<int32_t> at_piece;      // vertices where a piece ends
     for (size_t e = 0; e < record_.edges.size(); ++e) {
+      const auto [from, to, piece] = record_.edges[e];
+      if (!taken_[e]) at_piece.insert({from, to});
       if (!taken_[e] || walk_.on_outline[e]) continue;
-      ++leaving[record_.edges[e].from];
-      --leaving[record_.edges[e].to];
+      ++leaving[from];
+      --leaving[to];
     }
     for (const auto& [v, more] : leaving) {
-      const std::optional<Side> side = outline_.SideAt(record_.vertices[v].position);
-      for (int k = 0; k < std::abs(more); ++k) {
-        if (side) {
-          events_.push_back({outline_.PlaceOf(record_.vertices[v].position, *side), v, more > 0});
-        } else {
-          inside_.push_back({0, v, more > 0});
-        }
-      }
+      const Point3& p = record_.vertices[v].position;
+      const std::optional<Side> side = outline_.SideAt(p);
+      const Event event{outline_.PlaceOf(p, side.value_or(NearestSide(p))), v, more > 0, side.has_value()};
+      std::vector<Event>& events = side && !at_piece.contains(v) ? events_ : piece_ends_;
+      for (int k = 0; k < std::abs(more); ++k) events.push_back(event);
     }
   }
 
-  // Ends of chains that are not on the outline, at outlines of pieces for the most part: each with a beginning, the
-  // nearest pairs first. Those left over count to the outline.
-  void CloseInside() {
+  Side NearestSide(const Point3& p) const {
+    const auto inside = [&](Side s) { return (outline_.side[s] - p[AxisOf(s)]) * OutwardOf(s); };
+    return *std::min_element(kSides.begin(), kSides.end(), [&](Side a, Side b) { return inside(a) < inside(b); });
+  }
+
+  // Ends of chains where pieces end: each with a beginning, the nearest pairs first. Those left over count to the
+  // outline, and so do those on it that have none near by.
+  void CloseAtPieces() {
+    const double farthest = std::pow(kPieceEnds * piece_reach_, 2);
     std::vector<std::tuple<double, size_t, size_t>> pairs;
-    for (size_t i = 0; i < inside_.size(); ++i) {
-      for (size_t k = 0; k < inside_.size(); ++k) {
-        if (inside_[i].ends && !inside_[k].ends) pairs.emplace_back(DistanceOf(inside_[i], inside_[k]), i, k);
+    for (size_t i = 0; i < piece_ends_.size(); ++i) {
+      for (size_t k = 0; k < piece_ends_.size(); ++k) {
+        const Event &a = piece_ends_[i], &b = piece_ends_[k];
+        if (!a.ends || b.ends) continue;
+        const double distance = DistanceOf(a, b);
+        if (distance <= farthest || (!a.on_outline && !b.on_outline)) pairs.emplace_back(distance, i, k);
       }
     }
     std::sort(pairs.begin(), pairs.end());
-    std::vector<bool> closed(inside_.size(), false);
+    std::vector<bool> closed(piece_ends_.size(), false);
     for (const auto& [distance, i, k] : pairs) {
       if (closed[i] || closed[k]) continue;
       closed[i] = closed[k] = true;
-      walk_.gaps.push_back({inside_[i].vertex, inside_[k].vertex, 0, 0, false});
+      walk_.gaps.push_back({piece_ends_[i].vertex, piece_ends_[k].vertex, 0, 0, false});
     }
-    for (size_t i = 0; i < inside_.size(); ++i) {
-      if (!closed[i]) AddToOutline(inside_[i]);
+    for (size_t i = 0; i < piece_ends_.size(); ++i) {
+      if (!closed[i]) events_.push_back(piece_ends_[i]);
     }
-    SortEvents();
   }
 
   void SortEvents() {
@@ -100,15 +113,6 @@ class Walker {
 
   double DistanceOf(const Event& a, const Event& b) const {
     return (record_.vertices[a.vertex].position - record_.vertices[b.vertex].position).squaredNorm();
-  }
-
-  void AddToOutline(Event e) {
-    const Point3& p = record_.vertices[e.vertex].position;
-    const auto inside = [&](Side s) { return (outline_.side[s] - p[AxisOf(s)]) * OutwardOf(s); };
-    const Side nearest =
-        *std::min_element(kSides.begin(), kSides.end(), [&](Side a, Side b) { return inside(a) < inside(b); });
-    e.place = outline_.PlaceOf(p, nearest);
-    events_.push_back(e);
   }
 
   // Layers of surface along the outline just behind a place.
@@ -162,7 +166,9 @@ class Walker {
   const SurveyRecord& record_;
   const std::vector<bool>& taken_;
   const Outline& outline_;
-  std::vector<Event> events_, inside_;
+  const double piece_reach_;
+  std::vector<Event> events_;      // along the outline
+  std::vector<Event> piece_ends_;  // where pieces end
   OutlineWalk walk_;
 };
 
@@ -200,8 +206,9 @@ std::optional<Side> Outline::SideAt(const Point3& p) const {
   return std::nullopt;
 }
 
-OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline) {
-  return Walker(record, taken, outline).Run();
+OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,
+                        double piece_reach) {
+  return Walker(record, taken, outline, piece_reach).Run();
 }
 
 }  // namespace tilemend

@@ -48,12 +48,12 @@ class CellRegions {
       : cell_(cell), record_(record != nullptr ? *record : kEmpty), square_(joint.squares.at(cell)), plan_(plan) {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
     if (record == nullptr) {
-      walk_ = WalkOutline(record_, chain_, outline_);
+      walk_ = WalkOutline(record_, chain_, outline_, own.piece_reach);
       return;
     }
     cut_ = joint.cut.at(cell);
     chain_ = joint.chain.at(cell);
-    walk_ = WalkOutline(record_, chain_, outline_);
+    walk_ = WalkOutline(record_, chain_, outline_, own.piece_reach);
     const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(cell);
     for (size_t v = 0; v < record_.vertices.size(); ++v) own_vertex_.emplace(of[v], static_cast<int32_t>(v));
     const auto& through = joint.edges_through.at(cell);
