@@ -23,6 +23,12 @@ struct Event {
   bool on_outline = false;
 };
 
+// Of the outline between neighbouring events.
+struct Stretch {
+  double begin = 0, length = 0;
+  int layers = 0;
+};
+
 class Walker {
  public:
   Walker(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline, double piece_reach)
@@ -38,6 +44,8 @@ class Walker {
     if (events_.empty()) {
       walk_.all_open = LayersAt(0) <= 0;
     } else {
+      CountLayers();
+      CloseUpperSheets();
       Match();
     }
     return std::move(walk_);
@@ -130,6 +138,51 @@ class Walker {
     return layers;
   }
 
+  void CountLayers() {
+    for (size_t i = 0; i < events_.size(); ++i) {
+      const double begin = events_[i].place, end = Beyond(begin, events_[(i + 1) % events_.size()].place);
+      stretches_.push_back({begin, end - begin, LayersAt(std::fmod((begin + end) / 2, outline_.Length()))});
+    }
+  }
+
+  // `place`, or the same one round farther, not before `from`.
+  double Beyond(double from, double place) const { return place < from ? place + outline_.Length() : place; }
+
+  // Calls visit(stretch) for the stretches of the outline from one event to another.
+  template <typename Visit>
+  void VisitBetween(const Event& from, const Event& to, Visit visit) const {
+    const double end = Beyond(from.place, to.place);
+    for (const Stretch& s : stretches_) {
+      if (const double begin = Beyond(from.place, s.begin); begin + s.length <= end) visit(s);
+    }
+  }
+
+  // A sheet that begins and ends over other surface is closed for itself: it is the top of something.
+  void CloseUpperSheets() {
+    for (size_t i = 0; i + 1 < events_.size();) {
+      const Event begin = events_[i], end = events_[i + 1];
+      int fewest = begin.ends || !end.ends ? 0 : std::numeric_limits<int>::max();
+      VisitBetween(begin, end, [&](const Stretch& s) { fewest = std::min(fewest, s.layers); });
+      if (fewest < 2 || fewest == std::numeric_limits<int>::max()) {
+        ++i;
+        continue;
+      }
+      walk_.gaps.push_back({end.vertex, begin.vertex, 0, 0, false});
+      events_.erase(events_.begin() + static_cast<ptrdiff_t>(i), events_.begin() + static_cast<ptrdiff_t>(i) + 2);
+      i -= i > 0;
+    }
+  }
+
+  // Whether the most of the way from one event to another has no surface.
+  bool IsUncovered(const Event& from, const Event& to) const {
+    double empty = 0, all = 0;
+    VisitBetween(from, to, [&](const Stretch& s) {
+      all += s.length;
+      if (s.layers == 0) empty += s.length;
+    });
+    return empty > all / 2;
+  }
+
   // Goes around from where most layers are, so that every end has its beginning behind it.
   void Match() {
     const size_t n = events_.size();
@@ -154,12 +207,11 @@ class Walker {
       }
       if (ends.empty()) continue;
       const Event &from = events_[ends.back().event], &to = events_[i];
-      const double end = to.place < from.place ? to.place + outline_.Length() : to.place;
-      const bool uncovered = LayersAt(std::fmod((from.place + end) / 2, outline_.Length())) <= 0;
+      const bool uncovered = IsUncovered(from, to);
       const bool open = uncovered && !ends.back().holds_open, holds_open = uncovered || ends.back().holds_open;
       ends.pop_back();
       if (!ends.empty()) ends.back().holds_open |= holds_open;
-      walk_.gaps.push_back({from.vertex, to.vertex, from.place, end, open});
+      walk_.gaps.push_back({from.vertex, to.vertex, from.place, Beyond(from.place, to.place), open});
     }
   }
 
@@ -169,6 +221,7 @@ class Walker {
   const double piece_reach_;
   std::vector<Event> events_;      // along the outline
   std::vector<Event> piece_ends_;  // where pieces end
+  std::vector<Stretch> stretches_;
   OutlineWalk walk_;
 };
 
