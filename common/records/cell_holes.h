@@ -28,6 +28,7 @@ struct RimVertex {
   bool laplacian_known = false;  // on seams, from the surface of the whole cluster: its Laplacian here, 1 / metre
   double laplacian = 0;
   bool on_object = false;  // an original that stands on a tree, a house, a wall: its height does not shape the surface
+  std::optional<double> ground;  // under such a vertex, from the surface of the whole cluster: its height, metres
 };
 
 // A segment of a hole's boundary; seen from above, the hole lies to the left of from -> to.

@@ -165,7 +165,11 @@ v1::RimVertices ToProto(const std::vector<RimVertex>& vertices) {
     proto.add_laplacian(v.laplacian);
   }
   if (std::any_of(vertices.begin(), vertices.end(), [](const RimVertex& v) { return v.on_object; })) {
-    for (const RimVertex& v : vertices) proto.add_on_object(v.on_object);
+    for (const RimVertex& v : vertices) {
+      proto.add_on_object(v.on_object);
+      proto.add_ground_known(v.ground.has_value());
+      proto.add_ground(v.ground.value_or(0));
+    }
   }
   return proto;
 }
@@ -175,7 +179,8 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
   if (proto.row_size() != n || proto.index_size() != n || proto.seam_vertex_size() != n || proto.lines_size() != n ||
       proto.position_size() != 3 * n || proto.height_known_size() != n || proto.centroid_height_size() != n ||
       proto.size_size() != n || proto.laplacian_known_size() != n || proto.laplacian_size() != n ||
-      (proto.on_object_size() != n && proto.on_object_size() != 0)) {
+      (proto.on_object_size() != n && proto.on_object_size() != 0) ||
+      proto.ground_size() != proto.on_object_size() || proto.ground_known_size() != proto.on_object_size()) {
     return Malformed("rim vertices");
   }
   std::vector<RimVertex> vertices(n);
@@ -192,6 +197,8 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
     v.laplacian_known = proto.laplacian_known(i);
     v.laplacian = proto.laplacian(i);
     v.on_object = proto.on_object_size() > 0 && proto.on_object(i);
+    if (v.on_object && proto.ground_known(i)) v.ground = proto.ground(i);
+    if (!std::isfinite(v.ground.value_or(0))) return Malformed("rim vertex ground");
     if (!std::isfinite(v.laplacian)) return Malformed("rim vertex Laplacian");
     if (!v.position.allFinite()) return Malformed("rim vertex position");
   }

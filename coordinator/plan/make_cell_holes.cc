@@ -69,7 +69,7 @@ class CellHolesBuilder {
     for (size_t i = 0; i < of.size(); ++i) own_index_.emplace(of[i], own->vertices[i].index);
   }
 
-  int32_t Vertex(int32_t plan_vertex) {
+  int32_t Vertex(int32_t plan_vertex, int32_t cluster) {
     const auto [it, fresh] = number_.try_emplace(plan_vertex, static_cast<int32_t>(result_.vertices.size()));
     if (!fresh) return it->second;
     const PlanVertex& p = plan_.vertices[plan_vertex];
@@ -85,9 +85,14 @@ class CellHolesBuilder {
       v.tile = result_.cell;
       v.index = own->second;
     }
+    if (p.on_object) {
+      v.seam_vertex = plan_vertex;
+      const auto ground = heights_.ground.find({cluster, plan_vertex});
+      if (ground != heights_.ground.end()) v.ground = ground->second;
+    }
     if (p.index < 0) {
       v.seam_vertex = plan_vertex;
-      const std::optional<double> height = HeightOf(plan_vertex);
+      const std::optional<double> height = HeightOf(plan_vertex, cluster);
       v.height_known = height.has_value();
       if (height) v.position.z() = *height;
     }
@@ -96,11 +101,14 @@ class CellHolesBuilder {
   }
 
   // Of a seam vertex, if it is settled. Off the grid line the surface goes on with its slope.
-  std::optional<double> HeightOf(int32_t plan_vertex) const {
+  std::optional<double> HeightOf(int32_t plan_vertex, int32_t cluster) const {
     const PlanVertex& p = plan_.vertices[plan_vertex];
     const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
     const PlanVertex& s = plan_.vertices[source];
     if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
+    if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
+      return std::round(ground->second / plan_.lattice_step) * plan_.lattice_step;
+    }
     if (s.index >= 0 || s.height_known) return s.position.z();
     const auto height = heights_.height.find(source);
     if (height == heights_.height.end()) return std::nullopt;
@@ -121,8 +129,8 @@ class CellHolesBuilder {
       hole.river = plan_.water[planned.water].river;
     }
     for (const RimSegment& s : segments) {
-      const int32_t from = Vertex(s.from);
-      const int32_t to = Vertex(s.to);
+      const int32_t from = Vertex(s.from, planned.cluster);
+      const int32_t to = Vertex(s.to, planned.cluster);
       hole.segments.push_back({from, to, s.seam});
       if (!s.seam) continue;
       SetSeamVertex(result_.vertices[from], planned.cluster, s.from);

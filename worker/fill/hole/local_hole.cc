@@ -93,8 +93,12 @@ LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<
   }
   FindBoundary(hole);
   FindSizes(hole);
-  for (const int32_t v : hole.vertices) hole.on_object.push_back(cell.vertices[v].on_object);
-  if (std::find(hole.on_object.begin(), hole.on_object.end(), true) == hole.on_object.end()) hole.on_object.clear();
+  if (std::any_of(hole.vertices.begin(), hole.vertices.end(), [&](int32_t v) { return cell.vertices[v].on_object; })) {
+    for (const int32_t v : hole.vertices) {
+      hole.on_object.push_back(cell.vertices[v].on_object);
+      hole.ground.push_back(cell.vertices[v].ground);
+    }
+  }
   return hole;
 }
 

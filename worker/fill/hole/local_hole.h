@@ -35,7 +35,8 @@ struct LocalHole {
   std::vector<bool> has_equation;        // whether the patch goes on with the slope of the surface there
   std::vector<Eigen::Vector3d> normals;  // unit, of the surface that goes on into the hole, evened out; zero where none
 
-  std::vector<bool> on_object;  // RimVertex::on_object; empty: none is
+  std::vector<bool> on_object;                // RimVertex::on_object; empty: none is
+  std::vector<std::optional<double>> ground;  // RimVertex::ground; empty as well
 
   std::vector<RegionSegment> segments;  // the hole on the left
   std::vector<VertexPair> boundary;     // the same, sorted, as edges

@@ -150,7 +150,10 @@ class FoldedFiller {
     whole_.has_equation.push_back(false);
     whole_.normals.push_back(Eigen::Vector3d::Zero());
     // Where the boundary folds it runs up something.
-    if (!whole_.on_object.empty()) whole_.on_object.push_back(true);
+    if (!whole_.on_object.empty()) {
+      whole_.on_object.push_back(true);
+      whole_.ground.push_back(std::nullopt);
+    }
     return whole_.size() - 1;
   }
 
@@ -180,7 +183,10 @@ class FoldedFiller {
       local.sizes.push_back(whole_.sizes[v]);
       local.normals.push_back(whole_.normals[v]);
       local.has_equation.push_back(whole_.has_equation[v] && !at_fold.contains(v));
-      if (!whole_.on_object.empty()) local.on_object.push_back(whole_.on_object[v]);
+      if (!whole_.on_object.empty()) {
+        local.on_object.push_back(whole_.on_object[v]);
+        local.ground.push_back(whole_.ground[v]);
+      }
       return number[v];
     };
     for (const RegionSegment& s : segments_) {

@@ -74,7 +74,7 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
     plate.has_equation.push_back(v < rim ? static_cast<bool>(patch.has_equation[v]) : v < all);
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
-  if (frame.upright() && !FreeRim(hole.on_object, plate)) return false;
+  if (frame.upright() && !FreeRim(hole.on_object, hole.ground, plate)) return false;
   bool solved = false;
   if (use == RimUse::kWhole) {
     solved = SolveWhole(hole, options, plate, chosen);

@@ -50,7 +50,7 @@ class ClusterSampler {
   std::optional<ClusterSurface> Solve() const {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
-    if (!FreeRim(hole_.on_object, problem)) return std::nullopt;
+    if (!FreeRim(hole_.on_object, {}, problem)) return std::nullopt;
     FreeSteepRim(problem);
     if (!options_.tension) surface.hold_out = ChooseTension(problem, HoleWidth(problem.points, OutlineSegments()));
     problem.tension =
@@ -64,7 +64,11 @@ class ClusterSampler {
     const auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
     if (!laplacian) return std::nullopt;
     if (surface.hold_out) surface.hold_out->tension = problem.tension;
-    for (auto& [v, sample] : AtSeams(problem, *laplacian)) {
+    std::map<int32_t, SurfaceSample> samples = AtSeams(problem, *laplacian);
+    for (size_t v = 0; v < hole_.on_object.size(); ++v) {
+      if (hole_.on_object[v]) samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
+    }
+    for (auto& [v, sample] : samples) {
       sample.seam_vertex = cluster_.vertices[v].seam_vertex;
       surface.samples.push_back(sample);
     }

@@ -111,8 +111,17 @@ std::vector<bool> TiedToGround(const std::vector<bool>& on_object, const ThinPla
 
 }  // namespace
 
-bool FreeRim(const std::vector<bool>& stands, ThinPlateProblem& problem) {
-  const std::vector<bool> on_object = TiedToGround(stands, problem);
+bool FreeRim(const std::vector<bool>& stands, const std::vector<std::optional<double>>& ground_under,
+             ThinPlateProblem& problem) {
+  std::vector<bool> settled(stands.size(), false), open = stands;
+  for (size_t v = 0; v < ground_under.size(); ++v) {
+    if (!stands[v] || !ground_under[v]) continue;
+    problem.points[v].z() = *ground_under[v];
+    settled[v] = true;
+    open[v] = false;
+  }
+  TakeAwayBand(settled, problem);
+  const std::vector<bool> on_object = TiedToGround(open, problem);
   if (std::find(on_object.begin(), on_object.end(), true) == on_object.end()) return true;
   const std::vector<Point3> ground = GroundOf(on_object, problem);
   if (ground.size() < kLeastGround) return true;
