@@ -12,6 +12,7 @@
 #include "coordinator/plan/hole/touching_holes.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
+#include "coordinator/plan/overlap/wall_feet.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
@@ -169,6 +170,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   MarkObjects(input, plan);
+  LayWallFeet(plan);
   FindWater(input, options.water, plan);
   AnswerWaterAreas(options.water, plan);
   return plan;

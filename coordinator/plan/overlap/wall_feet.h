@@ -1,0 +1,16 @@
+// Where a tile's outline comes down from an object at the rim.
+#ifndef TILEMEND_COORDINATOR_PLAN_OVERLAP_WALL_FEET_H_
+#define TILEMEND_COORDINATOR_PLAN_OVERLAP_WALL_FEET_H_
+
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+// Puts a new vertex on the tile's outline close to every rim vertex on an object from which a hole's own region goes on
+// along the outline: the foot of a wall. It has the height of the surface, so that the surfaces of two tiles meet up to
+// there, however far apart the heights are at which the object ends in each. O(segments).
+void LayWallFeet(Plan& plan);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_OVERLAP_WALL_FEET_H_
