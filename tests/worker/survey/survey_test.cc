@@ -160,6 +160,22 @@ TEST(SurveyTileTest, KeepsOneVertexWhereTwoHolesPinch) {
   EXPECT_EQ(record.vertices.size(), 16u + 7u) << "the pinch is one vertex of four edges";
 }
 
+TEST(SurveyTileTest, ParsPiecesThatMeetInAVertex) {
+  TriMesh mesh = SquaresMesh(0, 4, 0, 4, [](int32_t x, int32_t y) { return (x < 2) == (y < 2); });
+  const SurveyRecord record = SurveyTile(mesh, true);
+  for (const BoundaryEdge& e : record.edges) {
+    const bool west = (record.vertices[e.from].position + record.vertices[e.to].position).x() < 4;
+    EXPECT_EQ(e.piece == record.edges[0].piece, west == (record.vertices[record.edges[0].from].position.x() < 2 ||
+                                                         record.vertices[record.edges[0].to].position.x() < 2));
+  }
+}
+
+TEST(SurveyTileTest, KeepsOnePieceAroundAHole) {
+  const SurveyRecord record =
+      SurveyTile(SquaresMesh(0, 5, 0, 5, [](int32_t x, int32_t y) { return x != 2 || y != 2; }), true);
+  for (const BoundaryEdge& e : record.edges) EXPECT_EQ(e.piece, 0);
+}
+
 TEST(SurveyTileTest, KeepsTwoRingsOfTrianglesAsBand) {
   const int32_t sectors = 12;
   const TriMesh disc = DiscMesh(5, sectors);

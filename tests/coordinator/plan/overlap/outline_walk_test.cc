@@ -20,7 +20,7 @@ SurveyRecord RecordOf(const std::vector<std::string>& picture) {
 }
 
 OutlineWalk Walk(const SurveyRecord& record) {
-  return WalkOutline(record, std::vector<bool>(record.edges.size(), true), kSquare);
+  return WalkOutline(record, std::vector<bool>(record.edges.size(), true), kSquare, 0.3);
 }
 
 TEST(OutlineTest, NumbersPlacesCounterClockwiseFromTheSouthWest) {
@@ -64,6 +64,26 @@ TEST(OutlineWalkTest, SaysThatNothingReachesTheOutline) {
   EXPECT_TRUE(Walk(RecordOf({"......", ".####.", ".####.", ".####.", ".####.", "......"})).all_open);
 }
 
+// A wall that stands on the northern outline, over ground that goes on below.
+SurveyRecord WithSheetAbove(SurveyRecord record, double west, double east) {
+  const auto base = static_cast<int32_t>(record.vertices.size());
+  const Point3 corners[] = {{west, 6, 5}, {west, 5, 5}, {east, 5, 5}, {east, 6, 5}};
+  for (const Point3& p : corners) record.vertices.push_back({-1, p});
+  for (int32_t k = 0; k < 4; ++k) record.edges.push_back({base + k, base + (k + 1) % 4, 1});
+  return record;
+}
+
+TEST(OutlineWalkTest, ClosesASheetAboveOthersForItself) {
+  const SurveyRecord plain = RecordOf({"######", "##..##", "##..##", "##..##", "##..##", "##..##"});
+  const auto first_of_sheet = static_cast<int32_t>(plain.vertices.size());
+  // Its eastern end, then its western one, lie before the gap.
+  const OutlineWalk walk = Walk(WithSheetAbove(plain, 4.5, 5.5));
+  ASSERT_THAT(walk.gaps, SizeIs(2));
+  for (const OutlineGap& gap : walk.gaps) {
+    EXPECT_EQ(gap.from < first_of_sheet, gap.to < first_of_sheet) << "ground with ground, sheet with sheet";
+  }
+}
+
 TEST(OutlineWalkTest, LinksChainsThatEndInside) {
   const SurveyRecord record = RecordOf({"######", "######", "##..##", "##..##", "######", "######"});
   // Without two opposite edges of the hole's rim.
@@ -77,7 +97,7 @@ TEST(OutlineWalkTest, LinksChainsThatEndInside) {
     ends.insert({record.edges[e].from, record.edges[e].to});
   }
   ASSERT_THAT(ends, SizeIs(4));
-  const OutlineWalk walk = WalkOutline(record, taken, kSquare);
+  const OutlineWalk walk = WalkOutline(record, taken, kSquare, 0.3);
   ASSERT_THAT(walk.gaps, SizeIs(2));
   for (const OutlineGap& gap : walk.gaps) {
     EXPECT_FALSE(gap.open);

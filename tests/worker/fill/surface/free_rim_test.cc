@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <vector>
 
 #include "tests/worker/fill/surface/plates.h"
@@ -44,15 +45,15 @@ double LargestError(const ThinPlateProblem& problem, double (*height)(double, do
 TEST(FreeRimTest, UnderAHouseAPlaneGoesOn) {
   Plate plate = MakePlate(Slope, Everywhere, Nowhere);
   const std::vector<bool> on_object = Build(10, plate.problem);
-  ASSERT_TRUE(FreeRim(on_object, plate.problem));
+  ASSERT_TRUE(FreeRim(on_object, {}, plate.problem));
   ASSERT_TRUE(SolveThinPlate(plate.problem).has_value());
   EXPECT_LT(LargestError(plate.problem, Slope), 1e-6);
 }
 
 TEST(FreeRimTest, TheHeightOfTheHouseDoesNotMatter) {
   Plate low = MakePlate(Hills, Everywhere, Nowhere), high = low;
-  ASSERT_TRUE(FreeRim(Build(3, low.problem), low.problem));
-  ASSERT_TRUE(FreeRim(Build(30, high.problem), high.problem));
+  ASSERT_TRUE(FreeRim(Build(3, low.problem), {}, low.problem));
+  ASSERT_TRUE(FreeRim(Build(30, high.problem), {}, high.problem));
   ASSERT_TRUE(SolveThinPlate(low.problem).has_value());
   ASSERT_TRUE(SolveThinPlate(high.problem).has_value());
   for (size_t v = 0; v < low.problem.points.size(); ++v) {
@@ -61,10 +62,25 @@ TEST(FreeRimTest, TheHeightOfTheHouseDoesNotMatter) {
   }
 }
 
+TEST(FreeRimTest, TakesTheGroundThatIsKnown) {
+  Plate plate = MakePlate(Slope, Everywhere, Nowhere), without = plate;
+  const std::vector<bool> on_object = Build(10, plate.problem);
+  Build(10, without.problem);
+  std::vector<std::optional<double>> ground(on_object.size());
+  size_t first = 0;
+  while (!on_object[first]) ++first;
+  ground[first] = 4.25;
+  ASSERT_TRUE(FreeRim(on_object, ground, plate.problem));
+  EXPECT_EQ(plate.problem.points[first].z(), 4.25);
+  ASSERT_TRUE(FreeRim(on_object, {}, without.problem));
+  EXPECT_EQ(plate.problem.band, without.problem.band);
+  EXPECT_EQ(plate.problem.has_equation, without.problem.has_equation);
+}
+
 TEST(FreeRimTest, WithoutObjectsNothingChanges) {
   Plate plate = MakePlate(Hills, Everywhere, Nowhere);
   const ThinPlateProblem before = plate.problem;
-  ASSERT_TRUE(FreeRim(std::vector<bool>(plate.problem.points.size(), false), plate.problem));
+  ASSERT_TRUE(FreeRim(std::vector<bool>(plate.problem.points.size(), false), {}, plate.problem));
   EXPECT_EQ(plate.problem.points, before.points);
   EXPECT_EQ(plate.problem.band, before.band);
   EXPECT_EQ(plate.problem.has_equation, before.has_equation);
@@ -73,7 +89,7 @@ TEST(FreeRimTest, WithoutObjectsNothingChanges) {
 TEST(FreeRimTest, WithoutGroundNothingChanges) {
   Plate plate = MakePlate(Hills, Everywhere, Nowhere);
   const ThinPlateProblem before = plate.problem;
-  ASSERT_TRUE(FreeRim(std::vector<bool>(plate.problem.points.size(), true), plate.problem));
+  ASSERT_TRUE(FreeRim(std::vector<bool>(plate.problem.points.size(), true), {}, plate.problem));
   EXPECT_EQ(plate.problem.points, before.points);
 }
 

@@ -1,0 +1,61 @@
+#include "coordinator/plan/overlap/wall_feet.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::SizeIs;
+
+PlanVertex At(double x, double y, int32_t index, int32_t follows) {
+  PlanVertex v;
+  v.position = Point3(x, y, 0);
+  v.index = index;
+  v.follows = follows;
+  v.size = 2;
+  v.lines = follows >= 0 ? 2 : 0;
+  return v;
+}
+
+// A gap along an outline at y = 10 from one rim vertex over two new ones to another.
+Plan PlanOfGap(bool on_object) {
+  Plan plan;
+  plan.lattice_step = 1.0 / 1024;
+  plan.vertices = {At(0, 10, 0, -1), At(2, 10, -1, 5), At(4, 10, -1, 6), At(6, 10, 1, -1), At(3, 0, 2, -1)};
+  plan.vertices[0].on_object = on_object;
+  PlannedHole hole;
+  hole.own_regions = {{{0, 1, true}, {1, 2, true}, {2, 3, true}, {3, 4, false}, {4, 0, false}}};
+  plan.holes = {hole};
+  return plan;
+}
+
+TEST(WallFeetTest, StandCloseToTheWallOnTheOutline) {
+  Plan plan = PlanOfGap(true);
+  LayWallFeet(plan);
+  ASSERT_THAT(plan.vertices, SizeIs(6));
+  const PlanVertex& foot = plan.vertices[5];
+  EXPECT_NEAR(foot.position.x(), 0.15, plan.lattice_step);
+  EXPECT_EQ(foot.position.y(), 10);
+  EXPECT_EQ(foot.follows, 5) << "as its neighbour";
+  EXPECT_LT(foot.size, 2);
+  const std::vector<RimSegment>& region = plan.holes[0].own_regions[0];
+  ASSERT_THAT(region, SizeIs(6));
+  EXPECT_EQ(region[0].from, 0);
+  EXPECT_EQ(region[0].to, 5);
+  EXPECT_EQ(region[1].from, 5);
+  EXPECT_EQ(region[1].to, 1);
+  EXPECT_TRUE(region[0].seam && region[1].seam);
+}
+
+TEST(WallFeetTest, AreOfObjectsOnly) {
+  Plan plan = PlanOfGap(false);
+  LayWallFeet(plan);
+  EXPECT_THAT(plan.vertices, SizeIs(5));
+  EXPECT_THAT(plan.holes[0].own_regions[0], SizeIs(5));
+}
+
+}  // namespace
+}  // namespace tilemend
