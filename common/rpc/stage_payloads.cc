@@ -135,8 +135,7 @@ absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto) {
     return Malformed("boundary indices");
   }
   for (int i = 0; i < n; ++i) {
-    record.vertices.push_back(
-        {v.index(i), PointAt(v.position(), i), PointAt(v.normal(), i), v.centroid_height(i)});
+    record.vertices.push_back({v.index(i), PointAt(v.position(), i), PointAt(v.normal(), i), v.centroid_height(i)});
     if (!record.vertices.back().position.allFinite()) return Malformed("boundary vertex position");
   }
   for (const uint32_t colour : v.colour()) record.colours.push_back(ColourFromProto(colour));
@@ -179,8 +178,8 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
   if (proto.row_size() != n || proto.index_size() != n || proto.seam_vertex_size() != n || proto.lines_size() != n ||
       proto.position_size() != 3 * n || proto.height_known_size() != n || proto.centroid_height_size() != n ||
       proto.size_size() != n || proto.laplacian_known_size() != n || proto.laplacian_size() != n ||
-      (proto.on_object_size() != n && proto.on_object_size() != 0) ||
-      proto.ground_size() != proto.on_object_size() || proto.ground_known_size() != proto.on_object_size()) {
+      (proto.on_object_size() != n && proto.on_object_size() != 0) || proto.ground_size() != proto.on_object_size() ||
+      proto.ground_known_size() != proto.on_object_size()) {
     return Malformed("rim vertices");
   }
   std::vector<RimVertex> vertices(n);

@@ -21,11 +21,12 @@ struct Event {
   int32_t vertex = 0;
   bool ends = false;  // surface ends here: counter-clockwise of it there is one layer less
   bool on_outline = false;
+  size_t stretch = 0;  // that begins here
 };
 
-// Of the outline between neighbouring events.
+// Of the outline from one event to the next.
 struct Stretch {
-  double begin = 0, length = 0;
+  double length = 0;
   int layers = 0;
 };
 
@@ -141,7 +142,8 @@ class Walker {
   void CountLayers() {
     for (size_t i = 0; i < events_.size(); ++i) {
       const double begin = events_[i].place, end = Beyond(begin, events_[(i + 1) % events_.size()].place);
-      stretches_.push_back({begin, end - begin, LayersAt(std::fmod((begin + end) / 2, outline_.Length()))});
+      events_[i].stretch = i;
+      stretches_.push_back({end - begin, LayersAt(std::fmod((begin + end) / 2, outline_.Length()))});
     }
   }
 
@@ -151,10 +153,7 @@ class Walker {
   // Calls visit(stretch) for the stretches of the outline from one event to another.
   template <typename Visit>
   void VisitBetween(const Event& from, const Event& to, Visit visit) const {
-    const double end = Beyond(from.place, to.place);
-    for (const Stretch& s : stretches_) {
-      if (const double begin = Beyond(from.place, s.begin); begin + s.length <= end) visit(s);
-    }
+    for (size_t s = from.stretch; s != to.stretch; s = (s + 1) % stretches_.size()) visit(stretches_[s]);
   }
 
   // A sheet that begins and ends over other surface is closed for itself: it is the top of something.

@@ -23,8 +23,8 @@ struct SeamHeights {
   std::map<int32_t, double> height = {};                         // of the seam vertices that are settled
   std::map<std::pair<int32_t, int32_t>, double> laplacian = {};  // by cluster and vertex on a seam, where it is known
   std::map<int32_t, Point2> slope = {};                          // of the cluster's surface, where it is known
-  std::map<std::pair<int32_t, int32_t>, double> ground = {};     // by cluster and vertex on an object: the surface there
-  std::map<int32_t, double> tension = {};                        // by cluster, where it has been chosen
+  std::map<std::pair<int32_t, int32_t>, double> ground = {};  // by cluster and vertex on an object: the surface there
+  std::map<int32_t, double> tension = {};                     // by cluster, where it has been chosen
 };
 
 // The surface of a cluster at a vertex on a seam, at the end of one, or on an object.

@@ -11,6 +11,7 @@ constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of nor
 constexpr double kWindow = 1.75;                 // spreads about the level
 constexpr double kOutlier = 5;                   // spreads below the level
 constexpr double kLeastWindow = 1e-4;            // metres: a rim of equal heights has no spread
+constexpr double kMostScatter = 2;               // of noise between neighbours: how much noise may be over a whole rim
 constexpr double kSettled = 1e-5;                // metres
 constexpr int kMostSteps = 50;
 
@@ -62,7 +63,8 @@ RimLevel FitRimLevel(std::vector<double> heights, double noise) {
   const double lowest_noise = std::sqrt(2 * std::log(static_cast<double>(heights.size()))) + 0.5;
   const auto lowest =
       std::lower_bound(heights.begin(), heights.end(), fit.level - kOutlier * fit.spread - kLeastWindow);
-  if (lowest != heights.end()) fit.level = std::min(fit.level, *lowest + lowest_noise * noise);
+  const double scatter = std::clamp(fit.spread, noise, kMostScatter * noise);
+  if (lowest != heights.end()) fit.level = std::min(fit.level, *lowest + lowest_noise * scatter);
   return fit;
 }
 

@@ -17,8 +17,8 @@ struct RimLevel {
 // spread from the lower side, until that stays as it is.
 //
 // No height but an outlier (more than five spreads below) then lies farther below the level than noise of `noise`
-// metres (standard deviation, >= 0) takes the lowest of so many: else the level is lowered until that holds. A rim
-// without noise has no vertex below the level.
+// metres (standard deviation between neighbours, >= 0; over the whole rim the spread, at most twice as much) takes the
+// lowest of so many: else the level is lowered until that holds. A rim without noise has no vertex below the level.
 //
 // Precondition: heights are finite, at least one. Cost O(n log n). Deterministic, whatever the order of the heights.
 RimLevel FitRimLevel(std::vector<double> heights, double noise);

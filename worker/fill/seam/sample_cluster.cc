@@ -66,7 +66,8 @@ class ClusterSampler {
     if (surface.hold_out) surface.hold_out->tension = problem.tension;
     std::map<int32_t, SurfaceSample> samples = AtSeams(problem, *laplacian);
     for (size_t v = 0; v < hole_.on_object.size(); ++v) {
-      if (hole_.on_object[v]) samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
+      if (hole_.on_object[v])
+        samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
     }
     for (auto& [v, sample] : samples) {
       sample.seam_vertex = cluster_.vertices[v].seam_vertex;

@@ -13,7 +13,8 @@ namespace tilemend {
 // surface would have there without them, as known heights: those of the plane through the other known points of the
 // patch, less steep by the share of their variance that it does not explain, plus the membrane over what these have
 // beside it. A rim of one plane gives that plane; one of steps does not go on with their slope. Where such a height
-// is known (`ground`, as many as `on_object`, or none) it is that one. The rows of triangles at such points then rise to the objects themselves as a wall, once their own heights are put back.
+// is known (`ground`, as many as `on_object`, or none) it is that one. The rows of triangles at such points then rise
+// to the objects themselves as a wall, once their own heights are put back.
 //
 // Takes away the band at these points, and the equations of those that would be left without a full ring. Nothing is
 // changed at points from which no way through the patch leads to ground but over known points, and where no point
