@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "coordinator/plan/water/hole_groups.h"
@@ -12,6 +14,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kLeastExtent = 2;  // radii of the opening: a smaller hole has no opposite shore to tell an object by
+constexpr double kLeastShareOfSize = 0.4;
 
 std::set<CellId> CellsAround(const Plan& plan, const std::vector<int32_t>& holes) {
   std::set<CellId> cells;
@@ -76,6 +79,31 @@ GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, co
   return group;
 }
 
+// Edges that run up an object are long in space alone: triangles of that length beside them would carry its wall far
+// out.
+void LowerSizesAtObjects(Plan& plan) {
+  std::map<int32_t, std::pair<double, int>> lengths;  // seen from above: sum and count
+  const auto add = [&](const std::vector<RimSegment>& segments) {
+    for (const RimSegment& s : segments) {
+      if (s.seam) continue;
+      const Point3 way = plan.vertices[s.to].position - plan.vertices[s.from].position;
+      for (const int32_t v : {s.from, s.to}) {
+        if (!plan.vertices[v].on_object) continue;
+        lengths[v].first += way.head<2>().norm();
+        ++lengths[v].second;
+      }
+    }
+  };
+  for (const PlannedHole& hole : plan.holes) {
+    add(hole.segments);
+    for (const std::vector<RimSegment>& region : hole.own_regions) add(region);
+  }
+  for (const auto& [v, length] : lengths) {
+    double& size = plan.vertices[v].size;
+    size = std::clamp(length.first / length.second, kLeastShareOfSize * size, size);
+  }
+}
+
 }  // namespace
 
 void MarkObjects(const PlanInput& input, Plan& plan) {
@@ -94,6 +122,7 @@ void MarkObjects(const PlanInput& input, Plan& plan) {
       if (on_object(group.steps[i])) plan.vertices[group.rim[i]].on_object = true;
     }
   }
+  LowerSizesAtObjects(plan);
 }
 
 }  // namespace tilemend
