@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -21,12 +22,11 @@ struct Event {
   int32_t vertex = 0;
   bool ends = false;  // surface ends here: counter-clockwise of it there is one layer less
   bool on_outline = false;
-  size_t stretch = 0;  // that begins here
 };
 
-// Of the outline from one event to the next.
+// Of the outline, with as much surface all along.
 struct Stretch {
-  double length = 0;
+  double begin = 0, end = 0;
   int layers = 0;
 };
 
@@ -42,10 +42,10 @@ class Walker {
     FindEvents();
     CloseAtPieces();
     SortEvents();
+    CountLayers();
     if (events_.empty()) {
-      walk_.all_open = LayersAt(0) <= 0;
+      walk_.all_open = stretches_.front().layers <= 0;
     } else {
-      CountLayers();
       CloseUpperSheets();
       Match();
     }
@@ -124,9 +124,9 @@ class Walker {
     return (record_.vertices[a.vertex].position - record_.vertices[b.vertex].position).squaredNorm();
   }
 
-  // Layers of surface along the outline just behind a place.
-  int LayersAt(double place) const {
-    int layers = 0;
+  void CountLayers() {
+    std::map<double, int> step;  // how many more layers there are from a place on
+    step[0] = 0;
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       if (!walk_.on_outline[e]) continue;
       const BoundaryEdge& edge = record_.edges[e];
@@ -134,26 +134,31 @@ class Walker {
       const double a = outline_.PlaceOf(record_.vertices[edge.from].position, side);
       double b = outline_.PlaceOf(record_.vertices[edge.to].position, side);
       if (side == kWest && b == 0) b = outline_.Length();
-      layers += (a <= place && place < b) - (b <= place && place < a);
+      ++step[a];
+      --step[b];
     }
-    return layers;
-  }
-
-  void CountLayers() {
-    for (size_t i = 0; i < events_.size(); ++i) {
-      const double begin = events_[i].place, end = Beyond(begin, events_[(i + 1) % events_.size()].place);
-      events_[i].stretch = i;
-      stretches_.push_back({end - begin, LayersAt(std::fmod((begin + end) / 2, outline_.Length()))});
+    int layers = 0;
+    for (auto it = step.begin(); it != step.end(); ++it) {
+      const double end = std::next(it) == step.end() ? outline_.Length() : std::next(it)->first;
+      layers += it->second;
+      if (end > it->first) stretches_.push_back({it->first, end, layers});
     }
   }
 
   // `place`, or the same one round farther, not before `from`.
   double Beyond(double from, double place) const { return place < from ? place + outline_.Length() : place; }
 
-  // Calls visit(stretch) for the stretches of the outline from one event to another.
+  // Calls visit(layers, length) for the stretches of the outline from one event to another.
   template <typename Visit>
   void VisitBetween(const Event& from, const Event& to, Visit visit) const {
-    for (size_t s = from.stretch; s != to.stretch; s = (s + 1) % stretches_.size()) visit(stretches_[s]);
+    const double to_place = Beyond(from.place, to.place), length = outline_.Length();
+    for (const double round : {0.0, length}) {
+      auto it = std::upper_bound(stretches_.begin(), stretches_.end(), from.place - round,
+                                 [](double place, const Stretch& s) { return place < s.end; });
+      for (; it != stretches_.end() && it->begin + round < to_place; ++it) {
+        visit(it->layers, std::min(it->end + round, to_place) - std::max(it->begin + round, from.place));
+      }
+    }
   }
 
   // A sheet that begins and ends over other surface is closed for itself: it is the top of something.
@@ -161,7 +166,7 @@ class Walker {
     for (size_t i = 0; i + 1 < events_.size();) {
       const Event begin = events_[i], end = events_[i + 1];
       int fewest = begin.ends || !end.ends ? 0 : std::numeric_limits<int>::max();
-      VisitBetween(begin, end, [&](const Stretch& s) { fewest = std::min(fewest, s.layers); });
+      VisitBetween(begin, end, [&](int layers, double) { fewest = std::min(fewest, layers); });
       if (fewest < 2 || fewest == std::numeric_limits<int>::max()) {
         ++i;
         continue;
@@ -175,9 +180,9 @@ class Walker {
   // Whether the most of the way from one event to another has no surface.
   bool IsUncovered(const Event& from, const Event& to) const {
     double empty = 0, all = 0;
-    VisitBetween(from, to, [&](const Stretch& s) {
-      all += s.length;
-      if (s.layers == 0) empty += s.length;
+    VisitBetween(from, to, [&](int layers, double length) {
+      all += length;
+      if (layers == 0) empty += length;
     });
     return empty > all / 2;
   }
