@@ -196,13 +196,21 @@ class CellRegions {
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
 
-  // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two.
+  // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two. From the
+  // tile's outline the way to an end inside goes along that as far as the piece's own outline does.
   void AddLink(int32_t from, int32_t to, std::vector<int32_t>& way) {
     PlanVertex v = plan_.vertices[from];
     const Point3 b = plan_.vertices[to].position;
     v.tile = cell_;
     v.index = -1;
-    v.position = RoundedToLattice(Point3((v.position + b) / 2), plan_.lattice_step);
+    Point3 middle = (v.position + b) / 2;
+    const std::optional<Side> side = outline_.SideAt(v.position), other = outline_.SideAt(b);
+    if (side.has_value() != other.has_value()) {
+      const int across = AxisOf(side ? *side : *other);
+      middle[across] = outline_.side[side ? *side : *other];
+      middle[1 - across] = (side ? b : v.position)[1 - across];
+    }
+    v.position = RoundedToLattice(middle, plan_.lattice_step);
     v.size = std::min(v.size, plan_.vertices[to].size);
     v.lines = 0;
     v.follows = -1;
