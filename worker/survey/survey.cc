@@ -75,19 +75,9 @@ struct HalfEdge {
   int32_t hi() const { return std::max(from, to); }
 };
 
-// The edges between welded vertices.
-struct WeldedEdges {
-  std::vector<HalfEdge> single;                     // in exactly one triangle; in order of the triangles
-  std::vector<std::pair<int32_t, int32_t>> across;  // triangles that share one
-};
-
-WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
-  struct Entry {
-    uint64_t key;
-    int32_t order;
-  };
+// The edges between welded vertices, of all triangles that have three positions.
+std::vector<HalfEdge> HalfEdgesAtWelds(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
   std::vector<HalfEdge> edges;
-  std::vector<Entry> entries;
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle& t = mesh.triangles[i];
     const int32_t w[3] = {weld[t[0]], weld[t[1]], weld[t[2]]};
@@ -100,11 +90,28 @@ WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& wel
     }
     for (int k = 0; k < 3; ++k) {
       const HalfEdge e{w[k], w[(k + 1) % 3], static_cast<int32_t>(i)};
-      if (e.from == kNone || e.to == kNone) continue;
-      entries.push_back(
-          {static_cast<uint64_t>(e.lo()) << 32 | static_cast<uint32_t>(e.hi()), static_cast<int32_t>(edges.size())});
-      edges.push_back(e);
+      if (e.from != kNone && e.to != kNone) edges.push_back(e);
     }
+  }
+  return edges;
+}
+
+struct WeldedEdges {
+  std::vector<HalfEdge> single;                     // in exactly one triangle; in order of the triangles
+  std::vector<std::pair<int32_t, int32_t>> across;  // triangles that share one
+};
+
+WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
+  struct Entry {
+    uint64_t key;
+    int32_t order;
+  };
+  const std::vector<HalfEdge> edges = HalfEdgesAtWelds(mesh, weld, record);
+  std::vector<Entry> entries;
+  entries.reserve(edges.size());
+  for (const HalfEdge& e : edges) {
+    entries.push_back(
+        {static_cast<uint64_t>(e.lo()) << 32 | static_cast<uint32_t>(e.hi()), static_cast<int32_t>(entries.size())});
   }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });

@@ -12,6 +12,7 @@ namespace {
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
 constexpr size_t kLeastStations = 2;
+constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
 
 // Heights by station, and by side of the line.
 struct Heights {
@@ -87,6 +88,31 @@ void Reverse(RiverProfile& profile) {
   }
 }
 
+// The line through places and values that the fewest outliers move: Theil 1950, Sen 1968, the median of all slopes.
+std::vector<double> OffTheLine(const std::vector<double>& places, const std::vector<double>& values) {
+  std::vector<double> slopes, offsets;
+  for (size_t i = 0; i < places.size(); ++i) {
+    for (size_t k = 0; k < i; ++k) slopes.push_back((values[i] - values[k]) / (places[i] - places[k]));
+  }
+  const double slope = slopes.empty() ? 0 : Quantile(std::move(slopes), 0.5);
+  for (size_t i = 0; i < places.size(); ++i) offsets.push_back(values[i] - slope * places[i]);
+  const double middle = Quantile(offsets, 0.5);
+  for (double& offset : offsets) offset -= middle;
+  return offsets;
+}
+
+// How far the levels of stations lie above where the river can be: both shores have nothing but banks or quays there. 0
+// for all others.
+std::vector<double> HeightsOfBanks(const std::vector<double>& places, const std::vector<double>& levels,
+                                   double tolerance) {
+  const std::vector<double> off = OffTheLine(places, levels);
+  std::vector<double> scatter, above;
+  for (const double d : off) scatter.push_back(std::abs(d));
+  const double least = kSure * std::max(tolerance, kDeviationsPerMedian * Quantile(scatter, 0.5));
+  for (const double d : off) above.push_back(d > least ? d : 0);
+  return above;
+}
+
 // The level of every station from those that have one.
 void Interpolate(const std::vector<size_t>& known, const std::vector<double>& levels, std::vector<Point3>& stations) {
   for (size_t k = 0; k < stations.size(); ++k) {
@@ -101,6 +127,25 @@ void Interpolate(const std::vector<size_t>& known, const std::vector<double>& le
       stations[k].z() = std::lerp(levels[next - 1], levels[next], share);
     }
   }
+}
+
+// Stations on banks are known no longer: what they rise by is removed.
+void LeaveOutBanks(double tolerance, std::vector<size_t>& known, RiverProfile& profile) {
+  std::vector<double> places, levels;
+  for (const size_t k : known) {
+    places.push_back(static_cast<double>(k));
+    levels.push_back(profile.stations[k].level);
+  }
+  const std::vector<double> above = HeightsOfBanks(places, levels, tolerance);
+  std::vector<size_t> left;
+  for (size_t i = 0; i < known.size(); ++i) {
+    if (above[i] > 0) {
+      profile.removed.push_back({profile.water.stations[known[i]].head<2>(), above[i]});
+    } else {
+      left.push_back(known[i]);
+    }
+  }
+  known = std::move(left);
 }
 
 }  // namespace
@@ -134,29 +179,31 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> s
   for (const Heights& h : SortToStations(profile.water.stations, shore)) {
     profile.stations.push_back(StationOf(h, noise, rule));
   }
-  const auto has_level = [&](size_t k) { return profile.stations[k].count >= (rule.least + 1) / 2; };
+  std::vector<size_t> known;
+  for (size_t k = 0; k < profile.stations.size(); ++k) {
+    if (profile.stations[k].count >= (rule.least + 1) / 2) known.push_back(k);
+  }
   const auto collect = [&](auto&& value) {
     std::vector<double> values;
-    for (size_t k = 0; k < profile.stations.size(); ++k) {
-      if (has_level(k)) values.push_back(value(k));
-    }
+    for (const size_t k : known) values.push_back(value(k));
     return values;
   };
   const auto number = [](size_t k) { return static_cast<double>(k); };
   const auto level = [&](size_t k) { return profile.stations[k].level; };
   const auto weight = [&](size_t k) { return static_cast<double>(profile.stations[k].count); };
-  if (collect(level).size() < kLeastStations) return {};
-  if (Trend(collect(number), collect(level), collect(weight)) > 0) Reverse(profile);
+  if (known.size() < kLeastStations) return {};
+  if (Trend(collect(number), collect(level), collect(weight)) > 0) {
+    Reverse(profile);
+    for (size_t& k : known) k = profile.stations.size() - 1 - k;
+    std::reverse(known.begin(), known.end());
+  }
   for (size_t k = 1; k < profile.stations.size(); ++k) {
     const Point3 step = profile.water.stations[k] - profile.water.stations[k - 1];
     profile.stations[k].along = profile.stations[k - 1].along + step.head<2>().norm();
   }
+  LeaveOutBanks(rule.tolerance, known, profile);
   const std::vector<double> levels = collect(level), weights = collect(weight);
   const std::vector<double> falling = NotRising(levels, weights);
-  std::vector<size_t> known;
-  for (size_t k = 0; k < profile.stations.size(); ++k) {
-    if (has_level(k)) known.push_back(k);
-  }
   Interpolate(known, falling, profile.water.stations);
   profile.fall = falling.front() - falling.back();
   for (size_t i = 1; i < levels.size(); ++i) {

@@ -163,10 +163,12 @@ TEST(SurveyTileTest, KeepsOneVertexWhereTwoHolesPinch) {
 TEST(SurveyTileTest, ParsPiecesThatMeetInAVertex) {
   TriMesh mesh = SquaresMesh(0, 4, 0, 4, [](int32_t x, int32_t y) { return (x < 2) == (y < 2); });
   const SurveyRecord record = SurveyTile(mesh, true);
+  const auto is_south_west = [&](const BoundaryEdge& e) {
+    const Point3 sum = record.vertices[e.from].position + record.vertices[e.to].position;
+    return sum.x() + sum.y() < 8;
+  };
   for (const BoundaryEdge& e : record.edges) {
-    const bool west = (record.vertices[e.from].position + record.vertices[e.to].position).x() < 4;
-    EXPECT_EQ(e.piece == record.edges[0].piece, west == (record.vertices[record.edges[0].from].position.x() < 2 ||
-                                                         record.vertices[record.edges[0].to].position.x() < 2));
+    EXPECT_EQ(e.piece == record.edges[0].piece, is_south_west(e) == is_south_west(record.edges[0]));
   }
 }
 

@@ -71,6 +71,14 @@ TEST(FitRiverTest, WhatBothShoresRiseByIsRemovedAndTold) {
                           [](const RemovedRise& r) { return r.rise > 0.8 && std::abs(r.at.x() - 200) < 30; }));
 }
 
+TEST(FitRiverTest, AStretchBetweenQuaysDoesNotLiftIt) {
+  const RiverProfile profile =
+      FitRiver(kLine, Shores([](double x, double) { return x > 40 && x < 110 ? 2.5 : 0.0; }), kNoise, {});
+  EXPECT_LT(WorstLevel(profile), 0.1);
+  EXPECT_TRUE(NeverRises(profile));
+  EXPECT_FALSE(profile.removed.empty());
+}
+
 TEST(FitRiverTest, TooFewHeightsAreNoRiver) {
   EXPECT_TRUE(FitRiver(kLine, std::vector<Point3>{{0, 15, 10}}, kNoise, {}).stations.empty());
 }
