@@ -24,6 +24,7 @@ constexpr size_t kStationsAtEnd = 3;      // that tell where a reach runs at its
 constexpr double kWidestBridge = 40;      // metres
 constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
 constexpr size_t kOddStations = 8;        // one in so many may be other than the rest
+constexpr size_t kBankStations = 4;       // one in so many may lie between quays on both sides
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
 constexpr double kErrorOfRise = 1.4472;   // of the difference to the mean of three, likewise
@@ -150,14 +151,15 @@ class RiverTest {
   }
 
   bool StationsAgree() const {
-    size_t count = 0, odd = 0;
+    size_t count = 0, odd = 0, on_banks = 0;
     for (size_t k = 0; k < profile_.stations.size(); ++k) {
       const RiverStation& s = profile_.stations[k];
-      if (s.count < kLeastAtStation) continue;
+      if (s.on_banks) ++on_banks;
+      if (s.on_banks || s.count < kLeastAtStation) continue;
       ++count;
       odd += std::abs(s.level - profile_.water.stations[k].z()) > tolerance_ + Noise(kErrorOfLevel, s.count);
     }
-    return odd <= count / kOddStations;
+    return odd <= count / kOddStations && on_banks <= profile_.stations.size() / kBankStations;
   }
 
   // Where a quay runs along one shore, the other one has the level.

@@ -140,6 +140,7 @@ void LeaveOutBanks(double tolerance, std::vector<size_t>& known, RiverProfile& p
   std::vector<size_t> left;
   for (size_t i = 0; i < known.size(); ++i) {
     if (above[i] > 0) {
+      profile.stations[known[i]].on_banks = true;
       profile.removed.push_back({profile.water.stations[known[i]].head<2>(), above[i]});
     } else {
       left.push_back(known[i]);

@@ -17,6 +17,7 @@ struct RiverStation {
   double level = 0;   // metres, as its shores have it; meaningless if count is 0
   int64_t left_count = 0, right_count = 0;
   double left = 0, right = 0;  // metres: the levels of the two shores alone, looking downstream
+  bool on_banks = false;       // left out of the profile: no shore is at the water
 };
 
 struct RiverProfile {
