@@ -33,7 +33,6 @@ absl::Status CheckCounts(const SurveyRecord& record, int64_t file_bytes) {
 
 absl::Status CheckVertices(const SurveyRecord& record) {
   std::vector<int32_t> indices;
-  int32_t pieces = 0;
   for (const BoundaryVertex& v : record.vertices) {
     indices.push_back(v.index);
     const bool inside =
@@ -41,12 +40,19 @@ absl::Status CheckVertices(const SurveyRecord& record) {
     const bool near = v.centroid_height >= record.lo.z() - kRounding && v.centroid_height <= record.hi.z() + kRounding;
     if (!inside || !near) return Wrong("a boundary vertex outside the bounds of the tile");
     if (!v.normal.allFinite() || v.normal.norm() > 1 + 1e-3) return Wrong("a normal that is none");
-    if (v.piece < 0 || v.piece > pieces) return Wrong("pieces that are not numbered as they appear");
-    pieces = std::max(pieces, v.piece + 1);
   }
   std::sort(indices.begin(), indices.end());
   const bool once = std::adjacent_find(indices.begin(), indices.end()) == indices.end();
   return once ? absl::OkStatus() : Wrong("a boundary vertex twice");
+}
+
+absl::Status CheckPieces(const SurveyRecord& record) {
+  int32_t pieces = 0;
+  for (const BoundaryEdge& e : record.edges) {
+    if (e.piece < 0 || e.piece > pieces) return Wrong("pieces that are not numbered as they appear");
+    pieces = std::max(pieces, e.piece + 1);
+  }
+  return absl::OkStatus();
 }
 
 uint64_t EdgeKey(int32_t from, int32_t to) {
@@ -110,6 +116,7 @@ absl::Status CheckBand(const SurveyRecord& record) {
 absl::Status CheckSurvey(const SurveyRecord& record, int64_t file_bytes) {
   absl::Status status = CheckCounts(record, file_bytes);
   if (status.ok()) status = CheckVertices(record);
+  if (status.ok()) status = CheckPieces(record);
   if (status.ok()) status = CheckEdges(record);
   return status.ok() ? CheckBand(record) : status;
 }

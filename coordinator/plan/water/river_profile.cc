@@ -129,6 +129,13 @@ void Interpolate(const std::vector<size_t>& known, const std::vector<double>& le
   }
 }
 
+void MeasureAlong(RiverProfile& profile) {
+  for (size_t k = 1; k < profile.stations.size(); ++k) {
+    const Point3 step = profile.water.stations[k] - profile.water.stations[k - 1];
+    profile.stations[k].along = profile.stations[k - 1].along + step.head<2>().norm();
+  }
+}
+
 // Stations on banks are known no longer: what they rise by is removed.
 void LeaveOutBanks(double tolerance, std::vector<size_t>& known, RiverProfile& profile) {
   std::vector<double> places, levels;
@@ -198,10 +205,7 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> s
     for (size_t& k : known) k = profile.stations.size() - 1 - k;
     std::reverse(known.begin(), known.end());
   }
-  for (size_t k = 1; k < profile.stations.size(); ++k) {
-    const Point3 step = profile.water.stations[k] - profile.water.stations[k - 1];
-    profile.stations[k].along = profile.stations[k - 1].along + step.head<2>().norm();
-  }
+  MeasureAlong(profile);
   LeaveOutBanks(rule.tolerance, known, profile);
   const std::vector<double> levels = collect(level), weights = collect(weight);
   const std::vector<double> falling = NotRising(levels, weights);

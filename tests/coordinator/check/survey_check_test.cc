@@ -52,7 +52,7 @@ TEST(SurveyCheckTest, VerticesLieInTheTile) {
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.hi = r.lo; }));
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.vertices[0].centroid_height = 1e9; }));
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.vertices[0].normal = {0, 0, 2}; }));
-  EXPECT_FALSE(Takes([](SurveyRecord& r) { r.vertices[0].piece = 5; }));
+  EXPECT_FALSE(Takes([](SurveyRecord& r) { r.edges[0].piece = 5; }));
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.vertices[0].index = r.vertices[1].index; }));
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.band.points.back().x() = 1e9; }));
 }
