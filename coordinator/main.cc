@@ -29,6 +29,7 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"metrics", "HOST:PORT", "serve Prometheus metrics on http://HOST:PORT/metrics", ""},
       {"work", "DIR", "folder for jobs and intermediate files; needed", ""},
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
+      {"longest-task", "HOURS", "an attempt that takes longer is given up, 0.01 to 1000", "6"},
       {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
       {"check-tiles", "digest|size", "what of a written tile is held to what its worker says; digest: reads it",
        "digest"},
@@ -46,6 +47,8 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   if (options.work_folder.empty()) return absl::InvalidArgumentError("--work DIR is needed");
   TILEMEND_ASSIGN_OR_RETURN(const double lease, flags.Number("lease", 3, 86400));
   options.lease = absl::Seconds(lease);
+  TILEMEND_ASSIGN_OR_RETURN(const double longest, flags.Number("longest-task", 0.01, 1000));
+  options.state.longest_attempt = absl::Hours(longest);
   TILEMEND_ASSIGN_OR_RETURN(const int64_t max_jobs, flags.Integer("max-jobs", 1, 10000));
   options.max_running_jobs = static_cast<size_t>(max_jobs);
   const std::string tiles = flags.Text("check-tiles");

@@ -370,7 +370,9 @@ absl::Status CoordinatorImpl::WatchJob(const v1::WatchJobRequest& request,
 void CoordinatorImpl::Tick() {
   std::vector<std::unique_ptr<JobRunner>> ended;
   Lock lock(mutex_);
-  for (const Event& event : state_.Overdue(options_.clock(), options_.lease)) {
+  const absl::Time now = options_.clock();
+  const std::vector<Event> overdue = now < patient_until_ ? std::vector<Event>() : state_.Overdue(now, options_.lease);
+  for (const Event& event : overdue) {
     if (const auto* lost = std::get_if<WorkerLost>(&event)) ForgetWorker(lost->worker);
     Apply(event).IgnoreError();
   }
@@ -388,8 +390,12 @@ void CoordinatorImpl::TickLoop() {
   const auto interval = absl::ToChronoMilliseconds(std::min(options_.lease / 4, absl::Seconds(1)));
   Lock lock(mutex_);
   while (!stopping_) {
+    const absl::Time asleep = options_.clock();
     stop_changed_.wait_for(lock, interval);
     if (stopping_) return;
+    // This process stood still itself: workers called in vain.
+    const absl::Time now = options_.clock();
+    if (now - asleep > absl::FromChrono(interval) + options_.lease / 4) patient_until_ = now + options_.lease;
     lock.unlock();
     Tick();
     lock.lock();

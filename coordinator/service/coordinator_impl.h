@@ -183,6 +183,7 @@ class CoordinatorImpl {
                          v1::SyncResponse& response);
   void TellState(const v1::SyncRequest& request, v1::SyncResponse& response);
   void TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const;
+  CoordinatorState::MayWork MayWork() const;
   void LeaseTasks(const std::string& worker);
   std::map<std::string, std::shared_ptr<BlobFolder>> BlobsOf(const v1::SyncResponse& response);
   void InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs, v1::SyncResponse& response);
@@ -200,6 +201,7 @@ class CoordinatorImpl {
   std::condition_variable job_changed_;
   std::condition_variable stop_changed_;
   bool stopping_ = false;
+  absl::Time patient_until_ = absl::InfinitePast();  // nobody is lost before
   CoordinatorState state_;
   std::map<std::string, JobEntry> entries_;
   struct Caller {

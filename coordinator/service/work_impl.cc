@@ -53,6 +53,8 @@ bool IsMachineError(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsResourceExhausted(status);
 }
 
+bool IsAboutFiles(const absl::Status& status) { return absl::IsNotFound(status) || absl::IsPermissionDenied(status); }
+
 v1::Task TaskMessage(const TaskKey& key, const Task& task) {
   v1::Task message;
   *message.mutable_ref() = RefOf(key, task.token);
@@ -223,9 +225,13 @@ void CoordinatorImpl::TakeReports(const std::string& worker, std::vector<Report>
 bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
   const Task* task = state_.FindTask(KeyOf(report.ref));
   if (task != nullptr && task->state == TaskState::kLeased && !report.held) return false;
+  auto* failed = std::get_if<TaskFailed>(&report.event);
+  // A file that one machine cannot read another may.
+  if (failed != nullptr && task != nullptr && IsAboutFiles(failed->error)) {
+    failed->machine = state_.HasAnother(worker, *state_.FindJob(report.ref.job()), *task, MayWork());
+  }
   const auto effects = Apply(report.event, {std::move(report.content)});
   if (!effects.ok()) return false;
-  const auto* failed = std::get_if<TaskFailed>(&report.event);
   if (failed != nullptr && ErrorReason(failed->error) == "FOLDER_NOT_SEEN") trust_.Doubt(worker, report.ref.job());
   if (!report.refusal.empty()) OnRefused(worker, report, *effects);
   return true;
@@ -326,10 +332,13 @@ void CoordinatorImpl::TellToLook(const v1::SyncRequest& request, v1::SyncRespons
   }
 }
 
+CoordinatorState::MayWork CoordinatorImpl::MayWork() const {
+  return [this](const std::string& worker, const std::string& job) { return trust_.MayWorkOn(worker, job); };
+}
+
 void CoordinatorImpl::LeaseTasks(const std::string& worker) {
   const absl::Time now = options_.clock();
-  const auto may = [&](const std::string& job) { return trust_.MayWorkOn(worker, job); };
-  for (const TaskKey& key : state_.ChooseTasks(worker, may)) {
+  for (const TaskKey& key : state_.ChooseTasks(worker, MayWork())) {
     const Stage stage = state_.FindTask(key)->stage;
     if (Apply(TaskLeased{key, worker, state_.NextToken(), now, now + options_.lease}).ok()) metrics_.Started(stage);
   }

@@ -93,8 +93,15 @@ bool CoordinatorState::IsLastChance(const Task& task) const {
          options_.quarantine_after > 1;
 }
 
-std::vector<TaskKey> CoordinatorState::ChooseTasks(const std::string& worker,
-                                                   const std::function<bool(const std::string& job)>& may) const {
+bool CoordinatorState::HasAnother(const std::string& worker, const Job& job, const Task& task,
+                                  const MayWork& may) const {
+  return std::any_of(workers_.begin(), workers_.end(), [&](const auto& entry) {
+    const auto& [id, other] = entry;
+    return id != worker && !other.draining && other.threads > 0 && !task.returned_by.contains(id) && may(id, job.id);
+  });
+}
+
+std::vector<TaskKey> CoordinatorState::ChooseTasks(const std::string& worker, const MayWork& may) const {
   const WorkerRecord* record = FindWorker(worker);
   std::vector<TaskKey> chosen;
   if (record == nullptr || record->draining) return chosen;
@@ -104,16 +111,18 @@ std::vector<TaskKey> CoordinatorState::ChooseTasks(const std::string& worker,
   const size_t free = record->threads - std::min<size_t>(record->threads, record->held.size());
   for (const auto& [number, id] : running_) {
     const Job& job = jobs_.at(id);
-    if (job.pending.empty() || !may(id)) continue;
-    for (const int64_t task : job.pending) {
+    if (job.pending.empty() || !may(worker, id)) continue;
+    for (const int64_t pending : job.pending) {
       if (chosen.size() >= free) return chosen;
-      if (job.tasks.at(task).refused.contains(worker)) continue;
-      if (IsLastChance(job.tasks.at(task))) {
+      const Task& task = job.tasks.at(pending);
+      if (task.refused.contains(worker)) continue;
+      if (task.returned_by.contains(worker) && HasAnother(worker, job, task, may)) continue;
+      if (IsLastChance(task)) {
         // Alone or not at all. A worker that holds others takes nothing more before it, so that it comes to its turn.
-        if (record->held.empty() && chosen.empty()) chosen.push_back({id, task});
+        if (record->held.empty() && chosen.empty()) chosen.push_back({id, pending});
         return chosen;
       }
-      chosen.push_back({id, task});
+      chosen.push_back({id, pending});
     }
   }
   return chosen;
@@ -128,7 +137,8 @@ std::vector<Event> CoordinatorState::Overdue(absl::Time now, absl::Duration sile
     }
     for (const TaskKey& key : worker.held) {
       const Task* task = FindTask(key);
-      if (task->deadline < now) events.push_back(LeaseExpired{key, task->token});
+      const bool too_long = task->leased_at + options_.longest_attempt < now;
+      if (task->deadline < now || too_long) events.push_back(LeaseExpired{key, task->token});
     }
   }
   return events;
@@ -204,8 +214,11 @@ void CoordinatorState::EnterResult(Job& job, Task& task, KnownResult result, boo
 }
 
 void CoordinatorState::LoseLease(Job& job, Task& task, Effects& effects) {
-  task.lost_workers.push_back(task.worker);
-  if (static_cast<int32_t>(task.lost_workers.size()) < options_.quarantine_after) {
+  std::vector<std::string>& lost = task.lost_workers;
+  if (std::find(lost.begin(), lost.end(), task.worker) == lost.end()) lost.push_back(task.worker);
+  ++task.losses;
+  if (static_cast<int32_t>(lost.size()) < options_.quarantine_after && task.losses < 3 * options_.quarantine_after) {
+    task.returned_by.insert(task.worker);
     BackToPending(job, task, effects);
     effects.struck.push_back({{job.id, task.id}, task.cell, task.stage, task.input, task.lost_workers});
     return;
@@ -346,6 +359,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   const bool again =
       event.refused.empty() ? event.machine && ++task->returns < options_.max_returns : !Refuse(*task, event.refused);
   if (again) {
+    if (event.refused.empty()) task->returned_by.insert(task->worker);
     BackToPending(job, *task, effects);
   } else {
     Settle(job, *task, {TaskState::kFailed, "", event.error}, effects);

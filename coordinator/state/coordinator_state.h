@@ -30,9 +30,10 @@
 namespace tilemend {
 
 struct StateOptions {
-  int32_t quarantine_after = 3;  // >= 1, lost workers
-  int32_t max_refusals = 3;      // >= 1, workers whose results were refused
-  int32_t max_returns = 3;       // >= 1, machine errors reported by living workers before one counts as the task's own
+  int32_t quarantine_after = 3;  // >= 1, lost workers; or three times as many losses with fewer
+  absl::Duration longest_attempt = absl::InfiniteDuration();  // then the lease ends, however often it is renewed
+  int32_t max_refusals = 3;                                   // >= 1, workers whose results were refused
+  int32_t max_returns = 3;  // >= 1, machine errors reported by living workers before one counts as the task's own
   // Tokens of attempts and versions of jobs start at epoch << 32. A coordinator that starts anew takes a larger epoch:
   // it refuses what an earlier one gave out, and its jobs are news to whoever watched them before.
   uint32_t epoch = 0;
@@ -49,10 +50,12 @@ class CoordinatorState {
 
   // The tasks to lease to `worker` now, at most as many as it has free threads: oldest job first, then in the order in
   // which the pipeline added them. Empty for an unknown or draining worker. Only of jobs that it `may` work on, and no
-  // task of which its result was refused.
+  // task of which its result was refused, or which it gave back while another worker may have it that did not.
+  using MayWork = std::function<bool(const std::string& worker, const std::string& job)>;
   std::vector<TaskKey> ChooseTasks(
-      const std::string& worker,
-      const std::function<bool(const std::string& job)>& may = [](const auto&) { return true; }) const;
+      const std::string& worker, const MayWork& may = [](const auto&, const auto&) { return true; }) const;
+  // Whether a worker other than `worker` may have a task of the job and has not given this one back.
+  bool HasAnother(const std::string& worker, const Job& job, const Task& task, const MayWork& may) const;
 
   // A token for the next TaskLeased: larger than all that were applied.
   uint64_t NextToken() const { return last_token_ + 1; }

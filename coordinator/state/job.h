@@ -44,7 +44,9 @@ struct Task {
   TaskState state = TaskState::kPending;
   int32_t attempts = 0;                        // leases so far
   int32_t returns = 0;                         // attempts that the machine gave back with an error
-  std::vector<std::string> lost_workers;       // workers that were lost while they held it
+  std::set<std::string> returned_by;           // who gave it back so
+  int32_t losses = 0;                          // leases that ended because a worker was lost
+  std::vector<std::string> lost_workers;       // workers that were lost while they held it, each once
   std::map<std::string, std::string> refused;  // digests of the results that were refused, by worker
   // Of the present lease, or of the one that settled it:
   uint64_t token = 0;

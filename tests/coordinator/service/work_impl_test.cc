@@ -165,5 +165,21 @@ TEST_F(WorkImplTest, AWorkersNameIsItsOwn) {
   Sync(first);
 }
 
+TEST_F(WorkImplTest, AFileThatOneMachineDoesNotSeeIsTriedOnAnother) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const v1::Task task = AwaitTask("blind");
+  v1::SyncRequest other = NewSync("other");
+  other.set_wait_ms(0);
+  Sync(other);  // takes the second task
+  v1::SyncRequest report = NewSync("blind", 1);
+  auto* finished = report.add_finished();
+  *finished->mutable_ref() = task.ref();
+  finished->set_stage(task.stage());
+  finished->mutable_error()->set_code(static_cast<int>(absl::StatusCode::kNotFound));
+  EXPECT_EQ(Sync(report).start_size(), 0) << "not to the same again";
+  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 0);
+  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_retried(), 1);
+}
+
 }  // namespace
 }  // namespace tilemend

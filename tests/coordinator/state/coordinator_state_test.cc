@@ -248,7 +248,7 @@ TEST_F(CoordinatorStateTest, GivesNoTaskOfAJobThatTheWorkerMayNotWorkOn) {
   AddJob("a", 1);
   AddJob("b", 1);
   See("w", 2);
-  const auto only_b = [](const std::string& job) { return job == "b"; };
+  const auto only_b = [](const std::string&, const std::string& job) { return job == "b"; };
   EXPECT_THAT(state_.ChooseTasks("w", only_b), ElementsAre(TaskKey{"b", 1}));
 }
 
@@ -291,6 +291,52 @@ TEST_F(CoordinatorStateTest, KeepsAWarningOnceAndNotTooMany) {
   EXPECT_THAT(state_.FindJob("a")->warnings, SizeIs(kMostWarnings));
   EXPECT_EQ(state_.FindJob("a")->warnings[1], "worker 1");
   EXPECT_EQ(ReasonOf(JobWarned{"b", "?"}), "JOB_NOT_FOUND");
+}
+
+TEST_F(CoordinatorStateTest, WhatOneMachineGivesBackGoesToAnotherFirst) {
+  AddJob("a", 1);
+  See("full");
+  See("other");
+  const uint64_t token = Lease(Key("a", 1), "full");
+  Do(TaskFailed{Key("a", 1), token, true, absl::ResourceExhaustedError("the disk is full")});
+  EXPECT_THAT(state_.ChooseTasks("full"), IsEmpty());
+  EXPECT_THAT(state_.ChooseTasks("other"), ElementsAre(TaskKey{"a", 1}));
+  const auto not_other = [](const std::string& worker, const std::string&) { return worker != "other"; };
+  EXPECT_THAT(state_.ChooseTasks("full", not_other), SizeIs(1)) << "the other may not have it";
+  Do(WorkerLeft{"other"});
+  EXPECT_THAT(state_.ChooseTasks("full"), SizeIs(1)) << "there is no other any more";
+}
+
+TEST_F(CoordinatorStateTest, OneWorkerThatIsLostAgainAndAgainCountsOnce) {
+  AddJob("a", 1);
+  for (int i = 0; i < 8; ++i) {
+    See("flapping");
+    EXPECT_THAT(state_.ChooseTasks("flapping"), SizeIs(1)) << i;
+    Lease(Key("a", 1), "flapping");
+    EXPECT_THAT(Do(WorkerLost{"flapping"}).settled, IsEmpty()) << i;
+  }
+  EXPECT_THAT(state_.FindTask(Key("a", 1))->lost_workers, ElementsAre("flapping"));
+  See("flapping");
+  Lease(Key("a", 1), "flapping");
+  EXPECT_THAT(Do(WorkerLost{"flapping"}).settled, SizeIs(1)) << "but not for ever";
+}
+
+TEST(LongestAttemptTest, EndsHoweverOftenTheLeaseIsRenewed) {
+  CoordinatorState state({.longest_attempt = absl::Hours(1)});
+  const absl::Time start = absl::FromUnixSeconds(1000);
+  const auto apply = [&](const Event& event) { ASSERT_TRUE(state.Apply(event).ok()); };
+  apply(JobCreated{"a", "", start});
+  apply(TasksAdded{"a", {{{0, 0}, Stage::kFill, "in"}}});
+  apply(WorkerSeen{"w", 1, false, start});
+  const uint64_t token = state.NextToken();
+  apply(TaskLeased{Key("a", 1), "w", token, start, start + absl::Seconds(10)});
+  const absl::Time late = start + absl::Minutes(61);
+  for (absl::Time now = start; now < late; now += absl::Minutes(1)) {
+    apply(WorkerSeen{"w", 1, false, now});
+    apply(LeaseRenewed{Key("a", 1), token, now + absl::Minutes(2)});
+  }
+  EXPECT_THAT(state.Overdue(start + absl::Minutes(59), absl::Minutes(5)), IsEmpty());
+  EXPECT_THAT(state.Overdue(late, absl::Minutes(5)), SizeIs(1));
 }
 
 }  // namespace
