@@ -77,13 +77,17 @@ std::vector<Lie> SurveyLies() {
   return {
       lie("SaysThereIsNoBoundary",
           [](Survey& s) {
-            s.mutable_vertices()->Clear(), s.clear_edges(), s.mutable_band()->Clear();
+            s.mutable_vertices()->Clear(), s.clear_edges(), s.clear_pieces(), s.mutable_band()->Clear();
             *s.mutable_band() = ToProto(SurveyRecord()).band();
             return true;
           }),
-      lie("LeavesOutAnEdge", [](Survey& s) { return s.mutable_edges()->Truncate(s.edges_size() - 2), true; }),
+      lie("LeavesOutAnEdge",
+          [](Survey& s) {
+            return s.mutable_edges()->Truncate(s.edges_size() - 2), s.mutable_pieces()->RemoveLast(), true;
+          }),
       lie("TurnsAnEdge", [](Survey& s) { return s.mutable_edges()->SwapElements(0, 1), true; }),
-      lie("SaysAnEdgeTwice", [](Survey& s) { return s.add_edges(s.edges(0)), s.add_edges(s.edges(1)), true; }),
+      lie("SaysAnEdgeTwice",
+          [](Survey& s) { return s.add_edges(s.edges(0)), s.add_edges(s.edges(1)), s.add_pieces(0), true; }),
       lie("HasTwoBillionVertices", [](Survey& s) { return s.set_vertex_count(0x7fffffff), true; }),
       lie("HasNoTriangles", [](Survey& s) { return s.set_triangle_count(0), true; }),
       lie("HasFewerThanNone", [](Survey& s) { return s.set_doubled_vertices(-1), true; }),
@@ -93,7 +97,7 @@ std::vector<Lie> SurveyLies() {
       lie("HasAHugeNormal", [](Survey& s) { return s.mutable_vertices()->set_normal(2, 1e30F), true; }),
       lie("HasAHeightThatIsNoNumber",
           [](Survey& s) { return s.mutable_vertices()->set_centroid_height(0, std::nan("")), true; }),
-      lie("NumbersPiecesAtWill", [](Survey& s) { return s.mutable_vertices()->set_piece(0, 1 << 30), true; }),
+      lie("NumbersPiecesAtWill", [](Survey& s) { return s.set_pieces(0, 1 << 30), true; }),
       lie("NamesAVertexTwice",
           [](Survey& s) { return s.mutable_vertices()->set_index(1, s.vertices().index(0)), true; }),
       lie("LiesElsewhere",
