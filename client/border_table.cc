@@ -19,10 +19,10 @@ using Json = nlohmann::ordered_json;
 constexpr double kApart = 0.1;
 
 constexpr char kLegend[] =
-    "apart: of tiles that overlap, how far one surface is above the other at half of the places, and at nine in ten;\n"
+    "apart: of tiles that overlap, how far one surface is from the other at half of the places, and at nine in ten;\n"
     "of others, how far they end from each other.\n";
 
-// Of tiles that overlap, how far one surface is above the other, in the median; of those with a gap, its width. How far
+// Of tiles that overlap, how far one surface is from the other, in the median; of those with a gap, its width. How far
 // they overlap is no fault.
 double ApartOf(const Json& row) {
   if (Member(row, "kind") == "overlap") return Number(Member(Member(row, "apart_m"), "median"));

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "common/mesh/position_index.h"
-#include "coordinator/plan/rim/overlap_heights.h"
+#include "coordinator/plan/rim/surface_gap.h"
 
 namespace tilemend {
 namespace {
@@ -68,10 +68,10 @@ BorderKind KindOf(double offset) {
   return offset < -kOnLine ? BorderKind::kGap : BorderKind::kNear;
 }
 
-HeightGap CompareOver(const SurveyRecord& record, const SurveyRecord& other, const BorderAudit& audit, const Grid& grid,
-                      Side side) {
+SurfaceGap CompareOver(const SurveyRecord& record, const SurveyRecord& other, const BorderAudit& audit,
+                       const Grid& grid, Side side) {
   const double line = NominalLine(grid, audit.a, side);
-  return CompareHeights({record, line + audit.margins[0]}, {other, line - audit.margins[1]}, AxisOf(side));
+  return MeasureGap({record, line + audit.margins[0]}, {other, line - audit.margins[1]}, AxisOf(side));
 }
 
 BorderAudit AuditBorder(const PlanInput& input, const OutlineOffsets& offsets, CellId cell, Side side,

@@ -49,7 +49,7 @@ struct PlanInput {
 enum class BorderKind { kExact, kNear, kOverlap, kGap, kOpen };  // kOpen: one or both have no surface there
 
 // How far apart two surfaces are, metres.
-struct HeightGap {
+struct SurfaceGap {
   double median = 0, ninth_decile = 0;
   int64_t places = 0;  // where they were compared; 0: nothing is known
 };
@@ -60,7 +60,7 @@ struct BorderAudit {
   int64_t shared_vertices = 0;
   double offset = 0;                   // metres: > 0 overlap, < 0 gap
   std::array<double, 2> margins = {};  // of a and b: how far each one's own outline lies beyond the grid line
-  HeightGap apart = {};                // kOverlap: the originals
+  SurfaceGap apart = {};               // kOverlap: the originals
 };
 
 enum class HoleKind { kClosed, kOpenI, kOpenII };

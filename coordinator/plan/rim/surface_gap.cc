@@ -1,5 +1,6 @@
-#include "coordinator/plan/rim/overlap_heights.h"
+#include "coordinator/plan/rim/surface_gap.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,13 +8,22 @@
 #include <vector>
 
 #include "common/mesh/bin_grid.h"
+#include "common/mesh/segment_distance.h"
 #include "coordinator/plan/rim/border_audit.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kBin = 1;          // metres
-constexpr double kUpright = 1e-12;  // m2: a triangle that covers less, seen from above, has no height at a place
+constexpr double kBin = 1;  // metres
+constexpr double kFar = 1;  // metres: what is farther is not the same surface
+
+double DistanceToTriangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c) {
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const auto left_of = [&](const Point3& u, const Point3& v) { return normal.cross(v - u).dot(p - u) >= 0; };
+  const bool over = normal.squaredNorm() > 0 && left_of(a, b) && left_of(b, c) && left_of(c, a);
+  if (over) return std::abs(normal.normalized().dot(p - a));
+  return std::min({DistanceToSegment(p, a, b), DistanceToSegment(p, b, c), DistanceToSegment(p, c, a)});
+}
 
 // The triangles of a band that reach into a strip along a border.
 class StripSurface {
@@ -21,15 +31,15 @@ class StripSurface {
   StripSurface(const TriMesh& band, int axis, double lo, double hi)
       : band_(band), triangles_(Within(band, axis, lo, hi)), bins_(MakeBins()) {}
 
-  // The vertical distance from `p` to the nearest triangle over or under it.
+  // From `p` to the nearest triangle; nothing if none is near.
   std::optional<double> Distance(const Point3& p) const {
-    std::optional<double> nearest;
-    const Point2 at = p.head<2>();
-    for (const int32_t t : bins_.In(Eigen::AlignedBox2d(at, at))) {
-      const std::optional<double> height = HeightOf(triangles_[t], at);
-      if (height && (!nearest || std::abs(*height - p.z()) < *nearest)) nearest = std::abs(*height - p.z());
+    double nearest = kFar;
+    const Point2 at = p.head<2>(), reach(kFar, kFar);
+    for (const int32_t t : bins_.In(Eigen::AlignedBox2d(Point2(at - reach), Point2(at + reach)))) {
+      const auto& [a, b, c] = triangles_[t];
+      nearest = std::min(nearest, DistanceToTriangle(p, band_.points[a], band_.points[b], band_.points[c]));
     }
-    return nearest;
+    return nearest < kFar ? std::optional(nearest) : std::nullopt;
   }
 
  private:
@@ -56,17 +66,6 @@ class StripSurface {
                    [this](int32_t t) { return BoxOf(triangles_[t]); });
   }
 
-  std::optional<double> HeightOf(const Triangle& t, const Point2& p) const {
-    const Point3 &a = band_.points[t[0]], &b = band_.points[t[1]], &c = band_.points[t[2]];
-    const auto turn = [](const Point2& u, const Point2& v) { return u.x() * v.y() - u.y() * v.x(); };
-    const Point2 ab = (b - a).head<2>(), ac = (c - a).head<2>(), ap = p - a.head<2>();
-    const double area = turn(ab, ac);
-    if (std::abs(area) < kUpright) return std::nullopt;
-    const double at_b = turn(ap, ac) / area, at_c = turn(ab, ap) / area;
-    if (at_b < 0 || at_c < 0 || at_b + at_c > 1) return std::nullopt;
-    return a.z() + at_b * (b.z() - a.z()) + at_c * (c.z() - a.z());
-  }
-
   const TriMesh& band_;
   const std::vector<Triangle> triangles_;
   const BinGrid bins_;
@@ -81,12 +80,12 @@ void AddDistances(const TileOutline& of, const StripSurface& from, int axis, std
 
 }  // namespace
 
-HeightGap CompareHeights(const TileOutline& a, const TileOutline& b, int axis) {
+SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis) {
   const auto [lo, hi] = std::minmax(a.coordinate, b.coordinate);
   std::vector<double> distances;
   AddDistances(a, StripSurface(b.record.band, axis, lo, hi), axis, distances);
   AddDistances(b, StripSurface(a.record.band, axis, lo, hi), axis, distances);
-  HeightGap gap;
+  SurfaceGap gap;
   gap.places = std::ssize(distances);
   if (distances.empty()) return gap;
   std::sort(distances.begin(), distances.end());

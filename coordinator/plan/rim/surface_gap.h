@@ -1,0 +1,24 @@
+// How far apart the surfaces of two tiles are where both lie over one strip of ground.
+#ifndef TILEMEND_COORDINATOR_PLAN_RIM_SURFACE_GAP_H_
+#define TILEMEND_COORDINATOR_PLAN_RIM_SURFACE_GAP_H_
+
+#include "coordinator/plan/types/cell_side.h"
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+// A tile and where its own straight outline lies on the axis across a border, metres.
+struct TileOutline {
+  const SurveyRecord& record;
+  double coordinate = 0;
+};
+
+// The distances in space of each tile's outline vertices from the other tile's surface, by the triangles of its band
+// there: a vertical distance would say metres of two facades that are centimetres apart. What is farther than a metre
+// is not the same surface. Cost linear in the bands, and for each vertex in the triangles near it.
+//   axis  across the border
+SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_RIM_SURFACE_GAP_H_
