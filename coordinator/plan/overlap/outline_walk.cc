@@ -22,6 +22,7 @@ struct Event {
   int32_t vertex = 0;
   bool ends = false;  // surface ends here: counter-clockwise of it there is one layer less
   bool on_outline = false;
+  std::optional<int> across = {};  // as OutlineGap::from_across
 };
 
 // Of the outline, with as much surface all along.
@@ -66,11 +67,13 @@ class Walker {
   }
 
   void FindEvents() {
-    std::map<int32_t, int> leaving;  // chains that begin there, less those that end
-    std::set<int32_t> at_piece;      // vertices where a piece ends
+    std::map<int32_t, int> leaving;                  // chains that begin there, less those that end
+    std::map<int32_t, std::optional<int>> at_piece;  // vertices where a piece ends: the axis across its outline
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       const auto [from, to, piece] = record_.edges[e];
-      if (!taken_[e]) at_piece.insert({from, to});
+      if (!taken_[e]) {
+        for (const int32_t v : {from, to}) at_piece[v] = at_piece[v] ? at_piece[v] : AxisAcross(record_.edges[e]);
+      }
       if (!taken_[e] || walk_.on_outline[e]) continue;
       ++leaving[from];
       --leaving[to];
@@ -78,10 +81,19 @@ class Walker {
     for (const auto& [v, more] : leaving) {
       const Point3& p = record_.vertices[v].position;
       const std::optional<Side> side = outline_.SideAt(p);
-      const Event event{outline_.PlaceOf(p, side.value_or(NearestSide(p))), v, more > 0, side.has_value()};
-      std::vector<Event>& events = side && !at_piece.contains(v) ? events_ : piece_ends_;
+      const auto piece = at_piece.find(v);
+      Event event{outline_.PlaceOf(p, side.value_or(NearestSide(p))), v, more > 0, side.has_value()};
+      if (side) event.across = AxisOf(*side);
+      if (!side && piece != at_piece.end()) event.across = piece->second;
+      std::vector<Event>& events = side && piece == at_piece.end() ? events_ : piece_ends_;
       for (int k = 0; k < std::abs(more); ++k) events.push_back(event);
     }
+  }
+
+  std::optional<int> AxisAcross(const BoundaryEdge& e) const {
+    const Point3 way = record_.vertices[e.to].position - record_.vertices[e.from].position;
+    const bool of_x = std::abs(way.x()) <= kOnOutline, of_y = std::abs(way.y()) <= kOnOutline;
+    return of_x == of_y ? std::nullopt : std::optional(of_x ? 0 : 1);
   }
 
   Side NearestSide(const Point3& p) const {
@@ -107,7 +119,8 @@ class Walker {
     for (const auto& [distance, i, k] : pairs) {
       if (closed[i] || closed[k]) continue;
       closed[i] = closed[k] = true;
-      walk_.gaps.push_back({piece_ends_[i].vertex, piece_ends_[k].vertex, 0, 0, false});
+      const Event &from = piece_ends_[i], &to = piece_ends_[k];
+      walk_.gaps.push_back({from.vertex, to.vertex, 0, 0, false, from.across, to.across});
     }
     for (size_t i = 0; i < piece_ends_.size(); ++i) {
       if (!closed[i]) events_.push_back(piece_ends_[i]);

@@ -32,6 +32,8 @@ struct OutlineGap {
   int32_t from = 0, to = 0;   // into SurveyRecord::vertices
   double begin = 0, end = 0;  // places; end > begin, perhaps by way of the south-west corner: then beyond Length()
   bool open = true;           // nothing covers it; else it lies under other surface of the tile
+  // The axes across the outlines, of the tile or of a piece, that its ends are on. Empty: level ones, or none.
+  std::optional<int> from_across = {}, to_across = {};
 };
 
 struct OutlineWalk {

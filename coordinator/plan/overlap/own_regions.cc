@@ -191,24 +191,23 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
-    if (way.size() == 1) AddLink(from, to, way);
+    if (way.size() == 1) AddLink(gap, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
 
-  // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two. From the
-  // tile's outline the way to an end inside goes along that as far as the piece's own outline does.
-  void AddLink(int32_t from, int32_t to, std::vector<int32_t>& way) {
+  // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two. Between
+  // ends on outlines that cross the way goes along both.
+  void AddLink(const OutlineGap& gap, std::vector<int32_t>& way) {
+    const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
     PlanVertex v = plan_.vertices[from];
     const Point3 b = plan_.vertices[to].position;
     v.tile = cell_;
     v.index = -1;
     Point3 middle = (v.position + b) / 2;
-    const std::optional<Side> side = outline_.SideAt(v.position), other = outline_.SideAt(b);
-    if (side.has_value() != other.has_value()) {
-      const int across = AxisOf(side ? *side : *other);
-      middle[across] = outline_.side[side ? *side : *other];
-      middle[1 - across] = (side ? b : v.position)[1 - across];
+    if (gap.from_across && gap.to_across && *gap.from_across != *gap.to_across) {
+      middle[*gap.from_across] = v.position[*gap.from_across];
+      middle[*gap.to_across] = b[*gap.to_across];
     }
     v.position = RoundedToLattice(middle, plan_.lattice_step);
     v.size = std::min(v.size, plan_.vertices[to].size);

@@ -12,6 +12,8 @@ namespace {
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
 constexpr size_t kLeastStations = 2;
+constexpr int kSmoothings = 4;
+constexpr double kWeir = 2;                      // tolerances from one station to the next: a step that is no noise
 constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
 
 // Heights by station, and by side of the line.

@@ -34,14 +34,13 @@ struct StationRule {
 };
 
 // Stations lie `spacing` metres apart along the line. The level of a station is FitRimLevel's of the shore heights
-// beside it, of both shores; where the two shores' own
-// levels differ by more than the tolerance and what noise explains, that of the lower one, as banks and quays only rise
-// above the water; stations with less than `least` heights have none of their own, nor have those that lie above a line
-// through all (Theil 1950, Sen 1968) by three times the tolerance and three deviations: both shores have banks alone
-// there. Levels are made to fall in
-// the direction in which they fall on the whole (NotRising, weighted by their counts), and lie on a line
-// between stations; before the first and after the last one they stay. Station levels do not depend on objects and
-// banks as long as a third of the heights there is at the water (FitRimLevel).
+// beside it, of both shores; where the two shores' own levels differ by more than the tolerance and what noise
+// explains, that of the lower one, as banks and quays only rise above the water. Stations with less than `least`
+// heights have none of their own, nor have those that lie above a line through all (Theil 1950, Sen 1968) by three
+// times the tolerance and three deviations: both shores have banks alone there. Levels are made to fall in the
+// direction in which they fall on the whole (NotRising, weighted by their counts), and lie on a line between stations;
+// before the first and after the last one they stay. Station levels do not depend on objects and banks as long as a
+// third of the heights there is at the water (FitRimLevel).
 //
 //   line    at least two points
 //   shore   rim points that stand on no object
