@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "coordinator/plan/water/rim_level.h"
@@ -12,6 +13,7 @@ namespace {
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
 constexpr size_t kLeastStations = 2;
+constexpr size_t kOddStations = 8;  // one in so many may be off a straight profile
 constexpr int kSmoothings = 4;
 constexpr double kWeir = 2;                      // tolerances from one station to the next: a step that is no noise
 constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
@@ -69,8 +71,14 @@ RiverStation StationOf(const Heights& h, double noise, const StationRule& rule) 
   return s;
 }
 
-// How the levels fall on the whole: the slope of the weighted line through them, per station.
-double Trend(const std::vector<double>& at, const std::vector<double>& levels, const std::vector<double>& weights) {
+struct Line {
+  double middle = 0, level = 0, slope = 0;
+
+  double At(double place) const { return level + slope * (place - middle); }
+};
+
+// How the levels fall on the whole: the weighted line through them, by stations.
+Line LineThrough(const std::vector<double>& at, const std::vector<double>& levels, const std::vector<double>& weights) {
   double w = 0, x = 0, z = 0, xx = 0, xz = 0;
   for (size_t i = 0; i < at.size(); ++i) w += weights[i], x += weights[i] * at[i], z += weights[i] * levels[i];
   x /= w, z /= w;
@@ -78,7 +86,7 @@ double Trend(const std::vector<double>& at, const std::vector<double>& levels, c
     xx += weights[i] * (at[i] - x) * (at[i] - x);
     xz += weights[i] * (at[i] - x) * (levels[i] - z);
   }
-  return xx > 0 ? xz / xx : 0;
+  return {x, z, xx > 0 ? xz / xx : 0};
 }
 
 void Reverse(RiverProfile& profile) {
@@ -129,6 +137,21 @@ void Interpolate(const std::vector<size_t>& known, const std::vector<double>& le
       stations[k].z() = std::lerp(levels[next - 1], levels[next], share);
     }
   }
+}
+
+double ErrorOf(double noise, double count) { return kSure * kErrorOfLevel * noise / std::sqrt(count); }
+
+// The levels of the straight profile through the stations, if it falls and they lie on it as far as can be told.
+std::optional<std::vector<double>> StraightLevels(const std::vector<double>& places, const std::vector<double>& levels,
+                                                  const std::vector<double>& weights, double noise, double tolerance) {
+  const Line line = LineThrough(places, levels, weights);
+  std::vector<double> straight;
+  size_t odd = 0;
+  for (size_t i = 0; i < places.size(); ++i) {
+    straight.push_back(line.At(places[i]));
+    odd += std::abs(levels[i] - straight[i]) > tolerance + ErrorOf(noise, weights[i]);
+  }
+  return line.slope <= 0 && odd <= places.size() / kOddStations ? std::optional(straight) : std::nullopt;
 }
 
 void MeasureAlong(RiverProfile& profile) {
@@ -202,7 +225,7 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> s
   const auto level = [&](size_t k) { return profile.stations[k].level; };
   const auto weight = [&](size_t k) { return static_cast<double>(profile.stations[k].count); };
   if (known.size() < kLeastStations) return {};
-  if (Trend(collect(number), collect(level), collect(weight)) > 0) {
+  if (LineThrough(collect(number), collect(level), collect(weight)).slope > 0) {
     Reverse(profile);
     for (size_t& k : known) k = profile.stations.size() - 1 - k;
     std::reverse(known.begin(), known.end());
@@ -210,7 +233,8 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> s
   MeasureAlong(profile);
   LeaveOutBanks(rule.tolerance, known, profile);
   const std::vector<double> levels = collect(level), weights = collect(weight);
-  const std::vector<double> falling = NotRising(levels, weights);
+  const std::vector<double> falling =
+      StraightLevels(collect(number), levels, weights, noise, rule.tolerance).value_or(NotRising(levels, weights));
   Interpolate(known, falling, profile.water.stations);
   profile.fall = falling.front() - falling.back();
   for (size_t i = 1; i < levels.size(); ++i) {

@@ -37,10 +37,11 @@ struct StationRule {
 // beside it, of both shores; where the two shores' own levels differ by more than the tolerance and what noise
 // explains, that of the lower one, as banks and quays only rise above the water. Stations with less than `least`
 // heights have none of their own, nor have those that lie above a line through all (Theil 1950, Sen 1968) by three
-// times the tolerance and three deviations: both shores have banks alone there. Levels are made to fall in the
-// direction in which they fall on the whole (NotRising, weighted by their counts), and lie on a line between stations;
-// before the first and after the last one they stay. Station levels do not depend on objects and banks as long as a
-// third of the heights there is at the water (FitRimLevel).
+// times the tolerance and three deviations: both shores have banks alone there. The profile is the straight one that
+// fits best, weighted by the counts, if it falls and seven in eight stations lie on it within the tolerance and three
+// errors; else levels are made to fall in the direction in which they fall on the whole (NotRising) and lie on a line
+// between stations. Before the first and after the last one they stay. Station levels do not depend on objects and
+// banks as long as a third of the heights there is at the water (FitRimLevel).
 //
 //   line    at least two points
 //   shore   rim points that stand on no object
