@@ -18,7 +18,10 @@ bool AllFinite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-// Heights that a surface over these holes can have: those of the rim, and as far again as the holes are large.
+// What a surface may overshoot beyond its rim, in sizes of the holes: at a tile cut in half it was more than one.
+constexpr double kOvershoot = 10;
+
+// Heights that a surface over these holes can have.
 absl::Status CheckHeights(const CellHoles& asked, std::span<const int32_t> seam_vertex,
                           std::span<const double> height) {
   Eigen::AlignedBox2d extent;
@@ -28,7 +31,7 @@ absl::Status CheckHeights(const CellHoles& asked, std::span<const int32_t> seam_
     if (v.height_known) heights.extend(Eigen::Matrix<double, 1, 1>(v.position.z()));
   }
   if (heights.isEmpty()) return absl::OkStatus();
-  const double size = extent.diagonal().norm() + heights.diagonal().norm();
+  const double size = kOvershoot * (extent.diagonal().norm() + heights.diagonal().norm());
   for (size_t i = 0; i < height.size(); ++i) {
     const bool near = height[i] >= heights.min().x() - size && height[i] <= heights.max().x() + size;
     if (!near) return Wrong(seam_vertex[i], "a height far from those of the rim");

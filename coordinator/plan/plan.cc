@@ -136,6 +136,31 @@ void StoreLayers(Plan& plan) {
   }
 }
 
+// Twice the area inside the boundary, seen from above: not above zero where the surface faces down, or has no outline.
+double TwiceArea(const SurveyRecord& record) {
+  double area = 0;
+  for (const BoundaryEdge& e : record.edges) {
+    const Point3 &a = record.vertices[e.from].position, &b = record.vertices[e.to].position;
+    area += (a.x() - record.lo.x()) * (b.y() - record.lo.y()) - (b.x() - record.lo.x()) * (a.y() - record.lo.y());
+  }
+  return area;
+}
+
+// Of tiles that face down nothing is seen from above: their cells would be paved.
+void RefuseTilesThatFaceDown(const PlanInput& input, Plan& plan) {
+  constexpr char kReason[] =
+      "the tile faces down, or its surface has no outline; turn its triangles or repair it first";
+  std::set<CellId> cells;
+  for (const auto& [cell, record] : input.cells) {
+    if (record == nullptr || record->triangle_count == 0 || TwiceArea(*record) > 0) continue;
+    cells.insert(cell);
+    plan.left.push_back({cell, kReason, -1, std::ssize(record->edges)});
+  }
+  for (PlannedHole& hole : plan.holes) {
+    if (hole.failure.empty() && cells.contains(hole.cell)) hole.failure = kReason;
+  }
+}
+
 // The edge of an area is not followed to the outlines of tiles that overlap: better nothing than more than was asked.
 void RefuseArea(Plan& plan) {
   for (PlannedHole& hole : plan.holes) {
@@ -163,6 +188,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   plan.borders = std::move(borders.borders);
   if (borders.independent) {
     PlanOverlapping(input, lines, options, plan);
+    RefuseTilesThatFaceDown(input, plan);
     if (!input.area.empty()) RefuseArea(plan);
   } else {
     PlanPart(input, lines, options, plan);

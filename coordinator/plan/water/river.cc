@@ -53,6 +53,8 @@ bool Faces(const End& a, const End& b) {
   return far * far - ahead * ahead <= a.width * b.width / 4;
 }
 
+bool HasGivenLine(const Reach& reach) { return reach.centreline.size() > 1; }
+
 // Reaches in order along a river; reversed: from the last point of its centreline to the first.
 using Chain = std::vector<std::pair<size_t, bool>>;
 
@@ -118,7 +120,10 @@ Course CourseOf(const Chain& chain, std::span<const Reach> reaches, const std::v
     course.area += lines[r].length * lines[r].width;
     noises.push_back(reaches[r].noise);
     course.forced = course.forced || (chain.size() == 1 && reaches[r].forced);
-    course.given = course.given || (chain.size() == 1 && !reaches[r].centreline.empty());
+  }
+  if (HasGivenLine(reaches[chain[0].first])) {
+    course.given = true;
+    course.line = reaches[chain[0].first].centreline;
   }
   course.noise = Quantile(noises, 0.5);
   return course;
@@ -208,7 +213,7 @@ Centreline GivenLine(const std::vector<Point2>& points) {
 }
 
 Centreline LineOf(const Reach& reach, double least_width) {
-  if (reach.centreline.size() > 1) return GivenLine(reach.centreline);
+  if (HasGivenLine(reach)) return GivenLine(reach.centreline);
   if (reach.shore.size() < kLeastShore) return {};
   Eigen::AlignedBox2d box;
   for (const auto& [a, b] : reach.boundary) box.extend(a).extend(b);
@@ -218,13 +223,31 @@ Centreline LineOf(const Reach& reach, double least_width) {
   return line;
 }
 
+// Reaches along one line that was given are one river, whatever lies between them; others are linked by their ends.
+std::vector<Chain> ChainsOf(std::span<const Reach> reaches, const std::vector<Centreline>& lines) {
+  std::vector<Chain> given;
+  std::vector<Centreline> found = lines;
+  for (size_t r = 0; r < reaches.size(); ++r) {
+    if (!HasGivenLine(reaches[r])) continue;
+    found[r].points.clear();
+    const auto same = std::find_if(given.begin(), given.end(), [&](const Chain& chain) {
+      return reaches[chain[0].first].centreline == reaches[r].centreline;
+    });
+    Chain& chain = same == given.end() ? given.emplace_back() : *same;
+    chain.emplace_back(r, false);
+  }
+  std::vector<Chain> chains = LinkReaches(found);
+  chains.insert(chains.end(), given.begin(), given.end());
+  return chains;
+}
+
 }  // namespace
 
 std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, double least_width) {
   std::vector<Centreline> lines;
   for (const Reach& reach : reaches) lines.push_back(LineOf(reach, least_width));
   std::vector<River> rivers;
-  for (const Chain& chain : LinkReaches(lines)) {
+  for (const Chain& chain : ChainsOf(reaches, lines)) {
     const Course course = CourseOf(chain, reaches, lines);
     if (course.length < kLeastRiver * course.width()) continue;
     River river;
@@ -233,6 +256,7 @@ std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, 
     if (river.profile.stations.empty()) continue;
     const RiverTest test(course, river.profile, tolerance);
     if (!test.Holds()) continue;
+    river.given = course.given;
     river.falls = chain.size() > 1 || test.Falls();
     for (const auto& [r, reversed] : chain) river.reaches.push_back(r);
     std::sort(river.reaches.begin(), river.reaches.end());

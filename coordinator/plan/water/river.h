@@ -26,6 +26,7 @@ struct River {
   RiverProfile profile;         // over all of them, and under the bridges between
   double width = 0;             // metres, mean
   bool falls = true;            // more than noise explains; else one reach that may as well be level
+  bool given = false;           // along a centreline that was given
 };
 
 // Finds rivers. Reaches whose centrelines end opposite each other, at most 40 m apart and in line, are one: something

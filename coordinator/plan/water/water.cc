@@ -263,8 +263,9 @@ void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) 
   for (River& river : FindRivers(reaches, options.tolerance, options.profile.least_river)) {
     for (size_t& r : river.reaches) r = candidate_of[r];
     const size_t first = river.reaches[0];
-    if (!river.falls && AreaOf(plan, candidates[first]) >= options.profile.least_lake) level[first] = true;
-    if (river.reaches.size() == 1 && level[first]) continue;
+    const bool large = AreaOf(plan, candidates[first]) >= options.profile.least_lake;
+    if (!river.given && !river.falls && large) level[first] = true;
+    if (!river.given && river.reaches.size() == 1 && level[first]) continue;
     for (const size_t r : river.reaches) in_river[r] = true;
     bodies.push_back(RiverBody(plan, candidates, std::move(river)));
   }

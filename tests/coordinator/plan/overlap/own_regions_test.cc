@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "common/mesh/lattice.h"
@@ -93,6 +95,22 @@ TEST_P(OwnRegionsTest, AHoleOverPiecesHasOneRegion) {
 }
 
 // A pier between two bays ends beyond the grid line and short of the outline: there the bays are one.
+TEST(OverlappingPlanTest, ATileThatFacesDownIsNotPaved) {
+  SurveyedScene scene = OverlappingScene(kWaters, 10, 0.1);
+  TriMesh turned = scene.tiles.at({0, 0});
+  for (Triangle& t : turned.triangles) std::swap(t[1], t[2]);
+  scene.tiles[{0, 0}] = turned;
+  const Plan plan = PlanOf(SurveyScene(scene.grid, scene.tiles));
+  EXPECT_TRUE(std::any_of(plan.left.begin(), plan.left.end(), [](const LeftOpen& left) {
+    return left.hole < 0 && left.reason.find("faces down") != std::string::npos;
+  }));
+  for (const PlannedHole& hole : plan.holes) {
+    if (hole.cell == CellId{0, 0}) {
+      EXPECT_FALSE(hole.failure.empty());
+    }
+  }
+}
+
 TEST(HoldTogetherTest, HolesThatAChainHoldsTogetherAreOne) {
   SurveyedScene scene =
       OverlappingScene({"#######", "#######", "#######", "#######", "#######", "#######", "#######",  //

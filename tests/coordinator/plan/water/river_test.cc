@@ -100,6 +100,16 @@ TEST(FindRiversTest, AGivenCentrelineMakesARiverOfAnyShape) {
   EXPECT_LT(rivers[0].profile.water.stations.front().x(), rivers[0].profile.water.stations.back().x());
 }
 
+TEST(FindRiversTest, ReachesAlongOneGivenCentrelineAreOneRiver) {
+  std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(300, 600, 15, Falling)};
+  for (Reach& reach : reaches) reach.centreline = {{0, 0}, {600, 0}};
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_TRUE(rivers[0].given);
+  EXPECT_EQ(rivers[0].reaches, (std::vector<size_t>{0, 1}));
+  EXPECT_NEAR(rivers[0].profile.fall, 0.6, 0.1);
+}
+
 TEST(FindRiversTest, NarrowerOnesCanBeLeftOut) {
   const std::vector<Reach> reaches = {ReachBetween(0, 500, 10, Falling)};
   EXPECT_EQ(FindRivers(reaches, kTolerance, 15).size(), 1u);
