@@ -13,9 +13,7 @@ namespace {
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
 constexpr size_t kLeastStations = 2;
-constexpr size_t kOddStations = 8;  // one in so many may be off a straight profile
-constexpr int kSmoothings = 4;
-constexpr double kWeir = 2;                      // tolerances from one station to the next: a step that is no noise
+constexpr size_t kOddStations = 8;               // one in so many may be off a straight profile
 constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
 
 // Heights by station, and by side of the line.
