@@ -111,21 +111,21 @@ std::vector<bool> TiedToGround(const std::vector<bool>& on_object, const ThinPla
 
 }  // namespace
 
-bool FreeRim(const std::vector<bool>& stands, const std::vector<std::optional<double>>& ground_under,
+bool FreeRim(const std::vector<bool>& on_object, const std::vector<std::optional<double>>& ground,
              ThinPlateProblem& problem) {
-  std::vector<bool> settled(stands.size(), false), open = stands;
-  for (size_t v = 0; v < ground_under.size(); ++v) {
-    if (!stands[v] || !ground_under[v]) continue;
-    problem.points[v].z() = *ground_under[v];
+  std::vector<bool> settled(on_object.size(), false), open = on_object;
+  for (size_t v = 0; v < ground.size(); ++v) {
+    if (!on_object[v] || !ground[v]) continue;
+    problem.points[v].z() = *ground[v];
     settled[v] = true;
     open[v] = false;
   }
   TakeAwayBand(settled, problem);
-  const std::vector<bool> on_object = TiedToGround(open, problem);
-  if (std::find(on_object.begin(), on_object.end(), true) == on_object.end()) return true;
-  const std::vector<Point3> ground = GroundOf(on_object, problem);
-  if (ground.size() < kLeastGround) return true;
-  const Plane plane = PlaneThrough(ground);
+  const std::vector<bool> tied = TiedToGround(open, problem);
+  if (std::find(tied.begin(), tied.end(), true) == tied.end()) return true;
+  const std::vector<Point3> around = GroundOf(tied, problem);
+  if (around.size() < kLeastGround) return true;
+  const Plane plane = PlaneThrough(around);
   ThinPlateProblem beside;
   beside.points = problem.points;
   beside.patch = problem.patch;
@@ -134,13 +134,13 @@ bool FreeRim(const std::vector<bool>& stands, const std::vector<std::optional<do
   for (size_t v = 0; v < beside.points.size(); ++v) {
     Point3& p = beside.points[v];
     p.z() -= plane.At(p);
-    if (StandsOn(on_object, static_cast<int32_t>(v))) beside.known[v] = false;
+    if (StandsOn(tied, static_cast<int32_t>(v))) beside.known[v] = false;
   }
   if (!SolveMembrane(beside)) return false;
-  for (size_t v = 0; v < on_object.size(); ++v) {
-    if (on_object[v]) problem.points[v].z() = plane.At(beside.points[v]) + beside.points[v].z();
+  for (size_t v = 0; v < tied.size(); ++v) {
+    if (tied[v]) problem.points[v].z() = plane.At(beside.points[v]) + beside.points[v].z();
   }
-  TakeAwayBand(on_object, problem);
+  TakeAwayBand(tied, problem);
   return true;
 }
 
