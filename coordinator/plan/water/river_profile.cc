@@ -223,13 +223,13 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> s
   const auto level = [&](size_t k) { return profile.stations[k].level; };
   const auto weight = [&](size_t k) { return static_cast<double>(profile.stations[k].count); };
   if (known.size() < kLeastStations) return {};
+  LeaveOutBanks(rule.tolerance, known, profile);
   if (LineThrough(collect(number), collect(level), collect(weight)).slope > 0) {
     Reverse(profile);
     for (size_t& k : known) k = profile.stations.size() - 1 - k;
     std::reverse(known.begin(), known.end());
   }
   MeasureAlong(profile);
-  LeaveOutBanks(rule.tolerance, known, profile);
   const std::vector<double> levels = collect(level), weights = collect(weight);
   const std::vector<double> falling =
       StraightLevels(collect(number), levels, weights, noise, rule.tolerance).value_or(NotRising(levels, weights));

@@ -79,6 +79,13 @@ TEST(FitRiverTest, AStretchBetweenQuaysDoesNotLiftIt) {
   EXPECT_FALSE(profile.removed.empty());
 }
 
+TEST(FitRiverTest, QuaysAtItsLowerEndDoNotTurnIt) {
+  const RiverProfile profile =
+      FitRiver(kLine, Shores([](double x, double) { return x > 375 ? 12.0 : 0.0; }), kNoise, {});
+  EXPECT_LT(profile.water.stations.front().x(), 1);
+  EXPECT_LT(WorstLevel(profile), 0.1);
+}
+
 TEST(FitRiverTest, TooFewHeightsAreNoRiver) {
   EXPECT_TRUE(FitRiver(kLine, std::vector<Point3>{{0, 15, 10}}, kNoise, {}).stations.empty());
 }
