@@ -194,7 +194,7 @@ TEST_F(SqliteJournalTest, DamageInAResultIsFound) {
     journal->PutResult(1, Task(2), {TaskState::kFailed, "", std::nullopt, "the error of the second", {}});
   }
   std::string bytes = ReadFile(path_).value();
-  for (const char* part : {"content of", "error of"}) bytes.replace(bytes.find(part), 3, "XXX");
+  for (const char* part : {"content of", "error of"}) bytes.replace(bytes.find(part), 3, "???");
   folder_.Write("journal.sqlite", bytes);
   const auto journal = Open();
   for (const int task : {1, 2}) {
