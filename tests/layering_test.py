@@ -116,7 +116,8 @@ RULES = {
         ['eigen'], pure=True),
 
     'coordinator/plan/overlap': rule(
-        ['common/mesh', 'common/mesh/winding', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim'],
+        ['common/mesh', 'common/mesh/winding', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim',
+         'coordinator/plan/seam'],
         ['eigen'], pure=True),
 
     'coordinator/plan/water': rule(

@@ -10,6 +10,7 @@
 #include "coordinator/plan/division.h"
 #include "coordinator/plan/hole/layers.h"
 #include "coordinator/plan/hole/touching_holes.h"
+#include "coordinator/plan/overlap/area_outside.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
 #include "coordinator/plan/overlap/wall_feet.h"
@@ -85,11 +86,16 @@ void LeaveUnlinked(const Rim& rim, Plan& plan) {
   }
 }
 
+std::set<CellId> CellsOf(const PlanInput& input) {
+  std::set<CellId> cells;
+  for (const auto& [cell, record] : input.cells) cells.insert(cell);
+  return cells;
+}
+
 // Leaves of the rim what bounds holes inside the area's polygon.
 void CutByPolygon(const PlanInput& input, const GridLines& lines, const PlanOptions& options, Rim& rim, Plan& plan) {
   const RimIndex index(rim);
-  std::set<CellId> cells;
-  for (const auto& [cell, record] : input.cells) cells.insert(cell);
+  const std::set<CellId> cells = CellsOf(input);
   AreaCut cut = CutByArea({cells, lines, rim, index, options, plan.lattice_step}, input);
   plan.left.insert(plan.left.end(), cut.left.begin(), cut.left.end());
   rim = std::move(cut.rim);
@@ -114,9 +120,20 @@ void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions&
   LeaveUnlinked(rim, plan);
 }
 
+// The rim of the tiles as they are says how far apart vertices along the area's edge are to be.
+JointTiles JoinInArea(const PlanInput& input, const JointTiles& whole, const GridLines& outlines,
+                      const PlanOptions& options, double lattice_step) {
+  const Rim rim = BuildRim(whole.input);
+  const RimIndex index(rim);
+  const std::set<CellId> cells = CellsOf(input);
+  const SeamSite site{cells, whole.lines, rim, index, options, lattice_step};
+  return JoinTiles(input, outlines, lattice_step, SpacedRings(site, input));
+}
+
 // Plans tiles that share no vertices as the clipped scene that they stand for.
 void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
-  const JointTiles joint = JoinTiles(input, outlines, plan.lattice_step);
+  JointTiles joint = JoinTiles(input, outlines, plan.lattice_step);
+  if (!input.area.empty()) joint = JoinInArea(input, joint, outlines, options, plan.lattice_step);
   PlanPart(joint.input, joint.lines, options, plan);
   LayOwnRegions(input, outlines, joint, plan);
 }
@@ -161,15 +178,6 @@ void RefuseTilesThatFaceDown(const PlanInput& input, Plan& plan) {
   }
 }
 
-// The edge of an area is not followed to the outlines of tiles that overlap: better nothing than more than was asked.
-void RefuseArea(Plan& plan) {
-  for (PlannedHole& hole : plan.holes) {
-    if (!hole.failure.empty()) continue;
-    hole.failure =
-        "an area inside cells is not followed where tiles overlap; give the area as whole cells in scene.json";
-  }
-}
-
 void LeaveFailedHoles(Plan& plan) {
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     const PlannedHole& hole = plan.holes[h];
@@ -189,7 +197,6 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (borders.independent) {
     PlanOverlapping(input, lines, options, plan);
     RefuseTilesThatFaceDown(input, plan);
-    if (!input.area.empty()) RefuseArea(plan);
   } else {
     PlanPart(input, lines, options, plan);
   }

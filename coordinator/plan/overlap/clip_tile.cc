@@ -20,9 +20,11 @@ Point2 Flat(const Point3& p) { return p.head<2>(); }
 
 class Clipper {
  public:
-  Clipper(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square)
-      : record_(record), on_piece_outline_(on_piece_outline), square_(square), window_(Window()) {
+  Clipper(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square,
+          const AreaOutside& outside)
+      : record_(record), on_piece_outline_(on_piece_outline), square_(square), outside_(outside), window_(Window()) {
     for (const BoundaryVertex& v : record_.vertices) points_.push_back(window_.Round(Flat(Pressed(v.position))));
+    for (const Point2& p : outside_.points) points_.push_back(window_.Round(p));
   }
 
   ClippedTile Run() {
@@ -30,7 +32,7 @@ class Clipper {
     WoundRegion region = Region();
     if (CutIslands(region)) region = Region();
     for (size_t e = 0; e < record_.edges.size(); ++e) {
-      if (!result_.cut[e]) result_.inner.push_back({record_.edges[e].from, record_.edges[e].to});
+      if (!result_.cut[e]) AddInner({record_.edges[e].from, record_.edges[e].to}, false);
     }
     AddHeights();
     AddRegion(region);
@@ -53,6 +55,10 @@ class Clipper {
       lo = lo.cwiseMin(Flat(v.position));
       hi = hi.cwiseMax(Flat(v.position));
     }
+    for (const Point2& p : outside_.points) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
+    }
     return {lo, hi};
   }
 
@@ -68,7 +74,8 @@ class Clipper {
     group_ = sets.Groups();
     std::set<int32_t> leaving;
     for (size_t v = 0; v < record_.vertices.size(); ++v) {
-      if (!square_.Contains(record_.vertices[v].position)) leaving.insert(group_[v]);
+      const Point3& p = record_.vertices[v].position;
+      if (!square_.Contains(p) || outside_.Contains(Flat(p))) leaving.insert(group_[v]);
     }
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       if (on_piece_outline_[e]) leaving.insert(group_[record_.edges[e].from]);
@@ -84,6 +91,8 @@ class Clipper {
       cut_edges_.push_back(static_cast<int32_t>(e));
       edges.push_back({record_.edges[e].from, record_.edges[e].to});
     }
+    const auto own = static_cast<int32_t>(record_.vertices.size());
+    for (const DirectedEdge& e : outside_.edges) edges.push_back({e.from + own, e.to + own});
     return FindWoundRegion(points_, edges, Box());
   }
 
@@ -159,7 +168,7 @@ class Clipper {
       const int side = CommonSide(region, s);
       if (side < 0) {
         const int32_t from = VertexOf(region, s.from), to = VertexOf(region, s.to);
-        result_.inner.push_back({from, to});
+        AddInner({from, to}, IsOnOutside(region, s.from) && IsOnOutside(region, s.to));
         continue;
       }
       const int axis = 1 - AxisOf(static_cast<Side>(side));
@@ -167,6 +176,21 @@ class Clipper {
       ++result_.sides[side].step[std::min(a, b)];
       --result_.sides[side].step[std::max(a, b)];
     }
+  }
+
+  void AddInner(DirectedEdge edge, bool on_area_edge) {
+    result_.inner.push_back(edge);
+    result_.on_area_edge.push_back(on_area_edge);
+  }
+
+  bool IsNew(int32_t v) const { return v >= std::ssize(record_.vertices); }
+
+  // Whether a vertex of the region is one of those outside the area, or lies between two of them.
+  bool IsOnOutside(const WoundRegion& region, int32_t v) const {
+    const auto own = static_cast<int32_t>(points_.size());
+    if (v < own) return IsNew(v);
+    const std::vector<int32_t>& through = region.corners[v - own].through;
+    return std::any_of(through.begin(), through.end(), [&](int32_t s) { return s >= std::ssize(cut_edges_); });
   }
 
   bool IsOn(const Point2& p, Side s) const { return p[AxisOf(s)] == square_.side[s]; }
@@ -179,12 +203,12 @@ class Clipper {
     return -1;
   }
 
-  // A vertex on a side is none of the tile's even where one lies there.
+  // A vertex on a side is none of the tile's even where one lies there, but may be one of the area's.
   int32_t VertexOf(const WoundRegion& region, int32_t v) {
     const auto own = static_cast<int32_t>(points_.size());
     const Point2 place = window_.ToMetres(Place(region, v));
     const bool on_side = std::any_of(kSides.begin(), kSides.end(), [&](Side s) { return IsOn(place, s); });
-    if (v < own && !on_side) return v;
+    if (v < own && (!on_side || IsNew(v))) return v;
     const auto [it, fresh] = number_.try_emplace(v, own + static_cast<int32_t>(result_.vertices.size()));
     if (fresh) result_.vertices.push_back(v < own ? AtVertex(v, place) : AtCorner(region.corners[v - own], place));
     return it->second;
@@ -202,6 +226,7 @@ class Clipper {
   ClipVertex AtCorner(const RegionCorner& corner, const Point2& place) const {
     ClipVertex vertex{{place.x(), place.y(), std::numeric_limits<double>::infinity()}, {}, 0};
     for (const int32_t s : corner.through) {
+      if (s >= std::ssize(cut_edges_)) continue;  // outside the area
       const BoundaryEdge& e = record_.edges[cut_edges_[s]];
       const Point3 &a = record_.vertices[e.from].position, &b = record_.vertices[e.to].position;
       const double length = Flat(b - a).squaredNorm();
@@ -216,6 +241,7 @@ class Clipper {
   }
 
   double NearestHeight(const Point2& place) const {
+    if (record_.vertices.empty()) return 0;
     const auto nearest = std::min_element(
         record_.vertices.begin(), record_.vertices.end(), [&](const BoundaryVertex& a, const BoundaryVertex& b) {
           return (Flat(a.position) - place).squaredNorm() < (Flat(b.position) - place).squaredNorm();
@@ -236,8 +262,9 @@ class Clipper {
   const SurveyRecord& record_;
   const std::vector<bool>& on_piece_outline_;
   const ClipSquare& square_;
+  const AreaOutside& outside_;
   const LatticeWindow window_;
-  std::vector<LatticePoint> points_;   // of the record's vertices
+  std::vector<LatticePoint> points_;   // of the record's vertices, then of those outside the area
   std::vector<int32_t> group_;         // of each vertex: its connected part of the boundary
   std::vector<int32_t> cut_edges_;     // of the record, as the region had them
   std::map<int32_t, int32_t> number_;  // vertex or corner of the region -> vertex of the result
@@ -250,8 +277,9 @@ bool ClipSquare::Contains(const Point3& p) const {
   return std::none_of(kSides.begin(), kSides.end(), [&](Side s) { return Beyond(p, s); });
 }
 
-ClippedTile ClipTile(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square) {
-  return Clipper(record, on_piece_outline, square).Run();
+ClippedTile ClipTile(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square,
+                     const AreaOutside& outside) {
+  return Clipper(record, on_piece_outline, square, outside).Run();
 }
 
 }  // namespace tilemend

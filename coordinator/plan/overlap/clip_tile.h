@@ -9,6 +9,7 @@
 
 #include "common/mesh/edge_loops.h"
 #include "common/records/survey_record.h"
+#include "coordinator/plan/overlap/area_outside.h"
 #include "coordinator/plan/rim/grid_lines.h"
 
 namespace tilemend {
@@ -37,16 +38,19 @@ struct SideCover {
 };
 
 struct ClippedTile {
-  std::vector<ClipVertex> vertices;  // numbered on from those of the record
+  std::vector<ClipVertex> vertices;  // numbered on from those of the record and then AreaOutside::points
   std::vector<DirectedEdge> inner;   // the boundary inside the square, the surface on its left
+  std::vector<bool> on_area_edge;    // of `inner`: between surface outside the area and a hole inside
   std::array<SideCover, 4> sides;
   std::vector<bool> cut;  // of each edge of the record: whether its loop was cut for this; others are in `inner` as is
 };
 
 // Clips the loops that leave the square or have an outline of a piece (piece_outlines.h), and islands of surface where
 // those leave none: what they wind around seen from above (wound_region.h), in the square. So the clipped boundary is
-// simple there whatever the tile's folds. Slivers go. Cost as FindWoundRegion.
-ClippedTile ClipTile(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square);
+// simple there whatever the tile's folds. Slivers go. What is outside the area counts as surface; its box holds the
+// square. Cost as FindWoundRegion.
+ClippedTile ClipTile(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square,
+                     const AreaOutside& outside = {});
 
 }  // namespace tilemend
 

@@ -1,6 +1,7 @@
 #include "coordinator/plan/overlap/joint_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -8,9 +9,13 @@
 
 #include "common/mesh/rounding.h"
 #include "coordinator/plan/overlap/piece_outlines.h"
+#include "coordinator/plan/overlap/tile_in_area.h"
+#include "coordinator/plan/rim/rim.h"
 
 namespace tilemend {
 namespace {
+
+using Ring = std::vector<Point2>;
 
 // Ends of surface of two tiles, this near by the length of the shorter of their edges, are put in one place: an edge
 // between them would be too short beside the others.
@@ -38,21 +43,15 @@ struct OwnedEnd {
 
 class Joiner {
  public:
-  Joiner(const PlanInput& input, const GridLines& own, double lattice_step, JointTiles& joint)
-      : input_(input), own_(own), lattice_step_(lattice_step), joint_(joint) {}
+  Joiner(const PlanInput& input, const GridLines& own, double lattice_step, const std::vector<Ring>& area_rings,
+         JointTiles& joint)
+      : input_(input), own_(own), lattice_step_(lattice_step), area_rings_(area_rings), joint_(joint) {}
 
   void Run() {
     joint_.input = input_;
+    joint_.input.area = {};
     MakeLines();
-    for (const auto& [cell, record] : input_.cells) {
-      if (record == nullptr) continue;
-      const std::vector<bool> on_piece_outline = FindPieceOutlines(*record, own_.piece_reach);
-      clipped_[cell] = ClipTile(*record, on_piece_outline, joint_.squares.at(cell));
-      joint_.cut[cell] = clipped_[cell].cut;
-      std::vector<bool>& chain = joint_.chain[cell] = clipped_[cell].cut;
-      for (size_t e = 0; e < chain.size(); ++e) chain[e] = chain[e] && !on_piece_outline[e];
-      AverageCorners(cell);
-    }
+    for (const auto& [cell, record] : input_.cells) Clip(cell, record);
     std::set<Border> borders;
     for (const auto& [cell, clipped] : clipped_) {
       for (const Side s : kSides) borders.insert(BorderOf(cell, s));
@@ -80,14 +79,61 @@ class Joiner {
     }
   }
 
+  void Clip(CellId cell, const SurveyRecord* tile) {
+    const AreaOutside outside = OutsideOf(cell);
+    if (tile == nullptr && outside.empty()) return;
+    const SurveyRecord& record = tile != nullptr ? *tile : kNoTile;
+    const std::vector<bool> on_piece_outline = FindPieceOutlines(record, own_.piece_reach);
+    ClippedTile& clipped = clipped_[cell] = ClipTile(record, on_piece_outline, joint_.squares.at(cell), outside);
+    std::vector<bool> chain = clipped.cut;
+    for (size_t e = 0; e < chain.size(); ++e) chain[e] = chain[e] && !on_piece_outline[e];
+    AverageCorners(cell, record);
+    if (outside.empty()) {
+      joint_.own[cell] = tile;
+      joint_.cut[cell] = clipped.cut;
+      joint_.chain[cell] = std::move(chain);
+    } else {
+      TakeArea(cell, record, outside, chain);
+    }
+  }
+
+  AreaOutside OutsideOf(CellId cell) const {
+    if (area_rings_.empty()) return {};
+    std::array<double, 4> box;
+    for (const Side s : kSides) {
+      const double line = joint_.squares.at(cell).side[s], outline = own_.At(cell, s);
+      box[s] = OutwardOf(s) > 0 ? std::max(line, outline) : std::min(line, outline);
+    }
+    return OutsideIn(area_rings_, box, lattice_step_);
+  }
+
+  // The tile's own boundary becomes that of its part inside the area.
+  void TakeArea(CellId cell, const SurveyRecord& record, const AreaOutside& outside, const std::vector<bool>& chain) {
+    ClippedTile& clipped = clipped_.at(cell);
+    TileInArea tile = TakeInArea(record, clipped.cut, outside);
+    std::vector<bool>&cut = joint_.cut[cell], &in_chain = joint_.chain[cell];
+    cut.assign(tile.record.edges.size(), true);
+    in_chain.assign(tile.record.edges.size(), true);
+    for (size_t e = 0; e < tile.edge_of.size(); ++e) {
+      if (tile.edge_of[e] < 0) continue;
+      cut[tile.edge_of[e]] = clipped.cut[e];
+      in_chain[tile.edge_of[e]] = chain[e];
+    }
+    for (ClipVertex& v : clipped.vertices) {
+      for (int32_t& e : v.through) e = tile.edge_of[e];
+      std::erase(v.through, -1);
+    }
+    joint_.own[cell] = &(joint_.in_area[cell] = std::move(tile.record));
+  }
+
   // The south-west corner of a cell stands for its place.
   static CellId CornerOf(CellId cell, const std::array<Side, 2>& sides) {
     return {cell.col + (sides[0] == kEast), cell.row + (sides[1] == kNorth)};
   }
 
-  void AverageCorners(CellId cell) {
+  void AverageCorners(CellId cell, const SurveyRecord& tile) {
     const ClipSquare& square = joint_.squares.at(cell);
-    for (const BoundaryVertex& v : input_.cells.at(cell)->vertices) {
+    for (const BoundaryVertex& v : tile.vertices) {
       for (const Side x : {kWest, kEast}) {
         for (const Side y : {kSouth, kNorth}) {
           if (!square.Beyond(v.position, x) || !square.Beyond(v.position, y)) continue;
@@ -100,7 +146,7 @@ class Joiner {
   }
 
   void MakeRecord(CellId cell, const ClippedTile& clipped) {
-    const SurveyRecord& own = *input_.cells.at(cell);
+    const SurveyRecord& own = *joint_.own.at(cell);
     SurveyRecord& record = joint_.records[cell];
     record.vertex_count = own.vertex_count;
     record.triangle_count = own.triangle_count;
@@ -109,7 +155,9 @@ class Joiner {
     record.vertices = own.vertices;
     joint_.edges_through[cell];
     for (const ClipVertex& v : clipped.vertices) AddVertex(cell, v.position, v.through);
-    for (const DirectedEdge& e : clipped.inner) record.edges.push_back({e.from, e.to});
+    for (size_t i = 0; i < clipped.inner.size(); ++i) {
+      record.edges.push_back({clipped.inner[i].from, clipped.inner[i].to, clipped.on_area_edge[i] ? kAreaPiece : 0});
+    }
   }
 
   int32_t AddVertex(CellId cell, const Point3& position, std::vector<int32_t> through) {
@@ -200,6 +248,9 @@ class Joiner {
     for (const ClipVertex& v : clipped->vertices) {
       if (v.position[AxisOf(side)] == line) coverage.crossing.emplace(v.position[1 - AxisOf(side)], v.position.z());
     }
+    for (const BoundaryVertex& v : joint_.own.at(TileOf(border, tile))->vertices) {
+      if (v.index < 0 && v.position[AxisOf(side)] == line) coverage.crossing[v.position[1 - AxisOf(side)]] = 0;
+    }
     return coverage;
   }
 
@@ -244,6 +295,7 @@ class Joiner {
       const auto it = corner_height_.find(
           CornerOf(tile, AxisOf(side) == 0 ? std::array<Side, 2>{side, end} : std::array<Side, 2>{end, side}));
       if (it != corner_height_.end()) return {t, it->second.first / it->second.second};
+      if (!area_rings_.empty()) return {t, 0};  // outside the area
     }
     for (const int k : {owner, 1 - owner}) {
       if (const auto it = of[k].crossing.find(t); it != of[k].crossing.end()) return {t, it->second};
@@ -275,9 +327,12 @@ class Joiner {
     }
   }
 
+  inline static const SurveyRecord kNoTile;
+
   const PlanInput& input_;
   const GridLines& own_;
   const double lattice_step_;
+  const std::vector<Ring>& area_rings_;
   JointTiles& joint_;
   std::map<CellId, ClippedTile> clipped_;
   std::map<CellId, std::pair<double, int>> corner_height_;  // by the cell north-east of it: sum and count
@@ -285,9 +340,10 @@ class Joiner {
 
 }  // namespace
 
-JointTiles JoinTiles(const PlanInput& input, const GridLines& own, double lattice_step) {
+JointTiles JoinTiles(const PlanInput& input, const GridLines& own, double lattice_step,
+                     const std::vector<Ring>& area_rings) {
   JointTiles joint;
-  Joiner(input, own, lattice_step, joint).Run();
+  Joiner(input, own, lattice_step, area_rings, joint).Run();
   return joint;
 }
 

@@ -144,11 +144,10 @@ class Walker {
       if (!walk_.on_outline[e]) continue;
       const BoundaryEdge& edge = record_.edges[e];
       const Side side = *SideOf(edge);
-      const double a = outline_.PlaceOf(record_.vertices[edge.from].position, side);
-      double b = outline_.PlaceOf(record_.vertices[edge.to].position, side);
-      if (side == kWest && b == 0) b = outline_.Length();
-      ++step[a];
-      --step[b];
+      for (const auto& [v, more] : {std::pair(edge.from, 1), std::pair(edge.to, -1)}) {
+        const double place = outline_.PlaceOf(record_.vertices[v].position, side);
+        step[side == kWest && place == 0 ? outline_.Length() : place] += more;
+      }
     }
     int layers = 0;
     for (auto it = step.begin(); it != step.end(); ++it) {

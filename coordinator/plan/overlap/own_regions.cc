@@ -10,6 +10,7 @@
 #include "common/mesh/rounding.h"
 #include "coordinator/plan/overlap/chain_groups.h"
 #include "coordinator/plan/overlap/outline_walk.h"
+#include "coordinator/plan/rim/rim.h"
 
 namespace tilemend {
 namespace {
@@ -44,10 +45,15 @@ void Absorb(PlannedHole& part, PlannedHole& hole) {
 // The regions of one cell.
 class CellRegions {
  public:
-  CellRegions(CellId cell, const SurveyRecord* record, const GridLines& own, const JointTiles& joint, Plan& plan)
-      : cell_(cell), record_(record != nullptr ? *record : kEmpty), square_(joint.squares.at(cell)), plan_(plan) {
+  CellRegions(CellId cell, const GridLines& own, const JointTiles& joint, const std::vector<bool>& in_picture,
+              Plan& plan)
+      : cell_(cell),
+        record_(joint.own.contains(cell) ? *joint.own.at(cell) : kEmpty),
+        square_(joint.squares.at(cell)),
+        in_picture_(in_picture),
+        plan_(plan) {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
-    if (record == nullptr) {
+    if (!joint.own.contains(cell)) {
       walk_ = WalkOutline(record_, chain_, outline_, own.piece_reach);
       return;
     }
@@ -73,9 +79,7 @@ class CellRegions {
       for (size_t i = 1; i < members.holes.size(); ++i) Absorb(plan_.holes[members.holes[i]], first);
       std::vector<RimSegment> region = WholeSegments(first);
       const size_t whole = region.size();
-      for (const int32_t e : members.edges) {
-        AddRim(PlanVertexOf(record_.edges[e].to), PlanVertexOf(record_.edges[e].from), region);
-      }
+      for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
       const std::vector<LineVertex> line = LineVertices(first);
       for (const OutlineGap& gap : members.gaps) AddGap(gap, line, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
@@ -111,12 +115,12 @@ class CellRegions {
   // The edges of the tile's chains that a segment of the plan is, or is a part of.
   std::vector<int32_t> EdgesOf(const RimSegment& s) const {
     std::vector<int32_t> edges;
-    if (s.seam) return edges;
     const auto from = own_vertex_.find(s.from), to = own_vertex_.find(s.to);
     if (from != own_vertex_.end() && to != own_vertex_.end()) {
       const auto it = edge_.find({to->second, from->second});
       if (it != edge_.end() && IsChain(it->second)) edges.push_back(it->second);
     }
+    if (s.seam) return edges;
     for (const int32_t v : {s.from, s.to}) {
       const auto it = through_.find(v);
       if (it == through_.end()) continue;
@@ -171,6 +175,27 @@ class CellRegions {
   }
 
   int32_t PlanVertexOf(int32_t own) const { return plan_.vertex_of_boundary.at(cell_)[own]; }
+
+  void AddEdge(const BoundaryEdge& e, const PlannedHole& hole, std::vector<RimSegment>& region) {
+    const int32_t a = PlanVertexOf(e.to), b = PlanVertexOf(e.from);
+    if (e.piece != kAreaPiece) return AddRim(a, b, region);
+    for (const int32_t v : {a, b}) FollowPicture(v, hole);
+    region.push_back({a, b, true});
+  }
+
+  // A vertex on the area's edge that no tile has inside its cell follows the nearest of the hole.
+  void FollowPicture(int32_t v, const PlannedHole& hole) {
+    PlanVertex& vertex = plan_.vertices[v];
+    if (vertex.index >= 0 || vertex.follows >= 0 || in_picture_[v]) return;
+    const auto distance = [&](int32_t w) {
+      return (plan_.vertices[w].position - vertex.position).head<2>().squaredNorm();
+    };
+    const RimSegment nearest = *std::min_element(
+        hole.segments.begin(), hole.segments.end(),
+        [&](const RimSegment& s, const RimSegment& t) { return distance(s.from) < distance(t.from); });
+    vertex.follows = nearest.from;
+    vertex.size = plan_.vertices[nearest.from].size;
+  }
 
   void AddRim(int32_t a, int32_t b, std::vector<RimSegment>& region) {
     region.push_back({a, b, false});
@@ -306,6 +331,7 @@ class CellRegions {
   const CellId cell_;
   const SurveyRecord& record_;
   const ClipSquare& square_;
+  const std::vector<bool>& in_picture_;  // of each plan vertex of the joint tiles: whether it bounds a hole
   Plan& plan_;
   Outline outline_;
   std::vector<bool> cut_, chain_;  // as in JointTiles
@@ -320,16 +346,15 @@ class CellRegions {
 
 void LayOwnRegions(const PlanInput& input, const GridLines& own, const JointTiles& joint, Plan& plan) {
   std::map<CellId, std::vector<size_t>> holes;
+  std::vector<bool> in_picture(plan.vertices.size(), false);
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     if (plan.holes[h].failure.empty()) holes[plan.holes[h].cell].push_back(h);
+    for (const RimSegment& s : plan.holes[h].segments) in_picture[s.from] = in_picture[s.to] = true;
   }
-  for (const auto& [cell, of_cell] : holes) {
-    CellRegions(cell, input.cells.at(cell), own, joint, plan).Lay(of_cell);
-  }
+  for (const auto& [cell, of_cell] : holes) CellRegions(cell, own, joint, in_picture, plan).Lay(of_cell);
   std::erase_if(plan.holes, [](const PlannedHole& hole) { return hole.segments.empty(); });
-  for (auto& [cell, vertices] : plan.vertex_of_boundary) {
-    if (const SurveyRecord* record = input.cells.at(cell)) vertices.resize(record->vertices.size());
-  }
+  std::erase_if(plan.vertex_of_boundary, [&](const auto& of) { return input.cells.at(of.first) == nullptr; });
+  for (auto& [cell, vertices] : plan.vertex_of_boundary) vertices.resize(input.cells.at(cell)->vertices.size());
 }
 
 }  // namespace tilemend

@@ -31,7 +31,9 @@ void CollectEdges(const PlanInput& input, Rim& rim) {
       }
       number.push_back(n);
     }
-    for (const BoundaryEdge& e : record->edges) rim.edges.push_back({number[e.from], number[e.to], cell});
+    for (const BoundaryEdge& e : record->edges) {
+      rim.edges.push_back({number[e.from], number[e.to], cell, e.piece == kAreaPiece});
+    }
   }
 }
 

@@ -12,6 +12,9 @@
 
 namespace tilemend {
 
+// BoundaryEdge::piece of an edge along the edge of an area polygon. Its new vertices have BoundaryVertex::index -1.
+inline constexpr int32_t kAreaPiece = -1;
+
 struct RimPoint {
   CellId tile;        // of the first tile (by cell) that has it
   int32_t index = 0;  // -1: a new vertex on the edge of the area (seam/area_edge.h), without a height

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <optional>
-#include <set>
+#include <tuple>
 #include <utility>
 
 #include "absl/strings/str_format.h"
-#include "common/mesh/rounding.h"
 #include "common/mesh/segment_distance.h"
+#include "coordinator/plan/seam/area_ring.h"
 #include "coordinator/plan/seam/seam_path.h"
-#include "coordinator/plan/seam/seam_vertices.h"
 
 namespace tilemend {
 namespace {
@@ -20,16 +17,6 @@ namespace {
 using Ring = std::vector<Point2>;
 
 constexpr double kHair = 1e-6;  // metres: a point this far beside an edge tells its sides apart
-// Of the wanted edge length: new vertices nearer than this to the rim or the vertex before are left out.
-constexpr double kClearance = 0.3;
-constexpr double kClearanceOfCorners = 0.1;  // of the polygon
-
-// Where a new vertex may be.
-struct Place {
-  Point2 position;
-  bool corner = false;  // of the polygon
-};
-
 // A place on the polygon: the ring and how far along it, in its segments.
 struct RingPlace {
   size_t ring = 0;
@@ -45,14 +32,9 @@ struct Passing {
 
 class AreaCutter {
  public:
-  AreaCutter(const SeamSite& site, const PlanInput& input) : site_(site), input_(input), rings_(input.area.rings) {
-    for (Ring& ring : rings_) OrientRing(ring);
+  AreaCutter(const SeamSite& site, const PlanInput& input)
+      : site_(site), input_(input), spacer_(site), rings_(OrientedRings(input.area)) {
     result_.rim = site.rim;
-    for (const auto& [side, line] : site.lines.coordinate) {
-      const auto [cell, s] = side;
-      const int axis = AxisOf(static_cast<Side>(s));
-      grid_lines_.insert({axis, line});
-    }
   }
 
   AreaCut Run() {
@@ -78,17 +60,6 @@ class AreaCutter {
   }
 
   static const Point2& After(const Ring& ring, size_t i) { return ring[(i + 1) % ring.size()]; }
-
-  // Turns a ring so that it has the inside of the polygon on its right, as a rim has a hole.
-  void OrientRing(Ring& ring) const {
-    size_t longest = 0;
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const double length = (After(ring, i) - ring[i]).norm();
-      if (length > (After(ring, longest) - ring[longest]).norm()) longest = i;
-    }
-    const Point2 &a = ring[longest], &b = After(ring, longest);
-    if (!Contains(input_.area, (a + b) / 2 + kHair * RightOf(a, b))) std::reverse(ring.begin(), ring.end());
-  }
 
   // Whether an oriented ring has the outside within.
   static bool TakesAway(const Ring& ring) {
@@ -244,75 +215,24 @@ class AreaCutter {
     std::vector<Point2> corners = {at(begin)};
     for (double t = std::floor(begin) + 1; t < end; ++t) corners.push_back(at(t));
     corners.push_back(at(end));
-    std::vector<Place> places;
-    for (size_t i = 0; i + 1 < corners.size(); ++i) {
-      if (i > 0) places.push_back({corners[i], true});
-      const std::vector<Point2> knots = AtGridLines(corners[i], corners[i + 1]);
-      for (size_t k = 0; k + 1 < knots.size(); ++k) {
-        if (k > 0) places.push_back({knots[k]});
-        for (const Point2& p : SpacedBetween(site_, knots[k], knots[k + 1])) places.push_back({p});
-      }
-    }
-    return Number(places);
-  }
-
-  // The ends of a segment, and where it crosses grid lines between, in order.
-  std::vector<Point2> AtGridLines(const Point2& a, const Point2& b) const {
-    std::map<double, Point2> crossings;
-    for (const auto& [axis, line] : grid_lines_) {
-      const double t = (line - a[axis]) / (b[axis] - a[axis]);
-      if (!(t > 0 && t < 1)) continue;
-      Point2 p = a + t * (b - a);
-      p[axis] = line;
-      crossings.emplace(t, p);
-    }
-    std::vector<Point2> knots = {a};
-    for (const auto& [t, p] : crossings) knots.push_back(p);
-    knots.push_back(b);
-    return knots;
-  }
-
-  // A place on a grid line is never left out for one that is on none.
-  std::vector<int32_t> Number(const std::vector<Place>& places) {
     std::vector<int32_t> numbers;
-    for (const Place& place : places) {
-      const Point2 p = OnLattice(place.position);
-      const double size = SeamSizeAt(site_, p), clearance = size * (place.corner ? kClearanceOfCorners : kClearance);
-      const bool on_line = OnGridLine(p);
-      if (!numbers.empty() && (PositionOf(numbers.back()) - p).norm() < clearance) {
-        if (!on_line || OnGridLine(PositionOf(numbers.back()))) continue;
-        numbers.pop_back();
-      }
-      if (!on_line && site_.index.Distance(p, size) < clearance) continue;
+    for (const RingVertex& v : spacer_.Along(corners)) {
       RimPoint point;
       point.index = -1;
-      point.position = Point3(p.x(), p.y(), 0);
-      point.size = size;
+      point.position = Point3(v.position.x(), v.position.y(), 0);
+      point.size = v.size;
       numbers.push_back(static_cast<int32_t>(result_.rim.points.size()));
       result_.rim.points.push_back(point);
     }
     return numbers;
   }
 
-  bool OnGridLine(const Point2& p) const {
-    return grid_lines_.contains({0, p.x()}) || grid_lines_.contains({1, p.y()});
-  }
-
-  // On the lattice, but on a grid line where it lies.
-  Point2 OnLattice(const Point2& p) const {
-    Point2 rounded;
-    for (const int axis : {0, 1}) {
-      rounded[axis] = grid_lines_.contains({axis, p[axis]}) ? p[axis] : RoundedToLattice(p[axis], site_.lattice_step);
-    }
-    return rounded;
-  }
-
   const SeamSite& site_;
   const PlanInput& input_;
-  std::vector<Ring> rings_;
-  std::set<std::pair<int, double>> grid_lines_;  // axis and coordinate
-  std::vector<bool> keeps_;                      // by rim edge
-  std::vector<std::vector<Passing>> passings_;   // by ring
+  const RingSpacer spacer_;
+  const std::vector<Ring> rings_;
+  std::vector<bool> keeps_;                     // by rim edge
+  std::vector<std::vector<Passing>> passings_;  // by ring
   std::vector<RimEdge> chains_;
   AreaCut result_;
 };

@@ -127,6 +127,50 @@ TEST(HoldTogetherTest, HolesThatAChainHoldsTogetherAreOne) {
   EXPECT_THAT(plan.holes[0].own_regions, SizeIs(1));
 }
 
+Plan PlanIn(const SurveyedScene& scene, std::vector<Point2> ring) {
+  PlanInput input = scene.Input();
+  input.area.rings = {std::move(ring)};
+  return MakePlan(input, {});
+}
+
+TEST_P(OwnRegionsTest, EndAtTheAreaWhateverTheMargin) {
+  const double margin = GetParam();
+  for (const int pieces : {1, 2}) {
+    // It cuts the river off in the west and the lake in the north-east cell.
+    const Plan plan =
+        PlanIn(OverlappingScene(kWaters, 10, margin, pieces), {{1.6, 1}, {19, 1}, {19, 11.4}, {1.6, 11.4}});
+    const std::vector<Point3> positions = Positions(plan);
+    double area = 0;
+    for (const PlannedHole& hole : plan.holes) {
+      EXPECT_EQ(hole.failure, "");
+      for (const auto& region : hole.own_regions) area += AreaOf(region, positions);
+    }
+    for (const PlanVertex& v : plan.vertices) {
+      if (v.index >= 0 || v.follows < 0) continue;
+      EXPECT_GT(v.position.x(), 1.5);
+      EXPECT_LT(v.position.y(), 11.5);
+    }
+    // Up to a metre more where an edge crosses the area's.
+    EXPECT_NEAR(area, 5 * (11.4 - 7) + 2 * (19 - 1.6), 3 + 40 * std::abs(margin)) << pieces;
+  }
+}
+
+TEST_P(OwnRegionsTest, OfACellWithoutTileEndAtTheArea) {
+  SurveyedScene scene = OverlappingScene(kWaters, 10, GetParam());
+  scene.tiles.at({0, 0}) = {};
+  scene = SurveyScene(scene.grid, scene.tiles);
+  const Plan plan = PlanIn(scene, {{4, 4}, {19, 4}, {19, 19}, {4, 19}});
+  const std::vector<Point3> positions = Positions(plan);
+  double area = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    EXPECT_EQ(hole.failure, "");
+    if (hole.cell == CellId{0, 0}) {
+      for (const auto& region : hole.own_regions) area += AreaOf(region, positions);
+    }
+  }
+  EXPECT_NEAR(area, (6 + GetParam()) * (6 + GetParam()), 0.1);
+}
+
 TEST_P(OwnRegionsTest, Close) {
   for (const int pieces : {1, 2}) {
     const Plan plan = PlanOf(OverlappingScene(kWaters, 10, GetParam(), pieces));

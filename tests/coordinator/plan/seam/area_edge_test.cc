@@ -114,21 +114,6 @@ TEST(CutByAreaTest, FillsWhatHasNoSurfaceUpToThePolygonAndTheRimOfTheCells) {
 }
 
 // Two tiles that end 0.25 m beyond their cells of 100 m, the western one with a hole.
-TEST(CutByAreaTest, FillsNothingWhereTilesOverlap) {
-  std::map<CellId, TriMesh> tiles;
-  for (const int32_t col : {0, 1}) {
-    const auto kept = [&](int32_t x, int32_t y) { return col == 1 || x != 10 || y != 10; };
-    tiles[{col, 0}] = Moved(SquaresMesh(0, 25, 0, 25, kept),
-                            [&](const Point3& p) { return Point3(p * 4.02 + Point3(100 * col - 0.25, -0.25, 0)); });
-  }
-  Grid grid;
-  grid.cell_size = Point2(100, 100);
-  const Plan plan = PlanIn(SurveyScene(grid, tiles), {Box(10, 10, 190, 90)});
-  ASSERT_FALSE(plan.holes.empty());
-  for (const PlannedHole& hole : plan.holes) EXPECT_THAT(hole.failure, testing::HasSubstr("where tiles overlap"));
-  EXPECT_THAT(plan.left, testing::Not(testing::IsEmpty()));
-}
-
 TEST(CutByAreaTest, PlansTheSameForThePolygonOfTheCells) {
   const Picture lake = {"####|####", "##..|.###", "##..|.###", "####|##.."};
   const Plan cells = PlanOf(PictureScene(lake, 4)), polygon = PlanIn(PictureScene(lake, 4), {Box(0, 0, 8, 4)});

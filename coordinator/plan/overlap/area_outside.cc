@@ -1,0 +1,118 @@
+#include "coordinator/plan/overlap/area_outside.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "common/mesh/rounding.h"
+#include "coordinator/plan/seam/area_ring.h"
+#include "coordinator/plan/types/cell_side.h"
+
+namespace tilemend {
+namespace {
+
+using Ring = std::vector<Point2>;
+
+constexpr double kHair = 1e-6;   // of a segment: the line round a ring begins so far before its first point
+constexpr double kInBox = 1e-6;  // metres: what is so far inside its side lies in the box
+
+Ring Closed(const Ring& ring) {
+  const Point2 before = ring[0] + kHair * (ring.back() - ring[0]);
+  Ring line = {before};
+  line.insert(line.end(), ring.begin(), ring.end());
+  line.push_back(before);
+  return line;
+}
+
+// What of a ring lies inside one side of a box; along the side it closes (Sutherland and Hodgman 1974).
+Ring Inside(const Ring& ring, Side side, double line, double lattice_step) {
+  const int axis = AxisOf(side);
+  const auto out = [&](const Point2& p) { return (p[axis] - line) * OutwardOf(side); };
+  Ring inside;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (out(a) <= 0) inside.push_back(a);
+    if (out(a) * out(b) >= 0) continue;
+    Point2 p = a + (line - a[axis]) / (b[axis] - a[axis]) * (b - a);
+    p[axis] = line;
+    p[1 - axis] = std::clamp(RoundedToLattice(p[1 - axis], lattice_step), std::min(a[1 - axis], b[1 - axis]),
+                             std::max(a[1 - axis], b[1 - axis]));
+    inside.push_back(p);
+  }
+  return inside;
+}
+
+// Numbers points, equal ones once, and drops edges that run to and fro.
+class OutsideBuilder {
+ public:
+  explicit OutsideBuilder(AreaOutside& outside) : outside_(outside) {}
+
+  void AddRing(const Ring& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const int32_t a = NumberOf(ring[i]), b = NumberOf(ring[(i + 1) % ring.size()]);
+      if (a != b) outside_.edges.push_back({a, b});
+    }
+  }
+
+ private:
+  int32_t NumberOf(const Point2& p) {
+    const auto [it, fresh] = number_.try_emplace({p.x(), p.y()}, static_cast<int32_t>(outside_.points.size()));
+    if (fresh) outside_.points.push_back(p);
+    return it->second;
+  }
+
+  AreaOutside& outside_;
+  std::map<std::pair<double, double>, int32_t> number_;
+};
+
+bool IsWholeBox(const Ring& ring, const std::array<double, 4>& box) {
+  return std::all_of(ring.begin(), ring.end(), [&](const Point2& p) {
+    return (p.x() == box[kWest] || p.x() == box[kEast]) && (p.y() == box[kSouth] || p.y() == box[kNorth]);
+  });
+}
+
+}  // namespace
+
+std::vector<Ring> SpacedRings(const SeamSite& site, const PlanInput& input) {
+  const RingSpacer spacer(site);
+  std::vector<Ring> rings;
+  for (const Ring& ring : OrientedRings(input.area)) {
+    Ring& spaced = rings.emplace_back();
+    for (const RingVertex& v : spacer.Along(Closed(ring))) spaced.push_back(v.position);
+    if (spaced.size() < 3) rings.pop_back();
+  }
+  return rings;
+}
+
+bool AreaOutside::Contains(const Point2& at) const {
+  if (empty()) return false;
+  Point2 p;
+  for (const int axis : {0, 1}) p[axis] = std::clamp(at[axis], box[2 * axis] + kInBox, box[2 * axis + 1] - kInBox);
+  int winding = 0;
+  for (const DirectedEdge& e : edges) {
+    const Point2 &a = points[e.from], &b = points[e.to];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    const bool up = b.y() > a.y();
+    const double turn = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    if (up && turn > 0) ++winding;
+    if (!up && turn < 0) --winding;
+  }
+  return winding > 0;
+}
+
+AreaOutside OutsideIn(const std::vector<Ring>& rings, const std::array<double, 4>& box, double lattice_step) {
+  AreaOutside outside{box, {}, {}};
+  std::vector<Ring> parts;
+  for (Ring ring : rings) {
+    for (const Side s : kSides) ring = Inside(ring, s, box[s], lattice_step);
+    if (ring.size() >= 3) parts.push_back(std::move(ring));
+  }
+  if (parts.size() == 1 && IsWholeBox(parts[0], box)) return outside;
+  OutsideBuilder builder(outside);
+  builder.AddRing(
+      {{box[kWest], box[kSouth]}, {box[kEast], box[kSouth]}, {box[kEast], box[kNorth]}, {box[kWest], box[kNorth]}});
+  for (const Ring& ring : parts) builder.AddRing(ring);
+  return outside;
+}
+
+}  // namespace tilemend

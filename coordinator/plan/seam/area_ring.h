@@ -1,0 +1,43 @@
+// The rings of an area's polygon, and the new vertices along them.
+#ifndef TILEMEND_COORDINATOR_PLAN_SEAM_AREA_RING_H_
+#define TILEMEND_COORDINATOR_PLAN_SEAM_AREA_RING_H_
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/plane_polygon.h"
+#include "coordinator/plan/seam/seam_site.h"
+
+namespace tilemend {
+
+// The rings of an area, each with the inside on its right, as a rim has a hole. Precondition: they do not cross.
+std::vector<std::vector<Point2>> OrientedRings(const PlanePolygon& area);
+
+struct RingVertex {
+  Point2 position;
+  double size = 0;  // the wanted edge length there
+};
+
+// Spaces new vertices along rings. The site must outlive it.
+class RingSpacer {
+ public:
+  explicit RingSpacer(const SeamSite& site);
+
+  // The vertices strictly between the ends of a line: at its corners, where it crosses grid lines, and between as far
+  // apart as the triangles there will be large. They are on the lattice, and none but those on grid lines is nearer
+  // than a fraction of that to the one before or to the rim. Cost as SeamSizeAt for each.
+  std::vector<RingVertex> Along(const std::vector<Point2>& line) const;
+
+ private:
+  std::vector<Point2> AtGridLines(const Point2& a, const Point2& b) const;
+  bool OnGridLine(const Point2& p) const;
+  Point2 OnLattice(const Point2& p) const;
+
+  const SeamSite& site_;
+  std::set<std::pair<int, double>> grid_lines_;  // axis and coordinate
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_SEAM_AREA_RING_H_

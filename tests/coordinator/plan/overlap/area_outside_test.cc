@@ -1,0 +1,75 @@
+#include "coordinator/plan/overlap/area_outside.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/seam_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using Ring = std::vector<Point2>;
+
+constexpr std::array<double, 4> kBox = {0, 10, 0, 10};
+constexpr double kStep = 0x1p-10;
+
+// As rims have it, the inside on the right.
+Ring Clockwise(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}; }
+
+double AreaOf(const AreaOutside& outside) {
+  double area = 0;
+  for (const DirectedEdge& e : outside.edges) {
+    const Point2 &a = outside.points[e.from], &b = outside.points[e.to];
+    area += (a.x() * b.y() - b.x() * a.y()) / 2;
+  }
+  return area;
+}
+
+TEST(OutsideInTest, IsNothingWhereTheAreaHoldsTheBox) {
+  EXPECT_THAT(OutsideIn({Clockwise(-1, -1, 11, 11)}, kBox, kStep).edges, IsEmpty());
+  EXPECT_THAT(OutsideIn({Clockwise(0, 0, 10, 10)}, kBox, kStep).edges, IsEmpty());
+}
+
+TEST(OutsideInTest, IsTheBoxWhereTheAreaIsElsewhere) {
+  EXPECT_EQ(AreaOf(OutsideIn({Clockwise(20, 0, 30, 10)}, kBox, kStep)), 100);
+}
+
+TEST(OutsideInTest, WindsAroundWhatIsOutside) {
+  const AreaOutside outside = OutsideIn({Clockwise(-5, -5, 4.5, 20)}, kBox, kStep);
+  EXPECT_EQ(AreaOf(outside), 55);
+  EXPECT_TRUE(outside.Contains({5, 5}));
+  EXPECT_FALSE(outside.Contains({4, 5}));
+}
+
+TEST(OutsideInTest, HolesOfAnAreaAreOutside) {
+  Ring hole = Clockwise(4, 4, 6, 6);
+  std::reverse(hole.begin(), hole.end());
+  const AreaOutside outside = OutsideIn({Clockwise(1, 1, 9, 9), hole}, kBox, kStep);
+  EXPECT_EQ(AreaOf(outside), 100 - 64 + 4);
+  EXPECT_TRUE(outside.Contains({5, 5}));
+  EXPECT_FALSE(outside.Contains({3, 5}));
+}
+
+TEST(OutsideInTest, NewPointsLieOnTheBoxAndOnTheLattice) {
+  const AreaOutside outside = OutsideIn({{{3, -5}, {-2, 15}, {7, 15}}}, kBox, kStep);
+  for (const Point2& p : outside.points) {
+    EXPECT_TRUE(p.x() == 0 || p.x() == 10 || p.y() == 0 || p.y() == 10) << p.transpose();
+    EXPECT_EQ(p.x() / kStep, std::round(p.x() / kStep));
+    EXPECT_EQ(p.y() / kStep, std::round(p.y() / kStep));
+  }
+}
+
+TEST(SpacedRingsTest, FollowTheAreaRoundOnce) {
+  SeamScene s({"####", "#..#", "#..#", "####"}, 4);
+  s.input.area.rings = {{{0.5, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {0.5, 3.5}}};
+  const std::vector<Ring> rings = SpacedRings(s.Site(), s.input);
+  ASSERT_THAT(rings, SizeIs(1));
+  EXPECT_EQ(AreaOf(OutsideIn(rings, {0, 4, 0, 4}, kStep)), 16 - 9);
+}
+
+}  // namespace
+}  // namespace tilemend
