@@ -371,8 +371,7 @@ void CoordinatorImpl::Tick() {
   std::vector<std::unique_ptr<JobRunner>> ended;
   Lock lock(mutex_);
   const absl::Time now = options_.clock();
-  const std::vector<Event> overdue = now < patient_until_ ? std::vector<Event>() : state_.Overdue(now, options_.lease);
-  for (const Event& event : overdue) {
+  for (const Event& event : may_lose_ ? Overdue(state_, now, options_.lease) : std::vector<Event>()) {
     if (const auto* lost = std::get_if<WorkerLost>(&event)) ForgetWorker(lost->worker);
     Apply(event).IgnoreError();
   }
@@ -387,15 +386,13 @@ void CoordinatorImpl::Tick() {
 }
 
 void CoordinatorImpl::TickLoop() {
-  const auto interval = absl::ToChronoMilliseconds(std::min(options_.lease / 4, absl::Seconds(1)));
+  const absl::Duration interval = std::min(options_.lease / 4, absl::Seconds(1));
+  Patience patience(interval, options_.lease);
   Lock lock(mutex_);
   while (!stopping_) {
-    const absl::Time asleep = options_.clock();
-    stop_changed_.wait_for(lock, interval);
+    stop_changed_.wait_for(lock, absl::ToChronoMilliseconds(interval));
     if (stopping_) return;
-    // This process stood still itself: workers called in vain.
-    const absl::Time now = options_.clock();
-    if (now - asleep > absl::FromChrono(interval) + options_.lease / 4) patient_until_ = now + options_.lease;
+    may_lose_ = patience.IsOver(options_.clock());
     lock.unlock();
     Tick();
     lock.lock();

@@ -31,6 +31,8 @@
 #include "coordinator/service/result_checks.h"
 #include "coordinator/service/worker_trust.h"
 #include "coordinator/state/coordinator_state.h"
+#include "coordinator/state/patience.h"
+#include "coordinator/state/task_choice.h"
 #include "tilemend/v1/jobs.pb.h"
 #include "tilemend/v1/work.pb.h"
 
@@ -101,10 +103,10 @@ class CoordinatorImpl {
     Event event;  // TaskCompleted or TaskFailed
     std::optional<std::string> content;
     std::string refusal = {};  // why the result is not taken, for people; else empty
-    bool held = false;         // the worker held the task when its report came
+    bool held = false;         // the worker held the task when its report came; else nobody looked at the result
   };
   // What a worker holds.
-  struct Lease {
+  struct Holding {
     CellId cell;
     Stage stage;
     std::string input;  // digest
@@ -163,10 +165,10 @@ class CoordinatorImpl {
   // Without the lock: these look at results, and at files.
   std::vector<Report> PrepareReports(const v1::SyncRequest& request);
   Report PrepareReport(const std::string& worker, const v1::FinishedTask& finished);
-  void PrepareOutput(const std::string& worker, const Lease& lease, const v1::BlobRef& output, Report& report);
-  absl::Status CheckOutput(const Lease& lease, const v1::BlobRef& output) const;
+  void PrepareOutput(const std::string& worker, const Holding& lease, const v1::BlobRef& output, Report& report);
+  absl::Status CheckOutput(const Holding& lease, const v1::BlobRef& output) const;
   void FailJobsThatAreGone(const std::vector<std::string>& jobs);
-  std::optional<Lease> LeaseOf(const std::string& worker, const v1::TaskRef& ref);  // takes the lock
+  std::optional<Holding> HoldingOf(const std::string& worker, const v1::TaskRef& ref);  // takes the lock
 
   // Whether another process has called itself so.
   absl::Status CheckSecret(const v1::SyncRequest& request);
@@ -183,7 +185,7 @@ class CoordinatorImpl {
                          v1::SyncResponse& response);
   void TellState(const v1::SyncRequest& request, v1::SyncResponse& response);
   void TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const;
-  CoordinatorState::MayWork MayWork() const;
+  MayWork MayWorkNow() const;
   void LeaseTasks(const std::string& worker);
   std::map<std::string, std::shared_ptr<BlobFolder>> BlobsOf(const v1::SyncResponse& response);
   void InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs, v1::SyncResponse& response);
@@ -201,7 +203,7 @@ class CoordinatorImpl {
   std::condition_variable job_changed_;
   std::condition_variable stop_changed_;
   bool stopping_ = false;
-  absl::Time patient_until_ = absl::InfinitePast();  // nobody is lost before
+  bool may_lose_ = true;  // silent workers are to be taken for lost
   CoordinatorState state_;
   std::map<std::string, JobEntry> entries_;
   struct Caller {

@@ -1,6 +1,7 @@
 // The worker's side of CoordinatorImpl: Sync and blobs.
 #include <algorithm>
 #include <optional>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -55,9 +56,16 @@ bool IsMachineError(const absl::Status& status) {
 
 bool IsAboutFiles(const absl::Status& status) { return absl::IsNotFound(status) || absl::IsPermissionDenied(status); }
 
-v1::Task TaskMessage(const TaskKey& key, const Task& task) {
+// Of an attempt. Nobody is to guess it.
+uint64_t NewToken() {
+  std::random_device random;
+  const uint64_t token = static_cast<uint64_t>(random()) << 32 | random();
+  return token == 0 ? 1 : token;
+}
+
+v1::Task TaskMessage(const TaskKey& key, const Task& task, const Lease& lease) {
   v1::Task message;
-  *message.mutable_ref() = RefOf(key, task.token);
+  *message.mutable_ref() = RefOf(key, lease.token);
   message.mutable_cell()->set_col(task.cell.col);
   message.mutable_cell()->set_row(task.cell.row);
   message.set_stage(static_cast<v1::Stage>(task.stage));
@@ -153,35 +161,32 @@ CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const std::string& worker
   Report report{finished.ref(), static_cast<Stage>(finished.stage()), {}, std::nullopt};
   const TaskKey key = KeyOf(finished.ref());
   const uint64_t token = finished.ref().attempt_token();
-  const std::optional<Lease> lease = LeaseOf(worker, finished.ref());
+  const std::optional<Holding> lease = HoldingOf(worker, finished.ref());
   report.held = lease.has_value();
   if (finished.has_output()) {
-    report.event = TaskCompleted{key, token, DigestOf(finished.output())};
+    report.event = TaskCompleted{key, worker, token, DigestOf(finished.output()), {}};
     if (lease) PrepareOutput(worker, *lease, finished.output(), report);
     return report;
   }
   absl::Status error = StatusFromProto(finished.error());
   if (error.ok()) error = absl::UnknownError("the worker reported neither an output nor an error");
   const bool machine = IsMachineError(error);
-  report.event = TaskFailed{key, token, machine, std::move(error)};
+  report.event = TaskFailed{key, worker, token, machine, false, std::move(error), {}};
   return report;
 }
 
-std::optional<CoordinatorImpl::Lease> CoordinatorImpl::LeaseOf(const std::string& worker, const v1::TaskRef& ref) {
+std::optional<CoordinatorImpl::Holding> CoordinatorImpl::HoldingOf(const std::string& worker, const v1::TaskRef& ref) {
   Lock lock(mutex_);
   const Task* task = state_.FindTask(KeyOf(ref));
-  if (task == nullptr || task->state != TaskState::kLeased || task->token != ref.attempt_token() ||
-      task->worker != worker) {
-    return std::nullopt;
-  }
+  if (task == nullptr || FindLease(*task, worker, ref.attempt_token()) == nullptr) return std::nullopt;
   const JobEntry& entry = entries_.at(ref.job());
   if (entry.blobs == nullptr) return std::nullopt;
   const bool queue_full = entry.runner != nullptr && entry.runner->queued_bytes() > kMaxQueuedBytes;
-  return Lease{task->cell, task->stage, task->input, entry.blobs, queue_full};
+  return Holding{task->cell, task->stage, task->input, entry.blobs, queue_full};
 }
 
 // Puts down in the report what is to become of an output.
-void CoordinatorImpl::PrepareOutput(const std::string& worker, const Lease& lease, const v1::BlobRef& output,
+void CoordinatorImpl::PrepareOutput(const std::string& worker, const Holding& lease, const v1::BlobRef& output,
                                     Report& report) {
   const TaskKey key = KeyOf(report.ref);
   const uint64_t token = report.ref.attempt_token();
@@ -190,15 +195,15 @@ void CoordinatorImpl::PrepareOutput(const std::string& worker, const Lease& leas
         absl::StrCat("the result of worker ", Printable(worker), " for cell ", ToString(lease.cell), ", stage ",
                      std::string(StageName(lease.stage)), ", is wrong: ", std::string(status.message()));
     const absl::Status error = WithErrorInfo(absl::InternalError(report.refusal), {"RESULT_REFUSED", {}});
-    report.event = TaskFailed{key, token, true, error, DigestOf(output)};
+    report.event = TaskFailed{key, worker, token, true, false, error, {}, DigestOf(output)};
   } else if (!status.ok()) {
-    report.event = TaskFailed{key, token, true, absl::UnavailableError(status.message())};
+    report.event = TaskFailed{key, worker, token, true, false, absl::UnavailableError(status.message()), {}};
   } else if (IsInline(output) && !(lease.queue_full && lease.blobs->Put(output.content(), OutputSync()).ok())) {
     report.content = output.content();
   }
 }
 
-absl::Status CoordinatorImpl::CheckOutput(const Lease& lease, const v1::BlobRef& output) const {
+absl::Status CoordinatorImpl::CheckOutput(const Holding& lease, const v1::BlobRef& output) const {
   if (!IsInline(output) && !lease.blobs->Size(output.digest()).ok()) {
     return absl::UnavailableError(absl::StrCat("blob ", Printable(output.digest()), " did not arrive"));
   }
@@ -224,11 +229,16 @@ void CoordinatorImpl::TakeReports(const std::string& worker, std::vector<Report>
 // False if it comes too late, or from one that does not hold the task.
 bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
   const Task* task = state_.FindTask(KeyOf(report.ref));
-  if (task != nullptr && task->state == TaskState::kLeased && !report.held) return false;
+  if (!report.held && task != nullptr && task->state == TaskState::kLeased) return false;
   auto* failed = std::get_if<TaskFailed>(&report.event);
-  // A file that one machine cannot read another may.
-  if (failed != nullptr && task != nullptr && IsAboutFiles(failed->error)) {
-    failed->machine = state_.HasAnother(worker, *state_.FindJob(report.ref.job()), *task, MayWork());
+  if (failed != nullptr) {
+    failed->time = options_.clock();
+    failed->another =
+        task != nullptr && HasAnother(state_, worker, *state_.FindJob(report.ref.job()), *task, MayWorkNow());
+    // A file that one machine cannot read another may.
+    failed->machine = failed->machine || (failed->another && IsAboutFiles(failed->error));
+  } else {
+    std::get<TaskCompleted>(report.event).time = options_.clock();
   }
   const auto effects = Apply(report.event, {std::move(report.content)});
   if (!effects.ok()) return false;
@@ -266,10 +276,8 @@ void CoordinatorImpl::ForgetWorker(const std::string& worker) {
 void CoordinatorImpl::RenewHeld(const v1::SyncRequest& request) {
   const absl::Time deadline = options_.clock() + options_.lease;
   for (const v1::TaskRef& ref : request.held()) {
-    const Task* task = state_.FindTask(KeyOf(ref));
-    if (task == nullptr || task->worker != request.worker()) continue;
     // Fails if the lease was lost; TellState then leaves the task out.
-    Apply(LeaseRenewed{KeyOf(ref), ref.attempt_token(), deadline}).IgnoreError();
+    Apply(LeaseRenewed{KeyOf(ref), request.worker(), ref.attempt_token(), deadline}).IgnoreError();
   }
 }
 
@@ -311,14 +319,15 @@ void CoordinatorImpl::TellState(const v1::SyncRequest& request, v1::SyncResponse
   std::set<uint64_t> known;
   for (const v1::TaskRef& ref : request.held()) {
     const Task* task = state_.FindTask(KeyOf(ref));
-    if (task == nullptr || task->token != ref.attempt_token() || !worker->held.contains(KeyOf(ref))) continue;
+    if (task == nullptr || FindLease(*task, request.worker(), ref.attempt_token()) == nullptr) continue;
     known.insert(ref.attempt_token());
     *response.add_keep() = ref;
   }
   // Also what it was given before, if that answer was lost.
   for (const TaskKey& key : worker->held) {
     const Task& task = *state_.FindTask(key);
-    if (!known.contains(task.token)) *response.add_start() = TaskMessage(key, task);
+    const Lease& lease = *LeaseOf(task, request.worker());
+    if (!known.contains(lease.token)) *response.add_start() = TaskMessage(key, task, lease);
   }
 }
 
@@ -332,15 +341,15 @@ void CoordinatorImpl::TellToLook(const v1::SyncRequest& request, v1::SyncRespons
   }
 }
 
-CoordinatorState::MayWork CoordinatorImpl::MayWork() const {
+MayWork CoordinatorImpl::MayWorkNow() const {
   return [this](const std::string& worker, const std::string& job) { return trust_.MayWorkOn(worker, job); };
 }
 
 void CoordinatorImpl::LeaseTasks(const std::string& worker) {
   const absl::Time now = options_.clock();
-  for (const TaskKey& key : state_.ChooseTasks(worker, MayWork())) {
+  for (const TaskKey& key : ChooseTasks(state_, worker, now, MayWorkNow())) {
     const Stage stage = state_.FindTask(key)->stage;
-    if (Apply(TaskLeased{key, worker, state_.NextToken(), now, now + options_.lease}).ok()) metrics_.Started(stage);
+    if (Apply(TaskLeased{key, worker, NewToken(), now, now + options_.lease}).ok()) metrics_.Started(stage);
   }
 }
 

@@ -54,31 +54,38 @@ struct WorkerSeen {
   absl::Time time;
 };
 
+// Of a pending task, or a second attempt by another worker than the first.
 struct TaskLeased {
   TaskKey key;
   std::string worker;
-  uint64_t token = 0;  // larger than any before
+  uint64_t token = 0;  // random and not 0, so that nobody guesses it
   absl::Time time;
   absl::Time deadline;
 };
 
 struct LeaseRenewed {
   TaskKey key;
+  std::string worker;
   uint64_t token = 0;
   absl::Time deadline;
 };
 
 struct TaskCompleted {
   TaskKey key;
+  std::string worker;
   uint64_t token = 0;
   std::string output;  // digest of the output blob
+  absl::Time time;
 };
 
 struct TaskFailed {
   TaskKey key;
+  std::string worker;
   uint64_t token = 0;
   bool machine = false;  // the machine's failure, not the cell's: another attempt is worth it
+  bool another = false;  // there is a worker that may have it and has not given it back
   absl::Status error;    // not OK
+  absl::Time time;
   // The digest of a result that was refused, else empty: the worker's failure, unless another gives the same.
   std::string refused = {};
 };
@@ -86,6 +93,7 @@ struct TaskFailed {
 // The holder did not renew in time: as if the worker was lost, for this task alone.
 struct LeaseExpired {
   TaskKey key;
+  std::string worker;
   uint64_t token = 0;
 };
 
@@ -115,6 +123,11 @@ struct JobCancelled {
   absl::Time time;
 };
 
+// A job that is over is of interest to nobody any more.
+struct JobForgotten {
+  std::string job;
+};
+
 // `state` is kDone, kPartial or kFailed. kDone becomes kPartial if tasks were quarantined.
 struct JobFinished {
   std::string job;
@@ -122,9 +135,9 @@ struct JobFinished {
   absl::Time time;
 };
 
-using Event =
-    std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted, TaskFailed,
-                 LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned, JobCancelled, JobFinished>;
+using Event = std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted,
+                           TaskFailed, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned, JobCancelled,
+                           JobFinished, JobForgotten>;
 
 // A task that an event brought to its end. Every task of a job that is not cut short is settled exactly once.
 struct SettledTask {
@@ -139,7 +152,7 @@ struct SettledTask {
   absl::Time leased_at;  // of the attempt that settled it, unless known
 };
 
-// A task that goes back to pending because the worker that held it was lost.
+// A task that counts a worker that was lost with it, and is not settled.
 struct StruckTask {
   TaskKey key;
   CellId cell;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,24 +37,45 @@ enum class TaskState { kPending, kLeased, kCommitted, kFailed, kQuarantined };
 
 inline bool IsSettled(TaskState state) { return state != TaskState::kPending && state != TaskState::kLeased; }
 
+// One attempt that may still bring a result.
+struct Lease {
+  uint64_t token = 0;  // not 0
+  std::string worker;
+  absl::Time since;
+  absl::Time deadline;
+};
+
 struct Task {
   int64_t id = 0;  // 1, 2, ... within the job, in the order in which they were added
   CellId cell;
   Stage stage = Stage::kSurvey;
   std::string input;  // digest of the input blob
   TaskState state = TaskState::kPending;
-  int32_t attempts = 0;                        // leases so far
-  int32_t returns = 0;                         // attempts that the machine gave back with an error
-  std::set<std::string> returned_by;           // who gave it back so
-  int32_t losses = 0;                          // leases that ended because a worker was lost
-  std::vector<std::string> lost_workers;       // workers that were lost while they held it, each once
-  std::map<std::string, std::string> refused;  // digests of the results that were refused, by worker
-  // Of the present lease, or of the one that settled it:
-  uint64_t token = 0;
-  std::string worker;
-  absl::Time leased_at;
-  absl::Time deadline;
+  int32_t attempts = 0;                          // leases so far
+  int32_t returns = 0;                           // attempts that the machine gave back with an error
+  absl::Time not_before = absl::InfinitePast();  // when it may be given out again
+  std::set<std::string> returned_by;             // who gave it back so, or was lost with it
+  int32_t losses = 0;                            // leases that ended because a worker was lost
+  std::vector<std::string> lost_workers;         // workers that were lost while they held it, each once
+  std::map<std::string, std::string> refused;    // digests of the results that were refused, by worker
+  std::vector<Lease> leases;                     // kLeased: one, or two if the first takes long
+  std::optional<Lease> settled_by;               // the attempt that settled it, unless that was an earlier process
 };
+
+// Null if that attempt is no lease of the task.
+inline const Lease* FindLease(const Task& task, const std::string& worker, uint64_t token) {
+  for (const Lease& lease : task.leases) {
+    if (lease.token == token && lease.worker == worker) return &lease;
+  }
+  return nullptr;
+}
+// Null if the worker does not hold the task.
+inline const Lease* LeaseOf(const Task& task, const std::string& worker) {
+  for (const Lease& lease : task.leases) {
+    if (lease.worker == worker) return &lease;
+  }
+  return nullptr;
+}
 
 // Names a task everywhere in the coordinator.
 struct TaskKey {
@@ -68,9 +90,16 @@ struct TaskCounts {
   int64_t added = 0;
   int64_t pending = 0, leased = 0, committed = 0, failed = 0, quarantined = 0;  // sum is `added` while the job runs
   int64_t retried = 0;       // leases that were lost or given back and led to another
+  int64_t doubled = 0;       // second attempts beside one that took long
   int64_t refused_late = 0;  // results of attempts that had been given up
   int64_t settled() const { return committed + failed + quarantined; }
   bool operator==(const TaskCounts&) const = default;
+};
+
+// Of the tasks that were committed.
+struct StageTime {
+  int64_t tasks = 0;
+  absl::Duration total;
 };
 
 struct Job {
@@ -84,8 +113,10 @@ struct Job {
   Progress progress;
   std::vector<std::string> warnings;  // each once, at most kMostWarnings
   TaskCounts counts;
-  std::map<int64_t, Task> tasks;  // emptied when the job is over
-  std::set<int64_t> pending;      // ids of the tasks in state kPending
+  std::map<int64_t, Task> tasks;                   // emptied when the job is over
+  std::set<int64_t> pending;                       // ids of the tasks in state kPending
+  std::set<std::pair<absl::Time, int64_t>> alone;  // tasks with one lease, since when
+  std::map<Stage, StageTime> times;
 };
 
 struct WorkerRecord {
@@ -94,6 +125,8 @@ struct WorkerRecord {
   bool draining = false;
   absl::Time last_seen;
   std::set<TaskKey> held;
+  int32_t troubles = 0;                           // attempts that failed by its machine since one that did not
+  absl::Time rests_until = absl::InfinitePast();  // gets nothing before
 };
 
 }  // namespace tilemend

@@ -74,7 +74,7 @@ TEST_F(CoordinatorMetricsTest, ShowsJobsTasksAndWorkersOfTheState) {
   lease.key.job = std::string("a");
   lease.key.task = 1;
   lease.worker = std::string("w");
-  lease.token = state.NextToken();
+  lease.token = 1;
   lease.time = lease.deadline = now;
   const TaskSpec one{{0, 0}, Stage::kFill, "x"}, two{{1, 0}, Stage::kFill, "y"};
   const std::vector<Event> events = {JobCreated{"a", "", now}, TasksAdded{"a", {one, two}},

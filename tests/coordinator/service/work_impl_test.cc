@@ -68,7 +68,9 @@ TEST_F(WorkImplTest, RetriesAResultWhoseBlobNeverCame) {
   finished->mutable_output()->set_size(1'000'000);
   EXPECT_EQ(Sync(report).acknowledged_size(), 1);
   EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 0);
-  EXPECT_EQ(AwaitTask().attempt(), 2);
+  EXPECT_EQ(AwaitTask().ref().task(), 2) << "the first is to wait a little";
+  cluster_.clock().Advance(absl::Seconds(1));
+  EXPECT_EQ(AwaitTask("other").attempt(), 2);
 }
 
 TEST_F(WorkImplTest, LeasesNothingToAWorkerThatIsGone) {

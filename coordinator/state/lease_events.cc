@@ -1,0 +1,242 @@
+// What happens to tasks while workers have them.
+#include <algorithm>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "coordinator/state/coordinator_state.h"
+
+namespace tilemend {
+namespace {
+
+std::string Describe(const Task& task) {
+  return absl::StrCat("cell (", task.cell.col, ", ", task.cell.row, "), stage ", std::string(StageName(task.stage)));
+}
+
+absl::Status LateResult(const TaskKey& key) {
+  return WithErrorInfo(
+      absl::FailedPreconditionError(
+          absl::StrCat("jobs/", key.job, " task ", key.task, ": that attempt was given up, or is of another worker")),
+      {"LATE_RESULT", {{"job", key.job}, {"task", absl::StrCat(key.task)}}});
+}
+
+absl::Status UnknownWorker(const std::string& worker) {
+  return absl::InvalidArgumentError(absl::StrCat("worker ", worker, ": unknown"));
+}
+
+absl::Status Quarantined(const Task& task) {
+  const std::string text =
+      absl::StrCat(Describe(task), ": quarantined after ", task.lost_workers.size(),
+                   " workers were lost while they had it (", absl::StrJoin(task.lost_workers, ", "), ")");
+  return WithErrorInfo(absl::AbortedError(text), {"QUARANTINED",
+                                                  {{"cell", absl::StrCat(task.cell.col, ",", task.cell.row)},
+                                                   {"stage", std::string(StageName(task.stage))}}});
+}
+
+}  // namespace
+
+absl::StatusOr<Task*> CoordinatorState::LeasedTask(const TaskKey& key, const std::string& worker, uint64_t token) {
+  const auto job = jobs_.find(key.job);
+  if (job == jobs_.end()) return LateResult(key);
+  const auto task = job->second.tasks.find(key.task);
+  if (task == job->second.tasks.end() || FindLease(task->second, worker, token) == nullptr) return LateResult(key);
+  return &task->second;
+}
+
+absl::StatusOr<Task*> CoordinatorState::TaskForResult(const TaskKey& key, const std::string& worker, uint64_t token) {
+  const Task* known = FindTask(key);
+  const bool again = known != nullptr && known->settled_by && known->settled_by->token == token &&
+                     known->settled_by->worker == worker && known->state != TaskState::kQuarantined;
+  if (again) return nullptr;
+  absl::StatusOr<Task*> task = LeasedTask(key, worker, token);
+  if (const auto job = jobs_.find(key.job); !task.ok() && job != jobs_.end()) ++job->second.counts.refused_late;
+  return task;
+}
+
+void CoordinatorState::EndLease(Job& job, Task& task, const std::string& worker) {
+  if (const auto record = workers_.find(worker); record != workers_.end()) record->second.held.erase({job.id, task.id});
+  if (task.leases.size() == 1) job.alone.erase({task.leases.front().since, task.id});
+  std::erase_if(task.leases, [&](const Lease& lease) { return lease.worker == worker; });
+  if (task.leases.size() == 1) job.alone.insert({task.leases.front().since, task.id});
+}
+
+void CoordinatorState::EndLeases(Job& job, Task& task) {
+  while (!task.leases.empty()) EndLease(job, task, std::string(task.leases.back().worker));
+}
+
+void CoordinatorState::GiveUp(Job& job, Task& task, const std::string& worker, Effects& effects) {
+  EndLease(job, task, worker);
+  ++job.version;
+  if (!task.leases.empty()) return;
+  task.state = TaskState::kPending;
+  --job.counts.leased;
+  job.pending.insert(task.id);
+  ++job.counts.pending;
+  ++job.counts.retried;
+  effects.retried.push_back(task.stage);
+}
+
+void CoordinatorState::Settle(Job& job, Task& task, const std::string& worker, KnownResult result, Effects& effects) {
+  task.settled_by = *LeaseOf(task, worker);
+  EndLeases(job, task);
+  --job.counts.leased;
+  EnterResult(job, task, std::move(result), false, effects);
+}
+
+void CoordinatorState::EnterResult(Job& job, Task& task, KnownResult result, bool known, Effects& effects) {
+  task.state = result.state;
+  int64_t& count = task.state == TaskState::kCommitted ? job.counts.committed
+                   : task.state == TaskState::kFailed  ? job.counts.failed
+                                                       : job.counts.quarantined;
+  ++count;
+  ++job.version;
+  effects.settled.push_back({.key = {job.id, task.id},
+                             .cell = task.cell,
+                             .stage = task.stage,
+                             .input = std::exchange(task.input, {}),
+                             .state = task.state,
+                             .output = std::move(result.output),
+                             .error = std::move(result.error),
+                             .known = known,
+                             .leased_at = task.settled_by ? task.settled_by->since : absl::Time()});
+}
+
+void CoordinatorState::LoseLease(Job& job, Task& task, const std::string& worker, Effects& effects) {
+  std::vector<std::string>& lost = task.lost_workers;
+  if (std::find(lost.begin(), lost.end(), worker) == lost.end()) lost.push_back(worker);
+  ++task.losses;
+  if (static_cast<int32_t>(lost.size()) < options_.quarantine_after && task.losses < 3 * options_.quarantine_after) {
+    task.returned_by.insert(worker);
+    GiveUp(job, task, worker, effects);
+    effects.struck.push_back({{job.id, task.id}, task.cell, task.stage, task.input, task.lost_workers});
+    return;
+  }
+  Settle(job, task, worker, {TaskState::kQuarantined, "", Quarantined(task)}, effects);
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const TaskLeased& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.key.job));
+  const auto worker = workers_.find(event.worker);
+  if (worker == workers_.end()) return UnknownWorker(event.worker);
+  const auto found = job->tasks.find(event.key.task);
+  const bool is_second =
+      found != job->tasks.end() && found->second.leases.size() == 1 && LeaseOf(found->second, event.worker) == nullptr;
+  if (found == job->tasks.end() || (found->second.state != TaskState::kPending && !is_second)) {
+    return absl::InvalidArgumentError(absl::StrCat("jobs/", job->id, " task ", event.key.task, ": not pending"));
+  }
+  if (event.token == 0) return absl::InvalidArgumentError("an attempt needs a token that is not 0");
+  Task& task = found->second;
+  ++task.attempts;
+  if (is_second) {
+    ++job->counts.doubled;
+    job->alone.erase({task.leases.front().since, task.id});
+  } else {
+    task.state = TaskState::kLeased;
+    job->pending.erase(task.id);
+    --job->counts.pending;
+    ++job->counts.leased;
+    job->alone.insert({event.time, task.id});
+  }
+  task.leases.push_back({event.token, event.worker, event.time, event.deadline});
+  worker->second.held.insert(event.key);
+  ++job->version;
+  return Effects();
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const LeaseRenewed& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Task * task, LeasedTask(event.key, event.worker, event.token));
+  for (Lease& lease : task->leases) {
+    if (lease.worker == event.worker) lease.deadline = std::max(lease.deadline, event.deadline);
+  }
+  return Effects();
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const TaskCompleted& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Task * task, TaskForResult(event.key, event.worker, event.token));
+  Effects effects;
+  if (task == nullptr) return effects;
+  Job& job = jobs_.at(event.key.job);
+  StageTime& time = job.times[task->stage];
+  ++time.tasks;
+  time.total += std::max(event.time - LeaseOf(*task, event.worker)->since, absl::ZeroDuration());
+  if (const auto worker = workers_.find(event.worker); worker != workers_.end()) worker->second.troubles = 0;
+  Settle(job, *task, event.worker, {TaskState::kCommitted, event.output, absl::OkStatus()}, effects);
+  return effects;
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Task * task, TaskForResult(event.key, event.worker, event.token));
+  Effects effects;
+  if (task == nullptr) return effects;
+  Job& job = jobs_.at(event.key.job);
+  const bool has_failed =
+      !event.refused.empty() ? Refuse(*task, event.worker, event.refused) : !event.machine || Return(*task, event);
+  if (has_failed) {
+    Settle(job, *task, event.worker, {TaskState::kFailed, "", event.error}, effects);
+  } else {
+    GiveUp(job, *task, event.worker, effects);
+  }
+  return effects;
+}
+
+bool CoordinatorState::Return(Task& task, const TaskFailed& event) {
+  task.returned_by.insert(event.worker);
+  ++task.returns;
+  task.not_before = event.time + PauseAfter(task.returns);
+  if (const auto worker = workers_.find(event.worker); worker != workers_.end()) {
+    const int32_t troubles = ++worker->second.troubles;
+    if (troubles > 1) worker->second.rests_until = event.time + PauseAfter(troubles - 1);
+  }
+  return task.returns >= 3 * options_.max_returns || (task.returns >= options_.max_returns && !event.another);
+}
+
+absl::Duration CoordinatorState::PauseAfter(int32_t failures) const {
+  constexpr int32_t kMostDoublings = 20;  // beyond any longest pause
+  return std::min(options_.longest_pause,
+                  options_.first_pause * (int64_t{1} << std::min(failures - 1, kMostDoublings)));
+}
+
+bool CoordinatorState::Refuse(Task& task, const std::string& worker, const std::string& digest) const {
+  const bool agreed = std::any_of(task.refused.begin(), task.refused.end(), [&](const auto& refused) {
+    return refused.first != worker && refused.second == digest;
+  });
+  task.refused[worker] = digest;
+  return agreed || static_cast<int32_t>(task.refused.size()) >= options_.max_refusals;
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const LeaseExpired& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Task * task, LeasedTask(event.key, event.worker, event.token));
+  Effects effects;
+  LoseLease(jobs_.at(event.key.job), *task, event.worker, effects);
+  return effects;
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const WorkerLost& event) {
+  const auto worker = workers_.find(event.worker);
+  if (worker == workers_.end()) return UnknownWorker(event.worker);
+  Effects effects;
+  const std::set<TaskKey> held = worker->second.held;
+  for (const TaskKey& key : held) {
+    Job& job = jobs_.at(key.job);
+    LoseLease(job, job.tasks.at(key.task), event.worker, effects);
+  }
+  workers_.erase(event.worker);
+  return effects;
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const WorkerLeft& event) {
+  const auto worker = workers_.find(event.worker);
+  if (worker == workers_.end()) return UnknownWorker(event.worker);
+  Effects effects;
+  const std::set<TaskKey> held = worker->second.held;
+  for (const TaskKey& key : held) {
+    Job& job = jobs_.at(key.job);
+    GiveUp(job, job.tasks.at(key.task), event.worker, effects);
+  }
+  workers_.erase(event.worker);
+  return effects;
+}
+
+}  // namespace tilemend

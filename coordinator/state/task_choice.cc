@@ -1,0 +1,145 @@
+#include "coordinator/state/task_choice.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace tilemend {
+namespace {
+
+// Of each job, the oldest first: more cannot be worth it at once.
+constexpr int kMostStragglers = 16;
+
+class TaskChooser {
+ public:
+  TaskChooser(const CoordinatorState& state, const WorkerRecord& worker, absl::Time now, const MayWork& may)
+      : state_(state), worker_(worker), now_(now), may_(may) {
+    free_ = worker.threads - std::min<size_t>(worker.threads, worker.held.size());
+  }
+
+  std::vector<TaskKey> Choose() {
+    if (HoldsLastChance()) return {};
+    std::vector<Share> shares;
+    for (const auto& [number, id] : state_.running()) {
+      const Job& job = *state_.FindJob(id);
+      if (!job.pending.empty() && may_(worker_.id, id))
+        shares.push_back({&job, job.pending.begin(), job.counts.leased});
+    }
+    while (chosen_.size() < free_ && !shares.empty()) {
+      const auto least = std::min_element(shares.begin(), shares.end(),
+                                          [](const Share& a, const Share& b) { return a.leases < b.leases; });
+      if (!TakeNext(*least)) shares.erase(least);
+    }
+    if (!is_closed_) AddStragglers();
+    return std::move(chosen_);
+  }
+
+ private:
+  struct Share {
+    const Job* job;
+    std::set<int64_t>::const_iterator next;
+    int64_t leases;
+  };
+
+  bool IsLastChance(const Task& task) const {
+    const int32_t most = state_.options().quarantine_after;
+    return most > 1 && static_cast<int32_t>(task.lost_workers.size()) + 1 >= most;
+  }
+
+  bool HoldsLastChance() const {
+    return std::any_of(worker_.held.begin(), worker_.held.end(),
+                       [this](const TaskKey& key) { return IsLastChance(*state_.FindTask(key)); });
+  }
+
+  bool MayHave(const Job& job, const Task& task) const {
+    return task.not_before <= now_ && !task.refused.contains(worker_.id) &&
+           !(task.returned_by.contains(worker_.id) && HasAnother(state_, worker_.id, job, task, may_));
+  }
+
+  // Chooses the share's next task; false if it has none.
+  bool TakeNext(Share& share) {
+    const Job& job = *share.job;
+    while (share.next != job.pending.end() && !MayHave(job, job.tasks.at(*share.next))) ++share.next;
+    if (share.next == job.pending.end()) return false;
+    if (!IsLastChance(job.tasks.at(*share.next))) {
+      chosen_.push_back({job.id, *share.next++});
+      ++share.leases;
+      return true;
+    }
+    // Alone or not at all. A worker that holds others takes nothing more before it, so that it comes to its turn.
+    if (worker_.held.empty() && chosen_.empty()) chosen_.push_back({job.id, *share.next});
+    is_closed_ = true;
+    free_ = chosen_.size();
+    return true;
+  }
+
+  void AddStragglers() {
+    for (const auto& [number, id] : state_.running()) {
+      if (chosen_.size() >= free_) return;
+      const Job& job = *state_.FindJob(id);
+      if (job.alone.empty() || !may_(worker_.id, id)) continue;
+      int looked_at = 0;
+      for (const auto& [since, number_of_task] : job.alone) {
+        if (chosen_.size() >= free_ || ++looked_at > kMostStragglers) break;
+        const Task& task = job.tasks.at(number_of_task);
+        if (Straggles(job, task, since)) chosen_.push_back({id, number_of_task});
+      }
+    }
+  }
+
+  bool Straggles(const Job& job, const Task& task, absl::Time since) const {
+    const auto time = job.times.find(task.stage);
+    if (time == job.times.end() || LeaseOf(task, worker_.id) != nullptr) return false;
+    // A task that workers were lost with is not to take two at once.
+    if (!task.lost_workers.empty() || task.refused.contains(worker_.id) || task.returned_by.contains(worker_.id)) {
+      return false;
+    }
+    const StateOptions& options = state_.options();
+    const absl::Duration usual = time->second.total / time->second.tasks;
+    return now_ - since > std::max(options.least_straggling, usual * options.straggler_factor);
+  }
+
+  const CoordinatorState& state_;
+  const WorkerRecord& worker_;
+  const absl::Time now_;
+  const MayWork& may_;
+  size_t free_ = 0;
+  bool is_closed_ = false;  // nothing is to be taken beside what is chosen
+  std::vector<TaskKey> chosen_;
+};
+
+}  // namespace
+
+bool MayAlways(const std::string&, const std::string&) { return true; }
+
+std::vector<TaskKey> ChooseTasks(const CoordinatorState& state, const std::string& worker, absl::Time now,
+                                 const MayWork& may) {
+  const WorkerRecord* record = state.FindWorker(worker);
+  if (record == nullptr || record->draining || now < record->rests_until) return {};
+  return TaskChooser(state, *record, now, may).Choose();
+}
+
+bool HasAnother(const CoordinatorState& state, const std::string& worker, const Job& job, const Task& task,
+                const MayWork& may) {
+  return std::any_of(state.workers().begin(), state.workers().end(), [&](const auto& entry) {
+    const auto& [id, other] = entry;
+    return id != worker && !other.draining && other.threads > 0 && !task.returned_by.contains(id) && may(id, job.id);
+  });
+}
+
+std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::Duration silence) {
+  std::vector<Event> events;
+  for (const auto& [id, worker] : state.workers()) {
+    if (worker.last_seen + silence < now) {
+      events.push_back(WorkerLost{id});
+      continue;
+    }
+    for (const TaskKey& key : worker.held) {
+      const Lease& lease = *LeaseOf(*state.FindTask(key), id);
+      const bool too_long = lease.since + state.options().longest_attempt < now;
+      if (lease.deadline < now || too_long) events.push_back(LeaseExpired{key, id, lease.token});
+    }
+  }
+  return events;
+}
+
+}  // namespace tilemend

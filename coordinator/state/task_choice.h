@@ -1,0 +1,35 @@
+// Which tasks a worker is to get, and which leases are overdue: decisions on a CoordinatorState that change nothing.
+#ifndef TILEMEND_COORDINATOR_STATE_TASK_CHOICE_H_
+#define TILEMEND_COORDINATOR_STATE_TASK_CHOICE_H_
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "absl/time/time.h"
+#include "coordinator/state/coordinator_state.h"
+
+namespace tilemend {
+
+using MayWork = std::function<bool(const std::string& worker, const std::string& job)>;
+bool MayAlways(const std::string& worker, const std::string& job);
+
+// The tasks to lease to `worker` now, at most as many as it has free threads. Jobs share alike: the next task is of the
+// job that has the fewest leases, the older one if two have as many; within a job it is the first that the pipeline
+// added. Empty for an unknown, draining or resting worker. Only of jobs that it `may` work on, and no task of which its
+// result was refused, that is to wait, or that it gave back while another worker may have it that did not.
+// If there is none: second attempts at tasks that take long, the oldest of each job first.
+// Deterministic. Cost: O(jobs + pending tasks that the worker may not have).
+std::vector<TaskKey> ChooseTasks(const CoordinatorState& state, const std::string& worker, absl::Time now,
+                                 const MayWork& may = MayAlways);
+
+// Whether a worker other than `worker` may have a task of the job and has not given this one back.
+bool HasAnother(const CoordinatorState& state, const std::string& worker, const Job& job, const Task& task,
+                const MayWork& may);
+
+// Events for what is overdue at `now`: workers not seen for `silence`, then leases beyond their deadline.
+std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::Duration silence);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_STATE_TASK_CHOICE_H_

@@ -1,0 +1,110 @@
+// Simulated histories of a cluster, many of them: whatever happens to workers, to the coordinator, to its journal and
+// to what they tell each other, no task is lost, none is committed twice, no stale result is taken, and every job ends
+// with the outcome of an undisturbed one or says that something is missing.
+//
+//     state_simulation_test --gtest_filter=*ManyHistories* [with TILEMEND_SEEDS=N, TILEMEND_FIRST_SEED=N]
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_join.h"
+#include "tests/coordinator/state/simulation/history.h"
+
+namespace tilemend::simulation {
+namespace {
+
+int64_t NumberFrom(const char* variable, int64_t otherwise) {
+  const char* text = std::getenv(variable);
+  int64_t number = 0;
+  return text != nullptr && absl::SimpleAtoi(text, &number) ? number : otherwise;
+}
+
+void ExpectSound(const HistoryResult& result) {
+  EXPECT_TRUE(result.broken.empty()) << absl::StrJoin(result.broken, "; ");
+}
+
+TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
+  const int64_t seeds = NumberFrom("TILEMEND_SEEDS", 2000), first = NumberFrom("TILEMEND_FIRST_SEED", 0);
+  const auto start = std::chrono::steady_clock::now();
+  Tally sum;
+  int64_t jobs = 0, done = 0, partial = 0, cancelled = 0;
+  for (int64_t seed = first; seed < first + seeds; ++seed) {
+    const auto number = static_cast<uint64_t>(seed);
+    const HistoryResult result = RunHistory(number, FaultsOf(number));
+    EXPECT_TRUE(result.broken.empty()) << "seed " << seed << ": " << absl::StrJoin(result.broken, "; ");
+    if (HasFailure()) return;
+    jobs += result.jobs, done += result.done, partial += result.partial, cancelled += result.cancelled;
+    const Tally& t = result.tally;
+    sum.events += t.events, sum.crashes += t.crashes, sum.refused_late += t.refused_late, sum.struck += t.struck;
+    sum.quarantined += t.quarantined, sum.failed += t.failed, sum.doubled += t.doubled, sum.committed += t.committed;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::printf(
+      "%ld histories, %ld events, %.1f s; %ld jobs: %ld done, %ld partial, %ld cancelled; %ld tasks committed, "
+      "%ld failed, %ld quarantined, %ld late results refused, %ld strikes, %ld second attempts, %ld coordinators "
+      "ended: 0 invariants broken\n",
+      seeds, sum.events, seconds, jobs, done, partial, cancelled, sum.committed, sum.failed, sum.quarantined,
+      sum.refused_late, sum.struck, sum.doubled, sum.crashes);
+  if (seeds < 1000) return;
+  for (const int64_t seen : {done, partial, cancelled, sum.refused_late, sum.struck, sum.quarantined, sum.doubled}) {
+    EXPECT_GT(seen, 0) << "the histories are too calm";
+  }
+}
+
+TEST(StateSimulationTest, TheSameSeedGivesTheSameHistory) {
+  for (uint64_t seed = 0; seed < 100; ++seed) {
+    EXPECT_EQ(RunHistory(seed, FaultsOf(seed)).tally.trace, RunHistory(seed, FaultsOf(seed)).tally.trace) << seed;
+  }
+}
+
+TEST(StateSimulationTest, ACalmDayHasNoStrikesAndNoSecondAttempts) {
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    const HistoryResult result = RunHistory(seed, {});
+    ExpectSound(result);
+    EXPECT_EQ(result.done, result.jobs) << seed;
+    EXPECT_EQ(result.tally.struck + result.tally.doubled, 0) << seed;
+  }
+}
+
+TEST(StateSimulationTest, APauseOfTheCoordinatorIsHeldAgainstNobody) {
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    Faults faults;
+    faults.pause = 30;
+    const HistoryResult result = RunHistory(seed, faults);
+    ExpectSound(result);
+    EXPECT_EQ(result.tally.struck, 0) << seed;
+    EXPECT_EQ(result.done, result.jobs) << seed;
+  }
+}
+
+TEST(StateSimulationTest, OneBadMachineFailsNoJobThatGoodOnesFinish) {
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    Faults faults;
+    faults.full_disk = seed % 2 == 0;
+    faults.liar = seed % 3 == 0;
+    faults.slow = seed % 5 == 0;
+    faults.loss = faults.doubling = faults.delay = 5;
+    const HistoryResult result = RunHistory(seed, faults);
+    ExpectSound(result);
+    EXPECT_EQ(result.done, result.jobs) << seed;
+  }
+}
+
+TEST(StateSimulationTest, ATaskThatKillsWorkersTakesNoOtherWithIt) {
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    Faults faults;
+    faults.killer = true;
+    faults.crash = seed % 2 == 0 ? 5 : 0;
+    const HistoryResult result = RunHistory(seed, faults);
+    ExpectSound(result);
+    EXPECT_EQ(result.tally.quarantined, result.partial) << seed;
+    EXPECT_EQ(result.tally.failed, 0) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tilemend::simulation
