@@ -31,6 +31,7 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
       {"longest-task", "HOURS", "an attempt that takes longer is given up, 0.01 to 1000", "6"},
       {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
+      {"keep-jobs", "DAYS", "a job that is over is forgotten after so long, 0.01 to 10000", "30"},
       {"check-tiles", "digest|size", "what of a written tile is held to what its worker says; digest: reads it",
        "digest"},
       {"version", "", "show the release", ""},
@@ -51,6 +52,8 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.state.longest_attempt = absl::Hours(longest);
   TILEMEND_ASSIGN_OR_RETURN(const int64_t max_jobs, flags.Integer("max-jobs", 1, 10000));
   options.max_running_jobs = static_cast<size_t>(max_jobs);
+  TILEMEND_ASSIGN_OR_RETURN(const double keep_jobs, flags.Number("keep-jobs", 0.01, 10000));
+  options.keep_jobs = absl::Hours(24 * keep_jobs);
   const std::string tiles = flags.Text("check-tiles");
   if (tiles != "digest" && tiles != "size") {
     return absl::InvalidArgumentError(absl::StrCat("--check-tiles '", tiles, "': expected digest or size"));

@@ -9,6 +9,9 @@ class ForgetfulJournal : public Journal {
   std::vector<JobRecord> TakeJobs() override { return {}; }
   void PutJob(JobRecord) override {}
   void PutResult(int64_t, TaskName, ResultRecord) override {}
+  void DropJob(int64_t) override {}
+  std::vector<SetAsideRecord> TakeSetAside() override { return {}; }
+  void PutSetAside(SetAsideRecord) override {}
   void Await() override {}
   absl::StatusOr<std::optional<ResultRecord>> Find(int64_t, const TaskName&) override { return std::nullopt; }
   absl::StatusOr<std::vector<std::string>> Outputs(int64_t) override { return std::vector<std::string>(); }

@@ -28,6 +28,14 @@ struct JobRecord {
   std::string body = {};        // the job as it is told to clients; the journal does not look into it
   bool over = false;            // its results are not needed any more
   bool released = false;        // over, and its output holds nothing of it that is in the way of others
+  bool damaged = false;         // what is here is not what was put; the number is right
+};
+
+// A worker that gets no task any more.
+struct SetAsideRecord {
+  std::string worker;
+  std::string reason;  // empty: it gets tasks again
+  bool operator==(const SetAsideRecord&) const = default;
 };
 
 // Names a task by what it is asked, over all restarts of its job.
@@ -61,6 +69,11 @@ class Journal {
   // Puts a job in, or in the place of what is there of that number.
   virtual void PutJob(JobRecord job) = 0;
   virtual void PutResult(int64_t job, TaskName task, ResultRecord result) = 0;
+  // Of a job that is over: it was never there.
+  virtual void DropJob(int64_t job) = 0;
+  // As they were when it was opened. Once.
+  virtual std::vector<SetAsideRecord> TakeSetAside() = 0;
+  virtual void PutSetAside(SetAsideRecord record) = 0;
   // Waits until all that was put before is durable. A journal that cannot be written ends the process: nobody can know
   // what of it is on the disk.
   virtual void Await() = 0;

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -16,7 +15,6 @@
 #include <variant>
 
 #include "absl/container/flat_hash_map.h"
-#include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
@@ -24,6 +22,7 @@
 #include "common/util/exit_codes.h"
 #include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
+#include "coordinator/journal/journal_rows.h"
 #include "coordinator/journal/sqlite_journal_file.h"
 
 namespace tilemend {
@@ -33,46 +32,15 @@ constexpr std::chrono::milliseconds kIdle(500);  // without a put, before the lo
 constexpr int64_t kMostPages = 1000;             // given back to the disk in one transaction
 constexpr int64_t kMostDeleted = 2000;           // rows looked at in one transaction: some milliseconds
 
-using NameBytes = std::array<char, 16>;
-
 struct NewResult {
   int64_t job = 0;
   TaskName task;
   ResultRecord result;
 };
-using Put = std::variant<JobRecord, NewResult>;
-
-// The first half of the digest of the parts; no two lists of parts give the same bytes.
-std::string SumOf(const std::vector<std::string_view>& parts) {
-  Sha256 sha;
-  for (const std::string_view part : parts) {
-    sha.Update(absl::StrCat(part.size(), ":"));
-    sha.Update(part);
-  }
-  return absl::HexStringToBytes(sha.FinishHex()).substr(0, sizeof(NameBytes));
-}
-
-std::string NameOf(const TaskName& task) {
-  return SumOf({absl::StrCat(static_cast<int>(task.stage), " ", task.cell.col, " ", task.cell.row), task.input});
-}
-
-// A row of `result` as it is stored.
-struct Row {
-  int64_t number = 0, job = 0;
-  std::string name;
-  int64_t state = 0;
-  std::string output;
-  int64_t inside = 0;  // whether the output's bytes are in `content`
-  std::string error, lost_workers;
-
-  std::string Sum() const {
-    return SumOf({absl::StrCat(number, " ", job, " ", state, " ", inside), name, output, error, lost_workers});
-  }
+struct OldJob {
+  int64_t number = 0;
 };
-
-std::string SumOfJob(const JobRecord& job) {
-  return SumOf({absl::StrCat(job.number, " ", job.over, " ", job.released), job.request_id, job.body});
-}
+using Put = std::variant<JobRecord, NewResult, OldJob, SetAsideRecord>;
 
 // There is no going on: what was put has taken effect in memory, and whether it is on the disk nobody can know. A sync
 // that is tried again may succeed without having written what the first one lost.
@@ -116,6 +84,9 @@ class SqliteJournal : public Journal {
   void PutResult(int64_t job, TaskName task, ResultRecord result) override {
     Enqueue(NewResult{job, std::move(task), std::move(result)});
   }
+  void DropJob(int64_t job) override { Enqueue(OldJob{job}); }
+  std::vector<SetAsideRecord> TakeSetAside() override { return std::exchange(set_aside_, {}); }
+  void PutSetAside(SetAsideRecord record) override { Enqueue(std::move(record)); }
   void Await() override {
     std::unique_lock<std::mutex> lock(queue_mutex_);
     committed_.wait(lock, [this, wanted = put_] { return durable_ >= wanted; });
@@ -131,7 +102,8 @@ class SqliteJournal : public Journal {
   absl::Status NextEpoch();
   absl::Status ReadJobs();
   absl::Status ReadIndex();
-  absl::StatusOr<Row> ReadRow(int64_t number);
+  absl::Status ReadSetAside();
+  absl::StatusOr<ResultRow> ReadRow(int64_t number);
   absl::Status Damaged(const std::string& what) const {
     return absl::DataLossError(absl::StrCat(path_, ": ", what, " is damaged"));
   }
@@ -141,6 +113,8 @@ class SqliteJournal : public Journal {
   void Commit(std::vector<Put> puts);  // here and below with database_mutex_ held
   absl::Status Insert(const JobRecord& job);
   absl::Status Insert(const NewResult& result);
+  absl::Status Insert(const OldJob& job);
+  absl::Status Insert(const SetAsideRecord& aside);
   bool TidyUp();  // a little of it; false if there is nothing left to do
   void DeleteOldResults();
   void Shrink();
@@ -156,9 +130,10 @@ class SqliteJournal : public Journal {
   std::mutex database_mutex_;
   SqliteDatabase database_;
   std::optional<SqliteStatement> put_job_, put_result_, put_content_, get_result_, get_content_, next_results_,
-      delete_result_, delete_content_, free_pages_;
+      delete_result_, delete_content_, delete_job_, put_aside_, delete_aside_, free_pages_;
   uint32_t epoch_ = 0;
   std::vector<JobRecord> jobs_;
+  std::vector<SetAsideRecord> set_aside_;
   std::mutex index_mutex_;
   std::map<int64_t, Index> indexes_;  // of the jobs that are not over: number of the last row of each name
   std::set<int64_t> running_;         // jobs that are not over
@@ -173,6 +148,7 @@ absl::Status SqliteJournal::Start() {
   TILEMEND_RETURN_IF_ERROR(Prepare());
   TILEMEND_RETURN_IF_ERROR(ReadJobs());
   TILEMEND_RETURN_IF_ERROR(ReadIndex());
+  TILEMEND_RETURN_IF_ERROR(ReadSetAside());
   TILEMEND_RETURN_IF_ERROR(NextEpoch());
   writer_ = std::thread([this] { Write(); });
   return absl::OkStatus();
@@ -192,6 +168,9 @@ absl::Status SqliteJournal::Prepare() {
   TILEMEND_RETURN_IF_ERROR(prepare(get_content_, "SELECT bytes FROM content WHERE result = ?"));
   TILEMEND_RETURN_IF_ERROR(
       prepare(next_results_, "SELECT number, job FROM result WHERE number > ? ORDER BY number LIMIT ?"));
+  TILEMEND_RETURN_IF_ERROR(prepare(delete_job_, "DELETE FROM job WHERE number = ?"));
+  TILEMEND_RETURN_IF_ERROR(prepare(put_aside_, "INSERT OR REPLACE INTO aside VALUES(?,?,?)"));
+  TILEMEND_RETURN_IF_ERROR(prepare(delete_aside_, "DELETE FROM aside WHERE worker = ?"));
   TILEMEND_RETURN_IF_ERROR(prepare(delete_result_, "DELETE FROM result WHERE number = ?"));
   TILEMEND_RETURN_IF_ERROR(prepare(free_pages_, "PRAGMA freelist_count"));
   return prepare(delete_content_, "DELETE FROM content WHERE result = ?");
@@ -216,7 +195,7 @@ absl::Status SqliteJournal::ReadJobs() {
     if (!is_there) return absl::OkStatus();
     JobRecord job{read.Int(0), std::string(read.Bytes(1)), std::string(read.Bytes(2)), read.Int(3) != 0,
                   read.Int(4) != 0};
-    if (SumOfJob(job) != read.Bytes(5)) return Damaged(absl::StrCat("job ", job.number));
+    job.damaged = SumOfJob(job) != read.Bytes(5);
     if (!job.over) running_.insert(job.number);
     jobs_.push_back(std::move(job));
   }
@@ -229,25 +208,36 @@ absl::Status SqliteJournal::ReadIndex() {
     if (!is_there) return absl::OkStatus();
     last_number_ = read.Int(0);
     if (!running_.contains(read.Int(1))) continue;
-    NameBytes name;
-    if (read.Bytes(2).size() != name.size()) return Damaged(absl::StrCat("result ", last_number_));
-    std::memcpy(name.data(), read.Bytes(2).data(), name.size());
+    NameBytes name{};
+    // A name of another length is that of a damaged row, which Outputs tells.
+    std::memcpy(name.data(), read.Bytes(2).data(), std::min(name.size(), read.Bytes(2).size()));
     indexes_[read.Int(1)][name] = last_number_;
   }
 }
 
-absl::StatusOr<Row> SqliteJournal::ReadRow(int64_t number) {
+absl::Status SqliteJournal::ReadSetAside() {
+  TILEMEND_ASSIGN_OR_RETURN(SqliteStatement read, database_.Prepare("SELECT worker, reason, sum FROM aside"));
+  while (true) {
+    TILEMEND_ASSIGN_OR_RETURN(const bool is_there, read.Step());
+    if (!is_there) return absl::OkStatus();
+    SetAsideRecord aside{std::string(read.Bytes(0)), std::string(read.Bytes(1))};
+    // One that is damaged is not worth more than that the worker is tried again.
+    if (SumOfAside(aside) == read.Bytes(2)) set_aside_.push_back(std::move(aside));
+  }
+}
+
+absl::StatusOr<ResultRow> SqliteJournal::ReadRow(int64_t number) {
   TILEMEND_ASSIGN_OR_RETURN(const bool is_there, get_result_->Bind(0, number).Step());
   if (!is_there) return Damaged(absl::StrCat("result ", number));
   const SqliteStatement& read = *get_result_;
-  Row row{number,
-          read.Int(0),
-          std::string(read.Bytes(1)),
-          read.Int(2),
-          std::string(read.Bytes(3)),
-          read.Int(4),
-          std::string(read.Bytes(5)),
-          std::string(read.Bytes(6))};
+  ResultRow row{number,
+                read.Int(0),
+                std::string(read.Bytes(1)),
+                read.Int(2),
+                std::string(read.Bytes(3)),
+                read.Int(4),
+                std::string(read.Bytes(5)),
+                std::string(read.Bytes(6))};
   const bool is_whole = row.Sum() == read.Bytes(7);
   get_result_->Reset();
   if (!is_whole) return Damaged(absl::StrCat("result ", number));
@@ -267,7 +257,7 @@ absl::StatusOr<std::optional<ResultRecord>> SqliteJournal::Find(int64_t job, con
     number = found->second;
   }
   std::lock_guard<std::mutex> lock(database_mutex_);
-  TILEMEND_ASSIGN_OR_RETURN(Row row, ReadRow(number));
+  TILEMEND_ASSIGN_OR_RETURN(ResultRow row, ReadRow(number));
   ResultRecord result;
   result.state = static_cast<TaskState>(row.state);
   result.output = std::move(row.output);
@@ -295,7 +285,7 @@ absl::StatusOr<std::vector<std::string>> SqliteJournal::Outputs(int64_t job) {
   std::vector<std::string> outputs;
   std::lock_guard<std::mutex> lock(database_mutex_);
   for (const int64_t number : numbers) {
-    TILEMEND_ASSIGN_OR_RETURN(Row row, ReadRow(number));
+    TILEMEND_ASSIGN_OR_RETURN(ResultRow row, ReadRow(number));
     if (row.inside == 0 && !row.output.empty()) outputs.push_back(std::move(row.output));
   }
   return outputs;
@@ -377,10 +367,10 @@ absl::Status SqliteJournal::Insert(const JobRecord& job) {
 
 absl::Status SqliteJournal::Insert(const NewResult& put) {
   const ResultRecord& result = put.result;
-  const Row row{++last_number_,   put.job,
-                NameOf(put.task), static_cast<int64_t>(result.state),
-                result.output,    result.content.has_value() ? 1 : 0,
-                result.error,     absl::StrJoin(result.lost_workers, "\n")};
+  const ResultRow row{++last_number_,   put.job,
+                      NameOf(put.task), static_cast<int64_t>(result.state),
+                      result.output,    result.content.has_value() ? 1 : 0,
+                      result.error,     absl::StrJoin(result.lost_workers, "\n")};
   const std::string sum = row.Sum();
   TILEMEND_RETURN_IF_ERROR(put_result_->Bind(0, row.number)
                                .Bind(1, row.job)
@@ -394,6 +384,14 @@ absl::Status SqliteJournal::Insert(const NewResult& put) {
                                .Run());
   if (!result.content.has_value()) return absl::OkStatus();
   return put_content_->Bind(0, row.number).Bind(1, *result.content).Run();
+}
+
+absl::Status SqliteJournal::Insert(const OldJob& job) { return delete_job_->Bind(0, job.number).Run(); }
+
+absl::Status SqliteJournal::Insert(const SetAsideRecord& aside) {
+  if (aside.reason.empty()) return delete_aside_->Bind(0, aside.worker).Run();
+  const std::string sum = SumOfAside(aside);
+  return put_aside_->Bind(0, aside.worker).Bind(1, aside.reason).Bind(2, sum).Run();
 }
 
 bool SqliteJournal::TidyUp() {

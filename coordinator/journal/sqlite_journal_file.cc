@@ -27,6 +27,10 @@ CREATE TABLE result(number INTEGER PRIMARY KEY, job INTEGER NOT NULL, name BLOB 
 CREATE TABLE content(result INTEGER PRIMARY KEY, bytes BLOB NOT NULL);
 )";
 
+// What the journal of an earlier release may lack.
+constexpr char kLaterTables[] =
+    "CREATE TABLE IF NOT EXISTS aside(worker BLOB PRIMARY KEY, reason BLOB NOT NULL, sum BLOB NOT NULL);";
+
 // Exclusive before anything is read: then no memory is shared with other processes, and there are none.
 constexpr char kSettings[] = R"(
 PRAGMA locking_mode=EXCLUSIVE;
@@ -94,6 +98,7 @@ absl::StatusOr<SqliteDatabase> OpenJournalFile(const std::string& path) {
   TILEMEND_RETURN_IF_ERROR(database.Run(kSettings));
   // What an earlier process wrote last goes from the log into the file, and is on the disk.
   TILEMEND_RETURN_IF_ERROR(database.Run("PRAGMA wal_checkpoint(TRUNCATE);"));
+  TILEMEND_RETURN_IF_ERROR(database.Run(kLaterTables));
   return database;
 }
 

@@ -381,6 +381,7 @@ void CoordinatorImpl::Tick() {
     trust_.RemoveJob(id);
     entry.blobs.reset();
   }
+  ForgetOldJobs(now);
   metrics_.Show(state_);
   lock.unlock();  // before the runners are joined
 }

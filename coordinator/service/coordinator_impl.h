@@ -45,6 +45,7 @@ struct CoordinatorOptions {
   absl::Duration lease = absl::Seconds(30);  // > 2 s: a worker calls at least once a second
   StateOptions state;                        // its epoch is that of the journal
   size_t max_running_jobs = 64;
+  absl::Duration keep_jobs = absl::Hours(30 * 24);  // then a job that is over is forgotten; beyond 10,000 earlier
   // Never goes back. Default: the wall clock at construction plus a steady clock since.
   std::function<absl::Time()> clock;
   // Looks at every result before it is taken; none: all are.
@@ -160,7 +161,10 @@ class CoordinatorImpl {
   // The jobs of the journal go on, and what no job needs is removed. Before anything else.
   absl::Status Restore();
   absl::Status RestoreJob(JobRecord record);
+  absl::Status RestoreAsFailed(int64_t number, const absl::Status& why);
   absl::Status SweepFolders();
+  // With the lock held, as below.
+  void ForgetOldJobs(absl::Time now);
 
   // Without the lock: these look at results, and at files.
   std::vector<Report> PrepareReports(const v1::SyncRequest& request);

@@ -18,6 +18,9 @@ namespace {
 // Contents that wait for the pipeline in memory; beyond that they go to disk.
 constexpr size_t kMostKnownBytes = size_t{64} << 20;
 
+// Each takes some KB: its paths, its error, its warnings.
+constexpr size_t kMostJobsOver = 10'000;
+
 absl::Status ErrorOf(const std::string& bytes) {
   v1::Status proto;
   if (!proto.ParseFromString(bytes)) return absl::DataLossError("the journal's text of an error cannot be read");
@@ -78,7 +81,14 @@ absl::StatusOr<CoordinatorImpl::Contents> CoordinatorImpl::Recall(const std::str
 }
 
 absl::Status CoordinatorImpl::Restore() {
-  for (JobRecord& record : journal_->TakeJobs()) TILEMEND_RETURN_IF_ERROR(RestoreJob(std::move(record)));
+  for (const SetAsideRecord& aside : journal_->TakeSetAside()) trust_.SetAside(aside.worker, aside.reason);
+  for (JobRecord& record : journal_->TakeJobs()) {
+    const int64_t number = record.number;
+    // One job's damage is not that of the others.
+    if (const absl::Status status = RestoreJob(std::move(record)); !status.ok()) {
+      TILEMEND_RETURN_IF_ERROR(RestoreAsFailed(number, status));
+    }
+  }
   {
     Lock lock(mutex_);  // the runners are at work
     metrics_.Show(state_);
@@ -88,9 +98,8 @@ absl::Status CoordinatorImpl::Restore() {
 
 absl::Status CoordinatorImpl::RestoreJob(JobRecord record) {
   v1::Job message;
-  if (!message.ParseFromString(record.body)) {
-    return absl::DataLossError(
-        absl::StrCat(options_.work_folder, ": job ", record.number, " of its journal cannot be read"));
+  if (record.damaged || !message.ParseFromString(record.body)) {
+    return absl::DataLossError(absl::StrCat("its record in the journal of ", options_.work_folder, " is damaged"));
   }
   ToldJob told = JobFromProto(message);
   told.job.number = record.number;
@@ -106,17 +115,56 @@ absl::Status CoordinatorImpl::RestoreJob(JobRecord record) {
   entry.outcome = std::move(told.outcome);
   entry.error = std::move(told.error);
   if (record.over && record.released) return absl::OkStatus();
-  if (record.over) {
-    entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, nullptr, SinkOf(id), JobRunner::Mode::kRelease);
-    return absl::OkStatus();
+  const auto mode = record.over ? JobRunner::Mode::kRelease : JobRunner::Mode::kRun;
+  if (!record.over) {
+    TILEMEND_ASSIGN_OR_RETURN(entry.blobs, BlobFolder::Create(FolderOf(id)));
+    TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> outputs, journal_->Outputs(record.number));
+    TILEMEND_RETURN_IF_ERROR(entry.blobs->KeepOnly({outputs.begin(), outputs.end()}));
+    FailPoint("restore.swept");
+    entry.resuming = true;
   }
-  TILEMEND_ASSIGN_OR_RETURN(entry.blobs, BlobFolder::Create(FolderOf(id)));
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> outputs, journal_->Outputs(record.number));
-  TILEMEND_RETURN_IF_ERROR(entry.blobs->KeepOnly({outputs.begin(), outputs.end()}));
-  FailPoint("restore.swept");
-  entry.resuming = true;
-  entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id));
+  entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id), mode);
   return absl::OkStatus();
+}
+
+absl::Status CoordinatorImpl::RestoreAsFailed(int64_t number, const absl::Status& why) {
+  Lock lock(mutex_);
+  const auto known = state_.job_numbers().find(number);
+  const std::string id = known != state_.job_numbers().end() ? known->second : absl::StrCat("damaged-", number);
+  if (known == state_.job_numbers().end()) {
+    Job job;
+    job.id = id;
+    job.number = number;
+    job.created = options_.clock();
+    TILEMEND_RETURN_IF_ERROR(Apply(JobRestored{std::move(job)}).status());
+  }
+  JobEntry& entry = entries_[id];
+  entry.blobs.reset();  // its folder is swept
+  entry.error = absl::Status(why.code(), absl::StrCat("the job cannot go on after a restart of the coordinator: ",
+                                                      std::string(why.message()), "; submit it again"));
+  TILEMEND_RETURN_IF_ERROR(Apply(JobFinished{id, JobState::kFailed, options_.clock()}).status());
+  PutJob(*state_.FindJob(id), true);
+  return absl::OkStatus();
+}
+
+void CoordinatorImpl::ForgetOldJobs(absl::Time now) {
+  if (state_.job_numbers().empty()) return;
+  const int64_t newest = state_.job_numbers().rbegin()->first;  // stays, or its number would be given out again
+  size_t over = state_.job_numbers().size() - state_.running().size();
+  std::vector<std::string> old;
+  for (const auto& [number, id] : state_.job_numbers()) {
+    const Job& job = *state_.FindJob(id);
+    if (!IsOver(job.state) || entries_.at(id).runner != nullptr || number == newest) continue;
+    if (over <= kMostJobsOver && job.ended + options_.keep_jobs > now) continue;
+    --over;
+    old.push_back(id);
+    journal_->DropJob(number);
+  }
+  for (const std::string& id : old) {
+    Apply(JobForgotten{id}).IgnoreError();
+    entries_.erase(id);
+  }
+  if (!old.empty()) job_changed_.notify_all();
 }
 
 absl::Status CoordinatorImpl::SweepFolders() {

@@ -252,10 +252,14 @@ void CoordinatorImpl::OnRefused(const std::string& worker, const Report& report,
   Warn(report.ref.job(), report.refusal);
   if (effects.settled.empty()) {
     trust_.SetAside(worker, report.refusal);
+    journal_->PutSetAside({worker, report.refusal});
     Apply(WorkerLeft{worker}).IgnoreError();  // others do what it holds
   } else if (const Task* task = state_.FindTask(KeyOf(report.ref)); task != nullptr) {
     // Several came to it: the fault is in the task.
-    for (const auto& [refused, digest] : task->refused) trust_.Restore(refused);
+    for (const auto& [refused, digest] : task->refused) {
+      trust_.Restore(refused);
+      journal_->PutSetAside({refused, ""});
+    }
   }
   metrics_.ShowTrust(trust_.set_aside(), trust_.blind());
 }

@@ -86,10 +86,11 @@ void TestCluster::KillWorker(const std::string& name) {
   workers_.erase(name);
 }
 
-void TestCluster::Restart() {
+void TestCluster::Restart(const std::function<void(const std::string&)>& meanwhile) {
   while (!workers_.empty()) KillWorker(workers_.begin()->first);
   server_.reset();
   impl_.reset();
+  meanwhile(folder_ / "journal.sqlite");
   StartCoordinator();
 }
 

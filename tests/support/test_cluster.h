@@ -4,6 +4,7 @@
 #define TILEMEND_TESTS_SUPPORT_TEST_CLUSTER_H_
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -75,7 +76,8 @@ class TestCluster {
   // As if its machine had lost power.
   void KillWorker(const std::string& name);
   // The coordinator ends without a word and another one starts in its place; workers go with it. Only if durable.
-  void Restart();
+  // In between comes `meanwhile`, with the path of the journal.
+  void Restart(const std::function<void(const std::string&)>& meanwhile = [](const std::string&) {});
   // Time passes until every lease has run out. A worker that is alive is known again with its next call.
   void ExpireLeases();
 

@@ -11,7 +11,10 @@ TEST(ForgetfulJournalTest, KeepsNothingAndWaitsForNothing) {
   EXPECT_GE(journal->epoch(), 1U);
   journal->PutJob({.number = 1, .body = "a job"});
   journal->PutResult(1, {{0, 0}, Stage::kSurvey, "input"}, {});
+  journal->PutSetAside({"worker", "reason"});
+  journal->DropJob(1);
   journal->Await();
+  EXPECT_TRUE(journal->TakeSetAside().empty());
   EXPECT_TRUE(journal->TakeJobs().empty());
   EXPECT_FALSE(journal->Find(1, {{0, 0}, Stage::kSurvey, "input"})->has_value());
   EXPECT_TRUE(journal->Outputs(1)->empty());

@@ -204,15 +204,50 @@ TEST_F(SqliteJournalTest, DamageInAResultIsFound) {
   }
 }
 
-TEST_F(SqliteJournalTest, DamageInAJobRefusesTheFile) {
+TEST_F(SqliteJournalTest, DamageInAJobIsToldOfThatJob) {
   {
     const auto journal = Open();
     journal->PutJob(NewJob(1));
+    journal->PutJob(NewJob(3));
   }
   std::string bytes = ReadFile(path_).value();
   bytes.replace(bytes.find("job 1"), 5, "job 2");
   folder_.Write("journal.sqlite", bytes);
-  EXPECT_TRUE(absl::IsDataLoss(OpenSqliteJournal(path_).status()));
+  const std::vector<JobRecord> jobs = Open()->TakeJobs();
+  ASSERT_EQ(jobs.size(), 2U);
+  EXPECT_EQ(jobs[0].number, 1);
+  EXPECT_TRUE(jobs[0].damaged);
+  EXPECT_FALSE(jobs[1].damaged);
+}
+
+TEST_F(SqliteJournalTest, ADroppedJobIsGone) {
+  {
+    const auto journal = Open();
+    journal->PutJob(NewJob(1));
+    journal->PutJob(NewJob(2));
+    journal->DropJob(1);
+  }
+  const std::vector<JobRecord> jobs = Open()->TakeJobs();
+  ASSERT_EQ(jobs.size(), 1U);
+  EXPECT_EQ(jobs[0].number, 2);
+}
+
+TEST_F(SqliteJournalTest, KeepsWhoIsSetAside) {
+  {
+    const auto journal = Open();
+    for (const char* worker : {"a", "b"}) journal->PutSetAside({worker, "lied"});
+    journal->PutSetAside({"b", "lied again"});
+    journal->PutSetAside({"a", ""});
+  }
+  EXPECT_THAT(Open()->TakeSetAside(), ElementsAre(SetAsideRecord{"b", "lied again"}));
+}
+
+TEST_F(SqliteJournalTest, AJournalOfBeforeGetsTheTablesItLacks) {
+  { Open()->PutJob(NewJob(1)); }
+  { EXPECT_TRUE(OpenJournalFile(path_)->Run("DROP TABLE aside").ok()); }
+  const auto journal = Open();
+  EXPECT_EQ(journal->TakeJobs().size(), 1U);
+  EXPECT_TRUE(journal->TakeSetAside().empty());
 }
 
 TEST_F(SqliteJournalTest, ACommitThatFailsEndsTheProcess) {

@@ -10,6 +10,7 @@
 #include "absl/time/clock.h"
 #include "common/rpc/limits.h"
 #include "coordinator/journal/sqlite_journal.h"
+#include "coordinator/journal/sqlite_journal_file.h"
 #include "tests/support/test_cluster.h"
 
 namespace tilemend {
@@ -304,6 +305,95 @@ TEST(RestoreJobsTest, AnOutputThatWasNotReleasedIs) {
     while (released < expected) absl::SleepFor(absl::Milliseconds(1));
     EXPECT_EQ(released, expected);
   }
+}
+
+void Damage(const std::string& journal, const std::string& sql) {
+  auto database = OpenJournalFile(journal);
+  ASSERT_TRUE(database.ok()) << database.status();
+  ASSERT_TRUE(database->Run(sql).ok());
+}
+
+class DamagedJournalTest : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(DamagedJournalTest, OneJobsDamageIsNotThatOfAnother) {
+  TestCluster cluster(Durable());
+  Budget budget(6);
+  cluster.AddWorker("first", 1, budget.Runner());
+  cluster.Submit("toy://2x2?bytes=100000");
+  const std::string good = cluster.Submit("toy://2x2").name();
+  budget.AwaitEnd();
+  cluster.Restart([](const std::string& journal) { Damage(journal, GetParam()); });
+  v1::ListJobsResponse list = *cluster.impl().ListJobs({});
+  ASSERT_EQ(list.jobs_size(), 2);
+  const v1::Job& damaged = list.jobs(1);
+  cluster.AddWorker("second", 2);
+  EXPECT_EQ(cluster.WaitFor(good).state(), v1::DONE);
+  const v1::Job failed = cluster.WaitFor(damaged.name());
+  EXPECT_EQ(failed.state(), v1::FAILED);
+  EXPECT_NE(failed.error().message().find("damaged"), std::string::npos) << failed.error().message();
+  cluster.Restart();
+  EXPECT_EQ(cluster.Get(damaged.name()).state(), v1::FAILED) << "it is put down";
+  EXPECT_EQ(cluster.Get(good).state(), v1::DONE);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, DamagedJournalTest,
+                         ::testing::Values("UPDATE job SET body = x'0102' WHERE number = 1",
+                                           "UPDATE job SET request_id = x'00' WHERE number = 1",
+                                           "UPDATE result SET sum = x'00' WHERE job = 1",
+                                           "UPDATE result SET output = x'00' WHERE job = 1"));
+
+TEST(RestoreJobsTest, AJobThatIsOverIsForgottenAfterAWhile) {
+  TestCluster cluster(Durable());
+  cluster.AddWorker("w");
+  const std::string old = cluster.Submit("toy://1x1").name(), young = cluster.Submit("toy://1x1").name();
+  for (const std::string& name : {old, young}) EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
+  cluster.Restart();  // with it go the runners
+  cluster.clock().Advance(absl::Hours(29 * 24));
+  cluster.impl().Tick();
+  EXPECT_EQ(cluster.impl().ListJobs({})->jobs_size(), 2);
+  cluster.clock().Advance(absl::Hours(2 * 24));
+  cluster.impl().Tick();
+  const auto only_the_newest = [&] {
+    const auto list = cluster.impl().ListJobs({});
+    return list->jobs_size() == 1 && list->jobs(0).name() == young;
+  };
+  EXPECT_TRUE(only_the_newest());
+  cluster.Restart();
+  EXPECT_TRUE(only_the_newest());
+}
+
+TEST(RestoreJobsTest, WhoWasSetAsideStaysSo) {
+  ClusterOptions options = Durable();
+  options.check_result = [](Stage, const std::string&, const std::string& output) {
+    return output == "lie" ? absl::DataLossError("a lie") : absl::OkStatus();
+  };
+  TestCluster cluster(options);
+  const std::string name = cluster.Submit("toy://1x1").name();
+  v1::SyncRequest request;
+  request.set_protocol(kProtocolVersion);
+  request.set_worker("liar");
+  request.set_threads(1);
+  request.set_wait_ms(1000);
+  const auto alive = [] { return true; };
+  v1::SyncResponse response;
+  while (response.start().empty()) {
+    request.set_sequence(request.sequence() + 1);
+    response = *cluster.impl().Sync(request, alive);
+  }
+  v1::FinishedTask& finished = *request.add_finished();
+  *finished.mutable_ref() = response.start(0).ref();
+  finished.mutable_output()->set_content("lie");
+  finished.mutable_output()->set_size(3);
+  request.set_sequence(request.sequence() + 1);
+  EXPECT_NE(cluster.impl().Sync(request, alive)->set_aside(), "");
+  cluster.Restart();
+  request.clear_finished();
+  request.set_sequence(request.sequence() + 1);
+  response = *cluster.impl().Sync(request, alive);
+  EXPECT_NE(response.set_aside().find("a lie"), std::string::npos) << response.set_aside();
+  EXPECT_EQ(response.start_size(), 0);
+  cluster.AddWorker("good");
+  EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
 }
 
 }  // namespace

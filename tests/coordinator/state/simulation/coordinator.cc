@@ -55,6 +55,7 @@ void Coordinator::Boot() {
   options.epoch = store_.epoch();
   state_ = std::make_unique<CoordinatorState>(options);
   patience_.emplace(kInterval, kLease);
+  for (const SetAsideRecord& aside : store_.TakeSetAside()) set_aside_.insert(aside.worker);
   for (const JobRecord& record : store_.TakeJobs()) Restore(record);
   Tick();
 }
@@ -292,7 +293,8 @@ void Coordinator::TakeReport(const std::string& worker, const Report& report) {
   const auto* failed = std::get_if<TaskFailed>(&event);
   if (failed == nullptr || failed->refused.empty() || !effects) return;
   if (!effects->settled.empty()) return;
-  set_aside_.insert(worker);
+  Require(set_aside_.insert(worker).second, "a worker that was set aside got a task");
+  store_.PutSetAside({worker, "lied"});
   Apply(WorkerLeft{worker});
 }
 

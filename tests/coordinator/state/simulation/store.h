@@ -26,6 +26,13 @@ class Store : public Journal {
   void PutResult(int64_t job, TaskName task, ResultRecord result) override {
     queue_.emplace_back(Result{NameOf(job, task), std::move(result)});
   }
+  void DropJob(int64_t) override {}
+  std::vector<SetAsideRecord> TakeSetAside() override {
+    std::vector<SetAsideRecord> records;
+    for (const auto& [worker, reason] : set_aside_) records.push_back({worker, reason});
+    return records;
+  }
+  void PutSetAside(SetAsideRecord record) override { queue_.emplace_back(std::move(record)); }
   void Await() override {}  // who has to wait does so by is_durable(put)
   absl::StatusOr<std::optional<ResultRecord>> Find(int64_t job, const TaskName& task) override {
     const auto found = results_.find(NameOf(job, task));
@@ -50,6 +57,8 @@ class Store : public Journal {
       if (auto* job = std::get_if<JobRecord>(&put)) {
         if (const auto old = jobs_.find(job->number); old != jobs_.end() && old->second.over && !job->over) ++revived_;
         jobs_[job->number] = std::move(*job);
+      } else if (auto* aside = std::get_if<SetAsideRecord>(&put)) {
+        set_aside_[aside->worker] = aside->reason;
       } else {
         auto& [name, result] = std::get<Result>(put);
         const auto old = results_.find(name);
@@ -75,7 +84,8 @@ class Store : public Journal {
 
   uint32_t epoch_ = 0;
   uint64_t committed_ = 0;
-  std::vector<std::variant<JobRecord, Result>> queue_;
+  std::vector<std::variant<JobRecord, Result, SetAsideRecord>> queue_;
+  std::map<std::string, std::string> set_aside_;
   std::map<int64_t, JobRecord> jobs_;
   std::map<Name, ResultRecord> results_;
   int twice_ = 0, revived_ = 0;

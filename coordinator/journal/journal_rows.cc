@@ -1,0 +1,32 @@
+#include "coordinator/journal/journal_rows.h"
+
+#include "absl/strings/escaping.h"
+#include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
+
+namespace tilemend {
+
+std::string SumOf(const std::vector<std::string_view>& parts) {
+  Sha256 sha;
+  for (const std::string_view part : parts) {
+    sha.Update(absl::StrCat(part.size(), ":"));
+    sha.Update(part);
+  }
+  return absl::HexStringToBytes(sha.FinishHex()).substr(0, sizeof(NameBytes));
+}
+
+std::string NameOf(const TaskName& task) {
+  return SumOf({absl::StrCat(static_cast<int>(task.stage), " ", task.cell.col, " ", task.cell.row), task.input});
+}
+
+std::string ResultRow::Sum() const {
+  return SumOf({absl::StrCat(number, " ", job, " ", state, " ", inside), name, output, error, lost_workers});
+}
+
+std::string SumOfJob(const JobRecord& job) {
+  return SumOf({absl::StrCat(job.number, " ", job.over, " ", job.released), job.request_id, job.body});
+}
+
+std::string SumOfAside(const SetAsideRecord& aside) { return SumOf({aside.worker, aside.reason}); }
+
+}  // namespace tilemend
