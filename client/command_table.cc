@@ -44,6 +44,8 @@ std::vector<FlagSpec> InspectFlags() {
 std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> output = {OutputFlag()};
   const std::vector<FlagSpec> cluster = {CoordinatorFlag(), OutputFlag()};
+  const std::vector<FlagSpec> list =
+      Join({{"state", "STATE[,STATE]", "only jobs in these states: running, done, ...", ""}}, cluster);
   const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);
   const std::vector<FlagSpec> retry = Join(
       {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));
@@ -61,7 +63,8 @@ std::vector<Command> ServiceCommands() {
       {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, submit, SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},
-      {"list", "", "show all jobs, newest first", 0, {}, cluster, ListCommand},
+      {"list", "", "show all jobs, newest first", 0, {}, list, ListCommand},
+      {"workers", "", "show the workers of a cluster", 0, {}, cluster, WorkersCommand},
       {"watch", "JOB", "follow a job to its end", 1, {}, cluster, WatchCommand},
       {"cancel", "JOB", "cancel a job", 1, {}, cluster, CancelCommand},
       {"retry", "JOB", "start a finished job again", 1, {}, retry, RetryCommand},

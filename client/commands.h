@@ -29,6 +29,7 @@ int FillCommand(const Args& args);
 int SubmitCommand(const Args& args);
 int GetCommand(const Args& args);
 int ListCommand(const Args& args);
+int WorkersCommand(const Args& args);
 int WatchCommand(const Args& args);
 int CancelCommand(const Args& args);
 int RetryCommand(const Args& args);

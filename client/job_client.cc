@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
 #include "common/rpc/grpc_status.h"
+#include "common/rpc/trace.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
 
@@ -32,18 +33,20 @@ absl::Status Unreachable(const absl::Status& status) {
 
 class JobClient::Impl {
  public:
-  explicit Impl(const std::shared_ptr<grpc::Channel>& channel) : stub(v1::Jobs::NewStub(channel)) {}
+  explicit Impl(const std::shared_ptr<grpc::Channel>& channel)
+      : stub(v1::Jobs::NewStub(channel)), workers(v1::Workers::NewStub(channel)) {}
 
   // Repeats a call that is safe to repeat while the coordinator cannot be reached.
-  template <typename Request, typename Response>
-  absl::StatusOr<Response> Call(grpc::Status (v1::Jobs::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+  template <typename Stub, typename Request, typename Response>
+  absl::StatusOr<Response> Call(Stub& to, grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                                 const Request& request, absl::Duration patience) {
     const absl::Time give_up = absl::Now() + patience;
     while (true) {
       grpc::ClientContext context;
       context.set_deadline(std::chrono::system_clock::now() + kCallTimeout);
+      context.AddMetadata("traceparent", TraceParent(trace));
       Response response;
-      const absl::Status status = FromGrpcStatus((stub.get()->*method)(&context, request, &response));
+      const absl::Status status = FromGrpcStatus((to.*method)(&context, request, &response));
       if (status.ok()) return response;
       if (!absl::IsUnavailable(status)) return status;
       if (absl::Now() + kPause > give_up) return Unreachable(status);
@@ -52,6 +55,8 @@ class JobClient::Impl {
   }
 
   const std::unique_ptr<v1::Jobs::Stub> stub;
+  const std::unique_ptr<v1::Workers::Stub> workers;
+  const std::string trace = NewTrace();
 };
 
 JobClient::JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration patience)
@@ -60,28 +65,32 @@ JobClient::JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration pati
 JobClient::~JobClient() = default;
 
 absl::StatusOr<v1::Job> JobClient::Create(const v1::CreateJobRequest& request) {
-  return impl_->Call(&v1::Jobs::Stub::CreateJob, request,
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::CreateJob, request,
                      request.request_id().empty() ? absl::ZeroDuration() : patience_);
 }
 
 absl::StatusOr<v1::Job> JobClient::Get(const std::string& name) {
   v1::GetJobRequest request;
   request.set_name(name);
-  return impl_->Call(&v1::Jobs::Stub::GetJob, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::GetJob, request, patience_);
 }
 
 absl::StatusOr<v1::ListJobsResponse> JobClient::List(const v1::ListJobsRequest& request) {
-  return impl_->Call(&v1::Jobs::Stub::ListJobs, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::ListJobs, request, patience_);
+}
+
+absl::StatusOr<v1::ListWorkersResponse> JobClient::ListWorkers(const v1::ListWorkersRequest& request) {
+  return impl_->Call(*impl_->workers, &v1::Workers::Stub::ListWorkers, request, patience_);
 }
 
 absl::StatusOr<v1::Job> JobClient::Cancel(const std::string& name) {
   v1::CancelJobRequest request;
   request.set_name(name);
-  return impl_->Call(&v1::Jobs::Stub::CancelJob, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::CancelJob, request, patience_);
 }
 
 absl::StatusOr<v1::Job> JobClient::Retry(const v1::RetryJobRequest& request) {
-  return impl_->Call(&v1::Jobs::Stub::RetryJob, request,
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::RetryJob, request,
                      request.request_id().empty() ? absl::ZeroDuration() : patience_);
 }
 

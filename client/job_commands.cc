@@ -2,7 +2,10 @@
 #include <cstdio>
 #include <random>
 
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "absl/strings/str_split.h"
 #include "client/commands.h"
 #include "client/job_client.h"
 #include "client/job_flags.h"
@@ -112,10 +115,33 @@ int WatchCommand(const Args& args) {
   return WatchToEnd(*session, JobName(args.arguments().front()));
 }
 
+int WorkersCommand(const Args& args) {
+  auto session = OpenSession(args, false);
+  if (!session.ok()) return PrintUsageError(session.status());
+  v1::ListWorkersRequest request;
+  std::vector<v1::WorkerInfo> workers;
+  do {
+    const auto page = session->client->ListWorkers(request);
+    if (!page.ok()) return PrintError(page.status());
+    workers.insert(workers.end(), page->workers().begin(), page->workers().end());
+    request.set_page_token(page->next_page_token());
+  } while (!request.page_token().empty());
+  std::fputs(WorkersText(workers, session->format).c_str(), stdout);
+  return kExitDone;
+}
+
 int ListCommand(const Args& args) {
   auto session = OpenSession(args, false);
   if (!session.ok()) return PrintUsageError(session.status());
   v1::ListJobsRequest request;
+  for (const absl::string_view name : absl::StrSplit(args.Text("state"), ',', absl::SkipEmpty())) {
+    v1::JobState state{};
+    if (!v1::JobState_Parse(absl::AsciiStrToUpper(name), &state) || state == v1::JOB_STATE_UNSPECIFIED) {
+      return PrintUsageError(absl::InvalidArgumentError(
+          absl::StrCat("--state '", name, "': expected running, done, partial, failed or cancelled")));
+    }
+    request.add_states(state);
+  }
   std::vector<v1::Job> jobs;
   do {
     const auto page = session->client->List(request);

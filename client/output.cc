@@ -9,6 +9,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
 #include "absl/time/time.h"
 #include "client/json_access.h"
 #include "common/rpc/status_proto.h"
@@ -53,6 +54,11 @@ Json JobJson(const v1::Job& job) {
                      {"message", job.error().message()},
                      {"reason", ErrorReason(error)}};
   }
+  if (job.has_start_time()) json["started"] = TimeText(job.start_time());
+  if (!job.owner().empty()) json["owner"] = job.owner();
+  if (!job.trace().empty()) json["trace"] = job.trace();
+  if (!job.waiting().empty()) json["waiting"] = job.waiting();
+  if (job.slot() > 0) json["slot"] = job.slot();
   for (const std::string& warning : job.warnings()) json["warnings"].push_back(warning);
   if (!job.message().empty()) json["message"] = job.message();
   if (!job.report().empty()) json["report"] = job.report();
@@ -119,6 +125,7 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
                                                 {"cells", Share(p.cells_done(), p.cells())},
                                                 {"holes", Share(p.holes_filled(), p.holes())},
                                                 {"tasks", Share(p.tasks_done(), p.tasks())}};
+  if (!job.waiting().empty()) rows.push_back({"waiting", job.waiting()});
   if (p.tasks_retried() > 0) rows.push_back({"retried", absl::StrCat(p.tasks_retried())});
   if (p.tasks_quarantined() > 0) rows.push_back({"quarantined", absl::StrCat(p.tasks_quarantined())});
   for (const std::string& warning : job.warnings()) rows.push_back({"warning", warning});
@@ -141,6 +148,27 @@ std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format) {
                     job.spec().out()});
   }
   return Table({"JOB", "STATE", "CELLS", "TASKS", "CREATED", "OUT"}, rows);
+}
+
+std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat format) {
+  std::vector<std::vector<std::string>> rows;
+  Json json = Json::array();
+  for (const v1::WorkerInfo& w : workers) {
+    const std::string state = absl::StrReplaceAll(absl::AsciiStrToLower(v1::WorkerState_Name(w.state())), {{"_", " "}});
+    rows.push_back({Printable(w.id()), state, Share(w.tasks(), w.threads()), TimeText(w.first_seen()),
+                    TimeText(w.last_seen()), Printable(w.release()), Printable(w.identity()), Printable(w.message())});
+    json.push_back({{"id", w.id()},
+                    {"state", state},
+                    {"tasks", w.tasks()},
+                    {"threads", w.threads()},
+                    {"first_seen", TimeText(w.first_seen())},
+                    {"last_seen", TimeText(w.last_seen())},
+                    {"release", w.release()},
+                    {"identity", w.identity()},
+                    {"message", w.message()}});
+  }
+  if (format == OutputFormat::kJson) return Dump(json);
+  return Table({"WORKER", "STATE", "TASKS", "SINCE", "LAST SEEN", "RELEASE", "IDENTITY", "MESSAGE"}, rows);
 }
 
 ExitCode ExitCodeOf(const v1::Job& job) {
@@ -174,8 +202,12 @@ void ProgressDisplay::Show(const v1::Job& job) {
   }
   if (p.phase() == kResumePhase) return;  // it runs through what was shown before
   if (!is_terminal_) {
-    if (p.phase() != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), p.phase().c_str());
+    if (p.phase() != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), Printable(p.phase()).c_str());
     phase_ = p.phase();
+    if (job.waiting() != waiting_ && !job.waiting().empty()) {
+      std::fprintf(stderr, "%s: waits: %s\n", job.name().c_str(), Printable(job.waiting()).c_str());
+    }
+    waiting_ = job.waiting();
     return;
   }
   constexpr int64_t kWidth = 30;

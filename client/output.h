@@ -33,6 +33,8 @@ std::string Counted(size_t count, const std::string& noun);
 std::string JobText(const v1::Job& job, OutputFormat format);
 std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format);
 
+std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat format);
+
 // By the job's end; kExitDone for a job that still runs.
 ExitCode ExitCodeOf(const v1::Job& job);
 
@@ -49,8 +51,8 @@ class ProgressDisplay {
  private:
   const bool is_terminal_;
   bool has_bar_ = false;
-  int warnings_ = 0;  // shown so far
-  std::string phase_;
+  int warnings_ = 0;             // shown so far
+  std::string phase_, waiting_;  // as said last
 };
 
 }  // namespace tilemend

@@ -1,16 +1,20 @@
 // tilemend-coordinator: takes jobs, plans them and gives their tasks to workers.
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <semaphore>
 #include <string>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
+#include "common/metrics/status_server.h"
 #include "common/rpc/endpoint.h"
 #include "common/util/exit_codes.h"
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
+#include "common/util/log.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
@@ -23,10 +27,13 @@
 namespace tilemend {
 namespace {
 
+constexpr char kProgram[] = "tilemend-coordinator";
+
 std::vector<FlagSpec> CoordinatorFlags() {
   return {
       {"listen", "HOST:PORT", "address for clients and workers", "127.0.0.1:7070"},
-      {"metrics", "HOST:PORT", "serve Prometheus metrics on http://HOST:PORT/metrics", ""},
+      {"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
+      {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
       {"work", "DIR", "folder for jobs and intermediate files; needed", ""},
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
       {"longest-task", "HOURS", "an attempt that takes longer is given up, 0.01 to 1000", "6"},
@@ -72,27 +79,32 @@ int Fail(const absl::Status& status, int code) {
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   SignalWatcher signals;  // before any other thread
   PrometheusRegistry metrics;
+  ProcessMetrics process(metrics, kProgram, Version());
+  TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
+  StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}});
+  options.log = &log;
+  std::unique_ptr<StatusServer> status;
+  if (flags.IsGiven("metrics")) {
+    const StatusPages pages = {[&] {
+      process.Update();
+      return metrics.Text();
+    }};
+    TILEMEND_ASSIGN_OR_RETURN(status, StatusServer::Start(flags.Text("metrics"), pages));
+    log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), status->port())}});
+  }
   TILEMEND_ASSIGN_OR_RETURN(const WorkLock lock, WorkLock::Take(options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(options.journal, OpenSqliteJournal(options.work_folder + "/journal.sqlite"));
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl));
-  if (flags.IsGiven("metrics")) {
-    const std::string address = flags.Text("metrics");
-    TILEMEND_RETURN_IF_ERROR(metrics.Expose(address));
-    std::fprintf(stderr, "tilemend-coordinator: metrics on http://%s:%d/metrics\n",
-                 address.substr(0, address.rfind(':')).c_str(), metrics.port());
-  }
-  const std::string listen = flags.Text("listen");
-  std::fprintf(stderr, "tilemend-coordinator: listening on %s:%d\n", listen.substr(0, listen.rfind(':')).c_str(),
-               server->rpc().port());
+  log.Info("listening", {{"address", WithPort(flags.Text("listen"), server->rpc().port())}});
   std::binary_semaphore stop(0);
   signals.Start([&stop](int count) {
     if (count == 1) stop.release();
   });
   stop.acquire();
   signals.Stop();  // before `stop` goes
-  std::fprintf(stderr, "tilemend-coordinator: ending\n");
+  log.Info("ending");
   return absl::OkStatus();
 }
 

@@ -16,7 +16,7 @@ import sys
 LIBRARIES = {
     'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
-    'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'gtest/': 'gtest',
+    'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'civetweb': 'civetweb', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
     'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
 }
@@ -52,7 +52,7 @@ RULES = {
 
     'common/store': rule(['common/util'], ['absl', 'openssl']),
 
-    'common/metrics': rule([], ['absl', 'prometheus']),
+    'common/metrics': rule([], ['absl', 'civetweb', 'prometheus']),
 
     'common/rpc': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'protobuf']),
 

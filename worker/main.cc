@@ -2,15 +2,19 @@
 // second makes it give that back.
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
+#include "common/metrics/status_server.h"
 #include "common/rpc/endpoint.h"
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
+#include "common/util/log.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
@@ -20,11 +24,15 @@
 namespace tilemend {
 namespace {
 
+constexpr char kProgram[] = "tilemend-worker";
+
 std::vector<FlagSpec> WorkerFlags() {
   return {
       {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"},
       {"threads", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
-      {"metrics", "HOST:PORT", "serve Prometheus metrics on http://HOST:PORT/metrics", ""},
+      {"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
+      {"health", "HOST:PORT", "answer the standard gRPC health check there", ""},
+      {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
   };
@@ -42,10 +50,8 @@ absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
   }
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("coordinator")));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
+  if (flags.IsGiven("health")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("health")));
   options.id = NewWorkerId();
-  options.tell = [](const std::string& reason) {
-    std::fprintf(stderr, "tilemend-worker: %s\n", reason.empty() ? "gets tasks again" : reason.c_str());
-  };
   return options;
 }
 
@@ -54,29 +60,41 @@ int Fail(const absl::Status& status, int code) {
   return code;
 }
 
-absl::Status Work(const Flags& flags, const WorkerOptions& options) {
+absl::Status Work(const Flags& flags, WorkerOptions options) {
   SignalWatcher signals;  // before any other thread
   PrometheusRegistry metrics;
-  if (flags.IsGiven("metrics")) {
-    const std::string address = flags.Text("metrics");
-    TILEMEND_RETURN_IF_ERROR(metrics.Expose(address));
-    std::fprintf(stderr, "tilemend-worker: metrics on http://%s:%d/metrics\n",
-                 address.substr(0, address.rfind(':')).c_str(), metrics.port());
-  }
+  ProcessMetrics process(metrics, kProgram, Version());
+  TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
+  StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}, {"worker", options.id}});
+  options.log = &log;
+  log.Info("starting", {{"coordinator", flags.Text("coordinator")}, {"threads", options.threads}});
   Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"))), SceneStageRunner(), metrics);
-  std::fprintf(stderr, "tilemend-worker: %s with %d threads for %s\n", options.id.c_str(), options.threads,
-               flags.Text("coordinator").c_str());
-  signals.Start([&worker](int count) {
-    std::fprintf(stderr, "tilemend-worker: %s\n", count == 1 ? "finishing what it has" : "giving back what it has");
+  std::unique_ptr<RpcServer> health;
+  if (flags.IsGiven("health")) {
+    TILEMEND_ASSIGN_OR_RETURN(health, RpcServer::Start(flags.Text("health"), {}));
+    log.Info("health served", {{"address", WithPort(flags.Text("health"), health->port())}});
+  }
+  std::unique_ptr<StatusServer> status;
+  if (flags.IsGiven("metrics")) {
+    const StatusPages pages = {[&] {
+                                 process.Update();
+                                 return metrics.Text();
+                               },
+                               [&worker] { return worker.WhyNotReady(); }};
+    TILEMEND_ASSIGN_OR_RETURN(status, StatusServer::Start(flags.Text("metrics"), pages));
+    log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), status->port())}});
+  }
+  signals.Start([&](int count) {
+    log.Info(count == 1 ? "finishing what it has" : "giving back what it has");
     if (count == 1) {
       worker.Drain();
     } else {
       worker.Stop();
     }
   });
-  const absl::Status status = worker.Join();
+  const absl::Status end = worker.Join();
   signals.Stop();  // before the worker goes
-  return status;
+  return end;
 }
 
 int Main(const std::vector<std::string>& words) {

@@ -1,17 +1,13 @@
 #include "common/metrics/prometheus_registry.h"
 
 #include <prometheus/counter.h>
-#include <prometheus/exposer.h>
 #include <prometheus/gauge.h>
 #include <prometheus/histogram.h>
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
 
 #include <deque>
-#include <exception>
 #include <mutex>
-
-#include "absl/strings/str_cat.h"
 
 namespace tilemend {
 namespace {
@@ -51,7 +47,6 @@ struct PrometheusRegistry::Impl {
   std::deque<PrometheusCounter> counters;
   std::deque<PrometheusGauge> gauges;
   std::deque<PrometheusHistogram> histograms;
-  std::unique_ptr<prometheus::Exposer> exposer;
 };
 
 PrometheusRegistry::PrometheusRegistry() : impl_(std::make_unique<Impl>()) {}
@@ -74,23 +69,6 @@ Histogram* PrometheusRegistry::AddHistogram(const std::string& name, const std::
   auto& family = prometheus::BuildHistogram().Name(name).Help(help).Register(*impl_->registry);
   std::lock_guard<std::mutex> lock(impl_->mutex);
   return &impl_->histograms.emplace_back(family.Add(labels, bounds));
-}
-
-absl::Status PrometheusRegistry::Expose(const std::string& address) {
-  try {
-    impl_->exposer = std::make_unique<prometheus::Exposer>(address, 1);
-    impl_->exposer->RegisterCollectable(impl_->registry);
-  } catch (const std::exception& error) {
-    return absl::UnavailableError(
-        absl::StrCat(address, ": cannot serve metrics there (", error.what(), "); choose another address"));
-  }
-  return absl::OkStatus();
-}
-
-int PrometheusRegistry::port() const {
-  if (impl_->exposer == nullptr) return 0;
-  const std::vector<int> ports = impl_->exposer->GetListeningPorts();
-  return ports.empty() ? 0 : ports.front();
 }
 
 std::string PrometheusRegistry::Text() const {

@@ -1,6 +1,7 @@
 #include "common/rpc/endpoint.h"
 
 #include <grpcpp/create_channel.h>
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/security/server_credentials.h>
@@ -40,6 +41,7 @@ RpcServer::~RpcServer() { Shutdown(absl::Seconds(2)); }
 absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& listen,
                                                             const std::vector<grpc::Service*>& services) {
   grpc::EnableDefaultHealthCheckService(true);
+  grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;
   builder.SetMaxReceiveMessageSize(kMaxMessageBytes);
   builder.SetMaxSendMessageSize(kMaxMessageBytes);
@@ -64,6 +66,7 @@ absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& l
 std::shared_ptr<grpc::Channel> RpcServer::InProcessChannel() { return server_->InProcessChannel(ChannelArguments()); }
 
 void RpcServer::Shutdown(absl::Duration grace) {
+  if (auto* health = server_->GetHealthCheckService(); health != nullptr) health->Shutdown();
   server_->Shutdown(std::chrono::system_clock::now() + absl::ToChronoMilliseconds(grace));
 }
 
@@ -79,6 +82,10 @@ absl::Status CheckAddress(const std::string& address) {
     return absl::InvalidArgumentError(absl::StrCat("'", address, "': expected HOST:PORT, for instance 127.0.0.1:7070"));
   }
   return absl::OkStatus();
+}
+
+std::string WithPort(const std::string& address, int port) {
+  return absl::StrCat(address.substr(0, address.rfind(':')), ":", port);
 }
 
 void PrepareProcess() {

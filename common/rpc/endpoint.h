@@ -19,7 +19,8 @@ namespace tilemend {
 class RpcServer {
  public:
   // Listens on `listen` ("HOST:PORT", port 0 takes a free one) or, if it is empty, only in process. Answers the
-  // standard health check. kInvalidArgument for a malformed address, kUnavailable if the address cannot be had.
+  // standard health check and reflection. kInvalidArgument for a malformed address, kUnavailable if the address cannot
+  // be had.
   static absl::StatusOr<std::unique_ptr<RpcServer>> Start(const std::string& listen,
                                                           const std::vector<grpc::Service*>& services);
   ~RpcServer();
@@ -41,6 +42,9 @@ std::shared_ptr<grpc::Channel> Connect(const std::string& address);
 
 // kInvalidArgument unless `address` is HOST:PORT with a port in [0, 65535].
 absl::Status CheckAddress(const std::string& address);
+
+// `address` with another port: where it is known, that of a server that chose one.
+std::string WithPort(const std::string& address, int port);
 
 // For the start of main. Raises the limit of open files as far as allowed, for gRPC 1.51 stops accepting for good after
 // it ran out of them once, and keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise.

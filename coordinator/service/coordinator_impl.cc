@@ -5,11 +5,11 @@
 #include <random>
 #include <utility>
 
-#include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/strip.h"
 #include "common/rpc/limits.h"
+#include "common/rpc/trace.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -19,8 +19,6 @@ namespace tilemend {
 namespace {
 
 constexpr size_t kMaxRequestIdBytes = 128;
-constexpr int32_t kDefaultPageSize = 50;
-constexpr int32_t kMaxPageSize = 1000;
 constexpr std::chrono::milliseconds kWatchInterval(50);
 
 std::function<absl::Time()> SteadyWallClock() {
@@ -46,10 +44,6 @@ absl::Status InvalidRequestId() {
   return WithErrorInfo(
       absl::InvalidArgumentError(absl::StrCat("request_id: longer than ", kMaxRequestIdBytes, " bytes")),
       {"INVALID_SPEC", {{"field", "request_id"}}});
-}
-
-absl::Status InvalidPage(const std::string& what) {
-  return WithErrorInfo(absl::InvalidArgumentError(what), {"INVALID_PAGE", {}});
 }
 
 }  // namespace
@@ -81,6 +75,7 @@ CoordinatorImpl::CoordinatorImpl(CoordinatorOptions options, PipelineFactory fac
       journal_(options_.journal),
       factory_(std::move(factory)),
       metrics_(metrics),
+      events_(metrics, *options_.log),
       state_(options_.state) {}
 
 CoordinatorImpl::~CoordinatorImpl() {
@@ -123,7 +118,10 @@ void CoordinatorImpl::Changed() {
 absl::StatusOr<Effects> CoordinatorImpl::Apply(const Event& event, Contents contents) {
   TILEMEND_ASSIGN_OR_RETURN(Effects effects, state_.Apply(event));
   for (const Stage stage : effects.retried) metrics_.Retried(stage);
-  for (const StruckTask& task : effects.struck) PutStrike(task);
+  for (const StruckTask& task : effects.struck) {
+    PutStrike(task);
+    events_.AttemptLost(task, entries_.at(task.key.job).origin);
+  }
   for (const SettledTask& task : effects.settled) {
     std::optional<std::string> content;
     if (!contents.empty()) {
@@ -154,23 +152,19 @@ absl::StatusOr<const Job*> CoordinatorImpl::JobNamed(const std::string& name) co
                        {"JOB_NOT_FOUND", {{"job", std::string(id)}}});
 }
 
-v1::Job CoordinatorImpl::Describe(const Job& job) const {
-  const JobEntry& entry = entries_.at(job.id);
-  return JobToProto(job, entry.spec, entry.outcome, entry.error);
-}
-
-absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request) {
+absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
   const JobSpec spec = SpecFromProto(request.spec());
   TILEMEND_RETURN_IF_ERROR(spec.Check());
   const absl::Status scene = CheckScene(spec.scene);  // without the lock: a mount may hang
   return Answer([&]() -> absl::StatusOr<v1::Job> {
     const bool is_new = request.request_id().empty() || state_.FindRequest(request.request_id()) == nullptr;
     if (is_new) TILEMEND_RETURN_IF_ERROR(scene);
-    return StartJob(spec, request.request_id());
+    return StartJob(spec, request.request_id(), std::move(origin));
   });
 }
 
-absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id) {
+absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id,
+                                                  JobOrigin origin) {
   if (request_id.size() > kMaxRequestIdBytes) return InvalidRequestId();
   if (const Job* job = request_id.empty() ? nullptr : state_.FindRequest(request_id); job != nullptr) {
     if (entries_.at(job->id).spec == spec) return Describe(*job);
@@ -185,11 +179,14 @@ absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std
   TILEMEND_RETURN_IF_ERROR(Apply(JobCreated{id, request_id, options_.clock()}).status());
   JobEntry& entry = entries_[id];
   entry.spec = spec;
+  entry.origin = std::move(origin);
+  if (entry.origin.trace.empty()) entry.origin.trace = NewTrace();
   entry.out_key = out_key;
   entry.blobs = blobs;
   PutJob(*state_.FindJob(id), false);
+  events_.JobCreated(*state_.FindJob(id), spec, entry.origin);
   entry.runner = std::make_unique<JobRunner>(spec, factory_, std::move(blobs), SinkOf(id));
-  metrics_.Show(state_);
+  ShowMetrics();
   return Describe(*state_.FindJob(id));
 }
 
@@ -249,7 +246,7 @@ void CoordinatorImpl::OnCompleted(const std::string& id, const JobOutcome& outco
     JobEntry& entry = entries_.at(id);
     entry.completed = true;
     entry.ended = options_.clock();
-    v1::Job end = JobToProto(job, entry.spec, outcome, absl::OkStatus());
+    v1::Job end = JobToProto(job, entry.spec, outcome, absl::OkStatus(), entry.origin);
     SetEnd(partial ? JobState::kPartial : JobState::kDone, entry.ended, end);
     PutJob(job, false, std::move(end));
   }
@@ -270,8 +267,9 @@ void CoordinatorImpl::OnFinished(const std::string& id, absl::StatusOr<JobOutcom
     entry.ended = options_.clock();
   }
   Apply(JobFinished{id, state, entry.ended}).IgnoreError();
+  events_.JobEnded(*job, entry.outcome, entry.error, entry.origin);
   if (!outcome.ok()) PutJob(*job, true);
-  metrics_.Show(state_);
+  ShowMetrics();
   Changed();
 }
 
@@ -284,26 +282,6 @@ absl::StatusOr<v1::Job> CoordinatorImpl::GetJob(const v1::GetJobRequest& request
   return Answer([&]() -> absl::StatusOr<v1::Job> {
     TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
     return Describe(*job);
-  });
-}
-
-absl::StatusOr<v1::ListJobsResponse> CoordinatorImpl::ListJobs(const v1::ListJobsRequest& request) {
-  if (request.page_size() < 0) return InvalidPage("page_size: below 0");
-  const int32_t size = request.page_size() == 0 ? kDefaultPageSize : std::min(request.page_size(), kMaxPageSize);
-  int64_t below = std::numeric_limits<int64_t>::max();  // the token is the number of the last job that was shown
-  if (!request.page_token().empty() && !absl::SimpleAtoi(request.page_token(), &below)) {
-    return InvalidPage(absl::StrCat("page_token: '", request.page_token(), "' was not given out here"));
-  }
-  return Answer([&] {
-    const auto& numbers = state_.job_numbers();
-    v1::ListJobsResponse response;
-    auto it = numbers.lower_bound(below);
-    while (it != numbers.begin() && response.jobs_size() < size) {
-      --it;
-      *response.add_jobs() = Describe(*state_.FindJob(it->second));
-    }
-    if (it != numbers.begin()) response.set_next_page_token(absl::StrCat(it->first));
-    return response;
   });
 }
 
@@ -320,19 +298,20 @@ absl::StatusOr<v1::Job> CoordinatorImpl::Cancel(const std::string& name) {
                          {"JOB_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
   }
   TILEMEND_RETURN_IF_ERROR(Apply(JobCancelled{job->id, options_.clock()}).status());
+  events_.JobEnded(*job, {}, absl::OkStatus(), entries_.at(job->id).origin);
   PutJob(*job, true);
-  metrics_.Show(state_);
+  ShowMetrics();
   Changed();
   return Describe(*job);
 }
 
-absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& request) {
+absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& request, JobOrigin origin) {
   return Answer([&]() -> absl::StatusOr<v1::Job> {
     TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
     if (IsOver(job->state)) {
       JobSpec spec = entries_.at(job->id).spec;
       spec.overwrite = spec.overwrite || request.overwrite();
-      return StartJob(std::move(spec), request.request_id());
+      return StartJob(std::move(spec), request.request_id(), std::move(origin));
     }
     return WithErrorInfo(
         absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),
@@ -372,7 +351,10 @@ void CoordinatorImpl::Tick() {
   Lock lock(mutex_);
   const absl::Time now = options_.clock();
   for (const Event& event : may_lose_ ? Overdue(state_, now, options_.lease) : std::vector<Event>()) {
-    if (const auto* lost = std::get_if<WorkerLost>(&event)) ForgetWorker(lost->worker);
+    if (const auto* lost = std::get_if<WorkerLost>(&event)) {
+      events_.WorkerLost(*state_.FindWorker(lost->worker), now);
+      ForgetWorker(lost->worker);
+    }
     Apply(event).IgnoreError();
   }
   for (auto& [id, entry] : entries_) {
@@ -382,7 +364,7 @@ void CoordinatorImpl::Tick() {
     entry.blobs.reset();
   }
   ForgetOldJobs(now);
-  metrics_.Show(state_);
+  ShowMetrics();
   lock.unlock();  // before the runners are joined
 }
 

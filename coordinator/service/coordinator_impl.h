@@ -23,8 +23,10 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "common/metrics/metrics.h"
+#include "common/util/log.h"
 #include "coordinator/journal/journal.h"
 #include "coordinator/service/blob_folder.h"
+#include "coordinator/service/cluster_events.h"
 #include "coordinator/service/coordinator_metrics.h"
 #include "coordinator/service/job_pipeline.h"
 #include "coordinator/service/job_runner.h"
@@ -52,6 +54,7 @@ struct CoordinatorOptions {
   ResultCheck check_result = {};
   // Looks for overdue leases in the background; without it only Tick does (tests).
   bool background_ticks = true;
+  Log* log = Log::Null();  // outlives the coordinator
 };
 
 // Thread-safe. Every call is short, except Sync and WatchJob, which wait for news as their messages say.
@@ -62,18 +65,20 @@ class CoordinatorImpl {
   // Leaves jobs as they are: with the journal they go on.
   ~CoordinatorImpl();
 
-  absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request);
+  absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request, JobOrigin origin = {});
   absl::StatusOr<v1::Job> GetJob(const v1::GetJobRequest& request);
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
   absl::StatusOr<v1::Job> CancelJob(const v1::CancelJobRequest& request);
-  absl::StatusOr<v1::Job> RetryJob(const v1::RetryJobRequest& request);
+  absl::StatusOr<v1::Job> RetryJob(const v1::RetryJobRequest& request, JobOrigin origin = {});
+  absl::StatusOr<v1::ListWorkersResponse> ListWorkers(const v1::ListWorkersRequest& request);
   // Calls `send` for each state of the job as the message says, and at least once a second `alive`; ends when the job
   // is over (OK) or either returns false (kCancelled).
   absl::Status WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
                         const std::function<bool()>& alive);
 
   // `alive` tells whether the worker still waits for the answer: nothing is leased to one that does not.
-  absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request, const std::function<bool()>& alive);
+  absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request, const std::function<bool()>& alive,
+                                        const std::string& identity = "");
   absl::Status ReadBlob(const v1::ReadBlobRequest& request, const std::function<bool(std::string_view)>& send);
   // `next` gives the messages of the stream and false at its end.
   absl::StatusOr<v1::WriteBlobResponse> WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next);
@@ -87,6 +92,7 @@ class CoordinatorImpl {
  private:
   struct JobEntry {
     JobSpec spec;
+    JobOrigin origin;
     std::string out_key;  // normal form of spec.out
     JobOutcome outcome;
     absl::Status error;
@@ -127,11 +133,15 @@ class CoordinatorImpl {
 
   // All below with the lock held, unless said otherwise.
   absl::StatusOr<const Job*> JobNamed(const std::string& name) const;
-  absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id);
+  absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id, JobOrigin origin);
   absl::Status CheckNewJob(const std::string& out_key) const;
   absl::StatusOr<v1::Job> Cancel(const std::string& name);
   JobRunner::Sink SinkOf(const std::string& id);
   v1::Job Describe(const Job& job) const;
+  v1::WorkerInfo Describe(const WorkerRecord& worker) const;
+  // Why nothing of a job goes on, for people; "" if it does.
+  std::string WhyWaiting(const Job& job) const;
+  void ShowMetrics();
   void Changed();
   // `contents`: outputs of the tasks that the event settles, one after the other, that are not blobs.
   absl::StatusOr<Effects> Apply(const Event& event, Contents contents = {});
@@ -175,7 +185,7 @@ class CoordinatorImpl {
   std::optional<Holding> HoldingOf(const std::string& worker, const v1::TaskRef& ref);  // takes the lock
 
   // Whether another process has called itself so.
-  absl::Status CheckSecret(const v1::SyncRequest& request);
+  absl::Status CheckSecret(const v1::SyncRequest& request, const std::string& identity);
   // Gives the jobs whose folders the worker does not see.
   std::vector<std::string> TakeSeen(const v1::SyncRequest& request);
   void TakeReports(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response);
@@ -201,6 +211,7 @@ class CoordinatorImpl {
   const std::shared_ptr<Journal> journal_;
   const PipelineFactory factory_;
   CoordinatorMetrics metrics_;
+  ClusterEvents events_;
 
   std::mutex mutex_;
   std::condition_variable work_changed_;  // tasks were added or leases ended, or another call of a worker came
@@ -213,6 +224,9 @@ class CoordinatorImpl {
   struct Caller {
     uint64_t sequence = 0;  // of its last call
     std::string secret;
+    std::string release;
+    std::string identity;
+    absl::Time first_seen;
   };
   std::map<std::string, Caller> callers_;  // workers
   WorkerTrust trust_;

@@ -32,6 +32,7 @@ CoordinatorMetrics::CoordinatorMetrics(MetricsRegistry& registry) {
       registry.AddGauge(prefix + "workers_set_aside", "Workers that get no task, as a result of theirs was wrong.", {});
   workers_blind_ = registry.AddGauge(prefix + "workers_blind",
                                      "Workers that do not see the folders of a job, counted for each job.", {});
+  task_slots_ = registry.AddGauge(prefix + "task_slots", "Tasks that the workers take at once.", {});
   tasks_pending_ = registry.AddGauge(prefix + "tasks_pending", "Tasks that wait for a worker.", {});
   tasks_running_ = registry.AddGauge(prefix + "tasks_running", "Tasks that workers hold.", {});
   blob_bytes_sent_ = registry.AddCounter(prefix + "blob_sent_bytes_total", "Bytes of blobs sent to workers.", {});
@@ -60,6 +61,9 @@ void CoordinatorMetrics::Show(const CoordinatorState& state) {
   }
   for (size_t i = 0; i < jobs.size(); ++i) jobs_[i]->Set(static_cast<double>(jobs[i]));
   workers_->Set(static_cast<double>(state.workers().size()));
+  int64_t slots = 0;
+  for (const auto& [id, worker] : state.workers()) slots += worker.draining ? 0 : worker.threads;
+  task_slots_->Set(static_cast<double>(slots));
   tasks_pending_->Set(static_cast<double>(pending));
   tasks_running_->Set(static_cast<double>(running));
 }

@@ -46,6 +46,7 @@ class CoordinatorMetrics {
   Gauge* workers_;
   Gauge* workers_set_aside_;
   Gauge* workers_blind_;
+  Gauge* task_slots_;
   Gauge* tasks_pending_;
   Gauge* tasks_running_;
   Counter* blob_bytes_sent_;

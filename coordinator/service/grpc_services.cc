@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/rpc/grpc_status.h"
+#include "common/rpc/trace.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
 #include "tilemend/v1/work.grpc.pb.h"
@@ -12,12 +13,19 @@ namespace {
 
 using grpc::ServerContext;
 
+JobOrigin OriginOf(const ServerContext& context) {
+  const auto& metadata = context.client_metadata();
+  const auto parent = metadata.find("traceparent");
+  if (parent == metadata.end()) return {};
+  return {"", TraceOf({parent->second.data(), parent->second.size()})};
+}
+
 class JobsService : public v1::Jobs::Service {
  public:
   explicit JobsService(CoordinatorImpl& impl) : impl_(impl) {}
 
-  grpc::Status CreateJob(ServerContext*, const v1::CreateJobRequest* request, v1::Job* response) override {
-    return Reply(impl_.CreateJob(*request), response);
+  grpc::Status CreateJob(ServerContext* context, const v1::CreateJobRequest* request, v1::Job* response) override {
+    return Reply(impl_.CreateJob(*request, OriginOf(*context)), response);
   }
   grpc::Status GetJob(ServerContext*, const v1::GetJobRequest* request, v1::Job* response) override {
     return Reply(impl_.GetJob(*request), response);
@@ -34,8 +42,21 @@ class JobsService : public v1::Jobs::Service {
   grpc::Status CancelJob(ServerContext*, const v1::CancelJobRequest* request, v1::Job* response) override {
     return Reply(impl_.CancelJob(*request), response);
   }
-  grpc::Status RetryJob(ServerContext*, const v1::RetryJobRequest* request, v1::Job* response) override {
-    return Reply(impl_.RetryJob(*request), response);
+  grpc::Status RetryJob(ServerContext* context, const v1::RetryJobRequest* request, v1::Job* response) override {
+    return Reply(impl_.RetryJob(*request, OriginOf(*context)), response);
+  }
+
+ private:
+  CoordinatorImpl& impl_;
+};
+
+class WorkersService : public v1::Workers::Service {
+ public:
+  explicit WorkersService(CoordinatorImpl& impl) : impl_(impl) {}
+
+  grpc::Status ListWorkers(ServerContext*, const v1::ListWorkersRequest* request,
+                           v1::ListWorkersResponse* response) override {
+    return Reply(impl_.ListWorkers(*request), response);
   }
 
  private:
@@ -68,11 +89,11 @@ class WorkService : public v1::Work::Service {
 
 class Server : public CoordinatorServer {
  public:
-  explicit Server(CoordinatorImpl& impl) : impl_(impl), jobs_(impl), work_(impl) {}
+  explicit Server(CoordinatorImpl& impl) : impl_(impl), jobs_(impl), workers_(impl), work_(impl) {}
   ~Server() override { impl_.StopWaiting(); }
 
   absl::Status Start(const std::string& listen) {
-    TILEMEND_ASSIGN_OR_RETURN(rpc_, RpcServer::Start(listen, {&jobs_, &work_}));
+    TILEMEND_ASSIGN_OR_RETURN(rpc_, RpcServer::Start(listen, {&jobs_, &workers_, &work_}));
     return absl::OkStatus();
   }
   RpcServer& rpc() override { return *rpc_; }
@@ -80,6 +101,7 @@ class Server : public CoordinatorServer {
  private:
   CoordinatorImpl& impl_;
   JobsService jobs_;
+  WorkersService workers_;
   WorkService work_;
   std::unique_ptr<RpcServer> rpc_;  // ends first
 };

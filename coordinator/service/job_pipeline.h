@@ -69,6 +69,12 @@ struct TaskResult {
   absl::StatusOr<std::string> output;
 };
 
+// Who asked for a job, and its name in all logs (JobSpec says what).
+struct JobOrigin {
+  std::string owner;  // "" where nobody has a name
+  std::string trace;  // 32 hexadecimal digits
+};
+
 struct JobOutcome {
   bool partial = false;  // some holes or cells are left
   std::string message;   // one line for people

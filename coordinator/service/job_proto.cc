@@ -23,12 +23,6 @@ v1::JobState StateToProto(JobState state) {
   return v1::JOB_STATE_UNSPECIFIED;
 }
 
-void SetTime(absl::Time time, google::protobuf::Timestamp& proto) {
-  const int64_t seconds = absl::ToUnixSeconds(time);
-  proto.set_seconds(seconds);
-  proto.set_nanos(static_cast<int32_t>(absl::ToInt64Nanoseconds(time - absl::FromUnixSeconds(seconds))));
-}
-
 void SetProgress(const Job& job, v1::Progress& proto) {
   proto.set_phase(job.progress.phase);
   proto.set_cells(job.progress.cells);
@@ -62,6 +56,12 @@ JobState StateFromProto(v1::JobState state) {
 }
 
 }  // namespace
+
+void SetTime(absl::Time time, google::protobuf::Timestamp& proto) {
+  const int64_t seconds = absl::ToUnixSeconds(time);
+  proto.set_seconds(seconds);
+  proto.set_nanos(static_cast<int32_t>(absl::ToInt64Nanoseconds(time - absl::FromUnixSeconds(seconds))));
+}
 
 JobSpec SpecFromProto(const v1::JobSpec& proto) {
   JobSpec spec;
@@ -110,13 +110,17 @@ void SetEnd(JobState state, absl::Time time, v1::Job& proto) {
   if (IsOver(state)) SetTime(time, *proto.mutable_end_time());
 }
 
-v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error) {
+v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error,
+                   const JobOrigin& origin) {
   v1::Job proto;
+  proto.set_owner(origin.owner);
+  proto.set_trace(origin.trace);
   proto.set_name(absl::StrCat("jobs/", job.id));
   SetEnd(job.state, job.ended, proto);
   *proto.mutable_spec() = SpecToProto(spec);
   SetProgress(job, *proto.mutable_progress());
   SetTime(job.created, *proto.mutable_create_time());
+  if (job.started != absl::InfiniteFuture()) SetTime(job.started, *proto.mutable_start_time());
   if (!error.ok()) *proto.mutable_error() = StatusToProto(error);
   proto.set_message(outcome.message);
   proto.set_report(outcome.report);
@@ -130,11 +134,13 @@ ToldJob JobFromProto(const v1::Job& proto) {
   told.spec = SpecFromProto(proto.spec());
   told.outcome.message = proto.message();
   told.outcome.report = proto.report();
+  told.origin = {proto.owner(), proto.trace()};
   if (proto.has_error()) told.error = StatusFromProto(proto.error());
   Job& job = told.job;
   job.id = std::string(absl::StripPrefix(proto.name(), "jobs/"));
   job.state = StateFromProto(proto.state());
   job.created = TimeOf(proto.create_time());
+  if (proto.has_start_time()) job.started = TimeOf(proto.start_time());
   job.warnings.assign(proto.warnings().begin(), proto.warnings().end());
   if (!IsOver(job.state)) return told;
   job.ended = TimeOf(proto.end_time());

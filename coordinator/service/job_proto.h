@@ -13,7 +13,10 @@ namespace tilemend {
 JobSpec SpecFromProto(const v1::JobSpec& proto);
 v1::JobSpec SpecToProto(const JobSpec& spec);
 
-v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error);
+v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error,
+                   const JobOrigin& origin = {});
+
+void SetTime(absl::Time time, google::protobuf::Timestamp& proto);
 
 // Makes the message tell that the job is over.
 void SetEnd(JobState state, absl::Time time, v1::Job& proto);
@@ -23,6 +26,7 @@ struct ToldJob {
   Job job;  // without request_id, number and version; progress and counts only if it is over
   JobSpec spec;
   JobOutcome outcome;
+  JobOrigin origin;
   absl::Status error;
 };
 ToldJob JobFromProto(const v1::Job& proto);

@@ -91,7 +91,7 @@ absl::Status CoordinatorImpl::Restore() {
   }
   {
     Lock lock(mutex_);  // the runners are at work
-    metrics_.Show(state_);
+    ShowMetrics();
   }
   return SweepFolders();
 }
@@ -112,8 +112,10 @@ absl::Status CoordinatorImpl::RestoreJob(JobRecord record) {
   JobEntry& entry = entries_[id];
   entry.spec = std::move(told.spec);
   entry.out_key = OutKey(entry.spec);
+  entry.origin = std::move(told.origin);
   entry.outcome = std::move(told.outcome);
   entry.error = std::move(told.error);
+  if (record.over) events_.JobRemembered(*state_.FindJob(id));
   if (record.over && record.released) return absl::OkStatus();
   const auto mode = record.over ? JobRunner::Mode::kRelease : JobRunner::Mode::kRun;
   if (!record.over) {
@@ -122,6 +124,7 @@ absl::Status CoordinatorImpl::RestoreJob(JobRecord record) {
     TILEMEND_RETURN_IF_ERROR(entry.blobs->KeepOnly({outputs.begin(), outputs.end()}));
     FailPoint("restore.swept");
     entry.resuming = true;
+    events_.JobRestored(*state_.FindJob(id), entry.origin);
   }
   entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id), mode);
   return absl::OkStatus();

@@ -77,21 +77,25 @@ v1::Task TaskMessage(const TaskKey& key, const Task& task, const Lease& lease) {
 }  // namespace
 
 absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& request,
-                                                       const std::function<bool()>& alive) {
+                                                       const std::function<bool()>& alive,
+                                                       const std::string& identity) {
   TILEMEND_RETURN_IF_ERROR(CheckSync(request));
   std::vector<Report> reports = PrepareReports(request);
   v1::SyncResponse response;
   std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
   {
     Lock lock(mutex_);
-    TILEMEND_RETURN_IF_ERROR(CheckSecret(request));
+    TILEMEND_RETURN_IF_ERROR(CheckSecret(request, identity));
     uint64_t& sequence = callers_[request.worker()].sequence;
     sequence = std::max(sequence, request.sequence());
     work_changed_.notify_all();  // an older call of this worker ends
     const bool is_new = state_.FindWorker(request.worker()) == nullptr;
     TILEMEND_RETURN_IF_ERROR(
         Apply(WorkerSeen{request.worker(), request.threads(), request.draining(), options_.clock()}).status());
-    if (is_new) metrics_.Show(state_);
+    if (is_new) {
+      events_.WorkerCame(*state_.FindWorker(request.worker()), request.release(), identity);
+      ShowMetrics();
+    }
     TakeReports(request.worker(), std::move(reports), response);
     RenewHeld(request);
     if (const std::vector<std::string> unseen = TakeSeen(request); !unseen.empty()) {
@@ -107,9 +111,10 @@ absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& re
   return response;
 }
 
-absl::Status CoordinatorImpl::CheckSecret(const v1::SyncRequest& request) {
-  std::string& secret = callers_.try_emplace(request.worker(), Caller{0, request.secret()}).first->second.secret;
-  if (secret == request.secret()) return absl::OkStatus();
+absl::Status CoordinatorImpl::CheckSecret(const v1::SyncRequest& request, const std::string& identity) {
+  const Caller caller{0, request.secret(), request.release(), identity, options_.clock()};
+  const Caller& known = callers_.try_emplace(request.worker(), caller).first->second;
+  if (known.secret == request.secret() && known.identity == identity) return absl::OkStatus();
   return WithErrorInfo(
       absl::PermissionDeniedError(absl::StrCat("another process is worker ", Printable(request.worker()))),
       {"WORKER_SECRET", {}});
@@ -121,6 +126,7 @@ std::vector<std::string> CoordinatorImpl::TakeSeen(const v1::SyncRequest& reques
     const auto warning = trust_.TakeSeen(request.worker(), seen, options_.clock());
     if (!warning) continue;
     Warn(seen.job(), *warning);
+    events_.WorkerBlind(request.worker(), seen.job(), *warning);
     unseen.push_back(seen.job());
   }
   metrics_.ShowTrust(trust_.set_aside(), trust_.blind());
@@ -242,6 +248,9 @@ bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
   }
   const auto effects = Apply(report.event, {std::move(report.content)});
   if (!effects.ok()) return false;
+  if (failed != nullptr && task != nullptr) {
+    events_.AttemptFailed(*task, report.ref.job(), worker, entries_.at(report.ref.job()).origin, failed->error);
+  }
   if (failed != nullptr && ErrorReason(failed->error) == "FOLDER_NOT_SEEN") trust_.Doubt(worker, report.ref.job());
   if (!report.refusal.empty()) OnRefused(worker, report, *effects);
   return true;
@@ -253,6 +262,7 @@ void CoordinatorImpl::OnRefused(const std::string& worker, const Report& report,
   if (effects.settled.empty()) {
     trust_.SetAside(worker, report.refusal);
     journal_->PutSetAside({worker, report.refusal});
+    events_.WorkerSetAside(worker, report.refusal);
     Apply(WorkerLeft{worker}).IgnoreError();  // others do what it holds
   } else if (const Task* task = state_.FindTask(KeyOf(report.ref)); task != nullptr) {
     // Several came to it: the fault is in the task.
@@ -298,7 +308,8 @@ absl::Status CoordinatorImpl::AwaitNews(const v1::SyncRequest& request, const st
     if (request.draining() && request.held().empty()) {
       Apply(WorkerLeft{request.worker()}).IgnoreError();
       ForgetWorker(request.worker());
-      metrics_.Show(state_);
+      events_.WorkerLeft(request.worker());
+      ShowMetrics();
       response.set_leave(true);
       return absl::OkStatus();
     }
@@ -331,7 +342,10 @@ void CoordinatorImpl::TellState(const v1::SyncRequest& request, v1::SyncResponse
   for (const TaskKey& key : worker->held) {
     const Task& task = *state_.FindTask(key);
     const Lease& lease = *LeaseOf(task, request.worker());
-    if (!known.contains(lease.token)) *response.add_start() = TaskMessage(key, task, lease);
+    if (known.contains(lease.token)) continue;
+    v1::Task message = TaskMessage(key, task, lease);
+    message.set_trace(entries_.at(key.job).origin.trace);
+    *response.add_start() = std::move(message);
   }
 }
 
@@ -353,7 +367,13 @@ void CoordinatorImpl::LeaseTasks(const std::string& worker) {
   const absl::Time now = options_.clock();
   for (const TaskKey& key : ChooseTasks(state_, worker, now, MayWorkNow())) {
     const Stage stage = state_.FindTask(key)->stage;
-    if (Apply(TaskLeased{key, worker, NewToken(), now, now + options_.lease}).ok()) metrics_.Started(stage);
+    const Job& job = *state_.FindJob(key.job);
+    const bool starts = job.started == absl::InfiniteFuture();
+    if (!Apply(TaskLeased{key, worker, NewToken(), now, now + options_.lease}).ok()) continue;
+    metrics_.Started(stage);
+    if (!starts) continue;
+    PutJob(job, false);
+    events_.JobStarted(job, entries_.at(key.job).origin);
   }
 }
 

@@ -89,6 +89,15 @@ bool WorkerTrust::MayWorkOn(const std::string& worker, const std::string& job) c
   return seen != view->second.seen_by.end() && seen->second == absl::InfiniteFuture();
 }
 
+std::vector<std::string> WorkerTrust::BlindTo(const std::string& worker) const {
+  std::vector<std::string> jobs;
+  for (const auto& [job, view] : jobs_) {
+    const auto seen = view.seen_by.find(worker);
+    if (seen != view.seen_by.end() && seen->second != absl::InfiniteFuture()) jobs.push_back(job);
+  }
+  return jobs;
+}
+
 size_t WorkerTrust::blind() const {
   size_t count = 0;
   for (const auto& [job, view] : jobs_) {

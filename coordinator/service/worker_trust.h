@@ -43,6 +43,9 @@ class WorkerTrust {
 
   bool MayWorkOn(const std::string& worker, const std::string& job) const;
 
+  // Jobs whose folders it does not see.
+  std::vector<std::string> BlindTo(const std::string& worker) const;
+
   size_t set_aside() const { return set_aside_.size(); }
   // Workers that do not see some job's folders, counted for each job.
   size_t blind() const;

@@ -108,6 +108,7 @@ struct Job {
   int64_t number = 0;  // 1, 2, ... in order of creation
   JobState state = JobState::kRunning;
   absl::Time created;
+  absl::Time started = absl::InfiniteFuture();  // when its first task was given to a worker
   absl::Time ended = absl::InfiniteFuture();
   uint64_t version = 0;  // grows with each change of the job
   Progress progress;

@@ -127,6 +127,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskLeased& event) {
     return absl::InvalidArgumentError(absl::StrCat("jobs/", job->id, " task ", event.key.task, ": not pending"));
   }
   if (event.token == 0) return absl::InvalidArgumentError("an attempt needs a token that is not 0");
+  job->started = std::min(job->started, event.time);
   Task& task = found->second;
   ++task.attempts;
   if (is_second) {

@@ -192,9 +192,10 @@ TEST_F(ClusterCommandTest, CtrlCEndsTheWatchingNotTheJob) {
 }
 
 TEST_F(CommandTest, TheCoordinatorServesUntilItIsTold) {
-  Process coordinator(folder_.path().string(), TOY_COORDINATOR,
-                      {"--listen", "127.0.0.1:0", "--work", folder_ / "work", "--metrics", "127.0.0.1:0"});
-  coordinator.AwaitLine("listening on 127.0.0.1:");
+  Process coordinator(
+      folder_.path().string(), TOY_COORDINATOR,
+      {"--listen", "127.0.0.1:0", "--work", folder_ / "work", "--metrics", "127.0.0.1:0", "--log", "text"});
+  coordinator.AwaitLine("listening address=127.0.0.1:");
   coordinator.Signal(SIGTERM);
   EXPECT_EQ(coordinator.Wait().code, 0);
   EXPECT_EQ(Process(folder_.path().string(), TOY_COORDINATOR, {"--listen", "nowhere", "--work", folder_ / "work"})

@@ -27,25 +27,25 @@ using Json = nlohmann::json;
 
 int PortIn(const std::string& rest) {
   int port = 0;
-  EXPECT_TRUE(absl::SimpleAtoi(rest.substr(0, rest.find('/')), &port)) << rest;
+  EXPECT_TRUE(absl::SimpleAtoi(rest, &port)) << rest;
   return port;
 }
 
 class SceneClusterTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    coordinator_ =
-        std::make_unique<Process>(folder_.path(), TILEMEND_COORDINATOR,
-                                  std::vector<std::string>{"--listen", "127.0.0.1:0", "--metrics", "127.0.0.1:0",
-                                                           "--work", folder_ / "work", "--lease", "3"});
-    coordinator_metrics_ = PortIn(coordinator_->AwaitLine("metrics on http://127.0.0.1:"));
-    address_ = "127.0.0.1:" + coordinator_->AwaitLine("listening on 127.0.0.1:");
+    coordinator_ = std::make_unique<Process>(
+        folder_.path(), TILEMEND_COORDINATOR,
+        std::vector<std::string>{"--listen", "127.0.0.1:0", "--metrics", "127.0.0.1:0", "--work", folder_ / "work",
+                                 "--lease", "3", "--log", "text"});
+    coordinator_metrics_ = PortIn(coordinator_->AwaitLine("metrics served address=127.0.0.1:"));
+    address_ = "127.0.0.1:" + coordinator_->AwaitLine("listening address=127.0.0.1:");
   }
 
   std::unique_ptr<Process> NewWorker() {
-    return std::make_unique<Process>(
-        folder_.path(), TILEMEND_WORKER,
-        std::vector<std::string>{"--coordinator", address_, "--threads", "1", "--metrics", "127.0.0.1:0"});
+    return std::make_unique<Process>(folder_.path(), TILEMEND_WORKER,
+                                     std::vector<std::string>{"--coordinator", address_, "--threads", "1", "--metrics",
+                                                              "127.0.0.1:0", "--log", "text"});
   }
 
   Ended Tilemend(const std::vector<std::string>& words) {
@@ -133,7 +133,7 @@ TEST_F(SceneClusterTest, OtherWorkersTakeTheCellsOfOneThatWasKilled) {
 TEST_F(SceneClusterTest, MetricsCountTheTasksOfAJob) {
   const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
   const auto worker = NewWorker();
-  const int worker_metrics = PortIn(worker->AwaitLine("metrics on http://127.0.0.1:"));
+  const int worker_metrics = PortIn(worker->AwaitLine("metrics served address=127.0.0.1:"));
   ASSERT_EQ(Ask({"submit", scene, "--out", folder_ / "out", "--wait"}).code, 0);
   const std::string coordinator = HttpGet(coordinator_metrics_, "/metrics");
   EXPECT_THAT(coordinator, HasSubstr("200 OK"));

@@ -19,9 +19,12 @@
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "common/util/version.h"
 
 namespace tilemend {
 namespace {
+
+constexpr char kNotYet[] = "has not reached its coordinator yet";
 
 std::string NewSecret() {
   std::random_device random;
@@ -38,7 +41,12 @@ std::string NewWorkerId() {
 
 Worker::Worker(const WorkerOptions& options, std::unique_ptr<WorkLink> link, StageRunner runner,
                MetricsRegistry& metrics)
-    : options_(options), secret_(NewSecret()), link_(std::move(link)), runner_(std::move(runner)), metrics_(metrics) {
+    : options_(options),
+      secret_(NewSecret()),
+      link_(std::move(link)),
+      runner_(std::move(runner)),
+      metrics_(metrics),
+      unconnected_(kNotYet) {
   threads_.emplace_back([this] { SyncLoop(); });
   for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { RunTasks(); });
 }
@@ -106,14 +114,14 @@ bool Worker::SyncOnce(absl::Duration& backoff) {
     if (mode_ == Mode::kAbandoned) return false;
   }
   if (response.ok()) {
-    metrics_.SetConnected(true);
+    SetConnected(absl::OkStatus());
     backoff = options_.first_backoff;
     const bool leave = response->leave();
     Take(request, *std::move(response));
     return !leave;
   }
   if (absl::IsCancelled(response.status()) || absl::IsAborted(response.status())) return true;  // call again
-  metrics_.SetConnected(false);
+  SetConnected(response.status());
   if (ErrorReason(response.status()) == "PROTOCOL_VERSION" || absl::IsInvalidArgument(response.status())) {
     std::lock_guard<std::mutex> lock(mutex_);
     end_status_ = response.status();
@@ -122,6 +130,24 @@ bool Worker::SyncOnce(absl::Duration& backoff) {
   const absl::Duration pause = backoff;
   backoff = std::min(2 * backoff, options_.max_backoff);
   return Pause(pause);
+}
+
+void Worker::SetConnected(const absl::Status& status) {
+  metrics_.SetConnected(status.ok());
+  std::string reason;
+  if (!status.ok()) reason = absl::StrCat("cannot reach its coordinator: ", std::string(status.message()));
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (reason.empty() && !unconnected_.empty()) options_.log->Info("connected");
+  // Once for each time, however the reason changes; an address that is wrong is told of as well.
+  if (!reason.empty() && (unconnected_.empty() || unconnected_ == kNotYet))
+    options_.log->Warn("not connected", {{"reason", reason}});
+  unconnected_ = std::move(reason);
+}
+
+std::string Worker::WhyNotReady() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (mode_ != Mode::kRunning) return "is ending";
+  return unconnected_.empty() ? set_aside_ : unconnected_;
 }
 
 bool Worker::Pause(absl::Duration backoff) {
@@ -138,6 +164,7 @@ v1::SyncRequest Worker::NextRequest() {
   request.set_protocol(kProtocolVersion);
   request.set_worker(options_.id);
   request.set_secret(secret_);
+  request.set_release(Version());
   request.set_sequence(++sequence_);
   for (const auto& [job, seen] : seen_) *request.add_seen() = seen;
   int32_t threads = options_.threads + options_.prefetch;
@@ -196,7 +223,13 @@ void Worker::TakeLooks(const v1::SyncRequest& request, const v1::SyncResponse& r
     looking.set_looking(true);
     if (seen_.emplace(folders.job(), std::move(looking)).second) to_look_.push_back(folders);
   }
-  if (response.set_aside() != set_aside_) options_.tell(set_aside_ = response.set_aside());
+  if (response.set_aside() == set_aside_) return;
+  set_aside_ = response.set_aside();
+  if (set_aside_.empty()) {
+    options_.log->Info("gets tasks again");
+  } else {
+    options_.log->Error("set aside", {{"reason", set_aside_}});
+  }
 }
 
 void Worker::Look(const v1::JobFolders& folders) {
@@ -249,6 +282,7 @@ void Worker::RunTask(Held& held) {
   const auto start = std::chrono::steady_clock::now();
   v1::FinishedTask report = Report(held.task, Compute(held));
   metrics.seconds->Observe(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  if (report.has_error() && !held.cancel.cancelled()) LogFailure(held.task, report.error());
   const uint64_t token = held.task.ref().attempt_token();
   std::lock_guard<std::mutex> lock(mutex_);
   held_.erase(token);
@@ -259,6 +293,16 @@ void Worker::RunTask(Held& held) {
     finished_[token] = std::move(report);
   }
   if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+}
+
+void Worker::LogFailure(const v1::Task& task, const v1::Status& error) {
+  options_.log->Warn("task failed", {{"job", task.ref().job()},
+                                     {"trace", task.trace()},
+                                     {"task", task.ref().task()},
+                                     {"cell", absl::StrCat(task.cell().col(), ",", task.cell().row())},
+                                     {"stage", StageName(static_cast<Stage>(task.stage()))},
+                                     {"attempt", task.attempt()},
+                                     {"error", error.message()}});
 }
 
 absl::StatusOr<std::string> Worker::Compute(const Held& held) {

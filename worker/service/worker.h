@@ -22,6 +22,7 @@
 #include "absl/time/time.h"
 #include "common/metrics/metrics.h"
 #include "common/util/cancel_token.h"
+#include "common/util/log.h"
 #include "tilemend/v1/work.pb.h"
 #include "worker/service/look_at_folders.h"
 #include "worker/service/stage_runner.h"
@@ -39,7 +40,7 @@ struct WorkerOptions {
   absl::Duration first_backoff = absl::Milliseconds(50);
   absl::Duration max_backoff = absl::Seconds(1);
   std::function<v1::FoldersSeen(const v1::JobFolders&)> look = LookAtFolders;  // on a thread of tasks
-  std::function<void(const std::string&)> tell = [](const std::string&) {};    // that it was set aside, once
+  Log* log = Log::Null();                                                      // outlives the worker
 };
 
 // "host-pid-random".
@@ -60,6 +61,9 @@ class Worker {
   // Drops what runs and tells nobody, as if the machine had died.
   void Abandon();
 
+  // Why it cannot get tasks now, for people; "" if it can.
+  std::string WhyNotReady();
+
   // Waits for the end. An error if the coordinator refuses to work with this worker.
   absl::Status Join();
 
@@ -78,13 +82,15 @@ class Worker {
   void Take(const v1::SyncRequest& request, v1::SyncResponse response);
   void TakeLooks(const v1::SyncRequest& request, const v1::SyncResponse& response);  // with the lock held
   void DropHeld(uint64_t token);                                                     // with the lock held
-  bool Pause(absl::Duration backoff);                                                // false: the end
+  void SetConnected(const absl::Status& status);
+  bool Pause(absl::Duration backoff);  // false: the end
   void SetMode(Mode mode);
 
   void RunTasks();
   void RunTask(Held& held);
   void Look(const v1::JobFolders& folders);
   absl::StatusOr<std::string> Compute(const Held& held);
+  void LogFailure(const v1::Task& task, const v1::Status& error);
   v1::FinishedTask Report(const v1::Task& task, absl::StatusOr<std::string> output);
 
   const WorkerOptions options_;
@@ -104,6 +110,7 @@ class Worker {
   std::deque<v1::JobFolders> to_look_;
   std::map<std::string, v1::FoldersSeen> seen_;    // by job, until the coordinator has it
   std::string set_aside_;                          // as it was told last
+  std::string unconnected_;                        // why it is not; "" while it is
   std::map<uint64_t, v1::FinishedTask> finished_;  // by attempt token, until acknowledged
   SyncCall* waiting_call_ = nullptr;               // that may be interrupted
   std::vector<std::thread> threads_;

@@ -7,8 +7,6 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/http_get.h"
-
 namespace tilemend {
 namespace {
 
@@ -59,27 +57,6 @@ TEST(PrometheusRegistryTest, CountsFromManyThreads) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_THAT(registry.Text(), HasSubstr("things_total 4000\n"));
-}
-
-TEST(PrometheusRegistryTest, ServesItsText) {
-  PrometheusRegistry registry;
-  EXPECT_EQ(registry.port(), 0);
-  ASSERT_TRUE(registry.Expose("127.0.0.1:0").ok());
-  ASSERT_GT(registry.port(), 0);
-  EXPECT_THAT(HttpGet(registry.port(), "/metrics"), Not(HasSubstr("things_total")));
-  registry.AddCounter("things_total", "Things.", {})->Increment(42);
-  EXPECT_THAT(HttpGet(registry.port(), "/metrics"), HasSubstr("things_total 42\n"));
-}
-
-TEST(PrometheusRegistryTest, SaysWhenItsPortIsTaken) {
-  PrometheusRegistry first;
-  ASSERT_TRUE(first.Expose("127.0.0.1:0").ok());
-  PrometheusRegistry second;
-  const std::string address = "127.0.0.1:" + std::to_string(first.port());
-  const absl::Status status = second.Expose(address);
-  EXPECT_TRUE(absl::IsUnavailable(status)) << status;
-  EXPECT_THAT(std::string(status.message()), HasSubstr(address + ": cannot serve metrics there"));
-  EXPECT_EQ(second.port(), 0);
 }
 
 }  // namespace

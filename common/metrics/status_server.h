@@ -1,0 +1,38 @@
+// A small web server for those who look after a program: GET /metrics, /healthz and /readyz.
+#ifndef TILEMEND_COMMON_METRICS_STATUS_SERVER_H_
+#define TILEMEND_COMMON_METRICS_STATUS_SERVER_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+
+namespace tilemend {
+
+// What the pages say. Each is called on a thread of the server.
+struct StatusPages {
+  std::function<std::string()> metrics;  // Prometheus' text
+  // Why the program cannot do its work now; "" if it can. /healthz says only that the program answers.
+  std::function<std::string()> not_ready = [] { return std::string(); };
+};
+
+// A request that does not come to its end holds one of several threads, for some seconds.
+class StatusServer {
+ public:
+  // Serves on `address` ("HOST:PORT", port 0 takes a free one) as long as it lives. kUnavailable if the address cannot
+  // be had.
+  static absl::StatusOr<std::unique_ptr<StatusServer>> Start(const std::string& address, StatusPages pages);
+  ~StatusServer();
+
+  int port() const;
+
+ private:
+  struct Impl;
+  explicit StatusServer(std::unique_ptr<Impl> impl);
+  const std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_METRICS_STATUS_SERVER_H_

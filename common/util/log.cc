@@ -1,0 +1,100 @@
+#include "common/util/log.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+namespace {
+
+class NullLog : public Log {
+  void Write(LogLevel, std::string_view, const LogFields&) override {}
+};
+
+std::string_view LevelName(LogLevel level) {
+  switch (level) {
+    case LogLevel::kWarning:
+      return "warning";
+    case LogLevel::kError:
+      return "error";
+    default:
+      return "info";
+  }
+}
+
+// Within double quotes; of what is printable, only these two need it.
+std::string Quoted(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : Printable(text)) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+bool IsPlain(const std::string& text) {
+  return text.find_first_of(" \"=\\") == std::string::npos && Printable(text) == text;
+}
+
+std::string TimeText(absl::Time time) { return absl::FormatTime("%Y-%m-%d%ET%H:%M:%E3SZ", time, absl::UTCTimeZone()); }
+
+std::string TextLine(absl::Time time, LogLevel level, std::string_view event, const LogFields& fields) {
+  std::string line = absl::StrCat(TimeText(time), " ", std::string(LevelName(level)), " ", Printable(event));
+  for (const LogField& field : fields) {
+    if (field.text.empty()) continue;
+    absl::StrAppend(&line, " ", field.key, "=", IsPlain(field.text) ? field.text : Quoted(field.text));
+  }
+  return line + "\n";
+}
+
+std::string JsonLine(absl::Time time, LogLevel level, std::string_view event, const LogFields& fields) {
+  std::string line = absl::StrCat("{\"time\":\"", TimeText(time), "\",\"level\":\"", std::string(LevelName(level)),
+                                  "\",\"event\":", Quoted(event));
+  for (const LogField& field : fields) {
+    if (field.text.empty()) continue;
+    absl::StrAppend(&line, ",", Quoted(field.key), ":", field.is_number ? field.text : Quoted(field.text));
+  }
+  return line + "}\n";
+}
+
+}  // namespace
+
+LogField::LogField(std::string_view k, int64_t value) : key(k), text(absl::StrCat(value)), is_number(true) {}
+
+LogField::LogField(std::string_view k, double value)
+    : key(k), text(std::isfinite(value) ? absl::StrCat(value) : ""), is_number(true) {}
+
+Log* Log::Null() {
+  static NullLog log;
+  return &log;
+}
+
+std::string LogLine(LogFormat format, absl::Time time, LogLevel level, std::string_view event,
+                    const LogFields& fields) {
+  return format == LogFormat::kText ? TextLine(time, level, event, fields) : JsonLine(time, level, event, fields);
+}
+
+StreamLog::StreamLog(std::FILE* stream, LogFormat format, LogFields always, std::function<absl::Time()> clock)
+    : stream_(stream), format_(format), always_(std::move(always)), clock_(std::move(clock)) {}
+
+void StreamLog::Write(LogLevel level, std::string_view event, const LogFields& fields) {
+  LogFields all = fields;
+  if (format_ == LogFormat::kJson) all.insert(all.begin(), always_.begin(), always_.end());
+  const std::string line = LogLine(format_, clock_(), level, event, all);
+  std::lock_guard<std::mutex> lock(mutex_);
+  std::fwrite(line.data(), 1, line.size(), stream_);
+  std::fflush(stream_);
+}
+
+absl::StatusOr<LogFormat> LogFormatNamed(const std::string& name, std::FILE* stream) {
+  if (name == "text") return LogFormat::kText;
+  if (name == "json") return LogFormat::kJson;
+  if (name == "auto") return isatty(fileno(stream)) == 1 ? LogFormat::kText : LogFormat::kJson;
+  return absl::InvalidArgumentError(absl::StrCat("--log '", name, "': expected text, json or auto"));
+}
+
+}  // namespace tilemend

@@ -1,0 +1,103 @@
+// What CoordinatorImpl tells of its jobs and workers.
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "common/util/error_info.h"
+#include "coordinator/service/coordinator_impl.h"
+#include "coordinator/service/job_proto.h"
+
+namespace tilemend {
+namespace {
+
+constexpr int32_t kDefaultPageSize = 50;
+constexpr int32_t kMaxPageSize = 1000;
+
+absl::Status InvalidPage(const std::string& what) {
+  return WithErrorInfo(absl::InvalidArgumentError(what), {"INVALID_PAGE", {}});
+}
+
+int32_t PageSize(int32_t wanted) { return wanted == 0 ? kDefaultPageSize : std::min(wanted, kMaxPageSize); }
+
+}  // namespace
+
+v1::Job CoordinatorImpl::Describe(const Job& job) const {
+  const JobEntry& entry = entries_.at(job.id);
+  v1::Job message = JobToProto(job, entry.spec, entry.outcome, entry.error, entry.origin);
+  message.set_waiting(WhyWaiting(job));
+  message.set_slot(events_.SlotOf(job.id));
+  return message;
+}
+
+std::string CoordinatorImpl::WhyWaiting(const Job& job) const {
+  if (IsOver(job.state) || job.counts.leased > 0 || job.counts.pending == 0) return "";
+  int64_t able = 0;
+  for (const auto& [id, worker] : state_.workers()) able += !worker.draining && trust_.MayWorkOn(id, job.id) ? 1 : 0;
+  const size_t connected = state_.workers().size();
+  if (connected == 0) return "no worker is connected";
+  if (able > 0) return absl::StrCat("the workers that may work on it are busy or rest (", able, ")");
+  return absl::StrCat("none of the connected workers (", connected, ") may work on it; `tilemend workers` says why");
+}
+
+void CoordinatorImpl::ShowMetrics() {
+  metrics_.Show(state_);
+  events_.Show(state_, options_.clock());
+}
+
+absl::StatusOr<v1::ListJobsResponse> CoordinatorImpl::ListJobs(const v1::ListJobsRequest& request) {
+  if (request.page_size() < 0) return InvalidPage("page_size: below 0");
+  int64_t below = std::numeric_limits<int64_t>::max();  // the token is the number of the last job that was looked at
+  if (!request.page_token().empty() && !absl::SimpleAtoi(request.page_token(), &below)) {
+    return InvalidPage(absl::StrCat("page_token: '", request.page_token(), "' was not given out here"));
+  }
+  const std::set<int> states(request.states().begin(), request.states().end());
+  return Answer([&] {
+    const auto& numbers = state_.job_numbers();
+    v1::ListJobsResponse response;
+    auto it = numbers.lower_bound(below);
+    while (it != numbers.begin() && response.jobs_size() < PageSize(request.page_size())) {
+      --it;
+      v1::Job job = Describe(*state_.FindJob(it->second));
+      if (states.empty() || states.contains(job.state())) *response.add_jobs() = std::move(job);
+    }
+    if (it != numbers.begin()) response.set_next_page_token(absl::StrCat(it->first));
+    return response;
+  });
+}
+
+v1::WorkerInfo CoordinatorImpl::Describe(const WorkerRecord& worker) const {
+  v1::WorkerInfo info;
+  info.set_id(worker.id);
+  info.set_threads(worker.threads);
+  info.set_tasks(static_cast<int32_t>(worker.held.size()));
+  SetTime(worker.last_seen, *info.mutable_last_seen());
+  if (const auto caller = callers_.find(worker.id); caller != callers_.end()) {
+    info.set_release(caller->second.release);
+    info.set_identity(caller->second.identity);
+    SetTime(caller->second.first_seen, *info.mutable_first_seen());
+  }
+  info.set_message(trust_.WhySetAside(worker.id));
+  info.set_state(!info.message().empty() ? v1::SET_ASIDE : worker.draining ? v1::DRAINING : v1::WORKING);
+  if (const std::vector<std::string> jobs = trust_.BlindTo(worker.id); info.message().empty() && !jobs.empty()) {
+    info.set_message(absl::StrCat("does not see the folders of jobs/", absl::StrJoin(jobs, ", jobs/")));
+  }
+  return info;
+}
+
+absl::StatusOr<v1::ListWorkersResponse> CoordinatorImpl::ListWorkers(const v1::ListWorkersRequest& request) {
+  if (request.page_size() < 0) return InvalidPage("page_size: below 0");
+  Lock lock(mutex_);
+  v1::ListWorkersResponse response;
+  // The token is the last worker that was shown.
+  auto it = state_.workers().upper_bound(request.page_token());
+  for (; it != state_.workers().end() && response.workers_size() < PageSize(request.page_size()); ++it) {
+    *response.add_workers() = Describe(it->second);
+  }
+  if (it != state_.workers().end()) response.set_next_page_token(std::prev(it)->first);
+  return response;
+}
+
+}  // namespace tilemend

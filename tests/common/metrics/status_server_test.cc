@@ -1,0 +1,84 @@
+#include "common/metrics/status_server.h"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <string>
+
+#include "tests/support/http_get.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// A connection that says only half of what it wants.
+int HalfOpen(int port) {
+  const int fd = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  EXPECT_EQ(connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
+  EXPECT_GT(send(fd, "GET /metrics HT", 15, 0), 0);
+  return fd;
+}
+
+TEST(StatusServerTest, ServesMetricsAsTheyAre) {
+  std::atomic<int> value{1};
+  const auto server =
+      StatusServer::Start("127.0.0.1:0", {[&value] { return "things_total " + std::to_string(value) + "\n"; }});
+  ASSERT_TRUE(server.ok()) << server.status();
+  ASSERT_GT((*server)->port(), 0);
+  EXPECT_THAT(HttpGet((*server)->port(), "/metrics"), HasSubstr("things_total 1\n"));
+  value = 2;
+  EXPECT_THAT(HttpGet((*server)->port(), "/metrics"), HasSubstr("things_total 2\n"));
+}
+
+TEST(StatusServerTest, IsHealthyBeforeItIsReady) {
+  std::atomic<bool> ready{false};
+  const auto server = StatusServer::Start(
+      "127.0.0.1:0", {[] { return ""; }, [&ready] { return ready ? "" : "the coordinator does not answer"; }});
+  ASSERT_TRUE(server.ok()) << server.status();
+  EXPECT_THAT(HttpGet((*server)->port(), "/healthz"), StartsWith("HTTP/1.1 200 "));
+  const std::string answer = HttpGet((*server)->port(), "/readyz");
+  EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
+  EXPECT_THAT(answer, HasSubstr("the coordinator does not answer"));
+  ready = true;
+  EXPECT_THAT(HttpGet((*server)->port(), "/readyz"), StartsWith("HTTP/1.1 200 "));
+}
+
+TEST(StatusServerTest, HasNoOtherPages) {
+  const auto server = StatusServer::Start("127.0.0.1:0", {[] { return ""; }});
+  ASSERT_TRUE(server.ok()) << server.status();
+  EXPECT_THAT(HttpGet((*server)->port(), "/etc/passwd"), StartsWith("HTTP/1.1 404 "));
+  EXPECT_THAT(HttpGet((*server)->port(), "/metrics/.."), StartsWith("HTTP/1.1 404 "));
+}
+
+TEST(StatusServerTest, AnswersBesideRequestsThatNeverEnd) {
+  const auto server = StatusServer::Start("127.0.0.1:0", {[] { return "here\n"; }});
+  ASSERT_TRUE(server.ok()) << server.status();
+  const int first = HalfOpen((*server)->port());
+  const int second = HalfOpen((*server)->port());
+  EXPECT_THAT(HttpGet((*server)->port(), "/metrics"), HasSubstr("here\n"));
+  close(first);
+  close(second);
+}
+
+TEST(StatusServerTest, SaysWhenItsPortIsTaken) {
+  const auto first = StatusServer::Start("127.0.0.1:0", {[] { return ""; }});
+  ASSERT_TRUE(first.ok()) << first.status();
+  const std::string address = "127.0.0.1:" + std::to_string((*first)->port());
+  const auto second = StatusServer::Start(address, {[] { return ""; }});
+  EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
+  EXPECT_THAT(std::string(second.status().message()), HasSubstr(address + ": cannot serve metrics there"));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,60 @@
+#include "common/util/log.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace tilemend {
+namespace {
+
+const absl::Time kTime = absl::FromUnixMillis(1'700'000'000'123);
+
+TEST(LogLineTest, WritesTextForPeople) {
+  EXPECT_EQ(LogLine(LogFormat::kText, kTime, LogLevel::kWarning, "worker lost",
+                    {{"worker", "host-7-ab"}, {"tasks", 3}, {"why", "silent for 30 s"}, {"none", ""}}),
+            "2023-11-14T22:13:20.123Z warning worker lost worker=host-7-ab tasks=3 why=\"silent for 30 s\"\n");
+}
+
+TEST(LogLineTest, WritesJsonForPrograms) {
+  EXPECT_EQ(LogLine(LogFormat::kJson, kTime, LogLevel::kInfo, "job finished", {{"job", "4f"}, {"seconds", 1.5}}),
+            "{\"time\":\"2023-11-14T22:13:20.123Z\",\"level\":\"info\",\"event\":\"job finished\",\"job\":\"4f\","
+            "\"seconds\":1.5}\n");
+}
+
+TEST(LogLineTest, NeverBreaksALineNorAQuote) {
+  const std::string hostile = "a\"b\\c\nd\x1b[31m\xff";
+  EXPECT_EQ(LogLine(LogFormat::kText, kTime, LogLevel::kInfo, "e", {{"k", hostile}}),
+            "2023-11-14T22:13:20.123Z info e k=\"a\\\"b\\\\c\\\\x0ad\\\\x1b[31m\\\\xff\"\n");
+  EXPECT_EQ(LogLine(LogFormat::kJson, kTime, LogLevel::kInfo, "e", {{"k", hostile}}),
+            "{\"time\":\"2023-11-14T22:13:20.123Z\",\"level\":\"info\",\"event\":\"e\","
+            "\"k\":\"a\\\"b\\\\c\\\\x0ad\\\\x1b[31m\\\\xff\"}\n");
+}
+
+TEST(LogLineTest, LeavesOutNumbersThatJsonDoesNotHave) {
+  EXPECT_EQ(LogLine(LogFormat::kText, kTime, LogLevel::kInfo, "e", {{"k", std::nan("")}}),
+            "2023-11-14T22:13:20.123Z info e\n");
+}
+
+TEST(StreamLogTest, SaysWithEveryLineWhichProgramWroteIt) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+  StreamLog log(file.get(), LogFormat::kJson, {{"program", "p"}}, [] { return kTime; });
+  log.Error("stopped");
+  std::rewind(file.get());
+  std::array<char, 200> line{};
+  ASSERT_NE(std::fgets(line.data(), line.size(), file.get()), nullptr);
+  EXPECT_STREQ(line.data(),
+               "{\"time\":\"2023-11-14T22:13:20.123Z\",\"level\":\"error\",\"event\":\"stopped\",\"program\":\"p\"}\n");
+}
+
+TEST(LogFormatNamedTest, IsJsonWhereNoTerminalReads) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+  EXPECT_EQ(*LogFormatNamed("auto", file.get()), LogFormat::kJson);
+  EXPECT_EQ(*LogFormatNamed("text", file.get()), LogFormat::kText);
+  EXPECT_EQ(*LogFormatNamed("json", stderr), LogFormat::kJson);
+  EXPECT_EQ(LogFormatNamed("xml", stderr).status().code(), absl::StatusCode::kInvalidArgument);
+}
+
+}  // namespace
+}  // namespace tilemend
