@@ -127,7 +127,7 @@ RULES = {
     'coordinator/plan/colour': rule(['common/records', 'common/util', 'coordinator/plan/types'], [], pure=True),
 
     'coordinator/plan': rule(
-        ['common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/seam',
+        ['common/mesh', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/seam',
          'coordinator/plan/hole', 'coordinator/plan/overlap', 'coordinator/plan/water'],
         [], pure=True),
 

@@ -1,12 +1,20 @@
 #include "coordinator/plan/make_cell_holes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>
 
+#include "common/mesh/position_index.h"
+#include "common/mesh/rounding.h"
+
 namespace tilemend {
 namespace {
+
+constexpr double kBandStep = 0x1p-10;  // metres: bands are coded so
 
 class CellHolesBuilder {
  public:
@@ -162,6 +170,7 @@ class CellHolesBuilder {
     for (const Triangle& t : record->band.triangles) {
       const int32_t rim[3] = {rim_vertex(t[0]), rim_vertex(t[1]), rim_vertex(t[2])};
       if (rim[0] < 0 && rim[1] < 0 && rim[2] < 0) continue;
+      if (!IsFirst(tile, record->band, t)) continue;
       Triangle out;
       for (int k = 0; k < 3; ++k) {
         out[k] = rim[k];
@@ -174,12 +183,22 @@ class CellHolesBuilder {
     }
   }
 
+  // Tiles cut from one mesh with a buffer have some triangles in common.
+  bool IsFirst(CellId tile, const TriMesh& band, const Triangle& t) {
+    std::array<int32_t, 3> places;
+    for (int k = 0; k < 3; ++k) places[k] = places_.Insert(RoundedToLattice(band.points[t[k]], kBandStep));
+    std::sort(places.begin(), places.end());
+    return tile_of_.try_emplace(places, tile).first->second == tile;
+  }
+
   const Plan& plan_;
   const PlanInput& input_;
   const SeamHeights& heights_;
   CellHoles result_;
-  std::unordered_map<int32_t, int32_t> number_;     // plan vertex -> vertex of the result
-  std::unordered_map<int32_t, int32_t> own_index_;  // plan vertex -> index in the cell's own tile
+  PositionIndex places_;                              // of the band's points
+  std::map<std::array<int32_t, 3>, CellId> tile_of_;  // of each triangle of the band
+  std::unordered_map<int32_t, int32_t> number_;       // plan vertex -> vertex of the result
+  std::unordered_map<int32_t, int32_t> own_index_;    // plan vertex -> index in the cell's own tile
 };
 
 }  // namespace

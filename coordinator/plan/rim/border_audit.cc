@@ -5,19 +5,20 @@
 #include <optional>
 
 #include "common/mesh/position_index.h"
+#include "coordinator/plan/rim/buffered_cut.h"
 #include "coordinator/plan/rim/surface_gap.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kMostOffset = 0.05;     // of a cell: a tile that ends farther from its side ends at a shore, not a cut
+constexpr double kMostInside = 0.05;     // of a cell: a tile that ends farther inside its side ends at a shore, no cut
 constexpr double kStraightShare = 0.05;  // of a side's length must run along the outline for it to count
 
 std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid, CellId cell, Side side) {
   const int axis = AxisOf(side);
   const double extreme = side % 2 == 0 ? record.lo[axis] : record.hi[axis];
   const double offset = (extreme - NominalLine(grid, cell, side)) * OutwardOf(side);
-  if (std::abs(offset) > kMostOffset * grid.cell_size[axis]) return std::nullopt;
+  if (offset < -kMostInside * grid.cell_size[axis]) return std::nullopt;
   double along = 0;
   for (const BoundaryEdge& e : record.edges) {
     const Point3& a = record.vertices[e.from].position;
@@ -59,8 +60,9 @@ SharedVertices CountShared(const SurveyRecord& a, const SurveyRecord& b, int axi
 
 // What all borders say of the cut.
 struct CutEvidence {
-  SharedVertices shared;
-  std::vector<double> offsets;  // of outlines towards a neighbour
+  SharedVertices shared;         // of tiles that do not overlap
+  std::vector<double> offsets;   // of outlines towards a neighbour
+  int64_t exact = 0, apart = 0;  // borders whose tiles share vertices; that overlap or part
 };
 
 BorderKind KindOf(double offset) {
@@ -74,28 +76,49 @@ SurfaceGap CompareOver(const SurveyRecord& record, const SurveyRecord& other, co
   return MeasureGap({record, line + audit.margins[0]}, {other, line - audit.margins[1]}, AxisOf(side));
 }
 
-BorderAudit AuditBorder(const PlanInput& input, const OutlineOffsets& offsets, CellId cell, Side side,
-                        CutEvidence& evidence) {
+// The kind of a border where both tiles have surface, with what belongs to it.
+void Classify(const SurveyRecord& record, const SurveyRecord& other, const Grid& grid, Side side,
+              const OutlineOffsets& offsets, OutlineOffsets& buffers, BorderAudit& audit) {
+  const auto mine = offsets.find({audit.a, side}), theirs = offsets.find({audit.b, Opposite(side)});
+  const bool straight = mine != offsets.end() && theirs != offsets.end();
+  if (straight) {
+    audit.margins = {mine->second, theirs->second};
+  } else if (const auto found = FindBuffers(record, other, grid, audit.a, side)) {
+    const auto& [of_a, of_b] = *found;
+    if (of_a) buffers[{audit.a, side}] = *of_a;
+    if (of_b) buffers[{audit.b, Opposite(side)}] = *of_b;
+    audit.margins = {of_a.value_or(0), of_b.value_or(0)};
+    audit.kind = BorderKind::kOverlap;
+  }
+  audit.offset = audit.margins[0] + audit.margins[1];
+  if (audit.shared_vertices >= 2 && audit.kind != BorderKind::kOverlap && audit.offset <= kStraight) {
+    audit.kind = BorderKind::kExact;
+    audit.margins = {};
+    audit.offset = 0;
+  } else if (straight) {
+    audit.kind = KindOf(audit.offset);
+  }
+}
+
+BorderAudit AuditBorder(const PlanInput& input, CellId cell, Side side, BorderFindings& found, CutEvidence& evidence) {
   const CellId other = Across(cell, side);
   BorderAudit audit;
   audit.a = cell, audit.b = other;
-  const auto mine = offsets.find({cell, side}), theirs = offsets.find({other, Opposite(side)});
-  for (const auto outline : {mine, theirs}) {
-    if (outline != offsets.end()) evidence.offsets.push_back(outline->second);
+  for (const auto outline : {found.offsets.find({cell, side}), found.offsets.find({other, Opposite(side)})}) {
+    if (outline != found.offsets.end()) evidence.offsets.push_back(outline->second);
   }
   const SurveyRecord *record = input.cells.at(cell), *other_record = input.cells.at(other);
   if (record == nullptr || other_record == nullptr) return audit;
   const auto shared = CountShared(*record, *other_record, AxisOf(side), NominalLine(input.grid, cell, side));
-  evidence.shared.count += shared.count;
-  evidence.shared.on_line += shared.on_line;
   audit.shared_vertices = shared.count;
-  if (shared.count >= 2) {
-    audit.kind = BorderKind::kExact;
-  } else if (mine != offsets.end() && theirs != offsets.end()) {
-    audit.margins = {mine->second, theirs->second};
-    audit.offset = mine->second + theirs->second;
-    audit.kind = KindOf(audit.offset);
-    if (audit.kind == BorderKind::kOverlap) audit.apart = CompareOver(*record, *other_record, audit, input.grid, side);
+  Classify(*record, *other_record, input.grid, side, found.offsets, found.buffers, audit);
+  evidence.exact += audit.kind == BorderKind::kExact;
+  evidence.apart += audit.kind == BorderKind::kOverlap || std::abs(audit.offset) > kStraight;
+  if (audit.kind == BorderKind::kOverlap) {
+    audit.apart = CompareOver(*record, *other_record, audit, input.grid, side);
+  } else {
+    evidence.shared.count += shared.count;
+    evidence.shared.on_line += shared.on_line;
   }
   return audit;
 }
@@ -115,7 +138,7 @@ BorderFindings AuditBorders(const PlanInput& input) {
   for (const auto& [cell, record] : input.cells) {
     for (const Side side : {kEast, kNorth}) {
       if (!input.cells.contains(Across(cell, side))) continue;
-      found.borders.push_back(AuditBorder(input, found.offsets, cell, side, evidence));
+      found.borders.push_back(AuditBorder(input, cell, side, found, evidence));
     }
   }
   bool straight_on_line = false;
@@ -124,10 +147,12 @@ BorderFindings AuditBorders(const PlanInput& input) {
     all.push_back(offset);
     straight_on_line |= std::abs(offset) <= kOnLine;
   }
+  for (const auto& [side, offset] : found.buffers) all.push_back(offset);
   if (!all.empty()) found.usual_offset = Median(all);
   const auto& [shared, on_line] = evidence.shared;
   const std::vector<double>& telling = evidence.offsets.empty() ? all : evidence.offsets;
   found.independent = shared == 0 && !telling.empty() && std::abs(Median(telling)) > kStraight;
+  found.independent |= evidence.apart > evidence.exact;
   found.clipped = shared > 0 ? on_line >= shared - on_line : straight_on_line;
   return found;
 }

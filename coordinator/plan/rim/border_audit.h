@@ -20,9 +20,12 @@ using OutlineOffsets = std::map<std::pair<CellId, int>, double>;
 struct BorderFindings {
   std::vector<BorderAudit> borders;  // of every pair of neighbours, by the western or southern cell
   OutlineOffsets offsets;
-  double usual_offset = 0;   // the median of all of them; 0 without any
-  bool independent = false;  // every tile ends at an outline of its own (overlap or gap): tiles share no vertices
-  bool clipped = true;       // no triangle crosses a grid line (else ragged); of no meaning when independent
+  OutlineOffsets buffers;   // of tiles that end in a zigzag beyond the line, over their neighbour (buffered_cut.h)
+  double usual_offset = 0;  // the median of all of them; 0 without any
+  // Most tiles end at outlines of their own (overlap or gap). They share vertices only where they were cut from one
+  // mesh.
+  bool independent = false;
+  bool clipped = true;  // no triangle crosses a grid line (else ragged); of no meaning when independent
 };
 
 // Classifies every border by the vertices that its tiles share and by how far their straight outlines lie off the

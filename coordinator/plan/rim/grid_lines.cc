@@ -91,10 +91,12 @@ void PlaceOnOutlines(const PlanInput& input, const BorderFindings& borders, doub
   lines.piece_reach = 3 * std::abs(usual);
   for (const auto& [cell, record] : input.cells) {
     for (const Side side : kSides) {
-      const double expected = NominalLine(input.grid, cell, side) + OutwardOf(side) * usual;
-      lines.coordinate[{cell, side}] = borders.offsets.contains({cell, side})
-                                           ? (side % 2 == 0 ? record->lo : record->hi)[AxisOf(side)]
-                                           : RoundedToLattice(expected, lattice_step);
+      const auto buffer = borders.buffers.find({cell, side});
+      const double offset = buffer != borders.buffers.end() ? buffer->second : usual;
+      const double expected = NominalLine(input.grid, cell, side) + OutwardOf(side) * offset;
+      const bool straight = buffer == borders.buffers.end() && borders.offsets.contains({cell, side});
+      lines.coordinate[{cell, side}] =
+          straight ? (side % 2 == 0 ? record->lo : record->hi)[AxisOf(side)] : RoundedToLattice(expected, lattice_step);
     }
   }
 }

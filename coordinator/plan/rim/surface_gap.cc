@@ -71,9 +71,11 @@ class StripSurface {
   const BinGrid bins_;
 };
 
-void AddDistances(const TileOutline& of, const StripSurface& from, int axis, std::vector<double>& distances) {
+// Of the vertices on a tile's outline, and beyond it where that is a zigzag.
+void AddDistances(const TileOutline& of, const StripSurface& from, int axis, double outward,
+                  std::vector<double>& distances) {
   for (const BoundaryVertex& v : of.record.vertices) {
-    if (std::abs(v.position[axis] - of.coordinate) > kStraight) continue;
+    if ((v.position[axis] - of.coordinate) * outward < -kStraight) continue;
     if (const auto distance = from.Distance(v.position)) distances.push_back(*distance);
   }
 }
@@ -82,9 +84,10 @@ void AddDistances(const TileOutline& of, const StripSurface& from, int axis, std
 
 SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis) {
   const auto [lo, hi] = std::minmax(a.coordinate, b.coordinate);
+  const double outward = a.coordinate > b.coordinate ? 1 : -1;
   std::vector<double> distances;
-  AddDistances(a, StripSurface(b.record.band, axis, lo, hi), axis, distances);
-  AddDistances(b, StripSurface(a.record.band, axis, lo, hi), axis, distances);
+  AddDistances(a, StripSurface(b.record.band, axis, lo, hi), axis, outward, distances);
+  AddDistances(b, StripSurface(a.record.band, axis, lo, hi), axis, -outward, distances);
   SurfaceGap gap;
   gap.places = std::ssize(distances);
   if (distances.empty()) return gap;

@@ -13,6 +13,7 @@
 #include "common/mesh/lattice.h"
 #include "common/mesh/winding/wound_region.h"
 #include "coordinator/plan/plan.h"
+#include "tests/support/buffered_scene.h"
 #include "tests/support/overlapping_scene.h"
 
 namespace tilemend {
@@ -180,6 +181,21 @@ TEST_P(OwnRegionsTest, Close) {
         for (const RimSegment& s : region) ++balance[s.from], --balance[s.to];
         for (const auto& [v, more] : balance) EXPECT_EQ(more, 0) << plan.vertices[v].position.transpose();
       }
+    }
+  }
+}
+
+TEST(BufferedTilesTest, HolesOverBordersAreFilledInEveryTile) {
+  const Plan whole = PlanOf(PictureScene(kWaters, 10));
+  for (const double margin : {0.0, 0.25, 1.0}) {
+    const Plan plan = PlanOf(BufferedScene(kWaters, 10, margin));
+    EXPECT_EQ(plan.clusters, whole.clusters);
+    const std::vector<Point3> positions = Positions(plan);
+    for (const PlannedHole& hole : plan.holes) {
+      EXPECT_EQ(hole.failure, "");
+      if (hole.kind == HoleKind::kClosed) continue;
+      ASSERT_THAT(hole.own_regions, SizeIs(1));
+      EXPECT_GE(AreaOf(hole.own_regions[0], positions), hole.area - 1e-3) << "up to its outline, not only to the line";
     }
   }
 }
