@@ -17,10 +17,12 @@ using Json = nlohmann::ordered_json;
 
 // Metres. Tiles that are less apart are as good as photogrammetry makes them.
 constexpr double kApart = 0.1;
+// Metres: fills that are less apart at 99 % of the places are one surface.
+constexpr double kFillApart = 0.02;
 
 constexpr char kLegend[] =
     "apart: of tiles that overlap, how far one surface is from the other at half of the places, and at nine in ten;\n"
-    "of others, how far they end from each other.\n";
+    "of others, how far they end from each other. fill: the same of the fill, and at 99 % of the places.\n";
 
 // Of tiles that overlap, how far one surface is from the other, in the median; of those with a gap, its width. How far
 // they overlap is no fault.
@@ -29,10 +31,32 @@ double ApartOf(const Json& row) {
   return std::abs(Number(Member(row, "offset_m")));
 }
 
+double FillApartOf(const Json& row) { return Number(Member(Member(row, "fill_apart_m"), "percentile_99")); }
+
 std::vector<std::string> Row(const Json& row) {
   const bool overlap = Member(row, "kind") == "overlap";
-  return {Text(Member(row, "cells")), Text(Member(row, "kind")), overlap ? Decimals(Member(row, "offset_m"), 3) : "",
-          absl::StrFormat("%.3f", ApartOf(row)), Decimals(Member(Member(row, "apart_m"), "ninth_decile"), 3)};
+  const Json& fill = Member(row, "fill_apart_m");
+  return {Text(Member(row, "cells")),
+          Text(Member(row, "kind")),
+          overlap ? Decimals(Member(row, "offset_m"), 3) : "",
+          absl::StrFormat("%.3f", ApartOf(row)),
+          Decimals(Member(Member(row, "apart_m"), "ninth_decile"), 3),
+          Decimals(Member(fill, "median"), 3),
+          Decimals(Member(fill, "ninth_decile"), 3),
+          Decimals(Member(fill, "percentile_99"), 3)};
+}
+
+// What fills differ by at the border where they differ most.
+std::string FillText(const Json& borders) {
+  size_t compared = 0;
+  double farthest = 0;
+  for (const Json& row : Member(borders, "inexact")) {
+    compared += Member(row, "fill_apart_m").is_object();
+    farthest = std::max(farthest, FillApartOf(row));
+  }
+  if (compared == 0) return "";
+  return absl::StrFormat("fills overlap at %s: at most %.3f m apart at 99 %% of the places of each\n",
+                         Counted(compared, "border"), farthest);
 }
 
 std::string CountsText(const Json& borders) {
@@ -52,16 +76,17 @@ std::string BordersText(const Json& report) {
   if (counts.empty()) return "";
   std::vector<const Json*> pairs;
   for (const Json& row : Member(borders, "inexact")) {
-    if (ApartOf(row) > kApart) pairs.push_back(&row);
+    if (ApartOf(row) > kApart || FillApartOf(row) > kFillApart) pairs.push_back(&row);
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Json* a, const Json* b) { return ApartOf(*a) > ApartOf(*b); });
   std::vector<std::vector<std::string>> rows;
   for (size_t i = 0; i < std::min(pairs.size(), kMostListedRows); ++i) rows.push_back(Row(*pairs[i]));
-  std::string text = absl::StrCat("\nborders between tiles: ", counts, "\n");
+  std::string text = absl::StrCat("\nborders between tiles: ", counts, "\n", FillText(borders));
   if (rows.empty()) return text;
-  return absl::StrCat(text, Counted(pairs.size(), "pair"), " of tiles more than 0.1 m apart\n",
-                      Table({"cells", "they meet", "overlap, m", "apart, m", "90 %, m"}, rows),
-                      MoreText(pairs.size(), "see report.json"), kLegend);
+  return absl::StrCat(
+      text, Counted(pairs.size(), "pair"), " of tiles more than 0.1 m apart, or fills more than 0.02 m\n",
+      Table({"cells", "they meet", "overlap, m", "apart, m", "90 %, m", "fill, m", "90 %, m", "99 %, m"}, rows),
+      MoreText(pairs.size(), "see report.json"), kLegend);
 }
 
 }  // namespace tilemend

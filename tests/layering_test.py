@@ -137,8 +137,8 @@ RULES = {
         ['common/util', 'common/store', 'common/grid', 'coordinator/state'], ['absl', 'sqlite']),
 
     'coordinator/waves': rule(
-        ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam',
-         'coordinator/plan/water', 'coordinator/plan/colour', 'coordinator/plan'],
+        ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim',
+         'coordinator/plan/seam', 'coordinator/plan/water', 'coordinator/plan/colour', 'coordinator/plan'],
         ['absl', 'eigen'], pure=True),
 
     'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),

@@ -173,7 +173,14 @@ Json WaterAreaRows(const Plan& plan) {
   return rows;
 }
 
-Json Borders(const Plan& plan) {
+Json GapJson(const SurfaceGap& gap) {
+  return {{"median", Rounded(gap.median, 4)},
+          {"ninth_decile", Rounded(gap.ninth_decile, 4)},
+          {"percentile_99", Rounded(gap.percentile_99, 4)},
+          {"places", gap.places}};
+}
+
+Json Borders(const Plan& plan, const SceneOutcome& outcome) {
   std::map<std::string, int64_t> counts;
   Json rows = Json::array();
   for (const BorderAudit& border : plan.borders) {
@@ -183,11 +190,9 @@ Json Borders(const Plan& plan) {
                 {"kind", BorderName(border.kind)},
                 {"offset_m", Rounded(border.offset, 6)},
                 {"margins_m", {Rounded(border.margins[0], 6), Rounded(border.margins[1], 6)}}};
-    if (border.apart.places > 0) {
-      row["apart_m"] = {{"median", Rounded(border.apart.median, 4)},
-                        {"ninth_decile", Rounded(border.apart.ninth_decile, 4)},
-                        {"places", border.apart.places}};
-    }
+    if (border.apart.places > 0) row["apart_m"] = GapJson(border.apart);
+    const auto fill = outcome.fill_gaps.find({border.a, border.b});
+    if (fill != outcome.fill_gaps.end()) row["fill_apart_m"] = GapJson(fill->second);
     rows.push_back(std::move(row));
   }
   Json result;
@@ -381,7 +386,7 @@ std::string SceneReport(const SceneReportInput& input) {
                        {"left", LeftRows(left)},
                        {"not_holes", NotHoles(left)},
                        {"quality", QualityJson(input.outcome.quality)},
-                       {"borders", Borders(plan)},
+                       {"borders", Borders(plan, input.outcome)},
                        {"tension", Tensions(input)},
                        {"seconds", seconds},
                        {"peak_rss_bytes", PeakRssBytes()},

@@ -292,6 +292,14 @@ class ScenePipeline : public JobPipeline {
     return CheckInsideCell(waves_.records().at(result.cell), waves_.scene(), waves_.tile(result.cell));
   }
 
+  absl::Status ComparePatches(CellId cell, const v1::FillOutput& output) {
+    if (!waves_.CompareFills(cell)) return absl::OkStatus();
+    TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(rims_.at(cell)));
+    TILEMEND_ASSIGN_OR_RETURN(const std::vector<HolePatch> patches, FromProto(output, vertices.size()));
+    waves_.TakePatches(cell, vertices, patches);
+    return absl::OkStatus();
+  }
+
   absl::Status Decode(const TaskResult& result) {
     switch (result.stage) {
       case Stage::kSurvey: {
@@ -316,6 +324,7 @@ class ScenePipeline : public JobPipeline {
       case Stage::kFill: {
         TILEMEND_ASSIGN_OR_RETURN(auto output, Parse<v1::FillOutput>(*result.output));
         TILEMEND_ASSIGN_OR_RETURN(const CellPatches patches, PatchesOf(output));
+        TILEMEND_RETURN_IF_ERROR(ComparePatches(result.cell, output));
         output.clear_quality();
         patches_[result.cell] = std::move(output);
         return waves_.TakeFill(result.cell, patches);

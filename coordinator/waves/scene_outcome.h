@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/mesh/quality_tally.h"
@@ -26,6 +27,8 @@ struct SceneOutcome {
   std::vector<LeftOpen> unwritten;                   // tiles that could not be written
   std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen
   QualityTally quality;                              // of all new triangles
+  // Of borders where fills overlap (BorderAudit::a and b): how far apart they are there.
+  std::map<std::pair<CellId, CellId>, SurfaceGap> fill_gaps;
 };
 
 }  // namespace tilemend

@@ -157,6 +157,11 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
   return absl::OkStatus();
 }
 
+void SceneWaves::TakePatches(CellId cell, std::span<const RimVertex> vertices, std::span<const HolePatch> patches) {
+  fill_gaps_.Take(cell, vertices, patches);
+  outcome_.fill_gaps = fill_gaps_.gaps();
+}
+
 void SceneWaves::TakeAssemble() {
   ++cells_done_;
   --awaited_;
@@ -235,6 +240,10 @@ void SceneWaves::MakeThePlan() {
   for (size_t h = 0; h < plan_.holes.size(); ++h) {
     if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
   }
+  std::vector<BorderAudit> borders;
+  std::copy_if(plan_.borders.begin(), plan_.borders.end(), std::back_inserter(borders),
+               [&](const BorderAudit& border) { return holes_of_.contains(border.a) && holes_of_.contains(border.b); });
+  fill_gaps_ = FillGaps(input_.grid, borders);
 }
 
 // Cells that need no surface of a cluster are filled meanwhile.

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "common/records/surface.h"
 #include "coordinator/plan/plan.h"
 #include "coordinator/plan/seam/seam_heights.h"
+#include "coordinator/waves/fill_gaps.h"
 #include "coordinator/waves/scene_outcome.h"
 #include "coordinator/waves/scene_work.h"
 
@@ -61,6 +63,10 @@ class SceneWaves {
   absl::Status TakeCluster(const ClusterSamples& result);
   absl::Status TakeLayer(const std::vector<SeamSample>& samples);
   absl::Status TakeFill(CellId cell, const CellPatches& result);
+  // Before TakeFill, of cells that CompareFills: the patches, with the vertices of the FillWork. They are
+  // compared with those of neighbours that overlap.
+  bool CompareFills(CellId cell) const { return fill_gaps_.Wants(cell); }
+  void TakePatches(CellId cell, std::span<const RimVertex> vertices, std::span<const HolePatch> patches);
   void TakeAssemble();
 
   // In place of a result of ClusterWork, LayerWork or FillWork: the holes of `cell` stay open, for this reason.
@@ -130,6 +136,7 @@ class SceneWaves {
   std::set<CellId> filled_;                                    // cells with a patch
   bool float32_ = false;                                       // some tile is
   std::vector<SeamSample> samples_;                            // of this layer
+  FillGaps fill_gaps_;
   SceneOutcome outcome_;
 };
 

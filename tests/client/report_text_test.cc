@@ -63,8 +63,9 @@ TEST(SummaryTextTest, TellsEachBodyOfWaterWithItsLevelTheLargestFirst) {
 
 TEST(SummaryTextTest, TellsPairsOfTilesThatAreApart) {
   EXPECT_THAT(SummaryText(Report()), HasSubstr("borders between tiles: 3 exact, 1 near\n"
-                                               "1 pair of tiles more than 0.1 m apart\n"
-                                               "cells          they meet  overlap, m  apart, m  90 %, m\n"
+                                               "1 pair of tiles more than 0.1 m apart, or fills more than 0.02 m\n"
+                                               "cells          they meet  overlap, m  apart, m  90 %, m  fill, m  "
+                                               "90 %, m  99 %, m\n"
                                                "[[0,0],[1,0]]  near                      0.250\n"
                                                "apart: of tiles that overlap"));
 }
@@ -76,8 +77,21 @@ TEST(SummaryTextTest, CallsTilesThatOverlapApartByTheirHeights) {
           {"cells": [[1, 0], [2, 0]], "kind": "overlap", "offset_m": 0.5, "apart_m": {"median": 0.05}},
           {"cells": [[2, 0], [3, 0]], "kind": "overlap", "offset_m": 0.5, "apart_m": {"median": 0.1234, "ninth_decile": 1.5}}])");
   const std::string text = SummaryText(report);
-  EXPECT_THAT(text, HasSubstr("1 pair of tiles more than 0.1 m apart\n"));
+  EXPECT_THAT(text, HasSubstr("1 pair of tiles more than 0.1 m apart, or fills"));
   EXPECT_THAT(text, HasSubstr("[[2,0],[3,0]]  overlap         0.500     0.123    1.500\n"));
+}
+
+TEST(SummaryTextTest, TellsHowFarFillsAreApart) {
+  Json report = Report();
+  report["borders"]["inexact"] = Json::parse(
+      R"([{"cells": [[0, 0], [1, 0]], "kind": "overlap", "offset_m": 0.5,
+           "fill_apart_m": {"median": 0.001, "ninth_decile": 0.004, "percentile_99": 0.015, "places": 9}},
+          {"cells": [[1, 0], [2, 0]], "kind": "overlap", "offset_m": 0.5,
+           "fill_apart_m": {"median": 0.002, "ninth_decile": 0.012, "percentile_99": 0.25, "places": 9}}])");
+  const std::string text = SummaryText(report);
+  EXPECT_THAT(text,
+              HasSubstr("fills overlap at 2 borders: at most 0.250 m apart at 99 % of the places of each\n1 pair"));
+  EXPECT_THAT(text, HasSubstr("[[1,0],[2,0]]  overlap         0.500     0.000             0.002    0.012    0.250\n"));
 }
 
 TEST(SummaryTextTest, ListsHolesThatAreLeftFirstAndCountsWhatIsNone) {

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/mesh/bin_grid.h"
 #include "common/mesh/segment_distance.h"
 #include "coordinator/plan/rim/border_audit.h"
 
@@ -25,51 +24,28 @@ double DistanceToTriangle(const Point3& p, const Point3& a, const Point3& b, con
   return std::min({DistanceToSegment(p, a, b), DistanceToSegment(p, b, c), DistanceToSegment(p, c, a)});
 }
 
-// The triangles of a band that reach into a strip along a border.
-class StripSurface {
- public:
-  StripSurface(const TriMesh& band, int axis, double lo, double hi)
-      : band_(band), triangles_(Within(band, axis, lo, hi)), bins_(MakeBins()) {}
-
-  // From `p` to the nearest triangle; nothing if none is near.
-  std::optional<double> Distance(const Point3& p) const {
-    double nearest = kFar;
-    const Point2 at = p.head<2>(), reach(kFar, kFar);
-    for (const int32_t t : bins_.In(Eigen::AlignedBox2d(Point2(at - reach), Point2(at + reach)))) {
-      const auto& [a, b, c] = triangles_[t];
-      nearest = std::min(nearest, DistanceToTriangle(p, band_.points[a], band_.points[b], band_.points[c]));
-    }
-    return nearest < kFar ? std::optional(nearest) : std::nullopt;
+std::vector<Triangle> Within(const TriMesh& mesh, int axis, double lo, double hi) {
+  std::vector<Triangle> within;
+  for (const Triangle& t : mesh.triangles) {
+    const double p = mesh.points[t[0]][axis], q = mesh.points[t[1]][axis], r = mesh.points[t[2]][axis];
+    if (std::max({p, q, r}) >= lo && std::min({p, q, r}) <= hi) within.push_back(t);
   }
+  return within;
+}
 
- private:
-  static std::vector<Triangle> Within(const TriMesh& band, int axis, double lo, double hi) {
-    std::vector<Triangle> within;
-    for (const Triangle& t : band.triangles) {
-      const double p = band.points[t[0]][axis], q = band.points[t[1]][axis], r = band.points[t[2]][axis];
-      if (std::max({p, q, r}) >= lo && std::min({p, q, r}) <= hi) within.push_back(t);
-    }
-    return within;
-  }
+Eigen::AlignedBox2d BoxOf(const TriMesh& mesh, const Triangle& t) {
+  Eigen::AlignedBox2d box;
+  for (const int32_t v : t) box.extend(Point2(mesh.points[v].head<2>()));
+  return box;
+}
 
-  Eigen::AlignedBox2d BoxOf(const Triangle& t) const {
-    Eigen::AlignedBox2d box;
-    for (const int32_t v : t) box.extend(Point2(band_.points[v].head<2>()));
-    return box;
-  }
-
-  BinGrid MakeBins() const {
-    Eigen::AlignedBox2d extent(Point2(0, 0));
-    if (!triangles_.empty()) extent.setEmpty();
-    for (const Triangle& t : triangles_) extent.extend(BoxOf(t));
-    return BinGrid(extent, kBin, static_cast<int32_t>(triangles_.size()),
-                   [this](int32_t t) { return BoxOf(triangles_[t]); });
-  }
-
-  const TriMesh& band_;
-  const std::vector<Triangle> triangles_;
-  const BinGrid bins_;
-};
+BinGrid BinsOf(const TriMesh& mesh, const std::vector<Triangle>& triangles) {
+  Eigen::AlignedBox2d extent(Point2(0, 0));
+  if (!triangles.empty()) extent.setEmpty();
+  for (const Triangle& t : triangles) extent.extend(BoxOf(mesh, t));
+  return BinGrid(extent, kBin, static_cast<int32_t>(triangles.size()),
+                 [&](int32_t t) { return BoxOf(mesh, triangles[t]); });
+}
 
 // Of the vertices on a tile's outline, and beyond it where that is a zigzag.
 void AddDistances(const TileOutline& of, const StripSurface& from, int axis, double outward,
@@ -82,12 +58,29 @@ void AddDistances(const TileOutline& of, const StripSurface& from, int axis, dou
 
 }  // namespace
 
+StripSurface::StripSurface(const TriMesh& mesh, int axis, double lo, double hi)
+    : mesh_(mesh), triangles_(Within(mesh, axis, lo, hi)), bins_(BinsOf(mesh, triangles_)) {}
+
+std::optional<double> StripSurface::Distance(const Point3& p) const {
+  double nearest = kFar;
+  const Point2 at = p.head<2>(), reach(kFar, kFar);
+  for (const int32_t t : bins_.In(Eigen::AlignedBox2d(Point2(at - reach), Point2(at + reach)))) {
+    const auto& [a, b, c] = triangles_[t];
+    nearest = std::min(nearest, DistanceToTriangle(p, mesh_.points[a], mesh_.points[b], mesh_.points[c]));
+  }
+  return nearest < kFar ? std::optional(nearest) : std::nullopt;
+}
+
 SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis) {
   const auto [lo, hi] = std::minmax(a.coordinate, b.coordinate);
   const double outward = a.coordinate > b.coordinate ? 1 : -1;
   std::vector<double> distances;
   AddDistances(a, StripSurface(b.record.band, axis, lo, hi), axis, outward, distances);
   AddDistances(b, StripSurface(a.record.band, axis, lo, hi), axis, -outward, distances);
+  return SummaryOf(std::move(distances));
+}
+
+SurfaceGap SummaryOf(std::vector<double> distances) {
   SurfaceGap gap;
   gap.places = std::ssize(distances);
   if (distances.empty()) return gap;
@@ -95,6 +88,7 @@ SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis) {
   const auto at = [&](double share) { return distances[static_cast<size_t>(share * (distances.size() - 1))]; };
   gap.median = at(0.5);
   gap.ninth_decile = at(0.9);
+  gap.percentile_99 = at(0.99);
   return gap;
 }
 

@@ -2,10 +2,30 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_RIM_SURFACE_GAP_H_
 #define TILEMEND_COORDINATOR_PLAN_RIM_SURFACE_GAP_H_
 
+#include <optional>
+#include <vector>
+
+#include "common/mesh/bin_grid.h"
+#include "common/mesh/tri_mesh.h"
 #include "coordinator/plan/types/cell_side.h"
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
+
+// The triangles of a mesh that reach into a strip along a border: between `lo` and `hi` on the axis across it. The mesh
+// must outlive it.
+class StripSurface {
+ public:
+  StripSurface(const TriMesh& mesh, int axis, double lo, double hi);
+
+  // From `p` to the nearest triangle in space; nothing if none is within a metre. O(triangles near p).
+  std::optional<double> Distance(const Point3& p) const;
+
+ private:
+  const TriMesh& mesh_;
+  const std::vector<Triangle> triangles_;
+  const BinGrid bins_;
+};
 
 // A tile and where its own straight outline lies on the axis across a border, metres.
 struct TileOutline {
@@ -18,6 +38,8 @@ struct TileOutline {
 // is not the same surface. Cost linear in the bands, and for each vertex in the triangles near it.
 //   axis  across the border
 SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis);
+
+SurfaceGap SummaryOf(std::vector<double> distances);
 
 }  // namespace tilemend
 

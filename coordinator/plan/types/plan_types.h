@@ -50,7 +50,7 @@ enum class BorderKind { kExact, kNear, kOverlap, kGap, kOpen };  // kOpen: one o
 
 // How far apart two surfaces are, metres.
 struct SurfaceGap {
-  double median = 0, ninth_decile = 0;
+  double median = 0, ninth_decile = 0, percentile_99 = 0;
   int64_t places = 0;  // where they were compared; 0: nothing is known
 };
 
