@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "client/commands.h"
+#include "common/rpc/credentials.h"
 
 namespace tilemend {
 namespace {
@@ -10,13 +11,15 @@ std::vector<FlagSpec> Join(std::vector<FlagSpec> first, const std::vector<FlagSp
   return first;
 }
 
-FlagSpec CoordinatorFlag() { return {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"}; }
+// How to reach a cluster.
+std::vector<FlagSpec> CoordinatorFlags() {
+  return Join({{"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"}}, ChannelSecurityFlags());
+}
 
 // Of commands that start a job on a cluster.
 std::vector<FlagSpec> StartFlags() {
-  return {CoordinatorFlag(),
-          {"wait", "", "wait for the end of the job; the exit code is the job's", ""},
-          {"request-id", "ID", "a second call with the same ID gives the same job", ""}};
+  return Join(CoordinatorFlags(), {{"wait", "", "wait for the end of the job; the exit code is the job's", ""},
+                                   {"request-id", "ID", "a second call with the same ID gives the same job", ""}});
 }
 
 std::vector<FlagSpec> LocalFlags() {
@@ -43,7 +46,7 @@ std::vector<FlagSpec> InspectFlags() {
 
 std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> output = {OutputFlag()};
-  const std::vector<FlagSpec> cluster = {CoordinatorFlag(), OutputFlag()};
+  const std::vector<FlagSpec> cluster = Join(CoordinatorFlags(), {OutputFlag()});
   const std::vector<FlagSpec> list =
       Join({{"state", "STATE[,STATE]", "only jobs in these states: running, done, ...", ""}}, cluster);
   const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);

@@ -10,6 +10,7 @@
 #include "client/job_client.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
@@ -37,7 +38,9 @@ absl::StatusOr<Session> OpenSession(const Args& args, bool watches) {
   TILEMEND_ASSIGN_OR_RETURN(session.format, FormatFromFlags(args));
   const std::string address = args.Text("coordinator");
   TILEMEND_RETURN_IF_ERROR(CheckAddress(address));
-  session.client = std::make_unique<JobClient>(Connect(address), kPatience);
+  const Security security = SecurityFromFlags(args);
+  TILEMEND_RETURN_IF_ERROR(CheckChannelSecurity(security, address));
+  session.client = std::make_unique<JobClient>(Connect(address, security), kPatience);
   return session;
 }
 

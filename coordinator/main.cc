@@ -1,6 +1,8 @@
 // tilemend-coordinator: takes jobs, plans them and gives their tasks to workers.
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <semaphore>
 #include <string>
@@ -10,6 +12,7 @@
 #include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/metrics/status_server.h"
+#include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/util/exit_codes.h"
 #include "common/util/failpoint.h"
@@ -20,7 +23,9 @@
 #include "common/util/version.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "coordinator/journal/work_lock.h"
+#include "coordinator/service/access.h"
 #include "coordinator/service/coordinator_impl.h"
+#include "coordinator/service/gate.h"
 #include "coordinator/service/grpc_services.h"
 #include "coordinator/service/scene_pipeline.h"
 
@@ -30,10 +35,12 @@ namespace {
 constexpr char kProgram[] = "tilemend-coordinator";
 
 std::vector<FlagSpec> CoordinatorFlags() {
-  return {
+  std::vector<FlagSpec> flags = {
       {"listen", "HOST:PORT", "address for clients and workers", "127.0.0.1:7070"},
       {"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
+      {"tokens", "FILE", "who may call by token: lines NAME ROLE[,ROLE] SHA256 [EXPIRES]", ""},
+      {"audit", "FILE", "append who did what, as lines of JSON (default: in the log)", ""},
       {"work", "DIR", "folder for jobs and intermediate files; needed", ""},
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
       {"longest-task", "HOURS", "an attempt that takes longer is given up, 0.01 to 1000", "6"},
@@ -44,6 +51,9 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
   };
+  const std::vector<FlagSpec> security = ServerSecurityFlags();
+  flags.insert(flags.begin() + 1, security.begin(), security.end());
+  return flags;
 }
 
 absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
@@ -67,6 +77,7 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   }
   options.check_result = SceneResultCheck(tiles == "size" ? TileCheck::kSize : TileCheck::kDigest);
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
+  TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(SecurityFromFlags(flags), flags.Text("listen")));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
   return options;
 }
@@ -74,6 +85,29 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
 int Fail(const absl::Status& status, int code) {
   std::fprintf(stderr, "tilemend-coordinator: %s\n", std::string(status.message()).c_str());
   return code;
+}
+
+struct Audit {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file;
+  std::unique_ptr<Log> log;
+};
+
+// Null without a path.
+absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path) {
+  if (path.empty()) return nullptr;
+  std::FILE* const file = std::fopen(path.c_str(), "ae");
+  if (file == nullptr) {
+    return absl::PermissionDeniedError(absl::StrCat(path, ": cannot append to it: ", std::strerror(errno)));
+  }
+  auto audit = std::make_unique<Audit>(Audit{{file, std::fclose}, nullptr});
+  audit->log = std::make_unique<StreamLog>(file, LogFormat::kJson, LogFields{{"program", kProgram}});
+  return audit;
+}
+
+// Whoever asks for certificates or gives a file of tokens wants to know who calls.
+absl::StatusOr<Access> AccessFromFlags(const Flags& flags) {
+  if (flags.Text("tokens").empty() && flags.Text("tls-ca").empty()) return Access::Open();
+  return Access::Closed(flags.Text("tokens"));
 }
 
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
@@ -96,7 +130,11 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(options.journal, OpenSqliteJournal(options.work_folder + "/journal.sqlite"));
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
-  TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl));
+  TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));
+  TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags));
+  const auto gate = std::make_shared<Gate>(std::move(access), metrics, audit == nullptr ? log : *audit->log);
+  TILEMEND_ASSIGN_OR_RETURN(
+      const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl, {SecurityFromFlags(flags).tls, gate}));
   log.Info("listening", {{"address", WithPort(flags.Text("listen"), server->rpc().port())}});
   std::binary_semaphore stop(0);
   signals.Start([&stop](int count) {

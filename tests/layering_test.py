@@ -54,7 +54,7 @@ RULES = {
 
     'common/metrics': rule([], ['absl', 'civetweb', 'prometheus']),
 
-    'common/rpc': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'protobuf']),
+    'common/rpc': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
     'worker/survey': rule(['common/mesh', 'common/records'], []),
 

@@ -11,6 +11,7 @@
 #include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/metrics/status_server.h"
+#include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
@@ -27,7 +28,7 @@ namespace {
 constexpr char kProgram[] = "tilemend-worker";
 
 std::vector<FlagSpec> WorkerFlags() {
-  return {
+  std::vector<FlagSpec> flags = {
       {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"},
       {"threads", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
       {"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
@@ -36,6 +37,9 @@ std::vector<FlagSpec> WorkerFlags() {
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
   };
+  const std::vector<FlagSpec> security = ChannelSecurityFlags();
+  flags.insert(flags.begin() + 1, security.begin(), security.end());
+  return flags;
 }
 
 absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
@@ -49,8 +53,13 @@ absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
     options.threads = static_cast<int>(threads);
   }
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("coordinator")));
+  const Security security = SecurityFromFlags(flags);
+  TILEMEND_RETURN_IF_ERROR(CheckChannelSecurity(security, flags.Text("coordinator")));
   if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
-  if (flags.IsGiven("health")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("health")));
+  if (flags.IsGiven("health")) {
+    TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("health")));
+    TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(security, flags.Text("health")));
+  }
   options.id = NewWorkerId();
   return options;
 }
@@ -68,10 +77,11 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
   StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}, {"worker", options.id}});
   options.log = &log;
   log.Info("starting", {{"coordinator", flags.Text("coordinator")}, {"threads", options.threads}});
-  Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"))), SceneStageRunner(), metrics);
+  Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"), SecurityFromFlags(flags))),
+                SceneStageRunner(), metrics);
   std::unique_ptr<RpcServer> health;
   if (flags.IsGiven("health")) {
-    TILEMEND_ASSIGN_OR_RETURN(health, RpcServer::Start(flags.Text("health"), {}));
+    TILEMEND_ASSIGN_OR_RETURN(health, RpcServer::Start(flags.Text("health"), {}, SecurityFromFlags(flags).tls));
     log.Info("health served", {{"address", WithPort(flags.Text("health"), health->port())}});
   }
   std::unique_ptr<StatusServer> status;

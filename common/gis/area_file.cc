@@ -21,12 +21,13 @@ constexpr std::string_view kSqlite("SQLite format 3\0", 16);
 
 using ReadVectorsFunction = void (*)(const VectorRequest&, VectorFile&);
 
-// Loads the module that lies beside the program; for a program in another folder of the build, beside the others.
+// Loads the module that lies beside the program; for a program in another folder of the build, beside the others; for
+// one that is installed, in its libraries.
 absl::StatusOr<ReadVectorsFunction> LoadModule() {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   std::string reason;
-  for (const std::filesystem::path& path : {folder / kModule, folder / "../bin" / kModule}) {
+  for (const std::filesystem::path& path : {folder / kModule, folder / "../bin" / kModule, folder / "../lib/tilemend" / kModule}) {
     void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const function = module == nullptr ? nullptr : ::dlsym(module, "TilemendReadVectors");
     if (function != nullptr) return reinterpret_cast<ReadVectorsFunction>(function);

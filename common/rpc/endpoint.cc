@@ -3,18 +3,19 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
-#include <grpcpp/security/credentials.h>
-#include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server_builder.h>
+#include <grpcpp/support/client_interceptor.h>
 #include <sys/resource.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "common/rpc/limits.h"
+#include "common/util/files.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -32,6 +33,37 @@ grpc::ChannelArguments ChannelArguments() {
   return arguments;
 }
 
+// Puts the token into a call. The file is read each time: a token may be replaced while the program runs.
+class TokenSender : public grpc::experimental::Interceptor {
+ public:
+  explicit TokenSender(const std::string& file) : file_(file) {}
+  void Intercept(grpc::experimental::InterceptorBatchMethods* methods) override {
+    using Point = grpc::experimental::InterceptionHookPoints;
+    if (methods->QueryInterceptionHookPoint(Point::PRE_SEND_INITIAL_METADATA)) {
+      if (const auto token = ReadFile(file_); token.ok()) {
+        header_ = absl::StrCat("Bearer ", absl::StripAsciiWhitespace(*token));
+        methods->GetSendInitialMetadata()->insert({"authorization", header_});
+      }
+    }
+    methods->Proceed();
+  }
+
+ private:
+  const std::string& file_;
+  std::string header_;  // gRPC does not copy it
+};
+
+class TokenSenders : public grpc::experimental::ClientInterceptorFactoryInterface {
+ public:
+  explicit TokenSenders(std::string file) : file_(std::move(file)) {}
+  grpc::experimental::Interceptor* CreateClientInterceptor(grpc::experimental::ClientRpcInfo*) override {
+    return new TokenSender(file_);
+  }
+
+ private:
+  const std::string file_;
+};
+
 }  // namespace
 
 RpcServer::RpcServer(std::unique_ptr<grpc::Server> server, int port) : server_(std::move(server)), port_(port) {}
@@ -39,7 +71,8 @@ RpcServer::RpcServer(std::unique_ptr<grpc::Server> server, int port) : server_(s
 RpcServer::~RpcServer() { Shutdown(absl::Seconds(2)); }
 
 absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& listen,
-                                                            const std::vector<grpc::Service*>& services) {
+                                                            const std::vector<grpc::Service*>& services,
+                                                            const TlsFiles& tls) {
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;
@@ -52,7 +85,7 @@ absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& l
   int port = 0;
   if (!listen.empty()) {
     TILEMEND_RETURN_IF_ERROR(CheckAddress(listen));
-    builder.AddListeningPort(listen, grpc::InsecureServerCredentials(), &port);
+    builder.AddListeningPort(listen, MakeServerCredentials(tls), &port);
   }
   for (grpc::Service* service : services) builder.RegisterService(service);
   std::unique_ptr<grpc::Server> server = builder.BuildAndStart();
@@ -70,8 +103,11 @@ void RpcServer::Shutdown(absl::Duration grace) {
   server_->Shutdown(std::chrono::system_clock::now() + absl::ToChronoMilliseconds(grace));
 }
 
-std::shared_ptr<grpc::Channel> Connect(const std::string& address) {
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), ChannelArguments());
+std::shared_ptr<grpc::Channel> Connect(const std::string& address, const Security& security) {
+  std::vector<std::unique_ptr<grpc::experimental::ClientInterceptorFactoryInterface>> interceptors;
+  if (!security.token_file.empty()) interceptors.push_back(std::make_unique<TokenSenders>(security.token_file));
+  return grpc::experimental::CreateCustomChannelWithInterceptors(address, MakeChannelCredentials(security.tls),
+                                                                 ChannelArguments(), std::move(interceptors));
 }
 
 absl::Status CheckAddress(const std::string& address) {

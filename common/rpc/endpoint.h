@@ -12,6 +12,7 @@
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "common/rpc/credentials.h"
 
 namespace tilemend {
 
@@ -22,7 +23,8 @@ class RpcServer {
   // standard health check and reflection. kInvalidArgument for a malformed address, kUnavailable if the address cannot
   // be had.
   static absl::StatusOr<std::unique_ptr<RpcServer>> Start(const std::string& listen,
-                                                          const std::vector<grpc::Service*>& services);
+                                                          const std::vector<grpc::Service*>& services,
+                                                          const TlsFiles& tls = {});
   ~RpcServer();
 
   int port() const { return port_; }
@@ -38,7 +40,7 @@ class RpcServer {
 };
 
 // Connects on first use and again whenever the connection is lost.
-std::shared_ptr<grpc::Channel> Connect(const std::string& address);
+std::shared_ptr<grpc::Channel> Connect(const std::string& address, const Security& security = {});
 
 // kInvalidArgument unless `address` is HOST:PORT with a port in [0, 65535].
 absl::Status CheckAddress(const std::string& address);

@@ -2,8 +2,11 @@
 
 #include <utility>
 
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
 #include "common/rpc/grpc_status.h"
 #include "common/rpc/trace.h"
+#include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
 #include "tilemend/v1/work.grpc.pb.h"
@@ -13,93 +16,175 @@ namespace {
 
 using grpc::ServerContext;
 
-JobOrigin OriginOf(const ServerContext& context) {
-  const auto& metadata = context.client_metadata();
-  const auto parent = metadata.find("traceparent");
-  if (parent == metadata.end()) return {};
-  return {"", TraceOf({parent->second.data(), parent->second.size()})};
+// Moves a value into `response`, or gives the error.
+template <typename T>
+absl::Status Take(absl::StatusOr<T> result, T* response) {
+  if (result.ok()) *response = *std::move(result);
+  return result.status();
 }
 
-class JobsService : public v1::Jobs::Service {
- public:
-  explicit JobsService(CoordinatorImpl& impl) : impl_(impl) {}
+JobOrigin OriginOf(const ServerContext& context, const Caller& caller) {
+  const auto& metadata = context.client_metadata();
+  const auto parent = metadata.find("traceparent");
+  if (parent == metadata.end()) return {caller.name, ""};
+  return {caller.name, TraceOf({parent->second.data(), parent->second.size()})};
+}
 
-  grpc::Status CreateJob(ServerContext* context, const v1::CreateJobRequest* request, v1::Job* response) override {
-    return Reply(impl_.CreateJob(*request, OriginOf(*context)), response);
+// What every handler does around its call.
+class Entrance {
+ public:
+  explicit Entrance(std::shared_ptr<Gate> gate) : gate_(std::move(gate)) {}
+
+  // `call` takes the caller and gives an absl::Status.
+  template <class Call>
+  grpc::Status Run(const ServerContext& context, std::string_view rpc, Call call) const {
+    const absl::Time start = absl::Now();
+    const PeerClaims claims = ClaimsOf(context);
+    const auto caller = gate_->Admit(rpc, {claims.certificate_name, claims.alternatives, claims.token}, claims.address);
+    const absl::Status status = caller.ok() ? call(*caller) : caller.status();
+    gate_->Ended(rpc, status, absl::Now() - start);
+    return ToGrpcStatus(status);
   }
-  grpc::Status GetJob(ServerContext*, const v1::GetJobRequest* request, v1::Job* response) override {
-    return Reply(impl_.GetJob(*request), response);
-  }
-  grpc::Status ListJobs(ServerContext*, const v1::ListJobsRequest* request, v1::ListJobsResponse* response) override {
-    return Reply(impl_.ListJobs(*request), response);
-  }
-  grpc::Status WatchJob(ServerContext* context, const v1::WatchJobRequest* request,
-                        grpc::ServerWriter<v1::Job>* writer) override {
-    return ToGrpcStatus(impl_.WatchJob(
-        *request, [writer](const v1::Job& job) { return writer->Write(job); },
-        [context] { return !context->IsCancelled(); }));
-  }
-  grpc::Status CancelJob(ServerContext*, const v1::CancelJobRequest* request, v1::Job* response) override {
-    return Reply(impl_.CancelJob(*request), response);
-  }
-  grpc::Status RetryJob(ServerContext* context, const v1::RetryJobRequest* request, v1::Job* response) override {
-    return Reply(impl_.RetryJob(*request, OriginOf(*context)), response);
+
+  // Of a call that changes a job: `call` gives the job's message.
+  template <class Call>
+  grpc::Status Change(const ServerContext& context, std::string_view rpc, v1::Job* response, Call call) const {
+    return Run(context, rpc, [&](const Caller& caller) {
+      const absl::Status status = Take(absl::StatusOr<v1::Job>(call(caller)), response);
+      gate_->Audit(rpc, caller, context.peer(), response->name(), status);
+      return status;
+    });
   }
 
  private:
+  const std::shared_ptr<Gate> gate_;
+};
+
+class JobsService : public v1::Jobs::Service {
+ public:
+  JobsService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
+
+  grpc::Status CreateJob(ServerContext* context, const v1::CreateJobRequest* request, v1::Job* response) override {
+    return entrance_.Change(*context, "tilemend.v1.Jobs/CreateJob", response, [&](const Caller& caller) {
+      return impl_.CreateJob(*request, OriginOf(*context, caller));
+    });
+  }
+  grpc::Status GetJob(ServerContext* context, const v1::GetJobRequest* request, v1::Job* response) override {
+    return entrance_.Run(*context, "tilemend.v1.Jobs/GetJob",
+                         [&](const Caller&) { return Take(impl_.GetJob(*request), response); });
+  }
+  grpc::Status ListJobs(ServerContext* context, const v1::ListJobsRequest* request,
+                        v1::ListJobsResponse* response) override {
+    return entrance_.Run(*context, "tilemend.v1.Jobs/ListJobs",
+                         [&](const Caller&) { return Take(impl_.ListJobs(*request), response); });
+  }
+  grpc::Status WatchJob(ServerContext* context, const v1::WatchJobRequest* request,
+                        grpc::ServerWriter<v1::Job>* writer) override {
+    return entrance_.Run(*context, "tilemend.v1.Jobs/WatchJob", [&](const Caller&) {
+      return impl_.WatchJob(
+          *request, [writer](const v1::Job& job) { return writer->Write(job); },
+          [context] { return !context->IsCancelled(); });
+    });
+  }
+  grpc::Status CancelJob(ServerContext* context, const v1::CancelJobRequest* request, v1::Job* response) override {
+    return entrance_.Change(*context, "tilemend.v1.Jobs/CancelJob", response,
+                            [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
+                              TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request->name()));
+                              return impl_.CancelJob(*request);
+                            });
+  }
+  grpc::Status RetryJob(ServerContext* context, const v1::RetryJobRequest* request, v1::Job* response) override {
+    return entrance_.Change(*context, "tilemend.v1.Jobs/RetryJob", response,
+                            [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
+                              TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request->name()));
+                              return impl_.RetryJob(*request, OriginOf(*context, caller));
+                            });
+  }
+
+ private:
+  // Another's job is the administrators'.
+  absl::Status CheckOwner(const Caller& caller, const std::string& name) {
+    if (caller.May(Role::kAdmin)) return absl::OkStatus();
+    v1::GetJobRequest request;
+    request.set_name(name);
+    TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, impl_.GetJob(request));
+    if (job.owner() == caller.name) return absl::OkStatus();
+    return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(name, ": is another's; it needs the role admin")),
+                         {"ROLE_NEEDED", {{"role", "admin"}, {"job", name}}});
+  }
+
   CoordinatorImpl& impl_;
+  const Entrance& entrance_;
 };
 
 class WorkersService : public v1::Workers::Service {
  public:
-  explicit WorkersService(CoordinatorImpl& impl) : impl_(impl) {}
+  WorkersService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
 
-  grpc::Status ListWorkers(ServerContext*, const v1::ListWorkersRequest* request,
+  grpc::Status ListWorkers(ServerContext* context, const v1::ListWorkersRequest* request,
                            v1::ListWorkersResponse* response) override {
-    return Reply(impl_.ListWorkers(*request), response);
+    return entrance_.Run(*context, "tilemend.v1.Workers/ListWorkers",
+                         [&](const Caller&) { return Take(impl_.ListWorkers(*request), response); });
   }
 
  private:
   CoordinatorImpl& impl_;
+  const Entrance& entrance_;
 };
 
 class WorkService : public v1::Work::Service {
  public:
-  explicit WorkService(CoordinatorImpl& impl) : impl_(impl) {}
+  WorkService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
 
   grpc::Status Sync(ServerContext* context, const v1::SyncRequest* request, v1::SyncResponse* response) override {
-    return Reply(impl_.Sync(*request, [context] { return !context->IsCancelled(); }), response);
+    return entrance_.Run(*context, "tilemend.v1.Work/Sync", [&](const Caller& caller) {
+      return Take(impl_.Sync(
+                      *request, [context] { return !context->IsCancelled(); }, caller.name),
+                  response);
+    });
   }
-  grpc::Status ReadBlob(ServerContext*, const v1::ReadBlobRequest* request,
+  grpc::Status ReadBlob(ServerContext* context, const v1::ReadBlobRequest* request,
                         grpc::ServerWriter<v1::BlobChunk>* writer) override {
-    return ToGrpcStatus(impl_.ReadBlob(*request, [writer](std::string_view bytes) {
-      v1::BlobChunk chunk;
-      chunk.set_data(bytes.data(), bytes.size());
-      return writer->Write(chunk);
-    }));
+    return entrance_.Run(*context, "tilemend.v1.Work/ReadBlob", [&](const Caller&) {
+      return impl_.ReadBlob(*request, [writer](std::string_view bytes) {
+        v1::BlobChunk chunk;
+        chunk.set_data(bytes.data(), bytes.size());
+        return writer->Write(chunk);
+      });
+    });
   }
-  grpc::Status WriteBlob(ServerContext*, grpc::ServerReader<v1::WriteBlobRequest>* reader,
+  grpc::Status WriteBlob(ServerContext* context, grpc::ServerReader<v1::WriteBlobRequest>* reader,
                          v1::WriteBlobResponse* response) override {
-    return Reply(impl_.WriteBlob([reader](v1::WriteBlobRequest& message) { return reader->Read(&message); }), response);
+    return entrance_.Run(*context, "tilemend.v1.Work/WriteBlob", [&](const Caller&) {
+      return Take(impl_.WriteBlob([reader](v1::WriteBlobRequest& message) { return reader->Read(&message); }),
+                  response);
+    });
   }
 
  private:
   CoordinatorImpl& impl_;
+  const Entrance& entrance_;
 };
 
 class Server : public CoordinatorServer {
  public:
-  explicit Server(CoordinatorImpl& impl) : impl_(impl), jobs_(impl), workers_(impl), work_(impl) {}
+  Server(CoordinatorImpl& impl, std::shared_ptr<Gate> gate)
+      : impl_(impl),
+        entrance_(std::move(gate)),
+        jobs_(impl, entrance_),
+        workers_(impl, entrance_),
+        work_(impl, entrance_) {}
   ~Server() override { impl_.StopWaiting(); }
 
-  absl::Status Start(const std::string& listen) {
-    TILEMEND_ASSIGN_OR_RETURN(rpc_, RpcServer::Start(listen, {&jobs_, &workers_, &work_}));
+  absl::Status Start(const std::string& listen, const TlsFiles& tls) {
+    TILEMEND_ASSIGN_OR_RETURN(rpc_, RpcServer::Start(listen, {&jobs_, &workers_, &work_}, tls));
     return absl::OkStatus();
   }
   RpcServer& rpc() override { return *rpc_; }
 
  private:
   CoordinatorImpl& impl_;
+  const Entrance entrance_;
   JobsService jobs_;
   WorkersService workers_;
   WorkService work_;
@@ -109,9 +194,13 @@ class Server : public CoordinatorServer {
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<CoordinatorServer>> CoordinatorServer::Start(const std::string& listen,
-                                                                            CoordinatorImpl& impl) {
-  auto server = std::make_unique<Server>(impl);
-  TILEMEND_RETURN_IF_ERROR(server->Start(listen));
+                                                                            CoordinatorImpl& impl,
+                                                                            ServerOptions options) {
+  if (options.gate == nullptr) {
+    options.gate = std::make_shared<Gate>(Access::Open(), *MetricsRegistry::Null(), *Log::Null());
+  }
+  auto server = std::make_unique<Server>(impl, std::move(options.gate));
+  TILEMEND_RETURN_IF_ERROR(server->Start(listen, options.tls));
   return server;
 }
 
