@@ -2,6 +2,7 @@
 
 #include "client/commands.h"
 #include "common/rpc/credentials.h"
+#include "common/util/settings.h"
 
 namespace tilemend {
 namespace {
@@ -13,7 +14,8 @@ std::vector<FlagSpec> Join(std::vector<FlagSpec> first, const std::vector<FlagSp
 
 // How to reach a cluster.
 std::vector<FlagSpec> CoordinatorFlags() {
-  return Join({{"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"}}, ChannelSecurityFlags());
+  return AllAsSettings(
+      Join({{"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"}}, ChannelSecurityFlags()));
 }
 
 // Of commands that start a job on a cluster.

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
 #include "common/util/exit_codes.h"
+#include "common/util/settings.h"
 #include "common/util/version.h"
 
 namespace tilemend {
@@ -40,7 +42,9 @@ int UsageError(const std::string& text) {
 }
 
 int RunParsed(const Command& command, const std::vector<std::string>& words) {
-  const auto args = Args::Parse(command.flags, words);
+  const auto settings = ReadSettings(command.flags, UsualFile(std::getenv), std::getenv);
+  if (!settings.ok()) return UsageError(std::string(settings.status().message()));
+  const auto args = Args::Parse(command.flags, words, *settings);
   if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));
   if (args->arguments().size() != command.argument_count) {
     return UsageError(absl::StrCat(command.name, ": expected ", command.argument_count,

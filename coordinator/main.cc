@@ -3,9 +3,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <semaphore>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -18,6 +21,7 @@
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
+#include "common/util/settings.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
@@ -53,7 +57,7 @@ std::vector<FlagSpec> CoordinatorFlags() {
   };
   const std::vector<FlagSpec> security = ServerSecurityFlags();
   flags.insert(flags.begin() + 1, security.begin(), security.end());
-  return flags;
+  return AllAsSettings(std::move(flags));
 }
 
 absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
@@ -85,6 +89,12 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
 int Fail(const absl::Status& status, int code) {
   std::fprintf(stderr, "tilemend-coordinator: %s\n", std::string(status.message()).c_str());
   return code;
+}
+
+double SizeOf(const std::string& path) {
+  std::error_code error;
+  const uintmax_t bytes = std::filesystem::file_size(path, error);
+  return error ? 0 : static_cast<double>(bytes);
 }
 
 struct Audit {
@@ -119,8 +129,11 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   options.log = &log;
   std::unique_ptr<StatusServer> status;
   if (flags.IsGiven("metrics")) {
-    const StatusPages pages = {[&] {
+    Gauge* const journal_bytes =
+        metrics.AddGauge("tilemend_coordinator_journal_bytes", "Size of the journal's files.", {});
+    const StatusPages pages = {[&, journal_bytes, journal = options.work_folder + "/journal.sqlite"] {
       process.Update();
+      journal_bytes->Set(SizeOf(journal) + SizeOf(journal + "-wal"));
       return metrics.Text();
     }};
     TILEMEND_ASSIGN_OR_RETURN(status, StatusServer::Start(flags.Text("metrics"), pages));
@@ -148,7 +161,9 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
 
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
-  const auto flags = Flags::Parse(CoordinatorFlags(), words);
+  const auto settings = ReadSettings(CoordinatorFlags(), "", std::getenv);
+  if (!settings.ok()) return Fail(settings.status(), kExitUsage);
+  const auto flags = Flags::Parse(CoordinatorFlags(), words, *settings);
   if (!flags.ok()) return Fail(flags.status(), kExitUsage);
   if (flags->Switch("help")) {
     std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s", FlagsHelp(CoordinatorFlags()).c_str());

@@ -2,9 +2,11 @@
 // second makes it give that back.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -16,6 +18,7 @@
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
+#include "common/util/settings.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
@@ -39,7 +42,7 @@ std::vector<FlagSpec> WorkerFlags() {
   };
   const std::vector<FlagSpec> security = ChannelSecurityFlags();
   flags.insert(flags.begin() + 1, security.begin(), security.end());
-  return flags;
+  return AllAsSettings(std::move(flags));
 }
 
 absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
@@ -109,7 +112,9 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
 
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
-  const auto flags = Flags::Parse(WorkerFlags(), words);
+  const auto settings = ReadSettings(WorkerFlags(), "", std::getenv);
+  if (!settings.ok()) return Fail(settings.status(), kExitUsage);
+  const auto flags = Flags::Parse(WorkerFlags(), words, *settings);
   if (!flags.ok()) return Fail(flags.status(), kExitUsage);
   if (flags->Switch("help")) {
     std::printf("Usage: tilemend-worker [FLAGS]\n\n%s", FlagsHelp(WorkerFlags()).c_str());

@@ -32,8 +32,8 @@ struct TlsFiles {
 // What one end of a connection brings along.
 struct Security {
   TlsFiles tls;
-  std::string token_file;  // of a channel: holds the token that goes with each call; "" none
-  bool plaintext = false;  // without TLS beyond this machine, too
+  std::string token_file = {};  // of a channel: holds the token that goes with each call; "" none
+  bool plaintext = false;       // without TLS beyond this machine, too
 };
 
 // --tls-cert, --tls-key, --tls-ca and --insecure; for channels --token-file as well.

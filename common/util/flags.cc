@@ -52,8 +52,10 @@ absl::StatusOr<FlagWord> SplitWord(const std::vector<FlagSpec>& specs, const std
 
 }  // namespace
 
-absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words) {
+absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
+                                   const std::map<std::string, std::string>& settings) {
   Flags flags;
+  flags.given_ = settings;
   for (const FlagSpec& spec : specs) flags.defaults_[spec.name] = spec.default_value;
   for (size_t i = 0; i < words.size(); ++i) {
     if (words[i] == "--") {

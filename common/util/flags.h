@@ -20,13 +20,16 @@ struct FlagSpec {
   std::string help;           // one line
   std::string default_value;  // "" if there is none
   char letter = 0;            // short form, 0 if there is none
+  bool setting = false;       // may be set outside the command line (settings.h)
 };
 
 // What was given. Asking for a flag that is not in the table is a programmer's mistake and gives "".
 class Flags {
  public:
   // kInvalidArgument for an unknown flag (with the nearest name), a missing value, a value for a switch.
-  static absl::StatusOr<Flags> Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words);
+  // `settings`: values by name, for what `words` do not give.
+  static absl::StatusOr<Flags> Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
+                                     const std::map<std::string, std::string>& settings = {});
 
   const std::vector<std::string>& arguments() const { return arguments_; }
   bool IsGiven(const std::string& name) const { return given_.contains(name); }

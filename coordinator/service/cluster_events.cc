@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/error_info.h"
 
 namespace tilemend {
 namespace {
@@ -53,6 +54,8 @@ ClusterEvents::ClusterEvents(MetricsRegistry& registry, Log& log) : log_(log) {
                                          "From a job's making until a worker had its first task.", {}, QueueBounds());
   holes_filled_ = registry.AddCounter(prefix + "holes_filled_total", "Holes that were filled.", {});
   cells_done_ = registry.AddCounter(prefix + "cells_done_total", "Cells that were done.", {});
+  output_mismatches_ = registry.AddCounter(prefix + "output_mismatches_total",
+                                           "Jobs that failed since their output was not there as it was written.", {});
   workers_came_ = registry.AddCounter(prefix + "workers_came_total", "Workers that called for the first time.", {});
   workers_lost_ = registry.AddCounter(prefix + "workers_lost_total", "Workers that fell silent.", {});
 }
@@ -78,6 +81,7 @@ void ClusterEvents::JobStarted(const Job& job, const JobOrigin& origin) {
 
 void ClusterEvents::JobEnded(const Job& job, const JobOutcome& outcome, const absl::Status& error,
                              const JobOrigin& origin) {
+  if (ErrorReason(error) == "OUTPUT_CHANGED") output_mismatches_->Increment();
   CountHoles(job);
   Count(job);
   counted_.erase(job.id);

@@ -67,6 +67,7 @@ class ClusterEvents {
   Histogram* queue_seconds_;
   Counter* holes_filled_;
   Counter* cells_done_;
+  Counter* output_mismatches_;
   Counter* workers_came_;
   Counter* workers_lost_;
   std::map<std::string, Progress> counted_;  // what is in the counters of the jobs that run

@@ -34,10 +34,14 @@ v1::Job CoordinatorImpl::Describe(const Job& job) const {
 
 std::string CoordinatorImpl::WhyWaiting(const Job& job) const {
   if (IsOver(job.state) || job.counts.leased > 0 || job.counts.pending == 0) return "";
-  int64_t able = 0;
-  for (const auto& [id, worker] : state_.workers()) able += !worker.draining && trust_.MayWorkOn(id, job.id) ? 1 : 0;
-  const size_t connected = state_.workers().size();
+  int64_t able = 0, barred = 0;
+  for (const auto& [id, worker] : state_.workers()) {
+    able += !worker.draining && trust_.MayWorkOn(id, job.id) ? 1 : 0;
+    barred += worker.draining || trust_.IsBarred(id, job.id) ? 1 : 0;
+  }
+  const auto connected = static_cast<int64_t>(state_.workers().size());
   if (connected == 0) return "no worker is connected";
+  if (able == 0 && barred < connected) return "workers look at its folders";
   if (able > 0) return absl::StrCat("the workers that may work on it are busy or rest (", able, ")");
   return absl::StrCat("none of the connected workers (", connected, ") may work on it; `tilemend workers` says why");
 }

@@ -230,9 +230,10 @@ absl::Status OutputFolder::SeeAll() const {
     if (missing++ == 0) first = path.string();
   }
   if (missing > 0) {
-    return absl::AbortedError(
+    const absl::Status changed = absl::AbortedError(
         absl::StrCat(Printable(first), ": not there as it was written, as ", missing, " of ", placed_.size(),
                      " files of the output; was something removed while the job ran? Run the job again"));
+    return WithErrorInfo(changed, {"OUTPUT_CHANGED", {{"file", Printable(first)}}});
   }
   for (const std::string& folder : folders) TILEMEND_RETURN_IF_ERROR(SyncFolder(folder));
   return absl::OkStatus();

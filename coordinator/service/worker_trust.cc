@@ -89,6 +89,12 @@ bool WorkerTrust::MayWorkOn(const std::string& worker, const std::string& job) c
   return seen != view->second.seen_by.end() && seen->second == absl::InfiniteFuture();
 }
 
+bool WorkerTrust::IsBarred(const std::string& worker, const std::string& job) const {
+  if (set_aside_.contains(worker)) return true;
+  const auto view = jobs_.find(job);
+  return view != jobs_.end() && view->second.seen_by.contains(worker) && !MayWorkOn(worker, job);
+}
+
 std::vector<std::string> WorkerTrust::BlindTo(const std::string& worker) const {
   std::vector<std::string> jobs;
   for (const auto& [job, view] : jobs_) {

@@ -43,6 +43,9 @@ class WorkerTrust {
 
   bool MayWorkOn(const std::string& worker, const std::string& job) const;
 
+  // Whether it gets no task of the job until something changes: not one that has yet to look.
+  bool IsBarred(const std::string& worker, const std::string& job) const;
+
   // Jobs whose folders it does not see.
   std::vector<std::string> BlindTo(const std::string& worker) const;
 

@@ -1,0 +1,84 @@
+#include "common/util/settings.h"
+
+#include <utility>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
+#include "absl/strings/str_split.h"
+#include "absl/strings/strip.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+std::string VariableOf(const std::string& flag) {
+  return absl::StrCat("TILEMEND_", absl::AsciiStrToUpper(absl::StrReplaceAll(flag, {{"-", "_"}})));
+}
+
+// `where` is told if the value does not do.
+absl::Status Take(const FlagSpec& spec, const std::string& value, const std::string& where, Settings& settings) {
+  if (spec.value.empty() && value != "true" && value != "false") {
+    return absl::InvalidArgumentError(absl::StrCat(where, ": ", spec.name, " is true or false"));
+  }
+  if (spec.value.empty() && value == "false") {
+    settings.erase(spec.name);
+  } else {
+    settings[spec.name] = spec.value.empty() ? "" : value;
+  }
+  return absl::OkStatus();
+}
+
+absl::Status TakeFile(const std::vector<FlagSpec>& specs, const std::string& path, Settings& settings) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
+  int number = 0;
+  for (const absl::string_view line : absl::StrSplit(text, '\n')) {
+    ++number;
+    const absl::string_view content = absl::StripAsciiWhitespace(line);
+    if (content.empty() || content.front() == '#') continue;
+    const std::string where = absl::StrCat(path, ":", number);
+    const size_t equals = content.find('=');
+    if (equals == absl::string_view::npos) return absl::InvalidArgumentError(where + ": expected NAME = VALUE");
+    const absl::string_view name = absl::StripAsciiWhitespace(content.substr(0, equals));
+    const std::string value(absl::StripAsciiWhitespace(content.substr(equals + 1)));
+    for (const FlagSpec& spec : specs) {
+      if (spec.setting && spec.name == name) TILEMEND_RETURN_IF_ERROR(Take(spec, value, where, settings));
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::StatusOr<Settings> ReadSettings(const std::vector<FlagSpec>& specs, const std::string& usual_file,
+                                      const Environment& environment) {
+  Settings settings;
+  const char* const named = environment("TILEMEND_CONFIG");
+  const std::string file = named == nullptr ? usual_file : named;
+  if (!file.empty()) {
+    const absl::Status status = TakeFile(specs, file, settings);
+    if (!status.ok() && (named != nullptr || !absl::IsNotFound(status))) return status;
+  }
+  for (const FlagSpec& spec : specs) {
+    const std::string variable = VariableOf(spec.name);
+    const char* const value = spec.setting ? environment(variable.c_str()) : nullptr;
+    if (value != nullptr) TILEMEND_RETURN_IF_ERROR(Take(spec, value, variable, settings));
+  }
+  return settings;
+}
+
+std::string UsualFile(const Environment& environment) {
+  if (const char* const folder = environment("XDG_CONFIG_HOME"); folder != nullptr && folder[0] == '/') {
+    return absl::StrCat(folder, "/tilemend.conf");
+  }
+  const char* const home = environment("HOME");
+  return home == nullptr || home[0] != '/' ? "" : absl::StrCat(home, "/.config/tilemend.conf");
+}
+
+std::vector<FlagSpec> AllAsSettings(std::vector<FlagSpec> specs) {
+  for (FlagSpec& spec : specs) spec.setting = spec.name != "help" && spec.name != "version";
+  return specs;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,66 @@
+#include "common/rpc/credentials.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/util/files.h"
+#include "tests/support/certificates.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(CheckServerSecurityTest, KeepsPlainTextOnThisMachine) {
+  for (const char* here : {"127.0.0.1:7070", "127.8.8.8:1", "localhost:0", "[::1]:7070"}) {
+    EXPECT_TRUE(CheckServerSecurity({}, here).ok()) << here;
+  }
+  for (const char* beyond : {"0.0.0.0:7070", "10.1.2.3:7070", "[::]:7070", "example.org:7070", "localhost.example:1"}) {
+    const absl::Status status = CheckServerSecurity({}, beyond);
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << beyond;
+    EXPECT_THAT(std::string(status.message()), HasSubstr("--insecure")) << beyond;
+    EXPECT_FALSE(CheckChannelSecurity({}, beyond).ok()) << beyond;
+    EXPECT_TRUE(CheckServerSecurity({{}, "", true}, beyond).ok()) << beyond;
+  }
+}
+
+TEST(CheckServerSecurityTest, RefusesFilesThatDoNotBelongTogether) {
+  const TemporaryFolder folder;
+  const TestAuthority authority(folder.path(), "ca");
+  const TlsFiles a = authority.Issue("a", {"a"}), b = authority.Issue("b", {"b"});
+  const std::string address = "0.0.0.0:1";
+  EXPECT_TRUE(CheckServerSecurity({a}, address).ok());
+  EXPECT_FALSE(CheckServerSecurity({{a.certificate, b.key, a.authority}}, address).ok());
+  EXPECT_FALSE(CheckServerSecurity({{a.certificate, "", ""}}, address).ok());
+  EXPECT_FALSE(CheckServerSecurity({{"", "", a.authority}}, address).ok());
+  EXPECT_TRUE(CheckChannelSecurity({{"", "", a.authority}}, address).ok());
+  EXPECT_TRUE(absl::IsNotFound(CheckServerSecurity({{"/no.pem", "/no.key", ""}}, address)));
+}
+
+TEST(CheckServerSecurityTest, QuotesNothingOfAFile) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "private.txt";
+  ASSERT_TRUE(WriteFileAtomically(path, "my secret line\n").ok());
+  for (const Security& security : {Security{{path, path, ""}}, Security{{"", "", path}}}) {
+    const absl::Status status = CheckChannelSecurity(security, "host:1");
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_THAT(std::string(status.message()), Not(HasSubstr("secret")));
+  }
+}
+
+TEST(SecurityFlagsTest, AreReadAsTheyAreTold) {
+  const auto flags =
+      Flags::Parse(ChannelSecurityFlags(), {"--tls-ca", "a", "--tls-cert=c", "--tls-key", "k", "--token-file", "t"});
+  ASSERT_TRUE(flags.ok());
+  const Security security = SecurityFromFlags(*flags);
+  EXPECT_EQ(security.tls.authority, "a");
+  EXPECT_EQ(security.tls.certificate, "c");
+  EXPECT_EQ(security.tls.key, "k");
+  EXPECT_EQ(security.token_file, "t");
+  EXPECT_FALSE(security.plaintext);
+}
+
+}  // namespace
+}  // namespace tilemend

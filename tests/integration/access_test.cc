@@ -1,0 +1,207 @@
+// Who gets in: every RPC that a coordinator answers, with every kind of caller.
+#include "coordinator/service/access.h"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/descriptor.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/grpc_status.h"
+#include "common/store/digest.h"
+#include "common/util/files.h"
+#include "tests/support/certificates.h"
+#include "tests/support/test_cluster.h"
+#include "tilemend/v1/work.grpc.pb.h"
+
+namespace tilemend {
+namespace {
+
+using Code = absl::StatusCode;
+using ::testing::UnorderedElementsAreArray;
+
+// Of the protocol, as protoc knows it.
+std::vector<std::string> RpcsOfTheProtocol() {
+  std::vector<std::string> rpcs;
+  for (const char* file : {"tilemend/v1/jobs.proto", "tilemend/v1/work.proto"}) {
+    const auto* descriptor = google::protobuf::DescriptorPool::generated_pool()->FindFileByName(file);
+    for (int s = 0; s < descriptor->service_count(); ++s) {
+      const auto* service = descriptor->service(s);
+      for (int m = 0; m < service->method_count(); ++m) {
+        rpcs.push_back(absl::StrCat(service->full_name(), "/", service->method(m)->name()));
+      }
+    }
+  }
+  return rpcs;
+}
+
+// Calls an RPC with an empty message, whatever it takes.
+absl::Status CallBlindly(const std::shared_ptr<grpc::Channel>& channel, const std::string& rpc) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(10));
+  grpc::CompletionQueue queue;
+  grpc::GenericStub stub(channel);
+  const grpc::Slice nothing;
+  const grpc::ByteBuffer request(&nothing, 1);
+  const auto reader = stub.PrepareUnaryCall(&context, "/" + rpc, request, &queue);
+  reader->StartCall();
+  grpc::ByteBuffer response;
+  grpc::Status status;
+  reader->Finish(&response, &status, nullptr);
+  void* tag = nullptr;
+  bool ok = false;
+  queue.Next(&tag, &ok);
+  queue.Shutdown();
+  return FromGrpcStatus(status);
+}
+
+class AccessTest : public ::testing::Test {
+ protected:
+  void Start(const std::string& tokens, bool wants_certificates) {
+    auto access = Access::Closed(tokens);
+    ASSERT_TRUE(access.ok()) << access.status();
+    TlsFiles tls = authority_.Issue("coordinator", {"coordinator"});
+    if (!wants_certificates) tls.authority.clear();
+    const auto gate = std::make_shared<Gate>(*std::move(access), *MetricsRegistry::Null(), *Log::Null());
+    auto server = CoordinatorServer::Start("127.0.0.1:0", cluster_.impl(), {tls, gate});
+    ASSERT_TRUE(server.ok()) << server.status();
+    server_ = *std::move(server);
+    address_ = absl::StrCat("localhost:", server_->rpc().port());
+  }
+  absl::Status Call(const std::string& rpc, const Security& security) {
+    return CallBlindly(Connect(address_, security), rpc);
+  }
+  Security With(const std::string& name, const std::vector<std::string>& roles) {
+    return {authority_.Issue(name, {name, roles}), "", false};
+  }
+  Security WithToken(const std::string& token) {
+    const std::string path = folder_ / absl::StrCat("token-", token);
+    EXPECT_TRUE(WriteFileAtomically(path, token + "\n").ok());
+    return {{"", "", authority_.path()}, path, false};
+  }
+  std::string TokenFile() {
+    std::string text = "# people\n";
+    for (const char* role : {"watch", "submit", "admin", "worker"}) {
+      absl::StrAppend(&text, role, "-1 ", role, " ", Sha256Hex(absl::StrCat(role, "-secret")), "\n");
+    }
+    absl::StrAppend(&text, "old admin,worker ", Sha256Hex("old-secret"), " 2020-01-01T00:00:00Z\n");
+    EXPECT_TRUE(WriteFileAtomically(folder_ / "tokens", text).ok());
+    return folder_ / "tokens";
+  }
+
+  TempFolder folder_;
+  TestAuthority authority_{folder_.path().string(), "authority"};
+  TestCluster cluster_;
+  std::unique_ptr<CoordinatorServer> server_;
+  std::string address_;
+};
+
+TEST_F(AccessTest, TheTableHasEveryRpcAndNoOther) {
+  std::vector<std::string> listed;
+  for (const RpcNeed& need : RpcNeeds()) {
+    if (need.rpc.starts_with("tilemend.")) {
+      listed.emplace_back(need.rpc);
+      EXPECT_NE(need.role, Role::kAnybody) << need.rpc;
+    }
+  }
+  EXPECT_THAT(listed, UnorderedElementsAreArray(RpcsOfTheProtocol()));
+}
+
+TEST_F(AccessTest, NobodyGetsInWithoutACertificateOfTheAuthority) {
+  Start("", true);
+  const TestAuthority foreign(folder_.path().string(), "foreign");
+  TlsFiles stranger = foreign.Issue("stranger", {"stranger", {"admin", "worker"}});
+  stranger.authority = authority_.path();  // it trusts the coordinator, but not the other way round
+  const std::vector<std::pair<std::string, Security>> callers = {
+      {"plain text", {}},
+      {"no certificate", {{"", "", authority_.path()}, "", false}},
+      {"expired", {authority_.Issue("expired", {"expired", {"admin", "worker"}, -7200, -3600}), "", false}},
+      {"not yet valid", {authority_.Issue("early", {"early", {"admin", "worker"}, 3600, 7200}), "", false}},
+      {"foreign", {stranger, "", false}}};
+  for (const auto& [name, security] : callers) {
+    for (const std::string& rpc : RpcsOfTheProtocol()) {
+      EXPECT_EQ(Call(rpc, security).code(), Code::kUnavailable) << rpc << ", " << name;
+    }
+  }
+  EXPECT_TRUE(Call("tilemend.v1.Jobs/ListJobs", With("watch", {"watch"})).ok());  // it still serves
+}
+
+TEST_F(AccessTest, ACertificateOpensWhatItsRoleMay) {
+  Start("", true);
+  for (const char* role : {"", "watch", "submit", "admin", "worker", "king"}) {
+    const Security security = With(absl::StrCat("one-", role), {role});
+    Caller caller;
+    for (const Role r : {Role::kWatch, Role::kSubmit, Role::kAdmin, Role::kWorker}) {
+      if (RoleName(r) == role) caller.roles.insert(r);
+    }
+    for (const RpcNeed& need : RpcNeeds()) {
+      if (need.role == Role::kAnybody) continue;
+      const Code code = Call(std::string(need.rpc), security).code();
+      EXPECT_EQ(code == Code::kPermissionDenied, !caller.May(need.role)) << need.rpc << ", " << role;
+      EXPECT_NE(code, Code::kUnavailable) << need.rpc << ", " << role;
+    }
+  }
+}
+
+TEST_F(AccessTest, TokensOpenWhatTheirRolesMay) {
+  Start(TokenFile(), false);
+  for (const std::string& rpc : RpcsOfTheProtocol()) {
+    EXPECT_EQ(Call(rpc, {{"", "", authority_.path()}, "", false}).code(), Code::kUnauthenticated) << rpc;
+    EXPECT_EQ(Call(rpc, WithToken("old-secret")).code(), Code::kUnauthenticated) << rpc;
+    EXPECT_EQ(Call(rpc, WithToken("guess")).code(), Code::kUnauthenticated) << rpc;
+    const bool is_work = rpc.find(".Work/") != std::string::npos;
+    EXPECT_EQ(Call(rpc, WithToken("admin-secret")).code() == Code::kPermissionDenied, is_work) << rpc;
+    EXPECT_EQ(Call(rpc, WithToken("worker-secret")).code() == Code::kPermissionDenied, !is_work) << rpc;
+  }
+  EXPECT_EQ(Call("tilemend.v1.Jobs/CreateJob", WithToken("watch-secret")).code(), Code::kPermissionDenied);
+}
+
+TEST_F(AccessTest, OnlyItsOwnerAndAdministratorsCancelAJob) {
+  Start("", true);
+  const auto stub = [&](const std::string& name, const std::string& role) {
+    return v1::Jobs::NewStub(Connect(address_, With(name, {role})));
+  };
+  v1::CreateJobRequest create;
+  create.mutable_spec()->set_scene("toy://2x1");
+  create.mutable_spec()->set_out(folder_ / "out");
+  v1::Job job;
+  grpc::ClientContext first;
+  ASSERT_TRUE(stub("ann", "submit")->CreateJob(&first, create, &job).ok());
+  EXPECT_EQ(job.owner(), "ann");
+  v1::CancelJobRequest cancel;
+  cancel.set_name(job.name());
+  grpc::ClientContext second, third;
+  EXPECT_EQ(stub("bob", "submit")->CancelJob(&second, cancel, &job).error_code(), grpc::PERMISSION_DENIED);
+  EXPECT_TRUE(stub("eve", "admin")->CancelJob(&third, cancel, &job).ok());
+}
+
+// New connections get the new certificates; those that are there lose no call.
+TEST_F(AccessTest, CertificatesChangeWhileItServes) {
+  Start("", true);
+  const Security old = With("watch", {"watch"});
+  const auto kept = Connect(address_, old);
+  const TestAuthority next(folder_.path().string(), "next");
+  const TlsFiles watcher = next.Issue("next-watch", {"watch", {"watch"}});
+  const auto old_bundle = ReadFile(authority_.path());
+  const auto new_bundle = ReadFile(next.path());
+  // Both authorities are trusted before the first certificate of the new one comes.
+  ASSERT_TRUE(WriteFileAtomically(authority_.path(), *old_bundle + *new_bundle).ok());
+  next.Issue("coordinator", {"coordinator"});
+  absl::Status changed = absl::UnavailableError("");
+  const absl::Time give_up = absl::Now() + absl::Seconds(30);
+  while (!changed.ok() && absl::Now() < give_up) {
+    EXPECT_TRUE(CallBlindly(kept, "tilemend.v1.Jobs/ListJobs").ok());
+    changed = Call("tilemend.v1.Jobs/ListJobs", {watcher, "", false});
+  }
+  EXPECT_TRUE(changed.ok()) << changed;
+  EXPECT_TRUE(CallBlindly(kept, "tilemend.v1.Jobs/ListJobs").ok());
+}
+
+}  // namespace
+}  // namespace tilemend
