@@ -100,6 +100,7 @@ class Divider {
     for (const SeamVertex& v : division.seams.vertices) position.emplace_back(v.position.x(), v.position.y(), 0);
     const HoleSite site{area_, part_.lines, part_.rim, position};
     for (auto& [cell, boundary] : boundaries) {
+      if (part_.options.cancelled()) return;
       boundary.cell = cell;
       for (const LeftOpen& failure : division.seams.failures) {
         if (failure.cell == cell && boundary.seam_failure.empty()) boundary.seam_failure = failure.reason;

@@ -109,6 +109,7 @@ void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions&
   RaiseSmallSizes(plan.lattice_step, rim);
   RaiseSizesAtShortEdges(rim);
   const Part part{input, lines, options, rim, plan.lattice_step};
+  if (options.cancelled()) return;
   Division division = DivideScene(part, closing);
   const int32_t base = StoreVertices(rim, division.seams, plan);
   for (auto& [cell, found] : division.holes) StoreHoles(std::move(found), base, input.has_grid, plan);
@@ -202,9 +203,10 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   }
   StoreLayers(plan);
   LeaveFailedHoles(plan);
-  MarkObjects(input, plan);
-  LayWallFeet(plan);
-  FindWater(input, options.water, plan);
+  if (!options.cancelled()) MarkObjects(input, plan);
+  if (!options.cancelled()) LayWallFeet(plan);
+  if (!options.cancelled()) FindWater(input, options.water, plan);
+  if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   return plan;
 }

@@ -37,8 +37,9 @@
 namespace tilemend {
 namespace {
 
-WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water) {
+WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled) {
   WaveOptions options;
+  options.plan.is_cancelled = std::move(is_cancelled);
   options.plan.gradation = spec.gradation;
   options.plan.size_limit = spec.size_limit;
   options.plan.uniform = spec.uniform;
@@ -87,10 +88,8 @@ absl::StatusOr<Message> Parse(const std::string& bytes) {
 
 absl::Status Unreadable(CellId cell, const absl::Status& status) {
   return absl::InternalError(
-      absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", std::string(status.message())));
+      absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", status.message()));
 }
-
-constexpr char kMetadata[] = "metadata.xml";
 
 // Drives the waves of a scene with tasks: encodes work, decodes results, keeps the patches as they come, and owns the
 // output.
@@ -101,7 +100,7 @@ class ScenePipeline : public JobPipeline {
         shape_(ShapeOptionsOf(spec_)),
         output_(std::move(output)),
         files_(output_ ? FolderInScene(output_->path(), scene.root) : ""),
-        waves_(std::move(scene), WaveOptionsOf(spec_, std::move(water)),
+        waves_(std::move(scene), WaveOptionsOf(spec_, std::move(water), [this] { return is_cancelled(); }),
                [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }) {}
 
   absl::StatusOr<JobFolders> Folders() const override {
@@ -156,6 +155,7 @@ class ScenePipeline : public JobPipeline {
  private:
   enum class End { kOpen, kCancelled, kComplete };
 
+  bool is_cancelled() const { return end_.load() == End::kCancelled; }
   // Whether the output ends so: it is complete, or the job was cancelled, whichever came first.
   bool EndAs(End end) {
     End open = End::kOpen;
@@ -164,8 +164,9 @@ class ScenePipeline : public JobPipeline {
 
   absl::StatusOr<std::vector<NewTask>> NextTasks() {
     std::vector<NewTask> tasks;
+    const auto task = [this](const auto& work) { return TaskOf(work); };
     while (const std::optional<SceneWork> next = waves_.Next()) {
-      const auto task = [this](const auto& work) { return TaskOf(work); };
+      if (is_cancelled()) return absl::CancelledError("the job was cancelled");
       TILEMEND_ASSIGN_OR_RETURN(tasks.emplace_back(), std::visit(task, *next));
     }
     return tasks;
@@ -340,6 +341,7 @@ class ScenePipeline : public JobPipeline {
 
   // What says where a folder of photogrammetry tiles lies.
   absl::Status CarryMetadata() {
+    constexpr char kMetadata[] = "metadata.xml";
     const std::string from = absl::StrCat(waves_.scene().root, "/", kMetadata);
     std::error_code error;
     if (!std::filesystem::is_regular_file(from, error)) return absl::OkStatus();

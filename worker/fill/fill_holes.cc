@@ -46,6 +46,7 @@ class HoleFiller {
     if (HasUnknownHeight()) return Failed(FillFailure::kUnknownHeights);
     for (const Way& way : Ways()) {
       LocalPatch patch = way.fill();
+      if (options_.refine.cancelled()) break;
       if (patch.ok() && way.check == Check::kFreely && GoesAstray(patch)) continue;
       if (patch.ok()) patch.failure = FaultOf(hole_, patch);
       if (patch.ok() && way.check != Check::kNothing && crossings_.Crosses(patch)) {
@@ -144,6 +145,7 @@ std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& optio
   CellBand band(cell);
   std::vector<HolePatch> patches;
   for (const CellHole& hole : cell.holes) {
+    if (options.refine.cancelled()) break;
     HolePatch patch = HoleFiller(cell, hole, band, options, near, patches).Run();
     patch.hole = hole.id;
     if (&hole != &cell.holes.back()) band.Add(hole, patch);

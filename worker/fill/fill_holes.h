@@ -35,8 +35,8 @@ namespace tilemend {
 // Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it;
 // with the surface around it the patch makes no edge with three triangles and no triangle twice; new vertices lie on
 // the lattice, or where that is too coarse on what the output holds; no triangle without area; a hole that cannot be
-// filled so has a failure and no geometry. Heights of seam vertices must be known. Deterministic; pure; safe from any
-// thread.
+// filled so has a failure and no geometry. Once options.refine is cancelled, patches are missing or failed. Heights of
+// seam vertices must be known. Deterministic; pure; safe from any thread.
 std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options, const SurfaceNear& near = {});
 
 }  // namespace tilemend

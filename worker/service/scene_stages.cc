@@ -55,8 +55,9 @@ absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
   return output.SerializeAsString();
 }
 
-FillOptions OptionsOf(const v1::ShapeOptions& proto) {
+FillOptions OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
   FillOptions options;
+  options.refine.is_cancelled = [&cancel] { return cancel.cancelled(); };
   options.refine.gradation = proto.gradation();
   options.refine.size_limit = proto.size_limit();
   options.refine.uniform = proto.uniform();
@@ -65,11 +66,12 @@ FillOptions OptionsOf(const v1::ShapeOptions& proto) {
   return options;
 }
 
-absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input) {
+absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input, const CancelToken& cancel) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
   v1::SampleClusterOutput output;
   output.set_cluster(input.cluster());
-  const std::optional<ClusterSurface> surface = SampleCluster(holes, OptionsOf(input.options()));
+  const std::optional<ClusterSurface> surface = SampleCluster(holes, OptionsOf(input.options(), cancel));
+  if (cancel.cancelled()) return absl::CancelledError("cancelled");
   if (!surface) return output.SerializeAsString();
   if (surface->hold_out) *output.mutable_hold_out() = ToProto(*surface->hold_out);
   for (const SurfaceSample& sample : surface->samples) {
@@ -134,11 +136,13 @@ class TileSurface {
   absl::Status status_;
 };
 
-absl::StatusOr<std::string> RunFill(const v1::FillInput& input) {
+absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToken& cancel) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
   TileSurface surface(input);
-  const std::vector<HolePatch> patches = FillHoles(
-      holes, OptionsOf(input.options()), [&](const Point3& lo, const Point3& hi) { return surface.Near(lo, hi); });
+  const std::vector<HolePatch> patches =
+      FillHoles(holes, OptionsOf(input.options(), cancel),
+                [&](const Point3& lo, const Point3& hi) { return surface.Near(lo, hi); });
+  if (cancel.cancelled()) return absl::CancelledError("cancelled");
   TILEMEND_RETURN_IF_ERROR(surface.status());
   v1::FillOutput output = ToProto(patches, holes.vertices, holes.lattice_step);
   *output.mutable_quality() = ToProto(TallyQuality(holes, patches));
@@ -230,7 +234,7 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
     }
     case Stage::kSampleCluster: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleClusterInput>(bytes));
-      return RunSampleCluster(input);
+      return RunSampleCluster(input, cancel);
     }
     case Stage::kSampleLayer: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleLayerInput>(bytes));
@@ -238,7 +242,7 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
     }
     case Stage::kFill: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::FillInput>(bytes));
-      return RunFill(input);
+      return RunFill(input, cancel);
     }
     case Stage::kAssemble: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(bytes));

@@ -14,7 +14,10 @@
 namespace tilemend {
 namespace {
 
-constexpr double kCornerSnap = 0.25;   // of the rim's edge length: a grid corner this near a rim point is that point
+constexpr double kCornerSnap = 0.25;  // of the rim's edge length: a grid corner this near a rim point is that point
+// New vertices on all seams: some 100 MB and more for very many cells, whatever the scene says of itself.
+constexpr int64_t kMostVertices = 1'000'000;
+constexpr int64_t kMostVerticesOfCell = 1'000;
 constexpr double kCornerOnRim = 1e-3;  // metres: the same at the rim of the area, where a seam must keep to the line
 
 // One end of a stretch.
@@ -33,6 +36,7 @@ class SeamLayer {
     result_.failures = std::move(junctions.failures);
     const std::map<Corner, bool> in_hole = FindCornersInHoles(site_, closing, junctions);
     for (const auto& [border, of_border] : junctions.along) {
+      if (site_.options.cancelled()) break;
       if (!site_.lines.left_open.contains(border)) LayBorder(border, of_border, in_hole);
     }
     return std::move(result_);
@@ -57,7 +61,14 @@ class SeamLayer {
   void LayStretch(const Border& border, int32_t from, int32_t to) {
     if (from == to) return;
     std::vector<int32_t> way = {from};
-    for (const SeamPlace& place : PlaceSeamVertices(site_, border, PositionOf(from), PositionOf(to))) {
+    const auto places = PlaceSeamVertices(site_, border, PositionOf(from), PositionOf(to), EdgesLeft());
+    if (!places) {
+      Fail(border, absl::StrFormat("the mesh is too fine for cells of this size: more than %d edges on one grid line, "
+                                   "or %d in the scene",
+                                   kMostSeamEdges, most_vertices_));
+      return;
+    }
+    for (const SeamPlace& place : *places) {
       way.push_back(NewVertex(place.position, IsVertical(border) ? 1 : 2, place.beside));
     }
     way.push_back(to);
@@ -73,6 +84,10 @@ class SeamLayer {
       path = BendToRim(*path, site_.rim, site_.index, position, LargestBend(border));
     }
     result_.seams.push_back({border.first, border.second, *std::move(path)});
+  }
+
+  int64_t EdgesLeft() const {
+    return std::clamp<int64_t>(most_vertices_ - std::ssize(result_.vertices), 0, kMostSeamEdges);
   }
 
   void Fail(const Border& border, const std::string& reason) {
@@ -113,6 +128,7 @@ class SeamLayer {
   const SeamSite& site_;
   const SeamsOverRim over_rim_;
   const int32_t rim_points_;
+  const int64_t most_vertices_ = kMostVertices + kMostVerticesOfCell * std::ssize(site_.area);
   std::map<Corner, int32_t> corner_vertex_;
   SeamLayout result_;
 };

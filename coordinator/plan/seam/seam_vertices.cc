@@ -28,13 +28,16 @@ struct Stretch {
   }
 };
 
-// The integral of 1 / size along a stretch, as (place, value) by small steps: how many edges fit up to there.
-std::vector<std::pair<double, double>> CountEdges(const SeamSite& site, const Stretch& stretch) {
+// The integral of 1 / size along a stretch, as (place, value) by small steps: how many edges fit up to there. None if
+// they are more than `most`.
+std::optional<std::vector<std::pair<double, double>>> CountEdges(const SeamSite& site, const Stretch& stretch,
+                                                                 int64_t most) {
   std::vector<std::pair<double, double>> steps = {{stretch.begin, 0.0}};
   double sum = 0;
   for (double t = stretch.begin; t < stretch.end;) {
     const double size = SeamSizeAt(site, stretch.At(t));
     const double next = std::min(stretch.end, t + size / 8);
+    if (next <= t || sum > static_cast<double>(most)) return std::nullopt;
     sum += (next - t) / size;
     t = next;
     steps.emplace_back(t, sum);
@@ -42,8 +45,10 @@ std::vector<std::pair<double, double>> CountEdges(const SeamSite& site, const St
   return steps;
 }
 
-std::vector<SeamPlace> SpacedPlaces(const SeamSite& site, const Stretch& stretch) {
-  const std::vector<std::pair<double, double>> steps = CountEdges(site, stretch);
+std::optional<std::vector<SeamPlace>> SpacedPlaces(const SeamSite& site, const Stretch& stretch, int64_t most) {
+  const auto counted = CountEdges(site, stretch, most);
+  if (!counted) return std::nullopt;
+  const std::vector<std::pair<double, double>>& steps = *counted;
   const double sum = steps.back().second;
   const auto edges = std::max<int64_t>(1, std::llround(sum));
   std::vector<SeamPlace> places;
@@ -92,11 +97,12 @@ std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, cons
   std::vector<double> steps = {0}, counts = {0};
   while (steps.back() < length) {
     const double size = SeamSizeAt(site, from + steps.back() / length * (to - from));
-    const double next = std::min(length, steps.back() + size / 8);
+    const double least = length / static_cast<double>(kMostSeamEdges);
+    const double next = std::min(length, steps.back() + std::max(size / 8, least));
     counts.push_back(counts.back() + (next - steps.back()) / size);
     steps.push_back(next);
   }
-  const int64_t edges = std::llround(counts.back());
+  const int64_t edges = std::llround(std::min(counts.back(), static_cast<double>(kMostSeamEdges)));
   std::vector<Point2> places;
   size_t k = 1;
   for (int64_t i = 1; i < edges; ++i) {
@@ -114,18 +120,20 @@ double SeamSizeAt(const SeamSite& site, const Point2& p) {
   return site.index.SizeAt(p, site.options.gradation - 1, site.options.size_limit * mean);
 }
 
-std::vector<SeamPlace> PlaceSeamVertices(const SeamSite& site, const Border& border, const Point2& from,
-                                         const Point2& to) {
+std::optional<std::vector<SeamPlace>> PlaceSeamVertices(const SeamSite& site, const Border& border, const Point2& from,
+                                                        const Point2& to, int64_t most) {
   const int axis = AxisAlong(border);
   const Stretch stretch{axis, LineOf(border, site.area, site.lines), from[axis], to[axis]};
-  std::vector<SeamPlace> places = SpacedPlaces(site, stretch);
+  std::optional<std::vector<SeamPlace>> spaced = SpacedPlaces(site, stretch, most);
+  if (!spaced) return std::nullopt;
+  std::vector<SeamPlace>& places = *spaced;
   const bool inner = site.area.contains(border.first) && site.area.contains(border.second);
-  if (inner) return places;
+  if (inner) return spaced;
   const std::vector<SeamPlace> beside = PlacesBesideRim(site, stretch);
   places.insert(places.end(), beside.begin(), beside.end());
   std::sort(places.begin(), places.end(),
             [&](const SeamPlace& a, const SeamPlace& b) { return a.position[axis] < b.position[axis]; });
-  return places;
+  return spaced;
 }
 
 }  // namespace tilemend

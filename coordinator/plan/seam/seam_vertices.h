@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_VERTICES_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "coordinator/plan/seam/grid_borders.h"
@@ -13,6 +14,10 @@ namespace tilemend {
 // Places this near one another are one, metres. A few steps of float32 at a few hundred metres.
 inline constexpr double kSamePlace = 2e-5;
 
+// More edges than that along one seam are refused: a mesh of such edges does not go with cells of such a size. Nobody
+// could fill a hole with that many vertices on one side either.
+inline constexpr int64_t kMostSeamEdges = 100'000;
+
 // A place on a line, and the rim point a hair beside it of which it takes the height; -1: none.
 struct SeamPlace {
   Point2 position;
@@ -22,15 +27,17 @@ struct SeamPlace {
 // The wanted edge length at a place, metres: it grows from the rim inward (PlanOptions).
 double SeamSizeAt(const SeamSite& site, const Point2& p);
 
-// Places between two points, spaced evenly by the wanted edge length; not on the lattice.
+// Places between two points, spaced evenly by the wanted edge length, or wider where there would be more than
+// kMostSeamEdges edges; not on the lattice.
 std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, const Point2& to);
 
 // The places strictly between two ends of a stretch of a border's line, in order along it, spaced by the wanted edge
 // length and clear of the rim. At the rim of the area, where a seam must keep to the line, also one opposite each rim
 // point that lies within kOnLine of the line, but not on it: a straight edge there would be the base of upright
-// hairline triangles. Cost in proportion to the places and the edges near them.
-std::vector<SeamPlace> PlaceSeamVertices(const SeamSite& site, const Border& border, const Point2& from,
-                                         const Point2& to);
+// hairline triangles. None if there would be more than `most` edges. Cost in proportion to the places and the edges
+// near them.
+std::optional<std::vector<SeamPlace>> PlaceSeamVertices(const SeamSite& site, const Border& border, const Point2& from,
+                                                        const Point2& to, int64_t most = kMostSeamEdges);
 
 }  // namespace tilemend
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,6 +36,9 @@ struct PlanOptions {
   bool uniform = false;
   WaterOptions water;
   std::optional<Rgb> water_colour = {};  // of the faces; none: as the rim has it
+  // Asked at least at every border and cell; once true the plan ends soon and is empty. None: never.
+  std::function<bool()> is_cancelled = {};
+  bool cancelled() const { return is_cancelled && is_cancelled(); }
 };
 
 struct PlanInput {

@@ -17,7 +17,9 @@ namespace {
 
 using ::testing::Each;
 using ::testing::Field;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 // The area to the left of the segments, seen from above.
@@ -344,6 +346,47 @@ TEST(MakePlanTest, LeavesHolesAtTheRimOfAnUnknownAreaOpenAndSaysSo) {
   EXPECT_EQ(CountsOf(plan), "1 closed");
   ASSERT_THAT(plan.left, SizeIs(1));
   EXPECT_EQ(plan.left[0].cell, (CellId{0, 0}));
+}
+
+// Four squares of 0.1 mm in the corners of each of two cells of 1,000 km.
+SurveyedScene FineMeshInLargeCells() {
+  constexpr double kCell = 1e6, kEdge = 1e-4;
+  std::map<CellId, TriMesh> tiles;
+  for (const int32_t col : {0, 1}) {
+    TriMesh& mesh = tiles[{col, 0}];
+    for (const double x : {col * kCell, (col + 1) * kCell - kEdge}) {
+      for (const double y : {0.0, kCell - kEdge}) {
+        const auto first = static_cast<int32_t>(mesh.points.size());
+        for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+          mesh.points.emplace_back(x + i * kEdge, y + j * kEdge, 0);
+        }
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.push_back({first, first + 2, first + 3});
+      }
+    }
+  }
+  Grid grid;
+  grid.cell_size = Point2(kCell, kCell);
+  return SurveyScene(grid, std::move(tiles));
+}
+
+TEST(MakePlanTest, LeavesHolesWhoseSeamsWouldHaveTooManyVertices) {
+  const SurveyedScene scene = FineMeshInLargeCells();
+  const Plan plan = MakePlan(scene.Input(), {});
+  EXPECT_LT(plan.vertices.size(), 2'000'000U);
+  ASSERT_THAT(plan.holes, Not(IsEmpty()));
+  for (const PlannedHole& hole : plan.holes) EXPECT_THAT(hole.failure, HasSubstr("too fine for cells of this size"));
+}
+
+TEST(MakePlanTest, IsEmptyOnceItIsCancelled) {
+  const SurveyedScene scene = PictureScene({"####", "#..#", "#..#", "####"}, 2);
+  for (int last = 0; last < 12; ++last) {
+    PlanOptions options;
+    int asked = 0;
+    options.is_cancelled = [&] { return asked++ >= last; };
+    const bool is_empty = MakePlan(scene.Input(), options).holes.empty();
+    EXPECT_EQ(is_empty, asked > last) << last;
+  }
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ class PlaneFiller {
   FillFailure Triangulate(RefinedRegion& region) {
     std::vector<LatticePoint>& points = planar_->points;
     region = RefineRegion(points, hole_.segments, planar_->sizes, options_.refine);
+    if (options_.refine.cancelled()) return FillFailure::kNotApplicable;
     if (!region.triangulation.conflicts.empty()) {
       return hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane;
     }

@@ -38,6 +38,7 @@ constexpr double kSmallestSize = 8;
 constexpr double kLargestSize = 4294967296.0;
 // New points lie close to their triangle; a walk that does not end soon goes round in circles.
 constexpr int64_t kLongestWalk = 1000;
+constexpr size_t kLookEvery = 4096;  // triangles; some milliseconds
 // Growing faster than this makes no triangle better.
 constexpr double kLargestGradation = 10;
 // The worst shapes are gone after two rounds of evening out; further ones make the mean quality worse where sizes grow.
@@ -206,6 +207,7 @@ void Refiner::Run() {
     const int32_t t = queue_[head++];
     if (mesh_.triangles[t].flags != kQueued) continue;
     if (static_cast<int64_t>(mesh_.points.size() - original_points_) >= options_.max_new_points) break;
+    if (head % kLookEvery == 0 && options_.cancelled()) return;
     mesh_.triangles[t].flags = kWaiting;
     if (!Split(t)) {
       FinishTriangle(t);

@@ -6,6 +6,7 @@
 #ifndef TILEMEND_WORKER_FILL_REGION_REFINE_REGION_H_
 #define TILEMEND_WORKER_FILL_REGION_REFINE_REGION_H_
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct RefineOptions {
   bool uniform = false;
   // A safety net against a bad size field: at most this many new points; reaching it stops refinement (still valid).
   int64_t max_new_points = 20'000'000;
+  // Asked now and then; true ends the refinement, and nobody wants what comes of it. None: never.
+  std::function<bool()> is_cancelled = {};
+  bool cancelled() const { return is_cancelled && is_cancelled(); }
 };
 
 struct RefinedRegion {

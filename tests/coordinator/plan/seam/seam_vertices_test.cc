@@ -28,7 +28,7 @@ struct RoundHole {
 
   std::vector<SeamPlace> Place(const PlanOptions& options) const {
     const RimIndex index(rim);
-    return PlaceSeamVertices({area, lines, rim, index, options, kStep}, {{0, 0}, {1, 0}}, from, to);
+    return PlaceSeamVertices({area, lines, rim, index, options, kStep}, {{0, 0}, {1, 0}}, from, to).value();
   }
 
   std::set<CellId> area;
@@ -106,7 +106,7 @@ TEST(PlaceSeamVerticesTest, PlacesOneBesideEachRimPointAHairOffTheRimOfTheArea) 
     }
   }
   const SeamScene s(SurveyScene(scene.grid, std::move(scene.tiles)));
-  const std::vector<SeamPlace> places = PlaceSeamVertices(s.Site(), {{1, 0}, {1, 1}}, {5, 4}, {8, 4});
+  const std::vector<SeamPlace> places = PlaceSeamVertices(s.Site(), {{1, 0}, {1, 1}}, {5, 4}, {8, 4}).value();
   std::vector<Point2> beside;
   for (const SeamPlace& place : places) {
     if (place.beside < 0) continue;
@@ -126,13 +126,26 @@ TEST(PlaceSeamVerticesTest, DoesNotDependOnWhichWayTheLineRuns) {
   for (RimPoint& p : turned.rim.points) p.position = Point3(p.position.y(), p.position.x(), 0);
   const RimIndex index(turned.rim);
   const PlanOptions options;
-  const std::vector<SeamPlace> places = PlaceSeamVertices(
-      {turned.area, turned.lines, turned.rim, index, options, kStep}, {{0, 0}, {0, 1}}, {30, 100}, {70, 100});
+  const SeamSite site{turned.area, turned.lines, turned.rim, index, options, kStep};
+  const std::vector<SeamPlace> places = PlaceSeamVertices(site, {{0, 0}, {0, 1}}, {30, 100}, {70, 100}).value();
   const std::vector<SeamPlace> upright = hole.Place({});
   ASSERT_EQ(places.size(), upright.size());
   for (size_t i = 0; i < places.size(); ++i) {
     EXPECT_NEAR(places[i].position.x(), upright[i].position.y(), 2 * kStep);
   }
+}
+
+TEST(PlaceSeamVerticesTest, RefusesMoreEdgesThanItMayLay) {
+  const RoundHole hole(20, 64);
+  const RimIndex index(hole.rim);
+  const PlanOptions options;
+  const SeamSite site{hole.area, hole.lines, hole.rim, index, options, kStep};
+  const auto edges = static_cast<int64_t>(hole.Place({}).size()) + 1;
+  EXPECT_TRUE(PlaceSeamVertices(site, {{0, 0}, {1, 0}}, hole.from, hole.to, edges + 1).has_value());
+  EXPECT_FALSE(PlaceSeamVertices(site, {{0, 0}, {1, 0}}, hole.from, hole.to, edges - 1).has_value());
+  const Point2 far(100, 1e9);
+  EXPECT_FALSE(PlaceSeamVertices(site, {{0, 0}, {1, 0}}, hole.from, far).has_value());
+  EXPECT_LE(std::ssize(SpacedBetween(site, hole.from, far)), kMostSeamEdges);
 }
 
 }  // namespace

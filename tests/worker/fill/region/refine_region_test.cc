@@ -63,6 +63,17 @@ TEST(RefineRegionTest, NothingGivesNothing) {
   EXPECT_THAT(refined.triangulation.conflicts, IsEmpty());
 }
 
+TEST(RefineRegionTest, EndsSoonWhenItIsCancelled) {
+  const SizedRegion region = Polygon(400, kSpacing);
+  RefineOptions options = Uniform();
+  const size_t all = RefineRegion(region.points, region.segments, region.size, options).new_points.size();
+  int asked = 0;
+  options.is_cancelled = [&] { return ++asked == 2; };
+  const size_t some = RefineRegion(region.points, region.segments, region.size, options).new_points.size();
+  EXPECT_EQ(asked, 2);
+  EXPECT_LT(some, all);
+}
+
 TEST(RefineRegionTest, ConflictsAreReportedAndNothingElse) {
   SizedRegion region;
   region.Loop({{0, 0}, {1000, 1000}, {1000, 0}, {0, 1000}});
