@@ -218,6 +218,7 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     if (hole.tension) h->set_tension(*hole.tension);
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
+    h->set_own_outline(hole.own_outline);
     for (const RimSegment& s : hole.segments) {
       h->add_from(s.from);
       h->add_to(s.to);
@@ -255,6 +256,7 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
       hole.river.stations.push_back(PointAt(h.station(), i));
       if (!hole.river.stations.back().allFinite()) return Malformed("river stations");
     }
+    hole.own_outline = h.own_outline();
     if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 ||
         !AllBelow(h.from(), n) || !AllBelow(h.to(), n)) {
       return Malformed("hole boundary");

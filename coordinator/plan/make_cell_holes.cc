@@ -31,7 +31,10 @@ class CellHolesBuilder {
       if (!own_regions || regions.empty()) {
         AddHole(h, plan_.holes[h].segments);
       } else {
-        for (const std::vector<RimSegment>& region : regions) AddHole(h, region);
+        for (const std::vector<RimSegment>& region : regions) {
+          AddHole(h, region);
+          result_.holes.back().own_outline = true;
+        }
       }
     }
     if (with_band) {
@@ -95,8 +98,7 @@ class CellHolesBuilder {
     }
     if (p.on_object) {
       v.seam_vertex = plan_vertex;
-      const auto ground = heights_.ground.find({cluster, plan_vertex});
-      if (ground != heights_.ground.end()) v.ground = ground->second;
+      v.ground = GroundUnder(plan_vertex, cluster);
     }
     if (p.index < 0) {
       v.seam_vertex = plan_vertex;
@@ -106,6 +108,20 @@ class CellHolesBuilder {
     }
     result_.vertices.push_back(v);
     return it->second;
+  }
+
+  // Of an original on an object. Beyond the grid line the surface goes on from where the boundary crosses it.
+  std::optional<double> GroundUnder(int32_t plan_vertex, int32_t cluster) const {
+    const auto ground = heights_.ground.find({cluster, plan_vertex});
+    if (ground != heights_.ground.end()) return ground->second;
+    const PlanVertex& p = plan_.vertices[plan_vertex];
+    if (p.follows < 0) return std::nullopt;
+    const auto beside = heights_.ground.find({cluster, p.follows});
+    if (beside != heights_.ground.end()) return beside->second;
+    const auto height = heights_.height.find(p.follows);
+    const auto slope = heights_.slope.find(p.follows);
+    if (height == heights_.height.end() || slope == heights_.slope.end()) return std::nullopt;
+    return height->second + slope->second.dot((p.position - plan_.vertices[p.follows].position).head<2>());
   }
 
   // Of a seam vertex, if it is settled. Off the grid line the surface goes on with its slope.

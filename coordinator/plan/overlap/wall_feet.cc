@@ -9,7 +9,7 @@
 namespace tilemend {
 namespace {
 
-constexpr double kWallWidth = 0.15;  // metres from the object to the foot
+constexpr double kWallWidth = 0.02;  // metres from the object to the foot
 constexpr double kMostOfWay = 0.25;  // of the way to the next vertex: the foot is not farther
 
 class FootLayer {
@@ -49,7 +49,7 @@ class FootLayer {
     const double length = std::abs(way[along]), share = std::min(kWallWidth / length, kMostOfWay);
     foot.position[along] = RoundedToLattice(from[along] + share * way[along], plan_.lattice_step);
     foot.lines = along == 0 ? 2 : 1;
-    foot.size = std::min(foot.size, std::max(kWallWidth, share * length));
+    if (plan_.vertices[wall].follows >= 0) foot.follows = plan_.vertices[wall].follows;
     plan_.vertices.push_back(foot);
     return static_cast<int32_t>(plan_.vertices.size() - 1);
   }

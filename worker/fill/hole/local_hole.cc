@@ -108,6 +108,7 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.tension = hole.tension;
   local.level = hole.level;
   local.river = hole.river;
+  local.own_outline = hole.own_outline;
   local.normals.assign(local.vertices.size(), Vector3d::Zero());
   if (hole.open) return local;
   for (std::vector<int32_t>& loop : LoopsOf(local.segments)) local.loops.push_back(LoopOver(local, std::move(loop)));

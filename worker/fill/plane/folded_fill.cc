@@ -173,6 +173,7 @@ class FoldedFiller {
     local.tension = hole_.tension;
     local.level = hole_.level;
     local.river = hole_.river;
+    local.own_outline = hole_.own_outline;
     std::vector<int32_t> number(whole_.vertices.size(), -1);
     const auto take = [&](int32_t v) {
       if (number[v] >= 0) return number[v];

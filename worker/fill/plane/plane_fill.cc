@@ -10,6 +10,7 @@
 
 #include "common/mesh/rounding.h"
 #include "worker/fill/hole/facing.h"
+#include "worker/fill/plane/upright_walls.h"
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/shape/flip_edges.h"
 #include "worker/fill/shape/smooth_on_surface.h"
@@ -46,6 +47,7 @@ class PlaneFiller {
     planar_.reset();
     StorePoints(patch, result);
     result.triangles = std::move(patch.triangles);
+    if (frame_.upright() && hole_.own_outline) RaiseWalls(hole_, HeightsAtRim(patch), result);
     return result;
   }
 
@@ -153,6 +155,12 @@ class PlaneFiller {
       Point3& q = result.new_points.emplace_back(RoundedToLattice(p, Step()));
       if (frame_.upright()) q.head<2>() = p.head<2>();  // there already
     }
+  }
+
+  std::vector<double> HeightsAtRim(const PlanePatch& patch) const {
+    std::vector<double> heights;
+    for (size_t v = 0; v < rim_.size(); ++v) heights.push_back(patch.points[v].z());
+    return heights;
   }
 
   double Step() const { return hole_.cell->lattice_step; }

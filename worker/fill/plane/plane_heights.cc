@@ -93,7 +93,9 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
 bool FindHeights(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
                  PlanePatch& patch, std::optional<HoldOut>& chosen) {
   if (hole.level) {
-    for (size_t v = static_cast<size_t>(hole.size()); v < patch.points.size(); ++v) {
+    for (size_t v = 0; v < patch.points.size(); ++v) {
+      const bool of_rim = v < static_cast<size_t>(hole.size());
+      if (of_rim && (hole.on_object.empty() || !hole.on_object[v])) continue;
       Point3& p = patch.points[v];
       p.z() = hole.river.stations.empty() ? *hole.level : LevelAt(hole.river, p.head<2>(), hole.cell->lattice_step);
     }

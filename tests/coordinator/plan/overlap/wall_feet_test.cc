@@ -37,10 +37,9 @@ TEST(WallFeetTest, StandCloseToTheWallOnTheOutline) {
   LayWallFeet(plan);
   ASSERT_THAT(plan.vertices, SizeIs(6));
   const PlanVertex& foot = plan.vertices[5];
-  EXPECT_NEAR(foot.position.x(), 0.15, plan.lattice_step);
+  EXPECT_NEAR(foot.position.x(), 0.02, plan.lattice_step);
   EXPECT_EQ(foot.position.y(), 10);
   EXPECT_EQ(foot.follows, 5) << "as its neighbour";
-  EXPECT_LT(foot.size, 2);
   const std::vector<RimSegment>& region = plan.holes[0].own_regions[0];
   ASSERT_THAT(region, SizeIs(6));
   EXPECT_EQ(region[0].from, 0);
@@ -48,6 +47,13 @@ TEST(WallFeetTest, StandCloseToTheWallOnTheOutline) {
   EXPECT_EQ(region[1].from, 5);
   EXPECT_EQ(region[1].to, 1);
   EXPECT_TRUE(region[0].seam && region[1].seam);
+}
+
+TEST(WallFeetTest, HaveTheHeightWhereTheWallIs) {
+  Plan plan = PlanOfGap(true);
+  plan.vertices[0].follows = 7;
+  LayWallFeet(plan);
+  EXPECT_EQ(plan.vertices.back().follows, 7);
 }
 
 TEST(WallFeetTest, AreOfObjectsOnly) {

@@ -1,0 +1,108 @@
+#include "worker/fill/plane/upright_walls.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::SizeIs;
+
+// A square hole of 8 m whose vertices 0 to 3 are at the given heights; the patch has one new point in its middle.
+class UprightWallsTest : public ::testing::Test {
+ protected:
+  UprightWallsTest() {
+    cell_.lattice_step = 1.0 / 1024;
+    hole_.cell = &cell_;
+    hole_.positions = {{0, 0, 5}, {8, 0, 5.25}, {8, 8, 2}, {0, 8, 1}};
+    hole_.on_object = {true, true, false, false};
+    for (int32_t v = 0; v < 4; ++v) {
+      hole_.vertices.push_back(v);
+      hole_.sizes.push_back(2);
+      hole_.segments.push_back({v, (v + 1) % 4});
+      hole_.boundary.push_back(Undirected(v, (v + 1) % 4));
+      patch_.triangles.push_back({v, (v + 1) % 4, 4});
+    }
+    std::sort(hole_.boundary.begin(), hole_.boundary.end());
+    patch_.new_points = {{4, 4, 1}};
+  }
+
+  // Of each directed edge, less those of the other direction.
+  std::map<std::pair<int32_t, int32_t>, int> OpenEdges() const {
+    std::map<std::pair<int32_t, int32_t>, int> open;
+    for (const Triangle& t : patch_.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const int32_t a = t[k], b = t[(k + 1) % 3];
+        if (--open[{b, a}] == 0) open.erase({b, a});
+        if (++open[{a, b}] == 0) open.erase({a, b});
+      }
+    }
+    std::erase_if(open, [](const auto& edge) { return edge.second < 0; });
+    return open;
+  }
+
+  CellHoles cell_;
+  LocalHole hole_;
+  LocalPatch patch_;
+  const std::vector<double> ground_ = {1.3, 1.7, 2, 1};
+};
+
+TEST_F(UprightWallsTest, StandStraightUnderObjects) {
+  RaiseWalls(hole_, ground_, patch_);
+  ASSERT_THAT(patch_.new_points, SizeIs(3));
+  EXPECT_EQ(patch_.new_points[1].head<2>(), hole_.positions[0].head<2>());
+  EXPECT_EQ(patch_.new_points[2].head<2>(), hole_.positions[1].head<2>());
+  EXPECT_NEAR(patch_.new_points[1].z(), 1.3, cell_.lattice_step);
+  EXPECT_NEAR(patch_.new_points[2].z(), 1.7, cell_.lattice_step);
+  EXPECT_THAT(patch_.triangles, SizeIs(4 + 1 + 2 + 1));
+}
+
+TEST_F(UprightWallsTest, CloseOnTheSameBoundary) {
+  RaiseWalls(hole_, ground_, patch_);
+  std::map<std::pair<int32_t, int32_t>, int> rim;
+  for (const RegionSegment& s : hole_.segments) rim[{s.from, s.to}] = 1;
+  EXPECT_EQ(OpenEdges(), rim);
+}
+
+TEST_F(UprightWallsTest, AreNotNeededWhereTheSurfaceIsClose) {
+  RaiseWalls(hole_, std::vector<double>{4.9, 5.2, 2, 1}, patch_);
+  EXPECT_THAT(patch_.new_points, SizeIs(1));
+  EXPECT_THAT(patch_.triangles, SizeIs(4));
+}
+
+TEST_F(UprightWallsTest, AreNoHigherThanTheHoleIsWide) {
+  hole_.positions[0].z() = 20;
+  RaiseWalls(hole_, ground_, patch_);
+  EXPECT_THAT(patch_.new_points, SizeIs(2)) << "under the other object only";
+}
+
+TEST_F(UprightWallsTest, StandNowhereWithoutObjects) {
+  hole_.on_object = {};
+  RaiseWalls(hole_, ground_, patch_);
+  EXPECT_THAT(patch_.new_points, SizeIs(1));
+}
+
+// The boundary goes out from vertex 0 to a vertex beyond the square, and back.
+TEST_F(UprightWallsTest, LeaveOutWhatTheBoundaryPassesToAndFro) {
+  hole_.positions.emplace_back(-2, -2, 6);
+  hole_.vertices.push_back(4);
+  hole_.sizes.push_back(2);
+  hole_.on_object.push_back(true);
+  for (Triangle& t : patch_.triangles) t[2] = 5;
+  for (const RegionSegment& s : {RegionSegment{0, 4}, RegionSegment{4, 0}}) {
+    hole_.segments.push_back(s);
+    hole_.boundary.push_back(Undirected(s.from, s.to));
+  }
+  std::sort(hole_.boundary.begin(), hole_.boundary.end());
+  RaiseWalls(hole_, std::vector<double>{1.3, 1.7, 2, 1, 1}, patch_);
+  EXPECT_THAT(patch_.new_points, SizeIs(2)) << "under vertex 1 only";
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,88 @@
+#include "worker/fill/plane/upright_walls.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "common/mesh/rounding.h"
+
+namespace tilemend {
+namespace {
+
+// Of its size: a rim vertex that is closer to the surface needs no wall.
+constexpr double kLeastHeight = 0.125;
+
+class WallRaiser {
+ public:
+  WallRaiser(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch)
+      : hole_(hole), ground_(ground), patch_(patch), foot_(hole.vertices.size(), -1) {}
+
+  void Run() {
+    LayFeet();
+    for (Triangle& t : patch_.triangles) {
+      for (int32_t& v : t) v = Lowered(v);
+    }
+    for (const RegionSegment& s : hole_.segments) AddWall(s.from, s.to);
+  }
+
+ private:
+  void LayFeet() {
+    const std::vector<bool> simple = SimplePasses();
+    const double most = ExtentFromAbove();
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      const double height = std::abs(hole_.positions[v].z() - ground_[v]);
+      if (!hole_.on_object[v] || !simple[v] || height < kLeastHeight * hole_.sizes[v] || height > most) continue;
+      foot_[v] = hole_.size() + static_cast<int32_t>(patch_.new_points.size());
+      Point3& foot = patch_.new_points.emplace_back(hole_.positions[v]);
+      foot.z() = StorableHeight(ground_[v]);
+    }
+  }
+
+  // Of each vertex: whether the boundary comes by once, and not to and fro along one edge.
+  std::vector<bool> SimplePasses() const {
+    std::vector<int> passes(hole_.vertices.size(), 0);
+    for (const RegionSegment& s : hole_.segments) ++passes[s.from];
+    for (size_t k = 1; k < hole_.boundary.size(); ++k) {
+      if (hole_.boundary[k] == hole_.boundary[k - 1])
+        passes[hole_.boundary[k].first] = passes[hole_.boundary[k].second] = 0;
+    }
+    std::vector<bool> simple;
+    for (const int n : passes) simple.push_back(n == 1);
+    return simple;
+  }
+
+  double ExtentFromAbove() const {
+    Eigen::AlignedBox2d box;
+    for (const Point3& p : hole_.positions) box.extend(p.head<2>());
+    return box.diagonal().norm();
+  }
+
+  double StorableHeight(double z) const {
+    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
+                     RoundedToLattice(z, hole_.cell->lattice_step));
+  }
+
+  int32_t Lowered(int32_t v) const { return v < hole_.size() && foot_[v] >= 0 ? foot_[v] : v; }
+
+  // The surface has the edge between the lowered ends.
+  void AddWall(int32_t from, int32_t to) {
+    const int32_t below_from = Lowered(from), below_to = Lowered(to);
+    if (below_to != to) patch_.triangles.push_back({from, to, below_to});
+    if (below_from != from) patch_.triangles.push_back({from, below_to, below_from});
+  }
+
+  const LocalHole& hole_;
+  const std::span<const double> ground_;
+  LocalPatch& patch_;
+  std::vector<int32_t> foot_;  // of each vertex of the hole: the new one straight below it, else -1
+};
+
+}  // namespace
+
+void RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch) {
+  if (!hole.on_object.empty()) WallRaiser(hole, ground, patch).Run();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,24 @@
+// Upright walls between a surface over the ground and what stands at its rim.
+#ifndef TILEMEND_WORKER_FILL_PLANE_UPRIGHT_WALLS_H_
+#define TILEMEND_WORKER_FILL_PLANE_UPRIGHT_WALLS_H_
+
+#include <span>
+
+#include "worker/fill/hole/local_patch.h"
+
+namespace tilemend {
+
+// Takes the patch down from rim vertices on objects: each gets a new vertex straight below it (or above), where the
+// surface passes, and the segments of the rim get triangles from there. So the surface keeps its height up to the rim,
+// and the tiles on both sides of an overlap have it, wherever the objects end in each.
+//
+//   ground  the height of the surface at every vertex of the hole; it counts at those on objects
+//
+// A vertex stays where the surface is close to it, or further off than the hole is wide, and where the boundary comes
+// by more than once. The patch must be a height field over the ground, and share its seams with no other tile: the
+// walls stand on these as well. O(triangles).
+void RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_PLANE_UPRIGHT_WALLS_H_
