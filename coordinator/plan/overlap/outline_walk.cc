@@ -82,7 +82,7 @@ class Walker {
       const Point3& p = record_.vertices[v].position;
       const std::optional<Side> side = outline_.SideAt(p);
       const auto piece = at_piece.find(v);
-      Event event{outline_.PlaceOf(p, side.value_or(NearestSide(p))), v, more > 0, side.has_value()};
+      Event event{outline_.PlaceOf(p, side.value_or(outline_.NearestSide(p))), v, more > 0, side.has_value()};
       if (side) event.across = AxisOf(*side);
       if (!side && piece != at_piece.end()) event.across = piece->second;
       std::vector<Event>& events = side && piece == at_piece.end() ? events_ : piece_ends_;
@@ -94,11 +94,6 @@ class Walker {
     const Point3 way = record_.vertices[e.to].position - record_.vertices[e.from].position;
     const bool of_x = std::abs(way.x()) <= kOnOutline, of_y = std::abs(way.y()) <= kOnOutline;
     return of_x == of_y ? std::nullopt : std::optional(of_x ? 0 : 1);
-  }
-
-  Side NearestSide(const Point3& p) const {
-    const auto inside = [&](Side s) { return (outline_.side[s] - p[AxisOf(s)]) * OutwardOf(s); };
-    return *std::min_element(kSides.begin(), kSides.end(), [&](Side a, Side b) { return inside(a) < inside(b); });
   }
 
   // Ends of chains where pieces end: each with a beginning, the nearest pairs first. Those left over count to the
@@ -227,7 +222,8 @@ class Walker {
       const bool open = uncovered && !ends.back().holds_open, holds_open = uncovered || ends.back().holds_open;
       ends.pop_back();
       if (!ends.empty()) ends.back().holds_open |= holds_open;
-      walk_.gaps.push_back({from.vertex, to.vertex, from.place, Beyond(from.place, to.place), open});
+      walk_.gaps.push_back(
+          {from.vertex, to.vertex, from.place, Beyond(from.place, to.place), open, from.across, to.across});
     }
   }
 
@@ -273,6 +269,11 @@ std::optional<Side> Outline::SideAt(const Point3& p) const {
     if ((p[AxisOf(s)] - side[s]) * OutwardOf(s) >= -kOnOutline) return s;
   }
   return std::nullopt;
+}
+
+Side Outline::NearestSide(const Point3& p) const {
+  const auto inside = [&](Side s) { return (side[s] - p[AxisOf(s)]) * OutwardOf(s); };
+  return *std::min_element(kSides.begin(), kSides.end(), [&](Side a, Side b) { return inside(a) < inside(b); });
 }
 
 OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,

@@ -25,6 +25,7 @@ struct Outline {
   Point2 CornerAt(int corner) const;
   // The side that p lies on or beyond, within a hair.
   std::optional<Side> SideAt(const Point3& p) const;
+  Side NearestSide(const Point3& p) const;
 };
 
 // A way that closes a hole along the outline: from where surface ends to where it begins again.

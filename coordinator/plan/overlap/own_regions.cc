@@ -212,13 +212,24 @@ class CellRegions {
     if (from == to) return;
     std::vector<int32_t> way = {from};
     if (gap.open && !line.empty()) {
+      AddFoot(from, Nearest(gap.begin, line), way);
       for (const int32_t v : Between(gap, line)) way.push_back(v);
+      AddFoot(to, Nearest(gap.end, line), way);
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
     if (way.size() == 1) AddLink(gap, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
+  }
+
+  // A chain that ends off the outline, at that of a piece, goes straight to it.
+  void AddFoot(int32_t end, int32_t source, std::vector<int32_t>& way) {
+    Point3 position = plan_.vertices[end].position;
+    if (outline_.SideAt(position)) return;
+    const Side side = outline_.NearestSide(position);
+    position[AxisOf(side)] = outline_.side[side];
+    way.push_back(AddFollower(source, position, AxisOf(side) == 0 ? 1 : 2));
   }
 
   // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two. Between
@@ -312,11 +323,10 @@ class CellRegions {
 
   int32_t CornerFollower(int corner, int32_t source) {
     const Point2 at = outline_.CornerAt(corner);
-    AddFollower(source, {at.x(), at.y(), plan_.vertices[source].position.z()}, 3);
-    return static_cast<int32_t>(plan_.vertices.size()) - 1;
+    return AddFollower(source, {at.x(), at.y(), plan_.vertices[source].position.z()}, 3);
   }
 
-  void AddFollower(int32_t source, const Point3& position, uint8_t lines) {
+  int32_t AddFollower(int32_t source, const Point3& position, uint8_t lines) {
     PlanVertex v = plan_.vertices[source];
     v.tile = cell_;
     v.index = -1;
@@ -324,6 +334,7 @@ class CellRegions {
     v.position = position;
     v.lines = lines;
     plan_.vertices.push_back(v);
+    return static_cast<int32_t>(plan_.vertices.size()) - 1;
   }
 
   inline static const SurveyRecord kEmpty;

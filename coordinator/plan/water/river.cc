@@ -48,9 +48,9 @@ bool Faces(const End& a, const End& b) {
   const Point2 gap = b.at - a.at;
   const double far = gap.norm();
   if (far > kWidestBridge || a.outward.dot(b.outward) > -kOpposite) return false;
-  // A centreline may end anywhere across the water.
-  const double ahead = (a.outward - b.outward).normalized().dot(gap);
-  return far * far - ahead * ahead <= a.width * b.width / 4;
+  // A centreline may end anywhere across the water, in a corner too.
+  const double ahead = (a.outward - b.outward).normalized().dot(gap), across = (a.width + b.width) / 2;
+  return far * far - ahead * ahead <= across * across;
 }
 
 bool HasGivenLine(const Reach& reach) { return reach.centreline.size() > 1; }
@@ -172,7 +172,7 @@ class RiverTest {
     size_t count = 0, odd = 0;
     for (const RiverStation& s : profile_.stations) {
       const int64_t least = std::min(s.left_count, s.right_count);
-      if (least < kLeastAtSide) continue;
+      if (s.on_banks || least < kLeastAtSide) continue;
       ++count;
       odd += std::abs(s.left - s.right) > tolerance_ + std::sqrt(2) * Noise(kErrorOfLevel, least);
     }
