@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -16,6 +17,8 @@ namespace tilemend {
 namespace {
 
 constexpr double kClearance = 0.25;  // of its size: a new vertex is not nearer to the end of a chain
+
+constexpr double kLeastSteps = 4;  // of the lattice: new vertices on an outline are not nearer to each other
 
 // A vertex of the plan on a grid line, level with a place on the tile's own outline.
 struct LineVertex {
@@ -212,9 +215,11 @@ class CellRegions {
     if (from == to) return;
     std::vector<int32_t> way = {from};
     if (gap.open && !line.empty()) {
-      AddFoot(from, Nearest(gap.begin, line), way);
+      const bool apart =
+          gap.end - gap.begin > kClearance * std::min(plan_.vertices[from].size, plan_.vertices[to].size);
+      if (apart) AddFoot(from, Nearest(gap.begin, line), way);
       for (const int32_t v : Between(gap, line)) way.push_back(v);
-      AddFoot(to, Nearest(gap.end, line), way);
+      if (apart) AddFoot(to, Nearest(gap.end, line), way);
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
@@ -275,7 +280,12 @@ class CellRegions {
       }
     }
     std::vector<int32_t> vertices;
-    for (const auto& [place, v] : between) vertices.push_back(v);
+    double last = -std::numeric_limits<double>::infinity();
+    for (const auto& [place, v] : between) {
+      if (place - last < kLeastSteps * plan_.lattice_step) continue;  // chains of two pieces cross the line there
+      vertices.push_back(v);
+      last = place;
+    }
     return vertices;
   }
 
