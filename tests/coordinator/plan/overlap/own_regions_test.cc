@@ -185,6 +185,27 @@ TEST_P(OwnRegionsTest, Close) {
   }
 }
 
+// A hole over a border whose east side is the outline of a piece.
+TEST_P(OwnRegionsTest, GoAlongOutlinesOfPiecesToThatOfTheTile) {
+  const std::string whole(10, '#'), hole = "###..#####";
+  std::vector<std::string> picture(9, whole);
+  for (const std::string& row : {hole, std::string("----------"), hole}) picture.push_back(row);
+  picture.insert(picture.end(), 9, whole);
+  const Plan plan = PlanOf(OverlappingScene(picture, 10, GetParam(), 2));
+  int seams = 0;
+  for (const PlannedHole& h : plan.holes) {
+    for (const auto& region : h.own_regions) {
+      for (const RimSegment& s : region) {
+        if (!s.seam) continue;
+        ++seams;
+        const Point3 way = plan.vertices[s.to].position - plan.vertices[s.from].position;
+        EXPECT_LT(std::min(std::abs(way.x()), std::abs(way.y())), 1e-3) << way.transpose();
+      }
+    }
+  }
+  EXPECT_GE(seams, 4);
+}
+
 TEST(BufferedTilesTest, HolesOverBordersAreFilledInEveryTile) {
   const Plan whole = PlanOf(PictureScene(kWaters, 10));
   for (const double margin : {0.0, 0.25, 1.0}) {

@@ -55,6 +55,28 @@ TEST(FindRiversTest, GoesOnUnderABridge) {
   EXPECT_EQ(rivers[0].reaches, (std::vector<size_t>{0, 1}));
 }
 
+// The ends of the water at the bridge are aslant: the centrelines end in corners on opposite shores.
+TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesAslant) {
+  std::vector<Reach> reaches = {ReachBetween(0, 240, 12, Falling), ReachBetween(252, 500, 12, Falling)};
+  const auto slant = [](auto& p) { p.x() += 0.8 * p.y(); };
+  for (Reach& reach : reaches) {
+    for (auto& [a, b] : reach.boundary) slant(a), slant(b);
+    for (Point3& p : reach.shore) slant(p);
+  }
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_EQ(rivers[0].reaches.size(), 2u);
+}
+
+// Quays of two heights for 70 m, then one on the left shore for as long as the other half of the river has none.
+TEST(FindRiversTest, StretchesBetweenQuaysSayNothingOfItsSides) {
+  const auto level = [](double x, double y) {
+    const double quay = x < 70 ? (y > 0 ? 1.8 : 0.9) : (x < 235 && y > 0 ? 0.8 : 0);
+    return Falling(x, y) + quay;
+  };
+  EXPECT_EQ(FindRivers(std::vector<Reach>{ReachBetween(0, 400, 12, level)}, kTolerance, kWidth).size(), 1u);
+}
+
 TEST(FindRiversTest, WhatIsFarApartIsNotOne) {
   const std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(300, 600, 15, Falling)};
   EXPECT_EQ(FindRivers(reaches, kTolerance, kWidth).size(), 2u);
