@@ -45,6 +45,58 @@ void Absorb(PlannedHole& part, PlannedHole& hole) {
   part.segments.clear();
 }
 
+// New vertices on a tile's outline, with the surface of vertices on the grid lines that they follow.
+class OutlineVertices {
+ public:
+  OutlineVertices(CellId cell, const Outline& outline, Plan& plan) : cell_(cell), outline_(outline), plan_(plan) {}
+
+  // Level with one on a grid line, or two; always the same one.
+  int32_t Beside(int32_t source, const std::vector<Side>& sides) {
+    const auto [it, fresh] = beside_.try_emplace(source, 0);
+    if (!fresh) return it->second;
+    Point3 position = plan_.vertices[source].position;
+    uint8_t lines = 0;
+    for (const Side s : sides) {
+      position[AxisOf(s)] = outline_.side[s];
+      lines |= LineOf(s);
+    }
+    return it->second = Add(source, position, lines);
+  }
+
+  int32_t AtCorner(int corner, int32_t source) {
+    const Point2 at = outline_.CornerAt(corner);
+    return Add(source, {at.x(), at.y(), plan_.vertices[source].position.z()}, 3);
+  }
+
+  // Where a chain that ends off the outline, at that of a piece, would go straight on to it.
+  std::optional<int32_t> Ahead(int32_t end, int32_t source) {
+    Point3 position = plan_.vertices[end].position;
+    if (outline_.SideAt(position)) return std::nullopt;
+    const Side side = outline_.NearestSide(position);
+    position[AxisOf(side)] = outline_.side[side];
+    return Add(source, position, LineOf(side));
+  }
+
+ private:
+  static uint8_t LineOf(Side side) { return AxisOf(side) == 0 ? 1 : 2; }
+
+  int32_t Add(int32_t source, const Point3& position, uint8_t lines) {
+    PlanVertex v = plan_.vertices[source];
+    v.tile = cell_;
+    v.index = -1;
+    v.follows = source;
+    v.position = position;
+    v.lines = lines;
+    plan_.vertices.push_back(v);
+    return static_cast<int32_t>(plan_.vertices.size()) - 1;
+  }
+
+  const CellId cell_;
+  const Outline& outline_;
+  Plan& plan_;
+  std::unordered_map<int32_t, int32_t> beside_;  // plan vertex on a grid line -> on the outline
+};
+
 // The regions of one cell.
 class CellRegions {
  public:
@@ -54,7 +106,8 @@ class CellRegions {
         record_(joint.own.contains(cell) ? *joint.own.at(cell) : kEmpty),
         square_(joint.squares.at(cell)),
         in_picture_(in_picture),
-        plan_(plan) {
+        plan_(plan),
+        new_(cell, outline_, plan) {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
     if (!joint.own.contains(cell)) {
       walk_ = WalkOutline(record_, chain_, outline_, own.piece_reach);
@@ -217,24 +270,19 @@ class CellRegions {
     if (gap.open && !line.empty()) {
       const bool apart =
           gap.end - gap.begin > kClearance * std::min(plan_.vertices[from].size, plan_.vertices[to].size);
-      if (apart) AddFoot(from, Nearest(gap.begin, line), way);
+      const auto add_ahead = [&](int32_t end, double place) {
+        const auto v = apart ? new_.Ahead(end, Nearest(place, line)) : std::nullopt;
+        if (v) way.push_back(*v);
+      };
+      add_ahead(from, gap.begin);
       for (const int32_t v : Between(gap, line)) way.push_back(v);
-      if (apart) AddFoot(to, Nearest(gap.end, line), way);
+      add_ahead(to, gap.end);
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
     if (way.size() == 1) AddLink(gap, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
-  }
-
-  // A chain that ends off the outline, at that of a piece, goes straight to it.
-  void AddFoot(int32_t end, int32_t source, std::vector<int32_t>& way) {
-    Point3 position = plan_.vertices[end].position;
-    if (outline_.SideAt(position)) return;
-    const Side side = outline_.NearestSide(position);
-    position[AxisOf(side)] = outline_.side[side];
-    way.push_back(AddFollower(source, position, AxisOf(side) == 0 ? 1 : 2));
   }
 
   // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two. Between
@@ -271,12 +319,12 @@ class CellRegions {
       const double before = kClearance * std::min(plan_.vertices[PlanVertexOf(gap.to)].size, size);
       const bool inside =
           corner ? place > gap.begin && place < gap.end : place > gap.begin + after && place < gap.end - before;
-      if (inside) between.emplace(place, Follower(v.vertex, v.sides));
+      if (inside) between.emplace(place, new_.Beside(v.vertex, v.sides));
     }
     for (int c = 0; c < 8; ++c) {
       const double place = outline_.CornerPlace(c % 4) + (c >= 4 ? length : 0);
       if (place > gap.begin && place < gap.end && !between.contains(place)) {
-        between.emplace(place, CornerFollower(c % 4, Nearest(place, line)));
+        between.emplace(place, new_.AtCorner(c % 4, Nearest(place, line)));
       }
     }
     std::vector<int32_t> vertices;
@@ -291,10 +339,10 @@ class CellRegions {
 
   void AddRing(const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
     std::map<double, int32_t> ring;
-    for (const LineVertex& v : line) ring.emplace(v.place, Follower(v.vertex, v.sides));
+    for (const LineVertex& v : line) ring.emplace(v.place, new_.Beside(v.vertex, v.sides));
     for (int c = 0; c < 4; ++c) {
       const double place = outline_.CornerPlace(c);
-      if (!ring.contains(place)) ring.emplace(place, CornerFollower(c, Nearest(place, line)));
+      if (!ring.contains(place)) ring.emplace(place, new_.AtCorner(c, Nearest(place, line)));
     }
     for (auto it = ring.begin(); it != ring.end(); ++it) {
       const auto next = std::next(it) == ring.end() ? ring.begin() : std::next(it);
@@ -317,36 +365,6 @@ class CellRegions {
     if (plan_.vertices[end].index >= 0 && plan_.vertices[end].follows < 0) plan_.vertices[end].follows = source;
   }
 
-  // A new vertex on the tile's outline beside one on the grid line.
-  int32_t Follower(int32_t source, const std::vector<Side>& sides) {
-    const auto [it, fresh] = follower_.try_emplace(source, static_cast<int32_t>(plan_.vertices.size()));
-    if (!fresh) return it->second;
-    Point3 position = plan_.vertices[source].position;
-    uint8_t lines = 0;
-    for (const Side s : sides) {
-      position[AxisOf(s)] = outline_.side[s];
-      lines |= AxisOf(s) == 0 ? 1 : 2;
-    }
-    AddFollower(source, position, lines);
-    return it->second;
-  }
-
-  int32_t CornerFollower(int corner, int32_t source) {
-    const Point2 at = outline_.CornerAt(corner);
-    return AddFollower(source, {at.x(), at.y(), plan_.vertices[source].position.z()}, 3);
-  }
-
-  int32_t AddFollower(int32_t source, const Point3& position, uint8_t lines) {
-    PlanVertex v = plan_.vertices[source];
-    v.tile = cell_;
-    v.index = -1;
-    v.follows = source;
-    v.position = position;
-    v.lines = lines;
-    plan_.vertices.push_back(v);
-    return static_cast<int32_t>(plan_.vertices.size()) - 1;
-  }
-
   inline static const SurveyRecord kEmpty;
 
   const CellId cell_;
@@ -355,12 +373,12 @@ class CellRegions {
   const std::vector<bool>& in_picture_;  // of each plan vertex of the joint tiles: whether it bounds a hole
   Plan& plan_;
   Outline outline_;
+  OutlineVertices new_;
   std::vector<bool> cut_, chain_;  // as in JointTiles
   OutlineWalk walk_;
   std::unordered_map<int32_t, int32_t> own_vertex_;            // plan vertex -> of the record
   std::unordered_map<int32_t, std::vector<int32_t>> through_;  // other plan vertex -> edges of the record there
   std::map<std::pair<int32_t, int32_t>, int32_t> edge_;        // of the record, by its ends
-  std::unordered_map<int32_t, int32_t> follower_;              // plan vertex on the grid line -> on the outline
 };
 
 }  // namespace

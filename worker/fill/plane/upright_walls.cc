@@ -1,6 +1,5 @@
 #include "worker/fill/plane/upright_walls.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -54,9 +53,12 @@ class WallRaiser {
   }
 
   double ExtentFromAbove() const {
-    Eigen::AlignedBox2d box;
-    for (const Point3& p : hole_.positions) box.extend(p.head<2>());
-    return box.diagonal().norm();
+    Point2 lo = hole_.positions[0].head<2>(), hi = lo;
+    for (const Point3& p : hole_.positions) {
+      lo = lo.cwiseMin(p.head<2>());
+      hi = hi.cwiseMax(p.head<2>());
+    }
+    return (hi - lo).norm();
   }
 
   double StorableHeight(double z) const {
