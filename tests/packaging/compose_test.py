@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""Runs the cluster of docker/compose.yaml for real, and disturbs it.
+
+    compose_test.py BIN TOOLS [--image IMAGE] [--answers FILE]
+
+A coordinator and one worker begin to fill a scene. Then there are three workers, one is killed, the coordinator is
+started again, all certificates are renewed. The output must have the bytes of `tilemend run`, and Prometheus must
+answer every query of the dashboard. Exit code 77 (skipped, and says so) without a Docker engine, docker-compose or the image.
+
+BIN has tilemend and tilemend-make-scene; TOOLS/../scenes/table3.json is the scene's layout, if it is there.
+"""
+import argparse
+import filecmp
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.parse
+import urllib.request
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+TRIAL = os.path.join(ROOT, 'docker', 'trial.sh')
+
+
+def skip(why):
+    print(f'SKIPPED: {why}')
+    sys.exit(77)
+
+
+def run(*words, env=None, check=True):
+    done = subprocess.run(words, env=env, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    if check and done.returncode:
+        raise SystemExit(f'FAILED: {" ".join(words)}: code {done.returncode}\n{done.stdout}{done.stderr}')
+    return done
+
+
+def await_(what, condition, seconds=120):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.2)
+    raise SystemExit(f'FAILED: waited {seconds} s in vain for {what}')
+
+
+class Cluster:
+    def __init__(self, folder, image):
+        self.data = os.path.join(folder, 'data')
+        self.port = '19090'
+        self.env = dict(os.environ, TRIAL=folder, TILEMEND_IMAGE=image, TILEMEND_LEASE='5', PROMETHEUS_PORT=self.port)
+
+    def trial(self, *words):
+        return run(TRIAL, *words, env=self.env).stdout
+
+    def client(self, *words):
+        return self.trial('client', *words)
+
+    def job(self, name):
+        return json.loads(self.client('get', name, '-o', 'json'))
+
+    def containers(self, service):
+        return run('docker', 'ps', '-q', '--filter', f'label=com.docker.compose.service={service}', '--filter',
+                   'label=com.docker.compose.project=tilemend').stdout.split()
+
+    def workers(self):
+        return json.loads(self.client('workers', '-o', 'json'))
+
+    def slow_down(self):
+        for container in self.containers('worker'):
+            run('docker', 'update', '--cpus', '0.08', container)
+
+    def ask(self, query):
+        url = f'http://127.0.0.1:{self.port}/api/v1/query?' + urllib.parse.urlencode({'query': query})
+        with urllib.request.urlopen(url) as answer:
+            return json.load(answer)['data']['result']
+
+    def ask_range(self, query, start, end, step):
+        words = urllib.parse.urlencode({'query': query, 'start': start, 'end': end, 'step': step})
+        with urllib.request.urlopen(f'http://127.0.0.1:{self.port}/api/v1/query_range?{words}') as answer:
+            return json.load(answer)['data']['result']
+
+
+def disturb(cluster, name):
+    """While the job runs."""
+    settled = await_('the first tasks', lambda: cluster.job(name)['progress']['tasks_done'])
+    cluster.trial('scale', '3')
+    cluster.slow_down()
+    await_('three workers', lambda: len(cluster.workers()) == 3)
+    print(f'three workers after {settled} tasks')
+    run('docker', 'kill', cluster.containers('worker')[0])
+    cluster.trial('renew')
+    print(f'killed a worker, renewed the certificates after {cluster.job(name)["progress"]["tasks_done"]} tasks')
+    run('docker', 'restart', '-t', '5', cluster.containers('coordinator')[0])
+    await_('the coordinator', lambda: run(TRIAL, 'client', 'get', name, env=cluster.env, check=False).returncode == 0)
+    job = cluster.job(name)
+    print(f'started the coordinator again: {job["state"]}, {job["progress"]["tasks_done"]} tasks')
+    if job['state'] != 'running':
+        raise SystemExit('FAILED: the job was over before it was disturbed; take a larger scene')
+
+
+def same_tiles(one, other):
+    names = sorted(os.listdir(one))
+    if names != sorted(os.listdir(other)):
+        raise SystemExit('FAILED: not the same tiles')
+    wrong = [n for n in names if not filecmp.cmp(os.path.join(one, n), os.path.join(other, n), shallow=False)]
+    if wrong:
+        raise SystemExit(f'FAILED: other bytes than `run`: {wrong}')
+    return len(names)
+
+
+def ask_dashboard(cluster, start, answers_file):
+    """Every query of every panel, over the time of the job."""
+    with open(os.path.join(ROOT, 'deploy/grafana/tilemend.json')) as file:
+        panels = [p for p in json.load(file)['panels'] if p['type'] != 'row']
+    end, answers, empty = time.time(), [], []
+    for panel in panels:
+        for target in panel['targets']:
+            result = cluster.ask_range(target['expr'], start, end, 2)
+            answers.append({'panel': panel['title'], 'unit': panel['fieldConfig']['defaults']['unit'],
+                            'legend': target['legendFormat'], 'result': result})
+            if not result:
+                empty.append(f'{panel["title"]}: {target["expr"]}')
+    if answers_file:
+        with open(answers_file, 'w') as file:
+            json.dump(answers, file)
+    if empty:
+        raise SystemExit('FAILED: no answer to\n' + '\n'.join(empty))
+    return len(answers)
+
+
+def check_alerts(cluster):
+    """A worker that is killed while nothing else happens wakes somebody, and nothing else does."""
+    run('docker', 'kill', cluster.containers('worker')[0])
+    lost = await_('the alert of the lost worker', lambda: cluster.ask('ALERTS{alertname="TilemendWorkerLost",alertstate="firing"}'))
+    others = [a['metric']['alertname'] for a in cluster.ask('ALERTS{alertstate="firing"}') if a not in lost]
+    if set(others) - {'TilemendWorkerLost'}:
+        raise SystemExit(f'FAILED: alerts without a reason: {others}')
+    print('a lost worker fires its alert, and no other')
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('bin')
+    parser.add_argument('tools')
+    parser.add_argument('--image', default='tilemend')
+    parser.add_argument('--answers')
+    parser.add_argument('--spacing', default='0.5')
+    options = parser.parse_args()
+    if not shutil.which('docker') or not shutil.which('docker-compose'):
+        skip('there is no docker or no docker-compose')
+    if run('docker', 'info', check=False).returncode:
+        skip('no Docker engine runs')
+    if run('docker', 'image', 'inspect', options.image, check=False).returncode:
+        skip(f'there is no image {options.image}: docker build -f docker/Dockerfile -t {options.image} .')
+    layout = os.path.join(options.tools, '..', 'scenes', 'table3.json')
+    shape = ['--layout', layout] if os.path.exists(layout) else ['--cols', '8', '--rows', '4', '--holes', 'lakes,small']
+    with tempfile.TemporaryDirectory(prefix='tilemend-compose-') as folder:
+        cluster = Cluster(folder, options.image)
+        os.chmod(folder, 0o755)
+        os.makedirs(cluster.data)
+        run(os.path.join(options.bin, 'tilemend-make-scene'), os.path.join(cluster.data, 'scene'), '--cell', '250',
+            '--spacing', options.spacing, *shape)
+        expected = run(os.path.join(options.bin, 'tilemend'), 'run', os.path.join(cluster.data, 'scene'), '--out',
+                       os.path.join(folder, 'expected'), check=False).returncode
+        try:
+            cluster.trial('up', '1')
+            cluster.slow_down()
+            start = time.time()
+            name = json.loads(cluster.client('submit', '/data/scene', '--out', '/data/out', '-o', 'json'))['name']
+            disturb(cluster, name)
+            ended = run(TRIAL, 'client', 'watch', name, '-o', 'json', env=cluster.env, check=False)
+            if ended.returncode != expected:
+                raise SystemExit(f'FAILED: watch ended with {ended.returncode}, run with {expected}: {ended.stderr}')
+            print(f'job ended: {json.loads(ended.stdout)["message"]}, {time.time() - start:.0f} s')
+            print(f'{same_tiles(os.path.join(folder, "expected", "tiles"), os.path.join(cluster.data, "out", "tiles"))}'
+                  ' tiles with the bytes of `tilemend run`')
+            time.sleep(6)  # a scrape of the end
+            check_alerts(cluster)
+            print(f'{ask_dashboard(cluster, start, options.answers)} queries of the dashboard answered')
+        except SystemExit:
+            print(cluster.trial('logs', 'coordinator')[-4000:])
+            raise
+        finally:
+            cluster.trial('down')
+    print('1 passed, 0 failed')
+
+
+if __name__ == '__main__':
+    main()
