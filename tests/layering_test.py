@@ -86,7 +86,8 @@ RULES = {
         ['common/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/plane'],
         ['eigen']),
 
-    'worker/fill/seam': rule(['common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'], []),
+    'worker/fill/seam': rule(
+        ['common/mesh/winding', 'common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'], []),
 
     'worker/fill': rule(
         ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/plane', 'worker/fill/crease'],

@@ -20,7 +20,7 @@ namespace tilemend {
 //   kFacingPlane  closed, thin plate                        plane_fill.h
 //   kUnrolled     closed, thin plate, not steep             unrolled_fill.h
 //   kSpace        closed                                    space_fill.h
-//   kFoldsCut     all but water, same planes                plane_fill.h, fold_cutting.h
+//   kFoldsCut     all but water, same planes                folded_fill.h
 //
 // A closed hole with a level (CellHole::level) is filled as kWater, over the ground, its folds cut off if need be, else
 // in space. New vertices of water all get its level.

@@ -1,6 +1,7 @@
 #include "common/mesh/winding/wound_region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <polyclipping/clipper.hpp>
@@ -8,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "common/mesh/bin_grid.h"
 #include "common/mesh/segment_distance.h"
 
 namespace tilemend {
@@ -196,20 +198,43 @@ class Numberer {
   }
 
   // Those within a step of the lattice, else the nearest.
-  std::vector<int32_t> SegmentsThrough(LatticePoint place) const {
+  std::vector<int32_t> SegmentsThrough(LatticePoint place) {
+    if (!bins_) MakeBins();
     std::vector<int32_t> through;
+    const Point2 p = ToPoint(place), step(1, 1);
+    for (const int32_t s : bins_->In({Point2(p - step), Point2(p + step)})) {
+      if (DistanceTo(s, p) <= 1) through.push_back(s);
+    }
+    return through.empty() ? std::vector<int32_t>{NearestSegment(p)} : through;
+  }
+
+  int32_t NearestSegment(const Point2& p) const {
     int32_t nearest = 0;
     double least = std::numeric_limits<double>::infinity();
-    const Point2 p = ToPoint(place);
-    for (size_t s = 0; s < segments_.size(); ++s) {
-      const double distance =
-          DistanceToSegment(p, ToPoint(points_[segments_[s].from]), ToPoint(points_[segments_[s].to]));
-      if (distance <= 1) through.push_back(static_cast<int32_t>(s));
+    for (int32_t s = 0; s < std::ssize(segments_); ++s) {
+      const double distance = DistanceTo(s, p);
       if (distance >= least) continue;
       least = distance;
-      nearest = static_cast<int32_t>(s);
+      nearest = s;
     }
-    return through.empty() ? std::vector<int32_t>{nearest} : through;
+    return nearest;
+  }
+
+  double DistanceTo(int32_t s, const Point2& p) const {
+    return DistanceToSegment(p, ToPoint(points_[segments_[s].from]), ToPoint(points_[segments_[s].to]));
+  }
+
+  // Some bins for each segment.
+  void MakeBins() {
+    Eigen::AlignedBox2d extent;
+    const auto box_of = [&](int32_t s) {
+      Eigen::AlignedBox2d box(ToPoint(points_[segments_[s].from]));
+      return box.extend(ToPoint(points_[segments_[s].to]));
+    };
+    for (int32_t s = 0; s < std::ssize(segments_); ++s) extent.extend(box_of(s));
+    const double bins = std::sqrt(static_cast<double>(segments_.size()));
+    bins_.emplace(extent, std::max(extent.sizes().maxCoeff() / bins, 1.0), static_cast<int32_t>(segments_.size()),
+                  box_of);
   }
 
   static Point2 ToPoint(LatticePoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
@@ -220,6 +245,7 @@ class Numberer {
   std::map<LatticePoint, std::set<int32_t>> at_;
   std::set<std::pair<int32_t, int32_t>> joined_;
   std::map<LatticePoint, int32_t> corner_at_;
+  std::optional<BinGrid> bins_;  // of the segments
   WoundRegion region_;
 };
 

@@ -36,8 +36,8 @@ enum class Winding {
 
 // The region of points that directed segments wind around. They may cross, touch and fold over themselves; chains that
 // do not close are closed by a straight way. Of several points at one place, one stands for all.
-// Source: Vatti 1992, as Clipper has it (positive winding). O((n + k) log n) for n segments and k crossings, and O(n)
-// for each corner. Deterministic. Crossings are rounded to the lattice.
+// Source: Vatti 1992, as Clipper has it (positive winding). O((n + k) log n) for n segments and k crossings, and for
+// each corner the segments near it. Deterministic. Crossings are rounded to the lattice.
 WoundRegion FindWoundRegion(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
                             const std::optional<LatticeBox>& box = {}, Winding winding = Winding::kInside);
 

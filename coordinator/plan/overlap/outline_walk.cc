@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kOnOutline = 2e-3;  // metres
 // Chains of two pieces end at most so far from each other where the pieces and the tile end together, times the reach.
 constexpr double kPieceEnds = 8;
+constexpr double kFirstReach = 0.01;  // metres: ends so near are matched first, then by powers of two
 
 // A vertex where a chain off the outline ends or begins, seen along the walk.
 struct Event {
@@ -99,26 +101,49 @@ class Walker {
   // Ends of chains where pieces end: each with a beginning, the nearest pairs first. Those left over count to the
   // outline, and so do those on it that have none near by.
   void CloseAtPieces() {
-    const double farthest = std::pow(kPieceEnds * piece_reach_, 2);
+    std::vector<bool> closed(piece_ends_.size(), false);
+    const double longest = 2 * ((record_.hi - record_.lo).norm() + outline_.Length());
+    for (double reach = kFirstReach; reach < longest; reach *= 2) CloseWithin(reach, closed);
+    for (size_t i = 0; i < piece_ends_.size(); ++i) {
+      if (!closed[i]) events_.push_back(piece_ends_[i]);
+    }
+  }
+
+  // The pairs no farther apart than `reach`, if all nearer ones are closed: by squares of that size.
+  void CloseWithin(double reach, std::vector<bool>& closed) {
+    const auto square = [&](size_t i) {
+      const Point3& p = record_.vertices[piece_ends_[i].vertex].position;
+      return std::pair(std::llround(p.x() / reach), std::llround(p.y() / reach));
+    };
+    std::map<std::pair<int64_t, int64_t>, std::vector<size_t>> begins;
+    for (size_t k = 0; k < piece_ends_.size(); ++k) {
+      if (!closed[k] && !piece_ends_[k].ends) begins[square(k)].push_back(k);
+    }
     std::vector<std::tuple<double, size_t, size_t>> pairs;
     for (size_t i = 0; i < piece_ends_.size(); ++i) {
-      for (size_t k = 0; k < piece_ends_.size(); ++k) {
-        const Event &a = piece_ends_[i], &b = piece_ends_[k];
-        if (!a.ends || b.ends) continue;
-        const double distance = DistanceOf(a, b);
-        if (distance <= farthest || (!a.on_outline && !b.on_outline)) pairs.emplace_back(distance, i, k);
+      if (closed[i] || !piece_ends_[i].ends) continue;
+      const auto [column, row] = square(i);
+      for (int64_t c = column - 1; c <= column + 1; ++c) {
+        for (int64_t r = row - 1; r <= row + 1; ++r) AddPairs(i, begins[{c, r}], reach, pairs);
       }
     }
     std::sort(pairs.begin(), pairs.end());
-    std::vector<bool> closed(piece_ends_.size(), false);
     for (const auto& [distance, i, k] : pairs) {
       if (closed[i] || closed[k]) continue;
       closed[i] = closed[k] = true;
       const Event &from = piece_ends_[i], &to = piece_ends_[k];
       walk_.gaps.push_back({from.vertex, to.vertex, 0, 0, false, from.across, to.across});
     }
-    for (size_t i = 0; i < piece_ends_.size(); ++i) {
-      if (!closed[i]) events_.push_back(piece_ends_[i]);
+  }
+
+  void AddPairs(size_t i, const std::vector<size_t>& begins, double reach,
+                std::vector<std::tuple<double, size_t, size_t>>& pairs) const {
+    const double farthest = std::pow(kPieceEnds * piece_reach_, 2);
+    for (const size_t k : begins) {
+      const Event &a = piece_ends_[i], &b = piece_ends_[k];
+      const double distance = DistanceOf(a, b);
+      if (distance > reach * reach) continue;
+      if (distance <= farthest || (!a.on_outline && !b.on_outline)) pairs.emplace_back(distance, i, k);
     }
   }
 

@@ -45,8 +45,8 @@ struct OutlineWalk {
 
 // `taken` says for each edge of the record whether it counts; others are on outlines of pieces. Chains that end at
 // those are closed as well, straight; `piece_reach` is how far pieces overlap, or part. Every vertex where chains off
-// the outline begin or end is in one gap each time. Cost O(n log n), and O(k^2 log k) in the k chains that end at
-// pieces.
+// the outline begin or end is in one gap each time. Cost O(n log n), and for each
+// chain that ends at a piece the ends around it that are no nearer to others.
 OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,
                         double piece_reach);
 

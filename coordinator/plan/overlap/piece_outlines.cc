@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
+#include <utility>
 
 namespace tilemend {
 namespace {
@@ -24,7 +24,11 @@ struct Face {
 class OutlineFinder {
  public:
   OutlineFinder(const SurveyRecord& record, double reach) : record_(record), reach_(reach) {
-    for (size_t e = 0; e < record.edges.size(); ++e) box_[record.edges[e].piece].extend(Begin(e)).extend(End(e));
+    for (size_t e = 0; e < record.edges.size(); ++e) {
+      const auto piece = static_cast<size_t>(record.edges[e].piece);
+      if (piece >= box_.size()) box_.resize(piece + 1);
+      box_[piece].extend(Begin(e)).extend(End(e));
+    }
   }
 
   std::vector<bool> Run() {
@@ -50,18 +54,21 @@ class OutlineFinder {
     const std::vector<Face> begins = FacesOf(axis, false), ends = FacesOf(axis, true);
     std::set<double> planes;
     for (const Face& begin : begins) {
-      for (const Face& end : ends) {
-        if (end.place <= begin.place || end.place - begin.place > reach_ || !AreBeside(axis, begin, end)) continue;
-        planes.insert({begin.place, end.place});
+      auto end = std::upper_bound(ends.begin(), ends.end(), begin.place,
+                                  [](double place, const Face& face) { return place < face.place; });
+      for (; end != ends.end() && end->place - begin.place <= reach_; ++end) {
+        if (planes.contains(begin.place) && planes.contains(end->place)) continue;
+        if (AreBeside(axis, begin, *end)) planes.insert({begin.place, end->place});
       }
     }
     return planes;
   }
 
+  // Along the axis.
   std::vector<Face> FacesOf(int axis, bool upper) const {
     std::map<int32_t, double> length;
     const auto place_of = [&](int32_t piece) {
-      return upper ? box_.at(piece).max()[axis] : box_.at(piece).min()[axis];
+      return upper ? box_[piece].max()[axis] : box_[piece].min()[axis];
     };
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       const int32_t piece = record_.edges[e].piece;
@@ -73,19 +80,24 @@ class OutlineFinder {
     for (const auto& [piece, metres] : length) {
       if (metres >= kLeastLength) faces.push_back({place_of(piece), piece});
     }
+    std::sort(faces.begin(), faces.end(),
+              [](const Face& a, const Face& b) { return std::pair(a.place, a.piece) < std::pair(b.place, b.piece); });
     return faces;
   }
 
   // Whether two pieces lie side by side along an axis.
   bool AreBeside(int axis, const Face& begin, const Face& end) const {
-    AlignedBox3d a = box_.at(begin.piece), b = box_.at(end.piece);
-    for (AlignedBox3d* box : {&a, &b}) box->min()[axis] = 0, box->max()[axis] = 0;
-    return begin.piece != end.piece && a.intersects(b);
+    const AlignedBox3d &a = box_[begin.piece], &b = box_[end.piece];
+    if (begin.piece == end.piece) return false;
+    for (int other = 0; other < 3; ++other) {
+      if (other != axis && (a.min()[other] > b.max()[other] || b.min()[other] > a.max()[other])) return false;
+    }
+    return true;
   }
 
   const SurveyRecord& record_;
   const double reach_;
-  std::map<int32_t, AlignedBox3d> box_;
+  std::vector<AlignedBox3d> box_;  // by piece
 };
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "common/mesh/winding/wound_region.h"
 #include "worker/fill/hole/cell_band.h"
 #include "worker/fill/hole/local_hole.h"
-#include "worker/fill/region/fold_cutting.h"
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/seam/seam_chains.h"
 #include "worker/fill/surface/choose_tension.h"
@@ -131,27 +131,46 @@ class ClusterSampler {
     if (!simple.empty()) region_ = RefineRegion(planar_->points, simple, planar_->sizes, refine);
   }
 
-  // The segments with the folds of the outline cut off, as FillHoles does; none where that does not help, or where a
-  // new vertex of a seam is in a fold.
+  // The segments with what the outline winds around in place of the outline (wound_region.h), and straight where that
+  // has a corner of its own; none where a new vertex of a seam is not on it.
   std::vector<RegionSegment> WithoutFolds() {
     const std::vector<RegionSegment> outline = OutlineSegments();
-    CutBoundary cut = CutFolds(planar_->points, outline, [](int32_t, int32_t) { return true; });
-    if (!cut.simple) return {};
-    std::set<int32_t> left, cut_off;
-    for (const RegionSegment& s : cut.segments) left.insert({s.from, s.to});
-    for (const std::vector<int32_t>& run : cut.runs) {
-      at_fold_.insert(run.begin(), run.end());
-      std::copy_if(run.begin(), run.end(), std::inserter(cut_off, cut_off.end()),
-                   [&](int32_t v) { return !left.contains(v); });
-    }
+    std::vector<DirectedEdge> edges;
     std::set<std::pair<int32_t, int32_t>> on_outline;
-    for (const RegionSegment& s : outline) on_outline.insert({s.from, s.to});
+    std::set<int32_t> cut_off;
+    for (const RegionSegment& s : outline) {
+      edges.push_back({s.from, s.to});
+      on_outline.insert({s.from, s.to});
+      cut_off.insert(s.from);
+    }
+    std::vector<RegionSegment> segments = AroundRegion(FindWoundRegion(planar_->points, edges));
+    for (const RegionSegment& s : segments) cut_off.erase(s.from);
+    if (!std::all_of(cut_off.begin(), cut_off.end(), [&](int32_t v) { return IsKnown(hole_.vertices[v]); })) return {};
+    for (const RegionSegment& s : segments) {
+      if (!on_outline.contains({s.from, s.to})) at_fold_.insert({s.from, s.to});
+    }
+    at_fold_.insert(cut_off.begin(), cut_off.end());
     for (const RegionSegment& s : hole_.segments) {
       const bool inner = !on_outline.contains({s.from, s.to});
-      if (inner && !cut_off.contains(s.from) && !cut_off.contains(s.to)) cut.segments.push_back(s);
+      if (inner && !cut_off.contains(s.from) && !cut_off.contains(s.to)) segments.push_back(s);
     }
-    if (!std::all_of(cut_off.begin(), cut_off.end(), [&](int32_t v) { return IsKnown(hole_.vertices[v]); })) return {};
-    return cut.segments;
+    return segments;
+  }
+
+  std::vector<RegionSegment> AroundRegion(const WoundRegion& region) const {
+    std::vector<RegionSegment> segments;
+    std::vector<int32_t> loop;
+    int32_t first = -1;
+    for (const DirectedEdge& s : region.segments) {
+      if (first < 0) first = s.from;
+      if (s.from < std::ssize(planar_->points)) loop.push_back(s.from);
+      if (s.to != first) continue;
+      for (size_t i = 0; loop.size() >= 3 && i < loop.size(); ++i)
+        segments.push_back({loop[i], loop[(i + 1) % loop.size()]});
+      loop.clear();
+      first = -1;
+    }
+    return segments;
   }
 
   ThinPlateProblem Problem() const {
