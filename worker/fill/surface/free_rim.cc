@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <utility>
 
 #include "common/mesh/disjoint_sets.h"
 #include "worker/fill/surface/thin_plate.h"
@@ -69,6 +71,17 @@ Plane PlaneThrough(const std::vector<Point3>& points) {
     plane.slope *= plane.slope.dot(rise) / variance;
   }
   return plane;
+}
+
+// Of the points' heights over the plane. A membrane through them stays within it; what is solved for on triangles with
+// obtuse angles need not.
+std::pair<double, double> RangeOver(const Plane& plane, const std::vector<Point3>& points) {
+  std::pair<double, double> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Point3& p : points) {
+    const double over = p.z() - plane.At(p);
+    range = {std::min(range.first, over), std::max(range.second, over)};
+  }
+  return range;
 }
 
 // The known points of the patch that stand on no object.
@@ -137,8 +150,10 @@ bool FreeRim(const std::vector<bool>& on_object, const std::vector<std::optional
     if (StandsOn(tied, static_cast<int32_t>(v))) beside.known[v] = false;
   }
   if (!SolveMembrane(beside)) return false;
+  const auto [least, most] = RangeOver(plane, around);
   for (size_t v = 0; v < tied.size(); ++v) {
-    if (tied[v]) problem.points[v].z() = plane.At(beside.points[v]) + beside.points[v].z();
+    if (!tied[v]) continue;
+    problem.points[v].z() = plane.At(beside.points[v]) + std::clamp(beside.points[v].z(), least, most);
   }
   TakeAwayBand(tied, problem);
   return true;

@@ -50,6 +50,19 @@ TEST(FreeRimTest, UnderAHouseAPlaneGoesOn) {
   EXPECT_LT(LargestError(plate.problem, Slope), 1e-6);
 }
 
+// The triangle at the object is so obtuse that the solved membrane goes far below all that is known.
+TEST(FreeRimTest, BesideNeedlesTheGroundIsNoDeeperThanWhatIsKnown) {
+  ThinPlateProblem problem;
+  problem.points = {{2, 0, 40}, {0, 0, 10}, {1, 0.05, 0}, {1, -1, 0}, {3, -1, 0}, {3, 1, 0}};
+  problem.patch = {{1, 0, 2}, {1, 3, 0}, {3, 4, 0}, {0, 4, 5}, {0, 5, 2}};
+  problem.known.assign(problem.points.size(), true);
+  problem.has_equation.assign(problem.points.size(), false);
+  const std::vector<bool> on_object = {true, false, false, false, false, false};
+  ASSERT_TRUE(FreeRim(on_object, {}, problem));
+  EXPECT_GT(problem.points[0].z(), -4);
+  EXPECT_LT(problem.points[0].z(), 10);
+}
+
 TEST(FreeRimTest, TheHeightOfTheHouseDoesNotMatter) {
   Plate low = MakePlate(Hills, Everywhere, Nowhere), high = low;
   ASSERT_TRUE(FreeRim(Build(3, low.problem), {}, low.problem));
