@@ -25,6 +25,7 @@
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
+#include "common/util/without_exceptions.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "coordinator/journal/work_lock.h"
 #include "coordinator/service/access.h"
@@ -178,7 +179,7 @@ int Main(const std::vector<std::string>& words) {
   const char* failpoint = std::getenv("TILEMEND_FAILPOINT");
   const absl::Status armed = ArmFailPoint(failpoint == nullptr ? "" : failpoint);
   if (!armed.ok()) return Fail(armed, kExitUsage);
-  const absl::Status status = Serve(*flags, *std::move(options));
+  const absl::Status status = WithoutExceptions([&] { return Serve(*flags, *std::move(options)); });
   return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
 }
 

@@ -22,6 +22,7 @@
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
+#include "common/util/without_exceptions.h"
 #include "worker/service/scene_stages.h"
 #include "worker/service/worker.h"
 
@@ -126,7 +127,7 @@ int Main(const std::vector<std::string>& words) {
   }
   const auto options = OptionsFromFlags(*flags);
   if (!options.ok()) return Fail(options.status(), kExitUsage);
-  const absl::Status status = Work(*flags, *options);
+  const absl::Status status = WithoutExceptions([&] { return Work(*flags, *options); });
   return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
 }
 

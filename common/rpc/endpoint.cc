@@ -3,6 +3,7 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/resource_quota.h>
 #include <grpcpp/server_builder.h>
 #include <grpcpp/support/client_interceptor.h>
 #include <sys/resource.h>
@@ -21,6 +22,9 @@
 namespace tilemend {
 namespace {
 
+// Threads of calls. Each worker has a call waiting; watches and blobs are bounded below that by the services.
+constexpr int kMostCalls = 1500;
+
 grpc::ChannelArguments ChannelArguments() {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(kMaxMessageBytes);
@@ -31,6 +35,18 @@ grpc::ChannelArguments ChannelArguments() {
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 2'000);  // how long an attempt may take
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1'000);
   return arguments;
+}
+
+absl::StatusOr<std::unique_ptr<Acceptor>> ListenOn(const std::string& address) {
+  TILEMEND_RETURN_IF_ERROR(CheckAddress(address));
+  const size_t colon = address.rfind(':');
+  int port = 0;
+  if (!absl::SimpleAtoi(address.substr(colon + 1), &port)) return absl::InternalError("CheckAddress looked");
+  auto acceptor = Acceptor::Listen(address.substr(0, colon), port);
+  if (acceptor.ok()) return acceptor;
+  return absl::UnavailableError(absl::StrCat(address, ": cannot listen there (",
+                                             std::string(acceptor.status().message()),
+                                             "): in use, or not an address of this machine; choose another"));
 }
 
 // Puts the token into a call. The file is read each time: a token may be replaced while the program runs.
@@ -66,7 +82,8 @@ class TokenSenders : public grpc::experimental::ClientInterceptorFactoryInterfac
 
 }  // namespace
 
-RpcServer::RpcServer(std::unique_ptr<grpc::Server> server, int port) : server_(std::move(server)), port_(port) {}
+RpcServer::RpcServer(std::unique_ptr<grpc::Server> server, std::unique_ptr<Acceptor> acceptor)
+    : server_(std::move(server)), acceptor_(std::move(acceptor)) {}
 
 RpcServer::~RpcServer() { Shutdown(absl::Seconds(2)); }
 
@@ -78,27 +95,39 @@ absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& l
   grpc::ServerBuilder builder;
   builder.SetMaxReceiveMessageSize(kMaxMessageBytes);
   builder.SetMaxSendMessageSize(kMaxMessageBytes);
-  // Or a second coordinator would take half of the calls of the first one on the same port.
-  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
-  int port = 0;
+  // A connection that says nothing, or has nothing to say any more, makes room for others.
+  builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 4'000);
+  builder.AddChannelArgument(GRPC_ARG_MAX_CONNECTION_IDLE_MS, 60'000);
+  grpc::ResourceQuota quota("tilemend");
+  quota.SetMaxThreads(kMostCalls);
+  builder.SetResourceQuota(quota);
+  std::unique_ptr<Acceptor> acceptor;
+  std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> taker;
   if (!listen.empty()) {
-    TILEMEND_RETURN_IF_ERROR(CheckAddress(listen));
-    builder.AddListeningPort(listen, MakeServerCredentials(tls), &port);
+    TILEMEND_ASSIGN_OR_RETURN(acceptor, ListenOn(listen));
+    using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
+    taker = builder.experimental().AddExternalConnectionAcceptor(Type::FROM_FD, MakeServerCredentials(tls));
   }
   for (grpc::Service* service : services) builder.RegisterService(service);
   std::unique_ptr<grpc::Server> server = builder.BuildAndStart();
-  if (server == nullptr || (!listen.empty() && port == 0)) {
-    return absl::UnavailableError(
-        absl::StrCat(listen, ": cannot listen there (in use, or not an address of this machine); choose another"));
+  if (server == nullptr) return absl::UnavailableError(absl::StrCat(listen, ": cannot serve there"));
+  if (acceptor != nullptr) {
+    acceptor->Start(MostDescriptorsOfConnections(), [taker = std::shared_ptr(std::move(taker))](int fd) {
+      grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
+      connection.listener_fd = -1;
+      connection.fd = fd;
+      taker->HandleNewConnection(&connection);
+    });
   }
-  return std::unique_ptr<RpcServer>(new RpcServer(std::move(server), port));
+  return std::unique_ptr<RpcServer>(new RpcServer(std::move(server), std::move(acceptor)));
 }
 
 std::shared_ptr<grpc::Channel> RpcServer::InProcessChannel() { return server_->InProcessChannel(ChannelArguments()); }
 
 void RpcServer::Shutdown(absl::Duration grace) {
+  if (acceptor_ != nullptr) acceptor_->Stop();
   if (auto* health = server_->GetHealthCheckService(); health != nullptr) health->Shutdown();
   server_->Shutdown(std::chrono::system_clock::now() + absl::ToChronoMilliseconds(grace));
 }

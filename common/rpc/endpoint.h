@@ -12,6 +12,7 @@
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "common/rpc/acceptor.h"
 #include "common/rpc/credentials.h"
 
 namespace tilemend {
@@ -21,22 +22,23 @@ class RpcServer {
  public:
   // Listens on `listen` ("HOST:PORT", port 0 takes a free one) or, if it is empty, only in process. Answers the
   // standard health check and reflection. kInvalidArgument for a malformed address, kUnavailable if the address cannot
-  // be had.
+  // be had. Connections, calls at once and what a connection may keep the server waiting for are bounded; beyond that
+  // connections are closed and calls fail with kResourceExhausted.
   static absl::StatusOr<std::unique_ptr<RpcServer>> Start(const std::string& listen,
                                                           const std::vector<grpc::Service*>& services,
                                                           const TlsFiles& tls = {});
   ~RpcServer();
 
-  int port() const { return port_; }
+  int port() const { return acceptor_ == nullptr ? 0 : acceptor_->port(); }
   std::shared_ptr<grpc::Channel> InProcessChannel();
   // Takes no new calls, waits for running ones at most `grace`, then cancels them. Safe to call twice.
   void Shutdown(absl::Duration grace);
 
  private:
-  RpcServer(std::unique_ptr<grpc::Server> server, int port);
+  RpcServer(std::unique_ptr<grpc::Server> server, std::unique_ptr<Acceptor> acceptor);
 
   std::unique_ptr<grpc::Server> server_;
-  int port_ = 0;
+  std::unique_ptr<Acceptor> acceptor_;  // ends first; null: only in process
 };
 
 // Connects on first use and again whenever the connection is lost.
@@ -48,8 +50,8 @@ absl::Status CheckAddress(const std::string& address);
 // `address` with another port: where it is known, that of a server that chose one.
 std::string WithPort(const std::string& address, int port);
 
-// For the start of main. Raises the limit of open files as far as allowed, for gRPC 1.51 stops accepting for good after
-// it ran out of them once, and keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise.
+// For the start of main. Raises the limit of open files as far as allowed, and keeps gRPC's own log quiet unless
+// GRPC_VERBOSITY says otherwise.
 void PrepareProcess();
 
 }  // namespace tilemend

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <random>
+#include <system_error>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr size_t kMaxRequestIdBytes = 128;
 constexpr std::chrono::milliseconds kWatchInterval(50);
+constexpr int kRetryAfter = 10;  // seconds, after a submission that was refused for want of room
 
 std::function<absl::Time()> SteadyWallClock() {
   return [wall = absl::Now(), steady = std::chrono::steady_clock::now()] {
@@ -185,9 +187,25 @@ absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std
   entry.blobs = blobs;
   PutJob(*state_.FindJob(id), false);
   events_.JobCreated(*state_.FindJob(id), spec, entry.origin);
-  entry.runner = std::make_unique<JobRunner>(spec, factory_, std::move(blobs), SinkOf(id));
+  if (const absl::Status begun = Begin(entry, id); !begun.ok()) return begun;
   ShowMetrics();
   return Describe(*state_.FindJob(id));
+}
+
+absl::Status CoordinatorImpl::Begin(JobEntry& entry, const std::string& id) {
+  try {
+    entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id));
+    return absl::OkStatus();
+  } catch (const std::system_error& error) {  // no thread can be made
+    journal_->DropJob(state_.FindJob(id)->number);
+    entry.blobs->Remove();
+    Apply(JobCancelled{id, options_.clock()}).IgnoreError();
+    Apply(JobForgotten{id}).IgnoreError();
+    entries_.erase(id);
+    return WithErrorInfo(absl::ResourceExhaustedError(absl::StrCat("no thread can be made for the job (", error.what(),
+                                                                   "); try again in ", kRetryAfter, " s")),
+                         {"TOO_MANY_JOBS", {{"retry_after_s", absl::StrCat(kRetryAfter)}}});
+  }
 }
 
 absl::Status CoordinatorImpl::CheckNewJob(const std::string& out_key) const {
@@ -204,8 +222,10 @@ absl::Status CoordinatorImpl::CheckNewJob(const std::string& out_key) const {
   }
   if (running < options_.max_running_jobs) return absl::OkStatus();
   return WithErrorInfo(
-      absl::ResourceExhaustedError(absl::StrCat(running, " jobs are running, which is the limit; try again later")),
-      {"TOO_MANY_JOBS", {{"limit", absl::StrCat(options_.max_running_jobs)}}});
+      absl::ResourceExhaustedError(
+          absl::StrCat(running, " jobs are running, which is the limit; try again in ", kRetryAfter, " s")),
+      {"TOO_MANY_JOBS",
+       {{"limit", absl::StrCat(options_.max_running_jobs)}, {"retry_after_s", absl::StrCat(kRetryAfter)}}});
 }
 
 JobRunner::Sink CoordinatorImpl::SinkOf(const std::string& id) {
@@ -322,6 +342,7 @@ absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& req
 absl::Status CoordinatorImpl::WatchJob(const v1::WatchJobRequest& request,
                                        const std::function<bool(const v1::Job&)>& send,
                                        const std::function<bool()>& alive) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto call, watches_.Enter(request.name(), options_.clock(), [] {}));
   uint64_t cursor = request.cursor();
   SteadyTime next_send{};
   Lock lock(mutex_);
@@ -364,6 +385,7 @@ void CoordinatorImpl::Tick() {
     entry.blobs.reset();
   }
   ForgetOldJobs(now);
+  StopIdleStreams(now);
   ShowMetrics();
   lock.unlock();  // before the runners are joined
 }

@@ -30,6 +30,7 @@
 #include "coordinator/service/coordinator_metrics.h"
 #include "coordinator/service/job_pipeline.h"
 #include "coordinator/service/job_runner.h"
+#include "coordinator/service/long_calls.h"
 #include "coordinator/service/result_checks.h"
 #include "coordinator/service/worker_trust.h"
 #include "coordinator/state/coordinator_state.h"
@@ -79,9 +80,13 @@ class CoordinatorImpl {
   // `alive` tells whether the worker still waits for the answer: nothing is leased to one that does not.
   absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request, const std::function<bool()>& alive,
                                         const std::string& identity = "");
-  absl::Status ReadBlob(const v1::ReadBlobRequest& request, const std::function<bool(std::string_view)>& send);
+  // `stop` makes a call that stands still, here and below, end: `send` and `next` then give false.
+  absl::Status ReadBlob(
+      const v1::ReadBlobRequest& request, const std::function<bool(std::string_view)>& send,
+      const std::function<void()>& stop = [] {});
   // `next` gives the messages of the stream and false at its end.
-  absl::StatusOr<v1::WriteBlobResponse> WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next);
+  absl::StatusOr<v1::WriteBlobResponse> WriteBlob(
+      const std::function<bool(v1::WriteBlobRequest&)>& next, const std::function<void()>& stop = [] {});
 
   // Gives up overdue leases and silent workers, and lets go of what belongs to jobs that are over.
   void Tick();
@@ -134,6 +139,8 @@ class CoordinatorImpl {
   // All below with the lock held, unless said otherwise.
   absl::StatusOr<const Job*> JobNamed(const std::string& name) const;
   absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id, JobOrigin origin);
+  // Starts the job's thread; if there is none to be had, the job was never there.
+  absl::Status Begin(JobEntry& entry, const std::string& id);
   absl::Status CheckNewJob(const std::string& out_key) const;
   absl::StatusOr<v1::Job> Cancel(const std::string& name);
   JobRunner::Sink SinkOf(const std::string& id);
@@ -205,6 +212,7 @@ class CoordinatorImpl {
   void InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs, v1::SyncResponse& response);
   absl::StatusOr<std::shared_ptr<BlobFolder>> FindBlobs(const std::string& job);  // takes the lock
 
+  void StopIdleStreams(absl::Time now);  // with the lock held
   void TickLoop();
 
   const CoordinatorOptions options_;
@@ -230,6 +238,7 @@ class CoordinatorImpl {
   };
   std::map<std::string, Caller> callers_;  // workers
   WorkerTrust trust_;
+  LongCalls watches_{500}, streams_{250};  // threads at most
   std::thread ticker_;
 };
 

@@ -146,17 +146,19 @@ class WorkService : public v1::Work::Service {
   grpc::Status ReadBlob(ServerContext* context, const v1::ReadBlobRequest* request,
                         grpc::ServerWriter<v1::BlobChunk>* writer) override {
     return entrance_.Run(*context, "tilemend.v1.Work/ReadBlob", [&](const Caller&) {
-      return impl_.ReadBlob(*request, [writer](std::string_view bytes) {
+      const auto send = [writer](std::string_view bytes) {
         v1::BlobChunk chunk;
         chunk.set_data(bytes.data(), bytes.size());
         return writer->Write(chunk);
-      });
+      };
+      return impl_.ReadBlob(*request, send, [context] { context->TryCancel(); });
     });
   }
   grpc::Status WriteBlob(ServerContext* context, grpc::ServerReader<v1::WriteBlobRequest>* reader,
                          v1::WriteBlobResponse* response) override {
     return entrance_.Run(*context, "tilemend.v1.Work/WriteBlob", [&](const Caller&) {
-      return Take(impl_.WriteBlob([reader](v1::WriteBlobRequest& message) { return reader->Read(&message); }),
+      return Take(impl_.WriteBlob([reader](v1::WriteBlobRequest& message) { return reader->Read(&message); },
+                                  [context] { context->TryCancel(); }),
                   response);
     });
   }

@@ -402,43 +402,4 @@ void CoordinatorImpl::InlineInputs(const std::map<std::string, std::shared_ptr<B
   }
 }
 
-absl::StatusOr<std::shared_ptr<BlobFolder>> CoordinatorImpl::FindBlobs(const std::string& job) {
-  Lock lock(mutex_);
-  TILEMEND_ASSIGN_OR_RETURN(const Job* found, JobNamed(absl::StrCat("jobs/", job)));
-  if (!IsOver(found->state)) return entries_.at(job).blobs;
-  const std::string state(JobStateName(found->state));
-  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat("jobs/", job, ": the job is over (", state, ")")),
-                       {"JOB_OVER", {{"job", job}, {"state", state}}});
-}
-
-absl::Status CoordinatorImpl::ReadBlob(const v1::ReadBlobRequest& request,
-                                       const std::function<bool(std::string_view)>& send) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(request.job()));
-  return blobs->ReadChunks(request.digest(), [&](std::string_view chunk) {
-    metrics_.BlobSent(static_cast<int64_t>(chunk.size()));
-    return send(chunk);
-  });
-}
-
-absl::StatusOr<v1::WriteBlobResponse> CoordinatorImpl::WriteBlob(
-    const std::function<bool(v1::WriteBlobRequest&)>& next) {
-  v1::WriteBlobRequest message;
-  if (!next(message)) return absl::InvalidArgumentError("a blob needs a first message with its job and its digest");
-  const std::string digest = message.digest();
-  if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
-  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(message.job()));
-  TILEMEND_ASSIGN_OR_RETURN(const auto writer, blobs->NewWriter(OutputSync()));
-  do {
-    if (message.data().size() > kMaxChunkBytes) {
-      return absl::InvalidArgumentError(absl::StrCat("a chunk may have ", kMaxChunkBytes, " bytes at most"));
-    }
-    metrics_.BlobReceived(static_cast<int64_t>(message.data().size()));
-    TILEMEND_RETURN_IF_ERROR(writer->Append(message.data()));
-  } while (next(message));
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, writer->Commit(digest));
-  v1::WriteBlobResponse response;
-  response.set_size(size);
-  return response;
-}
-
 }  // namespace tilemend

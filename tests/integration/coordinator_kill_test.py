@@ -62,6 +62,11 @@ def await_(what, condition):
     raise Failure(f'waited in vain for {what}')
 
 
+def metrics_port(log):
+    found = re.search(r'"metrics served".*"address":"[^"]*:(\d+)"', log)
+    return int(found.group(1)) if found else 0
+
+
 class Bench:
     """A work folder, its coordinators and workers."""
 
@@ -106,8 +111,7 @@ class Bench:
             self.workers.append(subprocess.Popen(
                 [self.program('tilemend-worker'), '--coordinator', self.address, '--threads', str(threads),
                  '--metrics', '127.0.0.1:0'], stderr=open(path, 'w')))
-            said = await_('a worker', lambda path=path: re.search(r'127\.0\.0\.1:(\d+)/metrics', open(path).read()))
-            self.worker_ports.append(int(said.group(1)))
+            self.worker_ports.append(await_('a worker', lambda path=path: metrics_port(open(path).read())))
 
     def tasks_run(self):
         total = 0

@@ -20,7 +20,7 @@ import tempfile
 import time
 import urllib.request
 
-from coordinator_kill_test import LIMIT, Bench, Failure, await_, check_output, require
+from coordinator_kill_test import LIMIT, Bench, Failure, await_, check_output, metrics_port, require
 
 WAYS = {'to the coordinator': ['INPUT'], 'to the worker': ['OUTPUT'], 'both ways': ['INPUT', 'OUTPUT']}
 
@@ -148,7 +148,7 @@ def start_coordinator(bench):
         [bench.program('tilemend-coordinator'), '--work', bench.work, '--listen', f'0.0.0.0:{bench.port}', '--lease', '5',
          '--metrics', '127.0.0.1:0'], stderr=bench.log)
     require(bench.await_serving(), bench.said())
-    return int(re.search(r'127\.0\.0\.1:(\d+)/metrics', bench.said()).group(1))
+    return metrics_port(bench.said())
 
 
 def run_all(bench, arguments, islands):

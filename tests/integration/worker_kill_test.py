@@ -14,14 +14,13 @@ anything was not so.
 import argparse
 import os
 import random
-import re
 import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-from coordinator_kill_test import LIMIT, Bench, Failure, await_, require
+from coordinator_kill_test import LIMIT, Bench, Failure, await_, metrics_port, require
 from partition_test import Jobs, metric
 
 LEASE = 3  # seconds
@@ -61,8 +60,8 @@ class Crowd:
             self.stopped.remove(entry)
             entry[1].send_signal(signal.SIGCONT)
             self.running.insert(0, entry[1])
-        while len(self.running) > WORKERS:  # one too many leaves in good order
-            self.end(self.running.pop())
+        while len(self.running) > WORKERS:  # an older one leaves in good order
+            self.end(self.running.pop(1))
 
     def end(self, worker):
         worker.send_signal(signal.SIGTERM)
@@ -80,7 +79,7 @@ def start_coordinator(bench):
         [bench.program('tilemend-coordinator'), '--work', bench.work, '--listen', bench.address, '--lease', str(LEASE),
          '--metrics', '127.0.0.1:0'], stderr=bench.log)
     require(bench.await_serving(), bench.said())
-    return int(re.search(r'127\.0\.0\.1:(\d+)/metrics', bench.said()).group(1))
+    return metrics_port(bench.said())
 
 
 def await_job(jobs, crowd, meanwhile=lambda: None):

@@ -95,28 +95,6 @@ TEST_F(WorkImplTest, ReleasesADrainingWorker) {
   EXPECT_EQ(AwaitTask("other").attempt(), 2);
 }
 
-TEST_F(WorkImplTest, RefusesBadBlobs) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const auto write = [&](const std::string& name, const std::string& digest, std::vector<std::string> chunks) {
-    size_t next = 0;
-    return impl_.WriteBlob([&](v1::WriteBlobRequest& message) {
-      if (next >= chunks.size()) return false;
-      message.set_job(name);
-      message.set_digest(digest);
-      message.set_data(chunks[next++]);
-      return true;
-    });
-  };
-  const std::string id = job->name().substr(5);
-  EXPECT_EQ(write(id, Sha256Hex("ab"), {"a", "b"})->size(), 2);
-  EXPECT_EQ(ErrorReason(write(id, Sha256Hex("ab"), {"a"}).status()), "BLOB_CORRUPT");
-  EXPECT_TRUE(absl::IsInvalidArgument(write(id, "../x", {"a"}).status()));
-  EXPECT_EQ(ErrorReason(write("none", Sha256Hex("a"), {"a"}).status()), "JOB_NOT_FOUND");
-  const std::string big(kMaxChunkBytes + 1, 'x');
-  EXPECT_TRUE(absl::IsInvalidArgument(write(id, Sha256Hex(big), {big}).status()));
-  EXPECT_FALSE(write(id, Sha256Hex("a"), {}).ok());
-}
-
 void Finish(const v1::Task& task, v1::SyncRequest& request) {
   auto* finished = request.add_finished();
   *finished->mutable_ref() = task.ref();

@@ -1,0 +1,69 @@
+// Blobs over CoordinatorImpl.
+#include "absl/strings/str_cat.h"
+#include "common/rpc/limits.h"
+#include "common/store/digest.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "coordinator/service/coordinator_impl.h"
+
+namespace tilemend {
+namespace {
+
+// A stream that has moved nothing for so long holds a thread for nothing.
+constexpr absl::Duration kIdleStream = absl::Seconds(60);
+
+}  // namespace
+
+absl::StatusOr<std::shared_ptr<BlobFolder>> CoordinatorImpl::FindBlobs(const std::string& job) {
+  Lock lock(mutex_);
+  TILEMEND_ASSIGN_OR_RETURN(const Job* found, JobNamed(absl::StrCat("jobs/", job)));
+  if (!IsOver(found->state)) return entries_.at(job).blobs;
+  const std::string state(JobStateName(found->state));
+  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat("jobs/", job, ": the job is over (", state, ")")),
+                       {"JOB_OVER", {{"job", job}, {"state", state}}});
+}
+
+absl::Status CoordinatorImpl::ReadBlob(const v1::ReadBlobRequest& request,
+                                       const std::function<bool(std::string_view)>& send,
+                                       const std::function<void()>& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto call, streams_.Enter(request.job(), options_.clock(), stop));
+  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(request.job()));
+  return blobs->ReadChunks(request.digest(), [&](std::string_view chunk) {
+    metrics_.BlobSent(static_cast<int64_t>(chunk.size()));
+    call->Touch(options_.clock());
+    return send(chunk);
+  });
+}
+
+absl::StatusOr<v1::WriteBlobResponse> CoordinatorImpl::WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next,
+                                                                 const std::function<void()>& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto call, streams_.Enter("", options_.clock(), stop));
+  v1::WriteBlobRequest message;
+  if (!next(message)) return absl::InvalidArgumentError("a blob needs a first message with its job and its digest");
+  const std::string digest = message.digest();
+  if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
+  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(message.job()));
+  call->Name(message.job());
+  TILEMEND_ASSIGN_OR_RETURN(const auto writer, blobs->NewWriter(OutputSync()));
+  do {
+    if (message.data().size() > kMaxChunkBytes) {
+      return absl::InvalidArgumentError(absl::StrCat("a chunk may have ", kMaxChunkBytes, " bytes at most"));
+    }
+    metrics_.BlobReceived(static_cast<int64_t>(message.data().size()));
+    TILEMEND_RETURN_IF_ERROR(writer->Append(message.data()));
+    call->Touch(options_.clock());
+  } while (next(message));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, writer->Commit(digest));
+  v1::WriteBlobResponse response;
+  response.set_size(size);
+  return response;
+}
+
+void CoordinatorImpl::StopIdleStreams(absl::Time now) {
+  streams_.Stop(now - kIdleStream, [this](const std::string& id) {
+    const Job* job = id.empty() ? nullptr : state_.FindJob(id);
+    return job != nullptr && IsOver(job->state);
+  });
+}
+
+}  // namespace tilemend

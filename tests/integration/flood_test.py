@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Floods a coordinator with connections, watches, streams and submissions, and looks whether it still serves.
+
+    flood_test.py BIN [--connections 5000] [--watches 300]
+
+BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. With a descriptor limit of 64: 500 idle
+connections; with one of 1,024: `connections` at once. After each the coordinator must serve again within 5 s, also while
+they stay open and say nothing. Then `watches` of one job, whose threads are counted, and ten times more submissions than
+capacity, while `get` is timed. Prints its figures. Exit code 1 if anything was not so.
+"""
+import argparse
+import os
+import resource
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+from coordinator_kill_test import Bench, Failure, await_, require
+
+MOST_SECONDS = 5
+MAX_JOBS = 8
+
+
+def start(bench, descriptors):
+    bench.log = open(os.path.join(bench.folder, 'coordinator.log'), 'w+')
+    bench.coordinator = subprocess.Popen(
+        [bench.program('tilemend-coordinator'), '--work', bench.work, '--listen', bench.address, '--max-jobs',
+         str(MAX_JOBS)], stderr=bench.log,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors, descriptors)))
+    require(bench.await_serving(), bench.said())
+
+
+def served_after(bench):
+    """Seconds until a client is answered."""
+    begin = time.time()
+    await_('the coordinator to serve', lambda: bench.client('list').returncode == 0)
+    return time.time() - begin
+
+
+def open_idle(port, count):
+    idle = []
+    for _ in range(count):
+        connection = socket.socket()
+        connection.setblocking(False)
+        connection.connect_ex(('127.0.0.1', port))
+        idle.append(connection)
+    return idle
+
+
+def flood(bench, descriptors, count):
+    start(bench, descriptors)
+    idle = open_idle(bench.port, count)
+    time.sleep(0.5)  # they are there
+    while_open = served_after(bench)
+    for connection in idle:
+        connection.close()
+    closed = served_after(bench)
+    require(closed <= MOST_SECONDS and while_open <= MOST_SECONDS + 1,
+            f'{count} connections: served after {while_open:.1f} s while they were open, {closed:.1f} s after they closed')
+    bench.kill()
+    return while_open, closed
+
+
+def status_of(bench, key):
+    with open(f'/proc/{bench.coordinator.pid}/status') as status:
+        return int(next(line for line in status if line.startswith(key)).split()[1])
+
+
+def watch_often(bench, scene, count):
+    start(bench, 4096)
+    made = bench.client('submit', scene, '--out', os.path.join(bench.folder, 'watched'))
+    require(made.returncode == 0, made.stderr)
+    name = next(word for word in made.stdout.replace('\n', ' ').split() if word.startswith('jobs/'))
+    before = status_of(bench, 'Threads:')
+    watches = [subprocess.Popen([bench.program('tilemend'), 'watch', name, '--coordinator', bench.address],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(count)]
+    time.sleep(3)
+    threads, memory = status_of(bench, 'Threads:') - before, status_of(bench, 'VmRSS:') // 1024
+    took = served_after(bench)
+    for watch in watches:
+        watch.send_signal(signal.SIGKILL)
+        watch.wait()
+    require(took <= MOST_SECONDS, f'{count} watches: served after {took:.1f} s')
+    bench.client('cancel', name)
+    return threads, memory
+
+
+def submit_often(bench, scene):
+    """Ten times more than capacity, while `get` is timed."""
+    processes = [subprocess.Popen([bench.program('tilemend'), 'submit', scene, '--out',
+                                   os.path.join(bench.folder, f'many{number}'), '--coordinator', bench.address],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                 for number in range(10 * MAX_JOBS)]
+    times = []
+    for _ in range(40):
+        begin = time.time()
+        require(bench.client('list').returncode == 0, 'list failed')
+        times.append(time.time() - begin)
+    codes, hints = [], 0
+    for process in processes:
+        _, error = process.communicate()
+        codes.append(process.returncode)
+        hints += 'try again in' in error
+    taken, shed = codes.count(0), codes.count(5)
+    require(taken == MAX_JOBS and taken + shed == len(codes) and hints == shed,
+            f'{taken} submissions taken, {shed} shed, {hints} with a hint, exit codes {sorted(set(codes))}')
+    times.sort()
+    return taken, shed, times[len(times) // 2], times[-1], status_of(bench, 'VmRSS:') // 1024
+
+
+def run_all(bench, arguments):
+    scene = os.path.join(bench.folder, 'scene')
+    subprocess.run([bench.program('tilemend-make-scene'), scene, '--cols', '2', '--rows', '2', '--cell', '100',
+                    '--spacing', '2'], check=True, stdout=subprocess.DEVNULL)
+    for descriptors, count in ((64, 500), (1024, arguments.connections)):
+        while_open, closed = flood(bench, descriptors, count)
+        print(f'{count} idle connections, descriptor limit {descriptors}: a client was answered after {while_open:.1f} s '
+              f'while they were open, {closed:.1f} s after they were closed')
+    threads, memory = watch_often(bench, scene, arguments.watches)
+    print(f'{arguments.watches} watches: {threads} threads more, {memory} MB in all')
+    taken, shed, median, most, memory = submit_often(bench, scene)
+    print(f'{taken + shed} submissions, capacity {MAX_JOBS}: {taken} taken, {shed} shed with a hint; `list`, a process each, '
+          f'in {median * 1000:.0f} ms (median), {most * 1000:.0f} ms (most); {memory} MB')
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('bin')
+    parser.add_argument('--connections', type=int, default=5000)
+    parser.add_argument('--watches', type=int, default=300)
+    arguments = parser.parse_args()
+    limit = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (limit[1], limit[1]))
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(arguments.bin, folder)
+        try:
+            run_all(bench, arguments)
+        except Failure as failure:
+            print(f'FAILED: {failure}')
+            sys.exit(1)
+        finally:
+            bench.close()
+
+
+if __name__ == '__main__':
+    main()
