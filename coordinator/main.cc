@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
 #include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/metrics/status_server.h"
@@ -21,6 +22,7 @@
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
+#include "common/util/roots.h"
 #include "common/util/settings.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
@@ -46,6 +48,7 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
       {"tokens", "FILE", "who may call by token: lines NAME ROLE[,ROLE] SHA256 [EXPIRES]", ""},
       {"audit", "FILE", "append who did what, as lines of JSON (default: in the log)", ""},
+      {"root", "DIR[:DIR]", "jobs may name files below these folders alone (default: anywhere)", ""},
       {"work", "DIR", "folder for jobs and intermediate files; needed", ""},
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
       {"longest-task", "HOURS", "an attempt that takes longer is given up, 0.01 to 1000", "6"},
@@ -90,6 +93,20 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
 int Fail(const absl::Status& status, int code) {
   std::fprintf(stderr, "tilemend-coordinator: %s\n", std::string(status.message()).c_str());
   return code;
+}
+
+// Jobs keep to the folders of --root, the program itself to these and its work folder.
+absl::Status KeepToRoots(const Flags& flags, CoordinatorOptions& options) {
+  std::vector<std::string> folders = absl::StrSplit(flags.Text("root"), ':', absl::SkipEmpty());
+  if (folders.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(options.roots, Roots::Open(folders));
+  std::error_code error;
+  options.work_folder = std::filesystem::absolute(options.work_folder, error).string();
+  std::filesystem::create_directories(options.work_folder, error);
+  folders.push_back(options.work_folder);
+  TILEMEND_ASSIGN_OR_RETURN(auto all, Roots::Open(folders));
+  KeepFilesTo(std::move(all));
+  return absl::OkStatus();
 }
 
 double SizeOf(const std::string& path) {
@@ -140,6 +157,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
     TILEMEND_ASSIGN_OR_RETURN(status, StatusServer::Start(flags.Text("metrics"), pages));
     log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), status->port())}});
   }
+  TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));
   TILEMEND_ASSIGN_OR_RETURN(const WorkLock lock, WorkLock::Take(options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(options.journal, OpenSqliteJournal(options.work_folder + "/journal.sqlite"));
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,

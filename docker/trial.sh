@@ -6,7 +6,7 @@
 #   docker/trial.sh scale WORKERS       more or fewer workers
 #   docker/trial.sh renew               new certificates; running programs take them within seconds
 #   docker/trial.sh logs [SERVICE]      what the programs say
-#   docker/trial.sh down                stops it; scenes, outputs and jobs stay
+#   docker/trial.sh down [-v]           stops it; scenes, outputs and jobs stay; -v: not what Prometheus has
 #
 # TRIAL (default: ./trial) gets data/ (scenes and outputs, /data for the programs), tls/ and work/.
 set -euo pipefail
@@ -49,6 +49,6 @@ case "${1:-}" in
   scale) "${compose[@]}" up -d --no-recreate --scale "worker=${2:?how many workers}" ${TRIAL_SERVICES:-} ;;
   renew) certificates ;;
   logs) shift; "${compose[@]}" logs --no-color "$@" ;;
-  down) "${compose[@]}" down ;;
+  down) shift; "${compose[@]}" down "$@" ;;
   *) sed -n '2,11p' "$0" | cut -c3-; exit 2 ;;
 esac

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
 #include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/metrics/status_server.h"
@@ -18,6 +19,7 @@
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
+#include "common/util/roots.h"
 #include "common/util/settings.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
@@ -36,6 +38,7 @@ std::vector<FlagSpec> WorkerFlags() {
       {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"},
       {"threads", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
       {"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
+      {"root", "DIR[:DIR]", "read and write files below these folders alone (default: anywhere)", ""},
       {"health", "HOST:PORT", "answer the standard gRPC health check there", ""},
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
       {"version", "", "show the release", ""},
@@ -73,8 +76,17 @@ int Fail(const absl::Status& status, int code) {
   return code;
 }
 
+absl::Status KeepToRoots(const Flags& flags) {
+  const std::vector<std::string> folders = absl::StrSplit(flags.Text("root"), ':', absl::SkipEmpty());
+  if (folders.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(auto roots, Roots::Open(folders));
+  KeepFilesTo(std::move(roots));
+  return absl::OkStatus();
+}
+
 absl::Status Work(const Flags& flags, WorkerOptions options) {
   SignalWatcher signals;  // before any other thread
+  TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags));
   PrometheusRegistry metrics;
   ProcessMetrics process(metrics, kProgram, Version());
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));

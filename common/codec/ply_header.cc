@@ -82,7 +82,7 @@ class HeaderReader {
   absl::Status Expected(size_t word, std::string_view what) const {
     const size_t offset = word < words_.size() ? words_[word].begin : line_end_;
     // Only the header is text: lines are counted and shown in it alone.
-    return LineError(name_, bytes_.substr(0, std::max(offset, line_end_ + 1)), offset, what);
+    return HeaderError(name_, bytes_.substr(0, std::max(offset, line_end_ + 1)), offset, what);
   }
   absl::Status Invalid(std::string_view problem) const {
     return absl::InvalidArgumentError(absl::StrCat(name_, ": ", std::string(problem)));

@@ -67,6 +67,16 @@ std::string FurtherColumns(std::string_view text, char newline, bool all_lines) 
 }
 
 std::string FoundAt(std::string_view text, size_t offset) {
+  constexpr std::string_view kOfNumbers = "+-.0123456789eE/";
+  if (offset >= text.size()) return "end of file";
+  if (text[offset] == '\n' || text[offset] == '\r') return "end of line";
+  size_t end = offset;
+  while (end < text.size() && !IsSpace(text[end]) && kOfNumbers.find(text[end]) != std::string_view::npos) ++end;
+  const bool number = (end >= text.size() || IsSpace(text[end])) && end - offset < kShownBytes;
+  return number ? QuotedAt(text, offset) : "something else";
+}
+
+std::string QuotedAt(std::string_view text, size_t offset) {
   if (offset >= text.size()) return "end of file";
   if (text[offset] == '\n' || text[offset] == '\r') return "end of line";
   std::string shown = "'";
@@ -86,6 +96,11 @@ std::string FoundAt(std::string_view text, size_t offset) {
 absl::Status LineError(const std::string& name, std::string_view text, size_t offset, std::string_view expected) {
   return LineProblem(name, text, offset,
                      absl::StrCat("expected ", std::string(expected), ", found ", FoundAt(text, offset)));
+}
+
+absl::Status HeaderError(const std::string& name, std::string_view text, size_t offset, std::string_view expected) {
+  return LineProblem(name, text, offset,
+                     absl::StrCat("expected ", std::string(expected), ", found ", QuotedAt(text, offset)));
 }
 
 absl::Status LineProblem(const std::string& name, std::string_view text, size_t offset, std::string_view problem) {

@@ -65,11 +65,16 @@ std::string_view LineEndingOf(std::string_view text);
 // 0, and there are at most 16: many new vertices may copy them.
 std::string FurtherColumns(std::string_view text, char newline, bool all_lines);
 
-// `text` from `offset` up to the next white space, made printable and cut for a message; "end of file" at the end.
+// What stands at `offset`, for a message: a number as it is, "end of line", "end of file" or "something else". A file
+// that is no mesh may be private: nothing else of it is shown.
 std::string FoundAt(std::string_view text, size_t offset);
+// The same for a text that is known to be a mesh's header: up to the next white space, made printable and cut.
+std::string QuotedAt(std::string_view text, size_t offset);
 
 // kInvalidArgument "NAME: line N: expected ..., found ...", the line being the one that holds `offset`.
 absl::Status LineError(const std::string& name, std::string_view text, size_t offset, std::string_view expected);
+// The same with what QuotedAt shows.
+absl::Status HeaderError(const std::string& name, std::string_view text, size_t offset, std::string_view expected);
 // The same with the text of `problem` after the line.
 absl::Status LineProblem(const std::string& name, std::string_view text, size_t offset, std::string_view problem);
 // kInvalidArgument "NAME: byte N: PROBLEM".

@@ -46,7 +46,7 @@ absl::Status TlsError(const std::string& path, const std::string& what) {
 
 absl::Status CheckFiles(const TlsFiles& files) {
   for (const std::string& path : {files.certificate, files.key, files.authority}) {
-    if (!path.empty()) TILEMEND_RETURN_IF_ERROR(ReadFile(path).status());
+    if (!path.empty()) TILEMEND_RETURN_IF_ERROR(ReadOwnFile(path).status());
   }
   const std::unique_ptr<SSL_CTX, void (*)(SSL_CTX*)> context(SSL_CTX_new(TLS_method()), SSL_CTX_free);
   if (!files.authority.empty() && SSL_CTX_load_verify_locations(context.get(), files.authority.c_str(), nullptr) != 1) {
@@ -110,7 +110,7 @@ absl::Status CheckServerSecurity(const Security& security, const std::string& ad
 
 absl::Status CheckChannelSecurity(const Security& security, const std::string& address) {
   TILEMEND_RETURN_IF_ERROR(CheckPlaintext(security, address));
-  if (!security.token_file.empty()) TILEMEND_RETURN_IF_ERROR(ReadFile(security.token_file).status());
+  if (!security.token_file.empty()) TILEMEND_RETURN_IF_ERROR(ReadOwnFile(security.token_file).status());
   return CheckFiles(security.tls);
 }
 

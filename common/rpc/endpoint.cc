@@ -56,7 +56,7 @@ class TokenSender : public grpc::experimental::Interceptor {
   void Intercept(grpc::experimental::InterceptorBatchMethods* methods) override {
     using Point = grpc::experimental::InterceptionHookPoints;
     if (methods->QueryInterceptionHookPoint(Point::PRE_SEND_INITIAL_METADATA)) {
-      if (const auto token = ReadFile(file_); token.ok()) {
+      if (const auto token = ReadOwnFile(file_); token.ok()) {
         header_ = absl::StrCat("Bearer ", absl::StripAsciiWhitespace(*token));
         methods->GetSendInitialMetadata()->insert({"authorization", header_});
       }

@@ -17,6 +17,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/failpoint.h"
+#include "common/util/roots.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -32,6 +33,9 @@ absl::Status ErrnoStatus(int error, std::string_view what, const std::string& pa
     case EPERM:
     case EROFS:
       return absl::PermissionDeniedError(text);
+    case EXDEV:
+      return absl::PermissionDeniedError(
+          absl::StrCat(path, ": not below a folder that may be used (--root), or led out of it by a link"));
     case ENAMETOOLONG:
     case ELOOP:
     case EISDIR:
@@ -75,6 +79,34 @@ class Descriptor {
   int fd_;
 };
 
+int OpenKept(const std::string& path, int flags, mode_t mode = 0) {
+  const Roots* const roots = FilesRoots();
+  return roots == nullptr ? ::open(path.c_str(), flags, mode) : roots->OpenFile(path, flags, mode);
+}
+
+int OpenToRead(const std::string& path) { return OpenKept(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); }
+
+// The folder that holds a path, opened, and the path's name in it. Where nothing is confined, the path as it is.
+struct Place {
+  explicit Place(const std::string& path)
+      : folder(FilesRoots() == nullptr
+                   ? -1
+                   : OpenKept(std::filesystem::path(path).parent_path(), O_PATH | O_DIRECTORY | O_CLOEXEC)),
+        error(errno),
+        name(FilesRoots() == nullptr ? path : std::filesystem::path(path).filename().string()) {}
+  bool ok() const { return FilesRoots() == nullptr || folder.get() >= 0; }
+  int at() const { return FilesRoots() == nullptr ? AT_FDCWD : folder.get(); }
+
+  const Descriptor folder;
+  const int error;
+  const std::string name;
+};
+
+int Remove(const Place& place) { return ::unlinkat(place.at(), place.name.c_str(), 0); }
+int Rename(const Place& from, const Place& to) {
+  return ::renameat(from.at(), from.name.c_str(), to.at(), to.name.c_str());
+}
+
 absl::Status WriteAll(int fd, std::string_view content, const std::string& path) {
   while (!content.empty()) {
     const ssize_t n = ::write(fd, content.data(), content.size());
@@ -87,10 +119,24 @@ absl::Status WriteAll(int fd, std::string_view content, const std::string& path)
   return absl::OkStatus();
 }
 
+absl::Status MakeFoldersBelow(const Roots& roots, const std::filesystem::path& folder) {
+  if (const Descriptor there(roots.OpenFile(folder, O_PATH | O_DIRECTORY | O_CLOEXEC)); there.get() >= 0) {
+    return absl::OkStatus();
+  }
+  if (errno != ENOENT || folder == folder.parent_path()) {
+    return WriteErrnoStatus(errno, "cannot create folder", folder.string());
+  }
+  TILEMEND_RETURN_IF_ERROR(MakeFoldersBelow(roots, folder.parent_path()));
+  const Place place(folder.string());
+  if (place.ok() && (::mkdirat(place.at(), place.name.c_str(), 0777) == 0 || errno == EEXIST)) return absl::OkStatus();
+  return WriteErrnoStatus(place.ok() ? errno : place.error, "cannot create folder", folder.string());
+}
+
 // Creates the folders that are to hold `path`.
 absl::Status MakeFoldersOf(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (folder.empty()) return absl::OkStatus();
+  if (const Roots* const roots = FilesRoots(); roots != nullptr) return MakeFoldersBelow(*roots, folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   return error ? WriteErrnoStatus(error.value(), "cannot create folder", folder.string()) : absl::OkStatus();
@@ -107,13 +153,13 @@ std::string TemporaryName(const std::string& path) {
 // Calls `write` with the new file `path` and syncs it (unless `sync` is kNo). Errors speak of `told`.
 template <class Write>
 absl::Status WriteNew(const std::string& path, const std::string& told, Sync sync, Write write) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  Descriptor file(OpenKept(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   if (file.get() < 0) return WriteErrnoStatus(errno, "cannot create", told);
   absl::Status status = write(file.get());
   if (status.ok() && sync == Sync::kYes && ::fsync(file.get()) != 0)
     status = WriteErrnoStatus(errno, "cannot sync", told);
   if (file.Close() != 0 && status.ok()) status = WriteErrnoStatus(errno, "cannot close", told);
-  if (!status.ok()) ::unlink(path.c_str());
+  if (!status.ok()) Remove(Place(path));
   return status;
 }
 
@@ -124,21 +170,27 @@ absl::Status WriteInPlace(const std::string& path, Sync sync, Write write) {
   const std::string temporary = TemporaryName(path);
   TILEMEND_RETURN_IF_ERROR(WriteNew(temporary, path, sync, write));
   FailPoint("file.written");
-  if (::rename(temporary.c_str(), path.c_str()) == 0) {
+  if (Rename(Place(temporary), Place(path)) == 0) {
     FailPoint("file.renamed");
     return absl::OkStatus();
   }
   const absl::Status status = WriteErrnoStatus(errno, "cannot rename into place", path);
-  ::unlink(temporary.c_str());
+  Remove(Place(temporary));
   return status;
 }
 
-// Makes `to` another name of the file `from`; false where that is not possible.
-bool LinkInPlace(const std::string& from, const std::string& to) {
+// Makes `to` another name of the open file `from`; false where that is not possible.
+bool LinkNew(int from, const std::string& to) {
+  const std::string source = absl::StrCat("/proc/self/fd/", from);
+  const Place place(to);
+  return place.ok() && ::linkat(AT_FDCWD, source.c_str(), place.at(), place.name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+bool LinkInPlace(int from, const std::string& to) {
   const std::string temporary = TemporaryName(to);
-  if (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, temporary.c_str(), AT_SYMLINK_FOLLOW) != 0) return false;
-  const bool renamed = ::rename(temporary.c_str(), to.c_str()) == 0;
-  ::unlink(temporary.c_str());  // is still there, too, if `to` was that file already: rename does nothing then
+  if (!LinkNew(from, temporary)) return false;
+  const bool renamed = Rename(Place(temporary), Place(to)) == 0;
+  Remove(Place(temporary));  // is still there, too, if `to` was that file already: rename does nothing then
   return renamed;
 }
 
@@ -194,6 +246,13 @@ absl::StatusOr<std::string> ReadRange(int file, int64_t offset, int64_t length, 
 
 absl::StatusOr<std::string> ReadFile(const std::string& path) {
   struct stat info {};
+  const Descriptor file(OpenToRead(path));
+  TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
+  return ReadRange(file.get(), 0, info.st_size, path);
+}
+
+absl::StatusOr<std::string> ReadOwnFile(const std::string& path) {
+  struct stat info {};
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
   return ReadRange(file.get(), 0, info.st_size, path);
@@ -201,7 +260,7 @@ absl::StatusOr<std::string> ReadFile(const std::string& path) {
 
 absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most) {
   struct stat info {};
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const Descriptor file(OpenToRead(path));
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
   FileEnds ends{info.st_size, "", ""};
   const int64_t length = std::min<int64_t>(most, info.st_size);
@@ -212,7 +271,7 @@ absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most) {
 
 absl::Status ReadInPieces(const std::string& path, int64_t most, const std::function<void(std::string_view)>& take) {
   struct stat info {};
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const Descriptor file(OpenToRead(path));
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
   for (int64_t at = 0; at < info.st_size; at += most) {
     TILEMEND_ASSIGN_OR_RETURN(const std::string piece,
@@ -232,10 +291,9 @@ absl::Status WriteNewFile(const std::string& path, std::string_view content) {
 
 absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::string& to, Carry how) {
   struct stat info {};
-  const Descriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const Descriptor source(OpenToRead(from));
   TILEMEND_RETURN_IF_ERROR(CheckSource(source.get(), from, info));
-  const bool linked =
-      how == Carry::kLink && ::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  const bool linked = how == Carry::kLink && LinkNew(source.get(), to);
   if (!linked) {
     TILEMEND_RETURN_IF_ERROR(
         WriteNew(to, to, Sync::kYes, [&](int file) { return CloneOrCopy(source.get(), file, from, to); }));
@@ -245,7 +303,10 @@ absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::strin
 
 absl::Status MoveFile(const std::string& from, const std::string& to) {
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));
-  if (::rename(from.c_str(), to.c_str()) != 0) {
+  const Place source(from), target(to);
+  if (!source.ok() || !target.ok())
+    return WriteErrnoStatus(source.ok() ? target.error : source.error, "cannot open", to);
+  if (Rename(source, target) != 0) {
     if (errno == EXDEV) {
       TILEMEND_RETURN_IF_ERROR(CarryFile(from, to, Carry::kCopy));
     } else if (errno == ENOENT) {
@@ -255,12 +316,12 @@ absl::Status MoveFile(const std::string& from, const std::string& to) {
     }
   }
   FailPoint("file.moved");
-  ::unlink(from.c_str());  // is still there if both were names of one file: rename does nothing then
+  Remove(source);  // is still there if both were names of one file: rename does nothing then
   return absl::OkStatus();
 }
 
 absl::Status SyncFolder(const std::string& path) {
-  const Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const Descriptor folder(OpenKept(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() < 0) return WriteErrnoStatus(errno, "cannot open", path);
   // Some file systems know no such thing.
   if (::fsync(folder.get()) == 0 || errno == EINVAL || errno == ENOTSUP) return absl::OkStatus();
@@ -269,14 +330,14 @@ absl::Status SyncFolder(const std::string& path) {
 
 absl::Status CarryFile(const std::string& from, const std::string& to, Carry how) {
   struct stat info {};
-  const Descriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const Descriptor source(OpenToRead(from));
   TILEMEND_RETURN_IF_ERROR(CheckSource(source.get(), from, info));
   std::error_code error;
   if (std::filesystem::weakly_canonical(from, error) == std::filesystem::weakly_canonical(to, error)) {
     return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
   }
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));
-  if (how == Carry::kLink && LinkInPlace(from, to)) return absl::OkStatus();
+  if (how == Carry::kLink && LinkInPlace(source.get(), to)) return absl::OkStatus();
   return WriteInPlace(to, Sync::kYes, [&](int file) { return CloneOrCopy(source.get(), file, from, to); });
 }
 

@@ -1,4 +1,5 @@
-// Files: whole reads, and writes that appear at once or not at all.
+// Files: whole reads, and writes that appear at once or not at all. In a process that keeps to some folders (roots.h)
+// all of them do, with kPermissionDenied for what is not below them.
 #ifndef TILEMEND_COMMON_UTIL_FILES_H_
 #define TILEMEND_COMMON_UTIL_FILES_H_
 
@@ -15,6 +16,9 @@ namespace tilemend {
 // The whole content of a regular file. kNotFound, kPermissionDenied, kInvalidArgument (a folder, a device), kInternal;
 // the message names the path.
 absl::StatusOr<std::string> ReadFile(const std::string& path);
+
+// The same for a file of the program's own (a certificate, a token), which may lie outside of its roots (roots.h).
+absl::StatusOr<std::string> ReadOwnFile(const std::string& path);
 
 // The size of a regular file and up to `most` bytes of its beginning and of its end. Errors as ReadFile.
 struct FileEnds {

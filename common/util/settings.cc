@@ -31,7 +31,7 @@ absl::Status Take(const FlagSpec& spec, const std::string& value, const std::str
 }
 
 absl::Status TakeFile(const std::vector<FlagSpec>& specs, const std::string& path, Settings& settings) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadOwnFile(path));
   int number = 0;
   for (const absl::string_view line : absl::StrSplit(text, '\n')) {
     ++number;

@@ -108,7 +108,7 @@ absl::StatusOr<Access> Access::Closed(const std::string& token_file) {
   access.closed_ = true;
   access.token_file_ = token_file;
   if (token_file.empty()) return access;
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(token_file));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadOwnFile(token_file));
   TILEMEND_ASSIGN_OR_RETURN(access.tokens_, ParseTokens(text, token_file));
   return access;
 }
@@ -117,7 +117,7 @@ absl::StatusOr<Access> Access::Closed(const std::string& token_file) {
 void Access::Reload(absl::Time now) {
   if (token_file_.empty() || now - read_ < kReadAgain) return;
   read_ = now;
-  const auto text = ReadFile(token_file_);
+  const auto text = ReadOwnFile(token_file_);
   if (!text.ok()) return;
   if (auto tokens = ParseTokens(*text, token_file_); tokens.ok()) tokens_ = *std::move(tokens);
 }

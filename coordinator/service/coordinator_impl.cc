@@ -154,9 +154,25 @@ absl::StatusOr<const Job*> CoordinatorImpl::JobNamed(const std::string& name) co
                        {"JOB_NOT_FOUND", {{"job", std::string(id)}}});
 }
 
+absl::Status CoordinatorImpl::CheckRoots(const JobSpec& spec) const {
+  if (options_.roots == nullptr) return absl::OkStatus();
+  const bool water_is_file = spec.water != "auto" && spec.water != "off";
+  for (const auto& [field, path] :
+       {std::pair("scene", spec.scene), std::pair("out", spec.out), std::pair("water", water_is_file ? spec.water : ""),
+        std::pair("area", spec.area)}) {
+    const absl::Status status = path.empty() ? absl::OkStatus() : options_.roots->Check(path);
+    if (!status.ok()) {
+      return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),
+                           {"OUTSIDE_ROOTS", {{"field", field}}});
+    }
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
   const JobSpec spec = SpecFromProto(request.spec());
   TILEMEND_RETURN_IF_ERROR(spec.Check());
+  TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
   const absl::Status scene = CheckScene(spec.scene);  // without the lock: a mount may hang
   return Answer([&]() -> absl::StatusOr<v1::Job> {
     const bool is_new = request.request_id().empty() || state_.FindRequest(request.request_id()) == nullptr;
@@ -331,6 +347,7 @@ absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& req
     if (IsOver(job->state)) {
       JobSpec spec = entries_.at(job->id).spec;
       spec.overwrite = spec.overwrite || request.overwrite();
+      TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
       return StartJob(std::move(spec), request.request_id(), std::move(origin));
     }
     return WithErrorInfo(

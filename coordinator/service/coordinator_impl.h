@@ -24,6 +24,7 @@
 #include "absl/time/time.h"
 #include "common/metrics/metrics.h"
 #include "common/util/log.h"
+#include "common/util/roots.h"
 #include "coordinator/journal/journal.h"
 #include "coordinator/service/blob_folder.h"
 #include "coordinator/service/cluster_events.h"
@@ -55,7 +56,8 @@ struct CoordinatorOptions {
   ResultCheck check_result = {};
   // Looks for overdue leases in the background; without it only Tick does (tests).
   bool background_ticks = true;
-  Log* log = Log::Null();  // outlives the coordinator
+  std::shared_ptr<const Roots> roots;  // that jobs may name files below; null: anywhere
+  Log* log = Log::Null();              // outlives the coordinator
 };
 
 // Thread-safe. Every call is short, except Sync and WatchJob, which wait for news as their messages say.
@@ -130,6 +132,8 @@ class CoordinatorImpl {
 
   CoordinatorImpl(CoordinatorOptions options, PipelineFactory factory, MetricsRegistry& metrics);
 
+  // OUTSIDE_ROOTS names the first field whose path is not below the roots. Without the lock: a mount may hang.
+  absl::Status CheckRoots(const JobSpec& spec) const;
   // Two spellings of one folder give one key.
   static std::string OutKey(const JobSpec& spec);
   std::string FolderOf(const std::string& job) const;

@@ -142,6 +142,15 @@ def check_alerts(cluster):
     print('a lost worker fires its alert, and no other')
 
 
+def check_engine(image):
+    if not shutil.which('docker') or not shutil.which('docker-compose'):
+        skip('there is no docker or no docker-compose')
+    if run('docker', 'info', check=False).returncode:
+        skip('no Docker engine runs')
+    if run('docker', 'image', 'inspect', image, check=False).returncode:
+        skip(f'there is no image {image}: docker build -f docker/Dockerfile -t {image} .')
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('bin')
@@ -150,12 +159,7 @@ def main():
     parser.add_argument('--answers')
     parser.add_argument('--spacing', default='0.5')
     options = parser.parse_args()
-    if not shutil.which('docker') or not shutil.which('docker-compose'):
-        skip('there is no docker or no docker-compose')
-    if run('docker', 'info', check=False).returncode:
-        skip('no Docker engine runs')
-    if run('docker', 'image', 'inspect', options.image, check=False).returncode:
-        skip(f'there is no image {options.image}: docker build -f docker/Dockerfile -t {options.image} .')
+    check_engine(options.image)
     layout = os.path.join(options.tools, '..', 'scenes', 'table3.json')
     shape = ['--layout', layout] if os.path.exists(layout) else ['--cols', '8', '--rows', '4', '--holes', 'lakes,small']
     with tempfile.TemporaryDirectory(prefix='tilemend-compose-') as folder:
@@ -185,7 +189,7 @@ def main():
             print(cluster.trial('logs', 'coordinator')[-4000:])
             raise
         finally:
-            cluster.trial('down')
+            cluster.trial('down', '-v')
     print('1 passed, 0 failed')
 
 

@@ -138,21 +138,21 @@ TEST(ObjTest, NamesTheLineOfAnError) {
   EXPECT_EQ(MessageOf(three + "f 1 0 2\n"), "a.obj: line 4: expected a vertex index in 1 to 3 or -3 to -1, found '0'");
   EXPECT_EQ(MessageOf(three + "f 1 -4 2\n"),
             "a.obj: line 4: expected a vertex index in 1 to 3 or -3 to -1, found '-4'");
-  EXPECT_EQ(MessageOf(three + "f 1 2 3x\n"), "a.obj: line 4: expected v, v/vt, v//vn or v/vt/vn, found '3x'");
-  EXPECT_EQ(MessageOf(three + "f 1 2 a\n"), "a.obj: line 4: expected a vertex index, found 'a'");
+  EXPECT_EQ(MessageOf(three + "f 1 2 3x\n"), "a.obj: line 4: expected v, v/vt, v//vn or v/vt/vn, found something else");
+  EXPECT_EQ(MessageOf(three + "f 1 2 a\n"), "a.obj: line 4: expected a vertex index, found something else");
   EXPECT_EQ(MessageOf("v 0 0\nv 1 0 0\n"), "a.obj: line 1: expected a coordinate, found end of line");
-  EXPECT_EQ(MessageOf("\nv 0 0 inf"), "a.obj: line 2: expected a coordinate of at most 1e9 m, found 'inf'");
+  EXPECT_EQ(MessageOf("\nv 0 0 inf"), "a.obj: line 2: expected a coordinate of at most 1e9 m, found something else");
   EXPECT_EQ(MessageOf("v 0 0 1e10"), "a.obj: line 1: expected a coordinate of at most 1e9 m, found '1e10'");
-  EXPECT_EQ(MessageOf("v 0 0 0x"), "a.obj: line 1: expected a coordinate, found '0x'");
-  EXPECT_EQ(MessageOf(three + "\x01\x02 3\n"), "a.obj: line 4: expected an OBJ statement, found '\\x01\\x02'");
+  EXPECT_EQ(MessageOf("v 0 0 0x"), "a.obj: line 1: expected a coordinate, found something else");
+  EXPECT_EQ(MessageOf(three + "\x01\x02 3\n"), "a.obj: line 4: expected an OBJ statement, found something else");
   EXPECT_THAT(MessageOf(three + "usemtl " + std::string(2 << 20, 'm')), HasSubstr("line 4: the line is longer than"));
 }
 
 TEST(ObjTest, RefusesOtherContent) {
   EXPECT_EQ(MessageOf(""), "a.obj: the file has no vertices");
   EXPECT_EQ(MessageOf("v 0 0 0\n"), "a.obj: the file has no faces");
-  EXPECT_EQ(MessageOf("ply\nformat ascii 1.0\n"), "a.obj: line 1: expected an OBJ statement, found 'ply'");
-  EXPECT_EQ(MessageOf("OFF\n3 1 0\n"), "a.obj: line 1: expected an OBJ statement, found 'OFF'");
+  EXPECT_EQ(MessageOf("ply\nformat ascii 1.0\n"), "a.obj: line 1: expected an OBJ statement, found something else");
+  EXPECT_EQ(MessageOf("OFF\n3 1 0\n"), "a.obj: line 1: expected an OBJ statement, found something else");
 }
 
 }  // namespace

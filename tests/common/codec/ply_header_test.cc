@@ -101,7 +101,7 @@ TEST_P(BadPlyHeaderTest, RefusesWithReason) {
 INSTANTIATE_TEST_SUITE_P(
     Bad, BadPlyHeaderTest,
     ::testing::Values(
-        BadHeader{"ply\n", "plx\n", "line 1: expected 'ply', found 'plx'"},
+        BadHeader{"ply\n", "plx\n", "line 1: expected 'ply', found something else"},
         BadHeader{"format ascii 1.0\n", "", "expected a format line"},
         BadHeader{"ascii", "text", "line 2: expected ascii, binary_little_endian or binary_big_endian, found 'text'"},
         BadHeader{"1.0", "2.0", "line 2: expected version 1.0, found '2.0'"},

@@ -80,17 +80,29 @@ TEST(FurtherColumnsTest, HoldNumbersAloneAndNotTooMany) {
   EXPECT_EQ(FurtherColumns(many, '\n', false).size(), 32u);
 }
 
-TEST(FoundAtTest, ShowsAWordInPrint) {
-  EXPECT_EQ(FoundAt("a bc d", 2), "'bc'");
+TEST(QuotedAtTest, ShowsAWordInPrint) {
+  EXPECT_EQ(QuotedAt("a bc d", 2), "'bc'");
+  EXPECT_EQ(QuotedAt("a\n", 1), "end of line");
+  EXPECT_EQ(QuotedAt("a", 1), "end of file");
+  EXPECT_EQ(QuotedAt("\xff\x01", 0), "'\\xff\\x01'");
+  EXPECT_EQ(QuotedAt(std::string(41, 'x'), 0), "'" + std::string(40, 'x') + "...'");
+  EXPECT_EQ(QuotedAt(std::string(40, 'x'), 0), "'" + std::string(40, 'x') + "'");
+}
+
+TEST(FoundAtTest, ShowsNumbersAlone) {
+  EXPECT_EQ(FoundAt("a -1.5e3 d", 2), "'-1.5e3'");
+  EXPECT_EQ(FoundAt("f 1/2", 2), "'1/2'");
+  for (const char* secret : {"password", "root:x:0:0", "7f3a9", "12:34", "1 2"}) {
+    EXPECT_EQ(FoundAt(secret, 0), secret[1] == ' ' ? "'1'" : "something else") << secret;
+  }
+  EXPECT_EQ(FoundAt(std::string(40, '1'), 0), "something else");
   EXPECT_EQ(FoundAt("a\n", 1), "end of line");
   EXPECT_EQ(FoundAt("a", 1), "end of file");
-  EXPECT_EQ(FoundAt("\xff\x01", 0), "'\\xff\\x01'");
-  EXPECT_EQ(FoundAt(std::string(41, 'x'), 0), "'" + std::string(40, 'x') + "...'");
-  EXPECT_EQ(FoundAt(std::string(40, 'x'), 0), "'" + std::string(40, 'x') + "'");
 }
 
 TEST(LineErrorTest, NamesTheLine) {
-  EXPECT_EQ(LineError("a.obj", "v 1\nv x\n", 6, "a number").message(), "a.obj: line 2: expected a number, found 'x'");
+  EXPECT_EQ(LineError("a.obj", "v 1\nv x\n", 6, "a number").message(),
+            "a.obj: line 2: expected a number, found something else");
   EXPECT_EQ(LineProblem("a.obj", "v\rw\rx", 4, "bad").message(), "a.obj: line 3: bad");
   EXPECT_EQ(LineProblem("a.obj", "v\n", 99, "bad").message(), "a.obj: line 2: bad");
   EXPECT_EQ(ByteProblem("a.ply", 7, "bad").message(), "a.ply: byte 7: bad");

@@ -84,7 +84,7 @@ TEST(AccessTest, SeesThatItsFileChangedAndThatTokensExpire) {
   auto access = Access::Closed(folder / "t");
   ASSERT_TRUE(access.ok());
   EXPECT_TRUE(access->Admit(kGet, {"", {}, "x"}, kNow).ok());
-  EXPECT_FALSE(access->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(1'893'456'000)).ok());
+  EXPECT_FALSE(Access::Closed(folder / "t")->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(1'893'456'000)).ok());
   ASSERT_TRUE(WriteFileAtomically(folder / "t", "half a li").ok());
   EXPECT_TRUE(access->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(1'893'455'990)).ok());  // as it was
   ASSERT_TRUE(WriteFileAtomically(folder / "t", "").ok());

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
 #include "tests/coordinator/service/coordinator_impl_fixture.h"
@@ -113,6 +115,35 @@ TEST(CoordinatorOptionsTest, RefusesALeaseShorterThanTwoCalls) {
   options.lease = absl::Seconds(2);
   EXPECT_TRUE(absl::IsInvalidArgument(
       CoordinatorImpl::Create(options, ToyPipelineFactory(), *MetricsRegistry::Null()).status()));
+}
+
+TEST_F(CoordinatorImplTest, RefusesPathsThatAreNotBelowItsRoots) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "data");
+  std::filesystem::create_directory_symlink("/etc", folder / "data/link");
+  CoordinatorOptions options;
+  options.work_folder = folder / "work";
+  options.background_ticks = false;
+  auto roots = Roots::Open({folder / "data"});
+  ASSERT_TRUE(roots.ok()) << roots.status();
+  options.roots = *roots;
+  const auto impl = CoordinatorImpl::Create(std::move(options), ToyPipelineFactory(), *MetricsRegistry::Null());
+  ASSERT_TRUE(impl.ok()) << impl.status();
+  const std::string inside = folder / "data/x";
+  for (const auto& [field, path] :
+       {std::pair("scene", folder / "other"), std::pair("scene", inside + "/../../other"),
+        std::pair("out", folder / "data/link/out"), std::pair("out", std::string("/tmp/o")),
+        std::pair("water", std::string("/etc/passwd")), std::pair("area", folder / "data/link/passwd")}) {
+    v1::CreateJobRequest request;
+    request.mutable_spec()->set_scene(std::string(field) == "scene" ? path : inside);
+    request.mutable_spec()->set_out(std::string(field) == "out" ? path : inside);
+    if (std::string(field) == "water") request.mutable_spec()->set_water(path);
+    if (std::string(field) == "area") request.mutable_spec()->set_area(path);
+    const auto info = GetErrorInfo((*impl)->CreateJob(request).status());
+    ASSERT_TRUE(info.has_value()) << field << " " << path;
+    EXPECT_EQ(info->reason, "OUTSIDE_ROOTS") << path;
+    EXPECT_EQ(info->metadata.at("field"), field) << path;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+// Folders that a process keeps to: files below them are opened relative to them, and no link leads out.
+#ifndef TILEMEND_COMMON_UTIL_ROOTS_H_
+#define TILEMEND_COMMON_UTIL_ROOTS_H_
+
+#include <sys/types.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace tilemend {
+
+// Thread-safe. Needs Linux 5.6 (openat2).
+class Roots {
+ public:
+  // Absolute paths of folders. They are what the names lead to now, however the links in them change. kInvalidArgument
+  // for a path that is not absolute, kNotFound, kUnimplemented for an older kernel.
+  static absl::StatusOr<std::shared_ptr<const Roots>> Open(const std::vector<std::string>& folders);
+  ~Roots();
+  Roots(const Roots&) = delete;
+  Roots& operator=(const Roots&) = delete;
+
+  // As open(2). -1 with EXDEV for a path that is not below a root or that a link (an absolute one always) leads out of
+  // it.
+  int OpenFile(const std::string& path, int flags, mode_t mode = 0) const;
+
+  // For a path that need not be there yet. kPermissionDenied (OUTSIDE_ROOTS) if it is not below a root, or what is
+  // there of it leads out.
+  absl::Status Check(const std::string& path) const;
+
+ private:
+  Roots() = default;
+  std::map<std::string, int> folders_;  // descriptors by normal path, without a slash at the end
+};
+
+// From now on the functions of files.h keep to these: those of the jobs and those of the program itself. For the start
+// of main, once. Null: everywhere.
+void KeepFilesTo(std::shared_ptr<const Roots> roots);
+
+// What KeepFilesTo was told.
+const Roots* FilesRoots();
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_UTIL_ROOTS_H_
