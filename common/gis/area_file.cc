@@ -27,7 +27,8 @@ absl::StatusOr<ReadVectorsFunction> LoadModule() {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   std::string reason;
-  for (const std::filesystem::path& path : {folder / kModule, folder / "../bin" / kModule, folder / "../lib/tilemend" / kModule}) {
+  for (const std::filesystem::path& path :
+       {folder / kModule, folder / "../bin" / kModule, folder / "../lib/tilemend" / kModule}) {
     void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const function = module == nullptr ? nullptr : ::dlsym(module, "TilemendReadVectors");
     if (function != nullptr) return reinterpret_cast<ReadVectorsFunction>(function);
@@ -39,12 +40,28 @@ absl::StatusOr<ReadVectorsFunction> LoadModule() {
   return absl::InternalError(absl::StrCat("cannot load ", kModule, ", which reads GeoJSON and GeoPackage: ", reason));
 }
 
+// The name that the member `crs` of GeoJSON 2008 gives; "" if it gives none.
+std::string NameOfCrs(const nlohmann::json& crs) {
+  const auto properties = crs.is_object() ? crs.find("properties") : crs.end();
+  if (!crs.is_object() || properties == crs.end() || !properties->is_object()) return "";
+  if (const auto name = properties->find("name"); name != properties->end() && name->is_string()) return *name;
+  const auto code = properties->find("code");
+  return code != properties->end() && code->is_number_integer() ? absl::StrCat("EPSG:", code->get<int64_t>()) : "";
+}
+
 // What JSON tells that GDAL does not.
 absl::Status LookIntoJson(VectorRequest& request) {
   TILEMEND_ASSIGN_OR_RETURN(const nlohmann::json json, ParseJson(std::string(request.bytes), request.name));
   if (!json.is_object()) return absl::InvalidArgumentError(absl::StrCat(request.name, ": GeoJSON: expected an object"));
   const auto crs = json.find("crs");
   request.names_crs = crs != json.end() && !crs->is_null();
+  if (request.names_crs) {
+    request.crs_name = NameOfCrs(*crs);
+    if (request.crs_name.empty()) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          request.name, R"(: crs: expected {"type": "name", "properties": {"name": "EPSG:..."}}, or none)"));
+    }
+  }
   const auto features = json.find("features");
   if (features != json.end() && features->is_array()) request.features = static_cast<int64_t>(features->size());
   return absl::OkStatus();

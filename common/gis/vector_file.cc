@@ -65,6 +65,15 @@ GDALDatasetUniquePtr Open(MemoryFile& file, bool package) {
       GDALDataset::Open(file.path().c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers));
 }
 
+// GDAL takes GeoJSON with a CRS that it does not know for WGS 84 as well.
+void CheckCrsName(const std::string& name) {
+  OGRSpatialReference crs;
+  static const char* const offline[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
+  if (!name.empty() && crs.SetFromUserInput(name.c_str(), offline) != OGRERR_NONE) {
+    throw BadVectors{"it names a CRS that is not known: '" + name + "'"};
+  }
+}
+
 // The CRS that a layer names, or null. GDAL takes GeoJSON without one for WGS 84.
 const OGRSpatialReference* CrsOf(OGRLayer& layer, const VectorRequest& request) {
   const OGRSpatialReference* crs = layer.GetSpatialRef();
@@ -83,6 +92,7 @@ void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string&
 }
 
 void Read(const VectorRequest& request, VectorFile& file) {
+  CheckCrsName(request.crs_name);
   const bool package = request.bytes.starts_with(kSqlite) && request.bytes.size() > kJournalBytes + 2;
   MemoryFile memory(request.bytes, package ? ".gpkg" : ".geojson");
   const GDALDatasetUniquePtr data = Open(memory, package);

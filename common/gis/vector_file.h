@@ -37,6 +37,7 @@ struct VectorRequest {
   std::string_view bytes;  // of the file
   std::string name;        // of the file, for messages
   bool names_crs = true;   // false: GeoJSON without the member `crs`
+  std::string crs_name;    // of GeoJSON that names one: as it does
   int64_t features = -1;   // that the file must have; -1: not known
   bool unite = false;      // one polygon of all; lines are refused
   SceneFrame frame;

@@ -16,6 +16,8 @@ namespace {
 constexpr double kLeastShare = 0.01;  // of a square
 constexpr double kWhole = 0.9999;     // of a square: what is drawn along the grid is off it by rounding
 constexpr int64_t kMostSquares = 1000000;
+// Squares without a tile that an area may add: so many, and so many for each tile.
+constexpr int64_t kMostAdded = 10000, kMostAddedForTile = 20;
 constexpr int kLines = 16;  // that measure a share
 
 // The squares [from, to) that the polygon's bounds touch.
@@ -108,12 +110,13 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
   if (!squares.ok()) return squares.status();
   std::set<CellId> missing, known;
   for (const SceneTile& tile : scene.tiles) known.insert(tile.cell);
-  int64_t covered = 0, whole = 0, slivers = 0;
+  int64_t covered = 0, over_scene = 0, whole = 0, slivers = 0;
   for (int32_t row = squares->from.row; row < squares->to.row; ++row) {
     const std::vector<double> shares = SharesOfRow(area, scene.grid, *squares, row);
     for (size_t c = 0; c < shares.size(); ++c) {
       const CellId cell{squares->from.col + static_cast<int32_t>(c), row};
       covered += shares[c] > 0;
+      over_scene += shares[c] > 0 && known.contains(cell);
       whole += shares[c] >= kWhole;
       if (shares[c] <= 0 || known.contains(cell)) continue;
       if (shares[c] < kLeastShare) ++slivers;
@@ -121,6 +124,13 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
     }
   }
   if (covered == 0) return absl::InvalidArgumentError("the area covers nothing");
+  if (over_scene == 0) {
+    return absl::InvalidArgumentError("the area covers no cell of the scene; are its coordinates those of this scene?");
+  }
+  if (std::ssize(missing) > kMostAdded + kMostAddedForTile * std::ssize(known)) {
+    return absl::InvalidArgumentError(absl::StrCat("the area adds ", missing.size(), " cells without a tile to ",
+                                                   known.size(), "; draw it nearer around the tiles"));
+  }
   scene.area = {};
   CellId low{0, 0};
   for (const CellId cell : missing) {

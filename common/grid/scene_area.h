@@ -13,7 +13,8 @@ namespace tilemend {
 // numbering is shifted, with a warning, so that no index is negative.
 // An area that covers all cells whole is just these cells: Scene::area is empty then.
 //
-// kInvalidArgument if it covers no square of the grid, or more than 1,000,000. Cost O(squares * points).
+// kInvalidArgument if it covers none of the scene's cells, adds more than 10,000 and 20 for each of them, or spans more
+// than 1,000,000 squares. Cost O(squares * points).
 absl::Status CoverArea(PlanePolygon area, Scene& scene);
 
 }  // namespace tilemend

@@ -165,6 +165,7 @@ Json WaterAreaRows(const Plan& plan) {
   for (const WaterAnswer& answer : plan.water_answers) {
     Json row = {{"feature", answer.label}, {"water", answer.water}, {"taken", answer.taken}};
     if (!answer.reason.empty()) row["reason"] = answer.reason;
+    if (!answer.doubt.empty()) row["doubt"] = answer.doubt;
     if (answer.taken) row["holes"] = answer.holes;
     const int32_t body = answer.taken ? plan.holes[answer.holes.front()].water : -1;
     if (body >= 0) row["level_m"] = LevelJson(plan.water[body]);
@@ -349,6 +350,7 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> warnings;
   size_t not_taken = 0;
   for (const WaterAnswer& answer : plan.water_answers) {
+    if (!answer.doubt.empty()) warnings.push_back(absl::StrFormat("--water: %s: %s", answer.label, answer.doubt));
     if (answer.reason.empty() || ++not_taken > kMostAnswers) continue;
     warnings.push_back(absl::StrFormat("--water: %s is %s: %s", answer.label,
                                        answer.taken ? "taken for smaller holes only" : "not taken", answer.reason));

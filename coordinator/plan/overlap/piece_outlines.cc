@@ -67,9 +67,7 @@ class OutlineFinder {
   // Along the axis.
   std::vector<Face> FacesOf(int axis, bool upper) const {
     std::map<int32_t, double> length;
-    const auto place_of = [&](int32_t piece) {
-      return upper ? box_[piece].max()[axis] : box_[piece].min()[axis];
-    };
+    const auto place_of = [&](int32_t piece) { return upper ? box_[piece].max()[axis] : box_[piece].min()[axis]; };
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       const int32_t piece = record_.edges[e].piece;
       const double place = place_of(piece);

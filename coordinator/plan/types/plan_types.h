@@ -119,6 +119,7 @@ struct Seam {
 struct WaterBody {
   std::vector<int32_t> holes;  // into Plan::holes, ascending
   double level = 0;            // metres, on the lattice; of a river at its lower end
+  double shore_level = 0;      // that the shore has, whatever was given; not of a river
   WaterSurface river;          // no stations: level water
   std::vector<RemovedRise> removed_rises;
   double spread = 0;               // metres: of the rim's heights (RimLevel::spread)
@@ -134,6 +135,7 @@ struct WaterAnswer {
   bool taken = false;          // some hole is filled as it says
   std::vector<int32_t> holes;  // those, into Plan::holes
   std::string reason;          // not taken, or not for the hole of which it covers most: why
+  std::string doubt;           // not empty: taken, but likely wrong
 };
 
 struct LeftOpen {

@@ -212,6 +212,7 @@ bool FitLevel(const Plan& plan, const WaterOptions& options, const ShoreGround& 
   const std::vector<double> heights = HeightsOf(plan, candidate.shore);
   const RimLevel fit = FitRimLevel(heights, ground.noise);
   candidate.body.level = OnLattice(plan, HasGivenLevel(candidate) ? *candidate.area->level : fit.level);
+  candidate.body.shore_level = fit.level;
   candidate.body.spread = fit.spread;
   DescribeRim(heights, candidate.body);
   if (HasGivenLevel(candidate)) return true;

@@ -1,6 +1,8 @@
 #include "coordinator/plan/water/water_answers.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <utility>
@@ -11,6 +13,8 @@ namespace tilemend {
 namespace {
 
 constexpr double kDecides = 0.5;  // share of a body
+// Metres, and times the spread of its heights: a given level farther from the shore's own may be a mistake.
+constexpr double kLevelOff = 1, kSpreads = 3;
 
 // Holes that are one body if they are water: a cluster, or a closed hole.
 struct Body {
@@ -37,6 +41,12 @@ std::vector<Body> BodiesOf(const Plan& plan) {
 }
 
 std::string Number(double value) { return std::to_string(static_cast<int64_t>(std::llround(value))); }
+
+std::string Decimals(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f", value);
+  return text;
+}
 
 // Why a body that is under an area of water is not level water; "" if it is.
 std::string WhyNoWater(const Plan& plan, const Body& body) {
@@ -80,6 +90,7 @@ class Answers {
       }
       answer.taken = !answer.holes.empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
+      if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(answer);
       plan_.water_answers.push_back(std::move(answer));
     }
   }
@@ -89,6 +100,21 @@ class Answers {
     double area = 0;
     for (const int32_t h : body.holes) area += plan_.holes[h].area;
     return area;
+  }
+
+  std::string DoubtOfLevel(const WaterAnswer& answer) const {
+    std::string doubt;
+    double most = 0;
+    for (const int32_t h : answer.holes) {
+      if (plan_.holes[h].water < 0) continue;
+      const WaterBody& body = plan_.water[plan_.holes[h].water];
+      const double off = body.level - body.shore_level;
+      if (std::abs(off) <= std::max(kLevelOff + kSpreads * body.spread, most)) continue;
+      most = std::abs(off);
+      doubt = "its level_m puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") +
+              " its shore, which lies at " + Decimals(body.shore_level);
+    }
+    return doubt;
   }
 
   // Why area `a` does not decide on a body; "" if it does.

@@ -114,7 +114,11 @@ TEST(CoordinateReadingTest, ACrsNeedsOneOfTheScene) {
 }
 
 TEST(CoordinateReadingTest, ACrsThatIsNotKnownIsAnError) {
-  EXPECT_THAT(MessageOf(Read(SquareAt(691100, 5334300, 100), "EPSG:999999", Munich())), HasSubstr("f: "));
+  EXPECT_THAT(MessageOf(Read(SquareAt(691100, 5334300, 100), "EPSG:999999", Munich())),
+              HasSubstr("f: it names a CRS that is not known: 'EPSG:999999'"));
+  EXPECT_THAT(MessageOf(Read(kPondInDegrees, "EPGS:4326", Munich())), HasSubstr("'EPGS:4326'")) << "and not degrees";
+  EXPECT_THAT(MessageOf(ParseWaterFile(R"({"type":"Polygon","crs":{"type":"link"},"coordinates":[]})", "f", Munich())),
+              HasSubstr("f: crs: expected"));
 }
 
 TEST(CoordinateReadingTest, CoordinatesThatAreNoneOfTheirCrsAreAnError) {

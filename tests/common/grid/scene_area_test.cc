@@ -103,5 +103,21 @@ TEST(CoverAreaTest, AnAreaOfAnotherPlaceIsRefused) {
   }
 }
 
+TEST(CoverAreaTest, AnAreaBesideTheSceneIsRefused) {
+  Scene scene = TwoCells();
+  const absl::Status status = CoverArea(Box(310, 10, 490, 90), scene);
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("covers no cell of the scene"));
+  EXPECT_THAT(scene.tiles, SizeIs(2));
+}
+
+TEST(CoverAreaTest, AnAreaThatIsMuchLargerThanTheSceneIsRefused) {
+  Scene scene = TwoCells();
+  const absl::Status status = CoverArea(Box(0, 0, 50000, 50000), scene);
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("adds 249998 cells without a tile to 2"));
+  EXPECT_THAT(scene.tiles, SizeIs(2));
+}
+
 }  // namespace
 }  // namespace tilemend

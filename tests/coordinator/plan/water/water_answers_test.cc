@@ -103,5 +103,22 @@ TEST_F(WaterAnswersTest, TheLastAreaOverAHoleDecides) {
   EXPECT_TRUE(answers[1].taken);
 }
 
+TEST_F(WaterAnswersTest, DoubtsALevelFarFromTheShore) {
+  for (const auto& [level, word] : {std::pair(2.5, ""),
+                                    {12.0, "9.5 m above its shore, which lies at 2.5"},
+                                    {-3.0, "5.5 m below its shore"},
+                                    {3.0, ""}}) {
+    plan_ = {};
+    AddHole(HoleKind::kClosed, Box(0, 0, 10, 10)).water = 0;
+    plan_.water.emplace_back();
+    plan_.water[0].level = level;
+    plan_.water[0].shore_level = 2.5;
+    const auto& answers = Answer({{true, {{Box(-1, -1, 21, 11)}}, level, {}, "lake"}});
+    EXPECT_TRUE(answers[0].taken);
+    EXPECT_THAT(answers[0].doubt, HasSubstr(word));
+    EXPECT_EQ(answers[0].doubt.empty(), std::string(word).empty());
+  }
+}
+
 }  // namespace
 }  // namespace tilemend
