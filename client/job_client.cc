@@ -148,6 +148,25 @@ void JobClient::StopWatch() {
   if (watch_context_ != nullptr) watch_context_->TryCancel();
 }
 
+absl::StatusOr<std::string> FindJobName(JobClient& client, const std::string& argument) {
+  constexpr size_t kWholeId = 12;
+  const std::string name = JobName(argument);
+  if (name.size() >= JobName("").size() + kWholeId) return name;
+  std::vector<std::string> found;
+  v1::ListJobsRequest request;
+  do {
+    TILEMEND_ASSIGN_OR_RETURN(const v1::ListJobsResponse page, client.List(request));
+    for (const v1::Job& job : page.jobs()) {
+      if (job.name() == name) return name;
+      if (absl::StartsWith(job.name(), name)) found.push_back(job.name());
+    }
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  if (found.size() < 2) return found.empty() ? name : found.front();
+  return absl::InvalidArgumentError(absl::StrCat("'", argument, "': several jobs begin so: ", found[0], ", ", found[1],
+                                                 found.size() > 2 ? ", ..." : ""));
+}
+
 std::string JobName(const std::string& argument) {
   return absl::StartsWith(argument, "jobs/") ? argument : absl::StrCat("jobs/", argument);
 }

@@ -93,8 +93,10 @@ int SubmitCommand(const Args& args) {
 int RetryCommand(const Args& args) {
   auto session = OpenSession(args, args.Switch("wait"));
   if (!session.ok()) return PrintUsageError(session.status());
+  const auto name = FindJobName(*session->client, args.arguments().front());
+  if (!name.ok()) return PrintError(name.status());
   v1::RetryJobRequest request;
-  request.set_name(JobName(args.arguments().front()));
+  request.set_name(*name);
   request.set_request_id(RequestIdFromFlags(args));
   request.set_overwrite(args.Switch("overwrite"));
   return AfterStart(*session, args, session->client->Retry(request));
@@ -103,19 +105,24 @@ int RetryCommand(const Args& args) {
 int GetCommand(const Args& args) {
   auto session = OpenSession(args, false);
   if (!session.ok()) return PrintUsageError(session.status());
-  return PrintJob(session->client->Get(JobName(args.arguments().front())), session->format);
+  const auto name = FindJobName(*session->client, args.arguments().front());
+  if (!name.ok()) return PrintError(name.status());
+  return PrintJob(session->client->Get(*name), session->format);
 }
 
 int CancelCommand(const Args& args) {
   auto session = OpenSession(args, false);
   if (!session.ok()) return PrintUsageError(session.status());
-  return PrintJob(session->client->Cancel(JobName(args.arguments().front())), session->format);
+  const auto name = FindJobName(*session->client, args.arguments().front());
+  if (!name.ok()) return PrintError(name.status());
+  return PrintJob(session->client->Cancel(*name), session->format);
 }
 
 int WatchCommand(const Args& args) {
   auto session = OpenSession(args, true);
   if (!session.ok()) return PrintUsageError(session.status());
-  return WatchToEnd(*session, JobName(args.arguments().front()));
+  const auto name = FindJobName(*session->client, args.arguments().front());
+  return name.ok() ? WatchToEnd(*session, *name) : PrintError(name.status());
 }
 
 int WorkersCommand(const Args& args) {

@@ -9,7 +9,9 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "absl/strings/str_replace.h"
+#include "absl/time/clock.h"
 #include "absl/time/time.h"
 #include "client/json_access.h"
 #include "common/rpc/status_proto.h"
@@ -80,6 +82,29 @@ struct Column {
 // Bytes of a path need not be UTF-8.
 std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+// As the coordinator's metrics have it: of each cell, a survey and an assembly are to come at least.
+double ShareDone(const v1::Progress& p) {
+  if (p.cells() == 0) return 0;
+  const double expected = std::max(static_cast<double>(p.tasks()), 2.0 * static_cast<double>(p.cells()));
+  return std::min(1.0, static_cast<double>(p.tasks_done()) / expected);
+}
+
+std::string DurationText(absl::Duration duration) {
+  const int64_t seconds = std::max<int64_t>(0, absl::ToInt64Seconds(duration));
+  if (seconds < 60) return absl::StrCat(seconds, " s");
+  if (seconds < 3600) return absl::StrFormat("%d min %02d s", seconds / 60, seconds % 60);
+  return absl::StrFormat("%d h %02d min", seconds / 3600, seconds / 60 % 60);
+}
+
+// ", 2 min 05 s, 1 min 10 s left": since the job was made and, once there is something to guess it by, until its end.
+std::string TimesText(const v1::Job& job, double share) {
+  constexpr double kLeastShare = 0.05;
+  const absl::Duration elapsed = absl::Now() - absl::FromUnixSeconds(job.create_time().seconds());
+  std::string text = ", " + DurationText(elapsed);
+  if (share > kLeastShare) absl::StrAppend(&text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");
+  return text;
+}
+
 }  // namespace
 
 std::string MoreText(size_t count, const std::string& where) {
@@ -95,14 +120,15 @@ std::string Table(const std::vector<std::string>& headings, const std::vector<st
   std::vector<Column> columns;
   for (const std::string& heading : headings) columns.push_back({heading.size()});
   for (const auto& row : rows) {
-    for (size_t i = 0; i < row.size() && i < columns.size(); ++i) columns[i].Take(row[i]);
+    for (size_t i = 0; i < row.size() && i < columns.size(); ++i) columns[i].Take(Printable(row[i]));
   }
   std::string text;
   const auto add = [&](const std::vector<std::string>& row) {
     std::string line;
     for (size_t i = 0; i < row.size() && i < columns.size(); ++i) {
-      const std::string padding(columns[i].width - row[i].size(), ' ');
-      absl::StrAppend(&line, columns[i].right() ? padding : "", row[i], columns[i].right() ? "" : padding, "  ");
+      const std::string cell = Printable(row[i]);
+      const std::string padding(columns[i].width - cell.size(), ' ');
+      absl::StrAppend(&line, columns[i].right() ? padding : "", cell, columns[i].right() ? "" : padding, "  ");
     }
     absl::StrAppend(&text, std::string(absl::StripTrailingAsciiWhitespace(line)), "\n");
   };
@@ -126,6 +152,10 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
                                                 {"holes", Share(p.holes_filled(), p.holes())},
                                                 {"tasks", Share(p.tasks_done(), p.tasks())}};
   if (!job.waiting().empty()) rows.push_back({"waiting", job.waiting()});
+  const absl::Time created = absl::FromUnixSeconds(job.create_time().seconds());
+  const absl::Time end = job.has_end_time() ? absl::FromUnixSeconds(job.end_time().seconds()) : absl::Now();
+  rows.push_back({"elapsed", DurationText(end - created)});
+  if (!job.owner().empty()) rows.push_back({"owner", job.owner()});
   if (p.tasks_retried() > 0) rows.push_back({"retried", absl::StrCat(p.tasks_retried())});
   if (p.tasks_quarantined() > 0) rows.push_back({"quarantined", absl::StrCat(p.tasks_quarantined())});
   for (const std::string& warning : job.warnings()) rows.push_back({"warning", warning});
@@ -198,7 +228,8 @@ ProgressDisplay::~ProgressDisplay() {
 void ProgressDisplay::Show(const v1::Job& job) {
   const v1::Progress& p = job.progress();
   for (; warnings_ < job.warnings_size(); ++warnings_) {
-    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? "\r\033[K" : "", job.name().c_str(), job.warnings(warnings_).c_str());
+    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? "\r\033[K" : "", job.name().c_str(),
+                 Printable(job.warnings(warnings_)).c_str());
   }
   if (p.phase() == kResumePhase) return;  // it runs through what was shown before
   if (!is_terminal_) {
@@ -210,13 +241,14 @@ void ProgressDisplay::Show(const v1::Job& job) {
     waiting_ = job.waiting();
     return;
   }
-  constexpr int64_t kWidth = 30;
-  const int64_t whole = std::max<int64_t>(1, p.tasks());
-  const int64_t full = std::clamp<int64_t>(kWidth * p.tasks_done() / whole, 0, kWidth);
-  const std::string bar =
-      std::string(static_cast<size_t>(full), '#') + std::string(static_cast<size_t>(kWidth - full), '.');
-  std::fprintf(stderr, "\r\033[K[%s] %s, %s tasks, %s cells", bar.c_str(), p.phase().c_str(),
-               Share(p.tasks_done(), p.tasks()).c_str(), Share(p.cells_done(), p.cells()).c_str());
+  constexpr double kWidth = 30;
+  share_ = std::max(share_, ShareDone(p));
+  const auto full = static_cast<size_t>(kWidth * share_);
+  const std::string bar = std::string(full, '#') + std::string(static_cast<size_t>(kWidth) - full, '.');
+  std::fprintf(
+      stderr, "\r\033[K[%s] %s, %s tasks, %s cells%s", bar.c_str(), Printable(p.phase()).c_str(),
+      Share(p.tasks_done(), p.tasks()).c_str(), Share(p.cells_done(), p.cells()).c_str(),
+      job.waiting().empty() ? TimesText(job, share_).c_str() : (", waits: " + Printable(job.waiting())).c_str());
   std::fflush(stderr);
   has_bar_ = true;
 }

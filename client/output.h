@@ -52,6 +52,7 @@ class ProgressDisplay {
   const bool is_terminal_;
   bool has_bar_ = false;
   int warnings_ = 0;             // shown so far
+  double share_ = 0;             // of the bar, which never runs back
   std::string phase_, waiting_;  // as said last
 };
 

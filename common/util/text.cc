@@ -1,5 +1,6 @@
 #include "common/util/text.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -21,6 +22,15 @@ size_t CharacterLength(std::string_view text) {
   return overlong || beyond ? 0 : length;
 }
 
+// Whether a character of several bytes steers a terminal: C1 controls, and marks that turn the direction of writing.
+bool IsControl(std::string_view character) {
+  if (character.size() == 2) return character[0] == '\xC2' && static_cast<uint8_t>(character[1]) < 0xA0;
+  if (character.size() != 3 || character[0] != '\xE2') return false;
+  const auto second = static_cast<uint8_t>(character[1]), third = static_cast<uint8_t>(character[2]);
+  return (second == 0x80 && (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE))) ||
+         (second == 0x81 && third >= 0xA6 && third <= 0xA9);
+}
+
 }  // namespace
 
 bool IsUtf8(std::string_view text) {
@@ -39,11 +49,13 @@ std::string Printable(std::string_view text) {
   while (!text.empty()) {
     const auto first = static_cast<uint8_t>(text.front());
     size_t length = CharacterLength(text);
-    if (length == 0 || first < 0x20 || first == 0x7F) {
-      length = 1;
-      result += "\\x";
-      result += kDigits[first >> 4];
-      result += kDigits[first & 15];
+    if (length == 0 || first < 0x20 || first == 0x7F || IsControl(text.substr(0, length))) {
+      length = std::max<size_t>(length, 1);
+      for (const char c : text.substr(0, length)) {
+        result += "\\x";
+        result += kDigits[static_cast<uint8_t>(c) >> 4];
+        result += kDigits[static_cast<uint8_t>(c) & 15];
+      }
     } else {
       result += text.substr(0, length);
     }

@@ -10,7 +10,8 @@ namespace tilemend {
 // Whether `text` is well-formed UTF-8 (no surrogates, no overlong forms, at most U+10FFFF).
 bool IsUtf8(std::string_view text);
 
-// `text` as one line of UTF-8: control characters and bytes that are no UTF-8 become \xNN.
+// `text` as one line of UTF-8: control characters (C1 and marks of direction too) and bytes that are no
+// UTF-8 become \xNN.
 std::string Printable(std::string_view text);
 
 }  // namespace tilemend

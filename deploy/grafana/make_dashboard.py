@@ -44,11 +44,11 @@ ROWS = [
         ('Seconds of a task, 95 in 100', 's', [
             ('{{stage}}', f'histogram_quantile(0.95, sum by (stage, le) (rate({C}task_seconds_bucket[5m]))) >= 0')]),
         ('Seconds of a job, and until its first task', 's', [
-            ('job, median', f'histogram_quantile(0.5, sum by (le) (rate({C}job_seconds_bucket[1h]))) >= 0'),
-            ('queue, median', f'histogram_quantile(0.5, sum by (le) (rate({C}job_queue_seconds_bucket[1h]))) >= 0')]),
+            ('job, median', f'histogram_quantile(0.5, sum by (le) (rate({C}job_seconds_bucket[1h])))'),
+            ('queue, median', f'histogram_quantile(0.5, sum by (le) (rate({C}job_queue_seconds_bucket[1h])))')]),
         ('Seconds of a call, 95 in 100', 's', [
             ('{{rpc}}', f'histogram_quantile(0.95, sum by (rpc, le) '
-                        f'(rate({C}rpc_seconds_bucket{{rpc!="tilemend.v1.Jobs/WatchJob"}}}}[5m]))) >= 0')]),
+                        f'(rate({C}rpc_seconds_bucket{{rpc!="tilemend.v1.Jobs/WatchJob"}}[5m]))) >= 0')]),
     ]),
     ('The programs', [
         ('Memory used of what there may be', 'percentunit', [

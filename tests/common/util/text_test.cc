@@ -29,5 +29,15 @@ TEST(TextTest, PrintsOneLineOfUtf8) {
   EXPECT_TRUE(IsUtf8(Printable(all)));
 }
 
+TEST(PrintableTest, LeavesNothingThatSteersATerminal) {
+  EXPECT_EQ(Printable("\x1b[31m"), "\\x1b[31m");
+  EXPECT_EQ(Printable("a\xc2\x9b"
+                      "31m"),
+            "a\\xc2\\x9b31m");                                           // CSI
+  EXPECT_EQ(Printable("\xe2\x80\xaegpj"), "\\xe2\\x80\\xaegpj");         // right to left
+  EXPECT_EQ(Printable("\xe2\x81\xa6x"), "\\xe2\\x81\\xa6x");             // isolate
+  EXPECT_EQ(Printable("\xc2\xa0\xe2\x82\xac"), "\xc2\xa0\xe2\x82\xac");  // a space that does not break, a euro
+}
+
 }  // namespace
 }  // namespace tilemend
