@@ -1,0 +1,18 @@
+# `cpack -G DEB --config build/release/CPackConfig.cmake` makes one Debian package with the programs, the units, the
+# alerts, the dashboard and the documents.
+install(FILES deploy/systemd/tilemend-coordinator.service deploy/systemd/tilemend-worker.service
+  DESTINATION lib/systemd/system)
+install(DIRECTORY deploy/prometheus deploy/grafana docs DESTINATION share/doc/tilemend
+  PATTERN "*.py" EXCLUDE PATTERN "images" EXCLUDE)
+install(FILES README.md CHANGELOG.md DESTINATION share/doc/tilemend)
+
+set(CPACK_PACKAGE_NAME tilemend)
+set(CPACK_PACKAGE_CONTACT "tilemend <tilemend@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Fills the holes of very large triangle meshes that are stored as tiles")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_SOURCE_DIR}/cmake/debian/postinst")
+include(CPack)

@@ -1,0 +1,23 @@
+#!/usr/bin/env python3
+"""Fills a scene on a cluster and prints how it went: fill.py HOST:PORT SCENE OUT
+
+protoc -I proto --python_out=GEN --grpc_out=GEN --plugin=protoc-gen-grpc=$(which grpc_python_plugin) \
+  proto/tilemend/v1/*.proto, then PYTHONPATH=GEN. Debian: protobuf-compiler-grpc, python3-grpcio, python3-protobuf.
+"""
+import json
+import sys
+import uuid
+
+import grpc
+from tilemend.v1 import jobs_pb2, jobs_pb2_grpc
+
+address, scene, out = sys.argv[1:]
+jobs = jobs_pb2_grpc.JobsStub(grpc.insecure_channel(address))  # or grpc.secure_channel with ssl_channel_credentials
+spec = jobs_pb2.JobSpec(scene=scene, out=out)
+job = jobs.CreateJob(jobs_pb2.CreateJobRequest(spec=spec, request_id=str(uuid.uuid4())))
+for job in jobs.WatchJob(jobs_pb2.WatchJobRequest(name=job.name)):
+    print(f'{job.progress.phase}: {job.progress.tasks_done} of {job.progress.tasks} tasks', file=sys.stderr)
+if not job.report:
+    sys.exit(f'{job.name}: {jobs_pb2.JobState.Name(job.state)}: {job.error.message}')
+with open(job.report) as report:
+    print(json.dumps(json.load(report)['filled']))
