@@ -13,6 +13,9 @@
 namespace tilemend {
 namespace {
 
+// Then a page ends: one job more, with its longest paths, error and warnings, fits into a message.
+constexpr size_t kMostPageBytes = size_t{2} << 20;
+
 constexpr int32_t kDefaultPageSize = 50;
 constexpr int32_t kMaxPageSize = 1000;
 
@@ -62,10 +65,13 @@ absl::StatusOr<v1::ListJobsResponse> CoordinatorImpl::ListJobs(const v1::ListJob
     const auto& numbers = state_.job_numbers();
     v1::ListJobsResponse response;
     auto it = numbers.lower_bound(below);
-    while (it != numbers.begin() && response.jobs_size() < PageSize(request.page_size())) {
+    size_t bytes = 0;
+    while (it != numbers.begin() && response.jobs_size() < PageSize(request.page_size()) && bytes < kMostPageBytes) {
       --it;
       v1::Job job = Describe(*state_.FindJob(it->second));
-      if (states.empty() || states.contains(job.state())) *response.add_jobs() = std::move(job);
+      if (!states.empty() && !states.contains(job.state())) continue;
+      bytes += job.ByteSizeLong();
+      *response.add_jobs() = std::move(job);
     }
     if (it != numbers.begin()) response.set_next_page_token(absl::StrCat(it->first));
     return response;

@@ -19,6 +19,8 @@ namespace tilemend {
 namespace {
 
 constexpr int32_t kMaxThreads = 2048;
+constexpr size_t kMostNameBytes = 256;
+constexpr size_t kMostErrorBytes = 2048;
 
 // Small outputs that wait for a slow pipeline go to disk beyond this.
 constexpr size_t kMaxQueuedBytes = size_t{64} << 20;
@@ -29,6 +31,9 @@ absl::Status CheckSync(const v1::SyncRequest& request) {
         absl::FailedPreconditionError(absl::StrCat("worker ", request.worker(), " speaks protocol ", request.protocol(),
                                                    ", this coordinator ", kProtocolVersion, "; use the same release")),
         {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
+  }
+  if (request.worker().size() > kMostNameBytes || request.secret().size() > kMostNameBytes) {
+    return absl::InvalidArgumentError(absl::StrCat("a worker's id and secret have at most ", kMostNameBytes, " bytes"));
   }
   if (request.worker().empty() || request.threads() < 0 || request.threads() > kMaxThreads) {
     return absl::InvalidArgumentError(absl::StrCat("a worker needs an id and 0 to ", kMaxThreads, " threads"));
@@ -52,6 +57,15 @@ std::string DigestOf(const v1::BlobRef& blob) { return IsInline(blob) ? Sha256He
 
 bool IsMachineError(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsResourceExhausted(status);
+}
+
+// What a stranger says goes wrong is kept for as long as the job is.
+absl::Status Bounded(const absl::Status& error) {
+  const ErrorInfo info = GetErrorInfo(error).value_or(ErrorInfo());
+  size_t bytes = error.message().size() + info.reason.size();
+  for (const auto& [key, value] : info.metadata) bytes += key.size() + value.size();
+  if (bytes <= kMostErrorBytes) return error;
+  return absl::Status(error.code(), Printable(std::string(error.message().substr(0, kMostErrorBytes))));
 }
 
 bool IsAboutFiles(const absl::Status& status) { return absl::IsNotFound(status) || absl::IsPermissionDenied(status); }
@@ -174,7 +188,7 @@ CoordinatorImpl::Report CoordinatorImpl::PrepareReport(const std::string& worker
     if (lease) PrepareOutput(worker, *lease, finished.output(), report);
     return report;
   }
-  absl::Status error = StatusFromProto(finished.error());
+  absl::Status error = Bounded(StatusFromProto(finished.error()));
   if (error.ok()) error = absl::UnknownError("the worker reported neither an output nor an error");
   const bool machine = IsMachineError(error);
   report.event = TaskFailed{key, worker, token, machine, false, std::move(error), {}};

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
 #include "tests/coordinator/service/coordinator_impl_fixture.h"
 
@@ -75,6 +76,34 @@ TEST_F(ClusterViewTest, ListsJobsOfSomeStates) {
   ASSERT_TRUE(response.ok()) << response.status();
   ASSERT_EQ(response->jobs_size(), 1);
   EXPECT_EQ(response->jobs(0).name(), cancelled.name());
+}
+
+TEST_F(ClusterViewTest, EndsAPageBeforeItIsTooLongForAMessage) {
+  const std::string deep = "/" + std::string(4000, 'x');
+  for (int i = 0; i < 400; ++i) {
+    v1::CreateJobRequest request = NewRequest(absl::StrCat("o", i));
+    request.mutable_spec()->set_water(deep);
+    request.mutable_spec()->set_area(deep);
+    auto job = impl_.CreateJob(request);
+    while (absl::IsResourceExhausted(job.status())) job = impl_.CreateJob(request);  // until a cancelled one has ended
+    ASSERT_TRUE(job.ok()) << job.status();
+    v1::CancelJobRequest cancel;
+    cancel.set_name(job->name());
+    ASSERT_TRUE(impl_.CancelJob(cancel).ok());
+  }
+  v1::ListJobsRequest request;
+  request.set_page_size(1000);
+  int jobs = 0, pages = 0;
+  do {
+    const auto page = impl_.ListJobs(request);
+    ASSERT_TRUE(page.ok());
+    EXPECT_LT(page->ByteSizeLong(), static_cast<size_t>(kMaxMessageBytes));
+    jobs += page->jobs_size();
+    ++pages;
+    request.set_page_token(page->next_page_token());
+  } while (!request.page_token().empty());
+  EXPECT_EQ(jobs, 400);
+  EXPECT_EQ(pages, 2);
 }
 
 TEST_F(ClusterViewTest, RefusesPagesBelowZero) {

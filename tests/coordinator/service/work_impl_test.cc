@@ -161,5 +161,13 @@ TEST_F(WorkImplTest, AFileThatOneMachineDoesNotSeeIsTriedOnAnother) {
   EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_retried(), 1);
 }
 
+TEST_F(WorkImplTest, RefusesNamesWithoutEnd) {
+  v1::SyncRequest talker = NewSync(std::string(257, 'w'));
+  EXPECT_TRUE(absl::IsInvalidArgument(impl_.Sync(talker, [] { return true; }).status()));
+  talker = NewSync();
+  talker.set_secret(std::string(257, 's'));
+  EXPECT_TRUE(absl::IsInvalidArgument(impl_.Sync(talker, [] { return true; }).status()));
+}
+
 }  // namespace
 }  // namespace tilemend
