@@ -66,8 +66,8 @@ class LevelTest {
 
   bool Holds() const {
     const size_t n = shore_.size();
-    return body_.spread <= slack_ + 2 * noise_ && FallOfPlane() <= slack_ + Noise(kErrorOfFall, n) &&
-           MedianBank(0, n) >= body_.level - Noise(kErrorOfMedian, n) && StretchesAgree() &&
+    return body_.spread <= slack_ + 2 * noise_ && FallOfPlane() <= slack_ + Swell(kErrorOfFall) &&
+           MedianBank(0, n) >= body_.level - Swell(kErrorOfMedian) && StretchesAgree() &&
            (n >= kLongShore || MedianRise() > Noise(kErrorOfRise, n));
   }
 
@@ -75,6 +75,12 @@ class LevelTest {
   // What a figure of `count` heights, with `factor` times the error of their mean, may be off by noise alone.
   double Noise(double factor, size_t count) const {
     return std::min(tolerance_, kSure * factor * noise_ / std::sqrt(static_cast<double>(count)));
+  }
+
+  // What a figure of the whole rim may be off by: its heights scatter together along a stretch of shore.
+  double Swell(double factor) const {
+    const size_t count = std::min(shore_.size(), kMostStretches);
+    return std::min(tolerance_, kSure * factor * body_.spread / std::sqrt(static_cast<double>(count)));
   }
 
   // How far the plane through the heights near the level falls over the extent.

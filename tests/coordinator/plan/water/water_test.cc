@@ -82,6 +82,15 @@ TEST_P(WaterTest, ASlopingValleyIsNoWater) {
   }
 }
 
+// Where the surface swells by 8 cm along the shore, a fall of 12 cm may be chance.
+TEST_P(WaterTest, SwellAlongTheShoreIsNoFall) {
+  const auto swell = [](double d, double x, double y) {
+    const double wave = 0.08 * std::sin(2 * std::numbers::pi * 5 * Bearing(x, y));
+    return kWaterLevel + 0.0012 * (x - 61) + wave + 0.1 * std::fmax(d, 0);
+  };
+  EXPECT_THAT(PlanOf(HoleOverNineCells(GetParam(), swell)).water, SizeIs(1));
+}
+
 TEST_P(WaterTest, ALevelRimWhoseGroundFallsAwayIsNoWater) {
   const auto mesa = [](double d, double, double) { return kWaterLevel - 0.05 * std::fmax(d, 0); };
   EXPECT_THAT(PlanOf(HoleOverNineCells(GetParam(), mesa)).water, IsEmpty());
