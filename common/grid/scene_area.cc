@@ -103,6 +103,18 @@ absl::Status CheckNames(const Scene& scene) {
   return absl::OkStatus();
 }
 
+// Whether an area is of this scene: it covers cells of it, and does not add very many.
+absl::Status CheckReach(int64_t covered, int64_t added, int64_t cells) {
+  if (covered == 0) {
+    return absl::InvalidArgumentError("the area covers no cell of the scene; are its coordinates those of this scene?");
+  }
+  if (added > kMostAdded + kMostAddedForTile * cells) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("the area adds ", added, " cells without a tile to ", cells, "; draw it nearer around the tiles"));
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status CoverArea(PlanePolygon area, Scene& scene) {
@@ -110,12 +122,11 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
   if (!squares.ok()) return squares.status();
   std::set<CellId> missing, known;
   for (const SceneTile& tile : scene.tiles) known.insert(tile.cell);
-  int64_t covered = 0, over_scene = 0, whole = 0, slivers = 0;
+  int64_t over_scene = 0, whole = 0, slivers = 0;
   for (int32_t row = squares->from.row; row < squares->to.row; ++row) {
     const std::vector<double> shares = SharesOfRow(area, scene.grid, *squares, row);
     for (size_t c = 0; c < shares.size(); ++c) {
       const CellId cell{squares->from.col + static_cast<int32_t>(c), row};
-      covered += shares[c] > 0;
       over_scene += shares[c] > 0 && known.contains(cell);
       whole += shares[c] >= kWhole;
       if (shares[c] <= 0 || known.contains(cell)) continue;
@@ -123,13 +134,8 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
       if (shares[c] >= kLeastShare) missing.insert(cell);
     }
   }
-  if (covered == 0) return absl::InvalidArgumentError("the area covers nothing");
-  if (over_scene == 0) {
-    return absl::InvalidArgumentError("the area covers no cell of the scene; are its coordinates those of this scene?");
-  }
-  if (std::ssize(missing) > kMostAdded + kMostAddedForTile * std::ssize(known)) {
-    return absl::InvalidArgumentError(absl::StrCat("the area adds ", missing.size(), " cells without a tile to ",
-                                                   known.size(), "; draw it nearer around the tiles"));
+  if (const absl::Status status = CheckReach(over_scene, std::ssize(missing), std::ssize(known)); !status.ok()) {
+    return status;
   }
   scene.area = {};
   CellId low{0, 0};

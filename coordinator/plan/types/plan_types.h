@@ -119,13 +119,13 @@ struct Seam {
 struct WaterBody {
   std::vector<int32_t> holes;  // into Plan::holes, ascending
   double level = 0;            // metres, on the lattice; of a river at its lower end
-  double shore_level = 0;      // that the shore has, whatever was given; not of a river
   WaterSurface river;          // no stations: level water
   std::vector<RemovedRise> removed_rises;
   double spread = 0;               // metres: of the rim's heights (RimLevel::spread)
   double lowest = 0, highest = 0;  // of the rim's heights
   int64_t rim_vertices = 0;
-  bool forced = false;  // an area says that it is water
+  bool forced = false;     // an area says that it is water
+  double shore_level = 0;  // that the shore has, whatever was given; not of a river
 };
 
 // What became of an area of the user's (water_answers.h).
@@ -135,7 +135,7 @@ struct WaterAnswer {
   bool taken = false;          // some hole is filled as it says
   std::vector<int32_t> holes;  // those, into Plan::holes
   std::string reason;          // not taken, or not for the hole of which it covers most: why
-  std::string doubt;           // not empty: taken, but likely wrong
+  std::string doubt = {};      // not empty: taken, but likely wrong
 };
 
 struct LeftOpen {

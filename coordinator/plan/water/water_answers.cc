@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <utility>
@@ -43,8 +42,11 @@ std::vector<Body> BodiesOf(const Plan& plan) {
 std::string Number(double value) { return std::to_string(static_cast<int64_t>(std::llround(value))); }
 
 std::string Decimals(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f", value);
+  const int64_t tenths = std::llround(10 * std::abs(value));
+  std::string text = value < 0 ? "-" : "";
+  text += std::to_string(tenths / 10);
+  text += '.';
+  text += std::to_string(tenths % 10);
   return text;
 }
 
