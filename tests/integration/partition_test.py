@@ -57,7 +57,8 @@ class Island:
         self.log = os.path.join(bench.folder, f'{self.name}.log')
         self.worker = subprocess.Popen(
             ['ip', 'netns', 'exec', self.name, bench.program('tilemend-worker'), '--coordinator',
-             f'{self.host}:{port}', '--threads', '1'], stderr=open(self.log, 'w'))
+             f'{self.host}:{port}', '--insecure', '--threads', '1'],
+            stderr=open(self.log, 'w'))
 
     def cut(self, way):
         for chain in WAYS[way]:
@@ -145,8 +146,8 @@ def cut_often(arguments, islands, jobs, port):
 def start_coordinator(bench):
     bench.log = open(os.path.join(bench.folder, 'coordinator.log'), 'w+')
     bench.coordinator = subprocess.Popen(
-        [bench.program('tilemend-coordinator'), '--work', bench.work, '--listen', f'0.0.0.0:{bench.port}', '--lease', '5',
-         '--metrics', '127.0.0.1:0'], stderr=bench.log)
+        [bench.program('tilemend-coordinator'), '--work', bench.work, '--listen', f'0.0.0.0:{bench.port}', '--insecure',
+         '--lease', '5', '--metrics', '127.0.0.1:0'], stderr=bench.log)
     require(bench.await_serving(), bench.said())
     return metrics_port(bench.said())
 
