@@ -108,6 +108,9 @@ class CoordinatorState {
   void EnterResult(Job& job, Task& task, KnownResult result, bool known, Effects& effects);
   void Insert(Job job);
   void LoseLease(Job& job, Task& task, const std::string& worker, Effects& effects);
+  using TaskLoss = void (CoordinatorState::*)(Job& job, Task& task, const std::string& worker, Effects& effects);
+  // Ends the worker, and each of its attempts with `lose`.
+  absl::StatusOr<Effects> TakeTasksFrom(const std::string& name, TaskLoss lose);
   // What a machine error means for the task and the worker; whether the task has failed by it.
   bool Return(Task& task, const TaskFailed& event);
   // Puts a refusal down; whether the task has failed by it.

@@ -214,30 +214,25 @@ absl::StatusOr<Effects> CoordinatorState::On(const LeaseExpired& event) {
   return effects;
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const WorkerLost& event) {
-  const auto worker = workers_.find(event.worker);
-  if (worker == workers_.end()) return UnknownWorker(event.worker);
+absl::StatusOr<Effects> CoordinatorState::TakeTasksFrom(const std::string& name, TaskLoss lose) {
+  const auto worker = workers_.find(name);
+  if (worker == workers_.end()) return UnknownWorker(name);
   Effects effects;
   const std::set<TaskKey> held = worker->second.held;
   for (const TaskKey& key : held) {
     Job& job = jobs_.at(key.job);
-    LoseLease(job, job.tasks.at(key.task), event.worker, effects);
+    (this->*lose)(job, job.tasks.at(key.task), name, effects);
   }
-  workers_.erase(event.worker);
+  workers_.erase(name);
   return effects;
 }
 
+absl::StatusOr<Effects> CoordinatorState::On(const WorkerLost& event) {
+  return TakeTasksFrom(event.worker, &CoordinatorState::LoseLease);
+}
+
 absl::StatusOr<Effects> CoordinatorState::On(const WorkerLeft& event) {
-  const auto worker = workers_.find(event.worker);
-  if (worker == workers_.end()) return UnknownWorker(event.worker);
-  Effects effects;
-  const std::set<TaskKey> held = worker->second.held;
-  for (const TaskKey& key : held) {
-    Job& job = jobs_.at(key.job);
-    GiveUp(job, job.tasks.at(key.task), event.worker, effects);
-  }
-  workers_.erase(event.worker);
-  return effects;
+  return TakeTasksFrom(event.worker, &CoordinatorState::GiveUp);
 }
 
 }  // namespace tilemend
