@@ -9,13 +9,12 @@
 
 #include "coordinator/plan/water/centreline.h"
 #include "coordinator/plan/water/rim_level.h"
+#include "coordinator/plan/water/shore.h"
 
 namespace tilemend {
 namespace {
 
 constexpr double kStation = 25;           // metres
-constexpr size_t kLeastShore = 24;        // rim vertices, as for lakes
-constexpr size_t kLongShore = 96;         // likewise: shorter ones need banks that rise
 constexpr int64_t kLeastAtStation = 8;    // heights
 constexpr int64_t kLeastAtSide = 4;       // heights
 constexpr double kLeastReach = 1;         // times as long as wide: a reach

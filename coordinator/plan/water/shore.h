@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_SHORE_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_SHORE_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
+
+inline constexpr size_t kLeastShore = 24;  // rim vertices: fewer tell too little
+inline constexpr size_t kLongShore = 96;   // rim vertices: shorter ones need a bank that rises
 
 // The original vertices (into Plan::vertices) on the rims of the holes, in order along them, rim after rim. Cost O(n
 // log n) in the holes' segments.

@@ -17,12 +17,10 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kLeastShore = 24;   // rim vertices: fewer tell too little
 constexpr size_t kLeastStretch = 6;  // rim vertices
 constexpr size_t kMostStretches = 32;
 constexpr size_t kOddStretches = 8;          // one stretch in so many may be other than the rest: quays, trees, bridges
 constexpr double kSmallHoleFall = 0.001;     // metre a metre of a small hole's extent
-constexpr size_t kLongShore = 96;            // rim vertices: shorter ones need a bank that rises
 constexpr double kSure = 3;                  // standard errors
 constexpr double kErrorOfMedian = 1.2533;    // of normal noise, times its deviation over the root of the count
 constexpr double kErrorOfFall = 2.8284;      // of a plane's fall over a round shore: the root of eight, likewise
