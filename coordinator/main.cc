@@ -18,6 +18,7 @@
 #include "common/metrics/status_server.h"
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
+#include "common/rpc/status_flags.h"
 #include "common/util/exit_codes.h"
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
@@ -44,7 +45,6 @@ constexpr char kProgram[] = "tilemend-coordinator";
 std::vector<FlagSpec> CoordinatorFlags() {
   std::vector<FlagSpec> flags = {
       {"listen", "HOST:PORT", "address for clients and workers", "127.0.0.1:7070"},
-      {"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
       {"tokens", "FILE", "who may call by token: lines NAME ROLE[,ROLE] SHA256 [EXPIRES]", ""},
       {"audit", "FILE", "append who did what, as lines of JSON (default: in the log)", ""},
@@ -61,6 +61,8 @@ std::vector<FlagSpec> CoordinatorFlags() {
   };
   const std::vector<FlagSpec> security = ServerSecurityFlags();
   flags.insert(flags.begin() + 1, security.begin(), security.end());
+  const std::vector<FlagSpec> status = StatusFlags();
+  flags.insert(flags.end() - 2, status.begin(), status.end());
   return AllAsSettings(std::move(flags));
 }
 
@@ -86,7 +88,7 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.check_result = SceneResultCheck(tiles == "size" ? TileCheck::kSize : TileCheck::kDigest);
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(SecurityFromFlags(flags), flags.Text("listen")));
-  if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
+  TILEMEND_RETURN_IF_ERROR(CheckStatusFlags(flags));
   return options;
 }
 
@@ -154,7 +156,8 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
       journal_bytes->Set(SizeOf(journal) + SizeOf(journal + "-wal"));
       return metrics.Text();
     }};
-    TILEMEND_ASSIGN_OR_RETURN(status, StatusServer::Start(flags.Text("metrics"), pages));
+    TILEMEND_ASSIGN_OR_RETURN(status,
+                              StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
     log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), status->port())}});
   }
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));

@@ -3,11 +3,12 @@
 #
 #   scripts/make_certificates.sh DIR [HOST...]     HOST: names and addresses of the coordinator (default: localhost)
 #
-# DIR gets ca.pem and, each with its .key: coordinator.pem, worker.pem, and submit.pem, watch.pem, admin.pem for people.
+# DIR gets ca.pem and, each with its .key: coordinator.pem, worker.pem, submit.pem, watch.pem and admin.pem for people, and
+# scale.pem for KEDA.
 # What a certificate may do stands in it as the URI tilemend:role:ROLE. Run it again to renew: the authority stays, the
 # others are replaced, and running programs take the new ones within seconds.
 set -euo pipefail
-[[ $# -ge 1 ]] || { sed -n '2,9p' "$0" | cut -c3-; exit 2; }
+[[ $# -ge 1 ]] || { sed -n '2,10p' "$0" | cut -c3-; exit 2; }
 dir=$1; shift
 hosts=("$@"); [[ $# -gt 0 ]] || hosts=(localhost)
 mkdir -p "$dir"
@@ -40,5 +41,5 @@ certificate() {
 }
 
 certificate coordinator "$names"
-for role in worker submit watch admin; do certificate "$role" "$names,URI:tilemend:role:$role"; done
+for role in worker submit watch admin scale; do certificate "$role" "$names,URI:tilemend:role:$role"; done
 chmod 644 "$dir"/*.pem

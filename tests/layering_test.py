@@ -16,9 +16,9 @@ import sys
 LIBRARIES = {
     'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
-    'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'civetweb': 'civetweb', 'gtest/': 'gtest',
+    'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
-    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf',
+    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -52,9 +52,9 @@ RULES = {
 
     'common/store': rule(['common/util'], ['absl', 'openssl']),
 
-    'common/metrics': rule([], ['absl', 'civetweb', 'prometheus']),
+    'common/metrics': rule(['common/util'], ['absl', 'httplib', 'openssl', 'prometheus']),
 
-    'common/rpc': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'openssl', 'protobuf']),
+    'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
     'worker/survey': rule(['common/mesh', 'common/records'], []),
 

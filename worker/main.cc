@@ -16,6 +16,7 @@
 #include "common/metrics/status_server.h"
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
+#include "common/rpc/status_flags.h"
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
@@ -37,7 +38,6 @@ std::vector<FlagSpec> WorkerFlags() {
   std::vector<FlagSpec> flags = {
       {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"},
       {"threads", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
-      {"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
       {"root", "DIR[:DIR]", "read and write files below these folders alone (default: anywhere)", ""},
       {"health", "HOST:PORT", "answer the standard gRPC health check there", ""},
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
@@ -46,6 +46,8 @@ std::vector<FlagSpec> WorkerFlags() {
   };
   const std::vector<FlagSpec> security = ChannelSecurityFlags();
   flags.insert(flags.begin() + 1, security.begin(), security.end());
+  const std::vector<FlagSpec> status = StatusFlags();
+  flags.insert(flags.end() - 2, status.begin(), status.end());
   return AllAsSettings(std::move(flags));
 }
 
@@ -62,7 +64,7 @@ absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("coordinator")));
   const Security security = SecurityFromFlags(flags);
   TILEMEND_RETURN_IF_ERROR(CheckChannelSecurity(security, flags.Text("coordinator")));
-  if (flags.IsGiven("metrics")) TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("metrics")));
+  TILEMEND_RETURN_IF_ERROR(CheckStatusFlags(flags));
   if (flags.IsGiven("health")) {
     TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("health")));
     TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(security, flags.Text("health")));
@@ -107,7 +109,8 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
                                  return metrics.Text();
                                },
                                [&worker] { return worker.WhyNotReady(); }};
-    TILEMEND_ASSIGN_OR_RETURN(status, StatusServer::Start(flags.Text("metrics"), pages));
+    TILEMEND_ASSIGN_OR_RETURN(status,
+                              StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
     log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), status->port())}});
   }
   signals.Start([&](int count) {

@@ -1,74 +1,156 @@
 #include "common/metrics/status_server.h"
 
-#include <civetweb.h>
+#include <httplib.h>
+#include <openssl/crypto.h>
+#include <openssl/ssl.h>
 
-#include <array>
+#include <semaphore>
+#include <thread>
 #include <utility>
 
+#include "absl/strings/ascii.h"
+#include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "common/util/files.h"
 
 namespace tilemend {
 namespace {
 
-constexpr char kThreads[] = "8";
-constexpr char kRequestTimeoutMs[] = "5000";
+constexpr size_t kThreads = 8;
+constexpr std::ptrdiff_t kMostConnections = 64;  // that wait for a thread; the others wait in the kernel
+constexpr time_t kRequestSeconds = 5;
+constexpr size_t kMostRequestBytes = 4096;
 
 constexpr char kMetricsType[] = "text/plain; version=0.0.4; charset=utf-8";
 constexpr char kTextType[] = "text/plain; charset=utf-8";
 
-int Answer(mg_connection* connection, const char* status, const char* type, const std::string& text) {
-  const std::string head =
-      absl::StrCat("HTTP/1.1 ", status, "\r\nContent-Type: ", type, "\r\nContent-Length: ", text.size(),
-                   "\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n");
-  mg_write(connection, head.data(), head.size());
-  mg_write(connection, text.data(), text.size());
-  return 1;
+// Threads that have a bounded queue before them: who comes when it is full waits to be accepted.
+class BoundedPool : public httplib::TaskQueue {
+ public:
+  void enqueue(std::function<void()> answer) override {
+    room_.acquire();
+    pool_.enqueue([this, answer = std::move(answer)] {
+      answer();
+      room_.release();
+    });
+  }
+  void shutdown() override { pool_.shutdown(); }
+
+ private:
+  std::counting_semaphore<kMostConnections> room_{kMostConnections};
+  httplib::ThreadPool pool_{kThreads};
+};
+
+// Before each handshake, so that a new certificate is shown at once.
+int LoadCertificate(SSL* connection, void* data) {
+  const auto& security = *static_cast<const StatusSecurity*>(data);
+  return SSL_use_certificate_chain_file(connection, security.certificate.c_str()) == 1 &&
+                 SSL_use_PrivateKey_file(connection, security.key.c_str(), SSL_FILETYPE_PEM) == 1
+             ? 1
+             : 0;
 }
 
-int Show(mg_connection* connection, void* data) {
-  const StatusPages& pages = *static_cast<StatusPages*>(data);
-  const char* const uri = mg_get_request_info(connection)->local_uri;
-  const std::string path = uri == nullptr ? "" : uri;
-  if (path == "/metrics") return Answer(connection, "200 OK", kMetricsType, pages.metrics());
-  if (path == "/healthz") return Answer(connection, "200 OK", kTextType, "ok\n");
-  if (path != "/readyz") {
-    return Answer(connection, "404 Not Found", kTextType, "there are /metrics, /healthz and /readyz\n");
-  }
-  const std::string reason = pages.not_ready();
-  if (reason.empty()) return Answer(connection, "200 OK", kTextType, "ready\n");
-  return Answer(connection, "503 Service Unavailable", kTextType, reason + "\n");
+std::unique_ptr<httplib::Server> NewServer(StatusSecurity& security) {
+  if (security.certificate.empty()) return std::make_unique<httplib::Server>();
+  return std::make_unique<httplib::SSLServer>([&security](SSL_CTX& context) {
+    SSL_CTX_set_min_proto_version(&context, TLS1_2_VERSION);
+    SSL_CTX_set_cert_cb(&context, LoadCertificate, &security);
+    return true;
+  });
+}
+
+// Of a file that cannot be read nothing is let in. Takes the same time for every wrong token of the right length.
+bool ShowsToken(const httplib::Request& request, const std::string& token_file) {
+  if (token_file.empty()) return true;
+  const auto token = ReadOwnFile(token_file);
+  if (!token.ok()) return false;
+  const std::string expected = absl::StrCat("Bearer ", absl::StripAsciiWhitespace(*token));
+  const std::string shown = request.get_header_value("Authorization");
+  return shown.size() == expected.size() && CRYPTO_memcmp(shown.data(), expected.data(), expected.size()) == 0;
+}
+
+void AllowAddressAgain(int socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
 }
 
 }  // namespace
 
 struct StatusServer::Impl {
   ~Impl() {
-    if (context != nullptr) mg_stop(context);
+    if (!thread.joinable()) return;
+    server->stop();
+    thread.join();
   }
+  void AddPages();
+  bool Listen(const std::string& host, int wanted_port);
+
   StatusPages pages;
-  mg_context* context = nullptr;
+  StatusSecurity security;
+  std::unique_ptr<httplib::Server> server;
+  int port = 0;
+  std::thread thread;
 };
 
-absl::StatusOr<std::unique_ptr<StatusServer>> StatusServer::Start(const std::string& address, StatusPages pages) {
+void StatusServer::Impl::AddPages() {
+  server->Get("/metrics", [this](const httplib::Request& request, httplib::Response& response) {
+    if (ShowsToken(request, security.token_file)) return response.set_content(pages.metrics(), kMetricsType);
+    response.status = 401;
+    response.set_header("WWW-Authenticate", "Bearer");
+    response.set_content("needs the token of --metrics-token\n", kTextType);
+  });
+  server->Get("/healthz",
+              [](const httplib::Request&, httplib::Response& response) { response.set_content("ok\n", kTextType); });
+  server->Get("/readyz", [this](const httplib::Request&, httplib::Response& response) {
+    const std::string reason = pages.not_ready();
+    response.status = reason.empty() ? 200 : 503;
+    response.set_content(reason.empty() ? "ready\n" : reason + "\n", kTextType);
+  });
+  server->Get(".*", [](const httplib::Request&, httplib::Response& response) {
+    response.status = 404;
+    response.set_content("there are /metrics, /healthz and /readyz\n", kTextType);
+  });
+}
+
+bool StatusServer::Impl::Listen(const std::string& host, int wanted_port) {
+  server->new_task_queue = [] { return new BoundedPool; };
+  server->set_default_headers({{"Cache-Control", "no-store"}});
+  server->set_keep_alive_max_count(1);
+  server->set_read_timeout(kRequestSeconds);
+  server->set_write_timeout(kRequestSeconds);
+  server->set_payload_max_length(kMostRequestBytes);
+  server->set_socket_options(AllowAddressAgain);
+  if (wanted_port == 0) {
+    port = server->bind_to_any_port(host);
+  } else if (server->bind_to_port(host, wanted_port)) {
+    port = wanted_port;
+  }
+  if (port <= 0) return false;
+  thread = std::thread([this] { server->listen_after_bind(); });
+  while (!server->is_running()) std::this_thread::yield();  // before that it cannot be stopped
+  return true;
+}
+
+absl::StatusOr<std::unique_ptr<StatusServer>> StatusServer::Start(const std::string& address, StatusPages pages,
+                                                                  StatusSecurity security) {
   auto impl = std::make_unique<Impl>();
   impl->pages = std::move(pages);
-  std::array<const char*, 7> options = {"listening_ports",    address.c_str(),   "num_threads", kThreads,
-                                        "request_timeout_ms", kRequestTimeoutMs, nullptr};
-  const mg_callbacks callbacks{};
-  impl->context = mg_start(&callbacks, nullptr, options.data());
-  if (impl->context == nullptr) {
+  impl->security = std::move(security);
+  impl->server = NewServer(impl->security);
+  impl->AddPages();
+  const size_t colon = address.rfind(':');
+  std::string host = address.substr(0, colon);
+  if (host.size() > 2 && host.front() == '[') host = host.substr(1, host.size() - 2);
+  int port = -1;
+  if (colon == std::string::npos || !absl::SimpleAtoi(address.substr(colon + 1), &port) || !impl->Listen(host, port)) {
     return absl::UnavailableError(absl::StrCat(address, ": cannot serve metrics there; choose another address"));
   }
-  mg_set_request_handler(impl->context, "/", Show, &impl->pages);
   return std::unique_ptr<StatusServer>(new StatusServer(std::move(impl)));
 }
 
 StatusServer::StatusServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 StatusServer::~StatusServer() = default;
 
-int StatusServer::port() const {
-  mg_server_port port{};
-  return mg_get_server_ports(impl_->context, 1, &port) > 0 ? port.port : 0;
-}
+int StatusServer::port() const { return impl_->port; }
 
 }  // namespace tilemend

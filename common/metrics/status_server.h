@@ -17,12 +17,21 @@ struct StatusPages {
   std::function<std::string()> not_ready = [] { return std::string(); };
 };
 
+// Paths of files, which are read again whenever they are needed: new ones count at once.
+struct StatusSecurity {
+  std::string certificate, key;  // PEM; "": plain HTTP
+  // The token that a caller of /metrics shows as "Authorization: Bearer TOKEN"; "": anybody may read them. The other
+  // pages are for everybody.
+  std::string token_file;
+};
+
 // A request that does not come to its end holds one of several threads, for some seconds.
 class StatusServer {
  public:
   // Serves on `address` ("HOST:PORT", port 0 takes a free one) as long as it lives. kUnavailable if the address cannot
   // be had.
-  static absl::StatusOr<std::unique_ptr<StatusServer>> Start(const std::string& address, StatusPages pages);
+  static absl::StatusOr<std::unique_ptr<StatusServer>> Start(const std::string& address, StatusPages pages,
+                                                             StatusSecurity security = {});
   ~StatusServer();
 
   int port() const;

@@ -31,11 +31,6 @@ std::vector<FlagSpec> TlsFlags(const std::string& ca_help) {
           {"tls-ca", "FILE", ca_help, ""}};
 }
 
-bool IsLoopback(const std::string& address) {
-  const std::string host = address.substr(0, address.rfind(':'));
-  return host == "localhost" || host == "[::1]" || absl::StartsWith(host, "127.");
-}
-
 // What OpenSSL says last, and nothing of the file's content.
 absl::Status TlsError(const std::string& path, const std::string& what) {
   const char* const reason = ERR_reason_error_string(ERR_peek_last_error());
@@ -80,6 +75,11 @@ std::shared_ptr<tls::CertificateProviderInterface> Watch(const TlsFiles& files) 
 }
 
 }  // namespace
+
+bool IsLoopback(const std::string& address) {
+  const std::string host = address.substr(0, address.rfind(':'));
+  return host == "localhost" || host == "[::1]" || absl::StartsWith(host, "127.");
+}
 
 std::vector<FlagSpec> ServerSecurityFlags() {
   std::vector<FlagSpec> flags = TlsFlags("authority whose certificates callers need (PEM)");

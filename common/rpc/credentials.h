@@ -36,6 +36,9 @@ struct Security {
   bool plaintext = false;       // without TLS beyond this machine, too
 };
 
+// Whether HOST of "HOST:PORT" is this machine alone.
+bool IsLoopback(const std::string& address);
+
 // --tls-cert, --tls-key, --tls-ca and --insecure; for channels --token-file as well.
 std::vector<FlagSpec> ServerSecurityFlags();
 std::vector<FlagSpec> ChannelSecurityFlags();

@@ -22,7 +22,7 @@ constexpr char kRolePrefix[] = "tilemend:role:";
 constexpr absl::Duration kReadAgain = absl::Seconds(2);
 
 std::optional<Role> RoleNamed(std::string_view name) {
-  for (const Role role : {Role::kWatch, Role::kSubmit, Role::kAdmin, Role::kWorker}) {
+  for (const Role role : {Role::kScale, Role::kWatch, Role::kSubmit, Role::kAdmin, Role::kWorker}) {
     if (RoleName(role) == name) return role;
   }
   return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<std::pair<std::string, KnownToken>> ParseLine(const std::vector<st
 }  // namespace
 
 std::string_view RoleName(Role role) {
-  constexpr std::array<std::string_view, 5> kNames = {"anybody", "watch", "submit", "admin", "worker"};
+  constexpr std::array<std::string_view, 6> kNames = {"anybody", "scale", "watch", "submit", "admin", "worker"};
   return kNames[static_cast<size_t>(role)];
 }
 
@@ -65,6 +65,10 @@ const std::vector<RpcNeed>& RpcNeeds() {
       {"tilemend.v1.Work/Sync", Role::kWorker},
       {"tilemend.v1.Work/ReadBlob", Role::kWorker},
       {"tilemend.v1.Work/WriteBlob", Role::kWorker},
+      {"externalscaler.ExternalScaler/IsActive", Role::kScale},
+      {"externalscaler.ExternalScaler/StreamIsActive", Role::kScale},
+      {"externalscaler.ExternalScaler/GetMetricSpec", Role::kScale},
+      {"externalscaler.ExternalScaler/GetMetrics", Role::kScale},
       // These say nothing of jobs: that the program answers, and what its public interface is.
       {"grpc.health.v1.Health/Check", Role::kAnybody},
       {"grpc.health.v1.Health/Watch", Role::kAnybody},
@@ -83,7 +87,7 @@ Role NeedOf(std::string_view rpc) {
 bool Caller::May(Role role) const {
   if (role == Role::kAnybody || roles.contains(role)) return true;
   if (role == Role::kWorker || role == Role::kAdmin) return false;
-  return May(role == Role::kWatch ? Role::kSubmit : Role::kAdmin);
+  return May(static_cast<Role>(static_cast<int>(role) + 1));  // the next greater one
 }
 
 absl::StatusOr<std::map<std::string, KnownToken>> ParseTokens(const std::string& text, const std::string& path) {
@@ -95,8 +99,9 @@ absl::StatusOr<std::map<std::string, KnownToken>> ParseTokens(const std::string&
     if (content.empty()) continue;
     auto token = ParseLine(absl::StrSplit(content, absl::ByAnyChar(" \t"), absl::SkipEmpty()));
     if (!token) {
-      return absl::InvalidArgumentError(absl::StrCat(
-          path, ":", line_number, ": expected NAME ROLE[,ROLE] SHA256 [EXPIRES], roles watch, submit, admin, worker"));
+      return absl::InvalidArgumentError(
+          absl::StrCat(path, ":", line_number,
+                       ": expected NAME ROLE[,ROLE] SHA256 [EXPIRES], roles scale, watch, submit, admin, worker"));
     }
     tokens.insert(*std::move(token));
   }

@@ -16,10 +16,11 @@
 
 namespace tilemend {
 
-// kSubmit may do what kWatch may, kAdmin what kSubmit may; kWorker is apart. kAnybody needs no name.
-enum class Role { kAnybody, kWatch, kSubmit, kAdmin, kWorker };
+// kWatch may do what kScale may, kSubmit what kWatch may, kAdmin what kSubmit may; kWorker is apart. kAnybody needs no
+// name.
+enum class Role { kAnybody, kScale, kWatch, kSubmit, kAdmin, kWorker };
 
-// "watch", "submit", "admin", "worker".
+// "scale", "watch", "submit", "admin", "worker".
 std::string_view RoleName(Role role);
 
 struct RpcNeed {

@@ -53,6 +53,7 @@ ClusterEvents::ClusterEvents(MetricsRegistry& registry, Log& log) : log_(log) {
   queue_seconds_ = registry.AddHistogram(prefix + "job_queue_seconds",
                                          "From a job's making until a worker had its first task.", {}, QueueBounds());
   holes_filled_ = registry.AddCounter(prefix + "holes_filled_total", "Holes that were filled.", {});
+  triangles_ = registry.AddCounter(prefix + "triangles_total", "New triangles, of holes that were filled.", {});
   cells_done_ = registry.AddCounter(prefix + "cells_done_total", "Cells that were done.", {});
   output_mismatches_ = registry.AddCounter(prefix + "output_mismatches_total",
                                            "Jobs that failed since their output was not there as it was written.", {});
@@ -82,7 +83,7 @@ void ClusterEvents::JobStarted(const Job& job, const JobOrigin& origin) {
 void ClusterEvents::JobEnded(const Job& job, const JobOutcome& outcome, const absl::Status& error,
                              const JobOrigin& origin) {
   if (ErrorReason(error) == "OUTPUT_CHANGED") output_mismatches_->Increment();
-  CountHoles(job);
+  CountProgress(job);
   Count(job);
   counted_.erase(job.id);
   log_.Write(job.state == JobState::kFailed ? LogLevel::kError : LogLevel::kInfo, "job ended",
@@ -94,6 +95,7 @@ void ClusterEvents::JobEnded(const Job& job, const JobOutcome& outcome, const ab
               {"cells", job.progress.cells},
               {"holes", job.progress.holes},
               {"holes_filled", job.progress.holes_filled},
+              {"triangles", job.progress.triangles},
               {"tasks", job.counts.added},
               {"retried", job.counts.retried},
               {"quarantined", job.counts.quarantined},
@@ -108,14 +110,17 @@ void ClusterEvents::Count(const Job& job) {
 }
 
 // Progress may start anew when a coordinator does: only what is more than ever counts.
-void ClusterEvents::CountHoles(const Job& job) {
+void ClusterEvents::CountProgress(const Job& job) {
   Progress& counted = counted_[job.id];
   const int64_t holes = std::max<int64_t>(0, job.progress.holes_filled - counted.holes_filled);
   const int64_t cells = std::max<int64_t>(0, job.progress.cells_done - counted.cells_done);
+  const int64_t triangles = std::max<int64_t>(0, job.progress.triangles - counted.triangles);
   holes_filled_->Increment(static_cast<double>(holes));
+  triangles_->Increment(static_cast<double>(triangles));
   cells_done_->Increment(static_cast<double>(cells));
   counted.holes_filled += holes;
   counted.cells_done += cells;
+  counted.triangles += triangles;
 }
 
 void ClusterEvents::AttemptFailed(const Task& task, const std::string& job, const std::string& worker,
@@ -169,7 +174,7 @@ void ClusterEvents::Show(const CoordinatorState& state, absl::Time now) {
     if (job == nullptr || IsOver(job->state)) slot.job.clear();
   }
   for (const auto& [number, id] : state.running()) {
-    CountHoles(*state.FindJob(id));
+    CountProgress(*state.FindJob(id));
     if (SlotOf(id) > 0) continue;
     const auto free = std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.job.empty(); });
     if (free != slots_.end()) free->job = id;

@@ -58,7 +58,7 @@ class ClusterEvents {
     Gauge* tasks_running;
   };
   void Count(const Job& job);
-  void CountHoles(const Job& job);
+  void CountProgress(const Job& job);
 
   Log& log_;
   std::array<Slot, kSlots> slots_;
@@ -66,6 +66,7 @@ class ClusterEvents {
   std::array<Histogram*, 5> seconds_;
   Histogram* queue_seconds_;
   Counter* holes_filled_;
+  Counter* triangles_;
   Counter* cells_done_;
   Counter* output_mismatches_;
   Counter* workers_came_;

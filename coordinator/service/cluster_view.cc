@@ -1,12 +1,15 @@
 // What CoordinatorImpl tells of its jobs and workers.
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
+#include "common/rpc/limits.h"
 #include "common/util/error_info.h"
+#include "common/util/status_macros.h"
 #include "coordinator/service/coordinator_impl.h"
 #include "coordinator/service/job_proto.h"
 
@@ -108,6 +111,29 @@ absl::StatusOr<v1::ListWorkersResponse> CoordinatorImpl::ListWorkers(const v1::L
   }
   if (it != state_.workers().end()) response.set_next_page_token(std::prev(it)->first);
   return response;
+}
+
+Demand CoordinatorImpl::DemandNow() {
+  return Answer([&] { return DemandOf(state_); });
+}
+
+absl::Status CoordinatorImpl::WatchDemand(const std::function<bool(bool)>& send, const std::function<bool()>& alive) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto call, watches_.Enter("", options_.clock(), [] {}));
+  std::optional<bool> told;
+  Lock lock(mutex_);
+  while (!stopping_) {
+    const bool active = DemandOf(state_).jobs > 0;
+    if (told != active) {
+      lock.unlock();
+      if (!send(active)) return absl::CancelledError("the watcher went away");
+      told = active;
+      lock.lock();
+      continue;
+    }
+    job_changed_.wait_for(lock, absl::ToChronoMilliseconds(kMaxPoll));
+    if (!alive()) return absl::CancelledError("the watcher went away");
+  }
+  return absl::UnavailableError("the coordinator is shutting down");
 }
 
 }  // namespace tilemend

@@ -35,6 +35,7 @@
 #include "coordinator/service/result_checks.h"
 #include "coordinator/service/worker_trust.h"
 #include "coordinator/state/coordinator_state.h"
+#include "coordinator/state/demand.h"
 #include "coordinator/state/patience.h"
 #include "coordinator/state/task_choice.h"
 #include "tilemend/v1/jobs.pb.h"
@@ -78,6 +79,10 @@ class CoordinatorImpl {
   // is over (OK) or either returns false (kCancelled).
   absl::Status WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
                         const std::function<bool()>& alive);
+  // What there is for workers to do.
+  Demand DemandNow();
+  // As WatchJob, of whether there is anything to do: now, and after each change.
+  absl::Status WatchDemand(const std::function<bool(bool)>& send, const std::function<bool()>& alive);
 
   // `alive` tells whether the worker still waits for the answer: nothing is leased to one that does not.
   absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request, const std::function<bool()>& alive,

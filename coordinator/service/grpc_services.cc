@@ -8,6 +8,8 @@
 #include "common/rpc/trace.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "coordinator/service/scaler.h"
+#include "externalscaler/externalscaler.grpc.pb.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
 #include "tilemend/v1/work.grpc.pb.h"
 
@@ -168,6 +170,44 @@ class WorkService : public v1::Work::Service {
   const Entrance& entrance_;
 };
 
+class ScalerService : public externalscaler::ExternalScaler::Service {
+ public:
+  ScalerService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
+
+  grpc::Status IsActive(ServerContext* context, const externalscaler::ScaledObjectRef*,
+                        externalscaler::IsActiveResponse* response) override {
+    return entrance_.Run(*context, "externalscaler.ExternalScaler/IsActive", [&](const Caller&) {
+      response->set_result(impl_.DemandNow().jobs > 0);
+      return absl::OkStatus();
+    });
+  }
+  grpc::Status StreamIsActive(ServerContext* context, const externalscaler::ScaledObjectRef*,
+                              grpc::ServerWriter<externalscaler::IsActiveResponse>* writer) override {
+    return entrance_.Run(*context, "externalscaler.ExternalScaler/StreamIsActive", [&](const Caller&) {
+      const auto send = [writer](bool active) {
+        externalscaler::IsActiveResponse response;
+        response.set_result(active);
+        return writer->Write(response);
+      };
+      return impl_.WatchDemand(send, [context] { return !context->IsCancelled(); });
+    });
+  }
+  grpc::Status GetMetricSpec(ServerContext* context, const externalscaler::ScaledObjectRef* request,
+                             externalscaler::GetMetricSpecResponse* response) override {
+    return entrance_.Run(*context, "externalscaler.ExternalScaler/GetMetricSpec",
+                         [&](const Caller&) { return Take(ScalerSpec(*request), response); });
+  }
+  grpc::Status GetMetrics(ServerContext* context, const externalscaler::GetMetricsRequest* request,
+                          externalscaler::GetMetricsResponse* response) override {
+    return entrance_.Run(*context, "externalscaler.ExternalScaler/GetMetrics",
+                         [&](const Caller&) { return Take(ScalerMetrics(*request, impl_.DemandNow()), response); });
+  }
+
+ private:
+  CoordinatorImpl& impl_;
+  const Entrance& entrance_;
+};
+
 class Server : public CoordinatorServer {
  public:
   Server(CoordinatorImpl& impl, std::shared_ptr<Gate> gate)
@@ -175,11 +215,12 @@ class Server : public CoordinatorServer {
         entrance_(std::move(gate)),
         jobs_(impl, entrance_),
         workers_(impl, entrance_),
-        work_(impl, entrance_) {}
+        work_(impl, entrance_),
+        scaler_(impl, entrance_) {}
   ~Server() override { impl_.StopWaiting(); }
 
   absl::Status Start(const std::string& listen, const TlsFiles& tls) {
-    TILEMEND_ASSIGN_OR_RETURN(rpc_, RpcServer::Start(listen, {&jobs_, &workers_, &work_}, tls));
+    TILEMEND_ASSIGN_OR_RETURN(rpc_, RpcServer::Start(listen, {&jobs_, &workers_, &work_, &scaler_}, tls));
     return absl::OkStatus();
   }
   RpcServer& rpc() override { return *rpc_; }
@@ -190,6 +231,7 @@ class Server : public CoordinatorServer {
   JobsService jobs_;
   WorkersService workers_;
   WorkService work_;
+  ScalerService scaler_;
   std::unique_ptr<RpcServer> rpc_;  // ends first
 };
 

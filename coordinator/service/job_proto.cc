@@ -29,6 +29,7 @@ void SetProgress(const Job& job, v1::Progress& proto) {
   proto.set_cells_done(job.progress.cells_done);
   proto.set_holes(job.progress.holes);
   proto.set_holes_filled(job.progress.holes_filled);
+  proto.set_triangles(job.progress.triangles);
   proto.set_tasks(job.counts.added);
   proto.set_tasks_done(job.counts.settled());
   proto.set_tasks_running(job.counts.leased);
@@ -145,7 +146,7 @@ ToldJob JobFromProto(const v1::Job& proto) {
   if (!IsOver(job.state)) return told;
   job.ended = TimeOf(proto.end_time());
   const v1::Progress& p = proto.progress();
-  job.progress = {p.phase(), p.cells(), p.cells_done(), p.holes(), p.holes_filled()};
+  job.progress = {p.phase(), p.cells(), p.cells_done(), p.holes(), p.holes_filled(), p.triangles()};
   job.counts.added = p.tasks();
   job.counts.quarantined = p.tasks_quarantined();
   job.counts.committed = p.tasks_done() - p.tasks_quarantined();

@@ -128,6 +128,7 @@ class ScenePipeline : public JobPipeline {
     progress.cells_done = waves_.cells_done();
     progress.holes = static_cast<int64_t>(waves_.plan().holes.size());
     progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
+    progress.triangles = waves_.outcome().triangles;
     return progress;
   }
 

@@ -29,6 +29,7 @@ struct Progress {
   std::string phase;  // for people: "survey", "sample layer 2 of 3"
   int64_t cells = 0, cells_done = 0;
   int64_t holes = 0, holes_filled = 0;
+  int64_t triangles = 0;  // new ones, of the holes that are filled
   bool operator==(const Progress&) const = default;
 };
 

@@ -23,6 +23,7 @@ struct PatchSize {
 // By hole or cluster of the plan.
 struct SceneOutcome {
   std::map<int32_t, PatchSize> sizes;                // of the holes that were filled
+  int64_t triangles = 0;                             // of `sizes`
   std::map<int32_t, std::string> failures;           // of the holes that were tried in vain: why
   std::vector<LeftOpen> unwritten;                   // tiles that could not be written
   std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen

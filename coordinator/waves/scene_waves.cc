@@ -146,10 +146,11 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
       PatchSize& size = outcome_.sizes[patch.hole];
       size.new_vertices += patch.new_vertices;
       size.triangles += patch.triangles;
+      outcome_.triangles += patch.triangles;
       size.way = patch.way;
     } else {
       outcome_.failures[patch.hole] = patch.failure;
-      outcome_.sizes.erase(patch.hole);
+      if (const auto size = outcome_.sizes.extract(patch.hole)) outcome_.triangles -= size.mapped().triangles;
     }
   }
   outcome_.quality.Merge(result.quality);

@@ -11,6 +11,7 @@ ROWS = [
         ('Tasks finished per second', 'ops', [('{{stage}}', f'sum by (stage) (rate({C}tasks_finished_total[1m]))')]),
         ('Holes and cells per second', 'ops', [('holes', f'sum(rate({C}holes_filled_total[1m]))'),
                                                ('cells', f'sum(rate({C}cells_done_total[1m]))')]),
+        ('New triangles per second', 'ops', [('triangles', f'sum(rate({C}triangles_total[1m]))')]),
         ('Bytes to and from workers', 'Bps', [('sent', f'sum(rate({C}blob_sent_bytes_total[1m]))'),
                                               ('received', f'sum(rate({C}blob_received_bytes_total[1m]))')]),
     ]),
@@ -59,9 +60,9 @@ ROWS = [
 ]
 
 
-def panel(number, title, unit, queries, x, y):
+def panel(number, title, unit, queries, x, y, w):
     return {'id': number, 'title': title, 'type': 'timeseries', 'datasource': {'type': 'prometheus', 'uid': 'prometheus'},
-            'gridPos': {'x': x, 'y': y, 'w': 8, 'h': 7},
+            'gridPos': {'x': x, 'y': y, 'w': w, 'h': 7},
             'fieldConfig': {'defaults': {'unit': unit, 'min': 0}, 'overrides': []},
             'options': {'legend': {'showLegend': True, 'placement': 'bottom'}, 'tooltip': {'mode': 'multi'}},
             'targets': [{'refId': chr(65 + i), 'expr': expr, 'legendFormat': legend}
@@ -75,7 +76,8 @@ def dashboard():
                        'gridPos': {'x': 0, 'y': y, 'w': 24, 'h': 1}})
         number, y = number + 1, y + 1
         for i, (name, unit, queries) in enumerate(row):
-            panels.append(panel(number, name, unit, queries, 8 * i, y))
+            width = 24 // len(row)
+            panels.append(panel(number, name, unit, queries, width * i, y, width))
             number += 1
         y += 7
     return {'uid': 'tilemend', 'title': 'tilemend', 'schemaVersion': 37, 'version': 1, 'refresh': '10s',

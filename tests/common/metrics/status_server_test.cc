@@ -3,14 +3,20 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <httplib.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdio>
+#include <memory>
 #include <string>
+#include <utility>
 
+#include "tests/support/certificates.h"
 #include "tests/support/http_get.h"
+#include "tests/support/temporary_folder.h"
 
 namespace tilemend {
 namespace {
@@ -78,6 +84,58 @@ TEST(StatusServerTest, SaysWhenItsPortIsTaken) {
   const auto second = StatusServer::Start(address, {[] { return ""; }});
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
   EXPECT_THAT(std::string(second.status().message()), HasSubstr(address + ": cannot serve metrics there"));
+}
+
+class SecuredStatusServerTest : public ::testing::Test {
+ protected:
+  void Start(StatusSecurity security) {
+    auto server = StatusServer::Start("127.0.0.1:0", {[] { return "here\n"; }}, std::move(security));
+    ASSERT_TRUE(server.ok()) << server.status();
+    server_ = *std::move(server);
+  }
+  // The status, 0 without an answer. With an authority over TLS, else in plain text.
+  int Get(const std::string& path, const std::string& authorization, const std::string& authority = "") {
+    const std::string address =
+        (authority.empty() ? "http://127.0.0.1:" : "https://127.0.0.1:") + std::to_string(server_->port());
+    httplib::Client client(address);
+    if (!authority.empty()) client.set_ca_cert_path(authority.c_str());
+    httplib::Headers headers;
+    if (!authorization.empty()) headers.emplace("Authorization", authorization);
+    const httplib::Result result = client.Get(path.c_str(), headers);
+    return result ? result->status : 0;
+  }
+  TemporaryFolder folder_;
+  std::unique_ptr<StatusServer> server_;
+};
+
+TEST_F(SecuredStatusServerTest, ShowsMetricsToThoseWhoHaveTheToken) {
+  const std::string token = folder_.Write("token", "secret\n");
+  Start({"", "", token});
+  EXPECT_EQ(Get("/metrics", "Bearer secret"), 200);
+  for (const char* wrong :
+       {"", "Bearer guess!", "Bearer secre", "Bearer secrets", "Basic secret", "secret", "Bearer "}) {
+    EXPECT_EQ(Get("/metrics", wrong), 401) << wrong;
+  }
+  EXPECT_EQ(Get("/healthz", ""), 200);
+  EXPECT_EQ(Get("/readyz", ""), 200);
+  folder_.Write("token", "another");
+  EXPECT_EQ(Get("/metrics", "Bearer secret"), 401);
+  EXPECT_EQ(Get("/metrics", "Bearer another"), 200);
+  ASSERT_EQ(std::remove(token.c_str()), 0);
+  EXPECT_EQ(Get("/metrics", "Bearer another"), 401);
+  EXPECT_EQ(Get("/metrics", "Bearer "), 401);
+}
+
+TEST_F(SecuredStatusServerTest, ServesOverTlsAloneAndTakesUpNewCertificates) {
+  const TestAuthority authority(folder_.path(), "authority"), next(folder_.path(), "next");
+  const TlsFiles files = authority.Issue("server", {"server"});
+  Start({files.certificate, files.key, ""});
+  EXPECT_EQ(Get("/metrics", "", authority.path()), 200);
+  EXPECT_EQ(Get("/metrics", "", next.path()), 0);
+  EXPECT_EQ(Get("/metrics", ""), 0);  // plain text
+  next.Issue("server", {"server"});
+  EXPECT_EQ(Get("/metrics", "", next.path()), 200);
+  EXPECT_EQ(Get("/metrics", "", authority.path()), 0);
 }
 
 }  // namespace

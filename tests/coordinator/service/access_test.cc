@@ -23,6 +23,9 @@ TEST(CallerTest, GreaterRolesMayWhatLesserOnesMay) {
   EXPECT_TRUE(admin.May(Role::kSubmit) && admin.May(Role::kWatch) && submit.May(Role::kWatch));
   EXPECT_FALSE(watch.May(Role::kSubmit) || submit.May(Role::kAdmin) || admin.May(Role::kWorker));
   EXPECT_FALSE((Caller{"x", {Role::kWorker}}).May(Role::kWatch));
+  const Caller scale{"k", {Role::kScale}};
+  EXPECT_TRUE(watch.May(Role::kScale) && admin.May(Role::kScale) && scale.May(Role::kScale));
+  EXPECT_FALSE(scale.May(Role::kWatch) || (Caller{"x", {Role::kWorker}}).May(Role::kScale));
   EXPECT_TRUE(Caller().May(Role::kAnybody));
 }
 

@@ -47,7 +47,7 @@ class ClusterEventsTest : public ::testing::Test {
 
 TEST_F(ClusterEventsTest, SaysAndCountsHowAJobEnded) {
   const Job& job = NewJob("j");
-  ASSERT_TRUE(state_.Apply(JobProgressed{"j", {"assemble", 2, 2, 5, 4}}).ok());
+  ASSERT_TRUE(state_.Apply(JobProgressed{"j", {"assemble", 2, 2, 5, 4, 300}}).ok());
   ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kPartial, kStart + absl::Seconds(90)}).ok());
   events_.JobEnded(job, {true, "4 of 5 holes filled", ""}, absl::OkStatus(), {"ann", "t1"});
   EXPECT_THAT(log_.lines, ElementsAre(StartsWith("info job ended job=j trace=t1 owner=ann state=partial seconds=90 ")));
@@ -56,6 +56,7 @@ TEST_F(ClusterEventsTest, SaysAndCountsHowAJobEnded) {
   ExpectLine("job_seconds_sum{state=\"partial\"} 90");
   ExpectLine("holes_filled_total 4");
   ExpectLine("cells_done_total 2");
+  ExpectLine("triangles_total 300");
 }
 
 TEST_F(ClusterEventsTest, CountsJobsOfEarlierProcessesWithoutSayingSo) {

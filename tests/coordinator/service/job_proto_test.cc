@@ -34,7 +34,7 @@ TEST(JobProtoTest, TellsOfARunningJob) {
   job.state = JobState::kRunning;
   job.version = 12;
   job.created = absl::FromUnixNanos(1'500'000'000'000'000'123);
-  job.progress = {"fill", 10, 3, 20, 6};
+  job.progress = {"fill", 10, 3, 20, 6, 700};
   job.counts.added = 9;
   job.counts.leased = 2;
   job.counts.retried = 1;
@@ -52,6 +52,7 @@ TEST(JobProtoTest, TellsOfARunningJob) {
   EXPECT_EQ(proto.progress().phase(), "fill");
   EXPECT_EQ(proto.progress().cells_done(), 3);
   EXPECT_EQ(proto.progress().holes_filled(), 6);
+  EXPECT_EQ(proto.progress().triangles(), 700);
   EXPECT_EQ(proto.progress().tasks(), 9);
   EXPECT_EQ(proto.progress().tasks_done(), 5);
   EXPECT_EQ(proto.progress().tasks_running(), 2);

@@ -316,6 +316,18 @@ TEST(SceneWavesTest, KeepsTheTensionsAndTheQualityThatWereFound) {
   EXPECT_EQ(waves.outcome().quality.triangles, 1);
 }
 
+TEST(SceneWavesTest, CountsTheTrianglesOfHolesThatAreFilledWhole) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  AllNow(waves);
+  ASSERT_TRUE(waves.TakeFill({0, 0}, {{{3, "", 10, 20, {}}, {4, "", 10, 7, {}}}, {}}).ok());
+  EXPECT_EQ(waves.outcome().triangles, 27);
+  ASSERT_TRUE(waves.TakeFill({0, 0}, {{{3, "no way", 0, 0, {}}}, {}}).ok());
+  EXPECT_EQ(waves.outcome().triangles, 7);
+}
+
 TEST(SceneWavesTest, TakesASingleMeshWithoutAGrid) {
   const SurveyedScene scene = PictureScene({"######", "##.#.#", "######", "######", "######", "######"}, 6);
   WaveOptions options = Dry();

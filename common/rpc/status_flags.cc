@@ -1,0 +1,46 @@
+#include "common/rpc/status_flags.h"
+
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/credentials.h"
+#include "common/rpc/endpoint.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+
+std::vector<FlagSpec> StatusFlags() {
+  return {{"metrics", "HOST:PORT", "serve /metrics, /healthz and /readyz on http://HOST:PORT", ""},
+          {"metrics-tls", "", "on https://HOST:PORT, with --tls-cert and --tls-key", ""},
+          {"metrics-token", "FILE", "file with the token that readers of /metrics show (Bearer)", ""}};
+}
+
+StatusSecurity StatusSecurityFromFlags(const Flags& flags) {
+  StatusSecurity security;
+  security.token_file = flags.Text("metrics-token");
+  if (flags.Switch("metrics-tls")) {
+    security.certificate = flags.Text("tls-cert");
+    security.key = flags.Text("tls-key");
+  }
+  return security;
+}
+
+absl::Status CheckStatusFlags(const Flags& flags) {
+  if (!flags.IsGiven("metrics")) return absl::OkStatus();
+  const std::string address = flags.Text("metrics");
+  TILEMEND_RETURN_IF_ERROR(CheckAddress(address));
+  const bool tls = flags.Switch("metrics-tls");
+  if (tls && (flags.Text("tls-cert").empty() || flags.Text("tls-key").empty())) {
+    return absl::InvalidArgumentError("--metrics-tls needs --tls-cert and --tls-key");
+  }
+  const std::string token = flags.Text("metrics-token");
+  if (token.empty()) return absl::OkStatus();
+  if (!tls && !flags.Switch("insecure") && !IsLoopback(address)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(address, ": the token would leave this machine in plain text; give --metrics-tls, or --insecure"));
+  }
+  return ReadOwnFile(token).status();
+}
+
+}  // namespace tilemend
