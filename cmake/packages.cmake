@@ -2,8 +2,10 @@
 # alerts, the dashboard and the documents.
 install(FILES deploy/systemd/tilemend-coordinator.service deploy/systemd/tilemend-worker.service
   DESTINATION lib/systemd/system)
-install(DIRECTORY deploy/prometheus deploy/grafana docs DESTINATION share/doc/tilemend
-  PATTERN "*.py" EXCLUDE PATTERN "images" EXCLUDE)
+install(DIRECTORY deploy/prometheus deploy/grafana deploy/kubernetes deploy/slurm DESTINATION share/doc/tilemend/deploy
+  USE_SOURCE_PERMISSIONS PATTERN "*.py" EXCLUDE PATTERN "tls" EXCLUDE)
+install(DIRECTORY docs DESTINATION share/doc/tilemend PATTERN "images" EXCLUDE)
+install(PROGRAMS scripts/make_certificates.sh DESTINATION share/doc/tilemend/scripts)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/tilemend)
 
 set(CPACK_PACKAGE_NAME tilemend)

@@ -19,6 +19,7 @@
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
+#include "common/service/service_notifier.h"
 #include "common/util/exit_codes.h"
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
@@ -140,6 +141,24 @@ absl::StatusOr<Access> AccessFromFlags(const Flags& flags) {
   return Access::Closed(flags.Text("tokens"));
 }
 
+// Null without --metrics.
+absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, const std::string& work_folder,
+                                                           PrometheusRegistry& metrics, ProcessMetrics& process,
+                                                           Log& log) {
+  if (!flags.IsGiven("metrics")) return nullptr;
+  Gauge* const journal_bytes =
+      metrics.AddGauge("tilemend_coordinator_journal_bytes", "Size of the journal's files.", {});
+  const StatusPages pages = {[&, journal_bytes, journal = work_folder + "/journal.sqlite"] {
+    process.Update();
+    journal_bytes->Set(SizeOf(journal) + SizeOf(journal + "-wal"));
+    return metrics.Text();
+  }};
+  TILEMEND_ASSIGN_OR_RETURN(auto server,
+                            StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
+  log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), server->port())}});
+  return server;
+}
+
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   SignalWatcher signals;  // before any other thread
   PrometheusRegistry metrics;
@@ -147,19 +166,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
   StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}});
   options.log = &log;
-  std::unique_ptr<StatusServer> status;
-  if (flags.IsGiven("metrics")) {
-    Gauge* const journal_bytes =
-        metrics.AddGauge("tilemend_coordinator_journal_bytes", "Size of the journal's files.", {});
-    const StatusPages pages = {[&, journal_bytes, journal = options.work_folder + "/journal.sqlite"] {
-      process.Update();
-      journal_bytes->Set(SizeOf(journal) + SizeOf(journal + "-wal"));
-      return metrics.Text();
-    }};
-    TILEMEND_ASSIGN_OR_RETURN(status,
-                              StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
-    log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), status->port())}});
-  }
+  TILEMEND_ASSIGN_OR_RETURN(const auto status, ServeMetrics(flags, options.work_folder, metrics, process, log));
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));
   TILEMEND_ASSIGN_OR_RETURN(const WorkLock lock, WorkLock::Take(options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(options.journal, OpenSqliteJournal(options.work_folder + "/journal.sqlite"));
@@ -171,6 +178,10 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(
       const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl, {SecurityFromFlags(flags).tls, gate}));
   log.Info("listening", {{"address", WithPort(flags.Text("listen"), server->rpc().port())}});
+  const ServiceNotifier notifier([&impl] {
+    const Demand demand = impl->DemandNow();
+    return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks");
+  });
   std::binary_semaphore stop(0);
   signals.Start([&stop](int count) {
     if (count == 1) stop.release();

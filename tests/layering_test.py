@@ -16,7 +16,7 @@ import sys
 LIBRARIES = {
     'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
-    'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'gtest/': 'gtest',
+    'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
     'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
 }
@@ -53,6 +53,8 @@ RULES = {
     'common/store': rule(['common/util'], ['absl', 'openssl']),
 
     'common/metrics': rule(['common/util'], ['absl', 'httplib', 'openssl', 'prometheus']),
+
+    'common/service': rule([], ['systemd']),
 
     'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
@@ -104,7 +106,7 @@ RULES = {
          'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
-    'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'worker/service'], ['absl']),
+    'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/service', 'worker/service'], ['absl']),
 
     'coordinator/plan/types': rule(['common/grid', 'common/records'], [], pure=True),
 
@@ -157,7 +159,8 @@ RULES = {
         ['absl', 'protobuf']),
 
     'coordinator': rule(
-        ['common/util', 'common/metrics', 'common/rpc', 'coordinator/journal', 'coordinator/service'], ['absl']),
+        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/service'],
+        ['absl']),
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(

@@ -17,6 +17,7 @@
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
+#include "common/service/service_notifier.h"
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
@@ -86,6 +87,21 @@ absl::Status KeepToRoots(const Flags& flags) {
   return absl::OkStatus();
 }
 
+// Null without --metrics.
+absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, PrometheusRegistry& metrics,
+                                                           ProcessMetrics& process, Worker& worker, Log& log) {
+  if (!flags.IsGiven("metrics")) return nullptr;
+  const StatusPages pages = {[&] {
+                               process.Update();
+                               return metrics.Text();
+                             },
+                             [&worker] { return worker.WhyNotReady(); }};
+  TILEMEND_ASSIGN_OR_RETURN(auto server,
+                            StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
+  log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), server->port())}});
+  return server;
+}
+
 absl::Status Work(const Flags& flags, WorkerOptions options) {
   SignalWatcher signals;  // before any other thread
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags));
@@ -102,17 +118,11 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
     TILEMEND_ASSIGN_OR_RETURN(health, RpcServer::Start(flags.Text("health"), {}, SecurityFromFlags(flags).tls));
     log.Info("health served", {{"address", WithPort(flags.Text("health"), health->port())}});
   }
-  std::unique_ptr<StatusServer> status;
-  if (flags.IsGiven("metrics")) {
-    const StatusPages pages = {[&] {
-                                 process.Update();
-                                 return metrics.Text();
-                               },
-                               [&worker] { return worker.WhyNotReady(); }};
-    TILEMEND_ASSIGN_OR_RETURN(status,
-                              StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
-    log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), status->port())}});
-  }
+  TILEMEND_ASSIGN_OR_RETURN(const auto status, ServeMetrics(flags, metrics, process, worker, log));
+  const ServiceNotifier notifier([&worker] {
+    const std::string reason = worker.WhyNotReady();
+    return reason.empty() ? "connected" : reason;
+  });
   signals.Start([&](int count) {
     log.Info(count == 1 ? "finishing what it has" : "giving back what it has");
     if (count == 1) {
