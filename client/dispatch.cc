@@ -6,11 +6,33 @@
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
 #include "common/util/exit_codes.h"
+#include "common/util/manual.h"
 #include "common/util/settings.h"
 #include "common/util/version.h"
 
 namespace tilemend {
 namespace {
+
+// Of `tilemend` without a command.
+std::vector<FlagSpec> OwnFlags() {
+  return {DescribeFlag(), {"version", "", "show the release", ""}, {"help", "", "show this", "", 'h'}};
+}
+
+int PrintDescription(const std::vector<Command>& commands, const std::string& form) {
+  Manual manual{"tilemend",
+                "fills the holes of very large triangle meshes that are stored as tiles",
+                "COMMAND ...",
+                "~/.config/tilemend.conf",
+                {},
+                OwnFlags()};
+  for (const Command& command : commands) {
+    manual.commands.push_back({command.name, command.arguments, command.summary, command.flags});
+  }
+  const auto text = Describe(manual, form);
+  std::fputs(text.ok() ? text->c_str() : absl::StrCat("tilemend: ", std::string(text.status().message()), "\n").c_str(),
+             text.ok() ? stdout : stderr);
+  return text.ok() ? kExitDone : kExitUsage;
+}
 
 std::string Help(const std::vector<Command>& commands) {
   std::string text =
@@ -22,7 +44,9 @@ std::string Help(const std::vector<Command>& commands) {
   }
   absl::StrAppend(&text,
                   "  help COMMAND                    show the flags of a command\n"
-                  "  --version                       show the release\n\n"
+                  "\n",
+                  FlagsHelp(OwnFlags()),
+                  "\n"
                   "Exit codes: 0 done, 2 usage, 3 not found, 4 invalid input, 5 try again, 6 failed, 7 cancelled,\n"
                   "100 done but some holes or cells are left.\n");
   return text;
@@ -77,6 +101,7 @@ int Dispatch(const std::vector<Command>& commands, const std::vector<std::string
     std::printf("tilemend %s\n", Version());
     return kExitDone;
   }
+  if (words[0] == "--describe") return PrintDescription(commands, words.size() > 1 ? words[1] : "");
   const bool help = words[0] == "help" || words[0] == "--help" || words[0] == "-h";
   if (help && words.size() == 1) {
     std::fputs(Help(commands).c_str(), stdout);

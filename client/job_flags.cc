@@ -44,7 +44,7 @@ std::vector<FlagSpec> JobFlags() {
 
 std::vector<FlagSpec> SurfaceFlags() {
   const JobSpec defaults;
-  return {{"surface", "NAME", "thin-plate, or wang for comparison", defaults.surface},
+  return {{"surface", "thin-plate|wang", "wang is for comparison", defaults.surface},
           {"tension", "auto|X", "of thin-plate: how taut it is, 0 to 1000 per m^2; auto: from the rim", "auto"},
           {"gradation", "X", "growth of triangles from edge to edge inward, 1 to 10", absl::StrCat(defaults.gradation)},
           {"size-limit", "X", "longest edge as a multiple of the rim's mean edge, 1 to 1e6",
@@ -79,7 +79,7 @@ FlagSpec WaterColourFlag() {
   return {"water-colour", "R,G,B|#rrggbb", "colour of filled water (default: as its shore has it)", ""};
 }
 
-FlagSpec OutputFlag() { return {"output", "FORMAT", "format on stdout: table or json", "table", 'o'}; }
+FlagSpec OutputFlag() { return {"output", "table|json", "format on stdout", "table", 'o'}; }
 
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {
   if (args.Text("tension") == "auto") return std::nullopt;

@@ -16,5 +16,14 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_SOURCE_DIR}/cmake/debian/postinst")
+# What `shlibdeps` does not see: the data of PROJ, and useradd.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "proj-data, passwd")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openssl")
+set(debian ${CMAKE_SOURCE_DIR}/deploy/debian)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${debian}/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+# Of the package alone: `cmake --install` writes nothing to /etc.
+install(FILES ${debian}/coordinator.conf ${debian}/worker.conf DESTINATION /etc/tilemend
+  COMPONENT settings EXCLUDE_FROM_ALL)
+set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};tilemend;ALL;/;${CMAKE_BINARY_DIR};tilemend;settings;/")
 include(CPack)

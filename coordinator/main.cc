@@ -24,6 +24,7 @@
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
+#include "common/util/manual.h"
 #include "common/util/roots.h"
 #include "common/util/settings.h"
 #include "common/util/signals.h"
@@ -57,13 +58,14 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"keep-jobs", "DAYS", "a job that is over is forgotten after so long, 0.01 to 10000", "30"},
       {"check-tiles", "digest|size", "what of a written tile is held to what its worker says; digest: reads it",
        "digest"},
+      DescribeFlag(),
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
   };
   const std::vector<FlagSpec> security = ServerSecurityFlags();
   flags.insert(flags.begin() + 1, security.begin(), security.end());
   const std::vector<FlagSpec> status = StatusFlags();
-  flags.insert(flags.end() - 2, status.begin(), status.end());
+  flags.insert(flags.end() - 3, status.begin(), status.end());
   return AllAsSettings(std::move(flags));
 }
 
@@ -192,6 +194,19 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   return absl::OkStatus();
 }
 
+int PrintDescription(const std::string& form) {
+  const auto text = Describe({kProgram,
+                              "takes jobs, plans them and gives their tasks to workers",
+                              "--work DIR [FLAGS]",
+                              "",
+                              {},
+                              CoordinatorFlags()},
+                             form);
+  if (!text.ok()) return Fail(text.status(), kExitUsage);
+  std::fputs(text->c_str(), stdout);
+  return kExitDone;
+}
+
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
   const auto settings = ReadSettings(CoordinatorFlags(), "", std::getenv);
@@ -202,6 +217,7 @@ int Main(const std::vector<std::string>& words) {
     std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s", FlagsHelp(CoordinatorFlags()).c_str());
     return kExitDone;
   }
+  if (flags->IsGiven("describe")) return PrintDescription(flags->Text("describe"));
   if (flags->Switch("version")) {
     std::printf("tilemend-coordinator %s\n", Version());
     return kExitDone;

@@ -21,6 +21,7 @@
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
 #include "common/util/log.h"
+#include "common/util/manual.h"
 #include "common/util/roots.h"
 #include "common/util/settings.h"
 #include "common/util/signals.h"
@@ -42,13 +43,14 @@ std::vector<FlagSpec> WorkerFlags() {
       {"root", "DIR[:DIR]", "read and write files below these folders alone (default: anywhere)", ""},
       {"health", "HOST:PORT", "answer the standard gRPC health check there", ""},
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
+      DescribeFlag(),
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
   };
   const std::vector<FlagSpec> security = ChannelSecurityFlags();
   flags.insert(flags.begin() + 1, security.begin(), security.end());
   const std::vector<FlagSpec> status = StatusFlags();
-  flags.insert(flags.end() - 2, status.begin(), status.end());
+  flags.insert(flags.end() - 3, status.begin(), status.end());
   return AllAsSettings(std::move(flags));
 }
 
@@ -136,6 +138,13 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
   return end;
 }
 
+int PrintDescription(const std::string& form) {
+  const auto text = Describe({kProgram, "runs tasks of a coordinator", "[FLAGS]", "", {}, WorkerFlags()}, form);
+  if (!text.ok()) return Fail(text.status(), kExitUsage);
+  std::fputs(text->c_str(), stdout);
+  return kExitDone;
+}
+
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
   const auto settings = ReadSettings(WorkerFlags(), "", std::getenv);
@@ -146,6 +155,7 @@ int Main(const std::vector<std::string>& words) {
     std::printf("Usage: tilemend-worker [FLAGS]\n\n%s", FlagsHelp(WorkerFlags()).c_str());
     return kExitDone;
   }
+  if (flags->IsGiven("describe")) return PrintDescription(flags->Text("describe"));
   if (flags->Switch("version")) {
     std::printf("tilemend-worker %s\n", Version());
     return kExitDone;

@@ -10,7 +10,7 @@
 namespace tilemend {
 namespace {
 
-constexpr std::chrono::microseconds kUsualInterval = std::chrono::seconds(10);
+constexpr std::chrono::microseconds kUsualInterval = std::chrono::seconds(2);
 
 // Half of what the watchdog allows, as systemd asks for.
 std::chrono::microseconds Interval() {

@@ -13,10 +13,6 @@
 namespace tilemend {
 namespace {
 
-std::string VariableOf(const std::string& flag) {
-  return absl::StrCat("TILEMEND_", absl::AsciiStrToUpper(absl::StrReplaceAll(flag, {{"-", "_"}})));
-}
-
 // `where` is told if the value does not do.
 absl::Status Take(const FlagSpec& spec, const std::string& value, const std::string& where, Settings& settings) {
   if (spec.value.empty() && value != "true" && value != "false") {
@@ -51,6 +47,10 @@ absl::Status TakeFile(const std::vector<FlagSpec>& specs, const std::string& pat
 
 }  // namespace
 
+std::string VariableOf(const std::string& flag) {
+  return absl::StrCat("TILEMEND_", absl::AsciiStrToUpper(absl::StrReplaceAll(flag, {{"-", "_"}})));
+}
+
 absl::StatusOr<Settings> ReadSettings(const std::vector<FlagSpec>& specs, const std::string& usual_file,
                                       const Environment& environment) {
   Settings settings;
@@ -77,7 +77,9 @@ std::string UsualFile(const Environment& environment) {
 }
 
 std::vector<FlagSpec> AllAsSettings(std::vector<FlagSpec> specs) {
-  for (FlagSpec& spec : specs) spec.setting = spec.name != "help" && spec.name != "version";
+  for (FlagSpec& spec : specs) {
+    spec.setting = spec.name != "help" && spec.name != "version" && spec.name != "describe";
+  }
   return specs;
 }
 

@@ -27,10 +27,13 @@ using Environment = std::function<const char*(const char*)>;
 absl::StatusOr<Settings> ReadSettings(const std::vector<FlagSpec>& specs, const std::string& usual_file,
                                       const Environment& environment);
 
+// "TILEMEND_TLS_CA" for "tls-ca".
+std::string VariableOf(const std::string& flag);
+
 // $XDG_CONFIG_HOME/tilemend.conf or ~/.config/tilemend.conf; "" without a home.
 std::string UsualFile(const Environment& environment);
 
-// All flags but --help and --version, for a program without commands.
+// All flags but --help, --version and --describe, for a program without commands.
 std::vector<FlagSpec> AllAsSettings(std::vector<FlagSpec> specs);
 
 }  // namespace tilemend
