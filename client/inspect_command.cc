@@ -90,10 +90,12 @@ std::string PlanText(const Json& plan) {
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {
   const Scene& scene = inspection.waves->scene();
-  const std::map<CellId, SurveyRecord>& records = inspection.waves->records();
+  const std::map<CellId, StoredRecord>& records = inspection.waves->records();
   int64_t triangles = 0;
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [cell, r] : records) {
+  for (const auto& [cell, stored] : records) {
+    const auto record = stored.Outline();
+    const SurveyRecord& r = *record;
     triangles += r.triangle_count;
     rows.push_back({ToString(cell), absl::StrCat(r.vertex_count), absl::StrCat(r.triangle_count),
                     absl::StrCat(r.edges.size()), absl::StrCat(r.nonmanifold_edges),
@@ -180,7 +182,7 @@ int InspectSceneAt(const Request& request) {
   for (const SceneTile& tile : waves.scene().tiles) {
     Json row = {{"cell", {tile.cell.col, tile.cell.row}}, {"path", tile.path.empty() ? Json() : Json(tile.path)}};
     const auto it = waves.records().find(tile.cell);
-    if (it != waves.records().end()) row.update(RecordJson(it->second));
+    if (it != waves.records().end()) row.update(RecordJson(*it->second.Outline()));
     tiles.push_back(row);
   }
   plan["tiles"] = tiles;
@@ -202,7 +204,8 @@ int InspectMeshAt(const Request& request) {
   SceneWaves waves(std::move(scene), wave_options);
   while (waves.Next()) waves.TakeSurvey({0, 0}, SurveyOf(*file));
   Warn(PlanWarnings(waves.plan()));
-  const SurveyRecord& r = waves.records().at({0, 0});
+  const auto record = waves.records().at({0, 0}).Outline();
+  const SurveyRecord& r = *record;
   const Json plan = PlanJson(waves.plan(), 1);
   if (request.format == OutputFormat::kJson) {
     Json json = RecordJson(r);

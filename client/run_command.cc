@@ -61,8 +61,8 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   // The only worker is this process: what it gets wrong once it gets wrong again.
   options.check_result = SceneResultCheck(TileCheck::kSize);
   options.state.max_refusals = 1;
-  TILEMEND_ASSIGN_OR_RETURN(const auto impl,
-                            CoordinatorImpl::Create(options, ScenePipelineFactory(), *MetricsRegistry::Null()));
+  TILEMEND_ASSIGN_OR_RETURN(
+      const auto impl, CoordinatorImpl::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null()));
   TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *impl));
   JobClient client(server->rpc().InProcessChannel(), absl::ZeroDuration());
   v1::CreateJobRequest request;

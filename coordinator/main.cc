@@ -172,8 +172,9 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));
   TILEMEND_ASSIGN_OR_RETURN(const WorkLock lock, WorkLock::Take(options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(options.journal, OpenSqliteJournal(options.work_folder + "/journal.sqlite"));
+  PipelineFactory pipelines = ScenePipelineFactory(options.work_folder);
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
-                            CoordinatorImpl::Create(std::move(options), ScenePipelineFactory(), metrics));
+                            CoordinatorImpl::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));
   TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags));
   const auto gate = std::make_shared<Gate>(std::move(access), metrics, audit == nullptr ? log : *audit->log);

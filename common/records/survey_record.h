@@ -28,8 +28,8 @@ struct BoundaryEdge {
   int32_t piece = 0;  // of surface that hangs together by its edges: those at the boundary, from 0
 };
 
-// The record of one tile. Size is linear in the tile's boundary, not in the tile.
-struct SurveyRecord {
+// What of a record stays in memory when the rest does not.
+struct SurveySummary {
   int64_t vertex_count = 0;
   int64_t triangle_count = 0;
   int64_t doubled_vertices = 0;      // near the boundary: further vertices at one position
@@ -37,7 +37,10 @@ struct SurveyRecord {
   int64_t nonmanifold_edges = 0;     // with three or more triangles
   bool float32 = true;               // the tile's number type
   Point3 lo{0, 0, 0}, hi{0, 0, 0};   // bounds; lo > hi in x when there is no vertex
+};
 
+// The record of one tile. Size is linear in the tile's boundary, not in the tile.
+struct SurveyRecord : SurveySummary {
   std::vector<BoundaryVertex> vertices;
   std::vector<BoundaryEdge> edges;
 

@@ -105,7 +105,7 @@ class Divider {
       for (const LeftOpen& failure : division.seams.failures) {
         if (failure.cell == cell && boundary.seam_failure.empty()) boundary.seam_failure = failure.reason;
       }
-      const SurveyRecord* record = part_.input.cells.at(cell);
+      const StoredRecord& record = part_.input.cells.at(cell);
       boundary.has_surface = record != nullptr && record->triangle_count > 0;
       division.holes[cell] = FindHoles(site, boundary);
     }

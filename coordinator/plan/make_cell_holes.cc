@@ -56,14 +56,14 @@ class CellHolesBuilder {
     return cells;
   }
 
-  const SurveyRecord* RecordOf(CellId cell) const {
+  StoredRecord RecordOf(CellId cell) const {
     const auto it = input_.cells.find(cell);
-    return it == input_.cells.end() ? nullptr : it->second;
+    return it == input_.cells.end() ? StoredRecord() : it->second;
   }
 
   // A cell without a tile takes the number type of the scene: float32 unless every tile has float64.
   bool NumberTypeOf(CellId cell) const {
-    if (const SurveyRecord* own = RecordOf(cell)) return own->float32;
+    if (const StoredRecord own = RecordOf(cell); own != nullptr) return own->float32;
     bool any = false;
     for (const auto& [other, record] : input_.cells) {
       if (record == nullptr) continue;
@@ -74,10 +74,12 @@ class CellHolesBuilder {
   }
 
   void IndexOwnVertices() {
-    const SurveyRecord* own = RecordOf(result_.cell);
-    if (own == nullptr) return;
+    const StoredRecord stored = RecordOf(result_.cell);
+    if (stored == nullptr) return;
+    const auto own = stored.Outline();
     const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(result_.cell);
-    for (size_t i = 0; i < of.size(); ++i) own_index_.emplace(of[i], own->vertices[i].index);
+    for (size_t i = 0; i < of.size(); ++i)
+      if (of[i] >= 0) own_index_.emplace(of[i], own->vertices[i].index);
   }
 
   int32_t Vertex(int32_t plan_vertex, int32_t cluster) {
@@ -176,8 +178,8 @@ class CellHolesBuilder {
   }
 
   void AddBand(CellId tile) {
-    const SurveyRecord* record = RecordOf(tile);
-    if (record == nullptr) return;
+    const StoredRecord stored = RecordOf(tile);
+    if (stored == nullptr) return;
     const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(tile);
     std::unordered_map<int32_t, int32_t> number;  // band point -> the result's
     const auto rim_vertex = [&](int32_t v) {
@@ -185,6 +187,8 @@ class CellHolesBuilder {
       const auto it = number_.find(of[v]);
       return it == number_.end() ? -1 : it->second;
     };
+    if (std::none_of(of.begin(), of.end(), [&](int32_t v) { return number_.contains(v); })) return;
+    const auto record = stored.WithBand();
     for (const Triangle& t : record->band.triangles) {
       const int32_t rim[3] = {rim_vertex(t[0]), rim_vertex(t[1]), rim_vertex(t[2])};
       if (rim[0] < 0 && rim[1] < 0 && rim[2] < 0) continue;

@@ -49,8 +49,9 @@ double LatticeStep(const PlanInput& input) {
 // Appends the rim points and seam vertices of a part. Returns the number of the first.
 int32_t StoreVertices(Rim& rim, const SeamLayout& seams, Plan& plan) {
   const auto base = static_cast<int32_t>(plan.vertices.size());
+  plan.vertices.reserve(plan.vertices.size() + rim.points.size() + seams.vertices.size());
   for (auto& [cell, points] : rim.point_of) {
-    for (int32_t& p : points) p += base;
+    for (int32_t& p : points) p = p < 0 ? -1 : p + base;
     plan.vertex_of_boundary[cell] = std::move(points);
   }
   for (const RimPoint& p : rim.points) {
@@ -103,7 +104,8 @@ void CutByPolygon(const PlanInput& input, const GridLines& lines, const PlanOpti
 
 // Plans the holes of cells whose tiles share vertices and stores them.
 void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions& options, Plan& plan) {
-  Rim rim = BuildRim(input);
+  // What becomes of tiles that overlap is found on their own outlines.
+  Rim rim = BuildRim(input, lines.joined ? RimPoints::kAll : RimPoints::kOfEdges);
   if (!input.area.empty()) CutByPolygon(input, lines, options, rim, plan);
   const ClosingCells closing = FindClosingCells(input, lines, rim);
   RaiseSmallSizes(plan.lattice_step, rim);
@@ -170,9 +172,11 @@ void RefuseTilesThatFaceDown(const PlanInput& input, Plan& plan) {
       "the tile faces down, or its surface has no outline; turn its triangles or repair it first";
   std::set<CellId> cells;
   for (const auto& [cell, record] : input.cells) {
-    if (record == nullptr || record->triangle_count == 0 || TwiceArea(*record) > 0) continue;
+    if (record == nullptr || record->triangle_count == 0) continue;
+    const auto outline = record.Outline();
+    if (TwiceArea(*outline) > 0) continue;
     cells.insert(cell);
-    plan.left.push_back({cell, kReason, -1, std::ssize(record->edges)});
+    plan.left.push_back({cell, kReason, -1, std::ssize(outline->edges)});
   }
   for (PlannedHole& hole : plan.holes) {
     if (hole.failure.empty() && cells.contains(hole.cell)) hole.failure = kReason;

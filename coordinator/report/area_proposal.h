@@ -5,7 +5,7 @@
 #include <map>
 
 #include "common/grid/scene.h"
-#include "common/records/survey_record.h"
+#include "common/records/stored_record.h"
 
 namespace tilemend {
 
@@ -14,7 +14,7 @@ namespace tilemend {
 // 2000 cells: the outline is some two squares inside the surface's own. Rings have what is inside on their left.
 //
 // Precondition: cell_size > 0. Cost: linear in the raster and the boundary edges. Deterministic.
-PlanePolygon ProposeArea(const Scene& scene, const std::map<CellId, SurveyRecord>& records);
+PlanePolygon ProposeArea(const Scene& scene, const std::map<CellId, StoredRecord>& records);
 
 }  // namespace tilemend
 

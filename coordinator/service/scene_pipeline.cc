@@ -30,6 +30,8 @@
 #include "coordinator/service/output_folder.h"
 #include "coordinator/service/scene_files.h"
 #include "coordinator/service/scene_folders.h"
+#include "coordinator/service/scene_options.h"
+#include "coordinator/service/scratch_file.h"
 #include "coordinator/service/stage_results.h"
 #include "coordinator/waves/scene_waves.h"
 #include "tilemend/v1/stages.pb.h"
@@ -37,47 +39,9 @@
 namespace tilemend {
 namespace {
 
-WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled) {
-  WaveOptions options;
-  options.plan.is_cancelled = std::move(is_cancelled);
-  options.plan.gradation = spec.gradation;
-  options.plan.size_limit = spec.size_limit;
-  options.plan.uniform = spec.uniform;
-  options.plan.water = std::move(water);
-  if (!spec.water_colour.empty()) options.plan.water_colour = ParseColour(spec.water_colour);
-  options.surface = SurfaceNamed(spec.surface).value_or(kDefaultSurface);
-  options.seam_smoothing = spec.seam_smoothing;
-  options.plan_only = spec.dry_run;
-  return options;
-}
-
-v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
-  v1::ShapeOptions options;
-  options.set_gradation(spec.gradation);
-  options.set_size_limit(spec.size_limit);
-  options.set_uniform(spec.uniform);
-  options.set_thin_plate(spec.surface == SurfaceName(Surface::kThinPlate));
-  if (spec.tension) options.set_tension(*spec.tension);
-  return options;
-}
-
-// What the result depends on beside the scene, under the names of the flags.
-std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
-  ReportedOption tension{"tension", std::string("auto")};
-  if (spec.tension) tension.value = *spec.tension;
-  return {{"surface", spec.surface},
-          {"tension", tension.value},
-          {"gradation", spec.gradation},
-          {"size-limit", spec.size_limit},
-          {"uniform", spec.uniform},
-          {"seam-smoothing", spec.seam_smoothing},
-          {"water", spec.water},
-          {"water-tolerance", spec.water_tolerance},
-          {"water-profile", spec.water_profile},
-          {"water-colour", spec.water_colour},
-          {"textures", spec.textures},
-          {"area", spec.area}};
-}
+// What is given out at once. More follows with each result; each input is in memory until it is given out.
+constexpr size_t kEnoughTasks = 256;
+constexpr size_t kEnoughBytes = 16 << 20;
 
 template <typename Message>
 absl::StatusOr<Message> Parse(const std::string& bytes) {
@@ -91,12 +55,31 @@ absl::Status Unreadable(CellId cell, const absl::Status& status) {
       absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", status.message()));
 }
 
+absl::Status PlaceFiles(const v1::AssembleOutput& written, OutputFolder& output) {
+  for (const v1::WrittenFile& file : written.files()) {
+    TILEMEND_RETURN_IF_ERROR(output.Place({file.attempt(), file.path(), file.bytes()}));
+  }
+  return absl::OkStatus();
+}
+
+// What says where a folder of photogrammetry tiles lies.
+absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
+  constexpr char kMetadata[] = "metadata.xml";
+  const std::string from = absl::StrCat(scene.root, "/", kMetadata);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(from, error)) return absl::OkStatus();
+  output.Adopt({kMetadata});
+  return CarryFile(from, absl::StrCat(output.path(), "/", kMetadata), Carry::kCopy);
+}
+
 // Drives the waves of a scene with tasks: encodes work, decodes results, keeps the patches as they come, and owns the
 // output.
 class ScenePipeline : public JobPipeline {
  public:
-  ScenePipeline(JobSpec spec, Scene scene, WaterOptions water, std::optional<OutputFolder> output)
+  ScenePipeline(JobSpec spec, Scene scene, WaterOptions water, std::optional<OutputFolder> output,
+                std::shared_ptr<ScratchFile> scratch)
       : spec_(std::move(spec)),
+        scratch_(std::move(scratch)),
         shape_(ShapeOptionsOf(spec_)),
         output_(std::move(output)),
         files_(output_ ? FolderInScene(output_->path(), scene.root) : ""),
@@ -166,9 +149,13 @@ class ScenePipeline : public JobPipeline {
   absl::StatusOr<std::vector<NewTask>> NextTasks() {
     std::vector<NewTask> tasks;
     const auto task = [this](const auto& work) { return TaskOf(work); };
-    while (const std::optional<SceneWork> next = waves_.Next()) {
+    size_t bytes = 0;
+    while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks) {
+      const std::optional<SceneWork> next = waves_.Next();
+      if (!next) break;
       if (is_cancelled()) return absl::CancelledError("the job was cancelled");
       TILEMEND_ASSIGN_OR_RETURN(tasks.emplace_back(), std::visit(task, *next));
+      bytes += tasks.back().input.size();
     }
     return tasks;
   }
@@ -201,7 +188,7 @@ class ScenePipeline : public JobPipeline {
     *input.mutable_holes() = ToProto(work.holes);
     *input.mutable_options() = shape_;
     for (const SceneTile* tile : work.surface) *input.add_surface() = Ref(*tile);
-    rims_[work.holes.cell] = ToProto(work.holes.vertices);
+    TILEMEND_ASSIGN_OR_RETURN(rims_[work.holes.cell], PutAside(ToProto(work.holes.vertices)));
     return NewTask{work.holes.cell, Stage::kFill, input.SerializeAsString()};
   }
 
@@ -214,9 +201,10 @@ class ScenePipeline : public JobPipeline {
     input.set_attempts(output_->attempts().path());
     input.set_float32(work.float32);
     input.set_tile_vertices(work.tile_vertices);
-    if (auto patches = patches_.extract(work.tile->cell)) {
-      *input.mutable_vertices() = std::move(rims_.at(work.tile->cell));
-      *input.mutable_patches() = std::move(patches.mapped());
+    if (const auto patches = patches_.find(work.tile->cell); patches != patches_.end()) {
+      TILEMEND_ASSIGN_OR_RETURN(*input.mutable_vertices(), TakeUp<v1::RimVertices>(rims_.at(work.tile->cell)));
+      TILEMEND_ASSIGN_OR_RETURN(*input.mutable_patches(), TakeUp<v1::FillOutput>(patches->second));
+      patches_.erase(patches);
       SetColours(work.colours, input);
     }
     SetFiles(*work.tile, input);
@@ -248,15 +236,36 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::Status Take(const TaskResult& result) {
+    if (result.stage == Stage::kSurvey) return TakeSurvey(result);
     const absl::Status status = Decode(result);
-    if (!status.ok()) return result.stage == Stage::kAssemble ? status : Unreadable(result.cell, status);
-    if (result.stage != Stage::kSurvey) return absl::OkStatus();
-    return CheckInsideCell(waves_.records().at(result.cell), waves_.scene(), waves_.tile(result.cell));
+    return status.ok() || result.stage == Stage::kAssemble ? status : Unreadable(result.cell, status);
+  }
+
+  absl::Status TakeSurvey(const TaskResult& result) {
+    absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(*result.output);
+    if (!tile.ok()) return Unreadable(result.cell, tile.status());
+    TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(result.cell)));
+    if (spec_.textures != "off") files_.Take(result.cell, tile->files);
+    digests_[result.cell] = std::move(tile->digest);
+    TILEMEND_ASSIGN_OR_RETURN(StoredRecord stored, scratch_->Keep(tile->record));
+    waves_.TakeSurvey(result.cell, std::move(stored));
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<ScratchFile::Place> PutAside(const google::protobuf::MessageLite& message) {
+    return scratch_->Put(message.SerializeAsString());
+  }
+
+  template <typename Message>
+  absl::StatusOr<Message> TakeUp(const ScratchFile::Place& place) const {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, scratch_->Get(place));
+    return Parse<Message>(bytes);
   }
 
   absl::Status ComparePatches(CellId cell, const v1::FillOutput& output) {
     if (!waves_.CompareFills(cell)) return absl::OkStatus();
-    TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(rims_.at(cell)));
+    TILEMEND_ASSIGN_OR_RETURN(const auto rims, TakeUp<v1::RimVertices>(rims_.at(cell)));
+    TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(rims));
     TILEMEND_ASSIGN_OR_RETURN(const std::vector<HolePatch> patches, FromProto(output, vertices.size()));
     waves_.TakePatches(cell, vertices, patches);
     return absl::OkStatus();
@@ -264,15 +273,6 @@ class ScenePipeline : public JobPipeline {
 
   absl::Status Decode(const TaskResult& result) {
     switch (result.stage) {
-      case Stage::kSurvey: {
-        TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(*result.output));
-        TILEMEND_ASSIGN_OR_RETURN(SurveyRecord record, FromProto(output));
-        TILEMEND_ASSIGN_OR_RETURN(const TileFiles files, FromProto(output.files()));
-        if (spec_.textures != "off") files_.Take(result.cell, files);
-        digests_[result.cell] = output.digest();
-        waves_.TakeSurvey(result.cell, std::move(record));
-        return absl::OkStatus();
-      }
       case Stage::kSampleCluster: {
         TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(*result.output));
         TILEMEND_ASSIGN_OR_RETURN(const ClusterSamples samples, SamplesOf(output));
@@ -288,25 +288,18 @@ class ScenePipeline : public JobPipeline {
         TILEMEND_ASSIGN_OR_RETURN(const CellPatches patches, PatchesOf(output));
         TILEMEND_RETURN_IF_ERROR(ComparePatches(result.cell, output));
         output.clear_quality();
-        patches_[result.cell] = std::move(output);
+        TILEMEND_ASSIGN_OR_RETURN(patches_[result.cell], PutAside(output));
         return waves_.TakeFill(result.cell, patches);
       }
       case Stage::kAssemble: {
         TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(*result.output));
         files_.Warn(result.cell, {output.warnings().begin(), output.warnings().end()});
         waves_.TakeAssemble();
-        return Place(output);
+        return PlaceFiles(output, *output_);
       }
       default:
         return absl::InvalidArgumentError("unknown stage");
     }
-  }
-
-  absl::Status Place(const v1::AssembleOutput& output) {
-    for (const v1::WrittenFile& file : output.files()) {
-      TILEMEND_RETURN_IF_ERROR(output_->Place({file.attempt(), file.path(), file.bytes()}));
-    }
-    return absl::OkStatus();
   }
 
   // Goes on without a cell that workers died of, or whose filling broke: the failure of a cell is not that of the job.
@@ -340,23 +333,13 @@ class ScenePipeline : public JobPipeline {
     return report;
   }
 
-  // What says where a folder of photogrammetry tiles lies.
-  absl::Status CarryMetadata() {
-    constexpr char kMetadata[] = "metadata.xml";
-    const std::string from = absl::StrCat(waves_.scene().root, "/", kMetadata);
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(from, error)) return absl::OkStatus();
-    output_->Adopt({kMetadata});
-    return CarryFile(from, absl::StrCat(output_->path(), "/", kMetadata), Carry::kCopy);
-  }
-
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
     TILEMEND_RETURN_IF_ERROR(output_->SeeAll());
     const Scene& scene = waves_.scene();
     if (scene.found_by_name) {
       TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene)));
     }
-    TILEMEND_RETURN_IF_ERROR(CarryMetadata());
+    TILEMEND_RETURN_IF_ERROR(CarryMetadata(waves_.scene(), *output_));
     output_->Adopt(files_.Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
       absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
@@ -375,6 +358,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   const JobSpec spec_;
+  const std::shared_ptr<ScratchFile> scratch_;
   const v1::ShapeOptions shape_;
   std::optional<OutputFolder> output_;  // none in a dry run
   bool writing_ = false;
@@ -383,9 +367,9 @@ class ScenePipeline : public JobPipeline {
   std::vector<std::pair<std::string, double>> seconds_;  // by step
   SceneFiles files_;
   SceneWaves waves_;
-  std::map<CellId, std::string> digests_;   // of the tiles
-  std::map<CellId, v1::RimVertices> rims_;  // of the cells that are filled, until they are assembled
-  std::map<CellId, v1::FillOutput> patches_;
+  std::map<CellId, std::string> digests_;      // of the tiles
+  std::map<CellId, ScratchFile::Place> rims_;  // of the cells that are filled, until they are assembled
+  std::map<CellId, ScratchFile::Place> patches_;
 };
 
 // What makes two jobs write the same bytes. The files of water and of the area count by their content.
@@ -398,7 +382,7 @@ std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::str
       spec.water_profile, spec.water_colour, spec.textures, area_digest);
 }
 
-absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec) {
+absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance, FrameOf(scene)));
@@ -410,11 +394,15 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
                               OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec, water, area_digest)));
     output.emplace(std::move(claimed));
   }
-  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(water.options), std::move(output));
+  TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
+  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(water.options), std::move(output),
+                                         std::move(scratch));
 }
 
 }  // namespace
 
-PipelineFactory ScenePipelineFactory() { return MakeScenePipeline; }
+PipelineFactory ScenePipelineFactory(std::string scratch) {
+  return [scratch = std::move(scratch)](const JobSpec& spec) { return MakeScenePipeline(spec, scratch); };
+}
 
 }  // namespace tilemend

@@ -6,7 +6,9 @@
 
 namespace tilemend {
 
-PipelineFactory ScenePipelineFactory();
+// What a job puts aside while it runs lies in `scratch`, a folder; empty: that of the system for such files. Files
+// there have no names: they end with the process.
+PipelineFactory ScenePipelineFactory(std::string scratch = "");
 
 }  // namespace tilemend
 

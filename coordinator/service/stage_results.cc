@@ -1,9 +1,20 @@
 #include "coordinator/service/stage_results.h"
 
+#include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
+
+absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output) {
+  v1::SurveyOutput output;
+  if (!output.ParseFromString(survey_output)) return absl::InvalidArgumentError("not the expected message");
+  SurveyedTile tile;
+  TILEMEND_ASSIGN_OR_RETURN(tile.record, FromProto(output));
+  TILEMEND_ASSIGN_OR_RETURN(tile.files, FromProto(output.files()));
+  tile.digest = output.digest();
+  return tile;
+}
 
 absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output) {
   if (output.height_size() != output.seam_vertex_size() || output.laplacian_size() != output.seam_vertex_size() ||

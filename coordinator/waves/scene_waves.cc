@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -15,7 +16,7 @@ namespace tilemend {
 namespace {
 
 // A cell that a mesh lies in the middle of.
-Grid GridAround(const SurveyRecord& record) {
+Grid GridAround(const SurveySummary& record) {
   const Point2 extent = (record.hi - record.lo).head<2>().cwiseMax(Point2(1, 1));
   return {record.lo.head<2>() - extent, 3 * extent};
 }
@@ -84,7 +85,7 @@ FillWork SceneWaves::FillWorkOf(CellId cell) const {
 AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
   AssembleWork work{tiles_.at(cell), float32_};
   if (const auto record = records_.find(cell); record != records_.end()) {
-    work.tile_vertices = record->second.vertex_count;
+    work.tile_vertices = record->second->vertex_count;
   }
   if (const auto holes = holes_of_.find(cell); holes != holes_of_.end()) {
     for (const int32_t h : holes->second) work.colours.of_holes[h] = plan_.colours[h];
@@ -94,9 +95,13 @@ AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
   return work;
 }
 
-void SceneWaves::TakeSurvey(CellId cell, SurveyRecord record) {
+void SceneWaves::TakeSurvey(CellId cell, StoredRecord record) {
   records_[cell] = std::move(record);
   --awaited_;
+}
+
+void SceneWaves::TakeSurvey(CellId cell, SurveyRecord record) {
+  TakeSurvey(cell, StoredRecord(std::make_shared<const SurveyRecord>(std::move(record))));
 }
 
 absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
@@ -232,9 +237,9 @@ void SceneWaves::MakeThePlan() {
   input_.area = scene_.area;
   for (const auto& [cell, tile] : tiles_) {
     const auto record = records_.find(cell);
-    input_.cells[cell] = record == records_.end() ? nullptr : &record->second;
+    input_.cells[cell] = record == records_.end() ? StoredRecord() : record->second;
   }
-  input_.grid = options_.single_mesh ? GridAround(records_.begin()->second) : scene_.grid;
+  input_.grid = options_.single_mesh ? GridAround(*records_.begin()->second) : scene_.grid;
   plan_ = MakePlan(input_, options_.plan);
   SettleWater(plan_, heights_);
   plan_.colours = ColourHoles(plan_, input_, options_.plan.water_colour);
@@ -290,7 +295,7 @@ void SceneWaves::QueueFill(CellId cell) {
 
 void SceneWaves::QueueAssembles() {
   phase_ = "assemble";
-  float32_ = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second.float32; });
+  float32_ = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second->float32; });
   for (const SceneTile& tile : scene_.tiles) {
     if (tile.path.empty() && !filled_.contains(tile.cell)) {
       ++cells_done_;  // nothing to write

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "common/records/stored_record.h"
 #include "common/records/surface.h"
 #include "coordinator/plan/plan.h"
 #include "coordinator/plan/seam/seam_heights.h"
@@ -41,7 +42,8 @@ struct WaveOptions {
 // are sampled cluster by cluster, the largest first, and a cell is filled as soon as its own clusters are known. The
 // results do not depend on the order in which they come.
 //
-// It holds the survey records, the plan, the heights of seams and the outcome, but no patch. Pure; one thread at a
+// It holds the plan, the heights of seams and the outcome, but no patch, and of the survey records what is handed over
+// (StoredRecord). Pure; one thread at a
 // time.
 class SceneWaves {
  public:
@@ -59,7 +61,8 @@ class SceneWaves {
 
   // The results. kInvalidArgument if one names a hole, a vertex or a cluster that is not there, or a height or
   // Laplacian that is no number; the scene cannot go on then.
-  void TakeSurvey(CellId cell, SurveyRecord record);
+  void TakeSurvey(CellId cell, StoredRecord record);
+  void TakeSurvey(CellId cell, SurveyRecord record);  // keeps it in memory
   absl::Status TakeCluster(const ClusterSamples& result);
   absl::Status TakeLayer(const std::vector<SeamSample>& samples);
   absl::Status TakeFill(CellId cell, const CellPatches& result);
@@ -78,7 +81,7 @@ class SceneWaves {
   const SceneTile& tile(CellId cell) const { return *tiles_.at(cell); }  // of the scene
   const WaveOptions& options() const { return options_; }
   // By cell, those that have been taken.
-  const std::map<CellId, SurveyRecord>& records() const { return records_; }
+  const std::map<CellId, StoredRecord>& records() const { return records_; }
   // Empty until all surveys are taken and Next is called.
   const Plan& plan() const { return plan_; }
   const SeamHeights& heights() const { return heights_; }
@@ -125,7 +128,7 @@ class SceneWaves {
   std::string phase_ = "survey";
   int64_t cells_done_ = 0;
 
-  std::map<CellId, SurveyRecord> records_;
+  std::map<CellId, StoredRecord> records_;
   PlanInput input_;
   Plan plan_;
   SeamHeights heights_;

@@ -4,7 +4,22 @@
 #include <algorithm>
 #include <vector>
 
+#include "coordinator/plan/types/cell_side.h"
+
 namespace tilemend {
+namespace {
+
+// Whether two neighbours share vertices along their border. The borders are in order of their cells.
+bool IsExact(const Plan& plan, CellId a, CellId b) {
+  auto border = std::partition_point(plan.borders.begin(), plan.borders.end(),
+                                     [&](const BorderAudit& audit) { return audit.a < a; });
+  for (; border != plan.borders.end() && border->a == a; ++border) {
+    if (border->b == b) return border->kind == BorderKind::kExact;
+  }
+  return false;
+}
+
+}  // namespace
 
 std::set<CellId> TilesInReach(const CellHoles& cell, const Plan& plan, const PlanInput& input) {
   std::vector<Eigen::AlignedBox3d> reaches;
@@ -13,10 +28,9 @@ std::set<CellId> TilesInReach(const CellHoles& cell, const Plan& plan, const Pla
   }
   if (reaches.empty()) return {};
   std::set<CellId> candidates = {cell.cell}, tiles;
-  for (const BorderAudit& border : plan.borders) {
-    if (border.kind != BorderKind::kExact) continue;
-    if (border.a == cell.cell) candidates.insert(border.b);
-    if (border.b == cell.cell) candidates.insert(border.a);
+  for (const Side side : kSides) {
+    const CellId other = Across(cell.cell, side);
+    if (IsExact(plan, std::min(cell.cell, other), std::max(cell.cell, other))) candidates.insert(other);
   }
   for (const CellId candidate : candidates) {
     const auto tile = input.cells.find(candidate);

@@ -6,7 +6,7 @@
 
 namespace tilemend {
 
-PipelineFactory ScenePipelineFactory() { return ToyPipelineFactory(); }
+PipelineFactory ScenePipelineFactory(std::string) { return ToyPipelineFactory(); }
 
 ResultCheck SceneResultCheck(TileCheck) { return {}; }
 

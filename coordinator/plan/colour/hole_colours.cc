@@ -14,10 +14,11 @@ std::vector<std::optional<Rgb>> VertexColours(const Plan& plan, const PlanInput&
   std::vector<std::optional<Rgb>> colours(plan.vertices.size());
   for (const auto& [cell, record] : input.cells) {
     const auto vertices = plan.vertex_of_boundary.find(cell);
-    if (record == nullptr || record->colours.empty() || vertices == plan.vertex_of_boundary.end()) continue;
-    for (size_t i = 0; i < std::min(vertices->second.size(), record->colours.size()); ++i) {
+    if (record == nullptr || vertices == plan.vertex_of_boundary.end()) continue;
+    const auto outline = record.Outline();
+    for (size_t i = 0; i < std::min(vertices->second.size(), outline->colours.size()); ++i) {
       const int32_t v = vertices->second[i];
-      if (v >= 0 && !colours[v]) colours[v] = record->colours[i];
+      if (v >= 0 && !colours[v]) colours[v] = outline->colours[i];
     }
   }
   return colours;

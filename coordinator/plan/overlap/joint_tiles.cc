@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -79,9 +80,10 @@ class Joiner {
     }
   }
 
-  void Clip(CellId cell, const SurveyRecord* tile) {
+  void Clip(CellId cell, const StoredRecord& stored) {
     const AreaOutside outside = OutsideOf(cell);
-    if (tile == nullptr && outside.empty()) return;
+    if (stored == nullptr && outside.empty()) return;
+    const auto tile = stored == nullptr ? nullptr : stored.Outline();
     const SurveyRecord& record = tile != nullptr ? *tile : kNoTile;
     const std::vector<bool> on_piece_outline = FindPieceOutlines(record, own_.piece_reach);
     ClippedTile& clipped = clipped_[cell] = ClipTile(record, on_piece_outline, joint_.squares.at(cell), outside);
@@ -123,7 +125,7 @@ class Joiner {
       for (int32_t& e : v.through) e = tile.edge_of[e];
       std::erase(v.through, -1);
     }
-    joint_.own[cell] = &(joint_.in_area[cell] = std::move(tile.record));
+    joint_.own[cell] = std::make_shared<const SurveyRecord>(std::move(tile.record));
   }
 
   // The south-west corner of a cell stands for its place.

@@ -20,7 +20,7 @@ namespace tilemend {
 
 struct JointTiles {
   // What is cut: the tiles' boundaries, in an area those of the part inside (tile_in_area.h).
-  std::map<CellId, const SurveyRecord*> own;
+  std::map<CellId, StoredRecord::Pointer> own;
   // The clipped boundaries, without bands. A record's vertices are all those of `own`, in order, then new ones on
   // the grid lines; `index` of the latter goes on from the tile's vertex count.
   std::map<CellId, SurveyRecord> records;
@@ -31,8 +31,6 @@ struct JointTiles {
   std::map<CellId, ClipSquare> squares;
   PlanInput input;  // the scene with these records and no area; valid as long as they are
   GridLines lines;  // the grid lines
-
-  std::map<CellId, SurveyRecord> in_area;  // with an area: what `own` points to
 };
 
 //   own         the outlines of the tiles

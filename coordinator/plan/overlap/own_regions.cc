@@ -393,7 +393,8 @@ void LayOwnRegions(const PlanInput& input, const GridLines& own, const JointTile
   for (const auto& [cell, of_cell] : holes) CellRegions(cell, own, joint, in_picture, plan).Lay(of_cell);
   std::erase_if(plan.holes, [](const PlannedHole& hole) { return hole.segments.empty(); });
   std::erase_if(plan.vertex_of_boundary, [&](const auto& of) { return input.cells.at(of.first) == nullptr; });
-  for (auto& [cell, vertices] : plan.vertex_of_boundary) vertices.resize(input.cells.at(cell)->vertices.size());
+  for (auto& [cell, vertices] : plan.vertex_of_boundary)
+    vertices.resize(input.cells.at(cell).Outline()->vertices.size());
 }
 
 }  // namespace tilemend

@@ -33,9 +33,11 @@ std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid
 OutlineOffsets FindOffsets(const PlanInput& input) {
   OutlineOffsets offsets;
   for (const auto& [cell, record] : input.cells) {
-    if (record == nullptr || record->vertices.empty()) continue;
+    if (record == nullptr) continue;
+    const auto outline = record.Outline();
+    if (outline->vertices.empty()) continue;
     for (const Side side : kSides) {
-      if (const auto offset = OutlineOffset(*record, input.grid, cell, side)) offsets[{cell, side}] = *offset;
+      if (const auto offset = OutlineOffset(*outline, input.grid, cell, side)) offsets[{cell, side}] = *offset;
     }
   }
   return offsets;
@@ -100,22 +102,25 @@ void Classify(const SurveyRecord& record, const SurveyRecord& other, const Grid&
   }
 }
 
-BorderAudit AuditBorder(const PlanInput& input, CellId cell, Side side, BorderFindings& found, CutEvidence& evidence) {
+//   own  the outline of the cell; null: no surface
+BorderAudit AuditBorder(const PlanInput& input, CellId cell, const SurveyRecord* own, Side side, BorderFindings& found,
+                        CutEvidence& evidence) {
   const CellId other = Across(cell, side);
   BorderAudit audit;
   audit.a = cell, audit.b = other;
   for (const auto outline : {found.offsets.find({cell, side}), found.offsets.find({other, Opposite(side)})}) {
     if (outline != found.offsets.end()) evidence.offsets.push_back(outline->second);
   }
-  const SurveyRecord *record = input.cells.at(cell), *other_record = input.cells.at(other);
-  if (record == nullptr || other_record == nullptr) return audit;
-  const auto shared = CountShared(*record, *other_record, AxisOf(side), NominalLine(input.grid, cell, side));
+  const StoredRecord& neighbour = input.cells.at(other);
+  if (own == nullptr || neighbour == nullptr) return audit;
+  const auto other_record = neighbour.Outline();
+  const auto shared = CountShared(*own, *other_record, AxisOf(side), NominalLine(input.grid, cell, side));
   audit.shared_vertices = shared.count;
-  Classify(*record, *other_record, input.grid, side, found.offsets, found.buffers, audit);
+  Classify(*own, *other_record, input.grid, side, found.offsets, found.buffers, audit);
   evidence.exact += audit.kind == BorderKind::kExact;
   evidence.apart += audit.kind == BorderKind::kOverlap || std::abs(audit.offset) > kStraight;
   if (audit.kind == BorderKind::kOverlap) {
-    audit.apart = CompareOver(*record, *other_record, audit, input.grid, side);
+    audit.apart = CompareOver(*input.cells.at(cell).WithBand(), *neighbour.WithBand(), audit, input.grid, side);
   } else {
     evidence.shared.count += shared.count;
     evidence.shared.on_line += shared.on_line;
@@ -136,9 +141,10 @@ BorderFindings AuditBorders(const PlanInput& input) {
   found.offsets = FindOffsets(input);
   CutEvidence evidence;
   for (const auto& [cell, record] : input.cells) {
+    const auto own = record == nullptr ? nullptr : record.Outline();
     for (const Side side : {kEast, kNorth}) {
       if (!input.cells.contains(Across(cell, side))) continue;
-      found.borders.push_back(AuditBorder(input, cell, side, found, evidence));
+      found.borders.push_back(AuditBorder(input, cell, own.get(), side, found, evidence));
     }
   }
   bool straight_on_line = false;

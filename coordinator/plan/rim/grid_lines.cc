@@ -33,12 +33,13 @@ LineFinding FindLines(const PlanInput& input) {
   std::map<Line, double> all;
   for (const auto& [cell, record] : input.cells) {
     if (record == nullptr) continue;
+    const auto outline = record.Outline();
     for (const Side side : kSides) {
       const int axis = AxisOf(side);
       const double nominal = NominalLine(input.grid, cell, side);
-      for (const BoundaryEdge& e : record->edges) {
-        const Point3& a = record->vertices[e.from].position;
-        const Point3& b = record->vertices[e.to].position;
+      for (const BoundaryEdge& e : outline->edges) {
+        const Point3& a = outline->vertices[e.from].position;
+        const Point3& b = outline->vertices[e.to].position;
         const double along = std::abs(a[1 - axis] - b[1 - axis]);
         if (std::abs(a[axis] - nominal) > kOnLine || std::abs(b[axis] - nominal) > kOnLine || along < 2 * kOnLine) {
           continue;
@@ -135,10 +136,10 @@ GridLines FindGridLines(const PlanInput& input, const BorderFindings& borders, d
   } else {
     PlaceOnLines(input, found.coordinate, lattice_step, lines);
   }
-  ForSidesAtRim(input, [&](CellId cell, const SurveyRecord* record, Side side) {
+  ForSidesAtRim(input, [&](CellId cell, const StoredRecord& record, Side side) {
     if (!input.area_known) lines.left_open.insert(std::minmax(cell, Across(cell, side)));
     if (borders.independent || lines.clipped || record == nullptr) return;
-    if (EndsInZigzag(*record, input.grid, cell, side)) lines.zigzag.insert({cell, side});
+    if (EndsInZigzag(*record.Outline(), input.grid, cell, side)) lines.zigzag.insert({cell, side});
   });
   return lines;
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <unordered_map>
 #include <utility>
@@ -15,35 +16,133 @@
 namespace tilemend {
 namespace {
 
-// All boundary vertices and edges of all tiles, before matching.
-void CollectEdges(const PlanInput& input, Rim& rim) {
-  PositionIndex index;
-  for (const auto& [cell, record] : input.cells) {
-    if (record == nullptr) continue;
-    std::vector<int32_t>& number = rim.point_of[cell];
-    number.reserve(record->vertices.size());
-    for (const BoundaryVertex& v : record->vertices) {
-      const int32_t n = index.Insert(v.position);
-      if (n == static_cast<int32_t>(rim.points.size())) {
-        rim.points.push_back({cell, v.index, v.position, v.normal, v.centroid_height, 0});
+uint64_t KeyOf(const RimEdge& e) { return EdgeKey(std::min(e.from, e.to), std::max(e.from, e.to)); }
+
+// Boundary vertices and edges of all tiles, in order of the cells. Every pair of edges that run between the same points
+// is dropped: in opposite directions, two tiles meet there. Points and edges are tidied up as soon as no tile to come
+// reaches them: what is held is the rim so far, and the boundaries of the tiles about the cell.
+class RimCollector {
+ public:
+  RimCollector(RimPoints keep, Rim& rim) : keep_(keep), rim_(rim) {}
+
+  void Take(CellId cell, const SurveyRecord& record) {
+    std::vector<int32_t>& number = rim_.point_of[cell];
+    number.reserve(record.vertices.size());
+    for (const BoundaryVertex& v : record.vertices) {
+      const auto place = static_cast<size_t>(index_.Insert(v.position));
+      if (place == point_at_.size()) {
+        point_at_.push_back(static_cast<int32_t>(rim_.points.size()));
+        rim_.points.push_back({cell, v.index, v.position, v.normal, v.centroid_height, 0});
       } else {
-        rim.points[n].normal += v.normal;
+        rim_.points[point_at_[place]].normal += v.normal;
       }
-      number.push_back(n);
+      number.push_back(point_at_[place]);
     }
-    for (const BoundaryEdge& e : record->edges) {
-      rim.edges.push_back({number[e.from], number[e.to], cell, e.piece == kAreaPiece});
+    for (const BoundaryEdge& e : record.edges) {
+      rim_.edges.push_back({number[e.from], number[e.to], cell, e.piece == kAreaPiece});
+    }
+    open_.push_back(cell);
+  }
+
+  // Tells that all tiles to come lie at x >= `west`.
+  void Advance(double west) {
+    if (rim_.points.size() + rim_.edges.size() > tidy_at_) TidyUp(west);
+  }
+
+  void Finish() {
+    TidyUp(std::numeric_limits<double>::infinity());
+    rim_.points.shrink_to_fit();
+    rim_.edges.shrink_to_fit();
+  }
+
+ private:
+  static constexpr size_t kLeast = 1 << 16;  // points and edges: fewer are not worth the while
+
+  void TidyUp(double west) {
+    const auto passed = [&](int32_t p) { return rim_.points[p].position.x() < west; };
+    DropMatched(passed);
+    const std::vector<int32_t> number = DropPoints(passed);
+    Renumber(number, passed);
+    tidy_at_ = 2 * (rim_.points.size() + rim_.edges.size()) + kLeast;
+  }
+
+  template <typename Passed>
+  void DropMatched(const Passed& passed) {
+    std::unordered_map<uint64_t, int32_t> count;
+    count.reserve(rim_.edges.size() - settled_edges_);
+    const auto first = rim_.edges.begin() + static_cast<ptrdiff_t>(settled_edges_);
+    for (auto e = first; e != rim_.edges.end(); ++e) ++count[KeyOf(*e)];
+    const auto is_matched = [&](const RimEdge& e) {
+      return (passed(e.from) || passed(e.to)) && count.at(KeyOf(e)) != 1;
+    };
+    rim_.edges.erase(std::remove_if(first, rim_.edges.end(), is_matched), rim_.edges.end());
+  }
+
+  // Drops points without edges. Returns the new number of each, -1 for those that are gone.
+  template <typename Passed>
+  std::vector<int32_t> DropPoints(const Passed& passed) {
+    std::vector<bool> used(rim_.points.size(), keep_ == RimPoints::kAll);
+    for (const RimEdge& e : rim_.edges) used[e.from] = used[e.to] = true;
+    std::vector<int32_t> number(rim_.points.size(), -1);
+    size_t kept = 0;
+    for (size_t p = 0; p < number.size(); ++p) {
+      if (!used[p] && passed(static_cast<int32_t>(p))) continue;
+      number[p] = static_cast<int32_t>(kept);
+      if (kept != p) rim_.points[kept] = rim_.points[p];
+      ++kept;
+    }
+    rim_.points.resize(kept);
+    return number;
+  }
+
+  template <typename Passed>
+  void Renumber(const std::vector<int32_t>& number, const Passed& passed) {
+    for (RimEdge& e : rim_.edges) e.from = number[e.from], e.to = number[e.to];
+    const auto is_done = [&](const RimEdge& e) { return passed(e.from) && passed(e.to); };
+    const auto first = rim_.edges.begin() + static_cast<ptrdiff_t>(settled_edges_);
+    settled_edges_ = std::find_if_not(first, rim_.edges.end(), is_done) - rim_.edges.begin();
+    for (const CellId cell : open_) {
+      for (int32_t& p : rim_.point_of.at(cell)) p = p < 0 ? p : number[p];
+    }
+    int32_t settled = 0;  // the first so many points keep their numbers
+    while (settled < std::ssize(rim_.points) && passed(settled)) ++settled;
+    const auto is_settled = [&](int32_t p) { return p < settled; };
+    std::erase_if(open_, [&](CellId cell) { return std::ranges::all_of(rim_.point_of.at(cell), is_settled); });
+    index_ = PositionIndex();
+    point_at_.clear();
+    for (size_t p = 0; p < rim_.points.size(); ++p) {
+      if (passed(static_cast<int32_t>(p))) continue;
+      index_.Insert(rim_.points[p].position);
+      point_at_.push_back(static_cast<int32_t>(p));
     }
   }
-}
 
-// Drops every pair of edges that run between the same points: in opposite directions, two tiles meet there.
-void DropMatched(Rim& rim) {
-  std::unordered_map<uint64_t, int32_t> count;
-  count.reserve(rim.edges.size());
-  const auto key = [](const RimEdge& e) { return EdgeKey(std::min(e.from, e.to), std::max(e.from, e.to)); };
-  for (const RimEdge& e : rim.edges) ++count[key(e)];
-  std::erase_if(rim.edges, [&](const RimEdge& e) { return count[key(e)] != 1; });
+  const RimPoints keep_;
+  Rim& rim_;
+  PositionIndex index_;            // of the points that a tile to come may have
+  std::vector<int32_t> point_at_;  // by number in the index
+  std::vector<CellId> open_;       // with points whose numbers may change
+  size_t settled_edges_ = 0;       // no edge to come matches one of the first so many
+  size_t tidy_at_ = kLeast;
+};
+
+void CollectEdges(const PlanInput& input, RimPoints keep, Rim& rim) {
+  std::vector<double> west;  // of the tiles from each one on
+  double least = std::numeric_limits<double>::infinity();
+  for (auto cell = input.cells.rbegin(); cell != input.cells.rend(); ++cell) {
+    if (cell->second == nullptr || cell->second->vertex_count == 0) continue;
+    west.push_back(least = std::min(least, cell->second->lo.x()));
+  }
+  RimCollector collector(keep, rim);
+  for (const auto& [cell, record] : input.cells) {
+    if (record == nullptr) continue;
+    if (record->vertex_count > 0 && keep == RimPoints::kOfEdges) {
+      collector.Advance(west.back());
+      west.pop_back();
+    }
+    collector.Take(cell, *record.Outline());
+  }
+  collector.Finish();
 }
 
 // The angle of `d` around axis `normal`, in (-pi, pi], from a direction fixed by the normal.
@@ -149,10 +248,9 @@ void StoreSizes(Rim& rim) {
 
 }  // namespace
 
-Rim BuildRim(const PlanInput& input) {
+Rim BuildRim(const PlanInput& input, RimPoints keep) {
   Rim rim;
-  CollectEdges(input, rim);
-  DropMatched(rim);
+  CollectEdges(input, keep, rim);
   StoreSizes(rim);
   LinkLoops(rim);
   return rim;

@@ -33,17 +33,22 @@ struct RimEdge {
 struct Rim {
   std::vector<RimPoint> points;
   std::vector<RimEdge> edges;
-  std::vector<std::vector<int32_t>> loops;          // edges in order; each edge is in one loop or in `unlinked`
-  std::vector<int32_t> unlinked;                    // edges of chains that do not close (non-manifold surface)
-  int32_t continuous = 0;                           // groups of loops that touch
-  std::map<CellId, std::vector<int32_t>> point_of;  // per tile: the point of each boundary vertex of its record
+  std::vector<std::vector<int32_t>> loops;  // edges in order; each edge is in one loop or in `unlinked`
+  std::vector<int32_t> unlinked;            // edges of chains that do not close (non-manifold surface)
+  int32_t continuous = 0;                   // groups of loops that touch
+  std::map<CellId, std::vector<int32_t>>
+      point_of;                 // per tile: the point of each boundary vertex of its record; -1: none
   bool surface_beyond = false;  // an area polygon bounds the holes: what lies beyond all edges counts as surface
 };
 
-// Puts the tiles together: matches boundary edges of different tiles at equal positions , drops the
+enum class RimPoints { kAll, kOfEdges };  // every boundary vertex of every tile, or the ends of the rim's edges
+
+// Puts the tiles together: matches boundary edges of different tiles at equal positions, drops the
 // matched ones, and links the others to loops. Where several holes touch at a vertex each loop turns back into its own
-// hole (Zhang 2022, 3.3). Cost linear in the boundary edges, but for the maps.
-Rim BuildRim(const PlanInput& input);
+// hole (Zhang 2022, 3.3). Cost linear in the boundary edges, but for the maps. Memory
+// beside the rim, with kOfEdges: the boundaries of two columns of cells; vertices must lie within the tiles' bounds
+// then.
+Rim BuildRim(const PlanInput& input, RimPoints keep = RimPoints::kAll);
 
 // Links the edges to loops anew.
 void LinkLoops(Rim& rim);

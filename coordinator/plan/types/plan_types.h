@@ -15,7 +15,7 @@
 #include "common/grid/water_profile.h"
 #include "common/records/cell_holes.h"
 #include "common/records/fill_colour.h"
-#include "common/records/survey_record.h"
+#include "common/records/stored_record.h"
 #include "common/records/water_surface.h"
 
 namespace tilemend {
@@ -43,10 +43,10 @@ struct PlanOptions {
 
 struct PlanInput {
   Grid grid;
-  bool area_known = true;                       // else the rim of the area stays open
-  bool has_grid = true;                         // false: one mesh, each loop a closed hole or an outer rim
-  std::map<CellId, const SurveyRecord*> cells;  // the area; null: no surface
-  PlanePolygon area = {};                       // what of the cells is to be covered; empty: all (Scene::area)
+  bool area_known = true;                // else the rim of the area stays open
+  bool has_grid = true;                  // false: one mesh, each loop a closed hole or an outer rim
+  std::map<CellId, StoredRecord> cells;  // the area; null: no surface
+  PlanePolygon area = {};                // what of the cells is to be covered; empty: all (Scene::area)
 };
 
 // How the tiles of two neighbouring cells meet (docs/architecture.md, "Two kinds of cut").
@@ -153,7 +153,7 @@ struct Plan {
   std::vector<Seam> seams;
   std::vector<WaterBody> water;            // in order of their first hole
   std::vector<WaterAnswer> water_answers;  // one for each of WaterOptions::areas
-  std::vector<BorderAudit> borders;
+  std::vector<BorderAudit> borders;        // in order of a; of one a that to the east first
   std::vector<LeftOpen> left;
   int32_t clusters = 0;
   int32_t layers = 0;
@@ -161,7 +161,7 @@ struct Plan {
   int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
   double lattice_step = 0;  // power of two, metres
   std::map<CellId, std::vector<int32_t>>
-      vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record
+      vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole
 };
 
 }  // namespace tilemend

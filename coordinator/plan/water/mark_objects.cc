@@ -33,7 +33,8 @@ std::vector<Point3> BandPointsIn(const PlanInput& input, const std::set<CellId>&
   for (const CellId cell : cells) {
     const auto it = input.cells.find(cell);
     if (it == input.cells.end() || it->second == nullptr) continue;
-    for (const Point3& p : it->second->band.points) {
+    const auto record = it->second.WithBand();
+    for (const Point3& p : record->band.points) {
       if (box.contains(Point2(p.head<2>()))) points.push_back(p);
     }
   }

@@ -43,6 +43,11 @@ class GroundFinder {
     }
   }
 
+  // Whether any boundary vertex of a tile is a shore vertex.
+  bool Wants(const std::vector<int32_t>& plan_vertex) const {
+    return std::any_of(plan_vertex.begin(), plan_vertex.end(), [&](int32_t v) { return v >= 0 && shore_of_[v] >= 0; });
+  }
+
   void AddTile(const SurveyRecord& record, const std::vector<int32_t>& plan_vertex) {
     std::map<Edge, std::pair<int32_t, int32_t>> open;  // edge -> the corner across it, the shore
     for (const Triangle& t : record.band.triangles) {
@@ -80,7 +85,7 @@ class GroundFinder {
   int32_t OnShore(int32_t point, const std::vector<int32_t>& plan_vertex) const {
     if (point >= std::ssize(plan_vertex)) return -1;
     const int32_t v = plan_vertex[point];
-    return shore_of_[v] < 0 ? -1 : v;
+    return v < 0 || shore_of_[v] < 0 ? -1 : v;
   }
 
   int32_t ShoreAt(const std::array<int32_t, 3>& corners) const {
@@ -136,7 +141,8 @@ std::vector<ShoreGround> FindGround(const Plan& plan, const PlanInput& input,
   GroundFinder finder(plan, shores);
   for (const auto& [cell, record] : input.cells) {
     const auto plan_vertex = plan.vertex_of_boundary.find(cell);
-    if (record != nullptr && plan_vertex != plan.vertex_of_boundary.end()) finder.AddTile(*record, plan_vertex->second);
+    if (record == nullptr || plan_vertex == plan.vertex_of_boundary.end()) continue;
+    if (finder.Wants(plan_vertex->second)) finder.AddTile(*record.WithBand(), plan_vertex->second);
   }
   return finder.Run();
 }

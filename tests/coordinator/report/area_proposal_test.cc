@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -21,7 +23,7 @@ Scene TwoCells() {
 }
 
 // The record of a surface with these boundaries, surface on the left.
-SurveyRecord RecordOf(const std::vector<std::vector<Point2>>& rings) {
+StoredRecord RecordOf(const std::vector<std::vector<Point2>>& rings) {
   SurveyRecord record;
   for (const std::vector<Point2>& ring : rings) {
     const auto base = static_cast<int32_t>(record.vertices.size()), count = static_cast<int32_t>(ring.size());
@@ -30,7 +32,7 @@ SurveyRecord RecordOf(const std::vector<std::vector<Point2>>& rings) {
       record.edges.push_back({base + i, base + (i + 1) % count});
     }
   }
-  return record;
+  return StoredRecord(std::make_shared<const SurveyRecord>(std::move(record)));
 }
 
 std::vector<Point2> Box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }

@@ -112,5 +112,48 @@ TEST(ReversedTest, WalksTheOtherWayAlongTheEdges) {
   }
 }
 
+// Cells of surface whose holes lie in the middle of each third one and over each fifth border.
+Picture ManyCells(int columns, int rows) {
+  constexpr int kSide = 4;
+  Picture picture;
+  for (int y = 0; y < rows * kSide; ++y) {
+    if (y > 0 && y % kSide == 0) picture.emplace_back(static_cast<size_t>(columns * (kSide + 1) - 1), '-');
+    std::string& row = picture.emplace_back();
+    for (int x = 0; x < columns * kSide; ++x) {
+      if (x > 0 && x % kSide == 0) row += '|';
+      const int cell = x / kSide + y / kSide;
+      const bool inside = cell % 3 == 0 && x % kSide == 1 && y % kSide == 2;
+      const bool over_border = y % kSide == 1 && (((x + 1) % kSide == 0 && cell % 5 == 0 && x + 1 < columns * kSide) ||
+                                                  (x % kSide == 0 && x > 0 && (cell - 1) % 5 == 0));
+      row += inside || over_border ? '.' : '#';
+    }
+  }
+  return picture;
+}
+
+TEST(BuildRimTest, IsTheSameRimWhetherOrNotPointsWithoutEdgesAreLeftOut) {
+  const SurveyedScene scene = PictureScene(ManyCells(70, 60), 4);  // tidied up several times on the way
+  const PlanInput input = scene.Input();
+  const Rim all = BuildRim(input, RimPoints::kAll), rim = BuildRim(input, RimPoints::kOfEdges);
+  EXPECT_LT(rim.points.size(), all.points.size() / 2);
+  ASSERT_EQ(rim.edges.size(), all.edges.size());
+  for (size_t e = 0; e < rim.edges.size(); ++e) {
+    EXPECT_EQ(rim.points[rim.edges[e].from].position, all.points[all.edges[e].from].position);
+    EXPECT_EQ(rim.points[rim.edges[e].to].normal, all.points[all.edges[e].to].normal);
+  }
+  EXPECT_EQ(rim.loops, all.loops);
+  int64_t gone = 0;
+  for (const auto& [cell, points] : rim.point_of) {
+    const SurveyRecord& record = scene.records.at(cell);
+    ASSERT_EQ(points.size(), record.vertices.size());
+    for (size_t v = 0; v < points.size(); ++v) {
+      gone += points[v] < 0;
+      if (points[v] < 0) continue;
+      EXPECT_EQ(rim.points[points[v]].position, record.vertices[v].position);
+    }
+  }
+  EXPECT_GT(gone, 0);
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -1,0 +1,51 @@
+#include "coordinator/service/scene_options.h"
+
+#include <string>
+#include <utility>
+
+#include "common/util/colour.h"
+
+namespace tilemend {
+
+WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled) {
+  WaveOptions options;
+  options.plan.is_cancelled = std::move(is_cancelled);
+  options.plan.gradation = spec.gradation;
+  options.plan.size_limit = spec.size_limit;
+  options.plan.uniform = spec.uniform;
+  options.plan.water = std::move(water);
+  if (!spec.water_colour.empty()) options.plan.water_colour = ParseColour(spec.water_colour);
+  options.surface = SurfaceNamed(spec.surface).value_or(kDefaultSurface);
+  options.seam_smoothing = spec.seam_smoothing;
+  options.plan_only = spec.dry_run;
+  return options;
+}
+
+v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
+  v1::ShapeOptions options;
+  options.set_gradation(spec.gradation);
+  options.set_size_limit(spec.size_limit);
+  options.set_uniform(spec.uniform);
+  options.set_thin_plate(spec.surface == SurfaceName(Surface::kThinPlate));
+  if (spec.tension) options.set_tension(*spec.tension);
+  return options;
+}
+
+std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
+  ReportedOption tension{"tension", std::string("auto")};
+  if (spec.tension) tension.value = *spec.tension;
+  return {{"surface", spec.surface},
+          {"tension", tension.value},
+          {"gradation", spec.gradation},
+          {"size-limit", spec.size_limit},
+          {"uniform", spec.uniform},
+          {"seam-smoothing", spec.seam_smoothing},
+          {"water", spec.water},
+          {"water-tolerance", spec.water_tolerance},
+          {"water-profile", spec.water_profile},
+          {"water-colour", spec.water_colour},
+          {"textures", spec.textures},
+          {"area", spec.area}};
+}
+
+}  // namespace tilemend

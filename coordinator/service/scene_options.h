@@ -1,0 +1,24 @@
+// What a job's spec asks of the waves, of the workers, and what of it the report says.
+#ifndef TILEMEND_COORDINATOR_SERVICE_SCENE_OPTIONS_H_
+#define TILEMEND_COORDINATOR_SERVICE_SCENE_OPTIONS_H_
+
+#include <functional>
+#include <vector>
+
+#include "coordinator/report/scene_report.h"
+#include "coordinator/service/job_pipeline.h"
+#include "coordinator/waves/scene_waves.h"
+#include "tilemend/v1/stages.pb.h"
+
+namespace tilemend {
+
+// Precondition of all: spec.Check().ok().
+WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled);
+v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec);
+
+// What the result depends on beside the scene, under the names of the flags.
+std::vector<ReportedOption> OptionsOf(const JobSpec& spec);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_SERVICE_SCENE_OPTIONS_H_
