@@ -1,5 +1,5 @@
 #!/bin/bash
-# Checks format and, with clang-tidy, the sources of a configured preset.
+# Checks format, the protocol and, with clang-tidy, the sources of a configured preset.
 #
 #   scripts/lint.sh [PRESET] [--format-only]
 set -euo pipefail
@@ -13,6 +13,7 @@ done
 scripts/install.sh --lint
 git ls-files -z '*.cc' '*.h' | xargs -0 clang-format --dry-run -Werror
 echo "clang-format: clean"
+/usr/bin/python3 scripts/lint_protos.py
 if $format_only; then exit 0; fi
 
 source scripts/jobs.sh

@@ -45,13 +45,29 @@ double NumberIn(const std::string& path) {
   return file ? value : HUGE_VAL;
 }
 
+double LeastUpwards(const std::string& folder, std::string group, const std::string& file) {
+  double least = NumberIn(folder + "/" + file);
+  for (; group.size() > 1; group.erase(group.rfind('/'))) {
+    least = std::min(least, NumberIn(folder + group + "/" + file));
+  }
+  return least;
+}
+
 }  // namespace
 
-double MemoryLimitBytes() {
-  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  // Of control groups version 2 and 1, as a container sees them.
-  return std::min(
-      {machine, NumberIn("/sys/fs/cgroup/memory.max"), NumberIn("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+double MemoryLimitBytes(const std::string& groups, const std::string& folder) {
+  double limit = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  std::ifstream file(groups);
+  for (std::string line; std::getline(file, line);) {  // NUMBER:CONTROLLERS:/GROUP
+    const size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (second == std::string::npos || line.compare(second + 1, 1, "/") != 0) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1), group = line.substr(second + 1);
+    if (controllers.empty()) limit = std::min(limit, LeastUpwards(folder, group, "memory.max"));
+    if (controllers == "memory") {
+      limit = std::min(limit, LeastUpwards(folder + "/memory", group, "memory.limit_in_bytes"));
+    }
+  }
+  return limit;
 }
 
 ProcessMetrics::ProcessMetrics(MetricsRegistry& registry, const std::string& program, const std::string& version)

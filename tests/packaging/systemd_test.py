@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-MOST_EXPOSURE = 1.5  # of 10
+MOST_EXPOSURE = 1.6  # of 10
 WATCHDOG_SECONDS = 0.5
 
 

@@ -10,6 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/metrics/prometheus_registry.h"
+#include "tests/support/temporary_folder.h"
 
 namespace tilemend {
 namespace {
@@ -54,6 +55,22 @@ TEST(MemoryLimitBytesTest, IsAtMostTheMemoryOfTheMachine) {
   const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   EXPECT_GT(MemoryLimitBytes(), 0);
   EXPECT_LE(MemoryLimitBytes(), machine);
+}
+
+TEST(MemoryLimitBytesTest, IsTheLeastOfAGroupAndThoseAroundIt) {
+  const TemporaryFolder folder;
+  const std::string own = folder.Write("own", "3:cpu,cpuacct:/x\n0::/slice/service\n");
+  EXPECT_GT(MemoryLimitBytes(own, folder.path()), 1e6);
+  folder.Write("slice/service/memory.max", "max\n");
+  folder.Write("slice/memory.max", "5000\n");
+  EXPECT_EQ(MemoryLimitBytes(own, folder.path()), 5000);
+  folder.Write("slice/service/memory.max", "4000\n");
+  EXPECT_EQ(MemoryLimitBytes(own, folder.path()), 4000);
+  folder.Write("memory.max", "3000\n");  // as a container sees its own
+  EXPECT_EQ(MemoryLimitBytes(own, folder.path()), 3000);
+  const std::string older = folder.Write("older", "4:memory:/job\nno line\n");
+  folder.Write("memory/job/memory.limit_in_bytes", "2000\n");
+  EXPECT_EQ(MemoryLimitBytes(older, folder.path()), 2000);
 }
 
 }  // namespace

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Stages faults in a cluster that a real Prometheus watches, and waits for the alerts: live_alerts_test.py BIN
+
+The rules are those of deploy/prometheus, but for how long a condition must last (`for`), which is a second here. The
+names of all metrics are held to Prometheus' conventions (`promtool check metrics`), and to have no ids as labels. Exit
+code 77 (skipped, and says so) without prometheus and promtool.
+"""
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.parse
+import urllib.request
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+RULES = os.path.join(ROOT, 'deploy/prometheus/tilemend.rules.yml')
+IDS = {'job', 'cell', 'hole', 'task', 'id', 'trace', 'worker', 'owner', 'path'}
+CONFIGURATION = '''
+global: {{scrape_interval: 500ms, evaluation_interval: 500ms}}
+rule_files: [{rules}]
+scrape_configs:
+  - {{job_name: tilemend-coordinator, static_configs: [{{targets: ["127.0.0.1:{coordinator}"]}}]}}
+'''
+
+
+def free_port():
+    with socket.socket() as s:
+        s.bind(('127.0.0.1', 0))
+        return s.getsockname()[1]
+
+
+def get(url):
+    with urllib.request.urlopen(url, timeout=10) as answer:
+        return answer.read().decode()
+
+
+def await_(what, condition, seconds=60):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.1)
+    raise SystemExit(f'FAILED: waited {seconds} s in vain for {what}')
+
+
+class Stage:
+    def __init__(self, bin_folder, folder):
+        self.bin, self.folder, self.programs = bin_folder, folder, []
+        self.address, self.metrics, self.prometheus = (free_port() for _ in range(3))
+        self.scene = os.path.join(folder, 'scene')
+        subprocess.run([self.program('tilemend-make-scene'), self.scene, '--cols', '8', '--rows', '4', '--holes', 'lakes,small'],
+                       check=True, stdout=subprocess.DEVNULL)
+
+    def program(self, name):
+        return os.path.join(self.bin, name)
+
+    def run(self, *words):
+        program = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.folder)
+        self.programs.append(program)
+        return program
+
+    def start(self):
+        self.coordinator = self.run(
+            self.program('tilemend-coordinator'), '--work', os.path.join(self.folder, 'work'), '--lease', '3',
+            '--listen', f'127.0.0.1:{self.address}', '--metrics', f'127.0.0.1:{self.metrics}')
+        with open(RULES) as file:
+            rules = re.sub(r'for: \d+m', 'for: 1s', file.read())
+        for name, text in (('rules.yml', rules), ('prometheus.yml', CONFIGURATION.format(
+                rules=os.path.join(self.folder, 'rules.yml'), coordinator=self.metrics))):
+            with open(os.path.join(self.folder, name), 'w') as file:
+                file.write(text)
+        self.run('prometheus', f'--config.file={self.folder}/prometheus.yml', f'--storage.tsdb.path={self.folder}/series',
+                 f'--web.listen-address=127.0.0.1:{self.prometheus}')
+        await_('a scrape', lambda: self.ask('up == 1'))
+
+    def ask(self, query):
+        url = f'http://127.0.0.1:{self.prometheus}/api/v1/query?' + urllib.parse.urlencode({'query': query})
+        try:
+            return json.loads(get(url))['data']['result']
+        except OSError:
+            return []
+
+    def firing(self):
+        return {a['metric']['alertname'] for a in self.ask('ALERTS{alertstate="firing"}')}
+
+    def await_alert(self, name, story):
+        await_(f'{name}, as {story}', lambda: name in self.firing())
+        print(f'{name}: {story}')
+
+    def start_worker(self, *more):
+        return self.run(self.program('tilemend-worker'), '--coordinator', f'127.0.0.1:{self.address}', '--threads', '1', *more)
+
+    def client(self, *words):
+        return subprocess.run([self.program('tilemend'), *words, '--coordinator', f'127.0.0.1:{self.address}'],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def submit(self, out):
+        return json.loads(self.client('submit', self.scene, '--out', os.path.join(self.folder, out), '-o', 'json').stdout)['name']
+
+    def job(self, name):
+        return json.loads(self.client('get', name, '-o', 'json').stdout)
+
+    def stop(self):
+        for program in self.programs:
+            program.kill()
+            program.wait()
+
+
+def check_names(port):
+    text = get(f'http://127.0.0.1:{port}/metrics')
+    done = subprocess.run(['promtool', 'check', 'metrics'], input=text, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode or done.stdout:
+        raise SystemExit(f'FAILED: promtool check metrics: {done.stdout}')
+    labels = set(re.findall(r'[{,](\w+)="', text))
+    if labels & IDS:
+        raise SystemExit(f'FAILED: ids as labels: {labels & IDS}')
+    return len(re.findall('^# TYPE', text, re.M))
+
+
+def spoil_a_tile(stage, worker):
+    """Changes a tile that is written while its job still runs."""
+    name = stage.submit('spoiled')
+    tiles = os.path.join(stage.folder, 'spoiled', 'tiles')
+    written = await_('a tile', lambda: os.path.isdir(tiles) and [n for n in os.listdir(tiles) if n.endswith('.ply')])
+    worker.send_signal(signal.SIGSTOP)
+    with open(os.path.join(tiles, written[0]), 'a') as file:
+        file.write('more')
+    worker.send_signal(signal.SIGCONT)
+    await_('the end of the job', lambda: stage.job(name)['state'] != 'running')
+    if stage.job(name)['state'] != 'failed':
+        raise SystemExit('FAILED: a job with a spoiled tile did not fail')
+
+
+def play(stage):
+    stage.start()
+    worker_port = free_port()
+    probe = stage.start_worker('--metrics', f'127.0.0.1:{worker_port}')
+    await_('a worker', lambda: stage.ask('tilemend_coordinator_workers_connected == 1'))
+    print(f'{check_names(stage.metrics)} metrics of the coordinator and {check_names(worker_port)} of a worker')
+    probe.terminate()
+    probe.wait()
+    if stage.firing():
+        raise SystemExit(f'FAILED: alerts without a fault: {stage.firing()}')
+
+    name = stage.submit('first')
+    stage.await_alert('TilemendNoProgress', 'a job has no worker')
+    worker = stage.start_worker()
+    await_('the end of the job', lambda: stage.job(name)['state'] != 'running')
+    await_('rest', lambda: not stage.firing() - {'TilemendNoFreeSlots'})
+    spoil_a_tile(stage, worker)
+    stage.await_alert('TilemendOutputMismatch', 'somebody changed a tile of a job that runs')
+    stage.await_alert('TilemendJobFailed', 'that job failed')
+
+    stage.submit('second')
+    await_('tasks', lambda: stage.ask('tilemend_coordinator_tasks_running > 0'))
+    worker.send_signal(signal.SIGSTOP)
+    stage.await_alert('TilemendNoFreeSlots', 'one worker for many tasks')
+    stage.await_alert('TilemendWorkerLost', 'that worker fell silent')
+    stage.coordinator.kill()
+    stage.await_alert('TilemendCoordinatorDown', 'the coordinator was killed')
+
+
+def main():
+    missing = [name for name in ('prometheus', 'promtool') if not shutil.which(name)]
+    if missing:
+        print(f'SKIPPED: there is no {", ".join(missing)} (apt-get install prometheus)')
+        sys.exit(77)
+    with tempfile.TemporaryDirectory(prefix='tilemend-alerts-') as folder:
+        stage = Stage(os.path.abspath(sys.argv[1]), folder)
+        try:
+            play(stage)
+        finally:
+            stage.stop()
+
+
+if __name__ == '__main__':
+    main()
