@@ -208,8 +208,8 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!options.cancelled()) MarkObjects(input, plan);
-  if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) FindWater(input, options.water, plan);
+  if (!options.cancelled()) LayWallFeet(plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   return plan;

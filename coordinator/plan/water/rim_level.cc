@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 namespace tilemend {
@@ -14,6 +15,7 @@ constexpr double kLeastWindow = 1e-4;            // metres: a rim of equal heigh
 constexpr double kMostScatter = 2;               // of noise between neighbours: how much noise may be over a whole rim
 constexpr double kSettled = 1e-5;                // metres
 constexpr int kMostSteps = 50;
+constexpr ptrdiff_t kLeastLow = 4;  // heights that a level can be taken from
 
 // The middle of the shortest interval that holds a third of the sorted heights.
 double MiddleOfDensest(const std::vector<double>& sorted) {
@@ -37,6 +39,28 @@ double MeanWithin(const std::vector<double>& sorted, double lo, double hi, doubl
   return std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
 }
 
+RimLevel FitDensest(const std::vector<double>& sorted) {
+  RimLevel fit{MiddleOfDensest(sorted), 0, sorted.size()};
+  for (int step = 0; step < kMostSteps; ++step) {
+    fit.spread = SpreadBelow(sorted, fit.level);
+    const double reach = kWindow * fit.spread + kLeastWindow;
+    const double level = MeanWithin(sorted, fit.level - reach, fit.level + reach, fit.level);
+    const bool settled = std::abs(level - fit.level) < kSettled;
+    fit.level = level;
+    if (settled) break;
+  }
+  return fit;
+}
+
+// How high the level can be: the lowest height that is no outlier is noise about it. Half a deviation more than the
+// lowest of so many is expected at.
+double HighestLevel(const std::vector<double>& sorted, double spread, double level, double noise) {
+  const double lowest_noise = std::sqrt(2 * std::log(static_cast<double>(sorted.size()))) + 0.5;
+  const auto lowest = std::lower_bound(sorted.begin(), sorted.end(), level - kOutlier * spread - kLeastWindow);
+  const double scatter = std::clamp(spread, noise, kMostScatter * noise);
+  return lowest == sorted.end() ? level : *lowest + lowest_noise * scatter;
+}
+
 }  // namespace
 
 double Quantile(std::vector<double> values, double share) {
@@ -49,23 +73,22 @@ double Quantile(std::vector<double> values, double share) {
 
 RimLevel FitRimLevel(std::vector<double> heights, double noise) {
   std::sort(heights.begin(), heights.end());
-  RimLevel fit;
-  fit.level = MiddleOfDensest(heights);
-  for (int step = 0; step < kMostSteps; ++step) {
-    fit.spread = SpreadBelow(heights, fit.level);
-    const double reach = kWindow * fit.spread + kLeastWindow;
-    const double level = MeanWithin(heights, fit.level - reach, fit.level + reach, fit.level);
-    const bool settled = std::abs(level - fit.level) < kSettled;
-    fit.level = level;
-    if (settled) break;
-  }
-  // Half a deviation more than the lowest of n is expected at.
-  const double lowest_noise = std::sqrt(2 * std::log(static_cast<double>(heights.size()))) + 0.5;
-  const auto lowest =
-      std::lower_bound(heights.begin(), heights.end(), fit.level - kOutlier * fit.spread - kLeastWindow);
-  const double scatter = std::clamp(fit.spread, noise, kMostScatter * noise);
-  if (lowest != heights.end()) fit.level = std::min(fit.level, *lowest + lowest_noise * scatter);
+  RimLevel fit = FitDensest(heights);
+  fit.level = std::min(fit.level, HighestLevel(heights, fit.spread, fit.level, noise));
   return fit;
+}
+
+RimLevel FitLowLevel(std::vector<double> heights, double noise) {
+  std::sort(heights.begin(), heights.end());
+  for (;;) {
+    RimLevel fit = FitDensest(heights);
+    const double highest = HighestLevel(heights, fit.spread, fit.level, noise);
+    if (fit.level <= highest) return fit;
+    fit.level = highest;
+    const auto above = std::upper_bound(heights.begin(), heights.end(), highest + kWindow * noise);
+    if (above == heights.end() || above - heights.begin() < kLeastLow) return fit;
+    heights.erase(above, heights.end());
+  }
 }
 
 }  // namespace tilemend

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_RIM_LEVEL_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_RIM_LEVEL_H_
 
+#include <cstddef>
 #include <vector>
 
 namespace tilemend {
@@ -9,6 +10,7 @@ namespace tilemend {
 struct RimLevel {
   double level = 0;   // metres
   double spread = 0;  // metres: standard deviation of the heights below where they gather (from their median)
+  size_t count = 0;   // of the heights that it was taken from
 };
 
 // The level that the heights of a rim gather at. A rim vertex of water lies at the level, or above it on the bank, plus
@@ -22,6 +24,11 @@ struct RimLevel {
 //
 // Precondition: heights are finite, at least one. Cost O(n log n). Deterministic, whatever the order of the heights.
 RimLevel FitRimLevel(std::vector<double> heights, double noise);
+
+// The same where most of the rim may stand on quays, all of one height, and the water shows between them alone: if the
+// heights gather higher above the lowest ones than noise explains, the level is looked for among those that noise of
+// water at that place could reach, and so on. At least four heights are asked for; with fewer it is FitRimLevel's.
+RimLevel FitLowLevel(std::vector<double> heights, double noise);
 
 // The value that `share` (0 to 1) of the values lie below, between two of them linearly. Precondition: not empty.
 double Quantile(std::vector<double> values, double share);

@@ -24,6 +24,7 @@ constexpr size_t kStationsAtEnd = 3;      // that tell where a reach runs at its
 constexpr double kWidestBridge = 40;      // metres
 constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
 constexpr size_t kOddStations = 8;        // one in so many may be other than the rest
+constexpr size_t kAgreeing = 3;           // one in so many has the level at both shores; along the rest one is a quay
 constexpr size_t kBankStations = 4;       // one in so many may lie between quays on both sides
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
@@ -145,7 +146,7 @@ class RiverTest {
     if (profile_.fall > kSteepest * course_.length) return false;
     if (course_.forced) return Falls();
     return StationsAgree() && SidesAgree() &&
-           FitRimLevel(above_, course_.noise).spread <= tolerance_ + 2 * course_.noise && BanksRise();
+           FitLowLevel(above_, course_.noise).spread <= tolerance_ + 2 * course_.noise && BanksRise();
   }
 
  private:
@@ -176,7 +177,7 @@ class RiverTest {
       ++count;
       odd += std::abs(s.left - s.right) > tolerance_ + std::sqrt(2) * Noise(kErrorOfLevel, least);
     }
-    return count >= 2 && odd <= count / 2;
+    return count >= 2 && kAgreeing * (count - odd) >= count;
   }
 
   bool BanksRise() const {

@@ -33,7 +33,8 @@ struct River {
 // crosses the water between them. It is a river if
 //   - it is at least `least_width` metres wide in the mean and three times as long as wide;
 //   - it falls no more than 0.5 %;
-//   - in at least seven of eight stations (25 m) the level is the profile's, and in at least half of those with heights
+//   - in at least seven of eight stations (25 m) the level is the profile's, and in at least a third of those with
+//   heights
 //     on both shores their levels are the same, within the tolerance and what noise explains; and the shores' heights
 //     gather about the profile as closely;
 //   - the ground one edge landward is not below the profile, in seven of eight stations and in the median, and on the

@@ -52,14 +52,16 @@ std::vector<Heights> SortToStations(const std::vector<Point3>& stations, std::sp
   return heights;
 }
 
-double LevelOf(const std::vector<double>& heights, double noise) {
-  return heights.empty() ? 0 : FitRimLevel(heights, noise).level;
+RimLevel LevelOf(const std::vector<double>& heights, double noise) {
+  return heights.empty() ? RimLevel{} : FitLowLevel(heights, noise);
 }
 
 RiverStation StationOf(const Heights& h, double noise, const StationRule& rule) {
+  const RimLevel all = LevelOf(h.all, noise), left = LevelOf(h.left, noise), right = LevelOf(h.right, noise);
   RiverStation s;
-  s.count = std::ssize(h.all), s.left_count = std::ssize(h.left), s.right_count = std::ssize(h.right);
-  s.level = LevelOf(h.all, noise), s.left = LevelOf(h.left, noise), s.right = LevelOf(h.right, noise);
+  const auto number = [](const RimLevel& fit) { return static_cast<int64_t>(fit.count); };
+  s.level = all.level, s.left = left.level, s.right = right.level;
+  s.count = number(all), s.left_count = number(left), s.right_count = number(right);
   const int64_t fewer = std::min(s.left_count, s.right_count);
   if (fewer < (rule.least + 1) / 2) return s;
   const double error = kErrorOfLevel * noise / std::sqrt(static_cast<double>(fewer));

@@ -14,7 +14,10 @@
 namespace tilemend {
 namespace {
 
+constexpr double kWall = 1;                      // metres: what rises further over two triangles is no noise
+constexpr double kLowShare = 0.25;               // of a shore's vertices: they are on the water, if there is any
 constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
+constexpr double kLowest = 1.25;  // what the lowest of a shore are off a plane, to what all are: noise made them so
 
 using Edge = std::pair<int32_t, int32_t>;
 
@@ -30,6 +33,13 @@ double OffPlane(const std::array<Point3, 4>& p) {
   return std::abs(weights.dot(heights)) / weights.norm();
 }
 
+double HeightOf(const std::array<Point3, 4>& p) {
+  const auto [least, most] = std::minmax({p[0].z(), p[1].z(), p[2].z(), p[3].z()});
+  return most - least;
+}
+
+double MedianOf(const std::vector<double>& values) { return values.empty() ? 0 : Quantile(values, 0.5); }
+
 class GroundFinder {
  public:
   GroundFinder(const Plan& plan, std::span<const std::vector<int32_t>> shores)
@@ -37,9 +47,12 @@ class GroundFinder {
         shore_of_(plan.vertices.size(), -1),
         sum_(shore_of_.size(), 0),
         count_(shore_of_.size(), 0),
-        off_plane_(shores.size()) {
+        low_(shore_of_.size(), false),
+        off_plane_(shores.size()),
+        low_off_plane_(shores.size()) {
     for (size_t s = shores.size(); s-- > 0;) {
       for (const int32_t v : shores[s]) shore_of_[v] = static_cast<int32_t>(s);
+      MarkLow(plan, shores[s]);
     }
   }
 
@@ -61,10 +74,15 @@ class GroundFinder {
         const int32_t across = t[(k + 2) % 3];
         const auto [it, fresh] = open.try_emplace(edge, across, shore);
         if (fresh || it->second.second != shore) continue;
-        const auto& p = record.band.points;
-        const double off = OffPlane({p[edge.first], p[edge.second], p[across], p[it->second.first]});
-        if (std::isfinite(off)) off_plane_[shore].push_back(off);
+        const std::array<int32_t, 4> corners = {edge.first, edge.second, across, it->second.first};
         open.erase(it);
+        const auto& p = record.band.points;
+        const std::array<Point3, 4> pair = {p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]};
+        const double off = OffPlane(pair);
+        if (!std::isfinite(off) || HeightOf(pair) > kWall) continue;
+        off_plane_[shore].push_back(off);
+        const bool low = std::any_of(corners.begin(), corners.end(), [&](int32_t c) { return IsLow(c, plan_vertex); });
+        if (low) low_off_plane_[shore].push_back(off);
       }
     }
   }
@@ -75,7 +93,8 @@ class GroundFinder {
       for (const int32_t v : shores_[s]) {
         grounds[s].bank.push_back(count_[v] > 0 ? sum_[v] / count_[v] : std::numeric_limits<double>::quiet_NaN());
       }
-      if (!off_plane_[s].empty()) grounds[s].noise = kDeviationsPerMedian * Quantile(off_plane_[s], 0.5);
+      grounds[s].noise =
+          kDeviationsPerMedian * std::max(MedianOf(off_plane_[s]), MedianOf(low_off_plane_[s]) / kLowest);
     }
     return grounds;
   }
@@ -86,6 +105,19 @@ class GroundFinder {
     if (point >= std::ssize(plan_vertex)) return -1;
     const int32_t v = plan_vertex[point];
     return v < 0 || shore_of_[v] < 0 ? -1 : v;
+  }
+
+  bool IsLow(int32_t point, const std::vector<int32_t>& plan_vertex) const {
+    const int32_t v = OnShore(point, plan_vertex);
+    return v >= 0 && low_[v];
+  }
+
+  void MarkLow(const Plan& plan, const std::vector<int32_t>& shore) {
+    if (shore.empty()) return;
+    std::vector<double> heights;
+    for (const int32_t v : shore) heights.push_back(plan.vertices[v].position.z());
+    const double most = Quantile(heights, kLowShare);
+    for (size_t i = 0; i < shore.size(); ++i) low_[shore[i]] = heights[i] <= most;
   }
 
   int32_t ShoreAt(const std::array<int32_t, 3>& corners) const {
@@ -110,7 +142,9 @@ class GroundFinder {
   std::vector<int32_t> shore_of_;  // of the plan's vertices
   std::vector<double> sum_;        // of the heights one edge landward
   std::vector<int32_t> count_;
-  std::vector<std::vector<double>> off_plane_;  // by shore
+  std::vector<bool> low_;                           // whether it is one of the lowest of its shore
+  std::vector<std::vector<double>> off_plane_;      // by shore
+  std::vector<std::vector<double>> low_off_plane_;  // by shore: at its lowest vertices
 };
 
 }  // namespace

@@ -20,8 +20,10 @@ std::vector<int32_t> ShoreOf(const Plan& plan, const std::vector<int32_t>& holes
 
 struct ShoreGround {
   std::vector<double> bank;  // for each shore vertex: mean height one edge landward; NaN if all there is shore
-  // Standard deviation of the vertices' heights, metres: of noise, and of what is as rough as noise. From how far each
-  // pair of neighbouring triangles at the shore is from a plane, in the median; 0 where there is no pair.
+  // Standard deviation of the heights, metres: of noise, and of what is as rough as noise. From how far each pair of
+  // neighbouring triangles at the shore is from a plane, in the median; at the lowest quarter of the shore vertices
+  // alone if that is more, as water is noisier than ground. Pairs that rise by more than a metre are walls. 0 where
+  // there is no other pair.
   double noise = 0;
 };
 

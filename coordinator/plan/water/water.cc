@@ -27,6 +27,9 @@ constexpr double kErrorOfFall = 2.8284;      // of a plane's fall over a round s
 constexpr double kErrorOfQuartile = 1.3626;  // likewise
 constexpr double kErrorOfRise = 1.4472;      // of the difference to the mean of three, likewise
 constexpr double kFitWindow = 3;             // spreads about the level: what the plane is fitted to
+constexpr double kWallAtWater = 1;           // metres
+constexpr int kFitsWithoutBanks = 2;
+constexpr double kAnyStep = 0x1p-20;  // metres
 
 // What may be a body of water.
 struct Candidate {
@@ -71,31 +74,46 @@ class LevelTest {
 
  private:
   // What a figure of `count` heights, with `factor` times the error of their mean, may be off by noise alone.
-  double Noise(double factor, size_t count) const {
-    return std::min(tolerance_, kSure * factor * noise_ / std::sqrt(static_cast<double>(count)));
-  }
+  double Noise(double factor, size_t count) const { return Error(noise_, factor, count); }
+
+  // The same of heights on the water, which is noisier than the ground around it.
+  double Scatter(double factor, size_t count) const { return Error(std::max(noise_, body_.spread), factor, count); }
 
   // What a figure of the whole rim may be off by: its heights scatter together along a stretch of shore.
-  double Swell(double factor) const {
-    const size_t count = std::min(shore_.size(), kMostStretches);
-    return std::min(tolerance_, kSure * factor * body_.spread / std::sqrt(static_cast<double>(count)));
+  double Swell(double factor) const { return Error(body_.spread, factor, std::min(shore_.size(), kMostStretches)); }
+
+  double Error(double deviation, double factor, size_t count) const {
+    return std::min(tolerance_, kSure * factor * deviation / std::sqrt(static_cast<double>(count)));
   }
 
-  // How far the plane through the heights near the level falls over the extent.
+  // How far the plane through the heights near the level falls over the extent. A bank on one side of the water alone
+  // tilts it: so the plane is fitted again without what lies higher above it than noise, and the flatter one counts.
   double FallOfPlane() const {
+    const double window = kFitWindow * body_.spread + slack_;
+    Eigen::Vector3d plane = PlaneThrough(Eigen::Vector3d::Zero(), window, window);
+    double fall = plane.head<2>().norm();
+    for (int again = 0; again < kFitsWithoutBanks; ++again) {
+      plane = PlaneThrough(plane, window, body_.spread + kAnyStep);
+      fall = std::min(fall, plane.head<2>().norm());
+    }
+    return fall;
+  }
+
+  // The plane (slopes over the extent, height above the level in the middle) through the heights that lie at most
+  // `below` and `above` from another one.
+  Eigen::Vector3d PlaneThrough(const Eigen::Vector3d& other, double below, double above) const {
     Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
-    const double window = kFitWindow * body_.spread + slack_;
     for (size_t i = 0; i < shore_.size(); ++i) {
-      const double above = heights_[i] - body_.level;
-      if (std::abs(above) > window) continue;
       const Point2 p = (plan_.vertices[shore_[i]].position.head<2>() - middle_) / extent_;
       const Eigen::Vector3d row(p.x(), p.y(), 1);
+      const double height = heights_[i] - body_.level, off = height - row.dot(other);
+      if (off < -below || off > above) continue;
       a += row * row.transpose();
-      b += row * above;
+      b += row * height;
     }
     const Eigen::Vector3d plane = a.ldlt().solve(b);
-    return plane.allFinite() ? plane.head<2>().norm() : 0;
+    return plane.allFinite() ? plane : Eigen::Vector3d::Zero();
   }
 
   // The median of the banks of shore vertices [from, to); above everything if they have none.
@@ -124,8 +142,8 @@ class LevelTest {
       const size_t from = k * n / count, to = (k + 1) * n / count;
       const std::vector<double> heights(heights_.begin() + static_cast<ptrdiff_t>(from),
                                         heights_.begin() + static_cast<ptrdiff_t>(to));
-      const bool off = std::abs(Quantile(heights, 0.25) - quartile) > slack_ + Noise(kErrorOfQuartile, to - from);
-      const bool falls = MedianBank(from, to) < body_.level - Noise(kErrorOfMedian, to - from);
+      const bool off = std::abs(Quantile(heights, 0.25) - quartile) > slack_ + Scatter(kErrorOfQuartile, to - from);
+      const bool falls = MedianBank(from, to) < body_.level - Scatter(kErrorOfMedian, to - from);
       odd += off || falls;
     }
     return odd <= count / kOddStretches;
@@ -191,7 +209,30 @@ Reach ReachOf(const Plan& plan, const Candidate& candidate, const ShoreGround& g
 
 double OnLattice(const Plan& plan, double level) { return std::floor(level / plan.lattice_step) * plan.lattice_step; }
 
+double LevelAt(const Plan& plan, const WaterBody& body, const Point2& p) {
+  return body.river.stations.empty() ? body.level : LevelAt(body.river, p, plan.lattice_step);
+}
+
+// What stands so high above the water stands beside or over it: a quay, a pier, a bridge.
+void MarkWalls(const WaterBody& body, Plan& plan) {
+  const auto mark = [&](const std::vector<RimSegment>& segments) {
+    for (const RimSegment& s : segments) {
+      for (const int32_t v : {s.from, s.to}) {
+        PlanVertex& vertex = plan.vertices[v];
+        if (vertex.index < 0) continue;
+        const double above = vertex.position.z() - LevelAt(plan, body, vertex.position.head<2>());
+        if (above > kWallAtWater) vertex.on_object = true;
+      }
+    }
+  };
+  for (const int32_t h : body.holes) {
+    mark(plan.holes[h].segments);
+    for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) mark(region);
+  }
+}
+
 void StoreBody(WaterBody body, Plan& plan) {
+  MarkWalls(body, plan);
   for (const int32_t h : body.holes) plan.holes[h].water = static_cast<int32_t>(plan.water.size());
   plan.water.push_back(std::move(body));
 }
@@ -292,9 +333,7 @@ void SettleWater(const Plan& plan, SeamHeights& heights) {
     }
   };
   for (const WaterBody& body : plan.water) {
-    const auto level_at = [&](const Point3& p) {
-      return body.river.stations.empty() ? body.level : LevelAt(body.river, p.head<2>(), plan.lattice_step);
-    };
+    const auto level_at = [&](const Point3& p) { return LevelAt(plan, body, p.head<2>()); };
     for (const int32_t h : body.holes) {
       settle(plan.holes[h].segments, level_at);
       for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) settle(region, level_at);

@@ -7,7 +7,8 @@
 
 namespace tilemend {
 
-// Fills plan.water and PlannedHole::water. A body of water is a cluster of open holes or a
+// Fills plan.water and PlannedHole::water, and sets PlanVertex::on_object of the original rim vertices that stand more
+// than a metre above their water. A body of water is a cluster of open holes or a
 // closed hole that faces up and projects, with at least one original vertex on its rim.
 //
 // The last area in options.areas that covers more than half of it decides. Where none does and options.find is set, it

@@ -66,6 +66,27 @@ TEST(FitRimLevelTest, OneHeightIsTheLevel) {
   EXPECT_EQ(FitRimLevel({3.5}, 0.1).spread, 0);
 }
 
+TEST(FitLowLevelTest, IsTheRimsWhereThatGathersAtTheWater) {
+  const std::vector<double> heights = Heights(300, 0.5, 0.25, 0.05);
+  EXPECT_EQ(FitLowLevel(heights, Deviation(0.05)).level, FitRimLevel(heights, Deviation(0.05)).level);
+  EXPECT_EQ(FitLowLevel(heights, Deviation(0.05)).count, heights.size());
+}
+
+TEST(FitLowLevelTest, WaterShowsBetweenQuays) {
+  std::vector<double> heights = Heights(12, 1, 0, 0.2);
+  for (int i = 0; i < 30; ++i) heights.push_back(2.5 + 0.001 * i);
+  const RimLevel fit = FitLowLevel(heights, Deviation(0.2));
+  EXPECT_NEAR(fit.level, 0, 0.06);
+  EXPECT_EQ(fit.count, 12u);
+  EXPECT_GT(FitRimLevel(heights, Deviation(0.2)).level, 0.08);
+}
+
+TEST(FitLowLevelTest, AFewLowHeightsAreNoWater) {
+  std::vector<double> heights = Heights(3, 1, 0, 0.2);
+  for (int i = 0; i < 30; ++i) heights.push_back(2.5 + 0.001 * i);
+  EXPECT_EQ(FitLowLevel(heights, Deviation(0.2)).level, FitRimLevel(heights, Deviation(0.2)).level);
+}
+
 TEST(QuantileTest, LiesBetweenTheNeighbours) {
   EXPECT_EQ(Quantile({3, 1, 2}, 0.5), 2);
   EXPECT_EQ(Quantile({1, 2}, 0.25), 1.25);

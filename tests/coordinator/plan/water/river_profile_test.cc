@@ -86,6 +86,12 @@ TEST(FitRiverTest, QuaysAtItsLowerEndDoNotTurnIt) {
   EXPECT_LT(WorstLevel(profile), 0.1);
 }
 
+// The rim is on quays of one height along most of both shores: the water shows between them alone.
+TEST(FitRiverTest, QuaysOfOneHeightAlongMostOfBothShoresDoNotLiftIt) {
+  const auto quays = [](double x, double) { return std::fmod(x, 10) < 7 ? 2.5 + 0.001 * x : 0; };
+  EXPECT_LT(WorstLevel(FitRiver(kLine, Shores(quays), kNoise, {})), 0.07);
+}
+
 TEST(FitRiverTest, TooFewHeightsAreNoRiver) {
   EXPECT_TRUE(FitRiver(kLine, std::vector<Point3>{{0, 15, 10}}, kNoise, {}).stations.empty());
 }

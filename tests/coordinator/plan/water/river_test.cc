@@ -77,6 +77,15 @@ TEST(FindRiversTest, StretchesBetweenQuaysSayNothingOfItsSides) {
   EXPECT_EQ(FindRivers(std::vector<Reach>{ReachBetween(0, 400, 12, level)}, kTolerance, kWidth).size(), 1u);
 }
 
+// A quay along one shore for six stations of ten, now the left and now the right one.
+TEST(FindRiversTest, AQuayMayRunAlongMostOfTheRiver) {
+  const auto level = [](double x, double y) {
+    const bool left = x<120, right = x> 200 && x < 320;
+    return Falling(x, y) + ((left && y > 0) || (right && y < 0) ? 2.5 : 0);
+  };
+  EXPECT_EQ(FindRivers(std::vector<Reach>{ReachBetween(0, 400, 12, level)}, kTolerance, kWidth).size(), 1u);
+}
+
 TEST(FindRiversTest, WhatIsFarApartIsNotOne) {
   const std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(300, 600, 15, Falling)};
   EXPECT_EQ(FindRivers(reaches, kTolerance, kWidth).size(), 2u);

@@ -135,6 +135,35 @@ TEST_P(WaterTest, AQuayAlongATenthOfTheShoreIsNoObstacle) {
   EXPECT_GT(plan.water[0].highest, kWaterLevel + 1.4);
 }
 
+// On one side the surface ends on the bank, up to 0.1 m above the water.
+TEST_P(WaterTest, ABankOnOneSideIsNoFall) {
+  const auto ground = [](double d, double x, double y) {
+    return kWaterLevel + 0.10 * std::fmax(0, std::cos(2 * std::numbers::pi * Bearing(x, y))) + 0.1 * std::fmax(d, 0);
+  };
+  SceneMakerOptions scene = HoleOverNineCells(GetParam(), ground);
+  scene.noise = 0.4;
+  const Plan plan = PlanOf(scene);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.1);
+}
+
+TEST_P(WaterTest, WhatStandsAMetreAboveTheWaterIsAWall) {
+  const auto ground = [](double d, double x, double y) {
+    return kWaterLevel + 0.1 * std::fmax(d, 0) + (Bearing(x, y) < 0.1 ? 1.5 : 0);
+  };
+  const Plan plan = PlanOf(HoleOverNineCells(GetParam(), ground));
+  ASSERT_THAT(plan.water, SizeIs(1));
+  int walls = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const RimSegment& segment : hole.segments) {
+      const PlanVertex& v = plan.vertices[segment.from];
+      EXPECT_EQ(v.on_object, v.index >= 0 && v.position.z() > plan.water[0].level + 1) << v.position.transpose();
+      walls += v.on_object;
+    }
+  }
+  EXPECT_GT(walls, 5);
+}
+
 TEST_P(WaterTest, NoiseOfTheSurfaceHidesNoLake) {
   SceneMakerOptions scene = LakeOverNineCells(GetParam());
   scene.noise = 0.6;
