@@ -49,7 +49,8 @@ Json JobJson(const v1::Job& job) {
                       {"tasks_done", p.tasks_done()},
                       {"tasks_running", p.tasks_running()},
                       {"tasks_retried", p.tasks_retried()},
-                      {"tasks_quarantined", p.tasks_quarantined()}};
+                      {"tasks_quarantined", p.tasks_quarantined()},
+                      {"tasks_taken_over", p.tasks_taken_over()}};
   if (job.has_error()) {
     const absl::Status error = StatusFromProto(job.error());
     json["error"] = {{"code", absl::StatusCodeToString(error.code())},

@@ -98,7 +98,7 @@ RULES = {
     'worker/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
 
     'worker/materials': rule(
-        ['common/util', 'common/records', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
+        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
 
     'worker/service': rule(
         ['common/util', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',

@@ -56,6 +56,29 @@ absl::StatusOr<TileFiles> FromProto(const v1::TileFiles& proto) {
   return files;
 }
 
+void SetWitness(const FileWitness& files, v1::TileWitness& witness) {
+  for (const FileWitness::Lookup& lookup : files.lookups) {
+    v1::FileLookup* const proto = witness.add_lookups();
+    proto->set_folder(lookup.folder);
+    proto->set_name(lookup.name);
+    proto->set_path(lookup.path);
+    proto->set_problem(lookup.problem);
+  }
+  for (const FileWitness::Read& read : files.reads) {
+    v1::FileRead* const proto = witness.add_reads();
+    proto->set_path(read.path);
+    proto->set_digest(read.digest);
+  }
+}
+
+FileWitness WitnessOf(const v1::TileWitness& witness) {
+  FileWitness files;
+  for (const v1::FileLookup& l : witness.lookups())
+    files.lookups.push_back({l.folder(), l.name(), l.path(), l.problem()});
+  for (const v1::FileRead& read : witness.reads()) files.reads.push_back({read.path(), read.digest()});
+  return files;
+}
+
 void SetColours(const FillColours& colours, v1::AssembleInput& input) {
   for (const auto& [hole, colour] : colours.of_holes) {
     v1::FillColour* const proto = input.add_colours();

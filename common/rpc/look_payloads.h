@@ -22,6 +22,10 @@ std::optional<Rgb> ColourFromProto(uint32_t value);
 v1::TileFiles ToProto(const TileFiles& files);
 absl::StatusOr<TileFiles> FromProto(const v1::TileFiles& proto);
 
+// Adds to a witness, and gets what was added. The witness comes back from workers: its paths may be anything.
+void SetWitness(const FileWitness& files, v1::TileWitness& witness);
+FileWitness WitnessOf(const v1::TileWitness& witness);
+
 // Sets the colours of an AssembleInput, and gets them; kInvalidArgument for a hole that is there twice.
 void SetColours(const FillColours& colours, v1::AssembleInput& input);
 absl::StatusOr<FillColours> ColoursOf(const v1::AssembleInput& input);

@@ -1,6 +1,8 @@
 #include "common/store/fingerprint.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
@@ -19,6 +21,14 @@ absl::StatusOr<std::string> Sha256OfFile(const std::string& path) {
   Sha256 sha;
   TILEMEND_RETURN_IF_ERROR(ReadInPieces(path, 1 << 20, [&](std::string_view piece) { sha.Update(piece); }));
   return sha.FinishHex();
+}
+
+bool HaveSameContent(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  if (error || std::filesystem::file_size(a, error) != std::filesystem::file_size(b, error) || error) return false;
+  const auto digest = Sha256OfFile(a);
+  return digest.ok() && Sha256OfFile(b).value_or("") == *digest;
 }
 
 }  // namespace tilemend

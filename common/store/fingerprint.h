@@ -15,6 +15,9 @@ absl::StatusOr<std::string> FingerprintOf(const std::string& path);
 // The SHA-256 of a whole file, as Sha256Hex of its bytes; holds a MiB of it at a time. Errors as ReadFile.
 absl::StatusOr<std::string> Sha256OfFile(const std::string& path);
 
+// Whether two regular files are there and have the same bytes. Two names of one file do without reading it.
+bool HaveSameContent(const std::string& a, const std::string& b);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_STORE_FINGERPRINT_H_

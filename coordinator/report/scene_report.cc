@@ -390,6 +390,7 @@ std::string SceneReport(const SceneReportInput& input) {
                        {"quality", QualityJson(input.outcome.quality)},
                        {"borders", Borders(plan, input.outcome)},
                        {"tension", Tensions(input)},
+                       {"tasks", {{"all", input.tasks}, {"taken_over", input.taken_over}}},
                        {"seconds", seconds},
                        {"peak_rss_bytes", PeakRssBytes()},
                        {"per_hole", tables.rows}};

@@ -28,6 +28,7 @@ struct SceneReportInput {
   SceneOutcome outcome;
   std::vector<std::pair<std::string, double>> seconds;  // by step, in order
   std::vector<std::string> warnings;
+  int64_t tasks = 0, taken_over = 0;  // how many there were, and were taken over from an earlier job
 };
 
 // What the report says is left open: of the plan, then of its outcome.

@@ -88,6 +88,9 @@ class JobPipeline {
   // What a worker must see to get tasks. Called once, first. Without any, every worker gets them.
   virtual absl::StatusOr<JobFolders> Folders() const { return JobFolders(); }
 
+  // The job began in an earlier process of the coordinator. Called before Start, at most once.
+  virtual void Resume() {}
+
   // The first tasks. Called once, then.
   virtual absl::StatusOr<std::vector<NewTask>> Start() = 0;
 

@@ -35,6 +35,7 @@ void SetProgress(const Job& job, v1::Progress& proto) {
   proto.set_tasks_running(job.counts.leased);
   proto.set_tasks_retried(job.counts.retried + job.counts.doubled);
   proto.set_tasks_quarantined(job.counts.quarantined);
+  proto.set_tasks_taken_over(job.progress.taken_over);
 }
 
 absl::Time TimeOf(const google::protobuf::Timestamp& proto) {
@@ -146,7 +147,8 @@ ToldJob JobFromProto(const v1::Job& proto) {
   if (!IsOver(job.state)) return told;
   job.ended = TimeOf(proto.end_time());
   const v1::Progress& p = proto.progress();
-  job.progress = {p.phase(), p.cells(), p.cells_done(), p.holes(), p.holes_filled(), p.triangles()};
+  job.progress = {p.phase(),        p.cells(),     p.cells_done(),      p.holes(),
+                  p.holes_filled(), p.triangles(), p.tasks_taken_over()};
   job.counts.added = p.tasks();
   job.counts.quarantined = p.tasks_quarantined();
   job.counts.committed = p.tasks_done() - p.tasks_quarantined();

@@ -14,7 +14,8 @@ JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<Blob
       factory_(std::move(factory)),
       blobs_(std::move(blobs)),
       sink_(std::move(sink)),
-      thread_([this, mode] { mode == Mode::kRun ? Run() : ReleaseOnly(); }) {}
+      resumes_(mode == Mode::kResume),
+      thread_([this, mode] { mode == Mode::kRelease ? ReleaseOnly() : Run(); }) {}
 
 JobRunner::~JobRunner() {
   Cancel();
@@ -110,6 +111,7 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
 }
 
 absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
+  if (resumes_) pipeline.Resume();
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline.Start());
   TILEMEND_RETURN_IF_ERROR(AddTasks(pipeline, std::move(first)));
   while (!pipeline.Done()) {

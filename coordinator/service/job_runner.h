@@ -36,10 +36,11 @@ class JobRunner {
     std::function<void()> released;                                      // last; the job has left nothing to take away
     std::function<void(JobFolders)> folders = [](const JobFolders&) {};  // first
   };
-  enum class Mode { kRun, kRelease };
+  enum class Mode { kRun, kResume, kRelease };
 
-  // Starts the thread. Removes the blob folder at the job's end. With kRelease the job is over, but the coordinator
-  // ended before its output was released: nothing but that is done, and `blobs` may be null.
+  // Starts the thread. Removes the blob folder at the job's end. With kResume the job began in an earlier process. With
+  // kRelease the job is over, but the coordinator ended before its output was released: nothing but that is done, and
+  // `blobs` may be null.
   JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink,
             Mode mode = Mode::kRun);
   // Cancels and waits for the thread.
@@ -90,6 +91,7 @@ class JobRunner {
   const PipelineFactory factory_;
   const std::shared_ptr<BlobFolder> blobs_;
   const Sink sink_;
+  const bool resumes_;
   int64_t outstanding_ = 0;  // tasks given out and not yet taken back; the job's thread only
   std::atomic<size_t> queued_bytes_{0};
   std::atomic<bool> may_write_{true};

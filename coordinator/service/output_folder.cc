@@ -25,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kMarker[] = ".tilemend-job";
+constexpr char kResultLog[] = ".tilemend-results";
 constexpr const char* kOfReport[] = {"report.json", "holes.geojson", "breaklines.geojson"};
 
 // The path without links, as far as it is there.
@@ -76,7 +77,8 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
   std::error_code error;
   bool empty = true;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error))
-    empty = empty && (at->path().filename() == kMarker || at->path().filename() == kAttemptFolder);
+    empty = empty && (at->path().filename() == kMarker || at->path().filename() == kAttemptFolder ||
+                      at->path().filename() == kResultLog);
   if (error == std::errc::permission_denied)
     return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message(), "; choose another --out"));
   const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
@@ -218,6 +220,16 @@ absl::Status OutputFolder::Place(const AttemptFile& file) {
   return absl::OkStatus();
 }
 
+absl::Status OutputFolder::Keep(const std::string& file, int64_t bytes) {
+  if (!files_.contains(file)) {
+    return absl::InvalidArgumentError(absl::StrCat(Printable(file), ": no file of this output"));
+  }
+  placed_[file] = bytes;
+  return absl::OkStatus();
+}
+
+std::string OutputFolder::result_log() const { return absl::StrCat(path_, "/", kResultLog); }
+
 absl::Status OutputFolder::SeeAll() const {
   int64_t missing = 0;
   std::string first;
@@ -248,7 +260,7 @@ int64_t OutputFolder::TidyUp() {
     if (at->path().filename() == kAttemptFolder) at.disable_recursion_pending();
     if (at->is_directory(ignored)) continue;
     const std::string file = at->path().lexically_relative(path_).string();
-    if (file == kMarker || files_.contains(file)) continue;
+    if (file == kMarker || file.starts_with(kResultLog) || files_.contains(file)) continue;
     const size_t suffix = file.rfind(kPartSuffix);
     if (suffix != std::string::npos && files_.contains(file.substr(0, suffix))) {
       parts.push_back(at->path());

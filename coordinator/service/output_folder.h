@@ -48,6 +48,10 @@ class OutputFolder {
   void Adopt(const std::set<std::string>& files) { files_.insert(files.begin(), files.end()); }
   // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
   absl::Status Place(const AttemptFile& file);
+  // The file is there already, as it is to be. Errors as Place.
+  absl::Status Keep(const std::string& file, int64_t bytes);
+  // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
+  std::string result_log() const;
   // Looks at every file that was placed, and has their names survive a power cut. kAborted if one is not there as it
   // was placed.
   absl::Status SeeAll() const;

@@ -117,7 +117,7 @@ absl::Status CoordinatorImpl::RestoreJob(JobRecord record) {
   entry.error = std::move(told.error);
   if (record.over) events_.JobRemembered(*state_.FindJob(id));
   if (record.over && record.released) return absl::OkStatus();
-  const auto mode = record.over ? JobRunner::Mode::kRelease : JobRunner::Mode::kRun;
+  const auto mode = record.over ? JobRunner::Mode::kRelease : JobRunner::Mode::kResume;
   if (!record.over) {
     TILEMEND_ASSIGN_OR_RETURN(entry.blobs, BlobFolder::Create(FolderOf(id)));
     TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> outputs, journal_->Outputs(record.number));

@@ -77,10 +77,20 @@ absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& reco
                                                                 : Wrong("bounds that are not the tile's");
 }
 
+// That a survey need not be made again.
+absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutput& output) {
+  if (!input.has_known() || output.digest() != input.known().digest()) return Wrong("another tile than is known");
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
+  if (bytes != input.known().bytes()) return absl::UnavailableError("the tile has just been changed");
+  return absl::OkStatus();
+}
+
 absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(output_bytes));
   if (!IsDigest(output.digest())) return Wrong("a digest that is none");
+  if (output.unchanged()) return CheckSameSurvey(input, output);
+  if (output.witness().digest() != output.digest()) return Wrong("a witness of another tile");
   TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
   const auto record = FromProto(output);
   if (!record.ok()) return AsWrong(record.status());
@@ -154,10 +164,32 @@ absl::Status CheckBeside(const v1::AssembleInput& input, const v1::AssembleOutpu
   return static_cast<int>(carried.size()) <= output.warnings_size() ? absl::OkStatus() : Wrong("a file is missing");
 }
 
+// That nothing had to be written.
+absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileCheck how) {
+  const auto& known = input.known().files();
+  const auto same = [](const v1::WrittenFile& a, const v1::WrittenFile& b) {
+    return a.path() == b.path() && a.bytes() == b.bytes() && a.digest() == b.digest();
+  };
+  if (!std::equal(known.begin(), known.end(), output.files().begin(), output.files().end(), same)) {
+    return Wrong("other files than are known");
+  }
+  for (const v1::WrittenFile& file : known) {
+    const std::string path = absl::StrCat(input.output_root(), "/", file.path());
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(path));
+    if (bytes != file.bytes()) return Wrong("a file that is not as it was written");
+    if (how == TileCheck::kSize || file.digest().empty()) continue;
+    const auto digest = Sha256OfFile(path);
+    if (!digest.ok()) return absl::UnavailableError(digest.status().message());
+    if (*digest != file.digest()) return Wrong("a file that is not as it was written");
+  }
+  return absl::OkStatus();
+}
+
 absl::Status CheckAssembleResult(const std::string& input_bytes, const std::string& output_bytes, TileCheck how) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(output_bytes));
   if (output.files().empty()) return Wrong("no tile");
+  if (output.unchanged()) return CheckSameFiles(input, output, how);
   for (const v1::WrittenFile& file : output.files()) {
     const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);

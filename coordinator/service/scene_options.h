@@ -3,9 +3,11 @@
 #define TILEMEND_COORDINATOR_SERVICE_SCENE_OPTIONS_H_
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "coordinator/report/scene_report.h"
+#include "coordinator/report/water_choice.h"
 #include "coordinator/service/job_pipeline.h"
 #include "coordinator/waves/scene_waves.h"
 #include "tilemend/v1/stages.pb.h"
@@ -18,6 +20,9 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec);
 
 // What the result depends on beside the scene, under the names of the flags.
 std::vector<ReportedOption> OptionsOf(const JobSpec& spec);
+
+// What makes two jobs write the same bytes. The files of water and of the area count by their content.
+std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest);
 
 }  // namespace tilemend
 

@@ -3,8 +3,19 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/status_macros.h"
+#include "coordinator/waves/local_numbers.h"
 
 namespace tilemend {
+
+namespace {
+
+absl::StatusOr<int32_t> PlanNumber(const std::vector<int32_t>& numbers, int32_t local) {
+  const std::optional<int32_t> number = InPlan(numbers, local);
+  if (!number) return absl::InvalidArgumentError("a number that was not asked for");
+  return *number;
+}
+
+}  // namespace
 
 absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output) {
   v1::SurveyOutput output;
@@ -13,18 +24,19 @@ absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output) {
   TILEMEND_ASSIGN_OR_RETURN(tile.record, FromProto(output));
   TILEMEND_ASSIGN_OR_RETURN(tile.files, FromProto(output.files()));
   tile.digest = output.digest();
+  for (const v1::FileRead& read : output.witness().reads()) tile.reads.push_back({read.path(), read.digest()});
   return tile;
 }
 
-absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output) {
+absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output, const AskedCluster& asked) {
   if (output.height_size() != output.seam_vertex_size() || output.laplacian_size() != output.seam_vertex_size() ||
       output.slope_x_size() != output.seam_vertex_size() || output.slope_y_size() != output.seam_vertex_size()) {
     return absl::InvalidArgumentError("columns of unequal length");
   }
-  ClusterSamples samples{output.cluster(), {}, {}};
+  ClusterSamples samples{asked.cluster, {}, {}};
   for (int i = 0; i < output.height_size(); ++i) {
-    samples.samples.push_back(
-        {output.seam_vertex(i), output.height(i), output.laplacian(i), {output.slope_x(i), output.slope_y(i)}});
+    TILEMEND_ASSIGN_OR_RETURN(const int32_t vertex, PlanNumber(asked.seam_vertices, output.seam_vertex(i)));
+    samples.samples.push_back({vertex, output.height(i), output.laplacian(i), {output.slope_x(i), output.slope_y(i)}});
   }
   if (output.has_hold_out()) {
     TILEMEND_ASSIGN_OR_RETURN(samples.hold_out, FromProto(output.hold_out()));
@@ -32,18 +44,22 @@ absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output) 
   return samples;
 }
 
-absl::StatusOr<std::vector<SeamSample>> SamplesOf(const v1::SampleLayerOutput& output, CellId cell) {
+absl::StatusOr<std::vector<SeamSample>> SamplesOf(const v1::SampleLayerOutput& output, CellId cell,
+                                                  const std::vector<int32_t>& seam_vertices) {
   if (output.height_size() != output.seam_vertex_size()) return absl::InvalidArgumentError("columns of unequal length");
   std::vector<SeamSample> samples;
-  for (int i = 0; i < output.height_size(); ++i) samples.push_back({cell, output.seam_vertex(i), output.height(i)});
+  for (int i = 0; i < output.height_size(); ++i) {
+    TILEMEND_ASSIGN_OR_RETURN(const int32_t vertex, PlanNumber(seam_vertices, output.seam_vertex(i)));
+    samples.push_back({cell, vertex, output.height(i)});
+  }
   return samples;
 }
 
-absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output) {
+absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output, const std::vector<int32_t>& holes) {
   CellPatches patches;
   for (const v1::PatchExtent& extent : output.patches()) {
     PatchExtent& patch = patches.patches.emplace_back();
-    patch.hole = extent.hole();
+    TILEMEND_ASSIGN_OR_RETURN(patch.hole, PlanNumber(holes, extent.hole()));
     patch.failure = extent.failure();
     patch.new_vertices = extent.new_points();
     patch.triangles = extent.triangles();

@@ -16,16 +16,25 @@ namespace tilemend {
 struct SurveyedTile {
   SurveyRecord record;
   TileFiles files;
-  std::string digest;  // of the tile
+  std::string digest;                    // of the tile
+  std::vector<FileWitness::Read> reads;  // of its survey, beside the tile
 };
 
 // kInvalidArgument if the bytes are not the message.
 absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output);
 
-// kInvalidArgument if columns are of unequal length, or a value is none that this release knows.
-absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output);
-absl::StatusOr<std::vector<SeamSample>> SamplesOf(const v1::SampleLayerOutput& output, CellId cell);
-absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output);
+// A task for a cluster: its number in the plan, and the plan's numbers for those of its vertices.
+struct AskedCluster {
+  int32_t cluster = 0;
+  std::vector<int32_t> seam_vertices;
+};
+
+// Numbers in results are local (coordinator/waves/local_numbers.h); here they become those of the plan.
+// kInvalidArgument if one is out of range, columns are of unequal length, or a value is none that this release knows.
+absl::StatusOr<ClusterSamples> SamplesOf(const v1::SampleClusterOutput& output, const AskedCluster& asked);
+absl::StatusOr<std::vector<SeamSample>> SamplesOf(const v1::SampleLayerOutput& output, CellId cell,
+                                                  const std::vector<int32_t>& seam_vertices);
+absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output, const std::vector<int32_t>& holes);
 
 }  // namespace tilemend
 

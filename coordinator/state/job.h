@@ -29,7 +29,8 @@ struct Progress {
   std::string phase;  // for people: "survey", "sample layer 2 of 3"
   int64_t cells = 0, cells_done = 0;
   int64_t holes = 0, holes_filled = 0;
-  int64_t triangles = 0;  // new ones, of the holes that are filled
+  int64_t triangles = 0;   // new ones, of the holes that are filled
+  int64_t taken_over = 0;  // results of an earlier job
   bool operator==(const Progress&) const = default;
 };
 

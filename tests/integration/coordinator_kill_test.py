@@ -169,14 +169,14 @@ def content(path):
     if os.path.basename(path) != 'report.json':
         return data
     report = json.loads(data)
-    for key in ('seconds', 'date', 'peak_rss_bytes'):
+    for key in ('seconds', 'date', 'peak_rss_bytes', 'tasks'):
         report.pop(key, None)
     return json.dumps(report, sort_keys=True)
 
 
 def files(folder):
     return {os.path.relpath(os.path.join(where, name), folder)
-            for where, _, names in os.walk(folder) for name in names}
+            for where, _, names in os.walk(folder) for name in names if name != '.tilemend-results'}
 
 
 def check_output(reference, out):

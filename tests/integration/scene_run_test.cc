@@ -175,7 +175,7 @@ TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   const Ended again = Run(scene, out);
   EXPECT_EQ(again.code, 0) << again.err;
   ExpectComplete(out, TilesBelow(folder_ / "whole"));
-  EXPECT_EQ(FilesBelow(out).size(), 15U) << "twelve tiles, the report, holes and breaklines";
+  EXPECT_EQ(FilesBelow(out).size(), 16U) << "twelve tiles, the report, holes and breaklines, results";
 }
 
 // Whenever it comes: the output is complete, or it can be completed, or there is none.

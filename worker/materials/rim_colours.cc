@@ -7,6 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/image/image.h"
+#include "common/store/digest.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -42,10 +43,12 @@ struct Texel {
 };
 
 absl::Status SampleImage(const std::string& root, const std::string& path, const std::vector<Texel>& texels,
-                         std::vector<std::optional<Rgb>>& colours) {
+                         RimColours& result) {
+  FileWitness::Read& read = result.reads.emplace_back(FileWitness::Read{path, ""});
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(absl::StrCat(root, "/", path)));
+  read.digest = Sha256Hex(bytes);
   TILEMEND_ASSIGN_OR_RETURN(const Image image, DecodeImage(bytes, path));
-  for (const Texel& t : texels) colours[static_cast<size_t>(t.vertex)] = TexelAt(image, t.u, t.v);
+  for (const Texel& t : texels) result.colours[static_cast<size_t>(t.vertex)] = TexelAt(image, t.u, t.v);
   return absl::OkStatus();
 }
 
@@ -72,7 +75,7 @@ RimColours SampleRim(const std::string& root, const TileLook& look, const ObjTex
     if (std::isfinite(uv[0]) && std::isfinite(uv[1])) texels[material->image].push_back({spot.vertex, uv[0], uv[1]});
   }
   for (const auto& [path, places] : texels) {
-    const absl::Status status = SampleImage(root, path, places, result.colours);
+    const absl::Status status = SampleImage(root, path, places, result);
     if (!status.ok()) {
       result.warnings.push_back(
           absl::StrCat(Printable(std::string(status.message())), ": fills beside it get no colour from it"));

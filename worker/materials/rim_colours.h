@@ -16,6 +16,7 @@ namespace tilemend {
 struct RimColours {
   std::vector<std::optional<Rgb>> colours;  // of the boundary vertices; empty: the tile has none at all
   std::vector<std::string> warnings;        // images that cannot be read
+  std::vector<FileWitness::Read> reads;     // the images
 };
 
 // The texels at the spots, or the diffuse colour of a material without an image. `vertices`: how many boundary vertices

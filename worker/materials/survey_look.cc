@@ -20,13 +20,15 @@ SurveyRecord SurveyOf(const MeshFile& file) { return SurveyTile(file.mesh, file.
 absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std::string& path, std::string_view bytes,
                                              const std::string& name) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name));
-  LookSurvey survey{SurveyOf(obj.file), {}};
+  LookSurvey survey{SurveyOf(obj.file), {}, {}};
   TileLook look = ReadObjLook(root, path, obj.textures);
   const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
   obj.file = {};  // images need room
   RimColours sampled = SampleRim(root, look, obj.textures, spots, survey.record.vertices.size());
   survey.record.colours = std::move(sampled.colours);
   survey.files = std::move(look.files);
+  survey.witness = std::move(look.witness);
+  for (FileWitness::Read& read : sampled.reads) survey.witness.reads.push_back(std::move(read));
   for (std::string& warning : sampled.warnings) survey.files.warnings.push_back(std::move(warning));
   return survey;
 }
@@ -34,7 +36,8 @@ absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std:
 absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string& path, std::string_view bytes,
                                      const std::string& name) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kPly, bytes, name));
-  LookSurvey survey{SurveyOf(file), ReadPlyLook(root, path, bytes).files};
+  TileLook look = ReadPlyLook(root, path, bytes);
+  LookSurvey survey{SurveyOf(file), std::move(look.files), std::move(look.witness)};
   std::vector<int32_t> vertices;
   for (const BoundaryVertex& v : survey.record.vertices) vertices.push_back(v.index);
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<Rgb> colours, PlyVertexColours(bytes, vertices, name));
@@ -51,7 +54,7 @@ absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::st
   const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
   if (textured) return SurveyTexturedObj(root, path, bytes, name);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name));
-  return LookSurvey{SurveyOf(file), {}};
+  return LookSurvey{SurveyOf(file), {}, {}};
 }
 
 }  // namespace tilemend

@@ -15,6 +15,7 @@ namespace tilemend {
 struct LookSurvey {
   SurveyRecord record;  // with colours, where the tile has any
   TileFiles files;
+  FileWitness witness;  // of the files and the colours
 };
 
 // Surveys `bytes`, the tile `path` of the scene `root`: SurveyTile, the files that it names, and its colours along the

@@ -8,6 +8,7 @@
 #include "absl/strings/str_split.h"
 #include "common/codec/mtl.h"
 #include "common/codec/ply_colours.h"
+#include "common/store/digest.h"
 #include "common/util/files.h"
 #include "common/util/text.h"
 #include "worker/materials/scene_file.h"
@@ -55,14 +56,17 @@ class LookReader {
   TileLook Finish() { return std::move(look_); }
 
  private:
-  SceneFile Find(const std::string& folder, const std::string& name) const {
-    return FindSceneFile(root_, folder, name);
+  SceneFile Find(const std::string& folder, const std::string& name) {
+    SceneFile file = FindSceneFile(root_, folder, name);
+    look_.witness.lookups.push_back({folder, name, file.path, file.problem});
+    return file;
   }
 
   void AddLibrary(const std::string& path) {
     if (std::find(look_.files.libraries.begin(), look_.files.libraries.end(), path) != look_.files.libraries.end())
       return;
     const auto text = ReadFile(absl::StrCat(root_, "/", path));
+    look_.witness.reads.push_back({path, text.ok() ? Sha256Hex(*text) : ""});
     if (!text.ok()) return Warn(tile_, path, "cannot be read");
     look_.files.libraries.push_back(path);
     const MtlFile file = ParseMtl(*text);

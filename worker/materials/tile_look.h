@@ -21,6 +21,7 @@ struct TileMaterial {
 struct TileLook {
   TileFiles files;
   std::map<std::string, TileMaterial> materials;  // by name; the first definition counts
+  FileWitness witness;                            // of both
 };
 
 // Reads the material files that the OBJ tile `path` of the scene `root` names. An image is looked for beside the

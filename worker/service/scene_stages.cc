@@ -1,5 +1,6 @@
 #include "worker/service/scene_stages.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
+#include "common/store/fingerprint.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/stages.pb.h"
@@ -20,6 +22,7 @@
 #include "worker/fill/seam/sample_heights.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
+#include "worker/materials/file_witness.h"
 #include "worker/materials/survey_look.h"
 #include "worker/materials/write_materials.h"
 #include "worker/service/attempt_files.h"
@@ -40,18 +43,27 @@ absl::StatusOr<Message> Parse(const std::string& bytes) {
 absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  const std::string digest = Sha256Hex(bytes);
   v1::SurveyOutput output;
+  if (input.known().digest() == digest && Holds(input.tile().root(), WitnessOf(input.known()))) {
+    output.set_digest(digest);
+    output.set_unchanged(true);
+    return output.SerializeAsString();
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   if (input.look()) {
     TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey,
                               SurveyWithLook(input.tile().root(), input.tile().path(), bytes, format));
     output = ToProto(survey.record);
     *output.mutable_files() = ToProto(survey.files);
+    SetWitness(survey.witness, *output.mutable_witness());
   } else {
     TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
     output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32));
   }
-  output.set_digest(Sha256Hex(bytes));
+  output.set_digest(digest);
+  output.mutable_witness()->set_digest(digest);
+  output.mutable_witness()->set_bytes(static_cast<int64_t>(bytes.size()));
   return output.SerializeAsString();
 }
 
@@ -213,7 +225,25 @@ absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInpu
       [&](const std::string& from, const std::string& path, Carry how) { return files.Carry(from, path, how); });
 }
 
+// Whether the file of an earlier output is still what this one is to have.
+bool IsThere(const v1::AssembleInput& input, const v1::WrittenFile& file) {
+  const std::string path = absl::StrCat(input.output_root(), "/", file.path());
+  if (file.digest().empty()) return HaveSameContent(absl::StrCat(input.tile().root(), "/", file.path()), path);
+  return Sha256OfFile(path).value_or("") == file.digest();
+}
+
+bool AreThere(const v1::AssembleInput& input) {
+  const auto& files = input.known().files();
+  return !files.empty() &&
+         std::all_of(files.begin(), files.end(), [&](const v1::WrittenFile& file) { return IsThere(input, file); });
+}
+
 absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const CancelToken& cancel) {
+  if (AreThere(input)) {
+    v1::AssembleOutput known = input.known();
+    known.set_unchanged(true);
+    return known.SerializeAsString();
+  }
   TILEMEND_ASSIGN_OR_RETURN(const Assembled tile, AssembleTile(input));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   v1::AssembleOutput output;

@@ -28,6 +28,17 @@ TEST(FingerprintTest, NamesWhatIsNotThere) {
   EXPECT_TRUE(absl::IsInvalidArgument(FingerprintOf(folder.path()).status()));
 }
 
+TEST(HaveSameContentTest, LooksAtEveryByte) {
+  const TemporaryFolder folder;
+  const std::string a = folder.Write("a", std::string(200'000, 'a'));
+  EXPECT_TRUE(HaveSameContent(a, a));
+  EXPECT_TRUE(HaveSameContent(a, folder.Write("b", std::string(200'000, 'a'))));
+  EXPECT_FALSE(HaveSameContent(a, folder.Write("c", std::string(100'000, 'a') + 'b' + std::string(99'999, 'a'))));
+  EXPECT_FALSE(HaveSameContent(a, folder.Write("d", std::string(200'001, 'a'))));
+  EXPECT_FALSE(HaveSameContent(a, folder / "none"));
+  EXPECT_FALSE(HaveSameContent(folder / "none", folder / "none"));
+}
+
 TEST(Sha256OfFileTest, IsThatOfTheBytes) {
   const TemporaryFolder folder;
   for (const size_t size : {size_t{0}, size_t{1} << 20, (size_t{3} << 20) + 7}) {

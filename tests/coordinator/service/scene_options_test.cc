@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
 
 namespace tilemend {
 namespace {
@@ -37,6 +40,36 @@ TEST(SceneOptionsTest, TheReportNamesOptionsAsTheFlagsDo) {
   };
   EXPECT_TRUE(has("size-limit"));
   EXPECT_TRUE(has("water-profile"));
+}
+
+TEST(JobKeyTest, TellsApartWhatGivesOtherBytes) {
+  std::set<std::string> keys;
+  const auto add = [&](auto change) {
+    JobSpec spec;
+    WaterChoice water;
+    std::string area;
+    change(spec, water, area);
+    EXPECT_TRUE(keys.insert(JobKey(spec, water, area)).second);
+  };
+  add([](JobSpec&, WaterChoice&, std::string&) {});
+  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.gradation = std::nextafter(spec.gradation, 2); });
+  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.tension = 0; });
+  add([](JobSpec&, WaterChoice& water, std::string&) { water.digest = "other content"; });
+  add([](JobSpec&, WaterChoice&, std::string& area) { area = "other content"; });
+}
+
+TEST(JobKeyTest, ForgetsWhereToAndWhetherToOverwrite) {
+  JobSpec a, b;
+  a.out = "/a";
+  b.overwrite = true;
+  EXPECT_EQ(JobKey(a, {}, ""), JobKey(b, {}, ""));
+}
+
+TEST(ShapeOptionsOfTest, ATensionThatIsChosenIsNotSaid) {
+  JobSpec spec;
+  EXPECT_FALSE(ShapeOptionsOf(spec).has_tension());
+  spec.tension = 0;
+  EXPECT_TRUE(ShapeOptionsOf(spec).has_tension());
 }
 
 }  // namespace

@@ -13,8 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "absl/time/time.h"
 #include "common/util/error_info.h"
+#include "common/util/files.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/temporary_folder.h"
 #include "tilemend/v1/stages.pb.h"
@@ -46,6 +48,10 @@ class ScenePipelineTest : public ::testing::Test {
     if (!status.ok()) return status;
     progress_ = pipeline->GetProgress();
     return pipeline->Finish();
+  }
+
+  static void WriteTile(const std::string& path, const std::string& bytes) {
+    ASSERT_TRUE(WriteFileAtomically(path, bytes, Sync::kNo).ok());
   }
 
   // The same without the end.
@@ -202,6 +208,79 @@ TEST_F(ScenePipelineTest, AnErrorThatIsNotOfTheCellAloneFailsTheJob) {
                 if (result.stage == stage) result.output = error;
               }).status(),
               error);
+  }
+}
+
+TEST_F(ScenePipelineTest, AnotherRunTakesOverEverything) {
+  ASSERT_TRUE(Run().ok());
+  const auto before = TilesBelow(spec_.out);
+  const nlohmann::json report = ReportOf(spec_.out);
+  EXPECT_EQ(report["tasks"]["taken_over"], 0);
+  stages_.clear();
+  spec_.overwrite = true;
+  const auto outcome = Run();
+  ASSERT_TRUE(outcome.ok()) << outcome.status();
+  EXPECT_EQ(TilesBelow(spec_.out), before);
+  EXPECT_EQ(stages_[Stage::kSampleCluster] + stages_[Stage::kFill], 0);
+  const int64_t all = report["tasks"]["all"];
+  EXPECT_EQ(ReportOf(spec_.out)["tasks"], nlohmann::json({{"all", all}, {"taken_over", all}}));
+  EXPECT_THAT(outcome->message, HasSubstr(absl::StrCat(all, " of ", all, " tasks taken over")));
+  EXPECT_EQ(ReportOf(spec_.out)["per_hole"], report["per_hole"]);
+}
+
+// The plan's numbers of all holes after it are other ones then.
+TEST_F(ScenePipelineTest, AHoleMoreInTheFirstTileIsAllThatIsFilledAgain) {
+  ASSERT_TRUE(Run().ok());
+  const std::string tile = spec_.scene + "/tiles/Tile_+000_+000.ply";
+  std::string bytes = ReadFile(tile).value();
+  const std::string count = "element face ";
+  const size_t at = bytes.find(count) + count.size();
+  const int64_t faces = std::stoll(bytes.substr(at));
+  const size_t length = absl::StrCat(faces).size();
+  ASSERT_EQ(absl::StrCat(faces - 1).size(), length);
+  bytes.replace(at, length, absl::StrCat(faces - 1));
+  bytes.resize(bytes.size() - 13);  // the last of its triangles
+  WriteTile(tile, bytes);
+  stages_.clear();
+  spec_.overwrite = true;
+  ASSERT_TRUE(Run().ok());
+  const auto rerun = TilesBelow(spec_.out);
+  EXPECT_LE(stages_[Stage::kFill], 4);
+  EXPECT_GE(stages_[Stage::kFill], 1);
+  const nlohmann::json tasks = ReportOf(spec_.out)["tasks"];
+  EXPECT_GT(tasks["taken_over"], 0.5 * tasks["all"].get<double>());
+  spec_.out = folder_ / "fresh";
+  ASSERT_TRUE(Run().ok());
+  EXPECT_EQ(TilesBelow(spec_.out), rerun);
+}
+
+TEST_F(ScenePipelineTest, AJobThatFailedLeavesItsResultsToTheNext) {
+  const auto fails = [](TaskResult& result) {
+    if (result.stage == Stage::kAssemble) result.output = absl::ResourceExhaustedError("the disk is full");
+  };
+  EXPECT_FALSE(Run(fails).ok());
+  stages_.clear();
+  ASSERT_TRUE(Run().ok());
+  EXPECT_EQ(stages_[Stage::kSampleCluster] + stages_[Stage::kFill], 0);
+  EXPECT_EQ(stages_[Stage::kAssemble], 12);
+}
+
+TEST_F(ScenePipelineTest, AJobThatGoesOnAsksTheSameAgain) {
+  ASSERT_TRUE(Run().ok());
+  spec_.overwrite = true;
+  std::vector<std::string> asked;
+  for (const bool resumed : {false, true}) {
+    const auto pipeline = Make();
+    if (resumed) pipeline->Resume();
+    const auto tasks = pipeline->Start();
+    ASSERT_TRUE(tasks.ok());
+    for (size_t i = 0; i < tasks->size(); ++i) {
+      if (!resumed) asked.push_back((*tasks)[i].input);
+      EXPECT_EQ((*tasks)[i].input, asked[i]);
+    }
+    if (resumed) break;
+    TaskResult result{(*tasks)[0].cell, Stage::kSurvey, SceneStageRunner()(Stage::kSurvey, asked[0], CancelToken())};
+    ASSERT_TRUE(pipeline->OnTaskDone(std::move(result)).ok());
   }
 }
 

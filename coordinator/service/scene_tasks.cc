@@ -1,0 +1,243 @@
+#include "coordinator/service/scene_tasks.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/mesh_file.h"
+#include "common/rpc/look_payloads.h"
+#include "common/rpc/stage_payloads.h"
+#include "common/util/status_macros.h"
+#include "coordinator/report/tile_checks.h"
+#include "coordinator/service/scene_options.h"
+#include "coordinator/waves/local_numbers.h"
+
+namespace tilemend {
+namespace {
+
+template <typename Message>
+absl::StatusOr<Message> Parse(const std::string& bytes) {
+  Message message;
+  if (!message.ParseFromString(bytes)) return absl::InvalidArgumentError("not the expected message");
+  return message;
+}
+
+absl::Status Unreadable(CellId cell, const absl::Status& status) {
+  return absl::InternalError(
+      absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", status.message()));
+}
+
+template <typename Message>
+absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Place& place) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, scratch.Get(place));
+  return Parse<Message>(bytes);
+}
+
+bool HasMaterials(const SceneTile& tile) {
+  const auto format = MeshFormatOf(OutputPath(tile));
+  return format.ok() && *format == MeshFormat::kObj;
+}
+
+}  // namespace
+
+SceneTasks::SceneTasks(const JobSpec& spec, SceneWaves& waves, OutputFolder* output,
+                       std::shared_ptr<ScratchFile> scratch)
+    : spec_(spec),
+      shape_(ShapeOptionsOf(spec)),
+      waves_(waves),
+      output_(output),
+      scratch_(std::move(scratch)),
+      files_(output != nullptr ? FolderInScene(output->path(), waves.scene().root) : "") {}
+
+absl::StatusOr<NewTask> SceneTasks::TaskOf(SceneWork& work) {
+  return std::visit([this](auto& w) { return Encode(w); }, work);
+}
+
+int32_t SceneTasks::NumberOf(const NewTask& task) const {
+  return task.stage == Stage::kSampleCluster ? clusters_of_.at(task.cell) - 1 : 0;
+}
+
+int32_t SceneTasks::NumberOf(const TaskResult& result) {
+  if (result.stage != Stage::kSampleCluster || !result.output.ok()) return 0;
+  const auto output = Parse<v1::SampleClusterOutput>(*result.output);
+  return output.ok() ? output->cluster() : 0;
+}
+
+void SceneTasks::Forget(CellId cell) { rims_.erase(cell); }
+
+absl::StatusOr<NewTask> SceneTasks::Encode(const SurveyWork& work) const {
+  v1::SurveyInput input;
+  *input.mutable_tile() = Ref(*work.tile);
+  input.set_look(!spec_.dry_run);
+  const Box2 reach = ReachOfCell(waves_.scene(), work.tile->cell);
+  for (const double x : {reach.lo.x(), reach.lo.y(), reach.hi.x(), reach.hi.y()}) input.add_reach(x);
+  return NewTask{work.tile->cell, Stage::kSurvey, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(ClusterWork& work) {
+  v1::SampleClusterInput input;
+  const int32_t number = clusters_of_[work.holes.cell]++;
+  clusters_[{work.holes.cell, number}] = {work.cluster, Localise(work.holes).seam_vertices};
+  input.set_cluster(number);
+  *input.mutable_holes() = ToProto(work.holes);
+  *input.mutable_options() = shape_;
+  return NewTask{work.holes.cell, Stage::kSampleCluster, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(LayerWork& work) {
+  v1::SampleLayerInput input;
+  layers_[work.holes.cell] = Localise(work.holes).seam_vertices;
+  *input.mutable_holes() = ToProto(work.holes);
+  return NewTask{work.holes.cell, Stage::kSampleLayer, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(FillWork& work) {
+  v1::FillInput input;
+  holes_[work.holes.cell] = Localise(work.holes).holes;
+  *input.mutable_holes() = ToProto(work.holes);
+  *input.mutable_options() = shape_;
+  for (const SceneTile* tile : work.surface) *input.add_surface() = Ref(*tile);
+  TILEMEND_ASSIGN_OR_RETURN(rims_[work.holes.cell], PutAside(ToProto(work.holes.vertices)));
+  return NewTask{work.holes.cell, Stage::kFill, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(const AssembleWork& work) {
+  const CellId cell = work.tile->cell;
+  v1::AssembleInput input;
+  *input.mutable_tile() = Ref(*work.tile);
+  input.set_output(OutputPath(*work.tile));
+  input.set_attempts(output_->attempts().path());
+  input.set_float32(work.float32);
+  input.set_tile_vertices(work.tile_vertices);
+  if (const auto patches = patches_.extract(cell)) {
+    TILEMEND_ASSIGN_OR_RETURN(*input.mutable_vertices(), TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
+    TILEMEND_ASSIGN_OR_RETURN(*input.mutable_patches(), TakeUp<v1::FillOutput>(*scratch_, patches.mapped()));
+    SetColours(LocalColours(work), input);
+  }
+  SetFiles(*work.tile, input);
+  rims_.erase(cell);
+  holes_.erase(cell);
+  return NewTask{cell, Stage::kAssemble, input.SerializeAsString()};
+}
+
+// Groups name materials; where there are none they would tell a task from the same task of another plan.
+FillColours SceneTasks::LocalColours(const AssembleWork& work) const {
+  FillColours local{{}, work.colours.on_vertices};
+  const std::vector<int32_t>& holes = holes_.at(work.tile->cell);
+  for (const auto& [hole, colour] : work.colours.of_holes) {
+    FillColour& own = local.of_holes[LocalNumber(holes, hole)];
+    own = colour;
+    if (!HasMaterials(*work.tile)) own.group = 0;
+  }
+  return local;
+}
+
+void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
+  std::string library = files_.LibraryOf(tile.cell);
+  input.set_new_library(library.empty());
+  if (!library.empty()) input.set_library_digest(library_digests_[library]);
+  if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
+  output_->Adopt({library});
+  input.set_library(std::move(library));
+  const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
+  output_->Adopt({carried.begin(), carried.end()});
+  input.mutable_carried()->Add(carried.begin(), carried.end());
+  input.set_link_images(spec_.textures == "link");
+  input.set_output_root(spec_.out);
+}
+
+v1::TileRef SceneTasks::Ref(const SceneTile& tile) const {
+  v1::TileRef ref;
+  ref.set_root(waves_.scene().root);
+  ref.set_path(tile.path);
+  ref.set_col(tile.cell.col);
+  ref.set_row(tile.cell.row);
+  if (const auto it = digests_.find(tile.cell); it != digests_.end()) ref.set_digest(it->second);
+  return ref;
+}
+
+absl::Status SceneTasks::Take(const TaskResult& result) {
+  if (result.stage == Stage::kSurvey) return TakeSurvey(result);
+  const absl::Status status = Decode(result);
+  return status.ok() || result.stage == Stage::kAssemble ? status : Unreadable(result.cell, status);
+}
+
+absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
+  absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(*result.output);
+  if (!tile.ok()) return Unreadable(result.cell, tile.status());
+  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(result.cell)));
+  if (spec_.textures != "off") files_.Take(result.cell, tile->files);
+  digests_[result.cell] = std::move(tile->digest);
+  for (const FileWitness::Read& read : tile->reads) {
+    const auto& libraries = tile->files.libraries;
+    const bool is_library = std::find(libraries.begin(), libraries.end(), read.path) != libraries.end();
+    if (is_library) library_digests_[read.path] = read.digest;
+  }
+  TILEMEND_ASSIGN_OR_RETURN(StoredRecord stored, scratch_->Keep(tile->record));
+  waves_.TakeSurvey(result.cell, std::move(stored));
+  return absl::OkStatus();
+}
+
+absl::StatusOr<ScratchFile::Place> SceneTasks::PutAside(const google::protobuf::MessageLite& message) {
+  return scratch_->Put(message.SerializeAsString());
+}
+
+absl::Status SceneTasks::Decode(const TaskResult& result) {
+  switch (result.stage) {
+    case Stage::kSampleCluster: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(*result.output));
+      return TakeCluster(result.cell, output);
+    }
+    case Stage::kSampleLayer: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleLayerOutput>(*result.output));
+      TILEMEND_ASSIGN_OR_RETURN(const auto samples, SamplesOf(output, result.cell, layers_[result.cell]));
+      return waves_.TakeLayer(samples);
+    }
+    case Stage::kFill: {
+      TILEMEND_ASSIGN_OR_RETURN(auto output, Parse<v1::FillOutput>(*result.output));
+      return TakeFill(result.cell, std::move(output));
+    }
+    case Stage::kAssemble: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(*result.output));
+      return TakeAssemble(result.cell, output);
+    }
+    default:
+      return absl::InvalidArgumentError("unknown stage");
+  }
+}
+
+absl::Status SceneTasks::TakeCluster(CellId cell, const v1::SampleClusterOutput& output) {
+  const auto asked = clusters_.extract({cell, output.cluster()});
+  if (asked.empty()) return absl::InvalidArgumentError("a cluster that was not asked for");
+  TILEMEND_ASSIGN_OR_RETURN(const ClusterSamples samples, SamplesOf(output, asked.mapped()));
+  return waves_.TakeCluster(samples);
+}
+
+absl::Status SceneTasks::TakeFill(CellId cell, v1::FillOutput output) {
+  TILEMEND_ASSIGN_OR_RETURN(const CellPatches patches, PatchesOf(output, holes_[cell]));
+  TILEMEND_RETURN_IF_ERROR(ComparePatches(cell, output));
+  output.clear_quality();
+  TILEMEND_ASSIGN_OR_RETURN(patches_[cell], PutAside(output));
+  return waves_.TakeFill(cell, patches);
+}
+
+absl::Status SceneTasks::ComparePatches(CellId cell, const v1::FillOutput& output) {
+  if (!waves_.CompareFills(cell)) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const auto rims, TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(rims));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<HolePatch> patches, FromProto(output, vertices.size()));
+  waves_.TakePatches(cell, vertices, patches);
+  return absl::OkStatus();
+}
+
+absl::Status SceneTasks::TakeAssemble(CellId cell, const v1::AssembleOutput& output) {
+  files_.Warn(cell, {output.warnings().begin(), output.warnings().end()});
+  waves_.TakeAssemble();
+  for (const v1::WrittenFile& file : output.files()) {
+    TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(file.path(), file.bytes())
+                                                : output_->Place({file.attempt(), file.path(), file.bytes()}));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace tilemend

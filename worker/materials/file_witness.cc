@@ -1,0 +1,24 @@
+#include "worker/materials/file_witness.h"
+
+#include <algorithm>
+
+#include "absl/strings/str_cat.h"
+#include "common/store/fingerprint.h"
+#include "worker/materials/scene_file.h"
+
+namespace tilemend {
+
+bool Holds(const std::string& root, const FileWitness& witness) {
+  const auto leads_there = [&](const FileWitness::Lookup& lookup) {
+    const SceneFile file = FindSceneFile(root, lookup.folder, lookup.name);
+    return file.path == lookup.path && file.problem == lookup.problem;
+  };
+  const auto is_same = [&](const FileWitness::Read& read) {
+    if (FindSceneFile(root, "", read.path).path != read.path) return read.digest.empty();
+    return Sha256OfFile(absl::StrCat(root, "/", read.path)).value_or("") == read.digest;
+  };
+  return std::all_of(witness.lookups.begin(), witness.lookups.end(), leads_there) &&
+         std::all_of(witness.reads.begin(), witness.reads.end(), is_same);
+}
+
+}  // namespace tilemend
