@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 #include <tuple>
 
 #include "absl/status/status.h"
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "common/grid/scene_sources.h"
+#include "common/util/folders.h"
 
 namespace tilemend {
 
@@ -29,13 +29,12 @@ std::string OutputPath(const SceneTile& tile) {
 
 absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds) {
   namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) return absl::NotFoundError(absl::StrCat(path, ": no such scene"));
-  if (error) return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message()));
-  if (status.type() == fs::file_type::directory) {
+  const auto look = LookAt(path);
+  if (absl::IsNotFound(look.status())) return absl::NotFoundError(absl::StrCat(path, ": no such scene"));
+  if (!look.ok()) return absl::PermissionDeniedError(look.status().message());
+  if (look->kind == PathKind::kFolder) {
     const fs::path json = fs::path(path) / "scene.json";
-    if (fs::exists(json, error)) return ReadSceneJson(json.string(), path);
+    if (KindOf(json.string()) != PathKind::kNothing) return ReadSceneJson(json.string(), path);
     return FindScene(path, read_bounds);
   }
   if (absl::AsciiStrToLower(fs::path(path).extension().string()) != ".json") {

@@ -6,7 +6,6 @@
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "common/grid/grid_fit.h"
 #include "common/grid/scene_sources.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 
@@ -52,13 +52,10 @@ std::optional<CellId> CellOf(std::string_view stem) {
 
 // The entries of a folder, sorted by name; none if there is no such folder.
 absl::StatusOr<std::vector<fs::path>> List(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error)) return std::vector<fs::path>();
   std::vector<fs::path> entries;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-    entries.push_back(at->path());
-  if (error) return absl::PermissionDeniedError(absl::StrCat(folder.string(), ": ", error.message()));
-  std::sort(entries.begin(), entries.end());
+  if (KindOf(folder.string()) != PathKind::kFolder) return entries;
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> names, ListFolder(folder.string()));
+  for (const std::string& name : names) entries.push_back(folder / name);
   return entries;
 }
 
@@ -81,8 +78,7 @@ absl::Status FindFiles(const fs::path& folder, Findings* findings) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
   for (const fs::path& entry : entries) {
     const std::optional<CellId> cell = CellOf(entry.stem().string());
-    std::error_code error;
-    if (!cell.has_value() || !fs::is_regular_file(entry, error)) continue;
+    if (!cell.has_value() || KindOf(entry.string()) != PathKind::kFile) continue;
     if (IsTileFormat(entry.string())) {
       TILEMEND_RETURN_IF_ERROR(AddTile(*cell, entry, findings));
     } else if (entry.extension() != ".mtl") {
@@ -98,8 +94,7 @@ absl::StatusOr<fs::path> MeshOfFolder(const fs::path& folder, Findings* findings
   std::vector<fs::path> named;
   std::vector<fs::path> meshes;
   for (const fs::path& entry : entries) {
-    std::error_code error;
-    if (!fs::is_regular_file(entry, error)) continue;
+    if (KindOf(entry.string()) != PathKind::kFile) continue;
     const bool same_name = entry.stem() == folder.filename();
     if (!IsTileFormat(entry.string())) {
       if (same_name && entry.extension() != ".mtl") findings->unread = entry.string();
@@ -121,8 +116,7 @@ absl::Status FindFolders(const fs::path& folder, Findings* findings) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
   for (const fs::path& entry : entries) {
     const std::optional<CellId> cell = CellOf(entry.filename().string());
-    std::error_code error;
-    if (!cell.has_value() || !fs::is_directory(entry, error)) continue;
+    if (!cell.has_value() || KindOf(entry.string()) != PathKind::kFolder) continue;
     TILEMEND_ASSIGN_OR_RETURN(const fs::path mesh, MeshOfFolder(entry, findings));
     if (mesh.empty()) {
       findings->warnings.push_back(absl::StrCat(entry.string(), ": no .ply or .obj in it; the cell is left out"));
@@ -161,8 +155,7 @@ bool ParseOrigin(const std::string& text, Point3* origin) {
 
 // CRS and origin from metadata.xml, which need not be there.
 absl::Status ReadMetadata(const std::string& path, Scene* scene) {
-  std::error_code error;
-  if (!fs::exists(path, error)) return absl::OkStatus();
+  if (KindOf(path) == PathKind::kNothing) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
   pugi::xml_document document;
   if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size()); !result) {

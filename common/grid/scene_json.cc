@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "absl/status/status.h"
@@ -13,6 +12,7 @@
 #include "common/grid/json_text.h"
 #include "common/grid/scene_sources.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -242,12 +242,10 @@ absl::StatusOr<Scene> ReadSceneJson(const std::string& json_path, const std::str
   for (const SceneTile& tile : scene.tiles) {
     if (tile.path.empty()) continue;
     const std::filesystem::path file = std::filesystem::path(root) / tile.path;
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    const PathKind kind = KindOf(file.string());
     const std::string place = absl::StrCat(json_path, ": cell ", ToString(tile.cell), ": ", file.string());
-    if (!std::filesystem::exists(status)) return absl::NotFoundError(absl::StrCat(place, ": no such file"));
-    if (!std::filesystem::is_regular_file(status))
-      return absl::InvalidArgumentError(absl::StrCat(place, ": not a file"));
+    if (kind == PathKind::kNothing) return absl::NotFoundError(absl::StrCat(place, ": no such file"));
+    if (kind != PathKind::kFile) return absl::InvalidArgumentError(absl::StrCat(place, ": not a file"));
   }
   return scene;
 }

@@ -17,90 +17,14 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/failpoint.h"
+#include "common/util/place.h"
 #include "common/util/roots.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
 
-absl::Status ErrnoStatus(int error, std::string_view what, const std::string& path) {
-  const std::string text = absl::StrCat(path, ": ", std::string(what), ": ", std::strerror(error));
-  switch (error) {
-    case ENOENT:
-    case ENOTDIR:
-      return absl::NotFoundError(text);
-    case EACCES:
-    case EPERM:
-    case EROFS:
-      return absl::PermissionDeniedError(text);
-    case EXDEV:
-      return absl::PermissionDeniedError(
-          absl::StrCat(path, ": not below a folder that may be used (--root), or led out of it by a link"));
-    case ENAMETOOLONG:
-    case ELOOP:
-    case EISDIR:
-      return absl::InvalidArgumentError(text);
-    case ENOSPC:
-    case EDQUOT:
-    case EMFILE:
-    case ENFILE:
-    case ENOMEM:
-      return absl::ResourceExhaustedError(text);
-    default:
-      return absl::InternalError(text);
-  }
-}
-
-// Of a file that is to be made: what is missing there is not a file of the user's, but a place to write to.
-absl::Status WriteErrnoStatus(int error, std::string_view what, const std::string& path) {
-  const absl::Status status = ErrnoStatus(error, what, path);
-  if (error == ENOTDIR || error == EEXIST) return absl::InvalidArgumentError(status.message());
-  return absl::IsNotFound(status) ? absl::PermissionDeniedError(status.message()) : status;
-}
-
-// Closes a descriptor at the end of its scope.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  // Closes now, so that a late write error is seen.
-  int Close() {
-    const int result = ::close(fd_);
-    fd_ = -1;
-    return result;
-  }
-
- private:
-  int fd_;
-};
-
-int OpenKept(const std::string& path, int flags, mode_t mode = 0) {
-  const Roots* const roots = FilesRoots();
-  return roots == nullptr ? ::open(path.c_str(), flags, mode) : roots->OpenFile(path, flags, mode);
-}
-
 int OpenToRead(const std::string& path) { return OpenKept(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); }
-
-// The folder that holds a path, opened, and the path's name in it. Where nothing is confined, the path as it is.
-struct Place {
-  explicit Place(const std::string& path)
-      : folder(FilesRoots() == nullptr
-                   ? -1
-                   : OpenKept(std::filesystem::path(path).parent_path(), O_PATH | O_DIRECTORY | O_CLOEXEC)),
-        error(errno),
-        name(FilesRoots() == nullptr ? path : std::filesystem::path(path).filename().string()) {}
-  bool ok() const { return FilesRoots() == nullptr || folder.get() >= 0; }
-  int at() const { return FilesRoots() == nullptr ? AT_FDCWD : folder.get(); }
-
-  const Descriptor folder;
-  const int error;
-  const std::string name;
-};
 
 int Remove(const Place& place) { return ::unlinkat(place.at(), place.name.c_str(), 0); }
 int Rename(const Place& from, const Place& to) {

@@ -1,19 +1,16 @@
 #include "coordinator/service/attempt_folder.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <random>
-#include <system_error>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kTriesToRemove = 10;
 
@@ -30,10 +27,8 @@ bool IsAttemptName(const std::string& name) {
 
 // The size of a regular file, -1 for anything else.
 int64_t SizeOf(const std::string& path) {
-  std::error_code error;
-  if (!fs::is_regular_file(fs::symlink_status(path, error))) return -1;
-  const auto size = fs::file_size(path, error);
-  return error ? -1 : static_cast<int64_t>(size);
+  const auto look = LookAt(path, Links::kKeep);
+  return look.ok() && look->kind == PathKind::kFile ? look->size : -1;
 }
 
 }  // namespace
@@ -67,10 +62,7 @@ absl::Status AttemptFolder::Place(const AttemptFile& file, const std::string& ou
 
 void AttemptFolder::Remove() const {
   // Once more where an attempt has just written there.
-  std::error_code error;
-  for (int i = 0; i < kTriesToRemove; ++i) {
-    fs::remove_all(path_, error);
-    if (!error) return;
+  for (int i = 0; i < kTriesToRemove && !RemoveTree(path_).ok(); ++i) {
   }
 }
 

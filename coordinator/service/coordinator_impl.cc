@@ -12,6 +12,7 @@
 #include "common/rpc/limits.h"
 #include "common/rpc/trace.h"
 #include "common/util/error_info.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/service/job_proto.h"
@@ -35,11 +36,13 @@ std::string NewJobId() {
 }
 
 absl::Status CheckScene(const std::string& scene) {
-  std::error_code error;
-  if (scene.find("://") != std::string::npos || std::filesystem::exists(scene, error)) return absl::OkStatus();
-  return WithErrorInfo(absl::NotFoundError(absl::StrCat(Printable(scene), ": no such scene where the coordinator runs",
-                                                        error ? ": " + error.message() : "")),
-                       {"SCENE_NOT_FOUND", {{"scene", scene}}});
+  if (scene.find("://") != std::string::npos) return absl::OkStatus();
+  const absl::Status look = LookAt(scene).status();
+  if (look.ok()) return absl::OkStatus();
+  const std::string why = absl::IsNotFound(look) ? "" : absl::StrCat(" (", std::string(look.message()), ")");
+  return WithErrorInfo(
+      absl::NotFoundError(absl::StrCat(Printable(scene), ": no such scene where the coordinator runs", why)),
+      {"SCENE_NOT_FOUND", {{"scene", scene}}});
 }
 
 absl::Status InvalidRequestId() {

@@ -16,6 +16,8 @@
 #include "common/util/error_info.h"
 #include "common/util/failpoint.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
+#include "common/util/place.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 
@@ -74,13 +76,13 @@ absl::Status CheckApart(const std::string& path, const Scene& scene, const std::
 
 // Whether the folder holds nothing, or an unfinished output of the job `key`.
 absl::Status CheckVacant(const std::string& path, const std::string& key) {
-  std::error_code error;
-  bool empty = true;
-  for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error))
-    empty = empty && (at->path().filename() == kMarker || at->path().filename() == kAttemptFolder ||
-                      at->path().filename() == kResultLog);
-  if (error == std::errc::permission_denied)
-    return absl::PermissionDeniedError(absl::StrCat(path, ": ", error.message(), "; choose another --out"));
+  const auto names = ListFolder(path);
+  if (absl::IsPermissionDenied(names.status())) {
+    return absl::PermissionDeniedError(absl::StrCat(std::string(names.status().message()), "; choose another --out"));
+  }
+  const bool empty = !names.ok() || std::all_of(names->begin(), names->end(), [](const std::string& name) {
+    return name == kMarker || name == kAttemptFolder || name == kResultLog;
+  });
   const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
   if (marker.ok() && *marker == key) return absl::OkStatus();
   // A path that cannot be shows when it is made. A marker without a key is of a job that has not claimed the folder
@@ -93,32 +95,58 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
 }
 
 absl::Status CheckFolder(const std::string& path) {
-  std::error_code error;
-  const auto status = fs::status(path, error);
-  if (!fs::exists(status) || fs::is_directory(status)) return absl::OkStatus();
+  const PathKind kind = KindOf(path);
+  if (kind == PathKind::kNothing || kind == PathKind::kFolder) return absl::OkStatus();
   return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a file, not a folder; choose another --out"));
+}
+
+// Those that are, the innermost first.
+void RemoveEmptyFolders(const std::vector<std::string>& folders) {
+  for (auto at = folders.rbegin(); at != folders.rend(); ++at) RemoveEmptyFolder(*at).IgnoreError();
 }
 
 // Makes the folders of `path` that are missing; gives them, the outermost first.
 absl::StatusOr<std::vector<std::string>> MakeFolders(const std::string& path) {
   std::vector<std::string> missing;
-  std::error_code error;
-  for (fs::path at = path; !at.empty() && !fs::exists(at, error) && !error; at = at.parent_path())
+  for (fs::path at = path; at.has_relative_path() && KindOf(at.string()) == PathKind::kNothing; at = at.parent_path()) {
     missing.push_back(at.string());
+  }
   std::reverse(missing.begin(), missing.end());
   std::vector<std::string> made;
   for (const std::string& folder : missing) {
-    if (fs::create_directory(folder, error)) made.push_back(folder);
-    if (!error) continue;
-    for (auto at = made.rbegin(); at != made.rend(); ++at) ::rmdir(at->c_str());
-    break;
+    const absl::Status status = MakeFolder(folder);
+    if (!status.ok()) {
+      RemoveEmptyFolders(made);
+      return absl::Status(status.code(), absl::StrCat(std::string(status.message()), "; choose another --out"));
+    }
+    made.push_back(folder);
   }
-  if (!error) return made;
-  const std::string text = absl::StrCat(path, ": cannot make the folder: ", error.message(), "; choose another --out");
-  if (error == std::errc::no_space_on_device) return absl::ResourceExhaustedError(text);
-  const bool is_wrong = error == std::errc::not_a_directory || error == std::errc::filename_too_long ||
-                        error == std::errc::too_many_symbolic_link_levels;
-  return is_wrong ? absl::InvalidArgumentError(text) : absl::PermissionDeniedError(text);
+  return made;
+}
+
+// What is no folder in `folder` of `root` and below, relative to `root`, but for files of attempts. Links are not
+// followed.
+std::vector<std::string> FilesBelow(const std::string& root, const std::string& folder) {
+  std::vector<std::string> files;
+  const auto names = ListFolder(absl::StrCat(root, "/", folder));
+  for (const std::string& name : names.ok() ? *names : std::vector<std::string>()) {
+    if (name == kAttemptFolder) continue;
+    const std::string file = folder.empty() ? name : absl::StrCat(folder, "/", name);
+    const auto look = LookAt(absl::StrCat(root, "/", file), Links::kKeep);
+    if (look.ok() && look->kind == PathKind::kFolder) {
+      for (std::string& below : FilesBelow(root, file)) files.push_back(std::move(below));
+    } else {
+      files.push_back(file);
+    }
+  }
+  return files;
+}
+
+// Whether `path` is the file that `opened` tells of.
+bool IsStill(const std::string& path, const struct stat& opened) {
+  const Descriptor file(OpenKept(path, O_PATH | O_NOFOLLOW | O_CLOEXEC));
+  struct stat named {};
+  return file.get() >= 0 && ::fstat(file.get(), &named) == 0 && opened.st_ino == named.st_ino;
 }
 
 absl::Status MarkerError(const std::string& path) {
@@ -152,11 +180,10 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
 
 absl::Status OutputFolder::Lock() {
   TILEMEND_ASSIGN_OR_RETURN(made_, MakeFolders(path_));
-  struct stat opened {
-  }, named{};
+  struct stat opened {};
   do {
     if (marker_ >= 0) ::close(marker_);
-    marker_ = ::open(Marker().c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    marker_ = OpenKept(Marker(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (marker_ < 0) return MarkerError(path_);
     // A file system without locks has to do without.
     if (::flock(marker_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
@@ -166,7 +193,7 @@ absl::Status OutputFolder::Lock() {
                            {"OUTPUT_IN_USE", {}});
     }
     // The job that had the marker may have removed it before the lock was taken.
-  } while (::fstat(marker_, &opened) != 0 || ::stat(Marker().c_str(), &named) != 0 || opened.st_ino != named.st_ino);
+  } while (::fstat(marker_, &opened) != 0 || !IsStill(Marker(), opened));
   keep_ = opened.st_size > 0;  // of an unfinished output
   return absl::OkStatus();
 }
@@ -185,8 +212,8 @@ OutputFolder::~OutputFolder() {
   if (path_.empty()) return;
   if (!keep_) {
     if (attempts_) attempts_->Remove();
-    if (marker_ >= 0) ::unlink(Marker().c_str());
-    for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
+    if (marker_ >= 0) RemoveFile(Marker()).IgnoreError();
+    RemoveEmptyFolders(made_);
   }
   if (marker_ >= 0) ::close(marker_);
 }
@@ -206,8 +233,7 @@ absl::Status OutputFolder::WriteKey() {
 absl::Status OutputFolder::BeginWriting() {
   TILEMEND_RETURN_IF_ERROR(WriteKey());
   keep_ = true;
-  std::error_code error;
-  for (const char* file : kOfReport) fs::remove(absl::StrCat(path_, "/", file), error);
+  for (const char* file : kOfReport) RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
   return absl::OkStatus();
 }
 
@@ -236,9 +262,9 @@ absl::Status OutputFolder::SeeAll() const {
   std::set<std::string> folders;
   for (const auto& [file, bytes] : placed_) {
     const fs::path path = fs::path(path_) / file;
-    std::error_code error;
     folders.insert(path.parent_path().string());
-    if (fs::is_regular_file(path, error) && static_cast<int64_t>(fs::file_size(path, error)) == bytes) continue;
+    const auto look = LookAt(path.string());
+    if (look.ok() && look->kind == PathKind::kFile && look->size == bytes) continue;
     if (missing++ == 0) first = path.string();
   }
   if (missing > 0) {
@@ -253,29 +279,22 @@ absl::Status OutputFolder::SeeAll() const {
 
 int64_t OutputFolder::TidyUp() {
   int64_t others = 0;
-  std::error_code error;
-  std::vector<fs::path> parts;
-  for (fs::recursive_directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {
-    std::error_code ignored;
-    if (at->path().filename() == kAttemptFolder) at.disable_recursion_pending();
-    if (at->is_directory(ignored)) continue;
-    const std::string file = at->path().lexically_relative(path_).string();
+  for (const std::string& file : FilesBelow(path_, "")) {
     if (file == kMarker || file.starts_with(kResultLog) || files_.contains(file)) continue;
     const size_t suffix = file.rfind(kPartSuffix);
     if (suffix != std::string::npos && files_.contains(file.substr(0, suffix))) {
-      parts.push_back(at->path());
+      RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
     } else {
       ++others;
     }
   }
-  for (const fs::path& part : parts) fs::remove(part, error);
   return others;
 }
 
 void OutputFolder::Finish() {
   keep_ = true;
   attempts_->Remove();
-  ::unlink(Marker().c_str());
+  RemoveFile(Marker()).IgnoreError();
 }
 
 }  // namespace tilemend

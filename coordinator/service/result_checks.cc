@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 #include <span>
-#include <system_error>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -14,6 +12,7 @@
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
 #include "common/store/fingerprint.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "coordinator/check/mesh_outline.h"
 #include "coordinator/check/patch_check.h"
@@ -53,10 +52,9 @@ std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
 std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
 
 absl::StatusOr<int64_t> SizeOf(const std::string& path) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) return absl::UnavailableError(absl::StrCat(path, ": ", error.message()));
-  return static_cast<int64_t>(size);
+  const auto look = LookAt(path);
+  if (!look.ok()) return absl::UnavailableError(look.status().message());
+  return look->size;
 }
 
 // What only few tiles are said to be, and a look at the tile settles.

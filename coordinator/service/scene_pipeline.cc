@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -16,6 +14,7 @@
 #include "common/gis/area_file.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "common/util/utc.h"
@@ -42,8 +41,7 @@ constexpr size_t kEnoughBytes = 16 << 20;
 absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   constexpr char kMetadata[] = "metadata.xml";
   const std::string from = absl::StrCat(scene.root, "/", kMetadata);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(from, error)) return absl::OkStatus();
+  if (KindOf(from) != PathKind::kFile) return absl::OkStatus();
   output.Adopt({kMetadata});
   return CarryFile(from, absl::StrCat(output.path(), "/", kMetadata), Carry::kCopy);
 }
@@ -101,7 +99,7 @@ class ScenePipeline : public JobPipeline {
 
   void Release() override {
     // Without a report it is not the output that was finished.
-    if (!output_ || !std::filesystem::exists(output_->path() + "/report.json")) return;
+    if (!output_ || KindOf(output_->path() + "/report.json") == PathKind::kNothing) return;
     // Without it there is more to keep, nothing else.
     reuse_->Finish().IgnoreError();
     output_->Finish();

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
+#include "common/util/folders.h"
 
 namespace tilemend {
 namespace {
@@ -17,20 +17,15 @@ bool IsAbsolute(std::string_view name) {
   return drive || name.starts_with('/');
 }
 
-bool Exists(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(path, error);
-}
+bool Exists(const fs::path& path) { return KindOf(path.string()) != PathKind::kNothing; }
 
 // The entry of `folder` that is called `name` but for capital letters; empty if there is none.
 std::string EntryLike(const fs::path& folder, const std::string& name) {
-  std::string best;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string entry = at->path().filename().string();
-    if (absl::EqualsIgnoreCase(entry, name) && (best.empty() || entry < best)) best = entry;
-  }
-  return best;
+  const auto entries = ListFolder(folder.string());
+  if (!entries.ok()) return "";
+  const auto found = std::find_if(entries->begin(), entries->end(),
+                                  [&](const std::string& entry) { return absl::EqualsIgnoreCase(entry, name); });
+  return found == entries->end() ? "" : *found;
 }
 
 }  // namespace
@@ -51,8 +46,7 @@ SceneFile FindSceneFile(const std::string& root, const std::string& folder, std:
     if (entry.empty()) return {"", "is not there"};
     found /= entry;
   }
-  std::error_code error;
-  if (!fs::is_regular_file(fs::path(root) / found, error)) return {"", "is no file"};
+  if (KindOf((fs::path(root) / found).string()) != PathKind::kFile) return {"", "is no file"};
   return {found.string(), ""};
 }
 

@@ -1,7 +1,5 @@
 #include "worker/service/attempt_files.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <random>
@@ -12,6 +10,7 @@
 #include "absl/strings/str_format.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -34,7 +33,7 @@ AttemptFiles::AttemptFiles(std::string attempts, std::string output)
     : attempts_(std::move(attempts)), output_(std::move(output)), name_(NewName()) {}
 
 AttemptFiles::~AttemptFiles() {
-  for (const v1::WrittenFile& file : files_) ::unlink(PathOf(file).c_str());
+  for (const v1::WrittenFile& file : files_) RemoveFile(PathOf(file)).IgnoreError();
 }
 
 v1::WrittenFile AttemptFiles::NewFile(const std::string& path) const {
@@ -66,8 +65,7 @@ absl::Status AttemptFiles::Carry(const std::string& from, const std::string& pat
   v1::WrittenFile file = NewFile(path);
   const auto size = CarryToNewFile(from, PathOf(file), how);
   if (!size.ok()) {
-    const bool can_write = ::access(attempts_.c_str(), W_OK) == 0;
-    return can_write ? size.status() : OfThisMachine(size.status());
+    return CanWriteIn(attempts_) ? size.status() : OfThisMachine(size.status());
   }
   file.set_bytes(*size);
   files_.push_back(std::move(file));

@@ -12,6 +12,7 @@
 
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -146,6 +147,36 @@ TEST_F(RootsTest, WritesNothingOutside) {
   EXPECT_EQ(ReadFile(folder_ / "secret/key").value(), "private line");
   EXPECT_TRUE(ReadFile(folder_ / "root/a/b/tile.ply").ok());
   EXPECT_FALSE(fs::exists(folder_ / "secret/new"));
+}
+
+TEST_F(RootsTest, SeesAndListsNothingOutside) {
+  for (const std::string& path : WaysOut()) {
+    EXPECT_EQ(KindOf(path), PathKind::kNothing) << path;
+    EXPECT_FALSE(ListFolder(path).ok()) << path;
+    EXPECT_FALSE(LookAt(path + "/key").ok()) << path;
+    EXPECT_FALSE(CanWriteIn(path)) << path;
+    EXPECT_FALSE(MakeFolder(path + "/new").ok()) << path;
+    RemoveFile(path + "/key").IgnoreError();
+    RemoveTree(path + "/deep").IgnoreError();
+    RemoveEmptyFolder(path + "/deep").IgnoreError();
+  }
+  EXPECT_EQ(KindOf(folder_ / "root/a/inside"), PathKind::kFile);
+  EXPECT_TRUE(ListFolder(folder_ / "root/a/b").ok());
+  KeepFilesTo(nullptr);
+  for (const char* file : {"secret/key", "secret/deep/key", "root-other/key"}) {
+    EXPECT_EQ(KindOf(folder_ / file), PathKind::kFile) << file;
+  }
+  EXPECT_EQ(KindOf(folder_ / "secret/new"), PathKind::kNothing);
+}
+
+TEST_F(RootsTest, RemovesLinksAndNotWhatTheyLeadTo) {
+  for (const char* link : {"root/folder", "root/up", "root/absolute-folder", "root/file"}) {
+    EXPECT_TRUE(RemoveTree(folder_ / link).ok()) << link;
+  }
+  EXPECT_TRUE(RemoveTree(folder_ / "root/a").ok());
+  KeepFilesTo(nullptr);
+  EXPECT_EQ(KindOf(folder_ / "secret/deep/key"), PathKind::kFile);
+  EXPECT_EQ(KindOf(folder_ / "root-other/key"), PathKind::kFile);
 }
 
 TEST_F(RootsTest, WritesBelow) {

@@ -1,0 +1,45 @@
+// Folders and what lies in them: looked at, listed, made and removed. In a process that keeps to some folders (roots.h)
+// all of that is relative to them: what a path or a link leads out to is as if it was not there, and stays as it is.
+#ifndef TILEMEND_COMMON_UTIL_FOLDERS_H_
+#define TILEMEND_COMMON_UTIL_FOLDERS_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace tilemend {
+
+enum class PathKind { kNothing, kFile, kFolder, kOther };  // kOther: a device, or a link that is not followed
+
+struct PathLook {
+  PathKind kind = PathKind::kNothing;
+  int64_t size = 0;  // bytes, of a file
+};
+
+enum class Links { kFollow, kKeep };
+
+// What is at `path`. kNotFound, kPermissionDenied; the message names the path.
+absl::StatusOr<PathLook> LookAt(const std::string& path, Links links = Links::kFollow);
+// The same, with kNothing for all errors.
+PathKind KindOf(const std::string& path);
+
+// The names in a folder, sorted. kNotFound, kPermissionDenied.
+absl::StatusOr<std::vector<std::string>> ListFolder(const std::string& path);
+
+// Makes one folder, whose parent must be there; one that is there already is no error. Errors as WriteFileAtomically.
+absl::Status MakeFolder(const std::string& path);
+// Whether files may be made in a folder.
+bool CanWriteIn(const std::string& folder);
+
+// What is not there is no error, here and below. A link is removed itself.
+absl::Status RemoveFile(const std::string& path);
+absl::Status RemoveEmptyFolder(const std::string& path);
+// A folder with everything in it.
+absl::Status RemoveTree(const std::string& path);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_UTIL_FOLDERS_H_
