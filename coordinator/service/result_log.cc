@@ -17,6 +17,8 @@
 #include "common/rpc/limits.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
+#include "common/util/place.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -53,6 +55,11 @@ bool ReadAt(int fd, char* bytes, size_t size, int64_t offset) {
   return true;
 }
 
+bool Rename(const std::string& from, const std::string& to) {
+  const Place old_place(from), new_place(to);
+  return ::renameat(old_place.at(), old_place.name.c_str(), new_place.at(), new_place.name.c_str()) == 0;
+}
+
 }  // namespace
 
 // As it lies in the file, before the result. The log stays on machines of one kind.
@@ -87,7 +94,7 @@ std::array<char, 16> NameOf(const std::string& key) {
 }  // namespace
 
 absl::StatusOr<ResultLog> ResultLog::Open(const std::string& path, bool resumed) {
-  const int fd = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+  const int fd = OpenKept(path, O_RDWR | O_CLOEXEC | O_NOFOLLOW);
   if (fd < 0 && errno != ENOENT) return LogError(path, "cannot open what earlier jobs left for this one");
   ResultLog log(path, fd);
   if (fd >= 0) TILEMEND_RETURN_IF_ERROR(log.Scan(resumed));
@@ -165,7 +172,7 @@ absl::Status ResultLog::Put(const std::string& key, std::string_view result) {
 
 absl::Status ResultLog::Append(const Name& name, std::string_view result, bool begins) {
   if (fd_ < 0) {
-    fd_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
+    fd_ = OpenKept(path_, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
     made_ = fd_ >= 0;
   }
   if (fd_ < 0) return LogError(path_, "cannot make it");
@@ -190,7 +197,7 @@ absl::Status ResultLog::Append(const Name& name, std::string_view result, bool b
 }
 
 void ResultLog::Discard() {
-  if (std::exchange(made_, false)) ::unlink(path_.c_str());
+  if (std::exchange(made_, false)) RemoveFile(path_).IgnoreError();
 }
 
 absl::Status ResultLog::KeepUsed() {
@@ -209,11 +216,11 @@ absl::Status ResultLog::KeepUsed() {
   // What marks the beginnings of jobs is not worth a copy.
   if (kept.empty() || bytes + 16 * static_cast<int64_t>(sizeof(Record)) >= end_) return absl::OkStatus();
   const std::string part = absl::StrCat(path_, kPartSuffix, "1");
-  const int to = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
+  const int to = OpenKept(part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
   if (to < 0) return LogError(part, "cannot make it");
   auto give_up = absl::MakeCleanup([&] {
     ::close(to);
-    ::unlink(part.c_str());
+    RemoveFile(part).IgnoreError();
   });
   int64_t end = static_cast<int64_t>(kHead.size());
   if (!WriteAt(to, kHead, 0)) return LogError(part, "cannot write");
@@ -226,7 +233,7 @@ absl::Status ResultLog::KeepUsed() {
     }
     end += record->size();
   }
-  if (::rename(part.c_str(), path_.c_str()) != 0) return LogError(part, "cannot rename into place");
+  if (!Rename(part, path_)) return LogError(part, "cannot rename into place");
   std::move(give_up).Cancel();
   ::close(to);
   return absl::OkStatus();
