@@ -3,9 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
-#include <unordered_map>
+#include <tuple>
 #include <utility>
 
 namespace tilemend {
@@ -61,19 +62,27 @@ class Trend {
   Eigen::Vector2d slope_ = Eigen::Vector2d::Zero();
 };
 
-// The lowest height of every small square that has a point, and what can be asked of them.
+// The lowest height of every small square that has a point, row by row, and what can be asked of them.
 class Squares {
  public:
   Squares(std::span<const Point3> points, double radius) : size_(radius / kSquaresPerRadius) {
-    for (const Point3& p : points) {
-      const auto [it, fresh] = number_.try_emplace(Key(SquareAt(p.head<2>(), size_)), at_.size());
-      if (fresh) at_.push_back(SquareAt(p.head<2>(), size_)), lowest_.push_back(p);
-      if (p.z() < lowest_[it->second].z()) lowest_[it->second] = p;
-    }
-    for (int dx = -kSquaresPerRadius; dx <= kSquaresPerRadius; ++dx) {
-      for (int dy = -kSquaresPerRadius; dy <= kSquaresPerRadius; ++dy) {
-        if (dx * dx + dy * dy <= kSquaresPerRadius * kSquaresPerRadius) disc_.emplace_back(dx, dy);
+    std::vector<std::pair<Square, Point3>> sorted;
+    sorted.reserve(points.size());
+    for (const Point3& p : points) sorted.emplace_back(SquareAt(p.head<2>(), size_), p);
+    const auto key = [](const auto& s) { return std::tuple(s.first.second, s.first.first, s.second.z()); };
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    for (const auto& [square, p] : sorted) {
+      if (!at_.empty() && at_.back() == square) continue;
+      if (rows_.empty() || rows_.back() != square.second) {
+        rows_.push_back(square.second);
+        row_begin_.push_back(at_.size());
       }
+      at_.push_back(square);
+      lowest_.push_back(p);
+    }
+    row_begin_.push_back(at_.size());
+    for (int dy = 0; dy <= kSquaresPerRadius; ++dy) {
+      half_width_.push_back(static_cast<int>(std::sqrt(kSquaresPerRadius * kSquaresPerRadius - dy * dy)));
     }
   }
 
@@ -90,7 +99,10 @@ class Squares {
     return opened;
   }
 
-  size_t NumberAt(const Point3& p) const { return number_.at(Key(SquareAt(p.head<2>(), size_))); }
+  size_t NumberAt(const Point3& p) const {
+    const Square square = SquareAt(p.head<2>(), size_);
+    return FirstFrom(FirstRow(square.second), square.first);
+  }
 
   double SteepestDown(const Point3& from, const ObjectRule& rule) const {
     double steepest = 0;
@@ -103,23 +115,34 @@ class Squares {
   }
 
  private:
-  static uint64_t Key(const Square& s) {
-    return static_cast<uint64_t>(static_cast<uint32_t>(s.first)) << 32 | static_cast<uint32_t>(s.second);
+  // The first row that is not above this one; into rows_.
+  size_t FirstRow(int64_t row) const {
+    return static_cast<size_t>(std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin());
+  }
+
+  // The first square of a row (into rows_) at the column or after it.
+  size_t FirstFrom(size_t row, int64_t column) const {
+    const auto begin = at_.begin() + static_cast<ptrdiff_t>(row_begin_[row]);
+    const auto end = at_.begin() + static_cast<ptrdiff_t>(row_begin_[row + 1]);
+    const auto it = std::lower_bound(begin, end, column, [](const Square& s, int64_t c) { return s.first < c; });
+    return static_cast<size_t>(it - at_.begin());
   }
 
   template <typename Visit>
   void ForDisc(const Square& middle, const Visit& visit) const {
-    for (const Square& d : disc_) {
-      const auto it = number_.find(Key({middle.first + d.first, middle.second + d.second}));
-      if (it != number_.end()) visit(it->second);
+    const int64_t x = middle.first, y = middle.second;
+    for (size_t r = FirstRow(y - kSquaresPerRadius); r < rows_.size() && rows_[r] <= y + kSquaresPerRadius; ++r) {
+      const int half = half_width_[std::abs(rows_[r] - y)];
+      for (size_t k = FirstFrom(r, x - half); k < row_begin_[r + 1] && at_[k].first <= x + half; ++k) visit(k);
     }
   }
 
   double size_;
-  std::vector<Square> disc_;
-  std::unordered_map<uint64_t, size_t> number_;
-  std::vector<Square> at_;
+  std::vector<Square> at_;  // column, row; by rows
   std::vector<Point3> lowest_;
+  std::vector<int64_t> rows_;      // that have squares, ascending
+  std::vector<size_t> row_begin_;  // into at_; one more than there are rows
+  std::vector<int> half_width_;    // of the disc, in columns, by rows from its middle
 };
 
 }  // namespace
