@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/exact_signs.h"
 #include "coordinator/plan/hole/closed_loops.h"
 #include "coordinator/plan/hole/hole_types.h"
 #include "coordinator/plan/hole/measure_hole.h"
@@ -21,6 +22,17 @@ struct ClosedHole {
   bool Projects() const { return !regions.triangulation.triangles.empty(); }
 };
 
+// Whether the segments, which form loops, wind around a point as they do around a hole. They may cross.
+bool WindAround(const std::vector<RimSegment>& segments, const Point2& p, const std::vector<Point3>& position) {
+  int winding = 0;
+  for (const RimSegment& s : segments) {
+    const Point2 a = position[s.from].head<2>(), b = position[s.to].head<2>();
+    if (a.y() <= p.y() && b.y() > p.y()) winding += TurnOf(a, b, p) > 0;
+    if (a.y() > p.y() && b.y() <= p.y()) winding -= TurnOf(a, b, p) < 0;
+  }
+  return winding > 0;
+}
+
 // Makes a piece that faces up an island of the open hole that it lies in.
 bool PlaceInOpen(const HoleSite& site, const ClosedLoop& outline, OpenHoles& open) {
   const Point2 p = site.position[outline.segments[0].from].head<2>();
@@ -29,6 +41,18 @@ bool PlaceInOpen(const HoleSite& site, const ClosedLoop& outline, OpenHoles& ope
     PlannedHole& hole = open.holes[place.hole];
     hole.segments.insert(hole.segments.end(), outline.segments.begin(), outline.segments.end());
     hole.area += outline.vector_area.z();  // negative
+    return true;
+  }
+  return false;
+}
+
+// The same of open holes whose boundary crosses itself.
+bool PlaceInFolded(const HoleSite& site, const ClosedLoop& outline, OpenHoles& open) {
+  const Point2 p = site.position[outline.segments[0].from].head<2>();
+  for (PlannedHole& hole : open.holes) {
+    if (hole.projects || !hole.failure.empty() || !WindAround(hole.segments, p, site.position)) continue;
+    hole.segments.insert(hole.segments.end(), outline.segments.begin(), outline.segments.end());
+    hole.area += outline.vector_area.z();
     return true;
   }
   return false;
@@ -83,7 +107,8 @@ FoundHoles FindHoles(const HoleSite& site, const CellBoundary& boundary) {
   }
   FoundHoles found;
   for (const ClosedLoop& outline : outlines) {
-    if ((outline.faces_up && PlaceInOpen(site, outline, open)) || PlaceInClosed(site, outline, closed)) continue;
+    const bool in_open = outline.faces_up && (PlaceInOpen(site, outline, open) || PlaceInFolded(site, outline, open));
+    if (in_open || PlaceInClosed(site, outline, closed)) continue;
     ++found.outer_rims;
     found.left.push_back({boundary.cell, "outline of a detached piece of surface", -1,
                           static_cast<int64_t>(outline.segments.size()), false});

@@ -55,6 +55,23 @@ TEST(FindHolesTest, MakesAPieceAnIslandOfAnOpenHole) {
   EXPECT_EQ(found.outer_rims, 0);
 }
 
+// A hole along the west side whose boundary folds over itself at its far end, as that of a tree does.
+TEST(FindHolesTest, MakesAPieceAnIslandOfAnOpenHoleThatFolds) {
+  const Loop3 folded = {{0, 2, 0}, {6, 2, 0}, {6, 6, 0}, {7, 5, 0}, {5, 5.5, 0}, {5, 8, 0}, {0, 8, 0}};
+  HoleScene scene({folded, PieceLoop(3, 4, 4, 5)});
+  scene.boundary.closed_loops.erase(scene.boundary.closed_loops.begin());
+  const auto count = static_cast<int32_t>(folded.size());
+  for (int32_t i = 0; i < count; ++i) {
+    const bool seam = i + 1 == count;
+    scene.boundary.open.push_back({{i, (i + 1) % count, seam}, seam ? kWest : -1, {-1, 0}});
+  }
+  const FoundHoles found = Find(scene);
+  ASSERT_EQ(found.holes.size(), 1U);
+  EXPECT_FALSE(found.holes[0].projects);
+  EXPECT_EQ(found.holes[0].segments.size(), folded.size() + 4);
+  EXPECT_EQ(found.outer_rims, 0);
+}
+
 // A wall in the plane y = 5 that faces south, with a hole; a piece of the wall in it.
 TEST(FindHolesTest, MakesAPieceOfAWallAnIslandOfItsHole) {
   const auto upright = [](Loop3 loop) {
