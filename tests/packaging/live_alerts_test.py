@@ -151,6 +151,12 @@ def play(stage):
 
     name = stage.submit('first')
     stage.await_alert('TilemendNoProgress', 'a job has no worker')
+    elsewhere = os.path.join(stage.folder, 'elsewhere')
+    os.mkdir(elsewhere)
+    blind = stage.start_worker('--root', elsewhere)
+    stage.await_alert('TilemendWorkerBlind', 'a worker has not mounted the folder of a job')
+    blind.terminate()
+    blind.wait()
     worker = stage.start_worker()
     await_('the end of the job', lambda: stage.job(name)['state'] != 'running')
     await_('rest', lambda: not stage.firing() - {'TilemendNoFreeSlots'})
