@@ -16,6 +16,7 @@ constexpr double kMostScatter = 2;               // of noise between neighbours:
 constexpr double kSettled = 1e-5;                // metres
 constexpr int kMostSteps = 50;
 constexpr ptrdiff_t kLeastLow = 4;  // heights that a level can be taken from
+constexpr double kLeastQuay = 0.5;  // metres: what gathers less high above the water is water with more noise
 
 // The middle of the shortest interval that holds a third of the sorted heights.
 double MiddleOfDensest(const std::vector<double>& sorted) {
@@ -83,10 +84,10 @@ RimLevel FitLowLevel(std::vector<double> heights, double noise) {
   for (;;) {
     RimLevel fit = FitDensest(heights);
     const double highest = HighestLevel(heights, fit.spread, fit.level, noise);
-    if (fit.level <= highest) return fit;
-    fit.level = highest;
+    const bool on_quays = fit.level > highest + kLeastQuay;
+    fit.level = std::min(fit.level, highest);
     const auto above = std::upper_bound(heights.begin(), heights.end(), highest + kWindow * noise);
-    if (above == heights.end() || above - heights.begin() < kLeastLow) return fit;
+    if (!on_quays || above == heights.end() || above - heights.begin() < kLeastLow) return fit;
     heights.erase(above, heights.end());
   }
 }

@@ -26,8 +26,9 @@ struct RimLevel {
 RimLevel FitRimLevel(std::vector<double> heights, double noise);
 
 // The same where most of the rim may stand on quays, all of one height, and the water shows between them alone: if the
-// heights gather higher above the lowest ones than noise explains, the level is looked for among those that noise of
-// water at that place could reach, and so on. At least four heights are asked for; with fewer it is FitRimLevel's.
+// heights gather half a metre higher above the lowest ones than noise explains, the level is looked for among those
+// that noise of water at that place could reach, and so on. At least four heights are asked for; with fewer it is
+// FitRimLevel's.
 RimLevel FitLowLevel(std::vector<double> heights, double noise);
 
 // The value that `share` (0 to 1) of the values lie below, between two of them linearly. Precondition: not empty.

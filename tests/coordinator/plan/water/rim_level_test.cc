@@ -81,6 +81,12 @@ TEST(FitLowLevelTest, WaterShowsBetweenQuays) {
   EXPECT_GT(FitRimLevel(heights, Deviation(0.2)).level, 0.08);
 }
 
+TEST(FitLowLevelTest, MoreNoiseThanWasMeasuredIsNoQuay) {
+  const std::vector<double> heights = Heights(60, 1, 0, 0.4);
+  EXPECT_EQ(FitLowLevel(heights, 0.03).level, FitRimLevel(heights, 0.03).level);
+  EXPECT_EQ(FitLowLevel(heights, 0.03).count, heights.size());
+}
+
 TEST(FitLowLevelTest, AFewLowHeightsAreNoWater) {
   std::vector<double> heights = Heights(3, 1, 0, 0.2);
   for (int i = 0; i < 30; ++i) heights.push_back(2.5 + 0.001 * i);
