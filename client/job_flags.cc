@@ -35,6 +35,7 @@ std::vector<FlagSpec> JobFlags() {
       {"seam-smoothing", "X", "of wang: how much seams are smoothed, 0 to 1", absl::StrCat(defaults.seam_smoothing)});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
   flags.push_back(AreaFlag());
+  flags.push_back({"cells", "CELLS", "fill and write these alone: \"3,4 0,0-5,9\", column,row (default: all)", ""});
   flags.push_back(WaterColourFlag());
   flags.push_back({"textures", "copy|link|off", "material files and images of OBJ tiles; link: images as hard links",
                    defaults.textures});
@@ -104,6 +105,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.water_profile = profile.name;
   spec.water_colour = args.Text("water-colour");
   spec.textures = args.Text("textures");
+  spec.cells = args.Text("cells");
   spec.overwrite = args.Switch("overwrite");
   spec.dry_run = args.Switch("dry-run");
   if (spec.out.empty() && !spec.dry_run) return absl::InvalidArgumentError("--out DIR is needed");

@@ -271,6 +271,12 @@ Json Options(const SceneReportInput& input) {
   return options;
 }
 
+constexpr char kNotChosen[] = "in a cell that was not chosen";
+
+bool IsChosen(const SceneReportInput& input, CellId cell) {
+  return input.outcome.chosen.empty() || input.outcome.chosen.contains(cell);
+}
+
 int64_t PeakRssBytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -280,6 +286,7 @@ int64_t PeakRssBytes() {
 }  // namespace
 
 std::string FailureOf(const SceneReportInput& input, int32_t hole) {
+  if (!IsChosen(input, input.plan->holes[hole].cell)) return kNotChosen;
   const auto it = input.outcome.failures.find(hole);
   return it != input.outcome.failures.end() ? it->second : input.plan->holes[hole].failure;
 }
@@ -343,6 +350,7 @@ std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
     const PlannedHole& planned = input.plan->holes[hole];
     left.push_back({planned.cell, reason, hole, planned.boundary_vertices});
   }
+  std::erase_if(left, [&](const LeftOpen& l) { return !IsChosen(input, l.cell); });
   return left;
 }
 

@@ -42,6 +42,7 @@ struct JobSpec {
   double water_tolerance = 0.1;        // [0.001, 10], metres: see WaterOptions
   std::string water_profile = "city";  // a name that WaterProfileNamed knows
   std::string water_colour;            // "R,G,B" or "#rrggbb" (ParseColour); empty: as its rim has it
+  std::string cells;                   // those that are filled and written: see ParseCells; empty: all
   std::string textures = "copy";       // material files and images: "copy", "link" (images as hard links), "off"
   double seam_smoothing = 0.5;         // [0, 1], gamma of Wang eq. 6
   bool overwrite = false;              // replace an existing output

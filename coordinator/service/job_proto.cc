@@ -81,6 +81,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
   spec.water_colour = proto.water_colour();
   if (!proto.textures().empty()) spec.textures = proto.textures();
+  spec.cells = proto.cells();
   spec.overwrite = proto.overwrite();
   spec.dry_run = proto.dry_run();
   return spec;
@@ -102,6 +103,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_water_profile(spec.water_profile);
   proto.set_water_colour(spec.water_colour);
   proto.set_textures(spec.textures);
+  proto.set_cells(spec.cells);
   proto.set_overwrite(spec.overwrite);
   proto.set_dry_run(spec.dry_run);
   return proto;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "absl/strings/str_cat.h"
+#include "common/grid/cell_choice.h"
 #include "common/grid/water_profile.h"
 #include "common/util/colour.h"
 #include "common/util/error_info.h"
@@ -58,6 +59,9 @@ absl::Status JobSpec::Check() const {
   }
   if (textures != "copy" && textures != "link" && textures != "off") {
     return InvalidSpec("textures", absl::StrCat("'", Printable(textures), "': expected copy, link or off"));
+  }
+  if (const absl::Status status = ParseCells(cells).status(); !status.ok()) {
+    return InvalidSpec("cells", std::string(status.message()));
   }
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
   if (tension && named != Surface::kThinPlate)

@@ -18,16 +18,15 @@ bool SceneFiles::HidesAnother(const std::string& path) const {
   return !output_.empty() && files_.contains((std::filesystem::path(output_) / path).lexically_normal().string());
 }
 
-void SceneFiles::Take(CellId cell, const TileFiles& files) {
+void SceneFiles::Take(CellId cell, const TileFiles& files, bool is_written) {
   for (const std::vector<std::string>* list : {&files.libraries, &files.images}) {
     for (const std::string& path : *list) {
-      const auto [it, fresh] = files_.try_emplace(path, File{cell, 0});
-      ++it->second.tiles;
-      if (!fresh && cell < it->second.first) {
-        of_cells_[it->second.first].erase(path);
-        it->second.first = cell;
-      }
-      if (it->second.first == cell) of_cells_[cell].insert(path);
+      File& file = files_[path];
+      ++file.tiles;
+      if (!is_written || (file.first && *file.first <= cell)) continue;
+      if (file.first) of_cells_[*file.first].erase(path);
+      file.first = cell;
+      of_cells_[cell].insert(path);
     }
   }
   if (!files.libraries.empty()) libraries_[cell] = files.libraries;
@@ -70,7 +69,7 @@ std::vector<std::string> SceneFiles::CarriedBy(CellId cell) const {
 std::set<std::string> SceneFiles::Carried() const {
   std::set<std::string> carried;
   for (const auto& [path, file] : files_) {
-    if (!HidesAnother(path)) carried.insert(path);
+    if (file.first && !HidesAnother(path)) carried.insert(path);
   }
   return carried;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -27,8 +28,8 @@ class SceneFiles {
   // carried over another file of the scene is left out with a warning.
   explicit SceneFiles(std::string output) : output_(std::move(output)) {}
 
-  // All tiles, in any order; then the rest.
-  void Take(CellId cell, const TileFiles& files);
+  // All tiles, in any order; then the rest. One that is not written carries nothing.
+  void Take(CellId cell, const TileFiles& files, bool is_written = true);
   void Warn(CellId cell, const std::vector<std::string>& warnings);
 
   // The last of the tile's own material files; empty if it has none.
@@ -46,8 +47,8 @@ class SceneFiles {
 
  private:
   struct File {
-    CellId first;
-    int64_t tiles = 0;  // that name it
+    std::optional<CellId> first;  // that is written
+    int64_t tiles = 0;            // that name it
   };
   bool HidesAnother(const std::string& path) const;
 

@@ -46,16 +46,17 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
           {"water-profile", spec.water_profile},
           {"water-colour", spec.water_colour},
           {"textures", spec.textures},
-          {"area", spec.area}};
+          {"area", spec.area},
+          {"cells", spec.cells}};
 }
 
 std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
   return absl::StrFormat(
       "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %s\n"
-      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\n",
+      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\ncells %s\n",
       spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing,
       spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
-      spec.water_profile, spec.water_colour, spec.textures, area_digest);
+      spec.water_profile, spec.water_colour, spec.textures, area_digest, spec.cells);
 }
 
 }  // namespace tilemend

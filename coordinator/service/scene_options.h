@@ -15,6 +15,7 @@
 namespace tilemend {
 
 // Precondition of all: spec.Check().ok().
+// All cells are chosen.
 WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled);
 v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec);
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "absl/strings/str_format.h"
 #include "absl/time/clock.h"
 #include "common/gis/area_file.h"
+#include "common/grid/cell_choice.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
@@ -49,11 +51,11 @@ absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
 class ScenePipeline : public JobPipeline {
  public:
-  ScenePipeline(JobSpec spec, Scene scene, WaterOptions water, std::optional<OutputFolder> output,
-                std::shared_ptr<ScratchFile> scratch)
+  ScenePipeline(JobSpec spec, Scene scene, std::set<CellId> chosen, WaterOptions water,
+                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch)
       : spec_(std::move(spec)),
         output_(std::move(output)),
-        waves_(std::move(scene), WaveOptionsOf(spec_, std::move(water), [this] { return is_cancelled(); }),
+        waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
                [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }),
         tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {}
 
@@ -110,20 +112,19 @@ class ScenePipeline : public JobPipeline {
     JobOutcome outcome;
     const auto left = LeftOf(report);
     const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
-    const size_t holes = waves_.plan().holes.size();
     outcome.partial = holes_left && !spec_.dry_run;
-    const std::string taken_over = reuse_->taken_over() == 0 ? ""
-                                                             : absl::StrCat("; ", reuse_->taken_over(), " of ",
-                                                                            reuse_->tasks(), " tasks taken over");
-    outcome.message = spec_.dry_run
-                          ? absl::StrCat(holes, " holes found, nothing written")
-                          : absl::StrCat(report.outcome.sizes.size(), " of ", holes, " holes filled",
-                                         left.empty() ? "" : "; the report lists what is left open", taken_over);
+    outcome.message = MessageOf(report, left.empty());
     if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
     return outcome;
   }
 
  private:
+  WaveOptions OptionsFor(std::set<CellId> chosen, WaterOptions water) {
+    WaveOptions options = WaveOptionsOf(spec_, std::move(water), [this] { return is_cancelled(); });
+    options.chosen = std::move(chosen);
+    return options;
+  }
+
   enum class End { kOpen, kCancelled, kComplete };
 
   bool is_cancelled() const { return end_.load() == End::kCancelled; }
@@ -177,6 +178,24 @@ class ScenePipeline : public JobPipeline {
     waves_.LeaveHoles(result.cell, reason);
     tasks_.Forget(result.cell);
     return absl::OkStatus();
+  }
+
+  // For people. A dry run says what would be done.
+  std::string MessageOf(const SceneReportInput& report, bool all_closed) const {
+    const size_t all = report.plan->holes.size();
+    int64_t chosen = 0;
+    for (const PlannedHole& hole : report.plan->holes) {
+      chosen += report.outcome.chosen.empty() || report.outcome.chosen.contains(hole.cell) ? 1 : 0;
+    }
+    std::string message = spec_.dry_run ? absl::StrCat(all, " holes found, nothing written")
+                                        : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
+                                                       all_closed ? "" : "; the report lists what is left open");
+    if (!spec_.cells.empty()) {
+      absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
+                      report.cells, " cells that were chosen");
+    }
+    if (reuse_->taken_over() == 0) return message;
+    return absl::StrCat(message, "; ", reuse_->taken_over(), " of ", reuse_->tasks(), " tasks taken over");
   }
 
   SceneReportInput Report() const {
@@ -237,6 +256,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance, FrameOf(scene)));
   water.options.profile = *WaterProfileNamed(spec.water_profile);
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
+  TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells, scene));
   std::optional<OutputFolder> output;
   if (!spec.dry_run) {
     TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
@@ -244,8 +264,8 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
-  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(water.options), std::move(output),
-                                         std::move(scratch));
+  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(chosen), std::move(water.options),
+                                         std::move(output), std::move(scratch));
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(*result.output);
   if (!tile.ok()) return Unreadable(result.cell, tile.status());
   TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(result.cell)));
-  if (spec_.textures != "off") files_.Take(result.cell, tile->files);
+  if (spec_.textures != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
   digests_[result.cell] = std::move(tile->digest);
   for (const FileWitness::Read& read : tile->reads) {
     const auto& libraries = tile->files.libraries;

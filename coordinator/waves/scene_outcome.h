@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@ struct SceneOutcome {
   std::map<int32_t, std::string> failures;           // of the holes that were tried in vain: why
   std::vector<LeftOpen> unwritten;                   // tiles that could not be written
   std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen
+  std::set<CellId> chosen;                           // cells that were to be filled; empty: all
   QualityTally quality;                              // of all new triangles
   // Of borders where fills overlap (BorderAudit::a and b): how far apart they are there.
   std::map<std::pair<CellId, CellId>, SurfaceGap> fill_gaps;

@@ -246,10 +246,28 @@ void SceneWaves::MakeThePlan() {
   for (size_t h = 0; h < plan_.holes.size(); ++h) {
     if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
   }
+  KeepChosenHoles();
   std::vector<BorderAudit> borders;
-  std::copy_if(plan_.borders.begin(), plan_.borders.end(), std::back_inserter(borders),
-               [&](const BorderAudit& border) { return holes_of_.contains(border.a) && holes_of_.contains(border.b); });
+  std::copy_if(plan_.borders.begin(), plan_.borders.end(), std::back_inserter(borders), [&](const BorderAudit& border) {
+    return holes_of_.contains(border.a) && holes_of_.contains(border.b) && IsChosen(border.a) && IsChosen(border.b);
+  });
   fill_gaps_ = FillGaps(input_.grid, borders);
+}
+
+void SceneWaves::KeepChosenHoles() {
+  outcome_.chosen = options_.chosen;
+  if (options_.chosen.empty()) return;
+  std::set<int32_t> clusters;
+  for (const auto& [cell, holes] : holes_of_) {
+    if (!IsChosen(cell)) continue;
+    for (const int32_t h : holes) clusters.insert(plan_.holes[h].cluster);
+  }
+  clusters.erase(-1);
+  for (auto& [cell, holes] : holes_of_) {
+    if (IsChosen(cell)) continue;
+    std::erase_if(holes, [&](int32_t h) { return !clusters.contains(plan_.holes[h].cluster); });
+  }
+  std::erase_if(holes_of_, [](const auto& of_cell) { return of_cell.second.empty(); });
 }
 
 // Cells that need no surface of a cluster are filled meanwhile.
@@ -290,6 +308,7 @@ void SceneWaves::QueueFills() {
 
 void SceneWaves::QueueFill(CellId cell) {
   filling_.insert(cell);
+  if (!IsChosen(cell)) return;
   ready_.push_back({Wave::kFill, cell});
 }
 
@@ -297,7 +316,7 @@ void SceneWaves::QueueAssembles() {
   phase_ = "assemble";
   float32_ = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second->float32; });
   for (const SceneTile& tile : scene_.tiles) {
-    if (tile.path.empty() && !filled_.contains(tile.cell)) {
+    if (!IsChosen(tile.cell) || (tile.path.empty() && !filled_.contains(tile.cell))) {
       ++cells_done_;  // nothing to write
     } else {
       ready_.push_back({Wave::kAssemble, tile.cell});

@@ -30,6 +30,7 @@ struct WaveOptions {
   double seam_smoothing = 0.5;  // [0, 1], gamma of Wang eq. 6
   bool single_mesh = false;     // the scene is one tile without a grid: its cell is made around it
   bool plan_only = false;       // ends with the plan
+  std::set<CellId> chosen;      // cells that are filled and written; empty: all
 };
 
 // Gives out the pieces of work of one scene as soon as they can be done, and takes what came of them. It computes the
@@ -80,6 +81,7 @@ class SceneWaves {
   const Scene& scene() const { return scene_; }
   const SceneTile& tile(CellId cell) const { return *tiles_.at(cell); }  // of the scene
   const WaveOptions& options() const { return options_; }
+  bool IsChosen(CellId cell) const { return options_.chosen.empty() || options_.chosen.contains(cell); }
   // By cell, those that have been taken.
   const std::map<CellId, StoredRecord>& records() const { return records_; }
   // Empty until all surveys are taken and Next is called.
@@ -106,6 +108,8 @@ class SceneWaves {
   void Advance();
   void EndStep(std::string_view step) const;
   void MakeThePlan();
+  // Of cells that are not chosen, those holes stay whose clusters reach chosen ones.
+  void KeepChosenHoles();
   void QueueClusters();
   void QueueLayer(int32_t layer);
   void QueueFills();

@@ -33,7 +33,7 @@ FAILPOINTS = ['journal.make', 'journal.commit', 'journal.committed', 'journal.ch
 # What is reached only by a coordinator that starts again.
 ONLY_AGAIN = {'restore.swept'}
 THREADS = [1, 1]  # of the workers
-LARGEST_FILE = 300000  # bytes: more than any blob here, less than the journal of a job
+LARGEST_FILE = 900000  # bytes: less than the journal's log of 64 small cells, more than any other file of theirs
 LIMIT = 120  # seconds for anything to happen
 
 
@@ -325,8 +325,10 @@ def fail_commits(bench, scene, reference, figures, each):
         run.finish()
 
 
-def fill_the_disk(bench, scene, reference, figures, each):
+def fill_the_disk(bench, figures, each):
     """As fail_commits, where a file can grow no more."""
+    scene, reference = make_scene(bench, 'small', 8, 30, 3), os.path.join(bench.folder, 'small-reference')
+    bench.run_undisturbed(scene, reference)
     for number in range(each):
         bench.kill()
         shutil.rmtree(bench.work)
@@ -397,22 +399,23 @@ def print_figures(figures, each):
 def parse_arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument('bin')
-    parser.add_argument('--kills', type=int, default=300)
-    parser.add_argument('--each', type=int, default=5)
-    parser.add_argument('--seed', type=int, default=1)
-    parser.add_argument('--scene', default='')
-    parser.add_argument('--options', default='')
-    parser.add_argument('--failpoints', default=','.join(FAILPOINTS))
+    for name, number in (('kills', 300), ('each', 5), ('seed', 1)):
+        parser.add_argument('--' + name, type=int, default=number)
+    for name, text in (('scene', ''), ('options', ''), ('failpoints', ','.join(FAILPOINTS))):
+        parser.add_argument('--' + name, default=text)
     return parser.parse_args()
 
 
+def make_scene(bench, name, side, cell, spacing):
+    scene = os.path.join(bench.folder, name)
+    subprocess.run([bench.program('tilemend-make-scene'), scene, '--cols', str(side), '--rows', str(side), '--cell',
+                    str(cell), '--spacing', str(spacing)], check=True, stdout=subprocess.DEVNULL)
+    return scene
+
+
 def run_all(bench, arguments, figures):
-    scene, reference = os.path.join(bench.folder, 'scene'), os.path.join(bench.folder, 'reference')
-    if arguments.scene:
-        scene = os.path.abspath(arguments.scene)
-    else:
-        subprocess.run([bench.program('tilemend-make-scene'), scene, '--cols', '4', '--rows', '4', '--cell', '100',
-                        '--spacing', '1'], check=True, stdout=subprocess.DEVNULL)
+    reference = os.path.join(bench.folder, 'reference')
+    scene = os.path.abspath(arguments.scene) if arguments.scene else make_scene(bench, 'scene', 4, 100, 1)
     start = time.time()
     bench.run_undisturbed(scene, reference)
     seconds = time.time() - start
@@ -425,8 +428,7 @@ def run_all(bench, arguments, figures):
     figures.at_random = figures.kills
     kill_at_failpoints(bench, scene, reference, figures, arguments.each, [n for n in arguments.failpoints.split(',') if n])
     fail_commits(bench, scene, reference, figures, arguments.each)
-    if not arguments.scene:  # LARGEST_FILE is made for the other
-        fill_the_disk(bench, scene, reference, figures, arguments.each)
+    fill_the_disk(bench, figures, arguments.each)
 
 
 def main():

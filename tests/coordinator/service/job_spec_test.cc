@@ -38,6 +38,11 @@ TEST(JobSpecTest, TheDefaultsNeedOnlyPaths) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.out.clear(), s.dry_run = true; }), "") << "a dry run writes nothing";
 }
 
+TEST(JobSpecTest, RefusesCellsThatAreNone) {
+  EXPECT_EQ(Fault([](JobSpec& s) { s.cells = "3,4 0,0-5,9"; }), "");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.cells = "3;4"; }), "cells");
+}
+
 TEST(JobSpecTest, RefusesPathsThatAreNotUtf8) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.scene = kNotUtf8; }), "scene");
   EXPECT_EQ(Fault([](JobSpec& s) { s.out = kNotUtf8; }), "out");

@@ -70,5 +70,14 @@ TEST(FolderInSceneTest, IsEmptyOutside) {
   EXPECT_EQ(FolderInScene("/a/scene-2", "/a/scene"), "");
 }
 
+TEST(SceneFilesTest, ATileThatIsNotWrittenCarriesNothing) {
+  SceneFiles files("");
+  files.Take({0, 0}, {{}, {"a.jpg", "b.jpg"}, {}}, false);
+  files.Take({1, 0}, {{}, {"a.jpg"}, {}});
+  EXPECT_EQ(files.Carried(), std::set<std::string>{"a.jpg"});
+  EXPECT_EQ(files.CarriedBy({1, 0}), std::vector<std::string>{"a.jpg"});
+  EXPECT_TRUE(files.CarriedBy({0, 0}).empty());
+}
+
 }  // namespace
 }  // namespace tilemend

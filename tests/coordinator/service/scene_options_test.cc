@@ -54,6 +54,7 @@ TEST(JobKeyTest, TellsApartWhatGivesOtherBytes) {
   add([](JobSpec&, WaterChoice&, std::string&) {});
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.gradation = std::nextafter(spec.gradation, 2); });
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.tension = 0; });
+  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.cells = "1,1"; });
   add([](JobSpec&, WaterChoice& water, std::string&) { water.digest = "other content"; });
   add([](JobSpec&, WaterChoice&, std::string& area) { area = "other content"; });
 }

@@ -211,6 +211,48 @@ TEST_F(ScenePipelineTest, AnErrorThatIsNotOfTheCellAloneFailsTheJob) {
   }
 }
 
+// Whatever the surface: what is written is what a run of all cells writes.
+TEST_F(ScenePipelineTest, SomeCellsAreWrittenAsInARunOfAll) {
+  for (const Surface surface : {Surface::kThinPlate, Surface::kWang}) {
+    spec_.surface = SurfaceName(surface);
+    spec_.cells = "";
+    spec_.out = folder_ / ("all" + spec_.surface);
+    ASSERT_TRUE(Run().ok());
+    const auto all = TilesBelow(spec_.out);
+    const int fills = stages_[Stage::kFill];
+    stages_.clear();
+    spec_.out = folder_ / ("some" + spec_.surface);
+    spec_.cells = "1,1 2,0-3,0";
+    const auto outcome = Run();
+    ASSERT_TRUE(outcome.ok()) << outcome.status();
+    EXPECT_FALSE(outcome->partial);
+    EXPECT_THAT(outcome->message, HasSubstr("holes are in the 3 of 12 cells that were chosen"));
+    const auto some = TilesBelow(spec_.out);
+    EXPECT_EQ(some.size(), 3U);
+    for (const auto& [name, bytes] : some) EXPECT_EQ(all.at(name), bytes) << name;
+    EXPECT_LT(stages_[Stage::kFill], fills);
+    EXPECT_EQ(stages_[Stage::kAssemble], 3);
+    const nlohmann::json report = ReportOf(spec_.out);
+    EXPECT_TRUE(report["left"].empty());
+    for (const auto& row : report["per_hole"]) {
+      const bool chosen = row["cell"] == nlohmann::json::array({1, 1}) || (row["cell"][1] == 0 && row["cell"][0] >= 2);
+      EXPECT_EQ(row["outcome"] == "filled", chosen) << row;
+    }
+    stages_.clear();
+  }
+}
+
+TEST_F(ScenePipelineTest, ADryRunSaysWhichHolesAreChosen) {
+  spec_.dry_run = true;
+  spec_.cells = "1,1";
+  EXPECT_THAT(Run()->message, HasSubstr("holes are in the 1 of 12 cells that were chosen"));
+}
+
+TEST_F(ScenePipelineTest, CellsThatTheSceneDoesNotHaveAreRefused) {
+  spec_.cells = "1,1 90,90";
+  EXPECT_THAT(std::string(ScenePipelineFactory()(spec_).status().message()), HasSubstr("+090_+090"));
+}
+
 TEST_F(ScenePipelineTest, AnotherRunTakesOverEverything) {
   ASSERT_TRUE(Run().ok());
   const auto before = TilesBelow(spec_.out);
