@@ -20,6 +20,7 @@ TEST(JobProtoTest, ASpecComesBackAsItWas) {
   spec.seam_smoothing = 0;
   spec.water = "/water.geojson";
   spec.area = "/area.gpkg";
+  spec.cells = "3,4";
   spec.water_tolerance = 0.25;
   spec.water_profile = "usgs";
   EXPECT_EQ(SpecFromProto(SpecToProto(spec)), spec);
