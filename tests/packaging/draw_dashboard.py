@@ -52,7 +52,7 @@ def main():
         sub.suptitle(at['title'], fontsize=9, fontweight='bold', x=0.02, ha='left')
         inside = [p for p in panels if p['type'] != 'row' and p['gridPos']['y'] == at['gridPos']['y'] + 1]
         axes = sub.subplots(1, len(inside))
-        sub.subplots_adjust(left=0.03, right=0.99, bottom=0.12, top=0.78, wspace=0.12)
+        sub.subplots_adjust(left=0.03, right=0.99, bottom=0.12, top=0.78, wspace=0.12 if len(inside) < 4 else 0.22)
         for one, panel in zip(axes, inside):
             draw(one, panel, answers, start)
     figure.savefig(picture, dpi=90, metadata={'Software': None})
