@@ -54,7 +54,8 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);
   const std::vector<FlagSpec> retry = Join(
       {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));
-  const std::vector<FlagSpec> submit = Join(Join(JobFlags(), StartFlags()), output);
+  const FlagSpec priority = {"priority", "P", "-100 to 100: tasks of jobs with a lower one wait", "0"};
+  const std::vector<FlagSpec> submit = Join(Join(Join(JobFlags(), StartFlags()), {priority}), output);
   return {
       {"inspect",
        "SCENE|MESH",
@@ -72,6 +73,9 @@ std::vector<Command> ServiceCommands() {
       {"workers", "", "show the workers of a cluster", 0, {}, cluster, WorkersCommand},
       {"watch", "JOB", "follow a job to its end", 1, {}, cluster, WatchCommand},
       {"cancel", "JOB", "cancel a job", 1, {}, cluster, CancelCommand},
+      {"pause", "JOB", "give out no more tasks of a job", 1, {}, cluster, PauseCommand},
+      {"resume", "JOB", "go on with a job that is paused", 1, {}, cluster, ResumeCommand},
+      {"prioritize", "JOB PRIORITY", "give a job another priority", 2, {}, cluster, PrioritizeCommand},
       {"retry", "JOB", "start a finished job again", 1, {}, retry, RetryCommand},
   };
 }

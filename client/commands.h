@@ -32,6 +32,9 @@ int ListCommand(const Args& args);
 int WorkersCommand(const Args& args);
 int WatchCommand(const Args& args);
 int CancelCommand(const Args& args);
+int PauseCommand(const Args& args);
+int ResumeCommand(const Args& args);
+int PrioritizeCommand(const Args& args);
 int RetryCommand(const Args& args);
 int ReportCommand(const Args& args);
 

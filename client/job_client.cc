@@ -89,6 +89,25 @@ absl::StatusOr<v1::Job> JobClient::Cancel(const std::string& name) {
   return impl_->Call(*impl_->stub, &v1::Jobs::Stub::CancelJob, request, patience_);
 }
 
+absl::StatusOr<v1::Job> JobClient::Pause(const std::string& name) {
+  v1::PauseJobRequest request;
+  request.set_name(name);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::PauseJob, request, patience_);
+}
+
+absl::StatusOr<v1::Job> JobClient::Resume(const std::string& name) {
+  v1::ResumeJobRequest request;
+  request.set_name(name);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::ResumeJob, request, patience_);
+}
+
+absl::StatusOr<v1::Job> JobClient::Prioritize(const std::string& name, int32_t priority) {
+  v1::PrioritizeJobRequest request;
+  request.set_name(name);
+  request.set_priority(priority);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::PrioritizeJob, request, patience_);
+}
+
 absl::StatusOr<v1::Job> JobClient::Retry(const v1::RetryJobRequest& request) {
   return impl_->Call(*impl_->stub, &v1::Jobs::Stub::RetryJob, request,
                      request.request_id().empty() ? absl::ZeroDuration() : patience_);

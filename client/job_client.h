@@ -33,6 +33,9 @@ class JobClient {
   absl::StatusOr<v1::ListJobsResponse> List(const v1::ListJobsRequest& request);
   absl::StatusOr<v1::ListWorkersResponse> ListWorkers(const v1::ListWorkersRequest& request);
   absl::StatusOr<v1::Job> Cancel(const std::string& name);
+  absl::StatusOr<v1::Job> Pause(const std::string& name);
+  absl::StatusOr<v1::Job> Resume(const std::string& name);
+  absl::StatusOr<v1::Job> Prioritize(const std::string& name, int32_t priority);
   absl::StatusOr<v1::Job> Retry(const v1::RetryJobRequest& request);
 
   // Calls `show` with each state of the job until it is over, and gives the last. Connects again, with the cursor, when

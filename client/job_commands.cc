@@ -3,6 +3,7 @@
 #include <random>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_split.h"
@@ -77,6 +78,21 @@ std::string RequestIdFromFlags(const Args& args) {
   return args.IsGiven("request-id") ? args.Text("request-id") : NewRequestId();
 }
 
+absl::StatusOr<int32_t> PriorityNamed(const std::string& text) {
+  int32_t priority = 0;
+  if (absl::SimpleAtoi(text, &priority)) return priority;
+  return absl::InvalidArgumentError(absl::StrCat("priority '", text, "': expected a whole number from -100 to 100"));
+}
+
+// What changes one job and needs no more than its name.
+int ChangeJob(const Args& args, absl::StatusOr<v1::Job> (JobClient::*change)(const std::string&)) {
+  auto session = OpenSession(args, false);
+  if (!session.ok()) return PrintUsageError(session.status());
+  const auto name = FindJobName(*session->client, args.arguments().front());
+  if (!name.ok()) return PrintError(name.status());
+  return PrintJob((session->client.get()->*change)(*name), session->format);
+}
+
 }  // namespace
 
 int SubmitCommand(const Args& args) {
@@ -87,6 +103,9 @@ int SubmitCommand(const Args& args) {
   v1::CreateJobRequest request;
   *request.mutable_spec() = *spec;
   request.set_request_id(RequestIdFromFlags(args));
+  const auto priority = PriorityNamed(args.Text("priority"));
+  if (!priority.ok()) return PrintUsageError(priority.status());
+  request.set_priority(*priority);
   return AfterStart(*session, args, session->client->Create(request));
 }
 
@@ -110,12 +129,18 @@ int GetCommand(const Args& args) {
   return PrintJob(session->client->Get(*name), session->format);
 }
 
-int CancelCommand(const Args& args) {
+int CancelCommand(const Args& args) { return ChangeJob(args, &JobClient::Cancel); }
+int PauseCommand(const Args& args) { return ChangeJob(args, &JobClient::Pause); }
+int ResumeCommand(const Args& args) { return ChangeJob(args, &JobClient::Resume); }
+
+int PrioritizeCommand(const Args& args) {
   auto session = OpenSession(args, false);
   if (!session.ok()) return PrintUsageError(session.status());
+  const auto priority = PriorityNamed(args.arguments().back());
+  if (!priority.ok()) return PrintUsageError(priority.status());
   const auto name = FindJobName(*session->client, args.arguments().front());
   if (!name.ok()) return PrintError(name.status());
-  return PrintJob(session->client->Cancel(*name), session->format);
+  return PrintJob(session->client->Prioritize(*name, *priority), session->format);
 }
 
 int WatchCommand(const Args& args) {

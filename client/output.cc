@@ -62,6 +62,8 @@ Json JobJson(const v1::Job& job) {
   if (!job.trace().empty()) json["trace"] = job.trace();
   if (!job.waiting().empty()) json["waiting"] = job.waiting();
   if (job.slot() > 0) json["slot"] = job.slot();
+  json["priority"] = job.priority();
+  json["paused"] = job.paused();
   for (const std::string& warning : job.warnings()) json["warnings"].push_back(warning);
   if (!job.message().empty()) json["message"] = job.message();
   if (!job.report().empty()) json["report"] = job.report();
@@ -152,6 +154,7 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
                                                 {"cells", Share(p.cells_done(), p.cells())},
                                                 {"holes", Share(p.holes_filled(), p.holes())},
                                                 {"tasks", Share(p.tasks_done(), p.tasks())}};
+  if (job.priority() != 0) rows.push_back({"priority", absl::StrCat(job.priority())});
   if (!job.waiting().empty()) rows.push_back({"waiting", job.waiting()});
   const absl::Time created = absl::FromUnixSeconds(job.create_time().seconds());
   const absl::Time end = job.has_end_time() ? absl::FromUnixSeconds(job.end_time().seconds()) : absl::Now();

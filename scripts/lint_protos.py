@@ -23,6 +23,7 @@ EXEMPT = {
     'RPC_RESPONSE_STANDARD_NAME': {
         'externalscaler.*': KEDA, 'tilemend.v1.Jobs.CreateJob': AIP, 'tilemend.v1.Jobs.GetJob': AIP,
         'tilemend.v1.Jobs.WatchJob': AIP, 'tilemend.v1.Jobs.CancelJob': AIP, 'tilemend.v1.Jobs.RetryJob': AIP,
+        'tilemend.v1.Jobs.PauseJob': AIP, 'tilemend.v1.Jobs.ResumeJob': AIP, 'tilemend.v1.Jobs.PrioritizeJob': AIP,
         'tilemend.v1.Work.ReadBlob': 'streams chunks'},
     'ENUM_VALUE_PREFIX': {'tilemend.v1.JobState': OLD, 'tilemend.v1.WorkerState': OLD, 'tilemend.v1.Stage': OLD},
     'ENUM_ZERO_VALUE_SUFFIX': {'tilemend.v1.FillWay': 'none is a value, not the want of one'},

@@ -61,6 +61,9 @@ const std::vector<RpcNeed>& RpcNeeds() {
       {"tilemend.v1.Jobs/WatchJob", Role::kWatch},
       {"tilemend.v1.Jobs/CancelJob", Role::kSubmit},  // of another's job: kAdmin
       {"tilemend.v1.Jobs/RetryJob", Role::kSubmit},   // likewise
+      {"tilemend.v1.Jobs/PauseJob", Role::kSubmit},
+      {"tilemend.v1.Jobs/ResumeJob", Role::kSubmit},
+      {"tilemend.v1.Jobs/PrioritizeJob", Role::kSubmit},
       {"tilemend.v1.Workers/ListWorkers", Role::kWatch},
       {"tilemend.v1.Work/Sync", Role::kWorker},
       {"tilemend.v1.Work/ReadBlob", Role::kWorker},

@@ -39,7 +39,9 @@ v1::Job CoordinatorImpl::Describe(const Job& job) const {
 }
 
 std::string CoordinatorImpl::WhyWaiting(const Job& job) const {
-  if (IsOver(job.state) || job.counts.leased > 0 || job.counts.pending == 0) return "";
+  if (IsOver(job.state)) return "";
+  if (job.paused) return "it is paused; `tilemend resume` lets it go on";
+  if (job.counts.leased > 0 || job.counts.pending == 0) return "";
   int64_t able = 0, barred = 0;
   for (const auto& [id, worker] : state_.workers()) {
     able += !worker.draining && trust_.MayWorkOn(id, job.id) ? 1 : 0;

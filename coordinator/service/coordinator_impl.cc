@@ -175,16 +175,17 @@ absl::Status CoordinatorImpl::CheckRoots(const JobSpec& spec) const {
 absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
   const JobSpec spec = SpecFromProto(request.spec());
   TILEMEND_RETURN_IF_ERROR(spec.Check());
+  TILEMEND_RETURN_IF_ERROR(CheckPriority(request.priority()));
   TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
   const absl::Status scene = CheckScene(spec.scene);  // without the lock: a mount may hang
   return Answer([&]() -> absl::StatusOr<v1::Job> {
     const bool is_new = request.request_id().empty() || state_.FindRequest(request.request_id()) == nullptr;
     if (is_new) TILEMEND_RETURN_IF_ERROR(scene);
-    return StartJob(spec, request.request_id(), std::move(origin));
+    return StartJob(spec, request.request_id(), request.priority(), std::move(origin));
   });
 }
 
-absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id,
+absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id, int32_t priority,
                                                   JobOrigin origin) {
   if (request_id.size() > kMaxRequestIdBytes) return InvalidRequestId();
   if (const Job* job = request_id.empty() ? nullptr : state_.FindRequest(request_id); job != nullptr) {
@@ -197,7 +198,7 @@ absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std
   TILEMEND_RETURN_IF_ERROR(CheckNewJob(out_key));
   const std::string id = NewJobId();
   TILEMEND_ASSIGN_OR_RETURN(auto blobs, BlobFolder::Create(FolderOf(id)));
-  TILEMEND_RETURN_IF_ERROR(Apply(JobCreated{id, request_id, options_.clock()}).status());
+  TILEMEND_RETURN_IF_ERROR(Apply(JobCreated{id, request_id, options_.clock(), priority}).status());
   JobEntry& entry = entries_[id];
   entry.spec = spec;
   entry.origin = std::move(origin);
@@ -351,7 +352,7 @@ absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& req
       JobSpec spec = entries_.at(job->id).spec;
       spec.overwrite = spec.overwrite || request.overwrite();
       TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
-      return StartJob(std::move(spec), request.request_id(), std::move(origin));
+      return StartJob(std::move(spec), request.request_id(), job->priority, std::move(origin));
     }
     return WithErrorInfo(
         absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),

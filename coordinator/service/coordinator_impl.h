@@ -74,6 +74,9 @@ class CoordinatorImpl {
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
   absl::StatusOr<v1::Job> CancelJob(const v1::CancelJobRequest& request);
   absl::StatusOr<v1::Job> RetryJob(const v1::RetryJobRequest& request, JobOrigin origin = {});
+  absl::StatusOr<v1::Job> PauseJob(const v1::PauseJobRequest& request);
+  absl::StatusOr<v1::Job> ResumeJob(const v1::ResumeJobRequest& request);
+  absl::StatusOr<v1::Job> PrioritizeJob(const v1::PrioritizeJobRequest& request);
   absl::StatusOr<v1::ListWorkersResponse> ListWorkers(const v1::ListWorkersRequest& request);
   // Calls `send` for each state of the job as the message says, and at least once a second `alive`; ends when the job
   // is over (OK) or either returns false (kCancelled).
@@ -147,11 +150,13 @@ class CoordinatorImpl {
 
   // All below with the lock held, unless said otherwise.
   absl::StatusOr<const Job*> JobNamed(const std::string& name) const;
-  absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id, JobOrigin origin);
+  absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id, int32_t priority,
+                                   JobOrigin origin);
   // Starts the job's thread; if there is none to be had, the job was never there.
   absl::Status Begin(JobEntry& entry, const std::string& id);
   absl::Status CheckNewJob(const std::string& out_key) const;
   absl::StatusOr<v1::Job> Cancel(const std::string& name);
+  absl::StatusOr<v1::Job> Steer(const std::string& name, JobSteered change);
   JobRunner::Sink SinkOf(const std::string& id);
   v1::Job Describe(const Job& job) const;
   v1::WorkerInfo Describe(const WorkerRecord& worker) const;

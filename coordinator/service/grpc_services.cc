@@ -102,8 +102,27 @@ class JobsService : public v1::Jobs::Service {
                               return impl_.RetryJob(*request, OriginOf(*context, caller));
                             });
   }
+  grpc::Status PauseJob(ServerContext* context, const v1::PauseJobRequest* request, v1::Job* response) override {
+    return Steer(*context, "tilemend.v1.Jobs/PauseJob", *request, response, &CoordinatorImpl::PauseJob);
+  }
+  grpc::Status ResumeJob(ServerContext* context, const v1::ResumeJobRequest* request, v1::Job* response) override {
+    return Steer(*context, "tilemend.v1.Jobs/ResumeJob", *request, response, &CoordinatorImpl::ResumeJob);
+  }
+  grpc::Status PrioritizeJob(ServerContext* context, const v1::PrioritizeJobRequest* request,
+                             v1::Job* response) override {
+    return Steer(*context, "tilemend.v1.Jobs/PrioritizeJob", *request, response, &CoordinatorImpl::PrioritizeJob);
+  }
 
  private:
+  template <typename Request>
+  grpc::Status Steer(const ServerContext& context, std::string_view rpc, const Request& request, v1::Job* response,
+                     absl::StatusOr<v1::Job> (CoordinatorImpl::*steer)(const Request&)) {
+    return entrance_.Change(context, rpc, response, [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
+      TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request.name()));
+      return (impl_.*steer)(request);
+    });
+  }
+
   // Another's job is the administrators'.
   absl::Status CheckOwner(const Caller& caller, const std::string& name) {
     if (caller.May(Role::kAdmin)) return absl::OkStatus();

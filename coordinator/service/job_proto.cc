@@ -129,6 +129,8 @@ v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcom
   proto.set_message(outcome.message);
   proto.set_report(outcome.report);
   proto.set_cursor(job.version);
+  proto.set_priority(job.priority);
+  proto.set_paused(job.paused);
   proto.mutable_warnings()->Add(job.warnings.begin(), job.warnings.end());
   return proto;
 }
@@ -144,6 +146,8 @@ ToldJob JobFromProto(const v1::Job& proto) {
   job.id = std::string(absl::StripPrefix(proto.name(), "jobs/"));
   job.state = StateFromProto(proto.state());
   job.created = TimeOf(proto.create_time());
+  job.priority = proto.priority();
+  job.paused = proto.paused();
   if (proto.has_start_time()) job.started = TimeOf(proto.start_time());
   job.warnings.assign(proto.warnings().begin(), proto.warnings().end());
   if (!IsOver(job.state)) return told;

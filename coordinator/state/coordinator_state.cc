@@ -85,6 +85,7 @@ void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time) {
   job.counts.pending = 0;
   job.counts.leased = 0;
   job.state = state;
+  job.paused = false;
   job.ended = time;
   ++job.version;
   running_.erase(job.number);
@@ -101,6 +102,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobCreated& event) {
   job.request_id = event.request_id;
   job.number = last_number_ + 1;
   job.created = event.time;
+  job.priority = event.priority;
   job.version = FirstVersion();
   Insert(std::move(job));
   return Effects();
@@ -175,6 +177,17 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobWarned& event) {
   const bool known = std::find(job->warnings.begin(), job->warnings.end(), event.warning) != job->warnings.end();
   if (known || job->warnings.size() >= kMostWarnings) return Effects();
   job->warnings.push_back(event.warning);
+  ++job->version;
+  return Effects();
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const JobSteered& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+  const int32_t priority = event.priority.value_or(job->priority);
+  const bool paused = event.paused.value_or(job->paused);
+  if (priority == job->priority && paused == job->paused) return Effects();
+  job->priority = priority;
+  job->paused = paused;
   ++job->version;
   return Effects();
 }

@@ -89,6 +89,7 @@ class CoordinatorState {
   Result On(const WorkerLeft& event);
   Result On(const JobProgressed& event);
   Result On(const JobWarned& event);
+  Result On(const JobSteered& event);
   Result On(const JobCancelled& event);
   Result On(const JobFinished& event);
   Result On(const JobForgotten& event);

@@ -5,9 +5,10 @@ namespace tilemend {
 Demand DemandOf(const CoordinatorState& state) {
   Demand demand;
   for (const auto& [number, id] : state.running()) {
-    const TaskCounts& counts = state.FindJob(id)->counts;
+    const Job& job = *state.FindJob(id);
+    if (job.paused && job.counts.leased == 0) continue;
     ++demand.jobs;
-    demand.tasks += counts.pending + counts.leased;
+    demand.tasks += (job.paused ? 0 : job.counts.pending) + job.counts.leased;
   }
   return demand;
 }

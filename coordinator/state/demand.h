@@ -9,7 +9,7 @@
 namespace tilemend {
 
 struct Demand {
-  int64_t jobs = 0;   // that are not over; more tasks may come of them at any time
+  int64_t jobs = 0;   // that are neither over nor paused; more tasks may come of them at any time
   int64_t tasks = 0;  // that wait for a worker or are with one
   bool operator==(const Demand&) const = default;
 };

@@ -19,6 +19,7 @@ struct JobCreated {
   std::string job;
   std::string request_id;  // may be empty
   absl::Time time;
+  int32_t priority = 0;
 };
 
 // A job as an earlier process knew it. Its tasks are added anew.
@@ -118,6 +119,13 @@ struct JobWarned {
   std::string warning;
 };
 
+// A job is to have another priority, to pause or to go on.
+struct JobSteered {
+  std::string job;
+  std::optional<int32_t> priority = {};
+  std::optional<bool> paused = {};
+};
+
 struct JobCancelled {
   std::string job;
   absl::Time time;
@@ -136,8 +144,8 @@ struct JobFinished {
 };
 
 using Event = std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted,
-                           TaskFailed, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned, JobCancelled,
-                           JobFinished, JobForgotten>;
+                           TaskFailed, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned, JobSteered,
+                           JobCancelled, JobFinished, JobForgotten>;
 
 // A task that an event brought to its end. Every task of a job that is not cut short is settled exactly once.
 struct SettledTask {

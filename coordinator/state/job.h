@@ -113,6 +113,8 @@ struct Job {
   absl::Time started = absl::InfiniteFuture();  // when its first task was given to a worker
   absl::Time ended = absl::InfiniteFuture();
   uint64_t version = 0;  // grows with each change of the job
+  int32_t priority = 0;  // while it has tasks to give out, those of jobs with a lower one wait
+  bool paused = false;   // none of its tasks is given out
   Progress progress;
   std::vector<std::string> warnings;  // each once, at most kMostWarnings
   TaskCounts counts;

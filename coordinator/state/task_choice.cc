@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace tilemend {
 namespace {
@@ -21,13 +22,12 @@ class TaskChooser {
     std::vector<Share> shares;
     for (const auto& [number, id] : state_.running()) {
       const Job& job = *state_.FindJob(id);
-      if (!job.pending.empty() && may_(worker_.id, id))
+      if (!job.pending.empty() && !job.paused && may_(worker_.id, id))
         shares.push_back({&job, job.pending.begin(), job.counts.leased});
     }
     while (chosen_.size() < free_ && !shares.empty()) {
-      const auto least = std::min_element(shares.begin(), shares.end(),
-                                          [](const Share& a, const Share& b) { return a.leases < b.leases; });
-      if (!TakeNext(*least)) shares.erase(least);
+      const auto first = std::min_element(shares.begin(), shares.end());
+      if (!TakeNext(*first)) shares.erase(first);
     }
     if (!is_closed_) AddStragglers();
     return std::move(chosen_);
@@ -38,6 +38,11 @@ class TaskChooser {
     const Job* job;
     std::set<int64_t>::const_iterator next;
     int64_t leases;
+
+    // Whether its turn comes before that of another.
+    bool operator<(const Share& other) const {
+      return std::pair(-job->priority, leases) < std::pair(-other.job->priority, other.leases);
+    }
   };
 
   bool IsLastChance(const Task& task) const {
@@ -76,7 +81,7 @@ class TaskChooser {
     for (const auto& [number, id] : state_.running()) {
       if (chosen_.size() >= free_) return;
       const Job& job = *state_.FindJob(id);
-      if (job.alone.empty() || !may_(worker_.id, id)) continue;
+      if (job.alone.empty() || job.paused || !may_(worker_.id, id)) continue;
       int looked_at = 0;
       for (const auto& [since, number_of_task] : job.alone) {
         if (chosen_.size() >= free_ || ++looked_at > kMostStragglers) break;

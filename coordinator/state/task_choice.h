@@ -14,12 +14,13 @@ namespace tilemend {
 using MayWork = std::function<bool(const std::string& worker, const std::string& job)>;
 bool MayAlways(const std::string& worker, const std::string& job);
 
-// The tasks to lease to `worker` now, at most as many as it has free threads. Jobs share alike: the next task is of the
-// job that has the fewest leases, the older one if two have as many; within a job it is the first that the pipeline
-// added. Empty for an unknown, draining or resting worker. Only of jobs that it `may` work on, and no task of which its
-// result was refused, that is to wait, or that it gave back while another worker may have it that did not.
-// If there is none: second attempts at tasks that take long, the oldest of each job first.
-// Deterministic. Cost: O(jobs + pending tasks that the worker may not have).
+// The tasks to lease to `worker` now, at most as many as it has free threads. The next task is of the
+// job with the highest priority; of those with the same, which share alike, of the one that has the fewest leases, the
+// older one if two have as many; within a job it is the first that the pipeline added. None of a paused job. Empty for
+// an unknown, draining or resting worker. Only of jobs that it `may` work on, and no task of which its result was
+// refused, that is to wait, or that it gave back while another worker may have it that did not. If there is none:
+// second attempts at tasks that take long, the oldest of each job first. Deterministic. Cost: O(jobs + pending tasks
+// that the worker may not have).
 std::vector<TaskKey> ChooseTasks(const CoordinatorState& state, const std::string& worker, absl::Time now,
                                  const MayWork& may = MayAlways);
 

@@ -172,6 +172,19 @@ TEST_F(ClusterCommandTest, ARepeatedRequestIdGivesTheSameJob) {
   EXPECT_EQ(nlohmann::json::parse(RunWith(words).out)["name"], first["name"]);
 }
 
+TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {
+  const auto job = nlohmann::json::parse(
+      RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "--priority", "-4", "-o", "json"}).out);
+  EXPECT_EQ(job["priority"], -4);
+  EXPECT_THAT(RunWith({"pause", job["name"]}).out, HasSubstr("it is paused"));
+  EXPECT_TRUE(cluster_->Get(job["name"]).paused());
+  EXPECT_EQ(RunWith({"resume", job["name"]}).code, 0);
+  EXPECT_FALSE(cluster_->Get(job["name"]).paused());
+  EXPECT_EQ(nlohmann::json::parse(RunWith({"prioritize", job["name"], "9", "-o", "json"}).out)["priority"], 9);
+  EXPECT_EQ(RunWith({"prioritize", job["name"], "101"}).code, 4);
+  EXPECT_EQ(RunWith({"prioritize", job["name"], "high"}).code, 2);
+}
+
 TEST_F(ClusterCommandTest, CancelledWatchEndsWithSeven) {
   const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
   Process watch(folder_.path().string(), TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});

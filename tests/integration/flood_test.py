@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Floods a coordinator with connections, watches, streams and submissions, and looks whether it still serves.
 
-    flood_test.py BIN [--connections 5000] [--watches 300]
+    flood_test.py BIN [--connections 5000] [--watches 300] [--gets 1000] [--most-ms 250]
 
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. With a descriptor limit of 64: 500 idle
 connections; with one of 1,024: `connections` at once. After each the coordinator must serve again within 5 s, also while
 they stay open and say nothing. Then `watches` of one job, whose threads are counted, and ten times more submissions than
-capacity, while `get` is timed. Prints its figures. Exit code 1 if anything was not so.
+capacity, while `get` is timed: `gets` times, a process each, with submissions going on, and 99 of 100 may take `most-ms`
+at most. Prints its figures. Exit code 1 if anything was not so.
 """
 import argparse
 import os
@@ -16,6 +17,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 from coordinator_kill_test import Bench, Failure, await_, require
@@ -88,8 +90,42 @@ def watch_often(bench, scene, count):
     return threads, memory
 
 
+class Overload:
+    """Submissions that never end, ten times the capacity at once."""
+
+    def __init__(self, bench, scene):
+        self.bench, self.scene, self.is_over, self.shed = bench, scene, False, 0
+        self.threads = [threading.Thread(target=self.run, args=(number,)) for number in range(10 * MAX_JOBS)]
+        for thread in self.threads:
+            thread.start()
+
+    def run(self, number):
+        out = os.path.join(self.bench.folder, f'more{number}')
+        while not self.is_over:
+            self.shed += self.bench.client('submit', self.scene, '--out', out).returncode == 5
+
+    def close(self):
+        self.is_over = True
+        for thread in self.threads:
+            thread.join()
+
+
+def get_often(bench, scene, name, count):
+    """Seconds of each `get` of a job under overload, the least first, and how many submissions were shed meanwhile."""
+    overload = Overload(bench, scene)
+    times = []
+    try:
+        for _ in range(count):
+            begin = time.time()
+            require(bench.client('get', name).returncode == 0, 'get failed')
+            times.append(time.time() - begin)
+    finally:
+        overload.close()
+    return sorted(times), overload.shed
+
+
 def submit_often(bench, scene):
-    """Ten times more than capacity, while `get` is timed."""
+    """Ten times more than capacity at once, while `list` is timed."""
     processes = [subprocess.Popen([bench.program('tilemend'), 'submit', scene, '--out',
                                    os.path.join(bench.folder, f'many{number}'), '--coordinator', bench.address],
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -124,6 +160,13 @@ def run_all(bench, arguments):
     taken, shed, median, most, memory = submit_often(bench, scene)
     print(f'{taken + shed} submissions, capacity {MAX_JOBS}: {taken} taken, {shed} shed with a hint; `list`, a process each, '
           f'in {median * 1000:.0f} ms (median), {most * 1000:.0f} ms (most); {memory} MB')
+    name = bench.client('list').stdout.split('jobs/')[1].split()[0]
+    times, shed = get_often(bench, scene, 'jobs/' + name, arguments.gets)
+    slow = times[len(times) * 99 // 100]
+    print(f'`get` while {10 * MAX_JOBS} clients submit without end, {shed} shed: {times[len(times) // 2] * 1000:.0f} ms '
+          f'(median), {slow * 1000:.0f} ms (99 of 100), {times[-1] * 1000:.0f} ms (most), a process each; '
+          f'{status_of(bench, "VmRSS:") // 1024} MB')
+    require(slow * 1000 <= arguments.most_ms, f'99 of 100 within {slow * 1000:.0f} ms')
 
 
 def main():
@@ -131,6 +174,8 @@ def main():
     parser.add_argument('bin')
     parser.add_argument('--connections', type=int, default=5000)
     parser.add_argument('--watches', type=int, default=300)
+    parser.add_argument('--gets', type=int, default=1000)
+    parser.add_argument('--most-ms', type=float, default=250)
     arguments = parser.parse_args()
     limit = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (limit[1], limit[1]))

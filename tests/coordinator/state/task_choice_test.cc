@@ -29,6 +29,45 @@ TEST_F(TaskChoiceTest, JobsShareAlike) {
   EXPECT_THAT(Choose("w"), ElementsAre(TaskKey{"small", 1}, TaskKey{"small", 2})) << "the others have leases enough";
 }
 
+TEST_F(TaskChoiceTest, TasksOfALowerPriorityWait) {
+  AddJob("old", 2);
+  AddJob("urgent", 2);
+  AddJob("too", 1);
+  Do(JobSteered{"urgent", 5});
+  Do(JobSteered{"too", 5});
+  See("w", 4);
+  EXPECT_THAT(Choose("w"),
+              ElementsAre(TaskKey{"urgent", 1}, TaskKey{"too", 1}, TaskKey{"urgent", 2}, TaskKey{"old", 1}));
+  Do(JobSteered{"old", 6});
+  EXPECT_THAT(Choose("w"), ElementsAre(TaskKey{"old", 1}, TaskKey{"old", 2}, TaskKey{"urgent", 1}, TaskKey{"too", 1}));
+}
+
+TEST_F(TaskChoiceTest, NothingOfAPausedJobIsGivenOutUntilItGoesOn) {
+  AddJob("a", 3);
+  AddJob("b", 1);
+  See("w", 4);
+  const uint64_t token = Lease(Key("a", 1), "w");
+  Do(JobSteered{.job = "a", .paused = true});
+  EXPECT_THAT(Choose("w"), ElementsAre(TaskKey{"b", 1}));
+  Complete(Key("a", 1), "w", token);
+  EXPECT_EQ(Counts("a").committed, 1) << "what was given out counts";
+  Do(JobSteered{.job = "a", .paused = false});
+  EXPECT_THAT(Choose("w"), SizeIs(3));
+}
+
+TEST_F(TaskChoiceTest, NoSecondAttemptAtATaskOfAPausedJob) {
+  AddJob("a", 2);
+  See("fast");
+  See("slow");
+  See("idle");
+  Complete(Key("a", 1), "fast", Lease(Key("a", 1), "fast"));
+  Lease(Key("a", 2), "slow");
+  now_ += absl::Minutes(1);
+  EXPECT_THAT(Choose("idle"), SizeIs(1));
+  Do(JobSteered{.job = "a", .paused = true});
+  EXPECT_THAT(Choose("idle"), IsEmpty());
+}
+
 TEST_F(TaskChoiceTest, GivesNothingToUnknownAndDrainingWorkers) {
   AddJob("a", 1);
   EXPECT_THAT(Choose("nobody"), IsEmpty());
