@@ -1,9 +1,11 @@
 // tilemend-coordinator: takes jobs, plans them and gives their tasks to workers.
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <semaphore>
 #include <string>
@@ -31,6 +33,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
 #include "common/util/without_exceptions.h"
+#include "coordinator/journal/postgres_journal.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "coordinator/journal/work_lock.h"
 #include "coordinator/service/access.h"
@@ -52,6 +55,9 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"audit", "FILE", "append who did what, as lines of JSON (default: in the log)", ""},
       {"root", "DIR[:DIR]", "jobs may name files below these folders alone (default: anywhere)", ""},
       {"work", "DIR", "folder for jobs and intermediate files; needed", ""},
+      {"journal", "URI", "PostgreSQL in place of a file in --work, for coordinators that stand by (postgresql://...)",
+       ""},
+      {"stand-by", "SECONDS", "take over from a coordinator that is silent for so long, 3 to 3600", "10"},
       {"lease", "SECONDS", "a worker that is silent for longer is lost, 3 to 86400", "30"},
       {"longest-task", "HOURS", "an attempt that takes longer is given up, 0.01 to 1000", "6"},
       {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
@@ -161,8 +167,39 @@ absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, c
   return server;
 }
 
+// In PostgreSQL the journal itself says who may write; then the work folder is shared.
+struct OpenJournal {
+  std::unique_ptr<WorkLock> lock;
+  std::shared_ptr<Journal> journal;
+};
+
+absl::StatusOr<OpenJournal> JournalFromFlags(const Flags& flags, const std::string& work_folder,
+                                             std::function<bool()> ends, Log& log) {
+  OpenJournal opened;
+  if (flags.Text("journal").empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(WorkLock lock, WorkLock::Take(work_folder));
+    opened.lock = std::make_unique<WorkLock>(std::move(lock));
+    TILEMEND_ASSIGN_OR_RETURN(opened.journal, OpenSqliteJournal(work_folder + "/journal.sqlite"));
+    return opened;
+  }
+  StandBy stand_by;
+  TILEMEND_ASSIGN_OR_RETURN(const double silence, flags.Number("stand-by", 3, 3600));
+  stand_by.silence = absl::Seconds(silence);
+  stand_by.waits = [&log] { log.Info("standing by: another coordinator is at work"); };
+  stand_by.ends = std::move(ends);
+  TILEMEND_ASSIGN_OR_RETURN(opened.journal, OpenPostgresJournal(flags.Text("journal"), stand_by));
+  log.Info("at work", {{"epoch", static_cast<int64_t>(opened.journal->epoch())}});
+  return opened;
+}
+
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
+  std::binary_semaphore stop(0);
+  std::atomic<bool> is_asked_to_end{false};
   SignalWatcher signals;  // before any other thread
+  signals.Start([&](int count) {
+    is_asked_to_end.store(true);
+    if (count == 1) stop.release();
+  });
   PrometheusRegistry metrics;
   ProcessMetrics process(metrics, kProgram, Version());
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
@@ -170,8 +207,11 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   options.log = &log;
   TILEMEND_ASSIGN_OR_RETURN(const auto status, ServeMetrics(flags, options.work_folder, metrics, process, log));
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));
-  TILEMEND_ASSIGN_OR_RETURN(const WorkLock lock, WorkLock::Take(options.work_folder));
-  TILEMEND_ASSIGN_OR_RETURN(options.journal, OpenSqliteJournal(options.work_folder + "/journal.sqlite"));
+  auto opened = JournalFromFlags(
+      flags, options.work_folder, [&] { return is_asked_to_end.load(); }, log);
+  if (absl::IsCancelled(opened.status())) return absl::OkStatus();
+  TILEMEND_RETURN_IF_ERROR(opened.status());
+  options.journal = opened->journal;
   PipelineFactory pipelines = ScenePipelineFactory(options.work_folder);
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(std::move(options), std::move(pipelines), metrics));
@@ -184,10 +224,6 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   const ServiceNotifier notifier([&impl] {
     const Demand demand = impl->DemandNow();
     return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks");
-  });
-  std::binary_semaphore stop(0);
-  signals.Start([&stop](int count) {
-    if (count == 1) stop.release();
   });
   stop.acquire();
   signals.Stop();  // before `stop` goes

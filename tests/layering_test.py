@@ -18,7 +18,7 @@ LIBRARIES = {
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
-    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
+    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -137,7 +137,7 @@ RULES = {
     'coordinator/state': rule(['common/util', 'common/grid'], ['absl'], pure=True),
 
     'coordinator/journal': rule(
-        ['common/util', 'common/store', 'common/grid', 'coordinator/state'], ['absl', 'sqlite']),
+        ['common/util', 'common/store', 'common/grid', 'coordinator/state'], ['absl', 'postgres', 'sqlite']),
 
     'coordinator/waves': rule(
         ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim',

@@ -2,13 +2,17 @@
 #ifndef TILEMEND_COMMON_STORE_DIGEST_H_
 #define TILEMEND_COMMON_STORE_DIGEST_H_
 
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
 
 namespace tilemend {
 
-// The SHA-256 of `bytes` as 64 lowercase hexadecimal digits. Thread-safe.
+// The SHA-256 of `bytes`. Thread-safe, here and below.
+std::array<char, 32> Sha256Of(std::string_view bytes);
+
+// The SHA-256 of `bytes` as 64 lowercase hexadecimal digits.
 std::string Sha256Hex(std::string_view bytes);
 
 // Whether `text` has the form that Sha256Hex returns: anything else must not become a file name.

@@ -80,7 +80,8 @@ class Journal {
 
   // What an earlier process put last for this task; none if it put nothing. kDataLoss if it is damaged.
   virtual absl::StatusOr<std::optional<ResultRecord>> Find(int64_t job, const TaskName& task) = 0;
-  // The digests of the outputs, of what an earlier process put, that are blobs in the job's folder. kDataLoss.
+  // The digests of the outputs, of what an earlier process put, that are blobs in the job's folder; also of what it put
+  // anew later. kDataLoss.
   virtual absl::StatusOr<std::vector<std::string>> Outputs(int64_t job) = 0;
 
   // Whether anything outlives the process. If not, nothing else needs to.

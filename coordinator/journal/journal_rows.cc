@@ -1,18 +1,18 @@
 #include "coordinator/journal/journal_rows.h"
 
-#include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
 
 namespace tilemend {
 
 std::string SumOf(const std::vector<std::string_view>& parts) {
-  Sha256 sha;
+  std::string bytes;
+  bytes.reserve(512);
   for (const std::string_view part : parts) {
-    sha.Update(absl::StrCat(part.size(), ":"));
-    sha.Update(part);
+    absl::StrAppend(&bytes, part.size(), ":");
+    bytes += part;
   }
-  return absl::HexStringToBytes(sha.FinishHex()).substr(0, sizeof(NameBytes));
+  return {Sha256Of(bytes).data(), sizeof(NameBytes)};
 }
 
 std::string NameOf(const TaskName& task) {

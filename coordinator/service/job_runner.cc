@@ -1,13 +1,21 @@
 #include "coordinator/service/job_runner.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/error_info.h"
 #include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenTries(500);
+constexpr int kMostTries = 1200;
+
+}  // namespace
 
 JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink, Mode mode)
     : spec_(std::move(spec)),
@@ -92,9 +100,24 @@ absl::StatusOr<JobOutcome> JobRunner::Settle(absl::StatusOr<JobOutcome> outcome)
   return outcome;
 }
 
+absl::StatusOr<std::unique_ptr<JobPipeline>> JobRunner::MakePipeline() {
+  absl::StatusOr<std::unique_ptr<JobPipeline>> pipeline = factory_(spec_);
+  for (int tries = 0; resumes_ && tries < kMostTries; ++tries) {
+    if (ErrorReason(pipeline.status()) != "OUTPUT_IN_USE") break;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      changed_.wait_for(lock, kBetweenTries, [this] { return cancelled_ || !failure_.ok(); });
+      if (cancelled_) return absl::CancelledError("the job was cancelled");
+      TILEMEND_RETURN_IF_ERROR(failure_);
+    }
+    pipeline = factory_(spec_);
+  }
+  return pipeline;
+}
+
 absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& pipeline) {
   try {
-    TILEMEND_ASSIGN_OR_RETURN(pipeline, factory_(spec_));
+    TILEMEND_ASSIGN_OR_RETURN(pipeline, MakePipeline());
     {
       std::lock_guard<std::mutex> lock(mutex_);
       if (cancelled_) return absl::CancelledError("the job was cancelled");

@@ -77,6 +77,9 @@ class JobRunner {
   void Run();
   void ReleaseOnly();
   // Makes the pipeline and runs it to its end, whatever it throws.
+  // Where the job resumes, an earlier coordinator that is stopped, not dead, may hold the output until it wakes and
+  // ends: that is waited for, ten minutes at most.
+  absl::StatusOr<std::unique_ptr<JobPipeline>> MakePipeline();
   absl::StatusOr<JobOutcome> RunPipeline(std::unique_ptr<JobPipeline>& pipeline);
   absl::StatusOr<JobOutcome> DrivePipeline(JobPipeline& pipeline);
   // Durable ones.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/store/digest.h"
+#include "common/util/error_info.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -58,7 +59,7 @@ class JobRunnerTest : public ::testing::Test {
   std::unique_ptr<JobRunner> Run(FakePipeline::Script script = {}) {
     return RunFactory([script](const JobSpec&) { return std::make_unique<FakePipeline>(script); });
   }
-  std::unique_ptr<JobRunner> RunFactory(PipelineFactory factory) {
+  std::unique_ptr<JobRunner> RunFactory(PipelineFactory factory, JobRunner::Mode mode = JobRunner::Mode::kRun) {
     JobRunner::Sink sink;
     sink.add_tasks = [this](std::vector<TaskSpec> tasks, const Progress& progress) {
       if (!tasks.empty()) tasks_.set_value({std::move(tasks), progress});
@@ -68,7 +69,7 @@ class JobRunnerTest : public ::testing::Test {
     sink.completed = [](const JobOutcome&, const Progress&) {};
     sink.released = [] {};
     sink.finished = [this](absl::StatusOr<JobOutcome> outcome) { outcome_.set_value(std::move(outcome)); };
-    return std::make_unique<JobRunner>(JobSpec(), std::move(factory), blobs_, std::move(sink));
+    return std::make_unique<JobRunner>(JobSpec(), std::move(factory), blobs_, std::move(sink), mode);
   }
   // The first tasks, once they are added.
   std::pair<std::vector<TaskSpec>, Progress> AwaitTasks() { return tasks_.get_future().get(); }
@@ -97,6 +98,26 @@ TEST_F(JobRunnerTest, StoresInputsAndHandsResultsToThePipeline) {
   EXPECT_EQ(progress.phase, "at it");
   runner->Deliver(Committed(), "the output");
   EXPECT_EQ(AwaitOutcome()->message, "the output");
+}
+
+// Refuses the first so many times, since another process holds the output.
+PipelineFactory BusyAtFirst(int times) {
+  return [left = std::make_shared<int>(times)](const JobSpec&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+    if (--*left < 0) return std::make_unique<FakePipeline>(FakePipeline::Script());
+    return WithErrorInfo(absl::AbortedError("busy"), {"OUTPUT_IN_USE", {}});
+  };
+}
+
+TEST_F(JobRunnerTest, AJobThatResumesWaitsForItsOutput) {
+  const auto runner = RunFactory(BusyAtFirst(2), JobRunner::Mode::kResume);
+  AwaitTasks();
+  runner->Deliver(Committed(), "the output");
+  EXPECT_EQ(AwaitOutcome()->message, "the output");
+}
+
+TEST_F(JobRunnerTest, ANewJobDoesNotWaitForItsOutput) {
+  const auto runner = RunFactory(BusyAtFirst(1));
+  EXPECT_EQ(ErrorReason(AwaitOutcome().status()), "OUTPUT_IN_USE");
 }
 
 TEST_F(JobRunnerTest, ReadsAResultThatIsABlob) {
