@@ -58,9 +58,14 @@ v1::LatticeMeshBlob EncodeMesh(const std::vector<Point3>& points, const std::vec
   return blob;
 }
 
+// Whether a point lies where sums and differences of coordinates are numbers. Tiles keep much closer to the origin.
+bool IsPlace(const Point3& p) {
+  constexpr double kFarthest = 0x1p60;  // metres
+  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
 absl::StatusOr<TriMesh> DecodeMesh(const v1::LatticeMeshBlob& blob) {
-  if (blob.origin_size() != 3 || !PointAt(blob.origin(), 0).allFinite() || !(blob.step() > 0) ||
-      !std::isfinite(blob.step())) {
+  if (blob.origin_size() != 3 || !IsPlace(PointAt(blob.origin(), 0)) || !(blob.step() > 0)) {
     return Malformed("lattice");
   }
   TILEMEND_ASSIGN_OR_RETURN(LatticeMesh mesh, DecodeDraco(blob.draco(), DracoLimits()));
@@ -70,6 +75,7 @@ absl::StatusOr<TriMesh> DecodeMesh(const v1::LatticeMeshBlob& blob) {
   for (const auto& q : mesh.points) {
     result.points.emplace_back(origin.x() + q[0] * blob.step(), origin.y() + q[1] * blob.step(),
                                origin.z() + q[2] * blob.step());
+    if (!IsPlace(result.points.back())) return Malformed("lattice");
   }
   result.triangles = std::move(mesh.triangles);
   return result;
@@ -136,7 +142,7 @@ absl::StatusOr<SurveyRecord> FromProto(const v1::SurveyOutput& proto) {
   }
   for (int i = 0; i < n; ++i) {
     record.vertices.push_back({v.index(i), PointAt(v.position(), i), PointAt(v.normal(), i), v.centroid_height(i)});
-    if (!record.vertices.back().position.allFinite()) return Malformed("boundary vertex position");
+    if (!IsPlace(record.vertices.back().position)) return Malformed("boundary vertex position");
   }
   for (const uint32_t colour : v.colour()) record.colours.push_back(ColourFromProto(colour));
   for (int i = 0; i < proto.pieces_size(); ++i) {
@@ -199,7 +205,7 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
     if (v.on_object && proto.ground_known(i)) v.ground = proto.ground(i);
     if (!std::isfinite(v.ground.value_or(0))) return Malformed("rim vertex ground");
     if (!std::isfinite(v.laplacian)) return Malformed("rim vertex Laplacian");
-    if (!v.position.allFinite()) return Malformed("rim vertex position");
+    if (!IsPlace(v.position)) return Malformed("rim vertex position");
   }
   return vertices;
 }
@@ -373,7 +379,7 @@ absl::StatusOr<std::vector<HolePatch>> FromProto(const v1::FillOutput& proto, si
   TILEMEND_RETURN_IF_ERROR(CheckPatchCounts(proto, vertex_count, mesh));
   for (int i = 0; i < proto.off_lattice_size(); ++i) {
     const Point3 position = PointAt(proto.off_lattice_position(), i);
-    if (!position.allFinite()) return Malformed("patch position");
+    if (!IsPlace(position)) return Malformed("patch position");
     mesh.points[vertex_count + static_cast<size_t>(proto.off_lattice(i))] = position;
   }
   std::vector<HolePatch> patches;

@@ -1,6 +1,6 @@
 // Runs a fuzz target without libFuzzer: every seed and file as it is, then deterministic mutations of them.
 //
-//   x_fuzz [--runs=N] [--first=K] [--memory-mb=M] [--dump=FILE] [FILE or FOLDER ...]
+//   x_fuzz [--runs=N] [--first=K] [--memory-mb=M] [--dump=FILE] [--write-seeds=FOLDER] [FILE or FOLDER ...]
 //
 // Run k depends on k alone, so a failure that reports "run 123" is repeated with --first=123 --runs=1; --dump writes
 // the inputs to FILE, one over the other, before they are run. Fails if an
@@ -176,6 +176,15 @@ void AddFiles(const std::filesystem::path& path, std::vector<std::string>& corpu
   corpus.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
+// For libFuzzer, which has none.
+void WriteSeeds(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  int number = 0;
+  for (const std::string& seed : FuzzSeeds()) {
+    std::ofstream(folder / ("seed" + std::to_string(number++)), std::ios::binary) << seed;
+  }
+}
+
 // Returns whether the target was quick enough.
 bool RunOne(const std::string& input) {
   const auto begin = std::chrono::steady_clock::now();
@@ -204,6 +213,8 @@ int Main(int argc, char** argv) {
       memory_mb = static_cast<rlim_t>(std::atoi(argv[i] + 12));
     } else if (argument.substr(0, 7) == "--dump=") {
       dump = argument.substr(7);
+    } else if (argument.substr(0, 14) == "--write-seeds=") {
+      WriteSeeds(argv[i] + 14);
     } else {
       AddFiles(std::string(argument), corpus);
     }

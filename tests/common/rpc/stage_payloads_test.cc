@@ -260,6 +260,21 @@ TEST(StagePayloadsTest, ATruncatedColumnIsRefused) {
   EXPECT_EQ(CountTruncations(patches, {}, [](const auto& proto) { return FromProto(proto, 4).ok(); }), 4);
 }
 
+// Found by fuzzing: a lattice of finite numbers whose points are none.
+TEST(StagePayloadsTest, PointsBeyondAllNumbersAreRefused) {
+  for (const double step : {1e308, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    v1::SurveyOutput survey = ToProto(SomeRecord());
+    survey.mutable_band()->set_step(step);
+    EXPECT_FALSE(FromProto(survey).ok()) << step;
+  }
+  v1::SurveyOutput survey = ToProto(SomeRecord());
+  survey.mutable_band()->set_origin(1, 1e308);
+  EXPECT_FALSE(FromProto(survey).ok());
+  survey = ToProto(SomeRecord());
+  survey.mutable_vertices()->set_position(2, 1e300);
+  EXPECT_FALSE(FromProto(survey).ok());
+}
+
 TEST(StagePayloadsTest, TruncatedSegmentsAreRefused) {
   for (const char* column : {"from", "to", "seam"}) {
     v1::CellHolesBlob proto = ToProto(SomeHoles());
