@@ -25,6 +25,7 @@ constexpr double kWidestBridge = 40;      // metres
 constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
 constexpr size_t kOddStations = 8;        // one in so many may be other than the rest
 constexpr size_t kAgreeing = 3;           // one in so many has the level at both shores; along the rest one is a quay
+constexpr double kLeastQuay = 0.5;        // metres between the levels at both shores
 constexpr size_t kBankStations = 4;       // one in so many may lie between quays on both sides
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
@@ -170,14 +171,16 @@ class RiverTest {
 
   // Where a quay runs along one shore, the other one has the level.
   bool SidesAgree() const {
-    size_t count = 0, odd = 0;
+    size_t same = 0, quays = 0, others = 0;
     for (const RiverStation& s : profile_.stations) {
       const int64_t least = std::min(s.left_count, s.right_count);
       if (s.on_banks || least < kLeastAtSide) continue;
-      ++count;
-      odd += std::abs(s.left - s.right) > tolerance_ + std::sqrt(2) * Noise(kErrorOfLevel, least);
+      const double apart = std::abs(s.left - s.right);
+      const bool agree = apart <= tolerance_ + std::sqrt(2) * Noise(kErrorOfLevel, least);
+      ++(agree ? same : apart > kLeastQuay ? quays : others);
     }
-    return count >= 2 && kAgreeing * (count - odd) >= count;
+    const size_t count = same + quays + others;
+    return count >= 2 && same >= others && kAgreeing * same >= count;
   }
 
   bool BanksRise() const {
@@ -195,7 +198,7 @@ class RiverTest {
     for (const std::vector<double>& station : at) {
       if (std::ssize(station) < kLeastAtStation) continue;
       ++count;
-      odd += Quantile(station, 0.5) < -Noise(kErrorOfLevel, std::ssize(station));
+      odd += Quantile(station, 0.5) < -std::min(tolerance_, tolerance_ / 2 + Noise(kErrorOfLevel, std::ssize(station)));
     }
     const double noise = Noise(kErrorOfRise, std::ssize(rises));
     return odd <= count / kOddStations && Quantile(rises, 0.5) > (rises.size() < kLongShore ? noise : -noise);

@@ -33,10 +33,10 @@ struct River {
 // crosses the water between them. It is a river if
 //   - it is at least `least_width` metres wide in the mean and three times as long as wide;
 //   - it falls no more than 0.5 %;
-//   - in at least seven of eight stations (25 m) the level is the profile's, and in at least a third of those with
-//   heights
-//     on both shores their levels are the same, within the tolerance and what noise explains; and the shores' heights
-//     gather about the profile as closely;
+//   - in at least seven of eight stations (25 m) the level is the profile's, and the shores' heights gather about the
+//     profile as closely;
+//   - at least a third of the stations with heights on both shores has the same level on both, within the tolerance and
+//     what noise explains, and at least half of those without a quay of more than 0.5 m along one;
 //   - the ground one edge landward is not below the profile, in seven of eight stations and in the median, and on the
 //     whole it rises from the shore, more than noise explains.
 // A reach with a given centreline, alone, is a river if some of its shore is known. One that is forced, alone, has to

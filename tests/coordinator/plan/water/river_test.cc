@@ -86,6 +86,14 @@ TEST(FindRiversTest, AQuayMayRunAlongMostOfTheRiver) {
   EXPECT_EQ(FindRivers(std::vector<Reach>{ReachBetween(0, 400, 12, level)}, kTolerance, kWidth).size(), 1u);
 }
 
+TEST(FindRiversTest, GroundThatIsHigherOnOneSideIsNoQuay) {
+  const auto level = [](double x, double y) {
+    const bool left = x<120, right = x> 200 && x < 320;
+    return Falling(x, y) + ((left && y > 0) || (right && y < 0) ? 0.35 : 0);
+  };
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 400, 12, level)}, kTolerance, kWidth).empty());
+}
+
 TEST(FindRiversTest, WhatIsFarApartIsNotOne) {
   const std::vector<Reach> reaches = {ReachBetween(0, 240, 15, Falling), ReachBetween(300, 600, 15, Falling)};
   EXPECT_EQ(FindRivers(reaches, kTolerance, kWidth).size(), 2u);
