@@ -24,6 +24,7 @@ constexpr double kSmallHoleFall = 0.001;     // metre a metre of a small hole's 
 constexpr double kSure = 3;                  // standard errors
 constexpr double kErrorOfMedian = 1.2533;    // of normal noise, times its deviation over the root of the count
 constexpr double kErrorOfFall = 2.8284;      // of a plane's fall over a round shore: the root of eight, likewise
+constexpr double kMostSwell = 1.5;           // tolerances
 constexpr double kErrorOfQuartile = 1.3626;  // likewise
 constexpr double kErrorOfRise = 1.4472;      // of the difference to the mean of three, likewise
 constexpr double kFitWindow = 3;             // spreads about the level: what the plane is fitted to
@@ -67,7 +68,7 @@ class LevelTest {
 
   bool Holds() const {
     const size_t n = shore_.size();
-    return body_.spread <= slack_ + 2 * noise_ && FallOfPlane() <= slack_ + Swell(kErrorOfFall) &&
+    return body_.spread <= slack_ + 2 * noise_ && FallOfPlane() <= slack_ + FallBySwell() &&
            MedianBank(0, n) >= body_.level - Swell(kErrorOfMedian) && StretchesAgree() &&
            (n >= kLongShore || MedianRise() > Noise(kErrorOfRise, n));
   }
@@ -80,7 +81,15 @@ class LevelTest {
   double Scatter(double factor, size_t count) const { return Error(std::max(noise_, body_.spread), factor, count); }
 
   // What a figure of the whole rim may be off by: its heights scatter together along a stretch of shore.
-  double Swell(double factor) const { return Error(body_.spread, factor, std::min(shore_.size(), kMostStretches)); }
+  double Swell(double factor) const { return Error(body_.spread, factor, Stretches()); }
+
+  // A shore that lies on the bank along one side falls as much as the bank is high.
+  double FallBySwell() const {
+    const double swell = kSure * kErrorOfFall * body_.spread / std::sqrt(static_cast<double>(Stretches()));
+    return std::min(kMostSwell * tolerance_, swell);
+  }
+
+  size_t Stretches() const { return std::min(shore_.size(), kMostStretches); }
 
   double Error(double deviation, double factor, size_t count) const {
     return std::min(tolerance_, kSure * factor * deviation / std::sqrt(static_cast<double>(count)));
