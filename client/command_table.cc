@@ -75,7 +75,7 @@ std::vector<Command> ServiceCommands() {
       {"cancel", "JOB", "cancel a job", 1, {}, cluster, CancelCommand},
       {"pause", "JOB", "give out no more tasks of a job", 1, {}, cluster, PauseCommand},
       {"resume", "JOB", "go on with a job that is paused", 1, {}, cluster, ResumeCommand},
-      {"prioritize", "JOB PRIORITY", "give a job another priority", 2, {}, cluster, PrioritizeCommand},
+      {"prioritize", "JOB PRIORITY", "give a job another priority, -100 to 100", 2, {}, cluster, PrioritizeCommand},
       {"retry", "JOB", "start a finished job again", 1, {}, retry, RetryCommand},
   };
 }

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "absl/strings/match.h"
+#include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
@@ -50,6 +50,11 @@ absl::StatusOr<FlagWord> SplitWord(const std::vector<FlagSpec>& specs, const std
   return absl::InvalidArgumentError(absl::StrCat("unknown flag ", shown, DidYouMean(shown, names)));
 }
 
+// A negative number is an argument.
+bool IsFlag(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && !absl::ascii_isdigit(static_cast<unsigned char>(word[1]));
+}
+
 }  // namespace
 
 absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
@@ -62,7 +67,7 @@ absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std
       flags.arguments_.insert(flags.arguments_.end(), words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
       break;
     }
-    if (words[i].size() < 2 || words[i][0] != '-') {
+    if (!IsFlag(words[i])) {
       flags.arguments_.push_back(words[i]);
       continue;
     }

@@ -42,6 +42,10 @@ TEST(FlagsTest, EverythingAfterTwoDashesIsAnArgument) {
   EXPECT_THAT(Flags::Parse(Specs(), {"-", "--", "--out", "-x"})->arguments(), ElementsAre("-", "--out", "-x"));
 }
 
+TEST(FlagsTest, ANegativeNumberIsAnArgument) {
+  EXPECT_THAT(Flags::Parse(Specs(), {"job", "-5"})->arguments(), ElementsAre("job", "-5"));
+}
+
 TEST(FlagsTest, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf({"--overwrit"}), "unknown flag --overwrit; did you mean --overwrite?");
   EXPECT_EQ(ErrorOf({"--completely-else"}), "unknown flag --completely-else");

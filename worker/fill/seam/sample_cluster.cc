@@ -65,6 +65,7 @@ class ClusterSampler {
     if (!laplacian) return std::nullopt;
     if (surface.hold_out) surface.hold_out->tension = problem.tension;
     std::map<int32_t, SurfaceSample> samples = AtSeams(problem, *laplacian);
+    AddBesideSeams(problem, *laplacian, samples);
     for (size_t v = 0; v < hole_.on_object.size(); ++v) {
       if (hole_.on_object[v])
         samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
@@ -243,6 +244,16 @@ class ClusterSampler {
       for (size_t i = 0; i < vertices.size(); ++i) values[vertices[i]] = {0, h[i], l[i], {x[i], y[i]}};
     }
     return values;
+  }
+
+  // New vertices of the rim that no seam ends at: where the edge of the area runs along a grid line.
+  void AddBesideSeams(const ThinPlateProblem& problem, const std::vector<double>& laplacian,
+                      std::map<int32_t, SurfaceSample>& samples) const {
+    const std::vector<Point2> slope = Slopes(problem);
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      if (IsKnown(hole_.vertices[v])) continue;
+      samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), laplacian[v], slope[v]});
+    }
   }
 
   const CellHoles& cluster_;

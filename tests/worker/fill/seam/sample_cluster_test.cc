@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -77,6 +79,21 @@ TEST(SampleClusterTest, DoesSoWhereTheBoundaryHasVerticalEdges) {
   ASSERT_TRUE(surface.has_value());
   ASSERT_GE(surface->samples.size(), 9U);
   for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 0.01);
+}
+
+// As where the edge of the area runs along a grid line.
+TEST(SampleClusterTest, GivesANewVertexOfTheRimThatNoSeamEndsAtItsHeight) {
+  CellHoles cluster = Cluster(0);
+  RimVertex& lone = *std::find_if(cluster.vertices.begin(), cluster.vertices.end(),
+                                  [](const RimVertex& v) { return v.position.x() == 8 && v.position.y() == 0; });
+  std::swap(lone.seam_vertex, lone.index);
+  lone.height_known = false;
+  const auto surface = SampleCluster(cluster, Untaut());
+  ASSERT_TRUE(surface.has_value());
+  const auto sample = std::find_if(surface->samples.begin(), surface->samples.end(),
+                                   [&](const SurfaceSample& s) { return s.seam_vertex == lone.seam_vertex; });
+  ASSERT_NE(sample, surface->samples.end());
+  EXPECT_NEAR(sample->height, 3, 0.01);
 }
 
 }  // namespace
