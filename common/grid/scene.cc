@@ -24,7 +24,8 @@ bool IsTileFormat(const std::string& path) {
 }
 
 std::string OutputPath(const SceneTile& tile) {
-  return tile.path.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.path;
+  if (!tile.path.empty()) return tile.path;
+  return tile.output.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.output;
 }
 
 absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds) {

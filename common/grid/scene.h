@@ -31,7 +31,8 @@ struct Grid {
 
 struct SceneTile {
   CellId cell;
-  std::string path;  // relative to the scene's folder; empty: the cell has no surface
+  std::string path;         // relative to the scene's folder; empty: the cell has no surface
+  std::string output = {};  // of a cell without surface, the file that it gets; empty: one by its number
 };
 
 struct Scene {
@@ -49,7 +50,8 @@ struct Scene {
 };
 
 // Where the surface of a cell is written, relative to the output's folder: the tile's own path, or for a cell without
-// surface tiles/Tile_+CCC_+RRR.ply. No two cells of a scene that LoadScene returns have the same.
+// surface SceneTile::output, else tiles/Tile_+CCC_+RRR.ply. No two cells of a scene that LoadScene returns have the
+// same.
 std::string OutputPath(const SceneTile& tile);
 
 // An axis-aligned box; lo <= hi in every coordinate.

@@ -78,9 +78,11 @@ std::vector<double> SharesOfRow(const PlanePolygon& area, const Grid& grid, cons
   return shares;
 }
 
+// The files of cells without a tile keep the numbers that go with those of the tiles.
 void ShiftNumbering(CellId by, Scene& scene) {
   if (by == CellId{0, 0}) return;
   for (SceneTile& tile : scene.tiles) {
+    if (tile.path.empty()) tile.output = OutputPath(tile);
     tile.cell.col += by.col;
     tile.cell.row += by.row;
   }
@@ -98,7 +100,7 @@ absl::Status CheckNames(const Scene& scene) {
     if (names.insert(OutputPath(tile)).second) continue;
     return absl::InvalidArgumentError(absl::StrCat("cell ", ToString(tile.cell),
                                                    ", which the area adds, would be written as ", OutputPath(tile),
-                                                   ", which is the file of another cell; give a scene.json"));
+                                                   ", which is the file of another cell; rename that file"));
   }
   return absl::OkStatus();
 }

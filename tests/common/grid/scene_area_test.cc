@@ -66,6 +66,16 @@ TEST(CoverAreaTest, BeyondTheGridsCornerTheNumberingIsShifted) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("begins 2 columns west and 0 rows south")));
 }
 
+TEST(CoverAreaTest, FilesOfNewCellsAreNumberedAsThoseOfTheTiles) {
+  Scene scene = TwoCells();
+  scene.tiles[0].path = "tiles/Tile_+000_+000.ply";
+  scene.tiles[1].path = "tiles/Tile_+001_+000.ply";
+  ASSERT_TRUE(CoverArea(Box(-90, 0, 200, 100), scene).ok());
+  ASSERT_THAT(scene.tiles, SizeIs(3));
+  EXPECT_EQ(scene.tiles[0].cell, (CellId{0, 0}));
+  EXPECT_EQ(OutputPath(scene.tiles[0]), "tiles/Tile_-001_+000.ply");
+}
+
 TEST(CoverAreaTest, AnAreaOfWholeCellsIsTheCells) {
   Scene scene = TwoCells();
   ASSERT_TRUE(CoverArea(Box(-0.3, -0.3, 300, 100.3), scene).ok());
@@ -88,10 +98,10 @@ TEST(CoverAreaTest, AnOpeningOfTheAreaMakesNoCells) {
 
 TEST(CoverAreaTest, ANameThatAnotherTileHasIsRefused) {
   Scene scene = TwoCells();
-  scene.tiles[0].path = "tiles/Tile_+000_+000.ply";
+  scene.tiles[0].path = "tiles/Tile_-001_+000.ply";
   const absl::Status status = CoverArea(Box(-90, 10, 190, 90), scene);
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
-  EXPECT_THAT(std::string(status.message()), HasSubstr("tiles/Tile_+000_+000.ply"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("tiles/Tile_-001_+000.ply"));
 }
 
 TEST(CoverAreaTest, AnAreaOfAnotherPlaceIsRefused) {
