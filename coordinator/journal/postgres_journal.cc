@@ -16,6 +16,7 @@
 #include "common/store/digest.h"
 #include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
+#include "coordinator/journal/committed_journal.h"
 #include "coordinator/journal/group_commit.h"
 #include "coordinator/journal/journal_rows.h"
 #include "coordinator/journal/postgres_connection.h"
@@ -44,9 +45,11 @@ COMMIT;
 SET synchronous_commit = on;
 )";
 
-class PostgresJournal : public Journal {
+class PostgresJournal : public CommittedJournal {
  public:
-  PostgresJournal(PostgresConnection connection, uint32_t epoch) : connection_(std::move(connection)), epoch_(epoch) {}
+  PostgresJournal(PostgresConnection connection, uint32_t epoch) : connection_(std::move(connection)) {
+    epoch_ = epoch;
+  }
   ~PostgresJournal() override {
     writer_.reset();
     {
@@ -64,21 +67,12 @@ class PostgresJournal : public Journal {
   // Reads what there is and starts the threads.
   absl::Status Start();
 
-  uint32_t epoch() const override { return epoch_; }
-  std::vector<JobRecord> TakeJobs() override { return std::exchange(jobs_, {}); }
-  void PutJob(JobRecord job) override { writer_->Put(std::move(job)); }
-  void PutResult(int64_t job, TaskName task, ResultRecord result) override {
-    writer_->Put(NewResult{job, std::move(task), std::move(result)});
-  }
-  void DropJob(int64_t job) override { writer_->Put(OldJob{job}); }
-  std::vector<SetAsideRecord> TakeSetAside() override { return std::exchange(set_aside_, {}); }
-  void PutSetAside(SetAsideRecord record) override { writer_->Put(std::move(record)); }
-  void Await() override { writer_->Await(); }
   absl::StatusOr<std::optional<ResultRecord>> Find(int64_t job, const TaskName& task) override;
   absl::StatusOr<std::vector<std::string>> Outputs(int64_t job) override;
-  bool is_durable() const override { return true; }
 
  private:
+  GroupCommit& Writer() override { return *writer_; }
+
   absl::Status ReadJobs();
   absl::Status ReadSetAside();
   absl::Status ReadOldJobs();
@@ -99,9 +93,6 @@ class PostgresJournal : public Journal {
   std::condition_variable end_;
   bool ending_ = false;
   PostgresConnection connection_;
-  const uint32_t epoch_;
-  std::vector<JobRecord> jobs_;
-  std::vector<SetAsideRecord> set_aside_;
   std::set<int64_t> old_jobs_;  // whose results are not needed any more
   std::thread beat_;
   std::unique_ptr<GroupCommit> writer_;  // last: it uses the others

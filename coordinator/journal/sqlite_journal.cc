@@ -16,6 +16,7 @@
 #include "common/store/digest.h"
 #include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
+#include "coordinator/journal/committed_journal.h"
 #include "coordinator/journal/group_commit.h"
 #include "coordinator/journal/journal_rows.h"
 #include "coordinator/journal/sqlite_journal_file.h"
@@ -28,27 +29,18 @@ constexpr int64_t kMostDeleted = 2000;  // rows looked at in one transaction: so
 constexpr int64_t kPageRows = 64;       // results read at once: they are asked for much as they were put
 constexpr size_t kMostPagesRead = 16;   // of such
 
-class SqliteJournal : public Journal {
+class SqliteJournal : public CommittedJournal {
  public:
   SqliteJournal(std::string path, SqliteDatabase database) : path_(std::move(path)), database_(std::move(database)) {}
   // Reads what there is and starts the writer.
   absl::Status Start();
 
-  uint32_t epoch() const override { return epoch_; }
-  std::vector<JobRecord> TakeJobs() override { return std::exchange(jobs_, {}); }
-  void PutJob(JobRecord job) override { writer_->Put(std::move(job)); }
-  void PutResult(int64_t job, TaskName task, ResultRecord result) override {
-    writer_->Put(NewResult{job, std::move(task), std::move(result)});
-  }
-  void DropJob(int64_t job) override { writer_->Put(OldJob{job}); }
-  std::vector<SetAsideRecord> TakeSetAside() override { return std::exchange(set_aside_, {}); }
-  void PutSetAside(SetAsideRecord record) override { writer_->Put(std::move(record)); }
-  void Await() override { writer_->Await(); }
   absl::StatusOr<std::optional<ResultRecord>> Find(int64_t job, const TaskName& task) override;
   absl::StatusOr<std::vector<std::string>> Outputs(int64_t job) override;
-  bool is_durable() const override { return true; }
 
  private:
+  GroupCommit& Writer() override { return *writer_; }
+
   using Index = absl::flat_hash_map<NameBytes, int64_t>;
 
   absl::Status Prepare();
@@ -85,9 +77,6 @@ class SqliteJournal : public Journal {
       delete_content_, delete_job_, put_aside_, delete_aside_, free_pages_;
   absl::flat_hash_map<int64_t, std::vector<StoredResult>> pages_;  // read, by number / kPageRows
   std::deque<int64_t> pages_read_;                                 // the oldest first
-  uint32_t epoch_ = 0;
-  std::vector<JobRecord> jobs_;
-  std::vector<SetAsideRecord> set_aside_;
   std::mutex index_mutex_;
   std::map<int64_t, Index> indexes_;               // of the jobs that are not over: number of the last row of each name
   std::map<int64_t, std::vector<int64_t>> blobs_;  // of those: rows whose output is a blob
