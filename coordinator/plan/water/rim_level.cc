@@ -16,7 +16,6 @@ constexpr double kMostScatter = 2;               // of noise between neighbours:
 constexpr double kSettled = 1e-5;                // metres
 constexpr int kMostSteps = 50;
 constexpr ptrdiff_t kLeastLow = 4;  // heights that a level can be taken from
-constexpr double kLeastQuay = 0.5;  // metres: what gathers less high above the water is water with more noise
 
 // The middle of the shortest interval that holds a third of the sorted heights.
 double MiddleOfDensest(const std::vector<double>& sorted) {

@@ -7,6 +7,9 @@
 
 namespace tilemend {
 
+// Metres: what gathers less high above the water is water with more noise, or ground.
+inline constexpr double kLeastQuay = 0.5;
+
 struct RimLevel {
   double level = 0;   // metres
   double spread = 0;  // metres: standard deviation of the heights below where they gather (from their median)

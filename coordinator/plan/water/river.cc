@@ -25,7 +25,6 @@ constexpr double kWidestBridge = 40;      // metres
 constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
 constexpr size_t kOddStations = 8;        // one in so many may be other than the rest
 constexpr size_t kAgreeing = 3;           // one in so many has the level at both shores; along the rest one is a quay
-constexpr double kLeastQuay = 0.5;        // metres between the levels at both shores
 constexpr size_t kBankStations = 4;       // one in so many may lie between quays on both sides
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count

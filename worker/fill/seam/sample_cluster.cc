@@ -64,8 +64,9 @@ class ClusterSampler {
     const auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
     if (!laplacian) return std::nullopt;
     if (surface.hold_out) surface.hold_out->tension = problem.tension;
-    std::map<int32_t, SurfaceSample> samples = AtSeams(problem, *laplacian);
-    AddBesideSeams(problem, *laplacian, samples);
+    const std::vector<Point2> slope = Slopes(problem);
+    std::map<int32_t, SurfaceSample> samples = AtSeams(problem, *laplacian, slope);
+    AddBesideSeams(problem, *laplacian, slope, samples);
     for (size_t v = 0; v < hole_.on_object.size(); ++v) {
       if (hole_.on_object[v])
         samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
@@ -216,10 +217,9 @@ class ClusterSampler {
   }
 
   // The surface at every vertex of the seams, by vertex; between those that were kept, along the seam.
-  std::map<int32_t, SurfaceSample> AtSeams(const ThinPlateProblem& problem,
-                                           const std::vector<double>& laplacian) const {
+  std::map<int32_t, SurfaceSample> AtSeams(const ThinPlateProblem& problem, const std::vector<double>& laplacian,
+                                           const std::vector<Point2>& slope) const {
     std::map<int32_t, SurfaceSample> values;
-    const std::vector<Point2> slope = Slopes(problem);
     std::map<int32_t, int32_t> number;
     for (int32_t v = 0; v < hole_.size(); ++v) number.emplace(hole_.vertices[v], v);
     for (size_t c = 0; c < chains_.size(); ++c) {
@@ -248,8 +248,7 @@ class ClusterSampler {
 
   // New vertices of the rim that no seam ends at: where the edge of the area runs along a grid line.
   void AddBesideSeams(const ThinPlateProblem& problem, const std::vector<double>& laplacian,
-                      std::map<int32_t, SurfaceSample>& samples) const {
-    const std::vector<Point2> slope = Slopes(problem);
+                      const std::vector<Point2>& slope, std::map<int32_t, SurfaceSample>& samples) const {
     for (int32_t v = 0; v < hole_.size(); ++v) {
       if (IsKnown(hole_.vertices[v])) continue;
       samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), laplacian[v], slope[v]});
