@@ -32,7 +32,7 @@ std::vector<FlagSpec> JobFlags() {
       {"overwrite", "", "write to DIR even if it is not empty; files of other names stay", ""}};
   for (FlagSpec& flag : SurfaceFlags()) flags.push_back(std::move(flag));
   flags.push_back(
-      {"seam-smoothing", "X", "of wang: how much seams are smoothed, 0 to 1", absl::StrCat(defaults.seam_smoothing)});
+      {"seam-smoothing", "X", absl::StrCat("of wang: how much seams are smoothed, 0 to 1; ", kSeamSmoothing), ""});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
   flags.push_back(AreaFlag());
   flags.push_back({"cells", "CELLS", "fill and write these alone: \"3,4 0,0-5,9\", column,row (default: all)", ""});
@@ -96,7 +96,9 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(spec.tension, TensionFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(spec.gradation, args.Number("gradation", 1, 10));
   TILEMEND_ASSIGN_OR_RETURN(spec.size_limit, args.Number("size-limit", 1, 1e6));
-  TILEMEND_ASSIGN_OR_RETURN(spec.seam_smoothing, args.Number("seam-smoothing", 0, 1));
+  if (!args.Text("seam-smoothing").empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(spec.seam_smoothing, args.Number("seam-smoothing", 0, 1));
+  }
   spec.water = args.Text("water");
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
   spec.area = AbsolutePath(args.Text("area"));

@@ -12,6 +12,9 @@ enum class Surface { kThinPlate, kWang };
 
 inline constexpr Surface kDefaultSurface = Surface::kThinPlate;
 
+// Gamma of Wang 2021, eq. 5, where none is given.
+inline constexpr double kSeamSmoothing = 0.5;
+
 // "thin-plate" or "wang", as flags, jobs and reports say it.
 constexpr const char* SurfaceName(Surface surface) { return surface == Surface::kThinPlate ? "thin-plate" : "wang"; }
 

@@ -96,7 +96,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   if (spec.tension) proto.set_tension(*spec.tension);
   proto.set_gradation(spec.gradation);
   proto.set_size_limit(spec.size_limit);
-  proto.set_seam_smoothing(spec.seam_smoothing);
+  if (spec.seam_smoothing) proto.set_seam_smoothing(*spec.seam_smoothing);
   proto.set_water(spec.water);
   proto.set_area(spec.area);
   proto.set_water_tolerance(spec.water_tolerance);

@@ -68,7 +68,10 @@ absl::Status JobSpec::Check() const {
     return InvalidSpec("tension", "only the surface thin-plate has a tension");
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
   TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
-  return CheckRange("seam_smoothing", seam_smoothing, 0, 1);
+  if (seam_smoothing && named != Surface::kWang) {
+    return InvalidSpec("seam_smoothing", "only the surface wang has seams to smooth");
+  }
+  return seam_smoothing ? CheckRange("seam_smoothing", *seam_smoothing, 0, 1) : absl::OkStatus();
 }
 
 }  // namespace tilemend

@@ -17,7 +17,7 @@ WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function
   options.plan.water = std::move(water);
   if (!spec.water_colour.empty()) options.plan.water_colour = ParseColour(spec.water_colour);
   options.surface = SurfaceNamed(spec.surface).value_or(kDefaultSurface);
-  options.seam_smoothing = spec.seam_smoothing;
+  options.seam_smoothing = spec.seam_smoothing.value_or(kSeamSmoothing);
   options.plan_only = spec.dry_run;
   return options;
 }
@@ -35,28 +35,32 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
 std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
   ReportedOption tension{"tension", std::string("auto")};
   if (spec.tension) tension.value = *spec.tension;
-  return {{"surface", spec.surface},
-          {"tension", tension.value},
-          {"gradation", spec.gradation},
-          {"size-limit", spec.size_limit},
-          {"uniform", spec.uniform},
-          {"seam-smoothing", spec.seam_smoothing},
-          {"water", spec.water},
-          {"water-tolerance", spec.water_tolerance},
-          {"water-profile", spec.water_profile},
-          {"water-colour", spec.water_colour},
-          {"textures", spec.textures},
-          {"area", spec.area},
-          {"cells", spec.cells}};
+  std::vector<ReportedOption> options = {{"surface", spec.surface},
+                                         {"tension", tension.value},
+                                         {"gradation", spec.gradation},
+                                         {"size-limit", spec.size_limit},
+                                         {"uniform", spec.uniform},
+                                         {"water", spec.water},
+                                         {"water-tolerance", spec.water_tolerance},
+                                         {"water-profile", spec.water_profile},
+                                         {"water-colour", spec.water_colour},
+                                         {"textures", spec.textures},
+                                         {"area", spec.area},
+                                         {"cells", spec.cells}};
+  if (spec.surface == SurfaceName(Surface::kWang)) {
+    options.push_back({"seam-smoothing", spec.seam_smoothing.value_or(kSeamSmoothing)});
+  }
+  return options;
 }
 
 std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
   return absl::StrFormat(
       "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %s\n"
       "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\ncells %s\n",
-      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, spec.seam_smoothing,
-      spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
-      spec.water_profile, spec.water_colour, spec.textures, area_digest, spec.cells);
+      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit,
+      spec.seam_smoothing.value_or(kSeamSmoothing), spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto",
+      spec.water, water.digest, spec.water_tolerance, spec.water_profile, spec.water_colour, spec.textures, area_digest,
+      spec.cells);
 }
 
 }  // namespace tilemend

@@ -27,10 +27,10 @@ namespace tilemend {
 struct WaveOptions {
   PlanOptions plan;
   Surface surface = kDefaultSurface;
-  double seam_smoothing = 0.5;  // [0, 1], gamma of Wang eq. 6
-  bool single_mesh = false;     // the scene is one tile without a grid: its cell is made around it
-  bool plan_only = false;       // ends with the plan
-  std::set<CellId> chosen;      // cells that are filled and written; empty: all
+  double seam_smoothing = kSeamSmoothing;  // [0, 1], gamma of Wang eq. 5
+  bool single_mesh = false;                // the scene is one tile without a grid: its cell is made around it
+  bool plan_only = false;                  // ends with the plan
+  std::set<CellId> chosen;                 // cells that are filled and written; empty: all
 };
 
 // Gives out the pieces of work of one scene as soon as they can be done, and takes what came of them. It computes the

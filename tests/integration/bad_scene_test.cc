@@ -278,9 +278,10 @@ TEST(BadFlagsTest, AreUsageErrors) {
     EXPECT_EQ(ended.out, "");
     EXPECT_THAT(ended.err, HasSubstr("tilemend: "));
   }
-  for (const char* flag : {"--workers=0", "--workers=-1", "--workers=99999", "--workers=two", "--workers=1.5",
-                           "--bogus", "--surface=x", "--gradation=nan", "--gradation=0", "--size-limit=inf",
-                           "--overwrite=1", "--output=xml", "--seam-smoothing=2", "--workers"}) {
+  for (const char* flag :
+       {"--workers=0", "--workers=-1", "--workers=99999", "--workers=two", "--workers=1.5", "--bogus", "--surface=x",
+        "--gradation=nan", "--gradation=0", "--size-limit=inf", "--overwrite=1", "--output=xml", "--seam-smoothing=2",
+        "--seam-smoothing=0.5", "--workers"}) {
     const Ended ended = Process(folder.path(), TILEMEND_CLIENT, {"run", scene, "--out", out, flag}).Wait();
     EXPECT_EQ(ended.code, 2) << flag << ended.err;
   }
