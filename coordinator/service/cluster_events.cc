@@ -160,6 +160,12 @@ void ClusterEvents::WorkerLost(const WorkerRecord& worker, absl::Time now) {
                             {"tasks", static_cast<int64_t>(worker.held.size())}});
 }
 
+void ClusterEvents::WorkerSuspected(const std::string& worker, const std::string& reason) {
+  log_.Warn("worker suspected", {{"worker", worker}, {"reason", reason}});
+}
+
+void ClusterEvents::WorkerCleared(const std::string& worker) { log_.Info("worker cleared", {{"worker", worker}}); }
+
 void ClusterEvents::WorkerSetAside(const std::string& worker, const std::string& reason) {
   log_.Error("worker set aside", {{"worker", worker}, {"reason", reason}});
 }

@@ -42,6 +42,9 @@ class ClusterEvents {
   void WorkerCame(const WorkerRecord& worker, const std::string& release, const std::string& identity);
   void WorkerLeft(const std::string& worker);
   void WorkerLost(const WorkerRecord& worker, absl::Time now);
+  // It gets no task until it is known whose fault its wrong result is; nobody's; its own.
+  void WorkerSuspected(const std::string& worker, const std::string& reason);
+  void WorkerCleared(const std::string& worker);
   void WorkerSetAside(const std::string& worker, const std::string& reason);
   void WorkerBlind(const std::string& worker, const std::string& job, const std::string& reason);
 

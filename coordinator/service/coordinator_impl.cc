@@ -142,6 +142,7 @@ absl::StatusOr<Effects> CoordinatorImpl::Apply(const Event& event, Contents cont
     }
   }
   if (!effects.retried.empty() || !effects.settled.empty()) Changed();
+  TakeVerdicts(effects);
   return effects;
 }
 
@@ -399,6 +400,7 @@ void CoordinatorImpl::Tick() {
     }
     Apply(event).IgnoreError();
   }
+  for (const Event& event : Abandoned(state_, now, MayWorkNow())) Apply(event).IgnoreError();
   for (auto& [id, entry] : entries_) {
     if (entry.runner == nullptr || !entry.runner->ended()) continue;
     ended.push_back(std::move(entry.runner));

@@ -211,7 +211,8 @@ class CoordinatorImpl {
   std::vector<std::string> TakeSeen(const v1::SyncRequest& request);
   void TakeReports(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response);
   bool TakeReport(const std::string& worker, Report& report);
-  void OnRefused(const std::string& worker, const Report& report, const Effects& effects);
+  // Who gets no task by what happened, and who does again.
+  void TakeVerdicts(const Effects& effects);
   void Warn(const std::string& job, const std::string& warning);
   void ForgetWorker(const std::string& worker);
   void RenewHeld(const v1::SyncRequest& request);

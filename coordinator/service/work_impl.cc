@@ -266,26 +266,32 @@ bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
     events_.AttemptFailed(*task, report.ref.job(), worker, entries_.at(report.ref.job()).origin, failed->error);
   }
   if (failed != nullptr && ErrorReason(failed->error) == "FOLDER_NOT_SEEN") trust_.Doubt(worker, report.ref.job());
-  if (!report.refusal.empty()) OnRefused(worker, report, *effects);
+  if (!report.refusal.empty()) {
+    metrics_.Refused(report.stage);
+    Warn(report.ref.job(), report.refusal);
+  }
   return true;
 }
 
-void CoordinatorImpl::OnRefused(const std::string& worker, const Report& report, const Effects& effects) {
-  metrics_.Refused(report.stage);
-  Warn(report.ref.job(), report.refusal);
-  if (effects.settled.empty()) {
-    trust_.SetAside(worker, report.refusal);
-    journal_->PutSetAside({worker, report.refusal});
-    events_.WorkerSetAside(worker, report.refusal);
-    Apply(WorkerLeft{worker}).IgnoreError();  // others do what it holds
-  } else if (const Task* task = state_.FindTask(KeyOf(report.ref)); task != nullptr) {
-    // Several came to it: the fault is in the task.
-    for (const auto& [refused, digest] : task->refused) {
-      trust_.Restore(refused);
-      journal_->PutSetAside({refused, ""});
-    }
+void CoordinatorImpl::TakeVerdicts(const Effects& effects) {
+  if (effects.suspected.empty() && effects.convicted.empty() && effects.cleared.empty()) return;
+  for (const Blamed& blamed : effects.convicted) {
+    trust_.SetAside(blamed.worker, blamed.reason);
+    journal_->PutSetAside({blamed.worker, blamed.reason});
+    events_.WorkerSetAside(blamed.worker, blamed.reason);
+  }
+  for (const Blamed& blamed : effects.suspected) {
+    trust_.Suspect(blamed.worker, blamed.reason);
+    events_.WorkerSuspected(blamed.worker, blamed.reason);
+  }
+  for (const std::string& worker : effects.cleared) {
+    if (trust_.Clear(worker)) events_.WorkerCleared(worker);
   }
   metrics_.ShowTrust(trust_.set_aside(), trust_.blind());
+  work_changed_.notify_all();
+  for (const auto* blamed : {&effects.convicted, &effects.suspected}) {
+    for (const auto& [worker, reason] : *blamed) Apply(WorkerLeft{worker}).IgnoreError();  // others do what it holds
+  }
 }
 
 void CoordinatorImpl::Warn(const std::string& job, const std::string& warning) {

@@ -71,14 +71,21 @@ void WorkerTrust::RemoveWorker(const std::string& worker) {
   for (auto& [job, view] : jobs_) view.seen_by.erase(worker);
 }
 
-void WorkerTrust::SetAside(const std::string& worker, const std::string& reason) {
+void WorkerTrust::Put(const std::string& worker, Aside aside) {
   if (set_aside_.size() >= kMostSetAside) set_aside_.erase(set_aside_.begin());
-  set_aside_[worker] = reason;
+  set_aside_[worker] = std::move(aside);
+}
+
+bool WorkerTrust::Clear(const std::string& worker) {
+  const auto aside = set_aside_.find(worker);
+  if (aside == set_aside_.end() || aside->second.is_for_good) return false;
+  set_aside_.erase(aside);
+  return true;
 }
 
 std::string WorkerTrust::WhySetAside(const std::string& worker) const {
   const auto reason = set_aside_.find(worker);
-  return reason == set_aside_.end() ? "" : reason->second;
+  return reason == set_aside_.end() ? "" : reason->second.reason;
 }
 
 bool WorkerTrust::MayWorkOn(const std::string& worker, const std::string& job) const {

@@ -17,7 +17,7 @@ namespace tilemend {
 
 // A worker gets tasks of a job when it has shown that it sees the same files of the scene and of the output as the
 // coordinator, and can write there. One that does not is asked again from time to time: mounts come back. A worker
-// whose result was refused is set aside, until its process is started anew or another worker gives the same result.
+// whose result was refused may be suspected until that is cleared, or set aside until its process is started anew.
 //
 // Kept in memory alone: a coordinator that starts anew asks again. Not thread-safe.
 class WorkerTrust {
@@ -36,9 +36,13 @@ class WorkerTrust {
   void Doubt(const std::string& worker, const std::string& job);
   void RemoveWorker(const std::string& worker);
 
-  void SetAside(const std::string& worker, const std::string& reason);
-  void Restore(const std::string& worker) { set_aside_.erase(worker); }
-  // Empty if it is not.
+  // It gets no task until it is cleared.
+  void Suspect(const std::string& worker, const std::string& reason) { Put(worker, {reason, false}); }
+  // Nothing if it is set aside. Whether it was suspected.
+  bool Clear(const std::string& worker);
+  // It gets no task any more.
+  void SetAside(const std::string& worker, const std::string& reason) { Put(worker, {reason, true}); }
+  // Why it is suspected or set aside. Empty if it is not.
   std::string WhySetAside(const std::string& worker) const;
 
   bool MayWorkOn(const std::string& worker, const std::string& job) const;
@@ -58,8 +62,14 @@ class WorkerTrust {
     JobFolders folders;
     std::map<std::string, absl::Time> seen_by;  // workers; when they are to look again: InfiniteFuture if they see them
   };
+  struct Aside {
+    std::string reason;
+    bool is_for_good = false;
+  };
+  void Put(const std::string& worker, Aside aside);
+
   std::map<std::string, JobView> jobs_;
-  std::map<std::string, std::string> set_aside_;  // reasons by worker
+  std::map<std::string, Aside> set_aside_;  // by worker
 };
 
 }  // namespace tilemend

@@ -75,13 +75,16 @@ absl::StatusOr<Job*> CoordinatorState::RunningJob(const std::string& id) {
   return &it->second;
 }
 
-void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time) {
+void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time, Effects& effects) {
   for (auto& [id, task] : job.tasks) {
     EndLeases(job, task);
   }
+  for (const auto& [worker, count] : job.refusals) effects.cleared.push_back(worker);
   job.tasks.clear();
   job.pending.clear();
   job.times.clear();
+  job.doubted.clear();
+  job.refusals.clear();
   job.counts.pending = 0;
   job.counts.leased = 0;
   job.state = state;
@@ -194,8 +197,9 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobSteered& event) {
 
 absl::StatusOr<Effects> CoordinatorState::On(const JobCancelled& event) {
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
-  EndJob(*job, JobState::kCancelled, event.time);
-  return Effects();
+  Effects effects;
+  EndJob(*job, JobState::kCancelled, event.time, effects);
+  return effects;
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const JobFinished& event) {
@@ -205,8 +209,9 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobFinished& event) {
   }
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
   const bool partial = event.state == JobState::kDone && job->counts.quarantined > 0;
-  EndJob(*job, partial ? JobState::kPartial : event.state, event.time);
-  return Effects();
+  Effects effects;
+  EndJob(*job, partial ? JobState::kPartial : event.state, event.time, effects);
+  return effects;
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const JobForgotten& event) {

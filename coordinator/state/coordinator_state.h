@@ -11,7 +11,10 @@
 //    Before its last chance it is given only to a worker that holds nothing, and alone, so that it takes no other task
 //    down with it and no other task takes the blame.
 //  - A task whose results were refused goes to another worker. It has failed when `max_refusals` workers gave a wrong
-//    result, or two gave the same: then the fault is not theirs.
+//    result, when two gave the same, or when nobody is left who might do better (task_choice.h): then the fault is not
+//    theirs. If another does it well, the fault was theirs.
+//  - A job takes at most one worker away from the others before that is known: the first whose result it refuses. When
+//    it refuses those of a second, that speaks against the job, and both work on.
 //  - Deterministic: the same events in the same order give the same state and the same choices.
 //
 //  - An attempt that failed by its machine is followed by another after a pause that doubles from time to time, and the
@@ -38,6 +41,8 @@ struct StateOptions {
   int32_t quarantine_after = 3;  // >= 1, lost workers; or three times as many losses with fewer
   absl::Duration longest_attempt = absl::InfiniteDuration();  // then the lease ends, however often it is renewed
   int32_t max_refusals = 3;                                   // >= 1, workers whose results were refused
+  // So long a task waits for a worker when the results of all that there are were refused.
+  absl::Duration wait_for_another = absl::Seconds(10);
   // >= 1, machine errors reported by living workers before one counts as the task's own, unless there is a worker left
   // that has not given it back; or three times as many.
   int32_t max_returns = 3;
@@ -84,6 +89,7 @@ class CoordinatorState {
   Result On(const LeaseRenewed& event);
   Result On(const TaskCompleted& event);
   Result On(const TaskFailed& event);
+  Result On(const TaskAbandoned& event);
   Result On(const LeaseExpired& event);
   Result On(const WorkerLost& event);
   Result On(const WorkerLeft& event);
@@ -115,9 +121,13 @@ class CoordinatorState {
   // What a machine error means for the task and the worker; whether the task has failed by it.
   bool Return(Task& task, const TaskFailed& event);
   // Puts a refusal down; whether the task has failed by it.
-  bool Refuse(Task& task, const std::string& worker, const std::string& digest) const;
+  bool Refuse(Job& job, Task& task, const TaskFailed& event) const;
+  // Whom the refusal of one of the worker's results speaks against.
+  static void Suspect(const Job& job, const TaskFailed& event, Effects& effects);
+  // Who gave the wrong results of a task that is settled.
+  static void Judge(Job& job, Task& task, Effects& effects);
   absl::Duration PauseAfter(int32_t failures) const;
-  void EndJob(Job& job, JobState state, absl::Time time);
+  void EndJob(Job& job, JobState state, absl::Time time, Effects& effects);
   // Of a job when it gets known here: above all that an earlier epoch can have reached.
   uint64_t FirstVersion() const { return (static_cast<uint64_t>(options_.epoch) << 32) + 1; }
 

@@ -84,11 +84,16 @@ struct TaskFailed {
   std::string worker;
   uint64_t token = 0;
   bool machine = false;  // the machine's failure, not the cell's: another attempt is worth it
-  bool another = false;  // there is a worker that may have it and has not given it back
+  bool another = false;  // there is a worker that may have it, has not given it back and was not refused with it
   absl::Status error;    // not OK
   absl::Time time;
-  // The digest of a result that was refused, else empty: the worker's failure, unless another gives the same.
+  // The digest of a result that was refused, else empty; then `error` names the worker and says what was wrong.
   std::string refused = {};
+};
+
+// Nobody is left that may have a task of which results were refused.
+struct TaskAbandoned {
+  TaskKey key;
 };
 
 // The holder did not renew in time: as if the worker was lost, for this task alone.
@@ -144,8 +149,8 @@ struct JobFinished {
 };
 
 using Event = std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted,
-                           TaskFailed, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned, JobSteered,
-                           JobCancelled, JobFinished, JobForgotten>;
+                           TaskFailed, TaskAbandoned, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned,
+                           JobSteered, JobCancelled, JobFinished, JobForgotten>;
 
 // A task that an event brought to its end. Every task of a job that is not cut short is settled exactly once.
 struct SettledTask {
@@ -169,11 +174,24 @@ struct StruckTask {
   std::vector<std::string> lost_workers;  // all so far
 };
 
+// A worker whose result was refused.
+struct Blamed {
+  std::string worker;
+  std::string reason;  // for people
+};
+
 // What an event led to.
 struct Effects {
   std::vector<SettledTask> settled;
   std::vector<Stage> retried;  // one for each task that went back to pending
   std::vector<StruckTask> struck;
+  // Who is to get no task until it is cleared: the first worker whose result a job refuses.
+  std::vector<Blamed> suspected;
+  // Who is to get no task any more: another worker has done the same task well.
+  std::vector<Blamed> convicted;
+  // Who is suspected no more, unless it was convicted: what it was suspected of was the job's fault, or is of no
+  // interest any more.
+  std::vector<std::string> cleared;
 };
 
 }  // namespace tilemend

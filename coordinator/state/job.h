@@ -39,6 +39,12 @@ enum class TaskState { kPending, kLeased, kCommitted, kFailed, kQuarantined };
 
 inline bool IsSettled(TaskState state) { return state != TaskState::kPending && state != TaskState::kLeased; }
 
+// A result that was not taken.
+struct Refusal {
+  std::string digest;
+  std::string reason;  // for people; names the worker
+};
+
 // One attempt that may still bring a result.
 struct Lease {
   uint64_t token = 0;  // not 0
@@ -59,7 +65,8 @@ struct Task {
   std::set<std::string> returned_by;             // who gave it back so, or was lost with it
   int32_t losses = 0;                            // leases that ended because a worker was lost
   std::vector<std::string> lost_workers;         // workers that were lost while they held it, each once
-  std::map<std::string, std::string> refused;    // digests of the results that were refused, by worker
+  std::map<std::string, Refusal> refused;        // by worker, until it is settled
+  absl::Time refused_at = absl::InfinitePast();  // the last of them
   std::vector<Lease> leases;                     // kLeased: one, or two if the first takes long
   std::optional<Lease> settled_by;               // the attempt that settled it, unless that was an earlier process
 };
@@ -121,6 +128,8 @@ struct Job {
   std::map<int64_t, Task> tasks;                   // emptied when the job is over
   std::set<int64_t> pending;                       // ids of the tasks in state kPending
   std::set<std::pair<absl::Time, int64_t>> alone;  // tasks with one lease, since when
+  std::set<int64_t> doubted;                       // ids of the tasks that are not settled and have refusals
+  std::map<std::string, int64_t> refusals;         // how many of those each worker has
   std::map<Stage, StageTime> times;
 };
 

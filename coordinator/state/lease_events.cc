@@ -35,6 +35,13 @@ absl::Status Quarantined(const Task& task) {
                                                    {"stage", std::string(StageName(task.stage))}}});
 }
 
+// Of a task that has failed by its refusals.
+absl::Status Refused(const Task& task, const std::string& ending) {
+  const std::string reasons = absl::StrJoin(
+      task.refused, "; ", [](std::string* out, const auto& refused) { absl::StrAppend(out, refused.second.reason); });
+  return WithErrorInfo(absl::InternalError(absl::StrCat(reasons, ending)), {"RESULT_REFUSED", {}});
+}
+
 }  // namespace
 
 absl::StatusOr<Task*> CoordinatorState::LeasedTask(const TaskKey& key, const std::string& worker, uint64_t token) {
@@ -92,6 +99,7 @@ void CoordinatorState::EnterResult(Job& job, Task& task, KnownResult result, boo
                                                        : job.counts.quarantined;
   ++count;
   ++job.version;
+  Judge(job, task, effects);
   effects.settled.push_back({.key = {job.id, task.id},
                              .cell = task.cell,
                              .stage = task.stage,
@@ -172,12 +180,14 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   Effects effects;
   if (task == nullptr) return effects;
   Job& job = jobs_.at(event.key.job);
-  const bool has_failed =
-      !event.refused.empty() ? Refuse(*task, event.worker, event.refused) : !event.machine || Return(*task, event);
+  const bool is_refused = !event.refused.empty();
+  const bool has_failed = is_refused ? Refuse(job, *task, event) : !event.machine || Return(*task, event);
   if (has_failed) {
-    Settle(job, *task, event.worker, {TaskState::kFailed, "", event.error}, effects);
+    const absl::Status error = is_refused ? Refused(*task, "") : event.error;
+    Settle(job, *task, event.worker, {TaskState::kFailed, "", error}, effects);
   } else {
     GiveUp(job, *task, event.worker, effects);
+    if (is_refused) Suspect(job, event, effects);
   }
   return effects;
 }
@@ -199,12 +209,53 @@ absl::Duration CoordinatorState::PauseAfter(int32_t failures) const {
                   options_.first_pause * (int64_t{1} << std::min(failures - 1, kMostDoublings)));
 }
 
-bool CoordinatorState::Refuse(Task& task, const std::string& worker, const std::string& digest) const {
+bool CoordinatorState::Refuse(Job& job, Task& task, const TaskFailed& event) const {
   const bool agreed = std::any_of(task.refused.begin(), task.refused.end(), [&](const auto& refused) {
-    return refused.first != worker && refused.second == digest;
+    return refused.first != event.worker && refused.second.digest == event.refused;
   });
-  task.refused[worker] = digest;
+  const bool is_new =
+      task.refused.insert_or_assign(event.worker, Refusal{event.refused, std::string(event.error.message())}).second;
+  if (is_new) ++job.refusals[event.worker];
+  task.refused_at = event.time;
+  job.doubted.insert(task.id);
   return agreed || static_cast<int32_t>(task.refused.size()) >= options_.max_refusals;
+}
+
+void CoordinatorState::Suspect(const Job& job, const TaskFailed& event, Effects& effects) {
+  for (const auto& [worker, count] : job.refusals) {
+    if (worker != event.worker) effects.cleared.push_back(worker);
+  }
+  // Without another to try it there is nothing to be had by taking this one away.
+  if (effects.cleared.empty() && event.another) {
+    effects.suspected.push_back({event.worker, std::string(event.error.message())});
+  }
+}
+
+void CoordinatorState::Judge(Job& job, Task& task, Effects& effects) {
+  job.doubted.erase(task.id);
+  for (auto& [worker, refusal] : std::exchange(task.refused, {})) {
+    if (const auto count = job.refusals.find(worker); --count->second == 0) job.refusals.erase(count);
+    if (task.state == TaskState::kCommitted) {
+      effects.convicted.push_back({worker, std::move(refusal.reason)});
+    } else {
+      effects.cleared.push_back(worker);
+    }
+  }
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const TaskAbandoned& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.key.job));
+  const auto found = job->tasks.find(event.key.task);
+  if (found == job->tasks.end() || found->second.state != TaskState::kPending || found->second.refused.empty()) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("jobs/", job->id, " task ", event.key.task, ": nothing was refused"));
+  }
+  Effects effects;
+  job->pending.erase(event.key.task);
+  --job->counts.pending;
+  const KnownResult failed{TaskState::kFailed, "", Refused(found->second, "; there is no other worker to try it")};
+  EnterResult(*job, found->second, failed, false, effects);
+  return effects;
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const LeaseExpired& event) {

@@ -10,6 +10,11 @@ namespace {
 // Of each job, the oldest first: more cannot be worth it at once.
 constexpr int kMostStragglers = 16;
 
+// Not whether it has a thread for it now.
+bool MayTry(const WorkerRecord& worker, const Job& job, const Task& task, const MayWork& may) {
+  return !worker.draining && !task.refused.contains(worker.id) && may(worker.id, job.id);
+}
+
 class TaskChooser {
  public:
   TaskChooser(const CoordinatorState& state, const WorkerRecord& worker, absl::Time now, const MayWork& may)
@@ -127,7 +132,7 @@ bool HasAnother(const CoordinatorState& state, const std::string& worker, const 
                 const MayWork& may) {
   return std::any_of(state.workers().begin(), state.workers().end(), [&](const auto& entry) {
     const auto& [id, other] = entry;
-    return id != worker && !other.draining && other.threads > 0 && !task.returned_by.contains(id) && may(id, job.id);
+    return id != worker && other.threads > 0 && !task.returned_by.contains(id) && MayTry(other, job, task, may);
   });
 }
 
@@ -142,6 +147,22 @@ std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::
       const Lease& lease = *LeaseOf(*state.FindTask(key), id);
       const bool too_long = lease.since + state.options().longest_attempt < now;
       if (lease.deadline < now || too_long) events.push_back(LeaseExpired{key, id, lease.token});
+    }
+  }
+  return events;
+}
+
+std::vector<Event> Abandoned(const CoordinatorState& state, absl::Time now, const MayWork& may) {
+  std::vector<Event> events;
+  for (const auto& [number, id] : state.running()) {
+    const Job& job = *state.FindJob(id);
+    for (const int64_t task_id : job.doubted) {
+      const Task& task = job.tasks.at(task_id);
+      const bool waits = now < task.refused_at + state.options().wait_for_another;
+      if (task.state != TaskState::kPending || waits) continue;
+      const bool has_taker = std::any_of(state.workers().begin(), state.workers().end(),
+                                         [&](const auto& entry) { return MayTry(entry.second, job, task, may); });
+      if (!has_taker) events.push_back(TaskAbandoned{{id, task_id}});
     }
   }
   return events;

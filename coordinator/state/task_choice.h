@@ -24,12 +24,16 @@ bool MayAlways(const std::string& worker, const std::string& job);
 std::vector<TaskKey> ChooseTasks(const CoordinatorState& state, const std::string& worker, absl::Time now,
                                  const MayWork& may = MayAlways);
 
-// Whether a worker other than `worker` may have a task of the job and has not given this one back.
+// Whether a worker other than `worker` may have a task of the job, has not given this one back, and gave no result of
+// it that was refused.
 bool HasAnother(const CoordinatorState& state, const std::string& worker, const Job& job, const Task& task,
                 const MayWork& may);
 
 // Events for what is overdue at `now`: workers not seen for `silence`, then leases beyond their deadline.
 std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::Duration silence);
+
+// Events for tasks of which results were refused, the last one `wait_for_another` ago, and that no worker may have.
+std::vector<Event> Abandoned(const CoordinatorState& state, absl::Time now, const MayWork& may);
 
 }  // namespace tilemend
 

@@ -283,5 +283,59 @@ TEST_F(UntrustedResultTest, AResultThatTwoWorkersGiveIsLeftAndNobodyIsSetAside) 
   for (const auto& left : ReportOf(Out(job))["left"]) EXPECT_EQ(left["cell"], nlohmann::json({1, 0}));
 }
 
+// Nobody does a stage of the first job right, and each is wrong in a way of its own.
+class BadJobTest : public UntrustedWorkerTest {
+ protected:
+  BadJobTest() : UntrustedWorkerTest(Impatient()) {}
+  static ClusterOptions Impatient() {
+    ClusterOptions options = Options();
+    options.state.wait_for_another = absl::Milliseconds(300);
+    return options;
+  }
+  void AddWorker(const std::string& name, Stage bad) {
+    cluster_.AddWorker(name, 2,
+                       [=, this, run = SceneStageRunner()](Stage stage, const std::string& input, const auto& cancel) {
+                         if (stage == bad && is_bad_) return absl::StatusOr<std::string>(absl::StrCat("\xff", name));
+                         return run(stage, input, cancel);
+                       });
+  }
+  // The first job and, when it is over, another that has nothing wrong.
+  v1::Job RunBadThenGood() {
+    const v1::Job bad = cluster_.WaitFor(cluster_.Submit(scene_).name());
+    is_bad_ = false;
+    const v1::Job good = cluster_.WaitFor(cluster_.Submit(scene_).name());
+    EXPECT_EQ(good.state(), v1::DONE) << good.error().message();
+    EXPECT_EQ(cluster_.Metric("tilemend_coordinator_workers_set_aside"), 0);
+    return bad;
+  }
+
+  std::atomic<bool> is_bad_{true};
+};
+
+TEST_F(BadJobTest, LeavesItsCellsAndAllWorkersToOthers) {
+  for (const char* name : {"one", "two", "three"}) AddWorker(name, Stage::kFill);
+  const v1::Job bad = RunBadThenGood();
+  EXPECT_EQ(bad.state(), v1::PARTIAL) << bad.error().message();
+  const auto left = ReportOf(Out(bad))["left"];
+  ASSERT_FALSE(left.empty());
+  for (const char* name : {"worker one", "worker two", "worker three"}) {
+    EXPECT_THAT(left[0]["reason"].get<std::string>(), HasSubstr(name));
+  }
+}
+
+TEST_F(BadJobTest, OfTheOnlyWorkerEndsAsWell) {
+  AddWorker("one", Stage::kFill);
+  EXPECT_EQ(RunBadThenGood().state(), v1::PARTIAL);
+}
+
+TEST_F(BadJobTest, WithoutASurveyFailsAndNamesTheWorkers) {
+  for (const char* name : {"one", "two"}) AddWorker(name, Stage::kSurvey);
+  const v1::Job bad = RunBadThenGood();
+  EXPECT_EQ(bad.state(), v1::FAILED);
+  EXPECT_THAT(bad.error().message(), HasSubstr("worker one"));
+  EXPECT_THAT(bad.error().message(), HasSubstr("worker two"));
+  EXPECT_THAT(bad.error().message(), HasSubstr("there is no other worker"));
+}
+
 }  // namespace
 }  // namespace tilemend

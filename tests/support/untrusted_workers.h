@@ -17,7 +17,9 @@ namespace tilemend {
 
 class UntrustedWorkerTest : public ::testing::Test {
  protected:
-  UntrustedWorkerTest() : cluster_(Options()) { WriteMade(SmallScene(Cut::kClipped), scene_); }
+  explicit UntrustedWorkerTest(const ClusterOptions& options = Options()) : cluster_(options) {
+    WriteMade(SmallScene(Cut::kClipped), scene_);
+  }
 
   static ClusterOptions Options() {
     ClusterOptions options;

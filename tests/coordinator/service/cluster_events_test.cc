@@ -113,10 +113,14 @@ TEST_F(ClusterEventsTest, TellsOfWorkers) {
   events_.WorkerCame(worker, "0.1.0", "node7");
   events_.WorkerLost(worker, kStart + absl::Seconds(31));
   events_.WorkerLeft("v");
+  events_.WorkerSuspected("u", "its result was wrong");
+  events_.WorkerCleared("t");
   events_.WorkerSetAside("u", "its result was wrong");
   EXPECT_THAT(log_.lines,
               ElementsAre("info worker came worker=w threads=4 worker_release=0.1.0 identity=node7\n",
                           "warning worker lost worker=w silent_seconds=31 tasks=1\n", "info worker left worker=v\n",
+                          "warning worker suspected worker=u reason=\"its result was wrong\"\n",
+                          "info worker cleared worker=t\n",
                           "error worker set aside worker=u reason=\"its result was wrong\"\n"));
   ExpectLine("workers_came_total 1");
   ExpectLine("workers_lost_total 1");

@@ -80,10 +80,19 @@ TEST_F(WorkerTrustTest, OneThatIsSetAsideGetsNothing) {
   EXPECT_FALSE(trust_.MayWorkOn("w", "another"));
   EXPECT_EQ(trust_.WhySetAside("w"), "it lied");
   EXPECT_EQ(trust_.set_aside(), 1U);
+  EXPECT_FALSE(trust_.Clear("w"));
+  EXPECT_TRUE(trust_.IsBarred("w", "job"));
   trust_.RemoveWorker("w");
   EXPECT_FALSE(trust_.MayWorkOn("w", "another")) << "it only went silent";
-  trust_.Restore("w");
+}
+
+TEST_F(WorkerTrustTest, OneThatIsSuspectedGetsNothingUntilItIsCleared) {
+  trust_.Suspect("w", "it may have lied");
+  EXPECT_FALSE(trust_.MayWorkOn("w", "another"));
+  EXPECT_EQ(trust_.WhySetAside("w"), "it may have lied");
+  EXPECT_TRUE(trust_.Clear("w"));
   EXPECT_TRUE(trust_.MayWorkOn("w", "another"));
+  EXPECT_FALSE(trust_.Clear("w"));
 }
 
 }  // namespace

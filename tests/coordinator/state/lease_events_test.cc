@@ -101,13 +101,16 @@ TEST_F(LeaseEventsTest, TheTasksOwnErrorSettlesItAtOnce) {
   EXPECT_EQ(Counts("a").failed, 1);
 }
 
+MATCHER_P(WorkerIs, worker, "") { return arg.worker == worker; }
+
 class RefusedResultTest : public StateTest {
  protected:
   // A lease whose result is refused.
-  Effects Refuse(const std::string& worker, const std::string& digest) {
+  Effects Refuse(const std::string& worker, const std::string& digest, int64_t task = 1, bool another = true) {
     See(worker);
-    const uint64_t token = Lease(Key("a", 1), worker);
-    return Do(TaskFailed{Key("a", 1), worker, token, true, true, absl::InternalError("wrong"), now_, digest});
+    const uint64_t token = Lease(Key("a", task), worker);
+    const absl::Status error = absl::InternalError(absl::StrCat(worker, " said ", digest));
+    return Do(TaskFailed{Key("a", task), worker, token, true, another, error, now_, digest});
   }
 };
 
@@ -131,7 +134,88 @@ TEST_F(RefusedResultTest, HasFailedWhenThreeWorkersAreWrong) {
   AddJob("a", 1);
   EXPECT_THAT(Refuse("one", "x").settled, IsEmpty());
   EXPECT_THAT(Refuse("two", "y").settled, IsEmpty());
-  EXPECT_THAT(Refuse("three", "z").settled, SizeIs(1));
+  const Effects effects = Refuse("three", "z");
+  ASSERT_THAT(effects.settled, SizeIs(1));
+  EXPECT_EQ(effects.settled[0].error.message(), "one said x; three said z; two said y");
+  EXPECT_EQ(ErrorReason(effects.settled[0].error), "RESULT_REFUSED");
+  EXPECT_THAT(effects.cleared, ElementsAre("one", "three", "two"));
+}
+
+TEST_F(RefusedResultTest, SuspectsItsWorkerAndConvictsItWhenAnotherDoesTheTaskWell) {
+  AddJob("a", 1);
+  EXPECT_THAT(Refuse("liar", "x").suspected, ElementsAre(WorkerIs("liar")));
+  See("good");
+  const Effects effects = Complete(Key("a", 1), "good", Lease(Key("a", 1), "good"));
+  ASSERT_THAT(effects.convicted, ElementsAre(WorkerIs("liar")));
+  EXPECT_EQ(effects.convicted[0].reason, "liar said x");
+  EXPECT_THAT(effects.cleared, IsEmpty());
+}
+
+TEST_F(RefusedResultTest, ThoseOfASecondWorkerSpeakAgainstTheJob) {
+  AddJob("a", 3);
+  Refuse("one", "x", 1);
+  const Effects second = Refuse("two", "y", 2);
+  EXPECT_THAT(second.suspected, IsEmpty());
+  EXPECT_THAT(second.cleared, ElementsAre("one"));
+  EXPECT_THAT(Refuse("three", "z", 3).suspected, IsEmpty());
+}
+
+TEST_F(RefusedResultTest, TwoLiarsAreBothConvicted) {
+  AddJob("a", 2);
+  Refuse("one", "x", 1);
+  Refuse("two", "y", 2);
+  See("good", 2);
+  EXPECT_THAT(Complete(Key("a", 1), "good", Lease(Key("a", 1), "good")).convicted, ElementsAre(WorkerIs("one")));
+  EXPECT_THAT(Complete(Key("a", 2), "good", Lease(Key("a", 2), "good")).convicted, ElementsAre(WorkerIs("two")));
+}
+
+TEST_F(RefusedResultTest, OneAfterAnotherIsConvicted) {
+  AddJob("a", 2);
+  Refuse("one", "x", 1);
+  See("good");
+  Complete(Key("a", 1), "good", Lease(Key("a", 1), "good"));
+  EXPECT_THAT(Refuse("two", "y", 2).suspected, ElementsAre(WorkerIs("two"))) << "the first one is known to be wrong";
+}
+
+TEST_F(RefusedResultTest, TheOnlyWorkerIsNotTakenAway) {
+  AddJob("a", 1);
+  EXPECT_THAT(Refuse("w", "x", 1, false).suspected, IsEmpty());
+}
+
+TEST_F(RefusedResultTest, HasFailedWhenNobodyElseComes) {
+  AddJob("a", 1);
+  Refuse("w", "x", 1, false);
+  EXPECT_THAT(Abandoned(state_, now_, MayAlways), IsEmpty());
+  now_ += state_.options().wait_for_another;
+  const std::vector<Event> events = Abandoned(state_, now_, MayAlways);
+  ASSERT_THAT(events, SizeIs(1));
+  const Effects effects = Do(events[0]);
+  ASSERT_THAT(effects.settled, SizeIs(1));
+  EXPECT_EQ(effects.settled[0].state, TaskState::kFailed);
+  EXPECT_EQ(effects.settled[0].error.message(), "w said x; there is no other worker to try it");
+  EXPECT_EQ(ErrorReason(effects.settled[0].error), "RESULT_REFUSED");
+  EXPECT_EQ(Counts("a").pending, 0);
+  EXPECT_EQ(Counts("a").failed, 1);
+  EXPECT_THAT(Abandoned(state_, now_, MayAlways), IsEmpty());
+  EXPECT_TRUE(absl::IsInvalidArgument(state_.Apply(events[0]).status()));
+}
+
+TEST_F(RefusedResultTest, WaitsForAnotherThatIsThere) {
+  AddJob("a", 1);
+  Refuse("w", "x");
+  now_ += absl::Hours(1);
+  See("busy");
+  EXPECT_THAT(Abandoned(state_, now_, MayAlways), IsEmpty());
+  const auto may = [](const std::string& worker, const std::string&) { return worker != "busy"; };
+  EXPECT_THAT(Abandoned(state_, now_, may), SizeIs(1));
+  See("busy", 1, true);
+  EXPECT_THAT(Abandoned(state_, now_, MayAlways), SizeIs(1)) << "it is about to leave";
+}
+
+TEST_F(RefusedResultTest, AJobThatEndsClearsWhomItSuspected) {
+  AddJob("a", 1);
+  Refuse("w", "x");
+  EXPECT_THAT(Do(JobCancelled{"a", now_}).cleared, ElementsAre("w"));
 }
 
 TEST_F(LeaseEventsTest, OneWorkerThatIsLostAgainAndAgainCountsOnce) {

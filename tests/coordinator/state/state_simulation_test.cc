@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 
 #include "absl/strings/numbers.h"
@@ -31,7 +32,7 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
   const int64_t seeds = NumberFrom("TILEMEND_SEEDS", 2000), first = NumberFrom("TILEMEND_FIRST_SEED", 0);
   const auto start = std::chrono::steady_clock::now();
   Tally sum;
-  int64_t jobs = 0, done = 0, partial = 0, cancelled = 0;
+  int64_t jobs = 0, done = 0, partial = 0, cancelled = 0, convicted = 0;
   for (int64_t seed = first; seed < first + seeds; ++seed) {
     const auto number = static_cast<uint64_t>(seed);
     const HistoryResult result = RunHistory(number, FaultsOf(number));
@@ -41,16 +42,18 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
     const Tally& t = result.tally;
     sum.events += t.events, sum.crashes += t.crashes, sum.refused_late += t.refused_late, sum.struck += t.struck;
     sum.quarantined += t.quarantined, sum.failed += t.failed, sum.doubled += t.doubled, sum.committed += t.committed;
+    sum.suspected += t.suspected, sum.cleared += t.cleared, convicted += std::ssize(result.convicted);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf(
       "%ld histories, %ld events, %.1f s; %ld jobs: %ld done, %ld partial, %ld cancelled; %ld tasks committed, "
-      "%ld failed, %ld quarantined, %ld late results refused, %ld strikes, %ld second attempts, %ld coordinators "
-      "ended: 0 invariants broken\n",
+      "%ld failed, %ld quarantined, %ld late results refused, %ld strikes, %ld second attempts, %ld workers suspected, "
+      "%ld cleared, %ld set aside, %ld coordinators ended: 0 invariants broken\n",
       seeds, sum.events, seconds, jobs, done, partial, cancelled, sum.committed, sum.failed, sum.quarantined,
-      sum.refused_late, sum.struck, sum.doubled, sum.crashes);
+      sum.refused_late, sum.struck, sum.doubled, sum.suspected, sum.cleared, convicted, sum.crashes);
   if (seeds < 1000) return;
-  for (const int64_t seen : {done, partial, cancelled, sum.refused_late, sum.struck, sum.quarantined, sum.doubled}) {
+  for (const int64_t seen : {done, partial, cancelled, sum.refused_late, sum.struck, sum.quarantined, sum.doubled,
+                             sum.suspected, sum.cleared, convicted}) {
     EXPECT_GT(seen, 0) << "the histories are too calm";
   }
 }
@@ -103,6 +106,31 @@ TEST(StateSimulationTest, ATaskThatKillsWorkersTakesNoOtherWithIt) {
     ExpectSound(result);
     EXPECT_EQ(result.tally.quarantined, result.partial) << seed;
     EXPECT_EQ(result.tally.failed, 0) << seed;
+  }
+}
+
+TEST(StateSimulationTest, ALiarIsSetAsideAndNobodyElseIs) {
+  int convicted = 0;
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    Faults faults;
+    faults.liar = true;
+    const HistoryResult result = RunHistory(seed, faults);
+    ExpectSound(result);
+    convicted += result.convicted.empty() ? 0 : 1;
+  }
+  EXPECT_GT(convicted, 400);  // in some it comes too late for a task
+}
+
+TEST(StateSimulationTest, AJobWhoseResultsAreAllWrongIsPartialAndCostsNoOtherAWorker) {
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    Faults faults;
+    faults.poison = true;
+    faults.crash = seed % 2 == 0 ? 5 : 0;
+    const HistoryResult result = RunHistory(seed, faults);
+    ExpectSound(result);
+    EXPECT_EQ(result.partial, 1) << seed;
+    EXPECT_EQ(result.done, result.jobs - 1) << seed;
+    EXPECT_TRUE(result.convicted.empty()) << seed;
   }
 }
 

@@ -70,6 +70,7 @@ void Coordinator::Crash() {
   entries_.clear();
   sequences_.clear();
   set_aside_.clear();
+  suspected_.clear();
   valid_.clear();
   world_.After(world_.random.Time(100, 3000), [this] { Boot(); });
 }
@@ -80,6 +81,10 @@ void Coordinator::Tick() {
       if (const auto* lost = std::get_if<WorkerLost>(&event)) sequences_.erase(lost->worker);
       Apply(event);
     }
+  }
+  const auto may = [this](const std::string& worker, const std::string&) { return MayWork(worker); };
+  for (const Event& event : Abandoned(*state_, world_.now(), may)) {
+    Require(Apply(event).has_value(), "a task cannot be abandoned");
   }
   CheckState();
   const int process = process_;
@@ -124,7 +129,27 @@ std::optional<Effects> Coordinator::Apply(const Event& event) {
       if (process_ == process) Deliver(task, output);
     });
   }
+  TakeVerdicts(*effects);
   return *effects;
+}
+
+void Coordinator::TakeVerdicts(const Effects& effects) {
+  for (const auto& [worker, reason] : effects.convicted) {
+    set_aside_.insert(worker);
+    convicted_.insert(worker);
+    suspected_.erase(worker);
+    store_.PutSetAside({worker, reason});
+  }
+  for (const auto& [worker, reason] : effects.suspected) {
+    ++tally_.suspected;
+    Require(MayWork(worker) && suspected_.insert(worker).second, "a worker that was set aside got a task");
+  }
+  for (const std::string& worker : effects.cleared) tally_.cleared += static_cast<int64_t>(suspected_.erase(worker));
+  for (const auto* blamed : {&effects.convicted, &effects.suspected}) {
+    for (const auto& [worker, reason] : *blamed) {
+      if (state_->FindWorker(worker) != nullptr) Apply(WorkerLeft{worker});
+    }
+  }
 }
 
 void Coordinator::Deliver(const SettledTask& task, const std::string& output) {
@@ -269,14 +294,14 @@ Response Coordinator::Sync(const Request& request) {
 
 Event Coordinator::EventOf(const std::string& worker, const Report& report, const Task* task) {
   const auto& [key, token] = report.attempt;
+  const auto may = [this](const std::string& w, const std::string&) { return MayWork(w); };
+  const bool another = task != nullptr && HasAnother(*state_, worker, *state_->FindJob(key.job), *task, may);
   if (report.output.empty()) {
-    const auto may = [this](const std::string& w, const std::string&) { return MayWork(w); };
-    const bool another = task != nullptr && HasAnother(*state_, worker, *state_->FindJob(key.job), *task, may);
     return TaskFailed{key, worker, token, true, another, absl::UnavailableError("disk"), world_.now()};
   }
   const bool is_held = task != nullptr && FindLease(*task, worker, token) != nullptr;
   if (is_held && report.output != Mix(task->input)) {
-    return TaskFailed{key, worker, token, true, false, absl::InternalError("wrong"), world_.now(), report.output};
+    return TaskFailed{key, worker, token, true, another, absl::InternalError("wrong"), world_.now(), report.output};
   }
   return TaskCompleted{key, worker, token, report.output, world_.now()};
 }
@@ -290,12 +315,6 @@ void Coordinator::TakeReport(const std::string& worker, const Report& report) {
   Require(is_valid || !has_effect, "the result of an attempt that was given up has been taken");
   Require(!is_valid || effects.has_value(), "the result of an attempt that was not given up has been refused");
   tally_.refused_late += !effects ? 1 : 0;
-  const auto* failed = std::get_if<TaskFailed>(&event);
-  if (failed == nullptr || failed->refused.empty() || !effects) return;
-  if (!effects->settled.empty()) return;
-  Require(set_aside_.insert(worker).second, "a worker that was set aside got a task");
-  store_.PutSetAside({worker, "lied"});
-  Apply(WorkerLeft{worker});
 }
 
 bool Coordinator::IsValid(const Attempt& attempt, const std::string& worker) const {
@@ -338,8 +357,11 @@ void Coordinator::CheckState() {
     Require(c.added == c.pending + c.leased + c.settled(), "a task was lost");
     Require(static_cast<size_t>(c.pending) == job.pending.size(), "the pending tasks are not those counted");
     int64_t leased = 0;
-    size_t alone = 0;
+    size_t alone = 0, doubted = 0;
+    std::map<std::string, int64_t> refusals;
     for (const auto& [number, task] : job.tasks) {
+      doubted += task.refused.empty() ? 0 : 1;
+      for (const auto& [worker, refusal] : task.refused) ++refusals[worker];
       leased += task.leases.empty() ? 0 : 1;
       alone += task.leases.size() == 1 ? 1 : 0;
       leases += task.leases.size();
@@ -349,6 +371,7 @@ void Coordinator::CheckState() {
         Require(worker != nullptr && worker->held.contains({id, number}), "a lease whose holder does not know of it");
       }
     }
+    Require(doubted == job.doubted.size() && refusals == job.refusals, "the refusals are not those counted");
     Require(leased == c.leased && alone == job.alone.size(), "the leased tasks are not those counted");
   }
   Require(leases == valid_.size(), "other attempts are valid than were given out");

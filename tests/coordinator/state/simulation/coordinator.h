@@ -56,7 +56,7 @@ struct Told {
 // What happened, over all processes.
 struct Tally {
   int64_t events = 0, crashes = 0, refused_late = 0, struck = 0, quarantined = 0, failed = 0, doubled = 0,
-          committed = 0;
+          committed = 0, suspected = 0, cleared = 0;
   uint64_t trace = 0;  // of all events, in their order
 };
 
@@ -79,7 +79,11 @@ class Coordinator {
   void OnGet(const std::string& name, const std::function<void(Told)>& answer);
 
   void CheckState();
+  // When all jobs are over.
+  void CheckEnd() { Require(suspected_.empty(), "a worker waits for the verdict on a job that is over"); }
   const Tally& tally() const { return tally_; }
+  // Workers that were set aside, over all processes.
+  const std::set<std::string>& convicted() const { return convicted_; }
 
  private:
   struct Entry {
@@ -109,7 +113,8 @@ class Coordinator {
     if (!condition) broken_.push_back(what);
   }
   void Trace(const Event& event);
-  bool MayWork(const std::string& worker) const { return !set_aside_.contains(worker); }
+  bool MayWork(const std::string& worker) const { return !set_aside_.contains(worker) && !suspected_.contains(worker); }
+  void TakeVerdicts(const Effects& effects);
 
   World& world_;
   Store& store_;
@@ -122,7 +127,8 @@ class Coordinator {
   std::optional<Patience> patience_;
   std::map<std::string, Entry> entries_;
   std::map<std::string, uint64_t> sequences_;
-  std::set<std::string> set_aside_;
+  std::set<std::string> set_aside_, suspected_;
+  std::set<std::string> convicted_;
   std::map<uint64_t, std::pair<TaskKey, std::string>> valid_;
   std::deque<std::pair<uint64_t, std::function<void()>>> waiting_;
   bool is_committing_ = false;

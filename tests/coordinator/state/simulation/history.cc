@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "tests/coordinator/state/simulation/worker.h"
 
@@ -61,7 +62,8 @@ class Client {
 
 class History {
  public:
-  History(uint64_t seed, const Faults& faults) : world_(seed, faults), coordinator_(world_, store_, result_.broken) {
+  History(uint64_t seed, const Faults& faults)
+      : has_liar_(faults.liar), world_(seed, faults), coordinator_(world_, store_, result_.broken) {
     const auto kind = [](bool is_so, Worker::Kind bad) { return is_so ? bad : Worker::Kind::kGood; };
     const Worker::Kind kinds[] = {kind(faults.liar, Worker::Kind::kLiar),
                                   kind(faults.full_disk, Worker::Kind::kFullDisk),
@@ -77,7 +79,7 @@ class History {
   }
 
   HistoryResult Run() {
-    const bool has_killer = world_.faults.killer;
+    const bool has_killer = world_.faults.killer, has_poison = world_.faults.poison;
     coordinator_.Boot();
     for (const auto& worker : workers_) world_.After(world_.random.Time(0, 2000), [&w = *worker] { w.Boot(); });
     for (const auto& client : clients_) world_.After(world_.random.Time(0, 3000), [&c = *client] { c.Submit(); });
@@ -86,7 +88,8 @@ class History {
     world_.After(absl::Seconds(1), [this] { Disturb(); });
     RunUntil(start + kFaulty, false);
     world_.faults = {};
-    world_.faults.killer = has_killer;  // that is in the data
+    world_.faults.killer = has_killer;  // these are in the data
+    world_.faults.poison = has_poison;
     for (const auto& worker : workers_) worker->Heal();
     RunUntil(start + kFaulty + kLimit, true);
     Judge();
@@ -121,6 +124,11 @@ class History {
   void Judge() {
     std::vector<std::string>& broken = result_.broken;
     result_.tally = coordinator_.tally();
+    result_.convicted = coordinator_.convicted();
+    for (const std::string& worker : result_.convicted) {
+      if (!has_liar_ || !absl::StartsWith(worker, "w0.")) broken.push_back(worker + " was set aside, but is honest");
+    }
+    coordinator_.CheckEnd();
     if (store_.committed_twice() > 0) broken.push_back("a task was committed twice");
     if (store_.revived() > 0) broken.push_back("a job that was over went on");
     for (const auto& client : clients_) {
@@ -138,6 +146,7 @@ class History {
   }
 
   HistoryResult result_;
+  const bool has_liar_;
   World world_;
   Store store_;
   Coordinator coordinator_;
@@ -167,6 +176,7 @@ Faults FaultsOf(uint64_t seed) {
   faults.killer = random.Chance(20);
   faults.cancel = random.Chance(15);
   faults.drain = random.Chance(20);
+  faults.poison = random.Chance(20);
   return faults;
 }
 

@@ -3,6 +3,7 @@
 #define TILEMEND_TESTS_COORDINATOR_STATE_SIMULATION_HISTORY_H_
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct HistoryResult {
   std::vector<std::string> broken;  // what must never be
   Tally tally;
   int jobs = 0, done = 0, partial = 0, cancelled = 0;
+  std::set<std::string> convicted;  // workers that were set aside
 };
 
 // Each fault in some histories and not in others.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "coordinator/state/event.h"
 #include "tests/coordinator/state/simulation/world.h"
@@ -15,6 +16,11 @@ namespace tilemend::simulation {
 
 // The task that takes its worker down, if the history has one.
 inline bool IsKiller(CellId cell, Stage stage) { return cell == CellId{0, 0} && stage == Stage::kFill; }
+
+// The tasks of which every result is wrong, if the history has them.
+inline bool IsPoison(const std::string& job, Stage stage) {
+  return absl::StartsWith(job, "j0") && stage == Stage::kFill;
+}
 
 class Pipeline {
  public:

@@ -80,6 +80,10 @@ void Worker::Finish(uint64_t token) {
     Report& report = finished_[token];
     report.attempt = held.given.attempt;
     report.output = kind_ == Kind::kLiar ? "lie" : Mix(held.given.input);
+    const std::string& job = held.given.attempt.key.job;
+    if (world_.faults.poison && IsPoison(job, held.given.stage)) {
+      report.output = job.back() % 2 == 0 ? "poison" : absl::StrCat("poison of ", id_);
+    }
     if (kind_ == Kind::kFullDisk || world_.random.Chance(world_.faults.trouble)) report.output.clear();
   }
   Sync();  // the call that waits is given up

@@ -50,6 +50,7 @@ struct Faults {
   int trouble = 0;                                     // of a task: a machine error
   bool liar = false, full_disk = false, slow = false;  // one of the workers is
   bool killer = false;                                 // one task takes its worker down
+  bool poison = false;                                 // whoever does tasks of one job, its results are wrong
   bool cancel = false;                                 // the client cancels a job
   bool drain = false;                                  // workers leave in good order and come back
 };
