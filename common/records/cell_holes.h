@@ -51,10 +51,11 @@ struct CellHole {
   int32_t id = 0;     // in the plan
   bool open = false;  // reaches the cell's grid boundary: filled as heights over the plane
   std::vector<RimSegment> segments = {};
-  std::optional<double> tension = {};  // that of its cluster, where it has been chosen
-  std::optional<double> level = {};    // water: the height of every new vertex, metres, on the lattice
-  WaterSurface river = {};             // with stations: water whose heights are LevelAt these; level is set too
-  bool own_outline = false;            // it ends at the tile's own outline: no other tile shares its seams
+  std::vector<RimSegment> inner_edges = {};  // edges that the patch has inside its boundary; in any direction
+  std::optional<double> tension = {};        // that of its cluster, where it has been chosen
+  std::optional<double> level = {};          // water: the height of every new vertex, metres, on the lattice
+  WaterSurface river = {};                   // with stations: water whose heights are LevelAt these; level is set too
+  bool own_outline = false;                  // it ends at the tile's own outline: no other tile shares its seams
 };
 
 struct CellHoles {

@@ -225,6 +225,10 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
     h->set_own_outline(hole.own_outline);
+    for (const RimSegment& s : hole.inner_edges) {
+      h->add_inner_from(s.from);
+      h->add_inner_to(s.to);
+    }
     for (const RimSegment& s : hole.segments) {
       h->add_from(s.from);
       h->add_to(s.to);
@@ -235,6 +239,20 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     *proto.mutable_band() = EncodeMesh(holes.band.points, holes.band.triangles, kFinestStep);
   }
   return proto;
+}
+
+absl::Status ReadEdges(const v1::HoleBoundary& h, int64_t vertices, CellHole& hole) {
+  if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 ||
+      !AllBelow(h.from(), vertices) || !AllBelow(h.to(), vertices)) {
+    return Malformed("hole boundary");
+  }
+  for (int i = 0; i < h.from_size(); ++i) hole.segments.push_back({h.from(i), h.to(i), h.seam(i)});
+  if (h.inner_to_size() != h.inner_from_size() || !AllBelow(h.inner_from(), vertices) ||
+      !AllBelow(h.inner_to(), vertices)) {
+    return Malformed("edges inside a hole");
+  }
+  for (int i = 0; i < h.inner_from_size(); ++i) hole.inner_edges.push_back({h.inner_from(i), h.inner_to(i), true});
+  return absl::OkStatus();
 }
 
 absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
@@ -263,11 +281,7 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
       if (!hole.river.stations.back().allFinite()) return Malformed("river stations");
     }
     hole.own_outline = h.own_outline();
-    if (h.to_size() != h.from_size() || h.seam_size() != h.from_size() || h.from_size() == 0 ||
-        !AllBelow(h.from(), n) || !AllBelow(h.to(), n)) {
-      return Malformed("hole boundary");
-    }
-    for (int i = 0; i < h.from_size(); ++i) hole.segments.push_back({h.from(i), h.to(i), h.seam(i)});
+    TILEMEND_RETURN_IF_ERROR(ReadEdges(h, n, hole));
     holes.holes.push_back(std::move(hole));
   }
   if (proto.has_band()) {

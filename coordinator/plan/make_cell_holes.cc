@@ -35,6 +35,7 @@ class CellHolesBuilder {
           AddHole(h, region);
           result_.holes.back().own_outline = true;
         }
+        AddInnerEdges(plan_.holes[h]);
       }
     }
     if (with_band) {
@@ -165,6 +166,15 @@ class CellHolesBuilder {
       SetSeamVertex(result_.vertices[to], planned.cluster, s.to);
     }
     result_.holes.push_back(std::move(hole));
+  }
+
+  void AddInnerEdges(const PlannedHole& planned) {
+    for (const RimSegment& s : planned.inner_edges) {
+      const int32_t from = Vertex(s.from, planned.cluster), to = Vertex(s.to, planned.cluster);
+      SetSeamVertex(result_.vertices[from], planned.cluster, s.from);
+      SetSeamVertex(result_.vertices[to], planned.cluster, s.to);
+      result_.holes.back().inner_edges.push_back({from, to, true});
+    }
   }
 
   // An original vertex at which seams of several clusters end keeps the Laplacian of the first.

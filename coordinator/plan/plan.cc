@@ -13,6 +13,7 @@
 #include "coordinator/plan/overlap/area_outside.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
+#include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
@@ -210,6 +211,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (!options.cancelled()) MarkObjects(input, plan);
   if (!options.cancelled()) FindWater(input, options.water, plan);
   if (!options.cancelled()) LayWallFeet(plan);
+  if (borders.independent && !options.cancelled()) LayStripEdges(lines, plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   return plan;

@@ -70,6 +70,29 @@ inline CellHoles WorkOfSheet(const std::function<bool(double u, double v)>& hole
   return WorkOf(mesh, false, [&](const Point3& a, const Point3& b) { return inside(a) || inside(b); });
 }
 
+// Gives the first hole an edge inside, between two new vertices that lie on a seam.
+inline void AddInnerEdge(const Point3& a, const Point3& b, CellHoles& work) {
+  const auto before = static_cast<int32_t>(work.vertices.size());
+  for (const Point3& p : {a, b}) {
+    RimVertex v;
+    v.position = p;
+    v.size = 1;
+    work.band.points.insert(work.band.points.begin() + std::ssize(work.vertices), p);
+    work.vertices.push_back(v);
+  }
+  for (Triangle& t : work.band.triangles) {
+    for (int32_t& v : t) v += v < before ? 0 : 2;
+  }
+  work.holes[0].inner_edges.push_back({before, before + 1, true});
+}
+
+// How many triangles of a patch have the edge between two vertices.
+inline int64_t TrianglesAt(int32_t a, int32_t b, const std::vector<Triangle>& triangles) {
+  return std::count_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return std::count(t.begin(), t.end(), a) == 1 && std::count(t.begin(), t.end(), b) == 1;
+  });
+}
+
 // Rolls a sheet (u, v, 0) round a tank along x, from its top at v = `top`.
 inline std::function<Point3(const Point3&)> RollRoundTank(double radius, double top = 5) {
   return [=](const Point3& p) {

@@ -89,6 +89,7 @@ struct PlannedHole {
   // Where tiles end at outlines of their own: what bounds the parts that are filled, each up to such an outline. None:
   // `segments` does.
   std::vector<std::vector<RimSegment>> own_regions;
+  std::vector<RimSegment> inner_edges = {};  // of what is filled, between new vertices inside it (strip_edges.h)
 };
 
 // A vertex of a hole boundary: a vertex of one or more tiles, or a new one on a seam.

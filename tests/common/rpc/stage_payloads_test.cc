@@ -69,8 +69,9 @@ CellHoles SomeHoles() {
     holes.vertices.push_back(v);
     holes.band.points.push_back(v.position);
   }
-  holes.holes = {{7, true, {{0, 1, false}, {1, 2, true}, {2, 0, true}}, 0.1},
-                 {9, false, {{3, 2, false}}, std::nullopt, 12.25}};
+  holes.holes = {{.id = 7, .open = true, .segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}}, .tension = 0.1},
+                 {.id = 9, .segments = {{3, 2, false}}, .level = 12.25}};
+  holes.holes[0].inner_edges = {{2, 3, true}, {3, 1, true}};
   holes.band.points.emplace_back(-1, -1, -1);
   holes.band.triangles = {{0, 1, 4}, {2, 3, 4}};
   return holes;
@@ -159,6 +160,10 @@ TEST(StagePayloadsTest, CellHolesComeBackBitForBit) {
   ASSERT_EQ(back->holes[0].segments.size(), 3U);
   EXPECT_EQ(back->holes[0].segments[2].to, 0);
   EXPECT_TRUE(back->holes[0].segments[2].seam);
+  ASSERT_EQ(back->holes[0].inner_edges.size(), 2U);
+  EXPECT_EQ(back->holes[0].inner_edges[1].from, 3);
+  EXPECT_EQ(back->holes[0].inner_edges[1].to, 1);
+  EXPECT_TRUE(back->holes[1].inner_edges.empty());
   EXPECT_EQ(back->holes[0].tension, 0.1);
   EXPECT_EQ(back->holes[1].tension, std::nullopt);
   EXPECT_EQ(back->band.triangles, holes.band.triangles);
@@ -276,7 +281,7 @@ TEST(StagePayloadsTest, PointsBeyondAllNumbersAreRefused) {
 }
 
 TEST(StagePayloadsTest, TruncatedSegmentsAreRefused) {
-  for (const char* column : {"from", "to", "seam"}) {
+  for (const char* column : {"from", "to", "seam", "inner_from", "inner_to"}) {
     v1::CellHolesBlob proto = ToProto(SomeHoles());
     v1::HoleBoundary* hole = proto.mutable_holes(0);
     v1::HoleBoundary::GetReflection()->RemoveLast(hole, v1::HoleBoundary::GetDescriptor()->FindFieldByName(column));
@@ -303,6 +308,9 @@ TEST(StagePayloadsTest, IndicesOutOfRangeAreRefused) {
   for (const int32_t bad : {-1, 4}) {
     v1::CellHolesBlob holes = ToProto(SomeHoles());
     holes.mutable_holes(0)->set_to(0, bad);
+    EXPECT_FALSE(FromProto(holes).ok()) << bad;
+    holes = ToProto(SomeHoles());
+    holes.mutable_holes(0)->set_inner_from(1, bad);
     EXPECT_FALSE(FromProto(holes).ok()) << bad;
   }
   for (const int64_t bad : {int64_t{-1}, int64_t{4}, int64_t{1} << 40}) {

@@ -72,7 +72,8 @@ Vector3d LocalHole::VectorArea() const {
   return sum / 2;
 }
 
-LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<const RimSegment> segments) {
+LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<const RimSegment> segments,
+                         std::span<const RimSegment> inner_edges) {
   LocalHole hole;
   hole.cell = &cell;
   hole.band = &band;
@@ -91,6 +92,11 @@ LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<
     hole.segments.push_back({from, to});
     if (s.seam) hole.has_equation[from] = hole.has_equation[to] = false;
   }
+  for (const RimSegment& s : inner_edges) {
+    const int32_t from = local(s.from), to = local(s.to);
+    hole.inner_edges.insert(hole.inner_edges.end(), {{from, to}, {to, from}});
+    hole.has_equation[from] = hole.has_equation[to] = false;
+  }
   FindBoundary(hole);
   FindSizes(hole);
   if (std::any_of(hole.vertices.begin(), hole.vertices.end(), [&](int32_t v) { return cell.vertices[v].on_object; })) {
@@ -103,7 +109,7 @@ LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<
 }
 
 LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellHole& hole) {
-  LocalHole local = NumberVertices(cell, band, hole.segments);
+  LocalHole local = NumberVertices(cell, band, hole.segments, hole.inner_edges);
   local.open = hole.open;
   local.tension = hole.tension;
   local.level = hole.level;

@@ -43,6 +43,8 @@ struct LocalHole {
   std::vector<VertexPair> boundary;     // the same, sorted, as edges
   std::vector<RimLoop> loops;           // the outer one first; none if the segments do not form loops
 
+  std::vector<RegionSegment> inner_edges;  // CellHole::inner_edges, each in both directions
+
   int32_t size() const { return static_cast<int32_t>(vertices.size()); }
 
   // Whether a new edge may join two vertices: the surface or the boundary may have it already.
@@ -54,9 +56,10 @@ struct LocalHole {
   Eigen::Vector3d VectorArea() const;
 };
 
-// Numbers the vertices of segments in order of appearance. Without loops and normals; vertices at seams have no
-// equation.
-LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<const RimSegment> segments);
+// Numbers the vertices of segments in order of appearance, then those of inner edges. Without loops and normals;
+// vertices at seams and inside have no equation.
+LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<const RimSegment> segments,
+                         std::span<const RimSegment> inner_edges = {});
 
 // The hole; a closed one with its loops and normals (an open one is filled over the plane, which takes neither).
 // O(n log n).

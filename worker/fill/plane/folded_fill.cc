@@ -162,18 +162,23 @@ class FoldedFiller {
                      RoundedToLattice(p, hole_.cell->lattice_step));
   }
 
+  LocalHole WithoutVertices() const {
+    LocalHole like;
+    like.cell = hole_.cell;
+    like.band = hole_.band;
+    like.open = hole_.open;
+    like.tension = hole_.tension;
+    like.level = hole_.level;
+    like.river = hole_.river;
+    like.own_outline = hole_.own_outline;
+    return like;
+  }
+
   HolePart RegionPart() const {
     std::set<int32_t> at_fold;
     for (const std::vector<int32_t>& loop : loops_) at_fold.insert(loop.begin(), loop.end());
-    HolePart part;
+    HolePart part{WithoutVertices(), {}};
     LocalHole& local = part.hole;
-    local.cell = hole_.cell;
-    local.band = hole_.band;
-    local.open = hole_.open;
-    local.tension = hole_.tension;
-    local.level = hole_.level;
-    local.river = hole_.river;
-    local.own_outline = hole_.own_outline;
     std::vector<int32_t> number(whole_.vertices.size(), -1);
     const auto take = [&](int32_t v) {
       if (number[v] >= 0) return number[v];
@@ -196,7 +201,24 @@ class FoldedFiller {
       local.boundary.push_back(Undirected(from, to));
     }
     std::sort(local.boundary.begin(), local.boundary.end());
+    for (const RegionSegment& s : hole_.inner_edges) {
+      if (!IsInRegion(s)) continue;
+      const int32_t from = take(s.from), to = take(s.to);
+      local.inner_edges.push_back({from, to});
+    }
     return part;
+  }
+
+  // Whether a way from the edge to the far east leaves the region an odd number of times. The edge may end on its
+  // boundary.
+  bool IsInRegion(const RegionSegment& edge) const {
+    const auto at = [&](int32_t v) -> Point2 { return frame_.ToFrame(whole_.positions[v]).head<2>(); };
+    const Point2 p = (at(edge.from) + at(edge.to)) / 2;
+    const auto crossed = std::count_if(segments_.begin(), segments_.end(), [&](const RegionSegment& s) {
+      const Point2 a = at(s.from), b = at(s.to);
+      return (a.y() > p.y()) != (b.y() > p.y()) && a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) > p.x();
+    });
+    return crossed % 2 == 1;
   }
 
   // Edges of the patch that the walls may not have again are collected as it grows.

@@ -26,13 +26,14 @@ class PlaneFiller {
  public:
   PlaneFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options,
               const PlaneFillOptions& plane_options)
-      : hole_(hole), frame_(frame), options_(options), plane_options_(plane_options) {
+      : hole_(hole), frame_(frame), options_(options), plane_options_(plane_options), fixed_edges_(hole.segments) {
     std::vector<Point2> flat;
     for (const Point3& p : hole.positions) {
       rim_.push_back(frame.ToFrame(p));
       flat.push_back(rim_.back().head<2>());
     }
     planar_.emplace(RoundToWindow(flat, hole.sizes));
+    fixed_edges_.insert(fixed_edges_.end(), hole.inner_edges.begin(), hole.inner_edges.end());
   }
 
   LocalPatch Run() {
@@ -54,7 +55,7 @@ class PlaneFiller {
  private:
   FillFailure Triangulate(RefinedRegion& region) {
     std::vector<LatticePoint>& points = planar_->points;
-    region = RefineRegion(points, hole_.segments, planar_->sizes, options_.refine);
+    region = RefineRegion(points, fixed_edges_, planar_->sizes, options_.refine);
     if (options_.refine.cancelled()) return FillFailure::kNotApplicable;
     if (!region.triangulation.conflicts.empty()) {
       return hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane;
@@ -69,7 +70,7 @@ class PlaneFiller {
           [&](const Point2& p) {
             return std::array<Point2, 2>{ToNumberType(RoundedToLattice(p, Step())), ToNumberType(p)};
           },
-          points, hole_.segments, region);
+          points, fixed_edges_, region);
     }
     return FillFailure::kNone;
   }
@@ -101,7 +102,7 @@ class PlaneFiller {
       for (const auto& [a, b] : repeated) {
         region.new_points.push_back({(points[a].x + points[b].x) / 2, (points[a].y + points[b].y) / 2});
       }
-      KeepNewPoints(std::vector<bool>(region.new_points.size(), true), points, hole_.segments, region);
+      KeepNewPoints(std::vector<bool>(region.new_points.size(), true), points, fixed_edges_, region);
     }
   }
 
@@ -125,7 +126,7 @@ class PlaneFiller {
   void ImproveShapes(PlanePatch& patch) {
     const auto flip = [&] {
       patch.triangles =
-          FlipForShape(patch.triangles, planar_->points, patch.points, hole_.segments, [&](int32_t a, int32_t b) {
+          FlipForShape(patch.triangles, planar_->points, patch.points, fixed_edges_, [&](int32_t a, int32_t b) {
             const bool both_on_rim = a < hole_.size() && b < hole_.size();
             return !both_on_rim || hole_.MayJoin(a, b);
           });
@@ -173,8 +174,9 @@ class PlaneFiller {
   const ProjectionFrame& frame_;
   const FillOptions& options_;
   const PlaneFillOptions& plane_options_;
-  std::vector<Point3> rim_;             // in the frame
-  std::optional<PlanarPoints> planar_;  // the rim's, then the new points
+  std::vector<RegionSegment> fixed_edges_;  // segments and inner edges
+  std::vector<Point3> rim_;                 // in the frame
+  std::optional<PlanarPoints> planar_;      // the rim's, then the new points
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -26,6 +27,23 @@ TEST_P(PlaneFillTest, GoesOnWithASlope) {
   ASSERT_FALSE(patch.new_points.empty());
   for (const Point3& p : patch.new_points) EXPECT_NEAR(p.z(), Slope(p.x(), p.y()), 2 * work.lattice_step);
   ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
+}
+
+TEST_P(PlaneFillTest, PassesThroughEdgesInside) {
+  CellHoles work = WorkOfSheet(
+      Disc(2, 5, 4), [](const Point3& p) { return p; }, 0);
+  AddInnerEdge({1, 5.25, 0.5}, {3.5, 5.25, 0.5}, work);
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  LocalPatch patch = FillOverPlane(hole, ProjectionFrame::Upright(), With(GetParam()), {});
+  ASSERT_TRUE(patch.ok());
+  double highest = 0;
+  for (const Point3& p : patch.new_points) highest = std::max(highest, p.z());
+  EXPECT_GT(highest, 0.2) << "the surface around rises to it";
+  const HolePatch filled = ToHolePatch(hole, std::move(patch));
+  const RimSegment edge = work.holes[0].inner_edges[0];
+  EXPECT_EQ(TrianglesAt(edge.from, edge.to, filled.triangles), 2);
+  ExpectClosesHole(work, work.holes[0], filled);
 }
 
 TEST_P(PlaneFillTest, FillsAWallOverItsPlane) {

@@ -1,0 +1,311 @@
+#include "coordinator/plan/overlap/strip_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/rounding.h"
+#include "common/mesh/segment_distance.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kClearance = 0.125;  // of its size: a new vertex is not nearer to the rim
+constexpr double kLeastRoom = 0.02;   // likewise: to others on the same line, where a rim crosses it
+constexpr double kLeastSteps = 4;     // of the lattice: lines nearer to each other count as one
+constexpr uint8_t kCornerLines = 3;
+
+// A way along an axis.
+struct Way {
+  int axis;
+  Point2 from, to;
+};
+
+bool Cross(const Way& way, const Point2& a, const Point2& b) {
+  const int across = 1 - way.axis;
+  const double da = a[across] - way.from[across], db = b[across] - way.from[across];
+  if (da * db >= 0) return false;
+  const double at = a[way.axis] + da / (da - db) * (b[way.axis] - a[way.axis]);
+  const auto [low, high] = std::minmax(way.from[way.axis], way.to[way.axis]);
+  return at >= low && at <= high;
+}
+
+// The rims of each cell's holes where they stand on no object.
+class RimCrossings {
+ public:
+  explicit RimCrossings(const Plan& plan) {
+    for (const PlannedHole& hole : plan.holes) {
+      for (const std::vector<RimSegment>& region : hole.own_regions) {
+        for (const RimSegment& s : region) {
+          const PlanVertex &a = plan.vertices[s.from], &b = plan.vertices[s.to];
+          if (!s.seam && !a.on_object && !b.on_object) rims_[hole.cell].emplace_back(a.position, b.position);
+        }
+      }
+    }
+  }
+
+  // Where they cross the line on which `axis` has this value, or end there.
+  const std::vector<Point3>& Find(CellId cell, int axis, double line) {
+    const auto [it, fresh] = found_.try_emplace({cell, axis, line});
+    if (fresh) it->second = Search(cell, axis, line);
+    return it->second;
+  }
+
+ private:
+  std::vector<Point3> Search(CellId cell, int axis, double line) const {
+    std::vector<Point3> found;
+    const auto it = rims_.find(cell);
+    if (it == rims_.end()) return found;
+    for (const auto& [a, b] : it->second) {
+      const double da = a[axis] - line, db = b[axis] - line;
+      const bool a_on = std::abs(da) < kOnLine, b_on = std::abs(db) < kOnLine;
+      if (a_on != b_on) found.push_back(a_on ? a : b);
+      if (!a_on && !b_on && da * db < 0) found.push_back(a + da / (da - db) * (b - a));
+    }
+    return found;
+  }
+
+  std::map<CellId, std::vector<std::pair<Point3, Point3>>> rims_;
+  std::map<std::tuple<CellId, int, double>, std::vector<Point3>> found_;
+};
+
+class StripLayer {
+ public:
+  StripLayer(const GridLines& outlines, RimCrossings& rims, Plan& plan, PlannedHole& hole)
+      : rims_(rims), plan_(plan), hole_(hole) {
+    for (const Side side : kSides) {
+      own_[side] = outlines.At(hole.cell, side);
+      const auto it = outlines.coordinate.find({Across(hole.cell, side), Opposite(side)});
+      if (it == outlines.coordinate.end()) continue;
+      const double width = (own_[side] - it->second) * OutwardOf(side);
+      if (width > kLeastSteps * plan.lattice_step) strip_end_[side] = it->second;
+    }
+  }
+
+  void Lay(std::vector<RimSegment>& region) {
+    LayCorners(region);
+    for (const Side side : kSides) {
+      if (strip_end_[side]) LaySide(region, side);
+    }
+    for (const Side side : kSides) {
+      if (strip_end_[side]) PassNeighboursRim(region, side);
+    }
+  }
+
+ private:
+  // Puts new vertices on the outline beside its corners, where the neighbours' outlines cross it.
+  void LayCorners(std::vector<RimSegment>& region) {
+    std::vector<RimSegment> result;
+    for (const RimSegment& s : region) {
+      const std::optional<int32_t> middle = s.seam ? CrossingOn(s) : std::nullopt;
+      if (!middle) {
+        result.push_back(s);
+        continue;
+      }
+      result.push_back({s.from, *middle, true});
+      result.push_back({*middle, s.to, true});
+    }
+    region = std::move(result);
+  }
+
+  std::optional<int32_t> CrossingOn(const RimSegment& s) {
+    for (const auto& [corner, other] : {std::pair(s.from, s.to), std::pair(s.to, s.from)}) {
+      const PlanVertex& vertex = plan_.vertices[corner];
+      if (vertex.index >= 0 || vertex.follows < 0 || plan_.vertices[vertex.follows].lines != kCornerLines) continue;
+      for (const Side side : kSides) {
+        const int axis = AxisOf(side);
+        if (!strip_end_[side] || At(corner, axis) != own_[side] || !RunsAlong(s, axis)) continue;
+        if ((*strip_end_[side] - At(other, axis)) * OutwardOf(side) < Least()) continue;
+        const int32_t crossing = AddVertex(corner, axis, *strip_end_[side]);
+        twins_.emplace(std::pair(At(crossing, 0), At(crossing, 1)), crossing);
+        return crossing;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The neighbour's outline beside the segments on this side.
+  void LaySide(const std::vector<RimSegment>& region, Side side) {
+    const std::vector<RimSegment> rim = RimAlong(region, side);
+    const int axis = AxisOf(side);
+    for (const RimSegment& s : region) {
+      if (At(s.from, axis) != own_[side] || At(s.to, axis) != own_[side]) continue;
+      const std::optional<int32_t> from = Twin(s.from, side, rim), to = Twin(s.to, side, rim);
+      if (!from || !to) continue;
+      const Way edge{1 - axis, PlaceOf(*from), PlaceOf(*to)};
+      if (!IsClear(edge, rim, std::min(ClearanceAt(*from), ClearanceAt(*to)))) continue;
+      const std::vector<int32_t> between = NeighboursRimBetween(*from, *to, side, *strip_end_[side]);
+      std::vector<int32_t> way = {*from};
+      way.insert(way.end(), between.begin(), between.end());
+      way.push_back(*to);
+      for (size_t i = 0; i + 1 < way.size(); ++i) AddEdge(way[i], way[i + 1]);
+      if (between.empty()) AddDiagonal({s.from, s.to, *from, *to});
+    }
+  }
+
+  // Puts new vertices on the outline where the neighbour's rim crosses it.
+  void PassNeighboursRim(std::vector<RimSegment>& region, Side side) {
+    const int axis = AxisOf(side);
+    std::vector<RimSegment> result;
+    for (const RimSegment& s : region) {
+      int32_t last = s.from;
+      if (IsNew(s.from) && IsNew(s.to) && At(s.from, axis) == own_[side] && At(s.to, axis) == own_[side]) {
+        for (const int32_t v : NeighboursRimBetween(s.from, s.to, side, own_[side])) {
+          result.push_back({last, v, true});
+          last = v;
+        }
+      }
+      result.push_back({last, s.to, s.seam});
+    }
+    region = std::move(result);
+  }
+
+  // New vertices on a line along `side` between two on it, where the neighbour's rim crosses the strip: its surface
+  // ends there, and the fill of both passes there.
+  std::vector<int32_t> NeighboursRimBetween(int32_t from, int32_t to, Side side, double line) {
+    const int axis = AxisOf(side), along = 1 - axis;
+    const CellId neighbour = Across(hole_.cell, side);
+    const double other_line = line == own_[side] ? *strip_end_[side] : own_[side];
+    const double size = std::min(plan_.vertices[from].size, plan_.vertices[to].size);
+    std::map<double, double> heights = {{At(from, along), 0}, {At(to, along), 0}};  // by place
+    const auto add = [&](const std::vector<Point3>& crossings, double room) {
+      for (const Point3& p : crossings) {
+        const auto after = heights.lower_bound(p[along]);
+        if (after == heights.begin() || after == heights.end()) continue;
+        const bool is_clear = after->first - p[along] >= room && p[along] - std::prev(after)->first >= room;
+        if (is_clear) heights.emplace(p[along], p.z());
+      }
+    };
+    add(rims_.Find(neighbour, axis, line), kLeastRoom * size);
+    add(rims_.Find(neighbour, axis, other_line), kClearance * size);
+    std::vector<int32_t> found;
+    for (auto it = std::next(heights.begin()); std::next(it) != heights.end(); ++it) {
+      found.push_back(AddKnown(from, along, it->first, it->second, size));
+    }
+    if (At(from, along) > At(to, along)) std::reverse(found.begin(), found.end());
+    return found;
+  }
+
+  int32_t AddKnown(int32_t like, int axis, double at, double height, double size) {
+    const int32_t v = AddVertex(like, axis, RoundedToLattice(at, plan_.lattice_step));
+    PlanVertex& vertex = plan_.vertices[v];
+    vertex.position.z() = RoundedToLattice(height, plan_.lattice_step);
+    vertex.follows = -1;
+    vertex.height_known = true;
+    vertex.size = size;
+    return v;
+  }
+
+  bool IsNew(int32_t v) const { return plan_.vertices[v].index < 0; }
+
+  // From the south-western corner of the strip between two ways across it to the north-eastern one: in both tiles.
+  void AddDiagonal(const std::array<int32_t, 4>& corners) {
+    const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), [&](int32_t a, int32_t b) {
+      return At(a, 0) + At(a, 1) < At(b, 0) + At(b, 1);
+    });
+    AddEdge(*low, *high);
+  }
+
+  void AddEdge(int32_t a, int32_t b) {
+    if (edges_.insert(std::minmax(a, b)).second) hole_.inner_edges.push_back({a, b, true});
+  }
+
+  // The vertex straight across the strip; none where the rim is in the way, or another strip. It may be there already,
+  // in a corner.
+  std::optional<int32_t> Twin(int32_t v, Side side, const std::vector<RimSegment>& rim) {
+    const int axis = AxisOf(side);
+    const PlanVertex& vertex = plan_.vertices[v];
+    if (vertex.index >= 0 || vertex.follows < 0) return std::nullopt;
+    Point2 place = PlaceOf(v);
+    place[axis] = *strip_end_[side];
+    if (const auto it = twins_.find({place.x(), place.y()}); it != twins_.end()) return it->second;
+    const Way across{axis, PlaceOf(v), place};
+    std::optional<int32_t> twin;
+    if (IsInside(place, 1 - axis) && IsClear(across, rim, ClearanceAt(v))) twin = AddVertex(v, axis, place[axis]);
+    twins_.emplace(std::pair(place.x(), place.y()), twin);
+    return twin;
+  }
+
+  int32_t AddVertex(int32_t like, int axis, double at) {
+    PlanVertex vertex = plan_.vertices[like];
+    vertex.position[axis] = at;
+    plan_.vertices.push_back(vertex);
+    return static_cast<int32_t>(plan_.vertices.size()) - 1;
+  }
+
+  // The segments off the outline that come near the strip.
+  std::vector<RimSegment> RimAlong(const std::vector<RimSegment>& region, Side side) const {
+    const int axis = AxisOf(side);
+    double reach = 0;
+    for (const RimSegment& s : region) {
+      if (At(s.from, axis) == own_[side]) reach = std::max(reach, ClearanceAt(s.from));
+    }
+    const auto [low, high] = std::minmax(own_[side], *strip_end_[side]);
+    std::vector<RimSegment> rim;
+    for (const RimSegment& s : region) {
+      const auto [least, most] = std::minmax({At(s.from, axis), At(s.to, axis)});
+      if (most > low - reach && least < high + reach && !RunsAlong(s, 0) && !RunsAlong(s, 1)) rim.push_back(s);
+    }
+    return rim;
+  }
+
+  // Whether a segment is a part of the outline's sides along `axis`.
+  bool RunsAlong(const RimSegment& s, int axis) const {
+    return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+      const int across = AxisOf(side);
+      const auto is_on = [&](int32_t v) { return std::abs(At(v, across) - own_[side]) < kOnLine; };
+      return across != axis && is_on(s.from) && is_on(s.to);
+    });
+  }
+
+  // On `axis`, off the strips along the sides across it, or at the very end of one.
+  bool IsInside(const Point2& p, int axis) const {
+    return std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
+      if (AxisOf(side) != axis) return true;
+      const double end = strip_end_[side].value_or(own_[side]), room = (end - p[axis]) * OutwardOf(side);
+      return room >= Least() || (strip_end_[side] && room == 0);
+    });
+  }
+
+  bool IsClear(const Way& way, const std::vector<RimSegment>& rim, double clearance) const {
+    return std::all_of(rim.begin(), rim.end(), [&](const RimSegment& s) {
+      const Point2 a = PlaceOf(s.from), b = PlaceOf(s.to);
+      return !Cross(way, a, b) && DistanceToSegment(way.from, a, b) >= clearance &&
+             DistanceToSegment(way.to, a, b) >= clearance && DistanceToSegment(a, way.from, way.to) >= clearance &&
+             DistanceToSegment(b, way.from, way.to) >= clearance;
+    });
+  }
+
+  double At(int32_t v, int axis) const { return plan_.vertices[v].position[axis]; }
+  Point2 PlaceOf(int32_t v) const { return plan_.vertices[v].position.head<2>(); }
+  double ClearanceAt(int32_t v) const { return kClearance * plan_.vertices[v].size; }
+  double Least() const { return kLeastSteps * plan_.lattice_step; }
+
+  RimCrossings& rims_;
+  Plan& plan_;
+  PlannedHole& hole_;
+  std::array<double, 4> own_{};                                        // the tile's outline, by Side
+  std::array<std::optional<double>, 4> strip_end_{};                   // its neighbour's there, as far as they overlap
+  std::map<std::pair<double, double>, std::optional<int32_t>> twins_;  // by place
+  std::set<std::pair<int32_t, int32_t>> edges_;
+};
+
+}  // namespace
+
+void LayStripEdges(const GridLines& outlines, Plan& plan) {
+  RimCrossings rims(plan);
+  for (PlannedHole& hole : plan.holes) {
+    if (hole.water >= 0) continue;
+    StripLayer layer(outlines, rims, plan, hole);
+    for (std::vector<RimSegment>& region : hole.own_regions) layer.Lay(region);
+  }
+}
+
+}  // namespace tilemend

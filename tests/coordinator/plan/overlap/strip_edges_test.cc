@@ -1,0 +1,178 @@
+#include "coordinator/plan/overlap/strip_edges.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::Contains;
+using ::testing::IsEmpty;
+using ::testing::IsSubsetOf;
+using ::testing::Not;
+
+constexpr double kMargin = 0.25;
+
+using Place = std::array<double, 2>;
+
+// Two cells of 10 m side by side whose tiles reach 0.25 m beyond their squares, and a hole in each across the border
+// from y = 2 to y = 8, with new vertices every 2 m.
+class StripEdgesTest : public ::testing::Test {
+ protected:
+  StripEdgesTest() {
+    plan_.lattice_step = 1.0 / 1024;
+    AddCell({0, 0});
+    AddCell({1, 0});
+    for (int k = 0; k < 4; ++k) {
+      on_line_[k] = AddVertex({10, 2.0 + 2 * k, 0}, -1, -1);
+      plan_.vertices[on_line_[k]].lines = 1;
+    }
+    AddHole({0, 0}, 10 + kMargin, 5);
+    AddHole({1, 0}, 10 - kMargin, 15);
+  }
+
+  void AddCell(CellId cell) {
+    for (const Side side : kSides) {
+      const int number = (AxisOf(side) == 0 ? cell.col : cell.row) + (OutwardOf(side) > 0 ? 1 : 0);
+      outlines_.coordinate[{cell, side}] = 10 * number + OutwardOf(side) * kMargin;
+    }
+  }
+
+  int32_t AddVertex(const Point3& position, int32_t index, int32_t follows) {
+    PlanVertex v;
+    v.position = position;
+    v.index = index;
+    v.follows = follows;
+    v.size = 2;
+    plan_.vertices.push_back(v);
+    return static_cast<int32_t>(plan_.vertices.size()) - 1;
+  }
+
+  // From a tip of rim at `tip` along the outline at x = `outline` and back.
+  void AddHole(CellId cell, double outline, double tip) {
+    std::vector<int32_t> ring = {AddVertex({tip, 5, 1}, 0, -1)};
+    for (int k = 0; k < 4; ++k) {
+      ring.push_back(AddVertex({outline, 2.0 + 2 * k, 0}, -1, on_line_[k]));
+      plan_.vertices.back().lines = 1;
+    }
+    if (cell.col == 1) std::reverse(ring.begin() + 1, ring.end());
+    PlannedHole hole;
+    hole.cell = cell;
+    std::vector<RimSegment>& region = hole.own_regions.emplace_back();
+    for (size_t i = 0; i < ring.size(); ++i) {
+      region.push_back({ring[i], ring[(i + 1) % ring.size()], i > 0 && i + 1 < ring.size()});
+    }
+    plan_.holes.push_back(hole);
+  }
+
+  Place PlaceOf(int32_t v) const { return {plan_.vertices[v].position.x(), plan_.vertices[v].position.y()}; }
+
+  // Edges of a hole's patch in the strip: those inside and those of its outline.
+  std::set<std::set<Place>> EdgesOf(const PlannedHole& hole) const {
+    std::set<std::set<Place>> edges;
+    for (const RimSegment& s : hole.inner_edges) edges.insert({PlaceOf(s.from), PlaceOf(s.to)});
+    for (const RimSegment& s : hole.own_regions[0]) {
+      if (s.seam) edges.insert({PlaceOf(s.from), PlaceOf(s.to)});
+    }
+    return edges;
+  }
+
+  GridLines outlines_;
+  Plan plan_;
+  std::array<int32_t, 4> on_line_{};
+};
+
+TEST_F(StripEdgesTest, BothTilesHaveBothOutlinesAndTheSameDiagonals) {
+  LayStripEdges(outlines_, plan_);
+  // The rim comes near the first and last vertex of each outline: those two have none across.
+  const std::set<std::set<Place>> of_both = {{{9.75, 4}, {9.75, 6}}, {{10.25, 4}, {10.25, 6}}, {{9.75, 4}, {10.25, 6}}};
+  EXPECT_THAT(of_both, IsSubsetOf(EdgesOf(plan_.holes[0])));
+  EXPECT_THAT(of_both, IsSubsetOf(EdgesOf(plan_.holes[1])));
+}
+
+TEST_F(StripEdgesTest, TheyFollowTheGridLine) {
+  LayStripEdges(outlines_, plan_);
+  for (const RimSegment& s : plan_.holes[0].inner_edges) {
+    for (const int32_t v : {s.from, s.to}) {
+      const PlanVertex& vertex = plan_.vertices[v];
+      ASSERT_GE(vertex.follows, 0);
+      EXPECT_EQ(vertex.position.y(), plan_.vertices[vertex.follows].position.y());
+    }
+  }
+}
+
+TEST_F(StripEdgesTest, TheyKeepClearOfTheRim) {
+  plan_.vertices[plan_.holes[0].own_regions[0][0].from].position = Point3(9.875, 5, 1);
+  LayStripEdges(outlines_, plan_);
+  EXPECT_THAT(plan_.holes[0].inner_edges, IsEmpty());
+}
+
+TEST_F(StripEdgesTest, WaterHasNone) {
+  plan_.holes[0].water = 0;
+  LayStripEdges(outlines_, plan_);
+  EXPECT_THAT(plan_.holes[0].inner_edges, IsEmpty());
+  EXPECT_THAT(plan_.holes[1].inner_edges, Not(IsEmpty()));
+}
+
+TEST_F(StripEdgesTest, TilesThatDoNotOverlapHaveNone) {
+  outlines_.coordinate[{{1, 0}, kWest}] = 10 + kMargin;
+  LayStripEdges(outlines_, plan_);
+  EXPECT_THAT(plan_.holes[0].inner_edges, IsEmpty());
+}
+
+// A tongue of the eastern tile's surface reaches through the strip.
+TEST_F(StripEdgesTest, TheFillPassesTheNeighboursRimAtItsHeight) {
+  PlannedHole tongue;
+  tongue.cell = {1, 0};
+  const int32_t a = AddVertex({9.75, 5, 3}, 1, -1), b = AddVertex({11.75, 5, 3}, 2, -1);
+  tongue.own_regions = {{{a, b, false}}};
+  plan_.holes.push_back(tongue);
+  LayStripEdges(outlines_, plan_);
+  std::vector<Place> passed;
+  for (const PlanVertex& v : plan_.vertices) {
+    if (v.index < 0 && v.height_known && v.position.z() == 3) passed.push_back({v.position.x(), v.position.y()});
+  }
+  EXPECT_THAT(passed, Contains(Place{9.75, 5}));
+  EXPECT_THAT(passed, Contains(Place{10.25, 5}));
+  const std::set<std::set<Place>> halves = {{{10.25, 4}, {10.25, 5}}, {{10.25, 5}, {10.25, 6}}};
+  EXPECT_THAT(halves, IsSubsetOf(EdgesOf(plan_.holes[0])));
+}
+
+TEST_F(StripEdgesTest, WhatStandsThereIsNotPassed) {
+  PlannedHole wall;
+  wall.cell = {1, 0};
+  const int32_t a = AddVertex({9.75, 5, 9}, 1, -1), b = AddVertex({11.75, 5, 9}, 2, -1);
+  plan_.vertices[a].on_object = true;
+  wall.own_regions = {{{a, b, false}}};
+  plan_.holes.push_back(wall);
+  LayStripEdges(outlines_, plan_);
+  for (const PlanVertex& v : plan_.vertices) EXPECT_FALSE(v.index < 0 && v.position.z() == 9);
+}
+
+// Four tiles: beside its own corner each has the points where the outlines of the others cross.
+TEST_F(StripEdgesTest, OutlinesCrossAtCorners) {
+  AddCell({0, 1});
+  AddCell({1, 1});
+  const int32_t source = AddVertex({10, 10, 0}, -1, -1);
+  plan_.vertices[source].lines = 3;
+  const int32_t east = AddVertex({10.25, 8, 0}, -1, on_line_[3]), north = AddVertex({8, 10.25, 0}, -1, on_line_[3]);
+  plan_.vertices[east].lines = 1;
+  plan_.vertices[north].lines = 2;
+  const int32_t corner = AddVertex({10.25, 10.25, 0}, -1, source), tip = AddVertex({5, 5, 0}, 0, -1);
+  plan_.vertices[corner].lines = 3;
+  plan_.holes[0].own_regions = {{{tip, east, false}, {east, corner, true}, {corner, north, true}, {north, tip, false}}};
+  LayStripEdges(outlines_, plan_);
+  std::set<Place> around;
+  for (const PlanVertex& v : plan_.vertices) {
+    if (v.follows == source) around.insert({v.position.x(), v.position.y()});
+  }
+  EXPECT_EQ(around, (std::set<Place>{{9.75, 9.75}, {9.75, 10.25}, {10.25, 9.75}, {10.25, 10.25}}));
+}
+
+}  // namespace
+}  // namespace tilemend
