@@ -130,18 +130,31 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
     if (!all.water_colour)
       return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected R,G,B or #rrggbb"));
   }
+  all.holes.fill_outlines = args.Switch("fill-outlines");
+  if (args.IsGiven("largest-hole")) {
+    TILEMEND_ASSIGN_OR_RETURN(const double edges, args.Number("largest-hole", 3, 1e9));
+    all.holes.largest_hole = static_cast<int64_t>(edges);
+  }
   all.library = LibraryFor(args.Text("out"));
   return all;
 }
 
 // The options that the result depends on, under the names of their flags.
-std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const FillOptions& options, double water_tolerance) {
-  ReportedOption tension{"tension", std::string("auto")};
+std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOptions& all, double water_tolerance) {
+  const FillOptions& options = all.fill;
+  ReportedOption tension{"tension", std::string("auto")}, largest{"largest-hole", std::string("any")};
   if (options.tension) tension.value = *options.tension;
-  return {{"surface", SurfaceName(options.surface)},  tension,
-          {"gradation", options.refine.gradation},    {"size-limit", options.refine.size_limit},
-          {"uniform", options.refine.uniform},        {"water", args.Text("water")},
-          {"water-tolerance", water_tolerance},       {"water-profile", args.Text("water-profile")},
+  if (all.holes.largest_hole) largest.value = static_cast<double>(*all.holes.largest_hole);
+  return {{"surface", SurfaceName(options.surface)},
+          tension,
+          {"gradation", options.refine.gradation},
+          {"size-limit", options.refine.size_limit},
+          {"uniform", options.refine.uniform},
+          {"fill-outlines", all.holes.fill_outlines},
+          largest,
+          {"water", args.Text("water")},
+          {"water-tolerance", water_tolerance},
+          {"water-profile", args.Text("water-profile")},
           {"water-colour", args.Text("water-colour")}};
 }
 
@@ -180,7 +193,7 @@ int FillCommand(const Args& args) {
   filled->report.warnings = *std::move(warnings);
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
-  filled->report.options = ReportedOptionsOf(args, options->fill, *water_tolerance);
+  filled->report.options = ReportedOptionsOf(args, *options, *water_tolerance);
   filled->report.date = UtcText(absl::Now());
   if (*format == OutputFormat::kJson) {
     std::fputs(SceneReport(filled->report).c_str(), stdout);

@@ -27,8 +27,9 @@ class MeshFiller {
   MeshFiller(const std::string& path, const MeshFillOptions& options)
       : path_(path), options_(options.fill), library_(options.library) {
     WaveOptions waves;
-    waves.plan = {options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water,
-                  options.water_colour};
+    waves.plan = {
+        options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,
+        options.water_colour};
     waves.surface = options_.surface;
     waves.single_mesh = true;
     filled_.waves = std::make_unique<SceneWaves>(SceneOfMesh(path), std::move(waves),

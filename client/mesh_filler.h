@@ -20,6 +20,7 @@ namespace tilemend {
 struct MeshFillOptions {
   FillOptions fill;
   WaterOptions water;
+  MeshHoleOptions holes;
   std::optional<Rgb> water_colour;  // none: as the rim has it
   std::string library;              // of an OBJ: the material file beside the output that its filled faces will have
 };

@@ -118,6 +118,10 @@ RULES = {
         ['common/mesh', 'common/mesh/triangulation', 'coordinator/plan/types', 'coordinator/plan/rim'],
         ['eigen'], pure=True),
 
+    'coordinator/plan/mesh': rule(
+        ['common/mesh', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/hole'],
+        ['eigen'], pure=True),
+
     'coordinator/plan/overlap': rule(
         ['common/mesh', 'common/mesh/winding', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim',
          'coordinator/plan/seam'],
@@ -131,7 +135,7 @@ RULES = {
 
     'coordinator/plan': rule(
         ['common/mesh', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim', 'coordinator/plan/seam',
-         'coordinator/plan/hole', 'coordinator/plan/overlap', 'coordinator/plan/water'],
+         'coordinator/plan/hole', 'coordinator/plan/mesh', 'coordinator/plan/overlap', 'coordinator/plan/water'],
         [], pure=True),
 
     'coordinator/state': rule(['common/util', 'common/grid'], ['absl'], pure=True),

@@ -62,6 +62,7 @@ struct CellHoles {
   CellId cell;
   bool float32 = true;      // number type of the output tile
   double lattice_step = 0;  // power of two, metres: where new vertices lie
+  bool upright = true;      // z is up; false: a mesh that may lie in any way, where no direction is preferred
   std::vector<RimVertex> vertices;
   std::vector<CellHole> holes;
   // The original triangles around the holes. band.points[0 .. vertices.size()) stand for the rim vertices.
@@ -79,6 +80,9 @@ enum class FillWay : uint8_t {
   kUnrolled,     // its boundary unrolled into a plane, bent in space
   kSpace,        // triangles of its boundary in space
   kFoldsCut,     // heights over a plane, with folds of its boundary cut off
+  kBare,         // triangles of its boundary in space alone, where no new vertex could be laid
+  kBand,         // a band between two loops that face each other
+  kStitched,     // thin triangles across a crack
 };
 
 // New geometry for one hole. A corner k >= 0 is rim vertex k of the CellHoles; -1 - k is new_points[k].

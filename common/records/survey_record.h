@@ -44,6 +44,10 @@ struct SurveyRecord : SurveySummary {
   std::vector<BoundaryVertex> vertices;
   std::vector<BoundaryEdge> edges;
 
+  // The area of each piece of surface that has boundary edges, by BoundaryEdge::piece. Not sent: single meshes alone
+  // are told by it.
+  std::vector<double> piece_areas;
+
   // The triangles within two rings of the boundary. The first vertices.size() points are the boundary vertices, in
   // order.
   TriMesh band;

@@ -24,6 +24,7 @@ class CellHolesBuilder {
   CellHoles Build(const std::vector<int32_t>& holes, bool with_band, bool own_regions) {
     result_.cell = plan_.holes[holes.front()].cell;
     result_.lattice_step = plan_.lattice_step;
+    result_.upright = plan_.upright;
     result_.float32 = NumberTypeOf(result_.cell);
     IndexOwnVertices();
     for (const int32_t h : holes) {
@@ -218,7 +219,8 @@ class CellHolesBuilder {
   // Tiles cut from one mesh with a buffer have some triangles in common.
   bool IsFirst(CellId tile, const TriMesh& band, const Triangle& t) {
     std::array<int32_t, 3> places;
-    for (int k = 0; k < 3; ++k) places[k] = places_.Insert(RoundedToLattice(band.points[t[k]], kBandStep));
+    for (int k = 0; k < 3; ++k)
+      places[k] = places_.Insert(RoundedToLattice(band.points[t[k]], std::min(kBandStep, plan_.lattice_step)));
     std::sort(places.begin(), places.end());
     return tile_of_.try_emplace(places, tile).first->second == tile;
   }

@@ -10,6 +10,7 @@
 #include "coordinator/plan/division.h"
 #include "coordinator/plan/hole/layers.h"
 #include "coordinator/plan/hole/touching_holes.h"
+#include "coordinator/plan/mesh/plan_mesh.h"
 #include "coordinator/plan/overlap/area_outside.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
@@ -67,7 +68,7 @@ int32_t StoreVertices(Rim& rim, const SeamLayout& seams, Plan& plan) {
   return base;
 }
 
-void StoreHoles(FoundHoles found, int32_t base, bool has_grid, Plan& plan) {
+void StoreHoles(FoundHoles found, int32_t base, Plan& plan) {
   for (PlannedHole& hole : found.holes) {
     for (RimSegment& s : hole.segments) {
       s.from += base;
@@ -75,8 +76,7 @@ void StoreHoles(FoundHoles found, int32_t base, bool has_grid, Plan& plan) {
     }
     plan.holes.push_back(std::move(hole));
   }
-  // A single mesh ends somewhere: its outlines are nothing to report.
-  if (has_grid) plan.left.insert(plan.left.end(), found.left.begin(), found.left.end());
+  plan.left.insert(plan.left.end(), found.left.begin(), found.left.end());
   plan.outer_rims += found.outer_rims;
 }
 
@@ -115,7 +115,7 @@ void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions&
   if (options.cancelled()) return;
   Division division = DivideScene(part, closing);
   const int32_t base = StoreVertices(rim, division.seams, plan);
-  for (auto& [cell, found] : division.holes) StoreHoles(std::move(found), base, input.has_grid, plan);
+  for (auto& [cell, found] : division.holes) StoreHoles(std::move(found), base, plan);
   for (Seam& seam : division.seams.seams) {
     for (int32_t& v : seam.vertices) v += base;
     plan.seams.push_back(std::move(seam));
@@ -192,9 +192,7 @@ void LeaveFailedHoles(Plan& plan) {
   }
 }
 
-}  // namespace
-
-Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
+Plan PlanGrid(const PlanInput& input, const PlanOptions& options) {
   Plan plan;
   plan.lattice_step = LatticeStep(input);
   BorderFindings borders = AuditBorders(input);
@@ -206,8 +204,16 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   } else {
     PlanPart(input, lines, options, plan);
   }
+  return plan;
+}
+
+}  // namespace
+
+Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
+  Plan plan = input.has_grid ? PlanGrid(input, options) : PlanMesh(input, options);
   StoreLayers(plan);
   LeaveFailedHoles(plan);
+  if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) MarkObjects(input, plan);
   if (!options.cancelled()) FindWater(input, options.water, plan);
   if (!options.cancelled()) LayWallFeet(plan);

@@ -72,6 +72,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   Json row = {{"id", h}, {"cell", CellJson(hole.cell)}, {"kind", KindName(hole.kind)}};
   if (const char* type = TypeName(hole.type)) row["type"] = type;
   if (const char* single = SingleName(hole.single)) row["single"] = single;
+  if (hole.continuous) row["continuous"] = true;
   if (hole.kind != HoleKind::kClosed) {
     row["cluster"] = hole.cluster;
     row["layer"] = hole.layer;
@@ -313,6 +314,12 @@ const char* WayName(FillWay way) {
       return "in space";
     case FillWay::kFoldsCut:
       return "folds cut off";
+    case FillWay::kBare:
+      return "bare triangles";
+    case FillWay::kBand:
+      return "band";
+    case FillWay::kStitched:
+      return "stitched";
   }
   return "unknown";
 }

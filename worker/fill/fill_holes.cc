@@ -53,8 +53,9 @@ class HoleFiller {
         patch.failure = FillFailure::kCrosses;
       }
       if (patch.ok()) {
+        const bool patch_is_bare = patch.is_bare;
         HolePatch filled = ToHolePatch(hole_, std::move(patch));
-        filled.way = way.name;
+        filled.way = patch_is_bare ? FillWay::kBare : way.name;
         return filled;
       }
       // That a patch was only crossed tells most of why the hole stays open.
@@ -108,8 +109,10 @@ class HoleFiller {
       return;
     }
     const Eigen::Vector3d area = hole_.VectorArea();
-    if (FacesUp(hole_) && area.z() > 0) add(FillWay::kGround, over_ground, ProjectionFrame::Upright());
-    if (area.norm() > 0) add(FillWay::kOwnPlane, Check::kCrossings, ProjectionFrame(hole_.positions[0], area));
+    if (hole_.cell->upright && FacesUp(hole_, ProjectionFrame::Upright()) && area.z() > 0) {
+      add(FillWay::kGround, over_ground, ProjectionFrame::Upright());
+    }
+    if (area.norm() > 0) add(FillWay::kOwnPlane, Check::kCrossings, FrameAcross(hole_, area));
   }
 
   // The hole, without an equation at folds.
@@ -119,7 +122,9 @@ class HoleFiller {
   }
 
   bool GoesAstray(const LocalPatch& patch) const {
-    return !crossings_.StaysNear(patch) || (FacesDown(hole_, patch) && LiesInHeightField(hole_));
+    if (!crossings_.StaysNear(patch)) return true;
+    const ProjectionFrame heights = FrameOfHeights(hole_);
+    return FacesDown(hole_, patch, heights) && LiesInHeightField(hole_, heights);
   }
 
   bool HasUnknownHeight() const {

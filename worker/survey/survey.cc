@@ -238,6 +238,13 @@ void StorePieces(const TriMesh& mesh, const Weld& weld, const WeldedEdges& edges
     const int32_t set = sets.LowestOf(of_triangle(edges.single[e].triangle));
     record.edges[e].piece = number.try_emplace(set, static_cast<int32_t>(number.size())).first->second;
   }
+  record.piece_areas.assign(number.size(), 0);
+  for (size_t i = 0, next = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const bool welded = next < at_weld.size() && at_weld[next] == static_cast<int32_t>(i);
+    const auto piece = number.find(sets.LowestOf(welded ? vertices + static_cast<int32_t>(next++) : t[0]));
+    if (piece != number.end()) record.piece_areas[piece->second] += TwiceVectorArea(mesh.points, t).norm() / 2;
+  }
 }
 
 }  // namespace

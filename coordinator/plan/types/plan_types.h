@@ -28,6 +28,12 @@ struct WaterOptions {
   std::vector<WaterArea> areas;              // the last one that covers more than half of a hole decides on it
 };
 
+// Which loops of a single mesh are filled.
+struct MeshHoleOptions {
+  bool fill_outlines = false;             // outlines of pieces as well
+  std::optional<int64_t> largest_hole{};  // edges: longer loops stay open
+};
+
 struct PlanOptions {
   // Seam vertices grow apart from the rim inward by this factor per edge (>= 1), up to size_limit times the rim's mean
   // edge.
@@ -35,6 +41,7 @@ struct PlanOptions {
   double size_limit = 16.0;
   bool uniform = false;
   WaterOptions water;
+  MeshHoleOptions mesh;
   std::optional<Rgb> water_colour = {};  // of the faces; none: as the rim has it
   // Asked at least at every border and cell; once true the plan ends soon and is empty. None: never.
   std::function<bool()> is_cancelled = {};
@@ -76,11 +83,12 @@ struct PlannedHole {
   HoleKind kind = HoleKind::kClosed;
   HoleType type = HoleType::kNone;
   SingleType single = SingleType::kNone;
-  bool projects = true;  // its boundary is simple seen from above
-  int32_t cluster = -1;  // open holes
-  int32_t layer = 0;     // open holes: from 1
-  double area = 0;       // m2, seen from above (closed holes that do not project: of the boundary's vector area)
-  double perimeter = 0;  // metres of original boundary
+  bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
+  bool projects = true;     // its boundary is simple seen from above
+  int32_t cluster = -1;     // open holes
+  int32_t layer = 0;        // open holes: from 1
+  double area = 0;          // m2, seen from above (closed holes that do not project: of the boundary's vector area)
+  double perimeter = 0;     // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
   int32_t water = -1;                // into Plan::water; -1: no water
@@ -161,6 +169,7 @@ struct Plan {
   int32_t continuous = 0;   // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
   int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
   double lattice_step = 0;  // power of two, metres
+  bool upright = true;      // as CellHoles
   std::map<CellId, std::vector<int32_t>>
       vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole
 };

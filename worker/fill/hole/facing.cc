@@ -51,17 +51,28 @@ bool IsSteep(const LocalHole& hole) {
   return steep > kSteepShare * rim;
 }
 
-bool FacesUp(const LocalHole& hole) {
+ProjectionFrame FrameAcross(const LocalHole& hole, const Vector3d& normal) {
+  if (hole.cell->upright) return {hole.positions[0], normal};
+  return {hole.positions[0], normal, hole.positions[hole.positions.size() / 2] - hole.positions[0]};
+}
+
+ProjectionFrame FrameOfHeights(const LocalHole& hole) {
+  const Vector3d view = hole.cell->upright ? Vector3d::Zero() : WidestView(hole);
+  return view.isZero() ? ProjectionFrame::Upright() : FrameAcross(hole, view);
+}
+
+bool FacesUp(const LocalHole& hole, const ProjectionFrame& frame) {
   return std::all_of(hole.vertices.begin(), hole.vertices.end(), [&](int32_t v) {
     const std::vector<int32_t>& triangles = hole.band->At(v);
-    return std::all_of(triangles.begin(), triangles.end(), [&](int32_t t) { return hole.band->Normal(t).z() > 0; });
+    return std::all_of(triangles.begin(), triangles.end(),
+                       [&](int32_t t) { return frame.HeightAlong(hole.band->Normal(t)) > 0; });
   });
 }
 
-bool LiesInHeightField(const LocalHole& hole) {
-  if (!FacesUp(hole)) return false;
+bool LiesInHeightField(const LocalHole& hole, const ProjectionFrame& frame) {
+  if (!FacesUp(hole, frame)) return false;
   std::vector<Point2> flat;
-  for (const Point3& p : hole.positions) flat.emplace_back(p.head<2>());
+  for (const Point3& p : hole.positions) flat.emplace_back(frame.ToFrame(p).head<2>());
   return TriangulateRegion(RoundToWindow(flat, hole.sizes).points, hole.segments).conflicts.empty();
 }
 

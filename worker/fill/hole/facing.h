@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "worker/fill/hole/local_hole.h"
+#include "worker/fill/hole/projection_frame.h"
 
 namespace tilemend {
 
@@ -19,11 +20,19 @@ Eigen::Vector3d WidestView(const LocalHole& hole);
 // there to be well shaped in space.
 bool IsSteep(const LocalHole& hole);
 
-// Whether all band triangles at the hole face up.
-bool FacesUp(const LocalHole& hole);
+// The plane across `normal` (not zero) that the hole may be filled over. In a mesh that may lie in any way its axes
+// turn with the hole.
+ProjectionFrame FrameAcross(const LocalHole& hole, const Eigen::Vector3d& normal);
 
-// Whether the hole is one in a height field: then heights fill it without a fold. O(n log n).
-bool LiesInHeightField(const LocalHole& hole);
+// The plane that heights around the hole are over: the ground, or in a mesh that may lie in any way the plane across
+// the widest view.
+ProjectionFrame FrameOfHeights(const LocalHole& hole);
+
+// Whether all band triangles at the hole face up over the plane.
+bool FacesUp(const LocalHole& hole, const ProjectionFrame& frame);
+
+// Whether the hole is one in a height field over the plane: then heights fill it without a fold. O(n log n).
+bool LiesInHeightField(const LocalHole& hole, const ProjectionFrame& frame);
 
 }  // namespace tilemend
 

@@ -17,6 +17,7 @@ struct LocalPatch {
   std::vector<Point3> new_points = {};
   std::vector<Triangle> triangles = {};
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this patch alone
+  bool is_bare = false;                  // no new vertex could be laid where the way would have liked some
 
   bool ok() const { return failure == FillFailure::kNone; }
 };

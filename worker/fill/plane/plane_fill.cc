@@ -189,7 +189,7 @@ LocalPatch FillOverPlane(const LocalHole& hole, const ProjectionFrame& frame, co
 LocalPatch FillOverFacingPlane(const LocalHole& hole, const FillOptions& options) {
   for (const Eigen::Vector3d& normal : {FacingOf(hole), hole.VectorArea(), WidestView(hole)}) {
     if (normal.isZero()) continue;
-    LocalPatch patch = FillOverPlane(hole, ProjectionFrame(hole.positions[0], normal), options, {RimUse::kPart});
+    LocalPatch patch = FillOverPlane(hole, FrameAcross(hole, normal), options, {RimUse::kPart});
     if (patch.ok()) return patch;
   }
   return {FillFailure::kNotApplicable};

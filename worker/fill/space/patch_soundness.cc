@@ -51,9 +51,10 @@ FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch) {
   return closes ? FillFailure::kNone : FillFailure::kNotClosed;
 }
 
-bool FacesDown(const LocalHole& hole, const LocalPatch& patch) {
-  return std::any_of(patch.triangles.begin(), patch.triangles.end(),
-                     [&](const Triangle& t) { return TwiceVectorArea(InSpace(hole, patch, t)).z() <= 0; });
+bool FacesDown(const LocalHole& hole, const LocalPatch& patch, const ProjectionFrame& frame) {
+  return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
+    return frame.HeightAlong(TwiceVectorArea(InSpace(hole, patch, t))) <= 0;
+  });
 }
 
 const std::vector<SpaceTriangle>& CrossingCheck::Surroundings(const AlignedBox3d& box) {

@@ -8,6 +8,7 @@
 
 #include "worker/fill/hole/fill_options.h"
 #include "worker/fill/hole/local_patch.h"
+#include "worker/fill/hole/projection_frame.h"
 
 namespace tilemend {
 
@@ -16,7 +17,7 @@ namespace tilemend {
 FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch);
 
 // Whether a triangle of the patch does not face up.
-bool FacesDown(const LocalHole& hole, const LocalPatch& patch);
+bool FacesDown(const LocalHole& hole, const LocalPatch& patch, const ProjectionFrame& frame);
 
 // Finds patches of one hole that pass through themselves, the surface around it, or patches made before.
 //

@@ -68,6 +68,7 @@ LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<Vert
     LocalPatch refined = FillOver(patch.triangles, bend, hole, options);
     if (refined.ok() && check.StaysNear(refined) && check.IsSound(refined)) return refined;
   }
+  patch.is_bare = true;
   return patch;
 }
 

@@ -36,13 +36,13 @@ TEST(FacingTest, LooksAtAWallAndARoofFromBetween) {
 
 TEST(FacingTest, TellsGroundFromWalls) {
   With(OnGround(), [](const LocalHole& hole) {
-    EXPECT_TRUE(FacesUp(hole));
-    EXPECT_TRUE(LiesInHeightField(hole));
+    EXPECT_TRUE(FacesUp(hole, ProjectionFrame::Upright()));
+    EXPECT_TRUE(LiesInHeightField(hole, ProjectionFrame::Upright()));
     EXPECT_FALSE(IsSteep(hole));
   });
   With(OnWall(), [](const LocalHole& hole) {
-    EXPECT_FALSE(FacesUp(hole));
-    EXPECT_FALSE(LiesInHeightField(hole));
+    EXPECT_FALSE(FacesUp(hole, ProjectionFrame::Upright()));
+    EXPECT_FALSE(LiesInHeightField(hole, ProjectionFrame::Upright()));
     EXPECT_FALSE(IsSteep(hole)) << "over its own plane it is flat";
   });
 }

@@ -40,7 +40,7 @@ class PatchSoundnessTest : public testing::Test {
 TEST_F(PatchSoundnessTest, FindsNoFaultWithASoundPatch) {
   ASSERT_EQ(hole_.size(), 4);
   EXPECT_EQ(FaultOf(hole_, patch_), FillFailure::kNone);
-  EXPECT_FALSE(FacesDown(hole_, patch_));
+  EXPECT_FALSE(FacesDown(hole_, patch_, ProjectionFrame::Upright()));
   EXPECT_FALSE(Crosses({}));
 }
 
@@ -59,7 +59,7 @@ TEST_F(PatchSoundnessTest, NamesTheFault) {
 
 TEST_F(PatchSoundnessTest, SeesWhatFacesDown) {
   for (Triangle& t : patch_.triangles) std::swap(t[1], t[2]);
-  EXPECT_TRUE(FacesDown(hole_, patch_));
+  EXPECT_TRUE(FacesDown(hole_, patch_, ProjectionFrame::Upright()));
 }
 
 TEST_F(PatchSoundnessTest, SeesWhatPassesThroughThePatch) {

@@ -1,0 +1,42 @@
+// Zhang 2022, 4: which single hole a loop bounds, in lengths of its own edges.
+#ifndef TILEMEND_COORDINATOR_PLAN_MESH_LOOP_KINDS_H_
+#define TILEMEND_COORDINATOR_PLAN_MESH_LOOP_KINDS_H_
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// The corners of a loop in order, with the unit normals of the surface there.
+struct LoopLine {
+  std::vector<Point3> corners;
+  std::vector<Eigen::Vector3d> normals;
+};
+
+// 4.1 (1): no two sides differ in direction, either way round, by more than 10 degrees, nor does any side from the
+// first by more than that when the turns between are added up, about the surface's normal. O(n^2), but soon done on
+// loops that are no cracks.
+bool IsCrack(const LoopLine& loop);
+
+// The median over the corners of the distance to the nearest side that does not end there, over the mean length of the
+// two sides that do: how wide a hole is. O(n^2), but for loops that are plainly wide.
+double MedianWidth(const LoopLine& loop);
+
+// 4.1 (2), with MedianWidth in place of millimetres; or, where `width` is given, with that in the mesh's own units.
+struct DislocationLimit {
+  double in_edges = 0.2;
+  double length = 0;  // 0: not asked for
+};
+bool IsDislocation(const LoopLine& loop, const DislocationLimit& limit);
+
+// 4.1 (3): two loops that face each other: the ends of a tube that lacks a segment. Each opens towards the other, one
+// is about as long as the other, no further away than it is wide, not much beside it, and the surface along one faces
+// the way of that along the other.
+bool FaceEachOther(const LoopLine& a, const LoopLine& b);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_MESH_LOOP_KINDS_H_

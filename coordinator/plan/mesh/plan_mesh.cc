@@ -1,0 +1,114 @@
+#include "coordinator/plan/mesh/plan_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "coordinator/plan/hole/measure_hole.h"
+#include "coordinator/plan/hole/planar_regions.h"
+#include "coordinator/plan/mesh/loop_groups.h"
+#include "coordinator/plan/mesh/mesh_loops.h"
+#include "coordinator/plan/mesh/outlines.h"
+#include "coordinator/plan/rim/rim_sizes.h"
+
+namespace tilemend {
+namespace {
+
+// The lattice is so much finer than the mean edge along the holes: rounding to it tilts no triangle that is seen.
+constexpr double kStepsAnEdge = 0x1p20;
+constexpr int kFloat32Digits = 24, kFloat64Digits = 53;
+
+// The finest useful power of two whose multiples the mesh's number type holds out to its farthest coordinate.
+double LatticeStep(const SurveyRecord& record, const Rim& rim) {
+  double length = 0, farthest = 0;
+  for (const RimEdge& e : rim.edges) length += (rim.points[e.to].position - rim.points[e.from].position).norm();
+  if (length > 0) length /= static_cast<double>(rim.edges.size());
+  if (record.vertex_count > 0) {
+    farthest = std::max(record.lo.cwiseAbs().maxCoeff(), record.hi.cwiseAbs().maxCoeff());
+  }
+  const auto power = [](double x) { return x > 0 ? std::ldexp(1.0, std::ilogb(x)) : 0.0; };
+  const double holds = power(farthest) * std::ldexp(2.0, -(record.float32 ? kFloat32Digits : kFloat64Digits));
+  const double step = std::max(holds, power(length) / kStepsAnEdge);
+  return step > 0 ? step : 1;
+}
+
+class MeshPlanner {
+ public:
+  MeshPlanner(const PlanInput& input, const PlanOptions& options)
+      : cell_(input.cells.begin()->first), record_(input.cells.begin()->second.Outline()), options_(options) {
+    rim_ = BuildRim(input, RimPoints::kOfEdges);
+    plan_.lattice_step = LatticeStep(*record_, rim_);
+    plan_.upright = options.water.find || !options.water.areas.empty();
+  }
+
+  Plan Run() {
+    loops_ = ReadMeshLoops(rim_, *record_);
+    plan_.continuous = CountContinuous(loops_);
+    std::vector<bool> outline(loops_.size(), false);
+    if (!options_.mesh.fill_outlines) outline = FindOutlines(loops_, record_->piece_areas);
+    StoreVertices();
+    const LoopGroups groups = GroupLoops(rim_, loops_, outline);
+    for (const MeshHole& hole : groups.holes) StoreHole(hole);
+    plan_.outer_rims = std::ssize(groups.outlines);
+    for (const size_t l : groups.outlines) Leave("outline of a piece of surface", loops_[l].segments.size(), false);
+    if (!rim_.unlinked.empty()) {
+      Leave("boundary edges that form no loop: the surface is not manifold there", rim_.unlinked.size(), true);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  void StoreVertices() {
+    RaiseSmallSizes(plan_.lattice_step, rim_);
+    RaiseSizesAtShortEdges(rim_);
+    for (const RimPoint& p : rim_.points) {
+      plan_.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size});
+      position_.push_back(p.position);
+    }
+    plan_.vertex_of_boundary = rim_.point_of;
+  }
+
+  void StoreHole(const MeshHole& found) {
+    std::vector<RimSegment> segments = loops_[found.loop].segments;
+    Eigen::Vector3d area = loops_[found.loop].vector_area;
+    for (const size_t l : found.others) {
+      segments.insert(segments.end(), loops_[l].segments.begin(), loops_[l].segments.end());
+      area += loops_[l].vector_area;
+    }
+    if (options_.mesh.largest_hole && std::ssize(segments) > *options_.mesh.largest_hole) {
+      return Leave("longer than --largest-hole", segments.size(), false);
+    }
+    PlannedHole hole = MeasureHole(cell_, std::move(segments), position_);
+    hole.single = found.single;
+    hole.continuous = loops_[found.loop].touches;
+    hole.area = area.norm();
+    hole.projects = plan_.upright && ProjectsUpright(hole.segments);
+    plan_.holes.push_back(std::move(hole));
+  }
+
+  // Whether the surface along a hole faces up and the hole is one region seen from above.
+  bool ProjectsUpright(const std::vector<RimSegment>& segments) const {
+    const bool faces_up = std::all_of(segments.begin(), segments.end(),
+                                      [&](const RimSegment& s) { return rim_.points[s.from].normal.z() > 0; });
+    return faces_up && FindPlanarRegions(segments, position_).triangulation.component_count == 1;
+  }
+
+  void Leave(const char* reason, size_t edges, bool is_hole) {
+    plan_.left.push_back({cell_, reason, -1, static_cast<int64_t>(edges), is_hole});
+  }
+
+  const CellId cell_;
+  const StoredRecord::Pointer record_;
+  const PlanOptions& options_;
+  Rim rim_;
+  std::vector<MeshLoop> loops_;
+  std::vector<Point3> position_;  // of rim points
+  Plan plan_;
+};
+
+}  // namespace
+
+Plan PlanMesh(const PlanInput& input, const PlanOptions& options) { return MeshPlanner(input, options).Run(); }
+
+}  // namespace tilemend

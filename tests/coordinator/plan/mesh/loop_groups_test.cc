@@ -1,0 +1,33 @@
+#include "coordinator/plan/mesh/loop_groups.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/mesh_reading.h"
+#include "tests/support/round_meshes.h"
+#include "tests/support/space_meshes.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(GroupLoopsTest, PutsIslandsIntoTheSmallestHoleThatTheyLieIn) {
+  const auto keep = [](int32_t i, int32_t j) {
+    return i < 3 || i > 11 || j < 3 || j > 11 || (i > 5 && i < 8 && j > 5 && j < 8);
+  };
+  const MeshReading read(SquaresMesh(0, 15, 0, 15, keep));
+  EXPECT_THAT(read.Kinds(), ElementsAre(SingleType::kIsland));
+  EXPECT_EQ(read.groups.outlines.size(), 1u);
+}
+
+TEST(GroupLoopsTest, TakesATubeWithAGapForOneAnnularHole) {
+  TriMesh mesh = SphereBelt(0, 70);
+  AddMesh(SphereBelt(95, 150), mesh);
+  const MeshReading read(mesh);
+  EXPECT_THAT(read.Kinds(), testing::UnorderedElementsAre(SingleType::kAnnular, SingleType::kSimple));
+  EXPECT_THAT(MeshReading(TorusPart(16, 40, 5, 1, 0.95)).Kinds(), ElementsAre(SingleType::kAnnular));
+}
+
+}  // namespace
+}  // namespace tilemend

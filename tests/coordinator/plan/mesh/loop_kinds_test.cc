@@ -1,0 +1,88 @@
+#include "coordinator/plan/mesh/loop_kinds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+LoopLine Line(const std::vector<Point3>& corners, const Eigen::Vector3d& normal = {0, 0, 1}) {
+  return {corners, std::vector<Eigen::Vector3d>(corners.size(), normal)};
+}
+
+// A slit of `count` edges along one side, bent by `bend` degrees at each of them, `width` wide in the middle.
+LoopLine Slit(int count, double width, double bend) {
+  std::vector<Point3> there = {Point3::Zero()}, back;
+  double direction = 0;
+  for (int i = 0; i < count; ++i, direction += bend * kDegree) {
+    there.push_back(there.back() + Point3(std::cos(direction), std::sin(direction), 0));
+    if (i + 1 < count) back.push_back(there.back() + width * Point3(-std::sin(direction), std::cos(direction), 0));
+  }
+  there.insert(there.end(), back.rbegin(), back.rend());
+  return Line(there);
+}
+
+LoopLine Ring(double radius, const Point3& middle, double sense, int count = 24) {
+  LoopLine ring;
+  for (int i = 0; i < count; ++i) {
+    const double turn = sense * 2 * std::numbers::pi * i / count;
+    ring.normals.emplace_back(std::cos(turn), std::sin(turn), 0);
+    ring.corners.push_back(middle + radius * ring.normals.back());
+  }
+  return ring;
+}
+
+TEST(IsCrackTest, TakesWhatRunsOneWayThereAndBack) {
+  EXPECT_TRUE(IsCrack(Slit(8, 0.05, 0)));
+  EXPECT_TRUE(IsCrack(Slit(8, 0.05, 1)));
+  EXPECT_FALSE(IsCrack(Slit(8, 1, 0))) << "its ends are blunt";
+  EXPECT_FALSE(IsCrack(Slit(30, 0.02, 1))) << "it bends by 30 degrees in all";
+}
+
+TEST(IsCrackTest, AddsUpTurnsThatNoPairOfSidesShows) {
+  // A helix about a line: every side is within 9 degrees of the line, but the turns about the normals, which wind round
+  // with it, come to more.
+  LoopLine line;
+  const double pitch = 9 * kDegree;
+  for (int i = 0; i < 12; ++i) {
+    const double turn = 80 * kDegree * i;
+    line.corners.emplace_back(i * std::cos(pitch), std::sin(pitch) * std::cos(turn), std::sin(pitch) * std::sin(turn));
+    line.normals.emplace_back(0, std::cos(turn), std::sin(turn));
+  }
+  for (int i = 10; i > 0; --i) {
+    line.corners.push_back(line.corners[static_cast<size_t>(i)] + 1e-3 * line.normals[static_cast<size_t>(i)]);
+    line.normals.push_back(line.normals[static_cast<size_t>(i)]);
+  }
+  EXPECT_FALSE(IsCrack(line));
+}
+
+TEST(IsDislocationTest, MeasuresTheWidthInEdges) {
+  EXPECT_TRUE(IsDislocation(Slit(30, 0.1, 3), {}));
+  EXPECT_FALSE(IsDislocation(Slit(30, 0.4, 3), {}));
+  EXPECT_FALSE(IsDislocation(Ring(3, Point3::Zero(), 1), {}));
+  LoopLine small = Slit(30, 0.1, 3);
+  for (Point3& p : small.corners) p *= 1e-6;
+  EXPECT_TRUE(IsDislocation(small, {}));
+  EXPECT_FALSE(IsDislocation(Slit(30, 0.1, 3), {0.2, 5e-4})) << "in the mesh's units, if that is asked for";
+  EXPECT_TRUE(IsDislocation(Slit(30, 4e-4, 3), {0.2, 5e-4}));
+}
+
+TEST(FaceEachOtherTest, TakesTheEndsOfATubeThatLacksASegment) {
+  // The lower end opens upwards, the upper one downwards.
+  const LoopLine lower = Ring(2, {0, 0, 0}, 1);
+  EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, -1)));
+  EXPECT_TRUE(FaceEachOther(lower, Ring(1.5, {0.3, 0, 1.5}, -1)));
+  EXPECT_FALSE(FaceEachOther(lower, Ring(1, {0, 0, 1.5}, -1))) << "unlike";
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 6}, -1))) << "far away";
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {1.5, 0, 1}, -1))) << "beside it";
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, -1.5}, -1))) << "the other end of a short tube";
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, 1))) << "opens the same way";
+}
+
+}  // namespace
+}  // namespace tilemend

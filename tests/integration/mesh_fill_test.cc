@@ -1,0 +1,137 @@
+// Single meshes from the survey to the patch: what does not depend on size and direction, and which loops are holes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "tests/support/filled_mesh.h"
+#include "tests/support/round_meshes.h"
+#include "tests/support/space_meshes.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::IsEmpty;
+
+// Of each hole: edges, kind, way, reason.
+using Outcome = std::tuple<int32_t, SingleType, FillWay, std::string>;
+
+std::vector<Outcome> OutcomesOf(const FilledMesh& filled) {
+  std::vector<Outcome> outcomes;
+  for (const HolePatch& patch : filled.patches) {
+    const PlannedHole& hole = filled.plan.holes[patch.hole];
+    outcomes.emplace_back(hole.boundary_vertices, hole.single, patch.way, patch.failure);
+  }
+  return outcomes;
+}
+
+TriMesh Scaled(TriMesh mesh, double factor) {
+  for (Point3& p : mesh.points) p *= factor;
+  return mesh;
+}
+
+double Wave(double x, double y) { return 0.7 * std::sin(x) * std::cos(0.8 * y); }
+
+std::vector<std::pair<const char*, TriMesh>> Meshes() {
+  const auto in_corner = [](const Point3& p) { return p.norm() < 2.5; };
+  const auto in_face = [](const Point3& p) { return (p - Point3(3, 3, 0)).norm() < 1.7; };
+  const auto in_edge = [](const Point3& p) { return (p - Point3(3, 0, 0)).norm() < 1.7; };
+  const auto in_sphere = [](const Point3& p) { return (p - Point3(0, 0.6, 0.8)).norm() < 0.5; };
+  const auto in_sheet = [](int32_t i, int32_t j) { return i < 4 || i > 9 || j < 3 || j > 8; };
+  TriMesh belts = SphereBelt(0, 60);
+  AddMesh(SphereBelt(75, 150), belts);
+  return {{"corner", Shaken(WithoutHole(BoxMesh(6), in_corner), 0.05, 1)},
+          {"face", Shaken(WithoutHole(BoxMesh(6), in_face), 0.05, 2)},
+          {"edge", Shaken(WithoutHole(BoxMesh(6), in_edge), 0.05, 3)},
+          {"sphere", Shaken(WithoutHole(SphereBelt(0, 160), in_sphere), 0.005, 4)},
+          {"sheet", SquaresMesh(0, 14, 0, 12, in_sheet, Wave)},
+          {"belts", Shaken(belts, 0.005, 5)},
+          {"torus", TorusPart(16, 40, 5, 1, 0.95)}};
+}
+
+TEST(MeshFillTest, GivesTheSameOutcomesForAMeshOfAnySizeTurnedInAnyWay) {
+  for (const auto& [name, mesh] : Meshes()) {
+    const FilledMesh plain = Fill(mesh);
+    for (const double factor : {1e-6, 1e-3, 1.0, 1e3}) {
+      for (int way = 0; way < 7; ++way) {
+        SCOPED_TRACE(testing::Message() << name << " times " << factor << " turned " << way);
+        const FilledMesh other = Fill(Turned(Scaled(mesh, factor), way));
+        EXPECT_EQ(OutcomesOf(other), OutcomesOf(plain));
+        EXPECT_EQ(other.detached, plain.detached);
+        for (size_t h = 0; h < plain.patches.size(); ++h) {
+          const double most = 0.2 * static_cast<double>(plain.patches[h].new_points.size()) + 1;
+          EXPECT_NEAR(static_cast<double>(other.patches[h].new_points.size()),
+                      static_cast<double>(plain.patches[h].new_points.size()), most);
+        }
+      }
+    }
+  }
+}
+
+TEST(MeshFillTest, TakesEveryLoopOfABodyForAHole) {
+  // Limbs that widen towards the cut.
+  for (const double widening : {-0.5, 0.0, 0.5, 1.0}) {
+    SCOPED_TRACE(widening);
+    const TriMesh limb = TubeMesh(24, 30, [&](double turn, double share) {
+      const double radius = share > 0.99 ? 1e-3 : share < 0.3 ? 1 + widening * (0.3 - share) * 3 : 1;
+      return Point3(radius * std::cos(turn), radius * std::sin(turn), 12 * share);
+    });
+    const FilledMesh filled = Fill(limb);
+    EXPECT_EQ(filled.detached, 0);
+    EXPECT_EQ(filled.plan.holes.size(), 2u);
+  }
+}
+
+TEST(MeshFillTest, DoesNotChangeItsMindAboutSpheresCutAboutTheMiddle) {
+  for (const double degrees : {84., 88., 89.9, 90., 90.1, 92., 96.}) {
+    EXPECT_EQ(Fill(SphereBelt(0, degrees)).plan.holes.size(), 1u) << degrees;
+  }
+}
+
+TEST(MeshFillTest, LeavesTheOutlineOfASheetAloneAndNoOtherLoop) {
+  const auto keep = [](int32_t i, int32_t j) { return (i % 4 != 2 || j % 4 != 2) && (i < 17 || i > 18 || j != 17); };
+  const TriMesh sheet = SquaresMesh(0, 20, 0, 20, keep, Wave);
+  for (int way = 0; way < 7; ++way) {
+    const FilledMesh filled = Fill(Turned(sheet, way));
+    EXPECT_EQ(filled.detached, 1);
+    EXPECT_EQ(filled.plan.holes.size(), 25u);
+    EXPECT_THAT(filled.failures, IsEmpty());
+  }
+}
+
+TEST(MeshFillTest, FillsOutlinesAndLeavesLongHolesIfAsked) {
+  const TriMesh sheet = SquaresMesh(
+      0, 9, 0, 9, [](int32_t i, int32_t j) { return i != 4 || j < 3 || j > 5; }, Wave);
+  const FilledMesh all = Fill(sheet, Surface::kThinPlate, {true, {}});
+  EXPECT_EQ(all.detached, 0);
+  EXPECT_EQ(all.plan.holes.size(), 2u);
+  const FilledMesh none = Fill(sheet, Surface::kThinPlate, {false, 7});
+  EXPECT_EQ(none.plan.holes.size(), 0u);
+  ASSERT_EQ(none.plan.left.size(), 2u);
+  EXPECT_EQ(none.plan.left[0].reason, "longer than --largest-hole");
+  EXPECT_FALSE(none.plan.left[0].is_hole);
+  EXPECT_EQ(Fill(sheet, Surface::kThinPlate, {false, 8}).plan.holes.size(), 1u);
+}
+
+TEST(MeshFillTest, AccountsForEveryBoundaryEdge) {
+  // A fin on a box with a hole: its free edges form no loop.
+  TriMesh mesh = WithoutHole(BoxMesh(5), [](const Point3& p) { return p.norm() < 1.6; });
+  const auto at = [&](const Point3& p) {
+    return static_cast<int32_t>(std::ranges::find(mesh.points, p) - mesh.points.begin());
+  };
+  mesh.triangles.push_back({at({5, 2, 2}), at({5, 3, 2}), static_cast<int32_t>(mesh.points.size())});
+  mesh.points.emplace_back(7, 2.5, 2);
+  const FilledMesh filled = Fill(mesh);
+  EXPECT_THAT(filled.failures, IsEmpty());
+  ASSERT_EQ(filled.plan.left.size(), 1u);
+  EXPECT_EQ(filled.plan.left[0].edges, 2);
+  EXPECT_TRUE(filled.plan.left[0].is_hole);
+}
+
+}  // namespace
+}  // namespace tilemend
