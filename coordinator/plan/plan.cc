@@ -192,11 +192,11 @@ void LeaveFailedHoles(Plan& plan) {
   }
 }
 
-Plan PlanGrid(const PlanInput& input, const PlanOptions& options) {
+Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
   Plan plan;
   plan.lattice_step = LatticeStep(input);
   BorderFindings borders = AuditBorders(input);
-  const GridLines lines = FindGridLines(input, borders, plan.lattice_step);
+  lines = FindGridLines(input, borders, plan.lattice_step);
   plan.borders = std::move(borders.borders);
   if (borders.independent) {
     PlanOverlapping(input, lines, options, plan);
@@ -210,14 +210,15 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options) {
 }  // namespace
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
-  Plan plan = input.has_grid ? PlanGrid(input, options) : PlanMesh(input, options);
+  GridLines lines;
+  Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) MarkObjects(input, plan);
   if (!options.cancelled()) FindWater(input, options.water, plan);
   if (!options.cancelled()) LayWallFeet(plan);
-  if (borders.independent && !options.cancelled()) LayStripEdges(lines, plan);
+  if (!options.cancelled()) LayStripEdges(lines, plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   return plan;

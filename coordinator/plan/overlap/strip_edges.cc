@@ -302,7 +302,7 @@ class StripLayer {
 void LayStripEdges(const GridLines& outlines, Plan& plan) {
   RimCrossings rims(plan);
   for (PlannedHole& hole : plan.holes) {
-    if (hole.water >= 0) continue;
+    if (hole.water >= 0 || hole.own_regions.empty()) continue;
     StripLayer layer(outlines, rims, plan, hole);
     for (std::vector<RimSegment>& region : hole.own_regions) layer.Lay(region);
   }
