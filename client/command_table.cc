@@ -46,6 +46,13 @@ std::vector<FlagSpec> InspectFlags() {
               {AreaFlag(), {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""}});
 }
 
+std::vector<FlagSpec> CheckFlags() {
+  return {{"crease-angle", "DEGREES", "a sharper turn of the surface at an edge is a fault", "120"},
+          {"spike-angle", "DEGREES", "a vertex with less about it, on long edges, is a spike", "90"},
+          {"small-component", "EDGES", "no wider pieces are small, in mean edges of the mesh", "5"},
+          {"small-hole", "EDGES", "holes with no more boundary edges are small", "12"}};
+}
+
 }  // namespace
 
 std::vector<Command> ServiceCommands() {
@@ -66,6 +73,13 @@ std::vector<Command> ServiceCommands() {
        {},
        Join(InspectFlags(), output),
        InspectCommand},
+      {"check",
+       "MESH|SCENE|DIR",
+       "show what is wrong with a mesh, a scene or an output; write nothing",
+       1,
+       {},
+       Join(CheckFlags(), output),
+       CheckCommand},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
       {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, Join(FillFlags(), output), FillCommand},
       {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},

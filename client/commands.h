@@ -24,6 +24,7 @@ struct Command {
 
 // Each prints data on stdout, progress and errors on stderr, and gives an exit code (common/util/exit_codes.h).
 int InspectCommand(const Args& args);
+int CheckCommand(const Args& args);
 int RunCommand(const Args& args);
 int FillCommand(const Args& args);
 int SubmitCommand(const Args& args);

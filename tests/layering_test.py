@@ -97,6 +97,8 @@ RULES = {
 
     'worker/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
 
+    'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),
+
     'worker/materials': rule(
         ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
 
@@ -169,7 +171,7 @@ RULES = {
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
         ['common/util', 'common/gis', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
-         'worker/fill', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
+         'worker/fill', 'worker/check', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),
 }

@@ -186,6 +186,28 @@ TEST(FillCommandTest, LeavesAHoleThatEveryPatchOfCrossesTheSurface) {
   }
 }
 
+TEST(CheckCommandTest, SaysWhatIsWrongUntilItIsMended) {
+  const TemporaryFolder folder;
+  const std::string in = folder.Write("in.off", Text(SheetWithAHole(), MeshFormat::kOff)), out = folder / "out.off";
+  const auto tilemend = [&](const std::vector<std::string>& words) {
+    return Process(folder.path(), TILEMEND_CLIENT, words).Wait();
+  };
+  const Ended before = tilemend({"check", in, "-o", "json"});
+  EXPECT_EQ(before.code, 100) << before.err;
+  const Json json = Json::parse(before.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << before.out;
+  EXPECT_EQ(json["faults"], 1);
+  EXPECT_EQ(json["holes"]["single"]["simple"], 1);
+  EXPECT_EQ(json["outlines"], 1);
+  EXPECT_EQ(json["defects"]["self_intersections"]["count"], 0);
+  ASSERT_EQ(tilemend({"fill", in, "--out", out}).code, 0);
+  const Ended after = tilemend({"check", out});
+  EXPECT_EQ(after.code, 0) << after.out;
+  EXPECT_THAT(after.out, HasSubstr("0  holes"));
+  EXPECT_EQ(tilemend({"check", folder / "none.off"}).code, 3);
+  EXPECT_EQ(tilemend({"check", in, "--crease-angle", "0"}).code, 2);
+}
+
 TEST(FillCommandTest, ExitCodes) {
   const TemporaryFolder folder;
   const std::string in = folder.Write("in.obj", Text(SheetWithAHole(), MeshFormat::kObj));

@@ -1,0 +1,222 @@
+// `tilemend check`: what is wrong with a mesh, the tiles of a scene, or an output.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "client/commands.h"
+#include "client/inspection.h"
+#include "client/job_flags.h"
+#include "client/output.h"
+#include "common/codec/mesh_file.h"
+#include "common/util/exit_codes.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "coordinator/report/tile_checks.h"
+#include "worker/check/mesh_defects.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kMostPlaces = 10;  // of a kind over all tiles
+
+constexpr std::pair<Defect, const char*> kNames[] = {
+    {Defect::kNonManifoldEdge, "nonmanifold_edges"}, {Defect::kNonManifoldVertex, "nonmanifold_vertices"},
+    {Defect::kTurnedEdge, "turned_edges"},           {Defect::kSelfIntersection, "self_intersections"},
+    {Defect::kCreasedEdge, "creased_edges"},         {Defect::kSpike, "spikes"},
+    {Defect::kSmallComponent, "small_components"},   {Defect::kDuplicateTriangle, "duplicate_triangles"},
+    {Defect::kFlatTriangle, "flat_triangles"}};
+constexpr std::pair<SingleType, const char*> kKinds[] = {{SingleType::kCrack, "crack"},
+                                                         {SingleType::kDislocation, "dislocation"},
+                                                         {SingleType::kAnnular, "annular"},
+                                                         {SingleType::kIsland, "island"},
+                                                         {SingleType::kSimple, "simple"}};
+
+struct Limits {
+  CheckLimits mesh;
+  int64_t small_hole_edges = 12;
+};
+
+absl::StatusOr<Limits> LimitsFromFlags(const Args& args) {
+  Limits limits;
+  TILEMEND_ASSIGN_OR_RETURN(limits.mesh.crease_degrees, args.Number("crease-angle", 1, 179));
+  TILEMEND_ASSIGN_OR_RETURN(limits.mesh.spike_degrees, args.Number("spike-angle", 1, 359));
+  TILEMEND_ASSIGN_OR_RETURN(limits.mesh.component_edges, args.Number("small-component", 0, 1e9));
+  TILEMEND_ASSIGN_OR_RETURN(const double edges, args.Number("small-hole", 0, 1e9));
+  limits.small_hole_edges = static_cast<int64_t>(edges);
+  return limits;
+}
+
+// What was found in all tiles together.
+struct Findings {
+  std::map<Defect, DefectFinding> defects;
+  int64_t triangles = 0;
+};
+
+absl::Status CheckFile(const std::string& path, const CheckLimits& limits, Findings& all) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+  all.triangles += std::ssize(file.mesh.triangles);
+  for (const auto& [defect, finding] : FindDefects(file.mesh, limits)) {
+    DefectFinding& sum = all.defects[defect];
+    sum.count += finding.count;
+    for (const Point3& p : finding.places) {
+      if (sum.places.size() < kMostPlaces) sum.places.push_back(p);
+    }
+  }
+  return absl::OkStatus();
+}
+
+// The tiles of an output in the cells of the scene that it was made from, as long as that is there; or of any scene.
+absl::StatusOr<Scene> SceneAt(const std::string& path) {
+  const std::string report_path = absl::StrCat(path, "/report.json");
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(report_path, error)) return LoadScene(path, ReadTileBounds);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
+  const Json report = Json::parse(text, nullptr, false);
+  const std::string source = report.is_object() ? report.value("scene", std::string()) : std::string();
+  auto scene = LoadScene(source.empty() ? path : source, ReadTileBounds);
+  if (!scene.ok()) return LoadScene(path, ReadTileBounds);
+  scene->root = path;
+  for (SceneTile& tile : scene->tiles) {
+    const std::string output = OutputPath(tile);
+    tile.path = std::filesystem::exists(absl::StrCat(path, "/", output), error) ? output : "";
+  }
+  return scene;
+}
+
+Json DefectsJson(const Findings& all) {
+  Json json = Json::object();
+  for (const auto& [defect, name] : kNames) {
+    const auto found = all.defects.find(defect);
+    const DefectFinding finding = found == all.defects.end() ? DefectFinding() : found->second;
+    Json at = Json::array();
+    for (const Point3& p : finding.places) at.push_back({p.x(), p.y(), p.z()});
+    json[name] = {{"count", finding.count}, {"at", at}};
+  }
+  return json;
+}
+
+Json HolesJson(const Plan& plan, int64_t small_hole_edges) {
+  int64_t open = 0, small = 0, unlinked = 0, continuous = 0;
+  std::map<SingleType, int64_t> kinds;
+  for (const PlannedHole& hole : plan.holes) {
+    open += hole.kind != HoleKind::kClosed;
+    small += hole.kind == HoleKind::kClosed && hole.boundary_vertices <= small_hole_edges;
+    continuous += hole.continuous;
+    ++kinds[hole.single];
+  }
+  for (const LeftOpen& left : plan.left) {
+    if (left.hole < 0 && left.is_hole) unlinked += left.edges;
+  }
+  Json single = Json::object();
+  for (const auto& [kind, name] : kKinds) single[name] = kinds[kind];
+  return {{"all", plan.holes.size()},
+          {"small", small},
+          {"open", open},
+          {"single", single},
+          {"continuous", std::max<int64_t>(continuous, plan.continuous)},
+          {"edges_in_no_loop", unlinked}};
+}
+
+// How many faults there are: a mesh with none is closed but for its outlines.
+int64_t CountFaults(const Json& json) {
+  int64_t count = json["holes"]["all"].get<int64_t>() + json["holes"]["edges_in_no_loop"].get<int64_t>();
+  for (const auto& [name, finding] : json["defects"].items()) count += finding["count"].get<int64_t>();
+  return count;
+}
+
+void PrintTable(const Json& json) {
+  std::string text =
+      absl::StrFormat("checked: %s, %d triangles\n", json["path"].get<std::string>(), json["triangles"].get<int64_t>());
+  for (const auto& [name, finding] : json["defects"].items()) {
+    std::string label = name;
+    std::replace(label.begin(), label.end(), '_', ' ');
+    absl::StrAppend(&text, absl::StrFormat("%9d  %s", finding["count"].get<int64_t>(), label));
+    if (!finding["at"].empty()) absl::StrAppend(&text, ", the first at ", finding["at"][0].dump());
+    text += '\n';
+  }
+  const Json& holes = json["holes"];
+  absl::StrAppend(&text, absl::StrFormat("%9d  holes, %d of them small\n", holes["all"].get<int64_t>(),
+                                         holes["small"].get<int64_t>()));
+  for (const auto& [name, count] : holes["single"].items()) {
+    if (count.get<int64_t>() > 0) absl::StrAppend(&text, absl::StrFormat("%9d    %s\n", count.get<int64_t>(), name));
+  }
+  absl::StrAppend(&text, absl::StrFormat("%9d  boundary edges in no loop\n%9d  outlines (no fault)\n",
+                                         holes["edges_in_no_loop"].get<int64_t>(), json["outlines"].get<int64_t>()));
+  std::fputs(text.c_str(), stdout);
+}
+
+int Finish(const std::string& path, const Limits& limits, const Findings& all, const Plan& plan, OutputFormat format) {
+  Json json = {{"path", path},
+               {"triangles", all.triangles},
+               {"limits",
+                {{"crease_degrees", limits.mesh.crease_degrees},
+                 {"spike_degrees", limits.mesh.spike_degrees},
+                 {"spike_edges", limits.mesh.spike_edges},
+                 {"small_component_edges", limits.mesh.component_edges},
+                 {"small_hole_edges", limits.small_hole_edges}}},
+               {"defects", DefectsJson(all)},
+               {"holes", HolesJson(plan, limits.small_hole_edges)},
+               {"outlines", plan.outer_rims}};
+  const int64_t faults = CountFaults(json);
+  json["faults"] = faults;
+  if (format == OutputFormat::kJson) {
+    std::fputs((json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n").c_str(), stdout);
+  } else {
+    PrintTable(json);
+  }
+  return faults > 0 ? kExitSomeLeft : kExitDone;
+}
+
+int CheckMesh(const std::string& path, const Limits& limits, OutputFormat format) {
+  Findings all;
+  if (const absl::Status status = CheckFile(path, limits.mesh, all); !status.ok()) return PrintError(status);
+  const auto file = ReadMeshFile(path);
+  if (!file.ok()) return PrintError(file.status());
+  WaveOptions options;
+  options.single_mesh = options.plan_only = true;
+  options.plan.water.find = false;
+  SceneWaves waves(SceneOfMesh(path), options);
+  while (waves.Next()) waves.TakeSurvey({0, 0}, SurveyOf(*file));
+  return Finish(path, limits, all, waves.plan(), format);
+}
+
+int CheckScene(const std::string& path, const Limits& limits, OutputFormat format) {
+  auto scene = SceneAt(path);
+  if (!scene.ok()) return PrintError(scene.status());
+  PlanOptions options;
+  options.water.find = false;
+  const Inspection inspection = InspectScene(*std::move(scene), options);
+  for (const absl::Status& error : inspection.errors) return PrintError(error);
+  Findings all;
+  for (const SceneTile& tile : inspection.waves->scene().tiles) {
+    if (tile.path.empty()) continue;
+    const std::string file = absl::StrCat(inspection.waves->scene().root, "/", tile.path);
+    if (const absl::Status status = CheckFile(file, limits.mesh, all); !status.ok()) return PrintError(status);
+  }
+  return Finish(path, limits, all, inspection.waves->plan(), format);
+}
+
+}  // namespace
+
+int CheckCommand(const Args& args) {
+  const auto format = FormatFromFlags(args);
+  if (!format.ok()) return PrintUsageError(format.status());
+  const auto limits = LimitsFromFlags(args);
+  if (!limits.ok()) return PrintUsageError(limits.status());
+  const std::string& path = args.arguments().front();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error) && !error)
+    return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
+  return IsSingleMesh(path) ? CheckMesh(path, *limits, *format) : CheckScene(path, *limits, *format);
+}
+
+}  // namespace tilemend
