@@ -225,6 +225,7 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
     h->set_own_outline(hole.own_outline);
+    h->set_among_objects(hole.among_objects);
     for (const RimSegment& s : hole.inner_edges) {
       h->add_inner_from(s.from);
       h->add_inner_to(s.to);
@@ -281,6 +282,7 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
       if (!hole.river.stations.back().allFinite()) return Malformed("river stations");
     }
     hole.own_outline = h.own_outline();
+    hole.among_objects = h.among_objects();
     TILEMEND_RETURN_IF_ERROR(ReadEdges(h, n, hole));
     holes.holes.push_back(std::move(hole));
   }

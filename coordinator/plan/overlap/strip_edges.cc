@@ -76,10 +76,12 @@ class RimCrossings {
   std::map<std::tuple<CellId, int, double>, std::vector<Point3>> found_;
 };
 
+// The segments of a cell's holes on its tile's outline, by Side.
+using OutlineSegments = std::array<std::vector<RimSegment>, 4>;
+
 class StripLayer {
  public:
-  StripLayer(const GridLines& outlines, RimCrossings& rims, Plan& plan, PlannedHole& hole)
-      : rims_(rims), plan_(plan), hole_(hole) {
+  StripLayer(const GridLines& outlines, Plan& plan, PlannedHole& hole) : plan_(plan), hole_(hole) {
     for (const Side side : kSides) {
       own_[side] = outlines.At(hole.cell, side);
       const auto it = outlines.coordinate.find({Across(hole.cell, side), Opposite(side)});
@@ -89,18 +91,36 @@ class StripLayer {
     }
   }
 
-  void Lay(std::vector<RimSegment>& region) {
-    LayCorners(region);
-    for (const Side side : kSides) {
-      if (strip_end_[side]) LaySide(region, side);
+  // Puts new vertices on the outline beside its corners, where the neighbours' outlines cross it.
+  void LayCorners() {
+    for (std::vector<RimSegment>& region : hole_.own_regions) LayCorners(region);
+  }
+
+  void CollectOutline(OutlineSegments& segments) const {
+    for (const std::vector<RimSegment>& region : hole_.own_regions) {
+      for (const RimSegment& s : region) {
+        for (const Side side : kSides) {
+          if (s.seam && RunsAlong(s, side)) segments[side].push_back(s);
+        }
+      }
     }
-    for (const Side side : kSides) {
-      if (strip_end_[side]) PassNeighboursRim(region, side);
+  }
+
+  void LayEdges(const std::map<CellId, OutlineSegments>& of_cells, RimCrossings& rims) {
+    for (std::vector<RimSegment>& region : hole_.own_regions) {
+      for (const Side side : kSides) {
+        const auto neighbour = of_cells.find(Across(hole_.cell, side));
+        if (strip_end_[side] && neighbour != of_cells.end()) {
+          LaySide(region, side, neighbour->second[Opposite(side)]);
+        }
+      }
+      for (const Side side : kSides) {
+        if (strip_end_[side]) PassNeighboursRim(region, side, rims);
+      }
     }
   }
 
  private:
-  // Puts new vertices on the outline beside its corners, where the neighbours' outlines cross it.
   void LayCorners(std::vector<RimSegment>& region) {
     std::vector<RimSegment> result;
     for (const RimSegment& s : region) {
@@ -121,43 +141,44 @@ class StripLayer {
       if (vertex.index >= 0 || vertex.follows < 0 || plan_.vertices[vertex.follows].lines != kCornerLines) continue;
       for (const Side side : kSides) {
         const int axis = AxisOf(side);
-        if (!strip_end_[side] || At(corner, axis) != own_[side] || !RunsAlong(s, axis)) continue;
+        if (!strip_end_[side] || At(corner, axis) != own_[side] || !RunsAlongAxis(s, axis)) continue;
         if ((*strip_end_[side] - At(other, axis)) * OutwardOf(side) < Least()) continue;
         const int32_t crossing = AddVertex(corner, axis, *strip_end_[side]);
-        twins_.emplace(std::pair(At(crossing, 0), At(crossing, 1)), crossing);
+        copies_.emplace(std::pair(At(crossing, 0), At(crossing, 1)), crossing);
         return crossing;
       }
     }
     return std::nullopt;
   }
 
-  // The neighbour's outline beside the segments on this side.
-  void LaySide(const std::vector<RimSegment>& region, Side side) {
-    const std::vector<RimSegment> rim = RimAlong(region, side);
+  // The neighbour's outline on this side, as far as it runs through the hole.
+  void LaySide(const std::vector<RimSegment>& region, Side side, const std::vector<RimSegment>& neighbours) {
     const int axis = AxisOf(side);
+    std::vector<RimSegment> own;
     for (const RimSegment& s : region) {
-      if (At(s.from, axis) != own_[side] || At(s.to, axis) != own_[side]) continue;
-      const std::optional<int32_t> from = Twin(s.from, side, rim), to = Twin(s.to, side, rim);
+      if (s.seam && RunsAlong(s, side)) own.push_back(s);
+    }
+    const std::vector<RimSegment> rim = RimAlong(region, side);
+    for (const RimSegment& s : neighbours) {
+      const std::optional<int32_t> from = CopyOf(s.from, side, own, rim), to = CopyOf(s.to, side, own, rim);
       if (!from || !to) continue;
       const Way edge{1 - axis, PlaceOf(*from), PlaceOf(*to)};
-      if (!IsClear(edge, rim, std::min(ClearanceAt(*from), ClearanceAt(*to)))) continue;
-      const std::vector<int32_t> between = NeighboursRimBetween(*from, *to, side, *strip_end_[side]);
-      std::vector<int32_t> way = {*from};
-      way.insert(way.end(), between.begin(), between.end());
-      way.push_back(*to);
-      for (size_t i = 0; i + 1 < way.size(); ++i) AddEdge(way[i], way[i + 1]);
-      if (between.empty()) AddDiagonal({s.from, s.to, *from, *to});
+      if (IsClear(edge, rim, std::min(ClearanceAt(*from), ClearanceAt(*to)))) AddEdge(*from, *to);
+    }
+    for (const RimSegment& s : own) {
+      const std::optional<int32_t> from = CopyBeside(s.from, side), to = CopyBeside(s.to, side);
+      if (from && to && edges_.contains(std::minmax(*from, *to))) AddDiagonal({s.from, s.to, *from, *to});
     }
   }
 
   // Puts new vertices on the outline where the neighbour's rim crosses it.
-  void PassNeighboursRim(std::vector<RimSegment>& region, Side side) {
+  void PassNeighboursRim(std::vector<RimSegment>& region, Side side, RimCrossings& rims) {
     const int axis = AxisOf(side);
     std::vector<RimSegment> result;
     for (const RimSegment& s : region) {
       int32_t last = s.from;
       if (IsNew(s.from) && IsNew(s.to) && At(s.from, axis) == own_[side] && At(s.to, axis) == own_[side]) {
-        for (const int32_t v : NeighboursRimBetween(s.from, s.to, side, own_[side])) {
+        for (const int32_t v : NeighboursRimBetween(s.from, s.to, side, rims)) {
           result.push_back({last, v, true});
           last = v;
         }
@@ -167,12 +188,10 @@ class StripLayer {
     region = std::move(result);
   }
 
-  // New vertices on a line along `side` between two on it, where the neighbour's rim crosses the strip: its surface
-  // ends there, and the fill of both passes there.
-  std::vector<int32_t> NeighboursRimBetween(int32_t from, int32_t to, Side side, double line) {
+  // New vertices on the outline between two on it, where the neighbour's rim crosses it or, in the strip, ends.
+  std::vector<int32_t> NeighboursRimBetween(int32_t from, int32_t to, Side side, RimCrossings& rims) {
     const int axis = AxisOf(side), along = 1 - axis;
     const CellId neighbour = Across(hole_.cell, side);
-    const double other_line = line == own_[side] ? *strip_end_[side] : own_[side];
     const double size = std::min(plan_.vertices[from].size, plan_.vertices[to].size);
     std::map<double, double> heights = {{At(from, along), 0}, {At(to, along), 0}};  // by place
     const auto add = [&](const std::vector<Point3>& crossings, double room) {
@@ -183,8 +202,8 @@ class StripLayer {
         if (is_clear) heights.emplace(p[along], p.z());
       }
     };
-    add(rims_.Find(neighbour, axis, line), kLeastRoom * size);
-    add(rims_.Find(neighbour, axis, other_line), kClearance * size);
+    add(rims.Find(neighbour, axis, own_[side]), kLeastRoom * size);
+    add(rims.Find(neighbour, axis, *strip_end_[side]), kClearance * size);
     std::vector<int32_t> found;
     for (auto it = std::next(heights.begin()); std::next(it) != heights.end(); ++it) {
       found.push_back(AddKnown(from, along, it->first, it->second, size));
@@ -195,12 +214,17 @@ class StripLayer {
 
   int32_t AddKnown(int32_t like, int axis, double at, double height, double size) {
     const int32_t v = AddVertex(like, axis, RoundedToLattice(at, plan_.lattice_step));
-    PlanVertex& vertex = plan_.vertices[v];
-    vertex.position.z() = RoundedToLattice(height, plan_.lattice_step);
-    vertex.follows = -1;
-    vertex.height_known = true;
-    vertex.size = size;
+    plan_.vertices[v].position.z() = RoundedToLattice(height, plan_.lattice_step);
+    plan_.vertices[v].size = size;
+    SetKnown(plan_.vertices[v]);
     return v;
+  }
+
+  static void SetKnown(PlanVertex& vertex) {
+    vertex.index = -1;
+    vertex.follows = -1;
+    vertex.lines = 0;
+    vertex.height_known = true;
   }
 
   bool IsNew(int32_t v) const { return plan_.vertices[v].index < 0; }
@@ -217,20 +241,50 @@ class StripLayer {
     if (edges_.insert(std::minmax(a, b)).second) hole_.inner_edges.push_back({a, b, true});
   }
 
-  // The vertex straight across the strip; none where the rim is in the way, or another strip. It may be there already,
-  // in a corner.
-  std::optional<int32_t> Twin(int32_t v, Side side, const std::vector<RimSegment>& rim) {
-    const int axis = AxisOf(side);
-    const PlanVertex& vertex = plan_.vertices[v];
-    if (vertex.index >= 0 || vertex.follows < 0) return std::nullopt;
+  // A neighbour's vertex as one of this hole; none where it is outside, too near to the rim, or on an object.
+  std::optional<int32_t> CopyOf(int32_t v, Side side, const std::vector<RimSegment>& own,
+                                const std::vector<RimSegment>& rim) {
+    PlanVertex vertex = plan_.vertices[v];
+    vertex.position[AxisOf(side)] = *strip_end_[side];
+    const Point2 place = vertex.position.head<2>();
+    if (const auto it = CopyAt(place); it != copies_.end()) return it->second;
+    std::optional<int32_t>& copy = copies_[{place.x(), place.y()}];
+    if (vertex.on_object || !IsInside(place, 1 - AxisOf(side)) || !IsAcross(place, side, own)) return copy;
+    Way across{AxisOf(side), place, place};
+    across.to[across.axis] = own_[side];
+    if (!IsClear(across, rim, ClearanceAt(v))) return copy;
+    if (vertex.index >= 0) SetKnown(vertex);
+    vertex.tile = hole_.cell;
+    plan_.vertices.push_back(vertex);
+    return copy = static_cast<int32_t>(plan_.vertices.size()) - 1;
+  }
+
+  // That straight across the strip from one of the outline.
+  std::optional<int32_t> CopyBeside(int32_t v, Side side) const {
     Point2 place = PlaceOf(v);
-    place[axis] = *strip_end_[side];
-    if (const auto it = twins_.find({place.x(), place.y()}); it != twins_.end()) return it->second;
-    const Way across{axis, PlaceOf(v), place};
-    std::optional<int32_t> twin;
-    if (IsInside(place, 1 - axis) && IsClear(across, rim, ClearanceAt(v))) twin = AddVertex(v, axis, place[axis]);
-    twins_.emplace(std::pair(place.x(), place.y()), twin);
-    return twin;
+    place[AxisOf(side)] = *strip_end_[side];
+    const auto it = CopyAt(place);
+    return it == copies_.end() ? std::nullopt : it->second;
+  }
+
+  // Within a hair: outlines that go on one another do so only nearly.
+  using Copies = std::map<std::pair<double, double>, std::optional<int32_t>>;
+  Copies::const_iterator CopyAt(const Point2& place) const {
+    auto it = copies_.lower_bound({place.x() - kOnLine, place.y()});
+    while (it != copies_.end() && it->first.first <= place.x() + kOnLine) {
+      if (std::abs(it->first.second - place.y()) < kOnLine) return it;
+      ++it;
+    }
+    return copies_.end();
+  }
+
+  // Whether the hole reaches the outline straight across the strip.
+  bool IsAcross(const Point2& place, Side side, const std::vector<RimSegment>& own) const {
+    const int along = 1 - AxisOf(side);
+    return std::any_of(own.begin(), own.end(), [&](const RimSegment& s) {
+      const auto [low, high] = std::minmax({At(s.from, along), At(s.to, along)});
+      return place[along] >= low && place[along] <= high;
+    });
   }
 
   int32_t AddVertex(int32_t like, int axis, double at) {
@@ -251,18 +305,20 @@ class StripLayer {
     std::vector<RimSegment> rim;
     for (const RimSegment& s : region) {
       const auto [least, most] = std::minmax({At(s.from, axis), At(s.to, axis)});
-      if (most > low - reach && least < high + reach && !RunsAlong(s, 0) && !RunsAlong(s, 1)) rim.push_back(s);
+      const bool near = most > low - reach && least < high + reach;
+      if (near && !RunsAlongAxis(s, 0) && !RunsAlongAxis(s, 1)) rim.push_back(s);
     }
     return rim;
   }
 
-  // Whether a segment is a part of the outline's sides along `axis`.
-  bool RunsAlong(const RimSegment& s, int axis) const {
-    return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
-      const int across = AxisOf(side);
-      const auto is_on = [&](int32_t v) { return std::abs(At(v, across) - own_[side]) < kOnLine; };
-      return across != axis && is_on(s.from) && is_on(s.to);
-    });
+  bool RunsAlong(const RimSegment& s, Side side) const {
+    const auto is_on = [&](int32_t v) { return std::abs(At(v, AxisOf(side)) - own_[side]) < kOnLine; };
+    return is_on(s.from) && is_on(s.to);
+  }
+
+  bool RunsAlongAxis(const RimSegment& s, int axis) const {
+    return std::any_of(kSides.begin(), kSides.end(),
+                       [&](Side side) { return AxisOf(side) != axis && RunsAlong(s, side); });
   }
 
   // On `axis`, off the strips along the sides across it, or at the very end of one.
@@ -288,12 +344,11 @@ class StripLayer {
   double ClearanceAt(int32_t v) const { return kClearance * plan_.vertices[v].size; }
   double Least() const { return kLeastSteps * plan_.lattice_step; }
 
-  RimCrossings& rims_;
   Plan& plan_;
   PlannedHole& hole_;
-  std::array<double, 4> own_{};                                        // the tile's outline, by Side
-  std::array<std::optional<double>, 4> strip_end_{};                   // its neighbour's there, as far as they overlap
-  std::map<std::pair<double, double>, std::optional<int32_t>> twins_;  // by place
+  std::array<double, 4> own_{};                       // the tile's outline, by Side
+  std::array<std::optional<double>, 4> strip_end_{};  // its neighbour's there, as far as they overlap
+  Copies copies_;                                     // of neighbours' vertices, by place
   std::set<std::pair<int32_t, int32_t>> edges_;
 };
 
@@ -301,11 +356,15 @@ class StripLayer {
 
 void LayStripEdges(const GridLines& outlines, Plan& plan) {
   RimCrossings rims(plan);
+  std::vector<StripLayer> layers;
+  std::map<CellId, OutlineSegments> of_cells;
   for (PlannedHole& hole : plan.holes) {
     if (hole.water >= 0 || hole.own_regions.empty()) continue;
-    StripLayer layer(outlines, rims, plan, hole);
-    for (std::vector<RimSegment>& region : hole.own_regions) layer.Lay(region);
+    layers.emplace_back(outlines, plan, hole);
+    layers.back().LayCorners();
+    layers.back().CollectOutline(of_cells[hole.cell]);
   }
+  for (StripLayer& layer : layers) layer.LayEdges(of_cells, rims);
 }
 
 }  // namespace tilemend

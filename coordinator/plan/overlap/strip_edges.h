@@ -7,12 +7,11 @@
 
 namespace tilemend {
 
-// Where two tiles overlap, gives the hole of each the other's outline too (PlannedHole::inner_edges), over vertices
-// beside those of its own outline as far as they are clear of the rim; where four tiles do, also the points in which
-// their outlines cross. All of them follow the same vertices on the grid line, and so have the heights that the
-// neighbour has there. Where the neighbour's rim crosses the strip its surface ends, and the hole gets vertices with
-// that rim's heights on both outlines. So in the strip that both fill, both have one surface. Water has so anyway, and
-// gets nothing.
+// Where two tiles overlap, gives the hole of each the other's outline too (PlannedHole::inner_edges), as far as it is
+// clear of the hole's own rim. The new vertices are those of the other's outline, with the heights that they have
+// there; where its rim ends on the outline or crosses the strip, with that rim's. Before a corner, where four tiles
+// overlap, the outlines get vertices where they cross. So in the strip that both fill, both have one surface. Water has
+// so anyway, and gets nothing.
 //   outlines  those of the tiles
 // O(n log n) in the segments of the holes, and for each vertex on an outline those near the outline.
 void LayStripEdges(const GridLines& outlines, Plan& plan);

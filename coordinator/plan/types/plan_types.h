@@ -83,12 +83,13 @@ struct PlannedHole {
   HoleKind kind = HoleKind::kClosed;
   HoleType type = HoleType::kNone;
   SingleType single = SingleType::kNone;
-  bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
-  bool projects = true;     // its boundary is simple seen from above
-  int32_t cluster = -1;     // open holes
-  int32_t layer = 0;        // open holes: from 1
-  double area = 0;          // m2, seen from above (closed holes that do not project: of the boundary's vector area)
-  double perimeter = 0;     // metres of original boundary
+  bool continuous = false;     // of a single mesh: touches another hole, or itself, at a vertex
+  bool projects = true;        // its boundary is simple seen from above
+  bool among_objects = false;  // more than a tenth of its group\'s rim stands on objects (mark_objects.h)
+  int32_t cluster = -1;        // open holes
+  int32_t layer = 0;           // open holes: from 1
+  double area = 0;             // m2, seen from above (closed holes that do not project: of the boundary's vector area)
+  double perimeter = 0;        // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
   int32_t water = -1;                // into Plan::water; -1: no water

@@ -14,6 +14,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kLeastExtent = 2;  // radii of the opening: a smaller hole has no opposite shore to tell an object by
+constexpr ptrdiff_t kFewObjects = 10;  // one rim vertex in so many
 constexpr double kLeastShareOfSize = 0.4;
 
 std::set<CellId> CellsAround(const Plan& plan, const std::vector<int32_t>& holes) {
@@ -43,6 +44,7 @@ std::vector<Point3> BandPointsIn(const PlanInput& input, const std::set<CellId>&
 
 // The rim of a group of holes, and how steep the way down is from each of its vertices.
 struct GroupSteps {
+  std::vector<int32_t> holes;
   std::vector<int32_t> rim;
   std::vector<double> steps;
 };
@@ -66,7 +68,7 @@ std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>&
 
 GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, const ObjectRule& rule,
                    const Plan& plan) {
-  GroupSteps group{RimVerticesOf(plan, holes), {}};
+  GroupSteps group{holes, RimVerticesOf(plan, holes), {}};
   Eigen::AlignedBox2d box;
   std::vector<Point3> rim;
   for (const int32_t v : group.rim) {
@@ -122,6 +124,9 @@ void MarkObjects(const PlanInput& input, Plan& plan) {
     for (size_t i = 0; i < group.rim.size(); ++i) {
       if (on_object(group.steps[i])) plan.vertices[group.rim[i]].on_object = true;
     }
+    const ptrdiff_t count = std::count_if(group.steps.begin(), group.steps.end(), on_object);
+    if (kFewObjects * count <= std::ssize(group.steps)) continue;
+    for (const int32_t h : group.holes) plan.holes[h].among_objects = true;
   }
   LowerSizesAtObjects(plan);
 }

@@ -171,6 +171,7 @@ class FoldedFiller {
     like.level = hole_.level;
     like.river = hole_.river;
     like.own_outline = hole_.own_outline;
+    like.among_objects = hole_.among_objects;
     return like;
   }
 

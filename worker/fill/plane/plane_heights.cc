@@ -7,6 +7,7 @@
 #include "worker/fill/surface/fair_heights.h"
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
+#include "worker/fill/surface/linear_surface.h"
 #include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {
@@ -56,7 +57,7 @@ bool SolveWhole(const LocalHole& hole, const FillOptions& options, ThinPlateProb
     return SolveThinPlate(plate).has_value();
   }
   chosen = ChooseTension(plate, hole.size() < kLeastRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments));
-  plate.tension = std::max(chosen->tension, LeastTension(hole.on_object));
+  plate.tension = chosen->tension;
   const bool solved = SolveWithinReach(plate).has_value();
   chosen->tension = plate.tension;
   return solved;
@@ -72,6 +73,13 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
   for (size_t v = 0; v < plate.points.size(); ++v) {
     plate.known.push_back(v < rim || v >= all);
     plate.has_equation.push_back(v < rim ? static_cast<bool>(patch.has_equation[v]) : v < all);
+  }
+  if (frame.upright() && hole.among_objects && !options.tension) {
+    const bool solved = SolveLinear(hole.on_object, hole.ground, plate);
+    patch.points = std::move(plate.points);
+    patch.points.resize(all);
+    patch.triangles = std::move(plate.patch);
+    return solved;
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
   if (frame.upright() && !FreeRim(hole.on_object, hole.ground, plate)) return false;

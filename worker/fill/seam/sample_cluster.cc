@@ -15,6 +15,7 @@
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
+#include "worker/fill/surface/linear_surface.h"
 #include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {
@@ -50,11 +51,15 @@ class ClusterSampler {
   std::optional<ClusterSurface> Solve() const {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
+    if (cluster_.holes.front().among_objects && !options_.tension) {
+      if (!SolveLinear(hole_.on_object, {}, problem)) return std::nullopt;
+      surface.samples = Samples(problem, std::vector<double>(problem.points.size(), 0));
+      return surface;
+    }
     if (!FreeRim(hole_.on_object, {}, problem)) return std::nullopt;
     FreeSteepRim(problem);
     if (!options_.tension) surface.hold_out = ChooseTension(problem, HoleWidth(problem.points, OutlineSegments()));
-    problem.tension =
-        options_.tension ? *options_.tension : std::max(surface.hold_out->tension, LeastTension(hole_.on_object));
+    problem.tension = options_.tension ? *options_.tension : surface.hold_out->tension;
     if (!external_.empty()) {
       if (!SolveMembrane(problem)) return std::nullopt;
       for (size_t i = 0; i < hole_.vertices.size(); ++i) {
@@ -64,21 +69,27 @@ class ClusterSampler {
     const auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
     if (!laplacian) return std::nullopt;
     if (surface.hold_out) surface.hold_out->tension = problem.tension;
-    const std::vector<Point2> slope = Slopes(problem);
-    std::map<int32_t, SurfaceSample> samples = AtSeams(problem, *laplacian, slope);
-    AddBesideSeams(problem, *laplacian, slope, samples);
-    for (size_t v = 0; v < hole_.on_object.size(); ++v) {
-      if (hole_.on_object[v])
-        samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
-    }
-    for (auto& [v, sample] : samples) {
-      sample.seam_vertex = cluster_.vertices[v].seam_vertex;
-      surface.samples.push_back(sample);
-    }
+    surface.samples = Samples(problem, *laplacian);
     return surface;
   }
 
  private:
+  std::vector<SurfaceSample> Samples(const ThinPlateProblem& problem, const std::vector<double>& laplacian) const {
+    const std::vector<Point2> slope = Slopes(problem);
+    std::map<int32_t, SurfaceSample> samples = AtSeams(problem, laplacian, slope);
+    AddBesideSeams(problem, laplacian, slope, samples);
+    for (size_t v = 0; v < hole_.on_object.size(); ++v) {
+      if (hole_.on_object[v])
+        samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
+    }
+    std::vector<SurfaceSample> result;
+    for (auto& [v, sample] : samples) {
+      sample.seam_vertex = cluster_.vertices[v].seam_vertex;
+      result.push_back(sample);
+    }
+    return result;
+  }
+
   bool IsKnown(int32_t v) const { return cluster_.vertices[v].index >= 0; }
 
   // The segments of the cluster, those at seams between the vertices that are kept.

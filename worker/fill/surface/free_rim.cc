@@ -15,9 +15,7 @@ namespace {
 
 // Of the smaller variance to the larger one: below it the points lie on a line, and say nothing of the slope across.
 constexpr double kOnLine = 2.5e-3;
-constexpr size_t kLeastGround = 3;     // points: a plane
-constexpr double kTaut = 1;            // 1 / metre^2
-constexpr ptrdiff_t kFewObjects = 10;  // one point in so many
+constexpr size_t kLeastGround = 3;  // points: a plane
 
 bool StandsOn(const std::vector<bool>& on_object, int32_t v) {
   return v < static_cast<int32_t>(on_object.size()) && on_object[v];
@@ -157,11 +155,6 @@ bool FreeRim(const std::vector<bool>& on_object, const std::vector<std::optional
   }
   TakeAwayBand(tied, problem);
   return true;
-}
-
-double LeastTension(const std::vector<bool>& on_object) {
-  const ptrdiff_t count = std::count(on_object.begin(), on_object.end(), true);
-  return kFewObjects * count > std::ssize(on_object) ? kTaut : 0;
 }
 
 }  // namespace tilemend

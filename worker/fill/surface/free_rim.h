@@ -23,10 +23,6 @@ namespace tilemend {
 bool FreeRim(const std::vector<bool>& on_object, const std::vector<std::optional<double>>& ground,
              ThinPlateProblem& problem);
 
-// The least tension (1 / metre^2) of a surface over a rim with these points: 0, or taut beyond a metre if more than a
-// tenth of them stands on objects. What is left of such a rim lies between houses, and its slopes are no ground's.
-double LeastTension(const std::vector<bool>& on_object);
-
 }  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_FILL_SURFACE_FREE_RIM_H_

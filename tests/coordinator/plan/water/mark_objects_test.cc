@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coordinator/plan/plan.h"
@@ -34,6 +35,17 @@ TEST_P(MarkObjectsTest, RimVerticesOnAHouseAreMarkedAndNoOthers) {
     }
   }
   EXPECT_GT(on_house, 3);
+}
+
+// One house, and a row of them on both shores.
+TEST_P(MarkObjectsTest, AHoleAmongManyObjectsIsSaidToBe) {
+  const auto among = [&](const auto& is_house) {
+    const Plan plan = PlanOf(HoleOverNineCells(
+        GetParam(), [&](double, double x, double y) { return Gentle(x, y) + (is_house(x, y) ? 9 : 0); }));
+    return std::all_of(plan.holes.begin(), plan.holes.end(), [](const PlannedHole& h) { return h.among_objects; });
+  };
+  EXPECT_FALSE(among(InHouse));
+  EXPECT_TRUE(among([](double, double y) { return std::fmod(y, 24) < 10; }));
 }
 
 TEST_P(MarkObjectsTest, OnRoughGroundNothingStands) {

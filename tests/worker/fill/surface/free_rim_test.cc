@@ -106,15 +106,5 @@ TEST(FreeRimTest, WithoutGroundNothingChanges) {
   EXPECT_EQ(plate.problem.points, before.points);
 }
 
-TEST(LeastTensionTest, IsTautWhereMoreThanATenthStandsOnObjects) {
-  std::vector<bool> on_object(100, false);
-  EXPECT_EQ(LeastTension(on_object), 0);
-  std::fill_n(on_object.begin(), 10, true);
-  EXPECT_EQ(LeastTension(on_object), 0);
-  on_object[10] = true;
-  EXPECT_GT(LeastTension(on_object), 0);
-  EXPECT_EQ(LeastTension({}), 0);
-}
-
 }  // namespace
 }  // namespace tilemend

@@ -1,0 +1,114 @@
+#include "worker/fill/surface/linear_surface.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "tests/support/mesh_builders.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+
+double Plane(const Point2& p) { return 3 + 0.25 * p.x() - 0.5 * p.y(); }
+
+TEST(LinearHeightsTest, AreThoseOfThePlaneThroughTheGround) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-50, 50);
+  std::vector<Point3> ground = {{-60, -60, 0}, {60, -60, 0}, {60, 60, 0}, {-60, 60, 0}};
+  std::vector<Point2> at;
+  for (int i = 0; i < 200; ++i) ground.emplace_back(place(random), place(random), 0);
+  for (Point3& p : ground) p.z() = Plane(p.head<2>());
+  for (int i = 0; i < 1000; ++i) at.emplace_back(place(random), place(random));
+  const std::vector<double> heights = LinearHeights(ground, at);
+  for (size_t i = 0; i < at.size(); ++i) EXPECT_NEAR(heights[i], Plane(at[i]), 1e-5) << at[i].transpose();
+}
+
+TEST(LinearHeightsTest, BeyondTheGroundAreThoseOfItsOutline) {
+  const std::vector<Point3> ground = {{0, 0, 1}, {10, 0, 2}, {0, 10, 1}};
+  EXPECT_THAT(LinearHeights(ground, {{5, -3}, {15, -20}, {-1, 5}}),
+              ElementsAre(DoubleNear(1.5, 1e-9), DoubleNear(2, 1e-9), DoubleNear(1, 1e-9)));
+}
+
+TEST(LinearHeightsTest, FewPointsWillDo) {
+  EXPECT_THAT(LinearHeights({{4, 5, 6}}, {{4, 5}, {0, 0}}), ElementsAre(6, 6));
+  EXPECT_THAT(LinearHeights({{0, 0, 0}, {4, 0, 4}}, {{1, 0}, {3, 2}}),
+              ElementsAre(DoubleNear(1, 1e-6), DoubleNear(3, 1e-6)));
+}
+
+TEST(LinearHeightsTest, OfPointsOverOnePlaceTheFirstCounts) {
+  EXPECT_THAT(LinearHeights({{0, 0, 1}, {0, 0, 9}, {8, 0, 1}, {0, 8, 1}}, {{0, 0}, {2, 2}}), ElementsAre(1, 1));
+}
+
+// A strip of ground 20 m wide between two shores, in squares of 1 m.
+ThinPlateProblem Strip(double (*height)(const Point3&)) {
+  const TriMesh mesh = SquaresMesh(0, 20, 0, 40, [](int32_t, int32_t) { return true; });
+  ThinPlateProblem problem;
+  problem.points = mesh.points;
+  problem.patch = mesh.triangles;
+  for (Point3& p : problem.points) {
+    const bool shore = p.x() == 0 || p.x() == 20;
+    p.z() = shore ? height(p) : 0;
+    problem.known.push_back(shore);
+  }
+  problem.has_equation.assign(problem.points.size(), false);
+  return problem;
+}
+
+TEST(SolveLinearTest, GoesStraightAcross) {
+  ThinPlateProblem problem = Strip([](const Point3& p) { return p.y() < 20 ? 0.0 : 8.0; });
+  ASSERT_TRUE(SolveLinear({}, {}, problem));
+  for (const Point3& p : problem.points) {
+    const bool off_the_step = std::abs(p.y() - 20) > 10;
+    EXPECT_NEAR(p.z(), p.y() < 20 ? 0 : 8, off_the_step ? 0.1 : 8) << p.transpose();
+  }
+}
+
+TEST(SolveLinearTest, RoundsEdgesOff) {
+  ThinPlateProblem problem = Strip([](const Point3& p) { return std::abs(p.y() - 20); });
+  ASSERT_TRUE(SolveLinear({}, {}, problem));
+  const auto at = [&](double x, double y) {
+    return std::find_if(problem.points.begin(), problem.points.end(),
+                        [&](const Point3& p) { return p.x() == x && p.y() == y; })
+        ->z();
+  };
+  const double bend = at(10, 21) - 2 * at(10, 20) + at(10, 19);
+  EXPECT_LT(bend, 0.5) << "2 where the two planes meet";
+  EXPECT_NEAR(at(10, 10), 10, 0.1);
+}
+
+TEST(SolveLinearTest, WhatStandsOnTheShoreCountsNothing) {
+  ThinPlateProblem problem = Strip([](const Point3& p) { return p.x() == 0 && p.y() == 20 ? 30.0 : 2.0; });
+  std::vector<bool> on_object(problem.points.size(), false);
+  for (size_t v = 0; v < on_object.size(); ++v) on_object[v] = problem.points[v].z() == 30;
+  ASSERT_TRUE(SolveLinear(on_object, {}, problem));
+  for (const Point3& p : problem.points) EXPECT_NEAR(p.z(), 2, 1e-6);
+  std::vector<std::optional<double>> ground(problem.points.size());
+  const auto object = std::find(on_object.begin(), on_object.end(), true) - on_object.begin();
+  ground[object] = 1.5;
+  ASSERT_TRUE(SolveLinear(on_object, ground, problem));
+  EXPECT_EQ(problem.points[object].z(), 1.5);
+}
+
+TEST(SolveLinearTest, WithoutAnyGroundWhatStandsThereIsGround) {
+  ThinPlateProblem problem = Strip([](const Point3&) { return 4.0; });
+  std::vector<bool> on_object = problem.known;
+  ASSERT_TRUE(SolveLinear(on_object, {}, problem));
+  for (const Point3& p : problem.points) EXPECT_NEAR(p.z(), 4, 1e-9);
+}
+
+TEST(SolveLinearTest, WithoutAnyHeightNothingIsChanged) {
+  ThinPlateProblem problem = Strip([](const Point3&) { return 4.0; });
+  problem.known.assign(problem.known.size(), false);
+  EXPECT_FALSE(SolveLinear({}, {}, problem));
+}
+
+}  // namespace
+}  // namespace tilemend
