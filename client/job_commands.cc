@@ -13,6 +13,7 @@
 #include "client/output.h"
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
+#include "common/util/error_info.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 
@@ -69,7 +70,10 @@ int WatchToEnd(Session& session, const std::string& name) {
 }
 
 // Prints a job that was just made, or waits for its end.
-int AfterStart(Session& session, const Args& args, const absl::StatusOr<v1::Job>& job) {
+int AfterStart(Session& session, const Args& args, absl::StatusOr<v1::Job> job) {
+  if (ErrorReason(job.status()) == "SCENE_NOT_FOUND") {
+    job = absl::NotFoundError(absl::StrCat(std::string(job.status().message()), " where the coordinator runs"));
+  }
   if (job.ok() && args.Switch("wait")) return WatchToEnd(session, job->name());
   return PrintJob(job, session.format);
 }

@@ -39,6 +39,7 @@ std::vector<FlagSpec> JobFlags() {
   flags.push_back(WaterColourFlag());
   flags.push_back({"textures", "copy|link|off", "material files and images of OBJ tiles; link: images as hard links",
                    defaults.textures});
+  flags.push_back({"link", "", "tiles without a patch as hard links of the originals, where they can be", ""});
   flags.push_back({"dry-run", "", "find and count the holes, write nothing", ""});
   return flags;
 }
@@ -108,6 +109,10 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.water_colour = args.Text("water-colour");
   spec.textures = args.Text("textures");
   spec.cells = args.Text("cells");
+  if (spec.cells.empty() && args.IsGiven("cells")) {
+    return absl::InvalidArgumentError("--cells '': names no cell; all cells are chosen by leaving it out");
+  }
+  spec.link = args.Switch("link");
   spec.overwrite = args.Switch("overwrite");
   spec.dry_run = args.Switch("dry-run");
   if (spec.out.empty() && !spec.dry_run) return absl::InvalidArgumentError("--out DIR is needed");

@@ -108,6 +108,13 @@ std::string TimesText(const v1::Job& job, double share) {
   return text;
 }
 
+// A path of a hundred thousand letters says no more than its ends.
+std::string Shortened(const std::string& text) {
+  constexpr size_t kMost = 6000, kEnd = 1000;
+  if (text.size() <= kMost) return text;
+  return absl::StrCat(text.substr(0, kEnd), " ... ", text.substr(text.size() - kEnd));
+}
+
 }  // namespace
 
 std::string MoreText(size_t count, const std::string& where) {
@@ -219,7 +226,7 @@ ExitCode ExitCodeOf(const v1::Job& job) {
 }
 
 ExitCode PrintError(const absl::Status& status) {
-  std::fprintf(stderr, "tilemend: %s\n", Printable(std::string(status.message())).c_str());
+  std::fprintf(stderr, "tilemend: %s\n", Printable(Shortened(std::string(status.message()))).c_str());
   return ExitCodeOf(status);
 }
 

@@ -40,7 +40,7 @@ class ObjReader {
       TILEMEND_RETURN_IF_ERROR(SkipLine());
     }
     const int64_t vertices = static_cast<int64_t>(file_.mesh.points.size());
-    if (vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no vertices"));
+    if (vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": ", kNoVertices));
     if (faces_ == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no faces"));
     if (largest_index_ >= vertices) {
       return LineProblem(name_, bytes_, largest_index_offset_,
@@ -173,7 +173,7 @@ class ObjReader {
       SkipBlanks();
       const ParsedDouble number = ParseDoubleAt(p_, end_);
       if (number.stop == nullptr || !IsTokenEnd(number.stop)) return Expected("a coordinate");
-      if (!IsValidCoordinate(number.value)) return Expected("a coordinate of at most 1e9 m");
+      if (!IsValidCoordinate(number.value)) return Expected(kCoordinate);
       point[axis] = number.value;
       p_ = number.stop;
     }

@@ -145,7 +145,7 @@ class OffCursor {
   absl::Status CheckCounts() const {
     constexpr int64_t kLeastVertexBytes = 6;
     constexpr int64_t kLeastFaceBytes = 2;
-    if (header_.vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no vertices"));
+    if (header_.vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": ", kNoVertices));
     if (header_.vertices * kLeastVertexBytes + header_.faces * kLeastFaceBytes > end_ - p_ + 1) {
       return LineProblem(name_, bytes_, header_.vertex_count.begin,
                          absl::StrCat("expected data of ", header_.vertices, " vertices and ", header_.faces,
@@ -187,7 +187,7 @@ class OffReader : private OffCursor {
       vertex_lines_ ? SkipBlanks() : SkipToToken();
       const ParsedDouble number = ParseDoubleAt(p_, end_);
       if (number.stop == nullptr || !IsTokenEnd(number.stop)) return Expected("a coordinate");
-      if (!IsValidCoordinate(number.value)) return Expected("a coordinate of at most 1e9 m");
+      if (!IsValidCoordinate(number.value)) return Expected(kCoordinate);
       point[axis] = number.value;
       p_ = number.stop;
     }

@@ -39,7 +39,7 @@ class RecordReader {
       }
       const std::optional<double> value = source_.Number(property.type);
       if (!value.has_value()) return source_.Error("a coordinate");
-      if (!IsValidCoordinate(*value)) return source_.Error("a coordinate of at most 1e9 m");
+      if (!IsValidCoordinate(*value)) return source_.Error(kCoordinate);
       point[static_cast<Eigen::Index>(axis)] = *value;
     }
     file_.mesh.points.push_back(point);

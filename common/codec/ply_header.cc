@@ -189,7 +189,7 @@ class HeaderReader {
 
   absl::Status FindVertices() {
     const std::optional<size_t> vertex = FindElement("vertex");
-    if (!vertex.has_value() || header_.elements[*vertex].count == 0) return Invalid("the file has no vertices");
+    if (!vertex.has_value() || header_.elements[*vertex].count == 0) return Invalid(kNoVertices);
     header_.vertex = *vertex;
     const PlyElement& element = header_.elements[*vertex];
     for (size_t axis = 0; axis < 3; ++axis) {

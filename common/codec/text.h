@@ -22,6 +22,8 @@ inline constexpr double kMaxCoordinate = 1e9;
 inline constexpr size_t kMaxLineBytes = size_t{1} << 20;
 inline constexpr int64_t kMaxListCount = 1000000;
 
+inline constexpr char kNoVertices[] = "the file has no vertices";
+inline constexpr char kCoordinate[] = "a coordinate that is finite and at most 1e9 m";
 inline bool IsValidCoordinate(double x) { return std::abs(x) <= kMaxCoordinate; }  // false for NaN
 
 inline bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }

@@ -19,25 +19,37 @@ namespace {
 constexpr char kModule[] = "tilemend-gdal.so";
 constexpr std::string_view kSqlite("SQLite format 3\0", 16);
 
-using ReadVectorsFunction = void (*)(const VectorRequest&, VectorFile&);
+struct Module {
+  void (*read_vectors)(const VectorRequest&, VectorFile&) = nullptr;
+  void (*fault_of_crs)(const std::string&, std::string&) = nullptr;
+};
 
 // Loads the module that lies beside the program; for a program in another folder of the build, beside the others; for
 // one that is installed, in its libraries.
-absl::StatusOr<ReadVectorsFunction> LoadModule() {
+absl::StatusOr<Module> LoadModule() {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   std::string reason;
   for (const std::filesystem::path& path :
        {folder / kModule, folder / "../bin" / kModule, folder / "../lib/tilemend" / kModule}) {
     void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* const function = module == nullptr ? nullptr : ::dlsym(module, "TilemendReadVectors");
-    if (function != nullptr) return reinterpret_cast<ReadVectorsFunction>(function);
+    void* const read_vectors = module == nullptr ? nullptr : ::dlsym(module, "TilemendReadVectors");
+    void* const fault_of_crs = module == nullptr ? nullptr : ::dlsym(module, "TilemendFaultOfCrs");
+    if (read_vectors != nullptr && fault_of_crs != nullptr) {
+      return Module{reinterpret_cast<void (*)(const VectorRequest&, VectorFile&)>(read_vectors),
+                    reinterpret_cast<void (*)(const std::string&, std::string&)>(fault_of_crs)};
+    }
     if (const char* const said = ::dlerror();
         said != nullptr && (reason.empty() || std::filesystem::exists(path, error))) {
       reason = said;
     }
   }
   return absl::InternalError(absl::StrCat("cannot load ", kModule, ", which reads GeoJSON and GeoPackage: ", reason));
+}
+
+const absl::StatusOr<Module>& TheModule() {
+  static const absl::StatusOr<Module> module = LoadModule();
+  return module;
 }
 
 // The name that the member `crs` of GeoJSON 2008 gives; "" if it gives none.
@@ -69,16 +81,15 @@ absl::Status LookIntoJson(VectorRequest& request) {
 
 absl::StatusOr<VectorFile> Read(const std::string& bytes, const std::string& name, const SceneFrame& frame,
                                 bool unite) {
-  static const absl::StatusOr<ReadVectorsFunction> read_vectors = LoadModule();
   VectorRequest request;
   request.bytes = bytes;
   request.name = name;
   request.unite = unite;
   request.frame = frame;
   if (!request.bytes.starts_with(kSqlite)) TILEMEND_RETURN_IF_ERROR(LookIntoJson(request));
-  TILEMEND_RETURN_IF_ERROR(read_vectors.status());
+  TILEMEND_RETURN_IF_ERROR(TheModule().status());
   VectorFile file;
-  (*read_vectors)(request, file);
+  TheModule()->read_vectors(request, file);
   if (!file.error.empty()) return absl::InvalidArgumentError(file.error);
   return file;
 }
@@ -125,6 +136,14 @@ absl::StatusOr<std::string> ReadAreaFile(const std::string& path) {
                                                    "; close the program that has it open, or save to another file"));
   }
   return ReadFile(path);
+}
+
+absl::StatusOr<std::string> CrsFaultOf(const Scene& scene) {
+  if (scene.crs.empty()) return std::string();
+  TILEMEND_RETURN_IF_ERROR(TheModule().status());
+  std::string fault;
+  TheModule()->fault_of_crs(scene.crs, fault);
+  return fault;
 }
 
 absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::string& name, const SceneFrame& frame) {

@@ -19,6 +19,9 @@ SceneFrame FrameOf(const Scene& scene);
 // log (`path`-wal), because another program has it open.
 absl::StatusOr<std::string> ReadAreaFile(const std::string& path);
 
+// What is wrong with the CRS of a scene, for people; "" if nothing is. PROJ is asked. kInternal as below.
+absl::StatusOr<std::string> CrsFaultOf(const Scene& scene);
+
 struct WaterFile {
   std::vector<WaterArea> areas;  // in the order of the file
   std::string coordinates;       // what those of the file were taken for, for people

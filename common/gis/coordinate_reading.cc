@@ -235,6 +235,16 @@ class Placement {
 
 }  // namespace
 
+std::string FaultOfCrs(const std::string& crs) {
+  if (crs.empty()) return "";
+  const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
+  const std::optional<OGRSpatialReference> known = CrsNamed(crs);
+  if (!known) return "PROJ knows no such CRS";
+  return known->IsGeographic() ? "has degrees and cannot be that of tiles in metres" : "";
+}
+
+void TilemendFaultOfCrs(const std::string& crs, std::string& fault) { fault = FaultOfCrs(crs); }
+
 std::string PlaceInScene(const SceneFrame& frame, const OGRSpatialReference* named,
                          std::vector<VectorFeature>& features, std::vector<std::string>& warnings) {
   // What fails here is tried otherwise, or told in words of the scene.

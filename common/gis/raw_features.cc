@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "common/mesh/outline_crossing.h"
+
 namespace tilemend {
 namespace {
 
@@ -159,6 +161,11 @@ std::vector<VectorFeature> RawFeaturesOf(OGRLayer& layer, const std::string& pre
 }
 
 VectorFeature Unite(const std::vector<VectorFeature>& features) {
+  for (const VectorFeature& feature : features) {
+    if (const auto crossing = FindCrossing(feature.polygon)) {
+      Refuse(feature.label, TextOf(*crossing) + "; draw it so that no edges cross");
+    }
+  }
   if (features.size() == 1 && !features[0].polygon.empty()) return features[0];
   GeometryPtr all = std::make_unique<OGRMultiPolygon>();
   VectorFeature united;

@@ -18,7 +18,8 @@ struct BadVectors {
 // The features of a layer; `prefix` stands before their labels. Throws BadVectors.
 std::vector<VectorFeature> RawFeaturesOf(OGRLayer& layer, const std::string& prefix);
 
-// All polygons as one. Throws BadVectors if there is a line, or no polygon.
+// All polygons as one. Throws BadVectors if there is a line, an outline that crosses itself or another one of its
+// feature, or no polygon.
 VectorFeature Unite(const std::vector<VectorFeature>& features);
 
 }  // namespace tilemend

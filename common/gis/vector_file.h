@@ -39,7 +39,7 @@ struct VectorRequest {
   bool names_crs = true;   // false: GeoJSON without the member `crs`
   std::string crs_name;    // of GeoJSON that names one: as it does
   int64_t features = -1;   // that the file must have; -1: not known
-  bool unite = false;      // one polygon of all; lines are refused
+  bool unite = false;      // one polygon of all; lines and outlines that cross are refused
   SceneFrame frame;
 };
 
@@ -65,6 +65,10 @@ VectorFile ReadVectors(const VectorRequest& request);
 // The same, under a name that is found in the module.
 extern "C" __attribute__((visibility("default"))) void TilemendReadVectors(const VectorRequest& request,
                                                                            VectorFile& file);
+
+// What is wrong with the CRS of a scene, for people; "" if nothing is, or there is none.
+std::string FaultOfCrs(const std::string& crs);
+extern "C" __attribute__((visibility("default"))) void TilemendFaultOfCrs(const std::string& crs, std::string& fault);
 
 }  // namespace tilemend
 

@@ -59,6 +59,7 @@ absl::StatusOr<std::vector<CellRange>> ParseCells(const std::string& text) {
   for (const absl::string_view word : absl::StrSplit(text, ' ', absl::SkipEmpty())) {
     TILEMEND_ASSIGN_OR_RETURN(ranges.emplace_back(), ParseRange({word.data(), word.size()}));
   }
+  if (ranges.empty() && !text.empty()) return NoCell(text, "names no cell; all cells are chosen by leaving it out");
   return ranges;
 }
 

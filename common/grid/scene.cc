@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <string>
+#include <system_error>
 #include <tuple>
 
 #include "absl/status/status.h"
@@ -28,11 +31,46 @@ std::string OutputPath(const SceneTile& tile) {
   return tile.output.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.output;
 }
 
-absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds) {
-  namespace fs = std::filesystem;
+namespace {
+
+namespace fs = std::filesystem;
+
+// The path without links, as far as it is there.
+fs::path Real(const fs::path& path) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : real;
+}
+
+// Somebody else's folder of tiles may hold links to files of who runs this.
+void WarnOfLinksOut(Scene& scene) {
+  const fs::path root = Real(scene.root);
+  const auto leads_out = [&](const fs::path& path) {
+    const fs::path real = Real(path);
+    return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end();
+  };
+  std::map<std::string, bool> folders;  // whether they lead out
+  int64_t count = 0;
+  std::string first;
+  for (const SceneTile& tile : scene.tiles) {
+    if (tile.path.empty()) continue;
+    const fs::path file = fs::path(scene.root) / tile.path;
+    const auto [folder, is_new] = folders.try_emplace(file.parent_path().string());
+    if (is_new) folder->second = leads_out(file.parent_path());
+    const auto look = LookAt(file.string(), Links::kKeep);
+    const bool is_link = look.ok() && look->kind == PathKind::kOther;
+    if (is_link ? !leads_out(file) : !folder->second) continue;
+    if (count++ == 0) first = absl::StrCat(file.string(), " leads to ", Real(file).string());
+  }
+  if (count == 0) return;
+  scene.warnings.push_back(absl::StrCat(first, ", out of the scene's folder",
+                                        count > 1 ? absl::StrCat(", as do ", count - 1, " other tiles") : ""));
+}
+
+absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bounds) {
   const auto look = LookAt(path);
   if (absl::IsNotFound(look.status())) return absl::NotFoundError(absl::StrCat(path, ": no such scene"));
-  if (!look.ok()) return absl::PermissionDeniedError(look.status().message());
+  if (!look.ok()) return look.status();
   if (look->kind == PathKind::kFolder) {
     const fs::path json = fs::path(path) / "scene.json";
     if (KindOf(json.string()) != PathKind::kNothing) return ReadSceneJson(json.string(), path);
@@ -44,6 +82,14 @@ absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& rea
   }
   const std::string folder = fs::path(path).parent_path().string();
   return ReadSceneJson(path, folder.empty() ? "." : folder);
+}
+
+}  // namespace
+
+absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds) {
+  absl::StatusOr<Scene> scene = Load(path, read_bounds);
+  if (scene.ok()) WarnOfLinksOut(*scene);
+  return scene;
 }
 
 }  // namespace tilemend

@@ -157,21 +157,7 @@ bool ParseOrigin(const std::string& text, Point3* origin) {
 absl::Status ReadMetadata(const std::string& path, Scene* scene) {
   if (KindOf(path) == PathKind::kNothing) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
-  pugi::xml_document document;
-  if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size()); !result) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(path, ": not XML: byte ", result.offset, ": ", result.description()));
-  }
-  const pugi::xml_node metadata = document.child("ModelMetadata");
-  scene->crs = std::string(absl::StripAsciiWhitespace(metadata.child_value("SRS")));
-  const std::string origin = metadata.child_value("SRSOrigin");
-  if (!metadata.child("SRSOrigin")) {
-    scene->warnings.push_back(absl::StrCat(path, ": no SRSOrigin; the origin is taken as 0, 0, 0"));
-  } else if (!ParseOrigin(origin, &scene->origin)) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(path, ": SRSOrigin: expected three numbers with commas, found \"", origin, "\""));
-  }
-  return absl::OkStatus();
+  return ParseMetadata(text, path, scene);
 }
 
 // Numbers the cells from 0, as everywhere else: shifts negative indices and the grid's corner with them.
@@ -213,6 +199,24 @@ std::string GridWarning(const Scene& scene) {
 }
 
 }  // namespace
+
+absl::Status ParseMetadata(const std::string& text, const std::string& path, Scene* scene) {
+  pugi::xml_document document;
+  if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size()); !result) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(path, ": not XML: byte ", result.offset, ": ", result.description()));
+  }
+  const pugi::xml_node metadata = document.child("ModelMetadata");
+  scene->crs = std::string(absl::StripAsciiWhitespace(metadata.child_value("SRS")));
+  const std::string origin = metadata.child_value("SRSOrigin");
+  if (!metadata.child("SRSOrigin")) {
+    scene->warnings.push_back(absl::StrCat(path, ": no SRSOrigin; the origin is taken as 0, 0, 0"));
+  } else if (!ParseOrigin(origin, &scene->origin)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(path, ": SRSOrigin: expected three numbers with commas, found \"", origin, "\""));
+  }
+  return absl::OkStatus();
+}
 
 absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds) {
   if (!read_bounds)

@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/grid/json_text.h"
 #include "common/grid/scene_sources.h"
+#include "common/mesh/outline_crossing.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
@@ -112,7 +113,9 @@ absl::Status ReadArea(const Fields& fields, Scene* scene) {
       TILEMEND_ASSIGN_OR_RETURN(scene->area.rings.emplace_back(), ReadRing(fields, positions));
     }
   }
-  return scene->area.empty() ? fields.Error("area", "a polygon without rings") : absl::OkStatus();
+  if (scene->area.empty()) return fields.Error("area", "a polygon without rings");
+  if (const auto crossing = FindCrossing(scene->area)) return fields.Error("area", TextOf(*crossing));
+  return absl::OkStatus();
 }
 
 absl::Status ReadHead(const Fields& fields, Scene* scene) {
@@ -206,7 +209,7 @@ std::string Number(double value) { return Json(value).dump(); }
 
 std::string Text(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-// A Polygon whatever the rings are: they are read by the even-odd rule.
+// A Polygon whatever the rings are: they are read by the even-odd rule, and do not cross.
 std::string AreaText(const PlanePolygon& area) {
   Json rings = Json::array();
   for (const std::vector<Point2>& ring : area.rings) {

@@ -21,6 +21,9 @@ absl::StatusOr<Scene> ReadSceneJson(const std::string& json_path, const std::str
 // The scene that `text` describes; `name` stands in messages. Touches no file: paths are checked, not looked up.
 absl::StatusOr<Scene> ParseSceneJson(const std::string& text, const std::string& name);
 
+// CRS and origin from the text of a metadata.xml; `path` stands in messages.
+absl::Status ParseMetadata(const std::string& text, const std::string& path, Scene* scene);
+
 // Finds the tiles of a folder without scene.json by their names.
 absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds);
 

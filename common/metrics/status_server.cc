@@ -4,6 +4,8 @@
 #include <openssl/crypto.h>
 #include <openssl/ssl.h>
 
+#include <cerrno>
+#include <cstring>
 #include <semaphore>
 #include <thread>
 #include <utility>
@@ -142,8 +144,13 @@ absl::StatusOr<std::unique_ptr<StatusServer>> StatusServer::Start(const std::str
   std::string host = address.substr(0, colon);
   if (host.size() > 2 && host.front() == '[') host = host.substr(1, host.size() - 2);
   int port = -1;
-  if (colon == std::string::npos || !absl::SimpleAtoi(address.substr(colon + 1), &port) || !impl->Listen(host, port)) {
-    return absl::UnavailableError(absl::StrCat(address, ": cannot serve metrics there; choose another address"));
+  if (colon == std::string::npos || !absl::SimpleAtoi(address.substr(colon + 1), &port)) {
+    return absl::InvalidArgumentError(absl::StrCat(address, ": expected HOST:PORT to serve metrics at"));
+  }
+  errno = 0;
+  if (!impl->Listen(host, port)) {
+    const std::string why = errno == 0 ? "no address of this machine" : std::strerror(errno);
+    return absl::UnavailableError(absl::StrCat(address, ": cannot serve metrics there: ", why));
   }
   return std::unique_ptr<StatusServer>(new StatusServer(std::move(impl)));
 }

@@ -7,6 +7,7 @@
 #include "common/grid/scene_area.h"
 #include "common/store/digest.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -17,6 +18,15 @@ absl::Status Cover(PlanePolygon area, const std::string& name, Scene& scene) {
 }
 
 }  // namespace
+
+void CheckCrs(Scene& scene) {
+  const auto fault = CrsFaultOf(scene);
+  const std::string what = fault.ok() ? *fault : absl::StrCat("not checked: ", std::string(fault.status().message()));
+  if (what.empty()) return;
+  const std::string place = scene.found_by_name ? "/metadata.xml: SRS" : "/scene.json: crs";
+  scene.warnings.push_back(absl::StrCat(scene.root, place, ": '", Printable(scene.crs), "': ", what,
+                                        "; the fill is the same, but files for a GIS carry that name"));
+}
 
 absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& scene) {
   const std::string path = value.empty() ? scene.area_file : value;

@@ -9,6 +9,9 @@
 
 namespace tilemend {
 
+// Warns of a CRS that nobody knows. What is filled does not depend on it, but files for a GIS name it.
+void CheckCrs(Scene& scene);
+
 // Gives the scene the area of the file `value` (common/gis/area_file.h); with "" the one that scene.json names, if any.
 // Returns the SHA-256 of the file, hex; "" if none was read. Errors of ReadAreaFile, ParseAreaFile and CoverArea, with
 // the file in their text.

@@ -40,9 +40,8 @@ absl::Status CheckScene(const std::string& scene) {
   const absl::Status look = LookAt(scene).status();
   if (look.ok()) return absl::OkStatus();
   const std::string why = absl::IsNotFound(look) ? "" : absl::StrCat(" (", std::string(look.message()), ")");
-  return WithErrorInfo(
-      absl::NotFoundError(absl::StrCat(Printable(scene), ": no such scene where the coordinator runs", why)),
-      {"SCENE_NOT_FOUND", {{"scene", scene}}});
+  return WithErrorInfo(absl::NotFoundError(absl::StrCat(Printable(scene), ": no such scene", why)),
+                       {"SCENE_NOT_FOUND", {{"scene", scene}}});
 }
 
 absl::Status InvalidRequestId() {
@@ -180,10 +179,14 @@ absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& r
   TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
   const absl::Status scene = CheckScene(spec.scene);  // without the lock: a mount may hang
   return Answer([&]() -> absl::StatusOr<v1::Job> {
-    const bool is_new = request.request_id().empty() || state_.FindRequest(request.request_id()) == nullptr;
-    if (is_new) TILEMEND_RETURN_IF_ERROR(scene);
+    TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), scene));
     return StartJob(spec, request.request_id(), request.priority(), std::move(origin));
   });
+}
+
+absl::Status CoordinatorImpl::OnlyIfNew(const std::string& request_id, const absl::Status& error) const {
+  const bool is_new = request_id.empty() || state_.FindRequest(request_id) == nullptr;
+  return is_new ? error : absl::OkStatus();
 }
 
 absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std::string& request_id, int32_t priority,
@@ -340,25 +343,10 @@ absl::StatusOr<v1::Job> CoordinatorImpl::Cancel(const std::string& name) {
   }
   TILEMEND_RETURN_IF_ERROR(Apply(JobCancelled{job->id, options_.clock()}).status());
   events_.JobEnded(*job, {}, absl::OkStatus(), entries_.at(job->id).origin);
-  PutJob(*job, true);
+  PutJob(*job, runner == nullptr);  // else its output is released by the runner, or after a restart
   ShowMetrics();
   Changed();
   return Describe(*job);
-}
-
-absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& request, JobOrigin origin) {
-  return Answer([&]() -> absl::StatusOr<v1::Job> {
-    TILEMEND_ASSIGN_OR_RETURN(const Job* job, JobNamed(request.name()));
-    if (IsOver(job->state)) {
-      JobSpec spec = entries_.at(job->id).spec;
-      spec.overwrite = spec.overwrite || request.overwrite();
-      TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
-      return StartJob(std::move(spec), request.request_id(), job->priority, std::move(origin));
-    }
-    return WithErrorInfo(
-        absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),
-        {"JOB_NOT_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
-  });
 }
 
 absl::Status CoordinatorImpl::WatchJob(const v1::WatchJobRequest& request,

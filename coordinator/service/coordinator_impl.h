@@ -150,6 +150,8 @@ class CoordinatorImpl {
 
   // All below with the lock held, unless said otherwise.
   absl::StatusOr<const Job*> JobNamed(const std::string& name) const;
+  // What is wrong with a request; nothing if it is one that was taken before.
+  absl::Status OnlyIfNew(const std::string& request_id, const absl::Status& error) const;
   absl::StatusOr<v1::Job> StartJob(const JobSpec& spec, const std::string& request_id, int32_t priority,
                                    JobOrigin origin);
   // Starts the job's thread; if there is none to be had, the job was never there.

@@ -45,6 +45,7 @@ struct JobSpec {
   std::string cells;                     // those that are filled and written: see ParseCells; empty: all
   std::string textures = "copy";         // material files and images: "copy", "link" (images as hard links), "off"
   std::optional<double> seam_smoothing;  // [0, 1], gamma of Wang eq. 5, for `wang` alone; none: kSeamSmoothing
+  bool link = false;                     // tiles without a patch as hard links of the originals
   bool overwrite = false;                // replace an existing output
   bool dry_run = false;                  // survey and plan only, write no tiles
   bool operator==(const JobSpec&) const = default;

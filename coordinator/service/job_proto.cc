@@ -82,6 +82,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   spec.water_colour = proto.water_colour();
   if (!proto.textures().empty()) spec.textures = proto.textures();
   spec.cells = proto.cells();
+  spec.link = proto.link();
   spec.overwrite = proto.overwrite();
   spec.dry_run = proto.dry_run();
   return spec;
@@ -104,6 +105,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_water_colour(spec.water_colour);
   proto.set_textures(spec.textures);
   proto.set_cells(spec.cells);
+  proto.set_link(spec.link);
   proto.set_overwrite(spec.overwrite);
   proto.set_dry_run(spec.dry_run);
   return proto;

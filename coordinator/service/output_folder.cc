@@ -94,6 +94,46 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
                    "; choose another --out, or give --overwrite to replace the files that the job writes"));
 }
 
+// That `found` is in the way of what the job would make.
+absl::Status InTheWay(const std::string& path, PathKind found, PathKind wanted) {
+  const std::string what = found == PathKind::kFolder ? "a folder"
+                           : found == PathKind::kFile ? "a file"
+                                                      : "a link, a pipe or a device";
+  return absl::InvalidArgumentError(absl::StrCat(Printable(path), ": ", what, " where the job makes a ",
+                                                 wanted == PathKind::kFolder ? "folder" : "file",
+                                                 "; remove it, or choose another --out"));
+}
+
+// Whether nothing else, a link neither, is where the job would make a file or a folder of its own.
+absl::Status CheckName(const std::string& path, PathKind wanted) {
+  const auto look = LookAt(path, Links::kKeep);
+  if (!look.ok() || look->kind == wanted) return absl::OkStatus();  // what cannot be looked at shows when it is made
+  return InTheWay(path, look->kind, wanted);
+}
+
+// The same for all that the job makes in a folder.
+absl::Status CheckNames(const std::string& path, const std::set<std::string>& files) {
+  if (KindOf(path) == PathKind::kNothing) return absl::OkStatus();
+  const std::string folder = path + "/";
+  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kMarker, PathKind::kFile));
+  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kResultLog, PathKind::kFile));
+  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kAttemptFolder, PathKind::kFolder));
+  std::set<std::string> parents;
+  for (const std::string& file : files) {
+    // Anything but a folder is replaced, a link itself.
+    const auto look = LookAt(folder + file, Links::kKeep);
+    if (look.ok() && look->kind == PathKind::kFolder) return InTheWay(folder + file, look->kind, PathKind::kFile);
+    for (fs::path at = fs::path(file).parent_path(); !at.empty(); at = at.parent_path()) {
+      if (!parents.insert(at.string()).second) break;
+    }
+  }
+  for (const std::string& parent : parents) {
+    const PathKind kind = KindOf(folder + parent);
+    if (kind == PathKind::kFile || kind == PathKind::kOther) return InTheWay(folder + parent, kind, PathKind::kFolder);
+  }
+  return absl::OkStatus();
+}
+
 absl::Status CheckFolder(const std::string& path) {
   const PathKind kind = KindOf(path);
   if (kind == PathKind::kNothing || kind == PathKind::kFolder) return absl::OkStatus();
@@ -168,6 +208,7 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
   files.insert("scene.json");
   files.insert(std::begin(kOfReport), std::end(kOfReport));
+  TILEMEND_RETURN_IF_ERROR(CheckNames(path, files));
   OutputFolder folder(path, key, std::move(files));
   TILEMEND_RETURN_IF_ERROR(folder.Lock());
   if (!overwrite) {
@@ -205,17 +246,25 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       made_(std::move(other.made_)),
       marker_(std::exchange(other.marker_, -1)),
       keep_(other.keep_),
+      wrote_(other.wrote_),
       attempts_(std::exchange(other.attempts_, std::nullopt)),
       placed_(std::move(other.placed_)) {}
 
 OutputFolder::~OutputFolder() {
   if (path_.empty()) return;
-  if (!keep_) {
+  if (!keep_ || (!wrote_ && attempts_ && IsBare())) {
     if (attempts_) attempts_->Remove();
     if (marker_ >= 0) RemoveFile(Marker()).IgnoreError();
     RemoveEmptyFolders(made_);
   }
   if (marker_ >= 0) ::close(marker_);
+}
+
+bool OutputFolder::IsBare() const {
+  const auto names = ListFolder(path_), attempts = ListFolder(attempts_->path());
+  const std::set<std::string> hidden = {kMarker, kAttemptFolder, kResultLog};
+  return names.ok() && attempts.ok() && attempts->size() <= 1 &&
+         std::all_of(names->begin(), names->end(), [&](const std::string& name) { return hidden.contains(name); });
 }
 
 std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kMarker); }
@@ -232,7 +281,7 @@ absl::Status OutputFolder::WriteKey() {
 
 absl::Status OutputFolder::BeginWriting() {
   TILEMEND_RETURN_IF_ERROR(WriteKey());
-  keep_ = true;
+  keep_ = wrote_ = true;
   for (const char* file : kOfReport) RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
   return absl::OkStatus();
 }
@@ -292,7 +341,7 @@ int64_t OutputFolder::TidyUp() {
 }
 
 void OutputFolder::Finish() {
-  keep_ = true;
+  keep_ = wrote_ = true;
   attempts_->Remove();
   RemoveFile(Marker()).IgnoreError();
 }

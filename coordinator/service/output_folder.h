@@ -25,6 +25,7 @@ namespace tilemend {
 //  - a folder that holds anything but an unfinished output of the same job, unless it may be overwritten. Overwriting
 //    replaces the files that this job writes; other files stay as they are.
 //  - a folder that another living job writes to (kAborted), whatever it may overwrite.
+//  - what is no regular file, or no folder, where the job would write one: it is the user's to take away.
 //  - always: the scene's own folder, its folders of tiles, and folders whose `tiles` lead there over a link.
 class OutputFolder {
  public:
@@ -67,13 +68,16 @@ class OutputFolder {
   absl::Status Lock();
   absl::Status WriteKey();
   std::string Marker() const;
+  // Whether there is nothing in the folder that a job, run again, could know as done.
+  bool IsBare() const;
 
   std::string path_;
   std::string key_;
-  std::set<std::string> files_;    // of this output, relative
-  std::vector<std::string> made_;  // folders, the outermost first
-  int marker_ = -1;                // descriptor
-  bool keep_ = false;
+  std::set<std::string> files_;            // of this output, relative
+  std::vector<std::string> made_;          // folders, the outermost first
+  int marker_ = -1;                        // descriptor
+  bool keep_ = false;                      // the marker is to stay
+  bool wrote_ = false;                     // this process
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
   std::map<std::string, int64_t> placed_;  // bytes by relative path
 };

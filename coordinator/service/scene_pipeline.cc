@@ -156,6 +156,7 @@ class ScenePipeline : public JobPipeline {
       if (std::optional<std::string> known = reuse_->Recall(task, tasks_.NumberOf(task))) {
         TILEMEND_RETURN_IF_ERROR(tasks_.Take({task.cell, task.stage, *std::move(known)}));
       } else {
+        tasks_.AddHelp(task);
         bytes += task.input.size();
         tasks.push_back(std::move(task));
       }
@@ -252,6 +253,7 @@ class ScenePipeline : public JobPipeline {
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
+  CheckCrs(scene);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance, FrameOf(scene)));
   water.options.profile = *WaterProfileNamed(spec.water_profile);

@@ -33,6 +33,8 @@ absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Pl
   return Parse<Message>(bytes);
 }
 
+constexpr size_t kMostStampBytes = 128;
+
 bool HasMaterials(const SceneTile& tile) {
   const auto format = MeshFormatOf(OutputPath(tile));
   return format.ok() && *format == MeshFormat::kObj;
@@ -61,6 +63,15 @@ int32_t SceneTasks::NumberOf(const TaskResult& result) {
   if (result.stage != Stage::kSampleCluster || !result.output.ok()) return 0;
   const auto output = Parse<v1::SampleClusterOutput>(*result.output);
   return output.ok() ? output->cluster() : 0;
+}
+
+void SceneTasks::AddHelp(NewTask& task) const {
+  const auto stamp = stamps_.find(task.cell);
+  if (task.stage != Stage::kAssemble || stamp == stamps_.end()) return;
+  v1::AssembleInput help;
+  help.set_stamp(stamp->second);
+  help.set_link_tile(spec_.link);
+  help.AppendToString(&task.input);  // as one message: its other fields stay as they are
 }
 
 void SceneTasks::Forget(CellId cell) { rims_.erase(cell); }
@@ -168,6 +179,7 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(result.cell)));
   if (spec_.textures != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
   digests_[result.cell] = std::move(tile->digest);
+  if (!tile->stamp.empty() && tile->stamp.size() <= kMostStampBytes) stamps_[result.cell] = std::move(tile->stamp);
   for (const FileWitness::Read& read : tile->reads) {
     const auto& libraries = tile->files.libraries;
     const bool is_library = std::find(libraries.begin(), libraries.end(), read.path) != libraries.end();

@@ -34,6 +34,9 @@ class SceneTasks {
   int32_t NumberOf(const NewTask& task) const;
   static int32_t NumberOf(const TaskResult& result);
 
+  // Adds to a task's input what may help to do it, and tells it from no other.
+  void AddHelp(NewTask& task) const;
+
   // kInternal for a result that cannot be read; of an assemble task also the errors of placing its files. For a survey,
   // kInvalidArgument if the tile does not lie in its cell.
   absl::Status Take(const TaskResult& result);
@@ -66,7 +69,7 @@ class SceneTasks {
   OutputFolder* const output_;
   const std::shared_ptr<ScratchFile> scratch_;
   SceneFiles files_;
-  std::map<CellId, std::string> digests_;                        // of the tiles
+  std::map<CellId, std::string> digests_, stamps_;               // of the tiles
   std::map<std::string, std::string> library_digests_;           // by path
   std::map<CellId, int32_t> clusters_of_;                        // how many were given out, by the first cell of each
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there

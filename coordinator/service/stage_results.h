@@ -17,6 +17,7 @@ struct SurveyedTile {
   SurveyRecord record;
   TileFiles files;
   std::string digest;                    // of the tile
+  std::string stamp;                     // likewise; may be empty
   std::vector<FileWitness::Read> reads;  // of its survey, beside the tile
 };
 

@@ -56,7 +56,8 @@ absl::Status AttemptFiles::Write(const std::string& path, std::string_view bytes
   return absl::OkStatus();
 }
 
-absl::Status AttemptFiles::Carry(const std::string& from, const std::string& path, ::tilemend::Carry how) {
+absl::Status AttemptFiles::Carry(const std::string& from, const std::string& path, ::tilemend::Carry how,
+                                 const std::string& digest) {
   std::error_code error;
   if (std::filesystem::weakly_canonical(from, error) ==
       std::filesystem::weakly_canonical(absl::StrCat(output_, "/", path), error)) {
@@ -68,6 +69,7 @@ absl::Status AttemptFiles::Carry(const std::string& from, const std::string& pat
     return CanWriteIn(attempts_) ? size.status() : OfThisMachine(size.status());
   }
   file.set_bytes(*size);
+  file.set_digest(digest);
   files_.push_back(std::move(file));
   return absl::OkStatus();
 }

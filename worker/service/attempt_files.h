@@ -29,8 +29,10 @@ class AttemptFiles {
 
   // A file with these bytes, that is to go to `path` of the output.
   absl::Status Write(const std::string& path, std::string_view bytes);
-  // A file as `from`. kInvalidArgument if `path` of the output is that file itself.
-  absl::Status Carry(const std::string& from, const std::string& path, ::tilemend::Carry how);
+  // A file as `from`. kInvalidArgument if `path` of the output is that file itself. `digest` is its SHA-256 if that is
+  // known.
+  absl::Status Carry(const std::string& from, const std::string& path, ::tilemend::Carry how,
+                     const std::string& digest = "");
 
   // What was written, the last first. The coordinator sees to the files from now on.
   std::vector<v1::WrittenFile> Keep();

@@ -7,11 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
 #include "common/codec/mesh_file.h"
+#include "common/codec/text.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
+#include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
@@ -40,8 +44,16 @@ absl::StatusOr<Message> Parse(const std::string& bytes) {
   return message;
 }
 
-absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
+// What a scene can do about a tile that holds nothing.
+absl::Status WithHint(const absl::Status& status) {
+  if (!absl::EndsWith(status.message(), kNoVertices)) return status;
+  return absl::Status(status.code(),
+                      absl::StrCat(status.message(), "; a cell without surface has \"path\": null in scene.json"));
+}
+
+absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
+  const std::string stamp = StampOf(path, absl::Now());
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
   const std::string digest = Sha256Hex(bytes);
   v1::SurveyOutput output;
@@ -62,9 +74,15 @@ absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
     output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32));
   }
   output.set_digest(digest);
+  output.set_stamp(stamp);
   output.mutable_witness()->set_digest(digest);
   output.mutable_witness()->set_bytes(static_cast<int64_t>(bytes.size()));
   return output.SerializeAsString();
+}
+
+absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
+  absl::StatusOr<std::string> output = Survey(input);
+  return output.ok() ? output : WithHint(output.status());
 }
 
 FillOptions OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
@@ -106,14 +124,16 @@ absl::StatusOr<std::string> RunSampleLayer(const v1::SampleLayerInput& input) {
   return output.SerializeAsString();
 }
 
-// The bytes of a tile as it was surveyed.
-absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile) {
+absl::Status Changed(const std::string& path) {
+  return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
+}
+
+// The bytes of a tile as it was surveyed, when it had `stamp`.
+absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp = "") {
   const std::string path = PathOf(tile);
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));
-  if (Sha256Hex(bytes) != tile.digest()) {
-    return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
-  }
-  return bytes;
+  return HasStamp(path, stamp) || Sha256Hex(bytes) == tile.digest() ? absl::StatusOr<std::string>(std::move(bytes))
+                                                                    : Changed(path);
 }
 
 // The surface of tiles, read when it is first asked for.
@@ -162,6 +182,7 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToke
 }
 
 struct Assembled {
+  bool as_it_is = false;                // the original without a change; else:
   std::string bytes;                    // of the tile
   std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
 };
@@ -177,7 +198,7 @@ absl::StatusOr<std::vector<HolePatch>> PatchesOf(const v1::AssembleInput& input,
   return patches;
 }
 
-// The tile with its patches; a tile without any is copied byte for byte.
+// The tile with its patches.
 absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(input.vertices()));
   TILEMEND_ASSIGN_OR_RETURN(const FillColours colours, ColoursOf(input));
@@ -194,11 +215,11 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
   const int32_t tile_vertices = has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0;
   FilePatch patch = MergePatches(vertices, patches, cell, tile_vertices, colours);
   if (!has_tile) {
-    return Assembled{NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64), {}};
+    return Assembled{false, NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64), {}};
   }
+  if (patch.triangles.empty()) return Assembled{true, {}, {}};
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(std::string original, ReadSurveyed(input.tile()));
-  if (patch.triangles.empty()) return Assembled{std::move(original), {}};
+  TILEMEND_ASSIGN_OR_RETURN(const std::string original, ReadSurveyed(input.tile(), input.stamp()));
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   Assembled result;
   if (format == MeshFormat::kObj) result.materials = MaterialsOf(patches, colours);
@@ -223,6 +244,19 @@ absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInpu
   return CarryFiles(
       root, carried, input.link_images(),
       [&](const std::string& from, const std::string& path, Carry how) { return files.Carry(from, path, how); });
+}
+
+// The tile as it is: no byte of it comes here if it is known to be unchanged.
+absl::Status CarryTile(const v1::AssembleInput& input, AttemptFiles& files) {
+  const std::string path = PathOf(input.tile());
+  if (!HasStamp(path, input.stamp())) {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadSurveyed(input.tile()));
+    return files.Write(input.output(), bytes);
+  }
+  const Carry how = input.link_tile() ? Carry::kLink : Carry::kCopy;
+  TILEMEND_RETURN_IF_ERROR(files.Carry(path, input.output(), how, input.tile().digest()));
+  // A link changes the stamp itself.
+  return how == Carry::kLink || HasStamp(path, input.stamp()) ? absl::OkStatus() : Changed(path);
 }
 
 // Whether the file of an earlier output is still what this one is to have.
@@ -251,7 +285,7 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
   TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile.materials, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
-  TILEMEND_RETURN_IF_ERROR(files.Write(input.output(), tile.bytes));
+  TILEMEND_RETURN_IF_ERROR(tile.as_it_is ? CarryTile(input, files) : files.Write(input.output(), tile.bytes));
   for (v1::WrittenFile& file : files.Keep()) *output.add_files() = std::move(file);
   return output.SerializeAsString();
 }

@@ -99,5 +99,17 @@ TEST(RawFeaturesTest, ErrorsNameTheFileAndThePlace) {
   }
 }
 
+TEST(RawFeaturesTest, AnAreaThatCrossesItselfIsRefusedWithThePlace) {
+  const std::string bow_tie = PolygonText({{0, 0}, {8, 8}, {8, 0}, {0, 8}});
+  for (const std::string& text : {bow_tie, CollectionText({FeatureText(kSquare), FeatureText(bow_tie)})}) {
+    const absl::Status status = ParseAreaFile(text, "f", {}).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_THAT(std::string(status.message()), HasSubstr("ring 0 crosses itself at (4, 4)"));
+  }
+  EXPECT_TRUE(
+      ParseAreaFile(CollectionText({FeatureText(kSquare), FeatureText(PolygonText(SquareAt(2, 2, 4)))}), "f", {}).ok())
+      << "features may overlap";
+}
+
 }  // namespace
 }  // namespace tilemend

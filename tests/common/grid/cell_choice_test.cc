@@ -23,6 +23,7 @@ TEST(ParseCellsTest, NamesWhatIsNeither) {
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << text;
     EXPECT_THAT(std::string(status.message()), HasSubstr(std::string(text).substr(0, 1)));
   }
+  EXPECT_TRUE(absl::IsInvalidArgument(ParseCells(" ").status()));
   EXPECT_THAT(std::string(ParseCells("5,5-0,9").status().message()), HasSubstr("lowest"));
 }
 

@@ -152,6 +152,13 @@ TEST_F(SceneJsonTest, RefusesWrongGrids) {
   ExpectInvalid("\"EPSG:32650\"", "32650", "crs: expected a text");
 }
 
+TEST_F(SceneJsonTest, RefusesAnAreaThatCrossesItself) {
+  ExpectInvalid(
+      "\"cell_size\": 250",
+      R"("area": {"type": "Polygon", "coordinates": [[[0, 0], [9, 9], [9, 0], [0, 9], [0, 0]]]}, "cell_size": 250)",
+      "area: ring 0 crosses itself at (4.5, 4.5)");
+}
+
 TEST_F(SceneJsonTest, RefusesWrongTiles) {
   ExpectInvalid("\"col\": 1, \"row\": 0", "\"col\": \"1\", \"row\": 0", "tiles[2].col: expected an integer");
   ExpectInvalid("\"col\": 1, \"row\": 0", "\"col\": 2, \"row\": 0", "tiles[2].col: expected 0 to 1, found 2");

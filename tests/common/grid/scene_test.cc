@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,20 @@ TEST(LoadSceneTest, TakesTheFolderOrItsFile) {
   EXPECT_EQ(SceneJson(*by_folder), SceneJson(*by_file));
 }
 
+TEST(LoadSceneTest, WarnsOfTilesThatLieElsewhere) {
+  TemporaryFolder folder, elsewhere;
+  folder.Write("scene.json", R"({"cell_size": 10, "cols": 3, "rows": 1, "tiles": [
+      {"col": 0, "row": 0, "path": "in.ply"}, {"col": 1, "row": 0, "path": "link.ply"},
+      {"col": 2, "row": 0, "path": "out.ply"}]})");
+  folder.Write("in.ply", "ply");
+  std::filesystem::create_symlink("in.ply", folder / "link.ply");
+  std::filesystem::create_symlink(elsewhere.Write("a.ply", "ply"), folder / "out.ply");
+  const auto scene = LoadScene(folder.path(), nullptr);
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  ASSERT_EQ(scene->warnings.size(), 1U);
+  EXPECT_THAT(scene->warnings[0], HasSubstr("out.ply leads to " + (elsewhere / "a.ply") + ", out of"));
+}
+
 TEST(LoadSceneTest, SaysWhatIsNoScene) {
   TemporaryFolder folder;
   const absl::Status none = LoadScene(folder / "none", nullptr).status();
@@ -52,7 +67,7 @@ TEST(LoadSceneTest, SaysWhatIsNoScene) {
   const absl::Status mesh = LoadScene(folder.Write("a.ply", "ply"), nullptr).status();
   EXPECT_EQ(mesh.code(), absl::StatusCode::kInvalidArgument);
   EXPECT_THAT(std::string(mesh.message()), HasSubstr("one mesh is for `tilemend fill`"));
-  EXPECT_FALSE(LoadScene(std::string(5000, 'x'), nullptr).ok());
+  EXPECT_TRUE(absl::IsInvalidArgument(LoadScene(std::string(5000, 'x'), nullptr).status()));
 }
 
 }  // namespace

@@ -83,7 +83,9 @@ TEST(StatusServerTest, SaysWhenItsPortIsTaken) {
   const std::string address = "127.0.0.1:" + std::to_string((*first)->port());
   const auto second = StatusServer::Start(address, {[] { return ""; }});
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
-  EXPECT_THAT(std::string(second.status().message()), HasSubstr(address + ": cannot serve metrics there"));
+  EXPECT_THAT(std::string(second.status().message()),
+              HasSubstr(address + ": cannot serve metrics there: Address already in use"));
+  EXPECT_TRUE(absl::IsInvalidArgument(StatusServer::Start("nowhere", {[] { return ""; }}).status()));
 }
 
 class SecuredStatusServerTest : public ::testing::Test {

@@ -64,5 +64,25 @@ TEST(AreaChoiceTest, NamesAFileThatCannotBeUsed) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("flat.geojson: "));
 }
 
+TEST(CheckCrsTest, WarnsOfOneThatNobodyKnows) {
+  for (const char* crs : {"EPSG:999999", "rubbish", "EPSG:4326"}) {
+    Scene scene = OneCell();
+    scene.root = "/scene";
+    scene.crs = crs;
+    CheckCrs(scene);
+    ASSERT_THAT(scene.warnings, SizeIs(1)) << crs;
+    EXPECT_THAT(scene.warnings[0], HasSubstr(std::string("/scene/scene.json: crs: '") + crs + "': "));
+  }
+}
+
+TEST(CheckCrsTest, IsQuietAboutOthers) {
+  for (const char* crs : {"", "EPSG:25832", "ENU:48.1,11.5", "+proj=utm +zone=32 +datum=WGS84"}) {
+    Scene scene = OneCell();
+    scene.crs = crs;
+    CheckCrs(scene);
+    EXPECT_THAT(scene.warnings, SizeIs(0)) << crs;
+  }
+}
+
 }  // namespace
 }  // namespace tilemend

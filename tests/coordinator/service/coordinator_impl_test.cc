@@ -108,6 +108,28 @@ TEST_F(CoordinatorImplTest, RetryMayOverwrite) {
   EXPECT_TRUE(again->spec().overwrite());
 }
 
+TEST_F(CoordinatorImplTest, RetryOfACompleteOutputNeedsOverwrite) {
+  cluster_.AddWorker("w");
+  v1::CreateJobRequest request = NewRequest();
+  const std::string name = impl_.CreateJob(request)->name();
+  ASSERT_EQ(cluster_.WaitFor(name).state(), v1::DONE);
+  v1::RetryJobRequest retry;
+  retry.set_name(name);
+  const absl::Status status = impl_.RetryJob(retry).status();
+  EXPECT_TRUE(absl::IsAlreadyExists(status)) << status;
+  EXPECT_EQ(ErrorReason(status), "OUTPUT_EXISTS");
+  EXPECT_EQ(impl_.ListJobs({})->jobs_size(), 1);
+  retry.set_overwrite(true);
+  retry.set_request_id("again");
+  const std::string again = impl_.RetryJob(retry)->name();
+  EXPECT_EQ(impl_.RetryJob(retry)->name(), again) << "a request that was taken is answered as it was";
+  ASSERT_EQ(cluster_.WaitFor(again).state(), v1::DONE);
+  std::filesystem::remove_all(request.spec().out());
+  retry.clear_request_id();
+  retry.set_overwrite(false);
+  EXPECT_TRUE(impl_.RetryJob(retry).ok()) << "the output was taken away";
+}
+
 TEST(CoordinatorOptionsTest, RefusesALeaseShorterThanTwoCalls) {
   TempFolder folder;
   CoordinatorOptions options;

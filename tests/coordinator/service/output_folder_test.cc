@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <optional>
@@ -137,6 +138,54 @@ TEST_F(OutputFolderTest, RefusesAPathThatCannotBeAFolder) {
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_.Write("file", "x")).status()));
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "file/below").status()));
   EXPECT_TRUE(absl::IsInvalidArgument(Claim("s3://bucket/out").status()));
+}
+
+TEST_F(OutputFolderTest, ANewClaimOfAKilledJobThatWroteNothingLeavesNothing) {
+  std::string marker;
+  {
+    const auto first = Claim(out_);
+    ASSERT_TRUE(first.ok());
+    marker = ReadFile(out_ + "/.tilemend-job").value();
+  }
+  folder_.Write("deep/out/.tilemend-job", marker);  // as the kill leaves it
+  folder_.Write("deep/out/.tilemend-attempts/key", "12345678");
+  ASSERT_TRUE(Claim(out_).ok());
+  EXPECT_FALSE(Exists("deep/out/.tilemend-job"));
+  EXPECT_FALSE(Exists("deep/out/.tilemend-attempts"));
+}
+
+TEST_F(OutputFolderTest, WhatIsInTheWayIsNamedAndStays) {
+  struct Case {
+    const char* name;
+    void (*make)(const std::string& path);
+  };
+  const auto link = [](const std::string& path) { fs::create_directory_symlink("/tmp", path); };
+  const auto folder = [](const std::string& path) { fs::create_directories(path + "/mine"); };
+  const auto pipe = [](const std::string& path) { ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0); };
+  const auto file = [](const std::string& path) { ASSERT_TRUE(WriteFileAtomically(path, "mine").ok()); };
+  const Case cases[] = {{".tilemend-job", folder},
+                        {".tilemend-job", link},
+                        {".tilemend-job", pipe},
+                        {".tilemend-results", folder},
+                        {".tilemend-results", link},
+                        {".tilemend-results", pipe},
+                        {".tilemend-attempts", link},
+                        {".tilemend-attempts", file},
+                        {"tiles/a.ply", folder},
+                        {"report.json", folder},
+                        {"tiles", file}};
+  for (const auto& [name, make] : cases) {
+    const std::string path = out_ + "/" + name;
+    fs::create_directories(fs::path(path).parent_path());
+    make(path);
+    for (const bool overwrite : {false, true}) {
+      const absl::Status status = Claim(out_, overwrite).status();
+      EXPECT_TRUE(absl::IsInvalidArgument(status) || (!overwrite && absl::IsAlreadyExists(status))) << status;
+      EXPECT_THAT(std::string(status.message()), testing::HasSubstr(overwrite ? path + ": a " : out_));
+    }
+    EXPECT_TRUE(fs::exists(fs::symlink_status(path))) << path;
+    fs::remove_all(out_);
+  }
 }
 
 class PlacedFilesTest : public OutputFolderTest {

@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "absl/time/clock.h"
 #include "common/codec/mesh_file.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
+#include "common/store/file_stamp.h"
 #include "common/util/error_info.h"
 #include "tests/support/mesh_builders.h"
 #include "tests/support/patch_checks.h"
@@ -302,6 +304,49 @@ TEST_F(SceneStagesTest, CopiesATileWithoutPatchesByteForByte) {
   const auto output = RunWell<v1::AssembleOutput>(Stage::kAssemble, input);
   EXPECT_EQ(TileOf(output), ReadFile(folder_ / "a.ply").value());
   EXPECT_EQ(output.files(0).digest(), input.tile().digest());
+}
+
+class KnownTileTest : public SceneStagesTest {
+ protected:
+  KnownTileTest() {
+    *input_.mutable_tile() = WriteTile(HoledRoof(), "a.ply");
+    input_.set_output("out/a.ply");
+    input_.set_attempts(folder_.path());
+    input_.set_stamp(StampOf(folder_ / "a.ply", absl::Now() + absl::Hours(1)));
+  }
+  std::string Assembled() {
+    const auto output = RunWell<v1::AssembleOutput>(Stage::kAssemble, input_);
+    EXPECT_EQ(output.files(0).digest(), input_.tile().digest());
+    EXPECT_EQ(TileOf(output), ReadFile(folder_ / "a.ply").value());
+    return folder_ / output.files(0).attempt();
+  }
+  v1::AssembleInput input_;
+};
+
+TEST_F(KnownTileTest, IsCopiedWithoutBeingRead) { EXPECT_EQ(std::filesystem::hard_link_count(Assembled()), 1U); }
+
+TEST_F(KnownTileTest, IsLinkedIfAskedFor) {
+  input_.set_link_tile(true);
+  EXPECT_TRUE(std::filesystem::equivalent(Assembled(), folder_ / "a.ply"));
+}
+
+TEST_F(KnownTileTest, IsReadWhereItsStampIsAnotherOrThereIsNone) {
+  for (const char* stamp : {"", "1 2 3 4"}) {
+    input_.set_stamp(stamp);
+    Assembled();
+    folder_.Write("a.ply", "another");
+    EXPECT_TRUE(absl::IsAborted(Run(Stage::kAssemble, input_).status())) << stamp;
+    *input_.mutable_tile() = WriteTile(HoledRoof(), "a.ply");
+  }
+}
+
+TEST_F(KnownTileTest, IsPatchedWithoutBeingHashed) {
+  const TriMesh mesh = HoledRoof();
+  v1::AssembleInput input = AssembleInputOf(mesh, input_.tile());
+  const std::string tile = TileOf(RunWell<v1::AssembleOutput>(Stage::kAssemble, input));
+  input.set_stamp(input_.stamp());
+  input.mutable_tile()->set_digest(Sha256Hex("never looked at"));
+  EXPECT_EQ(TileOf(RunWell<v1::AssembleOutput>(Stage::kAssemble, input)), tile);
 }
 
 TEST_F(SceneStagesTest, MakesATileWhereThereWasNone) {
