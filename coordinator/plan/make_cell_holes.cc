@@ -121,15 +121,16 @@ class CellHolesBuilder {
     const PlanVertex& p = plan_.vertices[plan_vertex];
     if (p.follows < 0) return std::nullopt;
     const auto beside = heights_.ground.find({cluster, p.follows});
-    if (beside != heights_.ground.end()) return beside->second;
-    return heights_.height.contains(p.follows) ? OnSlopeOf(p.follows, p.position) : std::nullopt;
+    if (beside != heights_.ground.end()) return beside->second + RiseFrom(p.follows, p.position);
+    const auto height = heights_.height.find(p.follows);
+    if (height == heights_.height.end() || !heights_.slope.contains(p.follows)) return std::nullopt;
+    return height->second + RiseFrom(p.follows, p.position);
   }
 
-  // The surface at a seam vertex that is settled, gone on with its slope; nothing where no slope is known.
-  std::optional<double> OnSlopeOf(int32_t source, const Point3& at) const {
+  // Of the surface from a vertex on to a place, with its slope there; 0 where no slope is known.
+  double RiseFrom(int32_t source, const Point3& at) const {
     const auto slope = heights_.slope.find(source);
-    if (slope == heights_.slope.end()) return std::nullopt;
-    return heights_.height.at(source) + slope->second.dot((at - plan_.vertices[source].position).head<2>());
+    return slope == heights_.slope.end() ? 0 : slope->second.dot((at - plan_.vertices[source].position).head<2>());
   }
 
   // Of a seam vertex, if it is settled. Off the grid line the surface goes on with its slope.
@@ -139,13 +140,12 @@ class CellHolesBuilder {
     const PlanVertex& s = plan_.vertices[source];
     if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
     if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
-      return RoundedToLattice(ground->second, plan_.lattice_step);
+      return RoundedToLattice(ground->second + RiseFrom(source, p.position), plan_.lattice_step);
     }
     if (s.index >= 0 || s.height_known) return s.position.z();
     const auto height = heights_.height.find(source);
     if (height == heights_.height.end()) return std::nullopt;
-    const std::optional<double> z = p.follows < 0 ? std::nullopt : OnSlopeOf(source, p.position);
-    return z ? RoundedToLattice(*z, plan_.lattice_step) : height->second;
+    return RoundedToLattice(height->second + RiseFrom(source, p.position), plan_.lattice_step);
   }
 
   void AddHole(int32_t h, const std::vector<RimSegment>& segments) {

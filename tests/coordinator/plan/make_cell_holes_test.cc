@@ -94,6 +94,28 @@ TEST(MakeCellHolesTest, GivesSeamVerticesTheHeightsThatAreKnown) {
   EXPECT_GE(on_seam, 2);
 }
 
+// Beside a seam vertex, and beside a rim vertex on an object, where only the ground below it counts.
+TEST(MakeCellHolesTest, GoesOnWithTheSlopeOfTheSurfaceOffTheGridLine) {
+  Planned p;
+  const int32_t h = FirstOpenIn(p.plan, {0, 0});
+  PlannedHole& hole = p.plan.holes[h];
+  const auto is_new = [&](const RimSegment& s) { return p.plan.vertices[s.from].index < 0; };
+  const int32_t source = std::find_if(hole.segments.begin(), hole.segments.end(), is_new)->from;
+  PlanVertex beside = p.plan.vertices[source];
+  beside.follows = source;
+  beside.position += Point3(2, 1, 0);
+  p.plan.vertices.push_back(beside);
+  const auto number = static_cast<int32_t>(p.plan.vertices.size()) - 1;
+  hole.own_regions = {{{number, source, true}, {source, number, true}}};
+  const auto height = [&] { return MakeFillHoles(p.plan, p.input, p.heights, {h}).vertices[0].position.z(); };
+  p.heights.height[source] = 5;
+  EXPECT_EQ(height(), 5);
+  p.heights.slope[source] = {0.25, -2};
+  EXPECT_EQ(height(), 5 + 0.5 - 2);
+  p.heights.ground[{hole.cluster, source}] = 8;
+  EXPECT_EQ(height(), 8 + 0.5 - 2);
+}
+
 TEST(MakeCellHolesTest, TakesTheBandAroundTheHolesFromAllTilesThere) {
   const Planned p;
   const int32_t h = FirstOpenIn(p.plan, {0, 0});

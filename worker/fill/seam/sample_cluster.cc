@@ -80,7 +80,7 @@ class ClusterSampler {
     AddBesideSeams(problem, laplacian, slope, samples);
     for (size_t v = 0; v < hole_.on_object.size(); ++v) {
       if (hole_.on_object[v])
-        samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, {0, 0}});
+        samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, slope[v]});
     }
     std::vector<SurfaceSample> result;
     for (auto& [v, sample] : samples) {

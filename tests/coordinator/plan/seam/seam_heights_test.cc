@@ -136,6 +136,17 @@ TEST(SettleClusterTest, KeepsHeightsThatThePlanGave) {
   EXPECT_THAT(heights.height, ElementsAre(Pair(1, 7.123456789), Pair(2, 4)));
 }
 
+TEST(SettleClusterTest, KeepsTheSurfaceUnderAnObjectAndItsSlope) {
+  Plan plan = OneSeam(1, 30, 0);
+  plan.vertices[0].on_object = true;
+  SeamHeights heights;
+  const std::vector<ClusterSample> samples = {{0, 2.5, 0, {0.5, -1}}};
+  SettleCluster(plan, 4, samples, heights);
+  EXPECT_THAT(heights.ground, ElementsAre(Pair(Pair(4, 0), 2.5)));
+  EXPECT_EQ(heights.slope.at(0), Point2(0.5, -1));
+  EXPECT_THAT(heights.height, IsEmpty());
+}
+
 TEST(SettleLayerTest, SettlesNothingWithoutSamples) { EXPECT_THAT(Settle(OneSeam(2, 0, 0), {}, 0.5), IsEmpty()); }
 
 }  // namespace
