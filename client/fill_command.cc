@@ -122,6 +122,13 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
   if (options.tension && options.surface != Surface::kThinPlate)
     return absl::InvalidArgumentError("--tension: only the surface thin-plate has a tension");
+  TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
+  TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
+  if ((longest_loop || fairing_steps) && options.surface != Surface::kWang) {
+    return absl::InvalidArgumentError("--longest-loop, --fairing-steps: only the surface wang has these options");
+  }
+  options.wang.longest_loop = longest_loop.value_or(options.wang.longest_loop);
+  options.wang.fairing_steps = fairing_steps.value_or(options.wang.fairing_steps);
   TILEMEND_ASSIGN_OR_RETURN(options.refine.gradation, args.Number("gradation", 1, 10));
   TILEMEND_ASSIGN_OR_RETURN(options.refine.size_limit, args.Number("size-limit", 1, 1e6));
   options.refine.uniform = args.Switch("uniform");

@@ -27,12 +27,15 @@ std::string AbsolutePath(const std::string& path) {
 
 std::vector<FlagSpec> JobFlags() {
   const JobSpec defaults;
+  const WangOptions wang;
   std::vector<FlagSpec> flags = {
       {"out", "DIR", "folder to write to", ""},
       {"overwrite", "", "write to DIR even if it is not empty; files of other names stay", ""}};
   for (FlagSpec& flag : SurfaceFlags()) flags.push_back(std::move(flag));
   flags.push_back(
-      {"seam-smoothing", "X", absl::StrCat("of wang: how much seams are smoothed, 0 to 1; ", kSeamSmoothing), ""});
+      {"seam-smoothing", "X", absl::StrCat("of wang: how much seams are smoothed, 0 to 1; ", wang.seam_smoothing), ""});
+  flags.push_back({"seam-buffer", "EDGES",
+                   absl::StrCat("of wang: how far around seams it smooths, 1 to 100; ", wang.seam_buffer), ""});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
   flags.push_back(AreaFlag());
   flags.push_back({"cells", "CELLS", "fill and write these alone: \"3,4 0,0-5,9\", column,row (default: all)", ""});
@@ -51,7 +54,10 @@ std::vector<FlagSpec> SurfaceFlags() {
           {"gradation", "X", "growth of triangles from edge to edge inward, 1 to 10", absl::StrCat(defaults.gradation)},
           {"size-limit", "X", "longest edge as a multiple of the rim's mean edge, 1 to 1e6",
            absl::StrCat(defaults.size_limit)},
-          {"uniform", "", "keep the boundary's triangle size inside, no growth", ""}};
+          {"uniform", "", "keep the boundary's triangle size inside, no growth", ""},
+          {"longest-loop", "N",
+           absl::StrCat("of wang: longer boundaries are cut, 3 to 2000; ", WangOptions().longest_loop), ""},
+          {"fairing-steps", "N", absl::StrCat("of wang: 0 to 1000; ", WangOptions().fairing_steps), ""}};
 }
 
 std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
@@ -83,6 +89,17 @@ FlagSpec WaterColourFlag() {
 
 FlagSpec OutputFlag() { return {"output", "table|json", "format on stdout", "table", 'o'}; }
 
+absl::StatusOr<std::optional<double>> NumberIfGiven(const Args& args, const char* flag, double low, double high) {
+  if (!args.IsGiven(flag)) return std::nullopt;
+  return args.Number(flag, low, high);
+}
+
+absl::StatusOr<std::optional<int32_t>> WholeNumberIfGiven(const Args& args, const char* flag, int low, int high) {
+  if (!args.IsGiven(flag)) return std::nullopt;
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t number, args.Integer(flag, low, high));
+  return static_cast<int32_t>(number);
+}
+
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {
   if (args.Text("tension") == "auto") return std::nullopt;
   return args.Number("tension", 0, 1000);
@@ -97,9 +114,10 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(spec.tension, TensionFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(spec.gradation, args.Number("gradation", 1, 10));
   TILEMEND_ASSIGN_OR_RETURN(spec.size_limit, args.Number("size-limit", 1, 1e6));
-  if (!args.Text("seam-smoothing").empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(spec.seam_smoothing, args.Number("seam-smoothing", 0, 1));
-  }
+  TILEMEND_ASSIGN_OR_RETURN(spec.seam_smoothing, NumberIfGiven(args, "seam-smoothing", 0, 1));
+  TILEMEND_ASSIGN_OR_RETURN(spec.seam_buffer, NumberIfGiven(args, "seam-buffer", 1, 100));
+  TILEMEND_ASSIGN_OR_RETURN(spec.longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
+  TILEMEND_ASSIGN_OR_RETURN(spec.fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
   spec.water = args.Text("water");
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
   spec.area = AbsolutePath(args.Text("area"));

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_JOB_FLAGS_H_
 #define TILEMEND_CLIENT_JOB_FLAGS_H_
 
+#include <cstdint>
 #include <optional>
 
 #include "absl/status/statusor.h"
@@ -16,6 +17,9 @@ namespace tilemend {
 // kInvalidArgument for a value out of its range.
 absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args);
 
+// None where the flag is not given; it has no default then.
+absl::StatusOr<std::optional<double>> NumberIfGiven(const Args& args, const char* flag, double low, double high);
+absl::StatusOr<std::optional<int32_t>> WholeNumberIfGiven(const Args& args, const char* flag, int low, int high);
 // --tension auto|X; none for auto.
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args);
 absl::StatusOr<double> WaterToleranceFromFlags(const Args& args);

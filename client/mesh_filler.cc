@@ -100,13 +100,14 @@ class MeshFiller {
 
   absl::Status Do(const ClusterWork&) { return NoSeams(); }
   absl::Status Do(const LayerWork&) { return NoSeams(); }
+  absl::Status Do(const SmoothWork&) { return NoSeams(); }
   static absl::Status NoSeams() { return absl::InternalError("a mesh without a grid has no seams to sample"); }
 
   static std::vector<PatchExtent> ExtentsOf(const std::vector<HolePatch>& patches) {
     std::vector<PatchExtent> extents;
     for (const HolePatch& p : patches) {
       extents.push_back({p.hole, p.failure, static_cast<int64_t>(p.new_points.size()),
-                         static_cast<int64_t>(p.triangles.size()), p.hold_out, p.way});
+                         static_cast<int64_t>(p.triangles.size()), p.hold_out, p.way, p.loop_cuts});
     }
     return extents;
   }

@@ -69,19 +69,24 @@ RULES = {
         ['eigen']),
 
     'worker/fill/surface': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'],
+        ['common/mesh', 'common/mesh/triangulation', 'common/records'],
         ['eigen']),
 
     'worker/fill/shape': rule(
         ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'], ['eigen']),
 
+    'worker/fill/wang': rule(
+        ['common/mesh', 'common/mesh/triangulation', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole'],
+        ['eigen']),
+
     'worker/fill/space': rule(
-        ['common/mesh', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'],
+        ['common/mesh', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
+         'worker/fill/wang'],
         ['eigen']),
 
     'worker/fill/plane': rule(
         ['common/mesh', 'common/mesh/winding', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
-         'worker/fill/shape', 'worker/fill/space'],
+         'worker/fill/shape', 'worker/fill/space', 'worker/fill/wang'],
         []),
 
     'worker/fill/crease': rule(
@@ -89,7 +94,9 @@ RULES = {
         ['eigen']),
 
     'worker/fill/seam': rule(
-        ['common/mesh/winding', 'common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface'], []),
+        ['common/mesh', 'common/mesh/winding', 'common/records', 'worker/fill/region', 'worker/fill/hole',
+         'worker/fill/surface'],
+        ['eigen']),
 
     'worker/fill': rule(
         ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/plane', 'worker/fill/crease'],
@@ -103,7 +110,7 @@ RULES = {
         ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
 
     'worker/service': rule(
-        ['common/util', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
+        ['common/util', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
          'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/assemble',
          'worker/materials'],
         ['absl', 'grpc', 'protobuf']),

@@ -28,6 +28,8 @@ struct RimVertex {
   bool laplacian_known = false;  // on seams, from the surface of the whole cluster: its Laplacian here, 1 / metre
   double laplacian = 0;
   bool on_object = false;  // an original that stands on a tree, a house, a wall: its height does not shape the surface
+  // Of a seam vertex on a tile's own outline: the seam vertex on the grid line whose height it takes; else -1.
+  int32_t follows = -1;
   std::optional<double> ground;  // under such a vertex, from the surface of the whole cluster: its height, metres
 };
 
@@ -94,6 +96,13 @@ struct HolePatch {
   std::vector<Point3> new_points = {};
   std::vector<Triangle> triangles = {};
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
+  int32_t loop_cuts = 0;                 // of `wang`: how often its boundary was cut to be triangulated (WangOptions)
+};
+
+// A new height of a new point of a cell's patches; their new points are numbered through from the first patch on.
+struct SmoothedPoint {
+  int32_t point = 0;
+  double height = 0;  // metres
 };
 
 // The extent of a hole's boundary grown by half its diagonal: where a patch may go that is no height over the ground.

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COMMON_RECORDS_SURFACE_H_
 #define TILEMEND_COMMON_RECORDS_SURFACE_H_
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -12,8 +13,14 @@ enum class Surface { kThinPlate, kWang };
 
 inline constexpr Surface kDefaultSurface = Surface::kThinPlate;
 
-// Gamma of Wang 2021, eq. 5, where none is given.
-inline constexpr double kSeamSmoothing = 0.5;
+// What Wang 2021 leaves open.
+struct WangOptions {
+  double seam_smoothing = 0.5;  // [0, 1]: gamma of eq. 5
+  double seam_buffer = 3;       // [1, 100]: how far eq. 5 and 6 reach on either side of a seam, in edges of the seam
+  int32_t longest_loop = 400;   // [3, 2000]: boundary vertices; longer loops are cut before they are triangulated
+  int32_t fairing_steps = 10;   // [0, 1000]: of the fairing by eq. 4
+  bool adjust = true;           // eq. 1; false: for tests alone
+};
 
 // "thin-plate" or "wang", as flags, jobs and reports say it.
 constexpr const char* SurfaceName(Surface surface) { return surface == Surface::kThinPlate ? "thin-plate" : "wang"; }

@@ -176,6 +176,9 @@ v1::RimVertices ToProto(const std::vector<RimVertex>& vertices) {
       proto.add_ground(v.ground.value_or(0));
     }
   }
+  if (std::any_of(vertices.begin(), vertices.end(), [](const RimVertex& v) { return v.follows >= 0; })) {
+    for (const RimVertex& v : vertices) proto.add_follows(v.follows);
+  }
   return proto;
 }
 
@@ -185,7 +188,7 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
       proto.position_size() != 3 * n || proto.height_known_size() != n || proto.centroid_height_size() != n ||
       proto.size_size() != n || proto.laplacian_known_size() != n || proto.laplacian_size() != n ||
       (proto.on_object_size() != n && proto.on_object_size() != 0) || proto.ground_size() != proto.on_object_size() ||
-      proto.ground_known_size() != proto.on_object_size()) {
+      proto.ground_known_size() != proto.on_object_size() || (proto.follows_size() != n && proto.follows_size() != 0)) {
     return Malformed("rim vertices");
   }
   std::vector<RimVertex> vertices(n);
@@ -202,6 +205,7 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
     v.laplacian_known = proto.laplacian_known(i);
     v.laplacian = proto.laplacian(i);
     v.on_object = proto.on_object_size() > 0 && proto.on_object(i);
+    if (proto.follows_size() > 0) v.follows = proto.follows(i);
     if (v.on_object && proto.ground_known(i)) v.ground = proto.ground(i);
     if (!std::isfinite(v.ground.value_or(0))) return Malformed("rim vertex ground");
     if (!std::isfinite(v.laplacian)) return Malformed("rim vertex Laplacian");
@@ -323,6 +327,7 @@ v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<
     extent->set_hole(patch.hole);
     extent->set_failure(patch.failure);
     extent->set_way(static_cast<v1::FillWay>(patch.way));
+    extent->set_loop_cuts(patch.loop_cuts);
     extent->set_new_points(static_cast<int64_t>(patch.new_points.size()));
     extent->set_triangles(static_cast<int64_t>(patch.triangles.size()));
     if (patch.hold_out) *extent->mutable_hold_out() = ToProto(*patch.hold_out);
@@ -371,6 +376,7 @@ absl::StatusOr<HolePatch> PatchFrom(const v1::PatchExtent& extent, const TriMesh
   patch.hole = extent.hole();
   patch.failure = extent.failure();
   patch.way = static_cast<FillWay>(extent.way());
+  patch.loop_cuts = extent.loop_cuts();
   if (extent.has_hold_out()) {
     TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
   }

@@ -9,12 +9,13 @@
 namespace tilemend {
 
 // The values are those of tilemend.v1.Stage and do not change.
-enum class Stage { kSurvey = 1, kSampleCluster = 5, kSampleLayer = 6, kFill = 3, kAssemble = 4 };
+enum class Stage { kSurvey = 1, kSampleCluster = 5, kSampleLayer = 6, kFill = 3, kSmoothSeam = 7, kAssemble = 4 };
 
-inline constexpr std::array<Stage, 5> kAllStages = {Stage::kSurvey, Stage::kSampleCluster, Stage::kSampleLayer,
-                                                    Stage::kFill, Stage::kAssemble};
+inline constexpr std::array<Stage, 6> kAllStages = {Stage::kSurvey, Stage::kSampleCluster, Stage::kSampleLayer,
+                                                    Stage::kFill,   Stage::kSmoothSeam,    Stage::kAssemble};
 
-// "survey", "sample_cluster", "sample_layer", "fill" or "assemble"; "unknown" for a value that names none.
+// "survey", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a value that names
+// none.
 constexpr std::string_view StageName(Stage stage) {
   switch (stage) {
     case Stage::kSurvey:
@@ -25,6 +26,8 @@ constexpr std::string_view StageName(Stage stage) {
       return "sample_layer";
     case Stage::kFill:
       return "fill";
+    case Stage::kSmoothSeam:
+      return "smooth_seam";
     case Stage::kAssemble:
       return "assemble";
   }

@@ -109,6 +109,7 @@ class CellHolesBuilder {
       const std::optional<double> height = HeightOf(plan_vertex, cluster);
       v.height_known = height.has_value();
       if (height) v.position.z() = *height;
+      v.follows = p.follows;
     }
     result_.vertices.push_back(v);
     return it->second;
@@ -244,8 +245,8 @@ CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeig
 }
 
 CellHoles MakeFillHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
-                        const std::vector<int32_t>& holes) {
-  return CellHolesBuilder(plan, input, heights).Build(holes, true, true);
+                        const std::vector<int32_t>& holes, bool with_band) {
+  return CellHolesBuilder(plan, input, heights).Build(holes, with_band, true);
 }
 
 }  // namespace tilemend

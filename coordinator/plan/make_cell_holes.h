@@ -15,9 +15,9 @@ namespace tilemend {
 CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
                         const std::vector<int32_t>& holes, bool with_band);
 
-// The same for filling, with the triangles around: where tiles end at outlines of their own, up to those.
+// The same for filling: where tiles end at outlines of their own, up to those.
 CellHoles MakeFillHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
-                        const std::vector<int32_t>& holes);
+                        const std::vector<int32_t>& holes, bool with_band = true);
 
 }  // namespace tilemend
 

@@ -146,7 +146,9 @@ void StoreLayers(Plan& plan) {
   std::vector<bool> open, outermost;
   for (const PlannedHole& hole : plan.holes) {
     open.push_back((hole.kind != HoleKind::kClosed || !hole.own_regions.empty()) && hole.failure.empty());
-    outermost.push_back(hole.boundary_vertices > 0);
+    // Islands count, which the hole's own boundary does not.
+    outermost.push_back(
+        std::any_of(hole.segments.begin(), hole.segments.end(), [](const RimSegment& s) { return !s.seam; }));
   }
   const Layering layering = LayerHoles(open, outermost, HolesThatTouch(plan));
   plan.clusters = layering.clusters;

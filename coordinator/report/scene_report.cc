@@ -86,6 +86,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
     row["method"] = WayName(size->second.way);
+    if (size->second.loop_cuts > 0) row["loop_cuts"] = size->second.loop_cuts;
     row["new_vertices"] = size->second.new_vertices;
     row["triangles"] = size->second.triangles;
     if (!input.plan->colours.empty()) {
@@ -353,6 +354,7 @@ const char* BorderName(BorderKind kind) {
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   std::vector<LeftOpen> left = input.plan->left;
   left.insert(left.end(), input.outcome.unwritten.begin(), input.outcome.unwritten.end());
+  left.insert(left.end(), input.outcome.unsmoothed.begin(), input.outcome.unsmoothed.end());
   for (const auto& [hole, reason] : input.outcome.failures) {
     const PlannedHole& planned = input.plan->holes[hole];
     left.push_back({planned.cell, reason, hole, planned.boundary_vertices});

@@ -36,18 +36,20 @@ struct JobSpec {
   bool uniform = false;                                // triangles as large as the rim's throughout
   double gradation = 1.3;                              // [1, 10], growth of the triangles inward
   double size_limit = 16;                              // [1, 1e6], largest edge over the rim's mean edge
-  std::optional<double> tension;         // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
-  std::string water = "auto";            // or "off", or a file of polygons: see water_choice.h
-  std::string area;                      // a file with the area to cover: see area_choice.h; empty: as the scene says
-  double water_tolerance = 0.1;          // [0.001, 10], metres: see WaterOptions
-  std::string water_profile = "city";    // a name that WaterProfileNamed knows
-  std::string water_colour;              // "R,G,B" or "#rrggbb" (ParseColour); empty: as its rim has it
-  std::string cells;                     // those that are filled and written: see ParseCells; empty: all
-  std::string textures = "copy";         // material files and images: "copy", "link" (images as hard links), "off"
-  std::optional<double> seam_smoothing;  // [0, 1], gamma of Wang eq. 5, for `wang` alone; none: kSeamSmoothing
-  bool link = false;                     // tiles without a patch as hard links of the originals
-  bool overwrite = false;                // replace an existing output
-  bool dry_run = false;                  // survey and plan only, write no tiles
+  std::optional<double> tension;       // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
+  std::string water = "auto";          // or "off", or a file of polygons: see water_choice.h
+  std::string area;                    // a file with the area to cover: see area_choice.h; empty: as the scene says
+  double water_tolerance = 0.1;        // [0.001, 10], metres: see WaterOptions
+  std::string water_profile = "city";  // a name that WaterProfileNamed knows
+  std::string water_colour;            // "R,G,B" or "#rrggbb" (ParseColour); empty: as its rim has it
+  std::string cells;                   // those that are filled and written: see ParseCells; empty: all
+  std::string textures = "copy";       // material files and images: "copy", "link" (images as hard links), "off"
+  // Of `wang` alone; none: as WangOptions has them, which says what they are.
+  std::optional<double> seam_smoothing, seam_buffer;
+  std::optional<int32_t> longest_loop, fairing_steps;
+  bool link = false;       // tiles without a patch as hard links of the originals
+  bool overwrite = false;  // replace an existing output
+  bool dry_run = false;    // survey and plan only, write no tiles
   bool operator==(const JobSpec&) const = default;
 
   // kInvalidArgument (INVALID_SPEC, metadata field) naming the first field out of its range.

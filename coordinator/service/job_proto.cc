@@ -75,6 +75,9 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (proto.gradation() != 0) spec.gradation = proto.gradation();
   if (proto.size_limit() != 0) spec.size_limit = proto.size_limit();
   if (proto.has_seam_smoothing()) spec.seam_smoothing = proto.seam_smoothing();
+  if (proto.has_seam_buffer()) spec.seam_buffer = proto.seam_buffer();
+  if (proto.has_longest_loop()) spec.longest_loop = proto.longest_loop();
+  if (proto.has_fairing_steps()) spec.fairing_steps = proto.fairing_steps();
   if (!proto.water().empty()) spec.water = proto.water();
   spec.area = proto.area();
   if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
@@ -98,6 +101,9 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_gradation(spec.gradation);
   proto.set_size_limit(spec.size_limit);
   if (spec.seam_smoothing) proto.set_seam_smoothing(*spec.seam_smoothing);
+  if (spec.seam_buffer) proto.set_seam_buffer(*spec.seam_buffer);
+  if (spec.longest_loop) proto.set_longest_loop(*spec.longest_loop);
+  if (spec.fairing_steps) proto.set_fairing_steps(*spec.fairing_steps);
   proto.set_water(spec.water);
   proto.set_area(spec.area);
   proto.set_water_tolerance(spec.water_tolerance);

@@ -31,6 +31,23 @@ absl::Status CheckAbsolute(const std::string& field, const std::string& path) {
   return InvalidSpec(field, absl::StrCat("'", Printable(path), "': a relative path; give one that begins with /"));
 }
 
+// Options of Wang's surface are for no other.
+absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
+  struct Option {
+    const char* name;
+    std::optional<double> value;
+    double low, high;
+  };
+  for (const Option& option :
+       {Option{"seam_smoothing", spec.seam_smoothing, 0, 1}, Option{"seam_buffer", spec.seam_buffer, 1, 100},
+        Option{"longest_loop", spec.longest_loop, 3, 2000}, Option{"fairing_steps", spec.fairing_steps, 0, 1000}}) {
+    if (!option.value) continue;
+    if (surface != Surface::kWang) return InvalidSpec(option.name, "only the surface wang has this option");
+    TILEMEND_RETURN_IF_ERROR(CheckRange(option.name, *option.value, option.low, option.high));
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status JobSpec::Check() const {
@@ -68,10 +85,7 @@ absl::Status JobSpec::Check() const {
     return InvalidSpec("tension", "only the surface thin-plate has a tension");
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
   TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
-  if (seam_smoothing && named != Surface::kWang) {
-    return InvalidSpec("seam_smoothing", "only the surface wang has seams to smooth");
-  }
-  return seam_smoothing ? CheckRange("seam_smoothing", *seam_smoothing, 0, 1) : absl::OkStatus();
+  return CheckOfWang(*this, *named);
 }
 
 }  // namespace tilemend

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/records/patch_heights.h"
 #include "common/rpc/look_payloads.h"
+#include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
 #include "common/store/fingerprint.h"
@@ -118,12 +121,61 @@ absl::Status CheckLayerResult(const std::string& input_bytes, const std::string&
 absl::Status CheckFillResult(const std::string& input_bytes, const std::string& output_bytes) {
   TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::FillInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::FillOutput>(output_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
+  TILEMEND_ASSIGN_OR_RETURN(CellHoles asked, HolesOf(input));
+  if (output.has_samples() != input.has_sampled()) return Wrong("samples without their holes, or none");
+  if (input.has_sampled()) {
+    TILEMEND_ASSIGN_OR_RETURN(const CellHoles sampled, FromProto(input.sampled()));
+    const auto seam_vertex = Column(output.samples().seam_vertex());
+    const auto height = Column(output.samples().height());
+    TILEMEND_RETURN_IF_ERROR(AsWrong(CheckLayerSamples(sampled, seam_vertex, height)));
+    TakeSampledHeights(seam_vertex, height, asked);
+  }
   const auto patches = FromProto(output, asked.vertices.size());
   if (!patches.ok()) return AsWrong(patches.status());
   const auto quality = FromProto(output.quality());
   if (!quality.ok()) return AsWrong(quality.status());
   return AsWrong(CheckPatches(asked, *patches, *quality));
+}
+
+struct HeightRange {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void Add(double z) {
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+};
+
+// The heights of what is smoothed, as far as one side tells: means stay between them.
+absl::Status AddHeights(const v1::SeamSide& side, const v1::SmoothedPoints& moved, HeightRange& heights) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(side.vertices()));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<HolePatch> patches, FromProto(side.patches(), vertices.size()));
+  int64_t points = 0;
+  for (const RimVertex& v : vertices) heights.Add(v.position.z());
+  for (const HolePatch& patch : patches) {
+    points += std::ssize(patch.new_points);
+    for (const Point3& p : patch.new_points) heights.Add(p.z());
+  }
+  return AsWrong(FromProto(moved, points).status());
+}
+
+absl::Status CheckSmoothResult(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SmoothSeamInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SmoothSeamOutput>(output_bytes));
+  if (output.number() != input.number() || output.height_size() != input.seam_vertex_size()) {
+    return Wrong("another seam");
+  }
+  HeightRange heights;
+  for (const double z : input.height()) heights.Add(z);
+  TILEMEND_RETURN_IF_ERROR(AddHeights(input.a(), output.a(), heights));
+  TILEMEND_RETURN_IF_ERROR(AddHeights(input.b(), output.b(), heights));
+  const double low = heights.low - input.lattice_step(), high = heights.high + input.lattice_step();
+  for (const auto* column : {&output.height(), &output.a().height(), &output.b().height()}) {
+    if (!std::all_of(column->begin(), column->end(), [&](double z) { return z >= low && z <= high; })) {
+      return Wrong("a height beyond those of the patches");
+    }
+  }
+  return absl::OkStatus();
 }
 
 bool HasPatch(const v1::AssembleInput& input) {
@@ -209,6 +261,8 @@ ResultCheck SceneResultCheck(TileCheck tiles) {
         return CheckLayerResult(input, output);
       case Stage::kFill:
         return CheckFillResult(input, output);
+      case Stage::kSmoothSeam:
+        return CheckSmoothResult(input, output);
       case Stage::kAssemble:
         return CheckAssembleResult(input, output, tiles);
     }

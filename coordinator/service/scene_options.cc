@@ -8,6 +8,15 @@
 
 namespace tilemend {
 
+WangOptions WangOptionsOf(const JobSpec& spec) {
+  WangOptions options;
+  options.seam_smoothing = spec.seam_smoothing.value_or(options.seam_smoothing);
+  options.seam_buffer = spec.seam_buffer.value_or(options.seam_buffer);
+  options.longest_loop = spec.longest_loop.value_or(options.longest_loop);
+  options.fairing_steps = spec.fairing_steps.value_or(options.fairing_steps);
+  return options;
+}
+
 WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled) {
   WaveOptions options;
   options.plan.is_cancelled = std::move(is_cancelled);
@@ -17,7 +26,7 @@ WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function
   options.plan.water = std::move(water);
   if (!spec.water_colour.empty()) options.plan.water_colour = ParseColour(spec.water_colour);
   options.surface = SurfaceNamed(spec.surface).value_or(kDefaultSurface);
-  options.seam_smoothing = spec.seam_smoothing.value_or(kSeamSmoothing);
+  options.wang = WangOptionsOf(spec);
   options.plan_only = spec.dry_run;
   return options;
 }
@@ -29,6 +38,10 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
   options.set_uniform(spec.uniform);
   options.set_thin_plate(spec.surface == SurfaceName(Surface::kThinPlate));
   if (spec.tension) options.set_tension(*spec.tension);
+  if (options.thin_plate()) return options;
+  const WangOptions wang = WangOptionsOf(spec);
+  options.set_longest_loop(wang.longest_loop);
+  options.set_fairing_steps(wang.fairing_steps);
   return options;
 }
 
@@ -48,17 +61,22 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
                                          {"area", spec.area},
                                          {"cells", spec.cells}};
   if (spec.surface == SurfaceName(Surface::kWang)) {
-    options.push_back({"seam-smoothing", spec.seam_smoothing.value_or(kSeamSmoothing)});
+    const WangOptions wang = WangOptionsOf(spec);
+    options.push_back({"seam-smoothing", wang.seam_smoothing});
+    options.push_back({"seam-buffer", wang.seam_buffer});
+    options.push_back({"longest-loop", double{1} * wang.longest_loop});
+    options.push_back({"fairing-steps", double{1} * wang.fairing_steps});
   }
   return options;
 }
 
 std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
+  const WangOptions wang = WangOptionsOf(spec);
   return absl::StrFormat(
-      "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nseam_smoothing %.17g\ntension %s\n"
+      "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d\ntension %s\n"
       "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\ncells %s\n",
-      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit,
-      spec.seam_smoothing.value_or(kSeamSmoothing), spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto",
+      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, wang.seam_smoothing, wang.seam_buffer,
+      wang.longest_loop, wang.fairing_steps, spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto",
       spec.water, water.digest, spec.water_tolerance, spec.water_profile, spec.water_colour, spec.textures, area_digest,
       spec.cells);
 }

@@ -17,6 +17,7 @@ namespace tilemend {
 // Precondition of all: spec.Check().ok().
 // All cells are chosen.
 WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled);
+WangOptions WangOptionsOf(const JobSpec& spec);
 v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec);
 
 // What the result depends on beside the scene, under the names of the flags.

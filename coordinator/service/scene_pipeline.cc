@@ -174,6 +174,10 @@ class ScenePipeline : public JobPipeline {
       waves_.LeaveTile(result.cell, reason);
       return absl::OkStatus();
     }
+    if (result.stage == Stage::kSmoothSeam && (given_up || absl::IsInternal(error))) {
+      waves_.LeaveSeam(result.cell, reason);
+      return absl::OkStatus();
+    }
     const bool filling = result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
     if (!filling || !(given_up || absl::IsInternal(error))) return error;
     waves_.LeaveHoles(result.cell, reason);

@@ -5,7 +5,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/records/patch_heights.h"
 #include "common/rpc/look_payloads.h"
+#include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/tile_checks.h"
@@ -35,6 +37,12 @@ absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Pl
 
 constexpr size_t kMostStampBytes = 128;
 
+int64_t NewPointsOf(const v1::FillOutput& output) {
+  int64_t count = 0;
+  for (const v1::PatchExtent& extent : output.patches()) count += extent.new_points();
+  return count;
+}
+
 bool HasMaterials(const SceneTile& tile) {
   const auto format = MeshFormatOf(OutputPath(tile));
   return format.ok() && *format == MeshFormat::kObj;
@@ -56,10 +64,15 @@ absl::StatusOr<NewTask> SceneTasks::TaskOf(SceneWork& work) {
 }
 
 int32_t SceneTasks::NumberOf(const NewTask& task) const {
+  if (task.stage == Stage::kSmoothSeam) return last_seam_;
   return task.stage == Stage::kSampleCluster ? clusters_of_.at(task.cell) - 1 : 0;
 }
 
 int32_t SceneTasks::NumberOf(const TaskResult& result) {
+  if (result.stage == Stage::kSmoothSeam && result.output.ok()) {
+    const auto output = Parse<v1::SmoothSeamOutput>(*result.output);
+    return output.ok() ? output->number() : 0;
+  }
   if (result.stage != Stage::kSampleCluster || !result.output.ok()) return 0;
   const auto output = Parse<v1::SampleClusterOutput>(*result.output);
   return output.ok() ? output->cluster() : 0;
@@ -104,7 +117,13 @@ absl::StatusOr<NewTask> SceneTasks::Encode(LayerWork& work) {
 
 absl::StatusOr<NewTask> SceneTasks::Encode(FillWork& work) {
   v1::FillInput input;
-  holes_[work.holes.cell] = Localise(work.holes).holes;
+  CellHoles none;
+  LocalNumbers numbers = Localise(work.holes, work.sampled ? *work.sampled : none);
+  holes_[work.holes.cell] = std::move(numbers.holes);
+  if (work.sampled) {
+    sampled_[work.holes.cell] = std::move(numbers.seam_vertices);
+    *input.mutable_sampled() = ToProto(*work.sampled);
+  }
   *input.mutable_holes() = ToProto(work.holes);
   *input.mutable_options() = shape_;
   for (const SceneTile* tile : work.surface) *input.add_surface() = Ref(*tile);
@@ -112,7 +131,35 @@ absl::StatusOr<NewTask> SceneTasks::Encode(FillWork& work) {
   return NewTask{work.holes.cell, Stage::kFill, input.SerializeAsString()};
 }
 
-absl::StatusOr<NewTask> SceneTasks::Encode(const AssembleWork& work) {
+absl::StatusOr<NewTask> SceneTasks::Encode(SmoothWork& work) {
+  const CellId cell = work.sides[0].cell;
+  v1::SmoothSeamInput input;
+  last_seam_ = work.number;
+  input.set_number(work.number);
+  seams_[{cell, work.number}] = {work.cells, work.vertices, {}};
+  const LocalNumbers numbers = Localise(work.sides[0], work.sides[1]);
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_a(), SideOf(work.sides[0], work.holes[0]));
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_b(), SideOf(work.sides[1], work.holes[1]));
+  for (size_t i = 0; i < work.vertices.size(); ++i) {
+    input.add_seam_vertex(LocalNumber(numbers.seam_vertices, work.vertices[i]));
+    input.add_height(work.heights[i]);
+  }
+  const WangOptions wang = WangOptionsOf(spec_);
+  input.set_smoothing(wang.seam_smoothing);
+  input.set_buffer(wang.seam_buffer);
+  input.set_lattice_step(work.sides[0].lattice_step);
+  return NewTask{cell, Stage::kSmoothSeam, input.SerializeAsString()};
+}
+
+absl::StatusOr<v1::SeamSide> SceneTasks::SideOf(const CellHoles& cell, const std::vector<int32_t>& holes) {
+  v1::SeamSide side;
+  *side.mutable_vertices() = ToProto(cell.vertices);
+  TILEMEND_ASSIGN_OR_RETURN(*side.mutable_patches(), TakeUp<v1::FillOutput>(*scratch_, patches_.at(cell.cell)));
+  for (const int32_t hole : holes) side.add_holes(LocalNumber(holes_.at(cell.cell), hole));
+  return side;
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   const CellId cell = work.tile->cell;
   v1::AssembleInput input;
   *input.mutable_tile() = Ref(*work.tile);
@@ -120,15 +167,33 @@ absl::StatusOr<NewTask> SceneTasks::Encode(const AssembleWork& work) {
   input.set_attempts(output_->attempts().path());
   input.set_float32(work.float32);
   input.set_tile_vertices(work.tile_vertices);
-  if (const auto patches = patches_.extract(cell)) {
-    TILEMEND_ASSIGN_OR_RETURN(*input.mutable_vertices(), TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
-    TILEMEND_ASSIGN_OR_RETURN(*input.mutable_patches(), TakeUp<v1::FillOutput>(*scratch_, patches.mapped()));
-    SetColours(LocalColours(work), input);
-  }
+  if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
   rims_.erase(cell);
   holes_.erase(cell);
   return NewTask{cell, Stage::kAssemble, input.SerializeAsString()};
+}
+
+absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input) {
+  const CellId cell = work.tile->cell;
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_patches(),
+                            TakeUp<v1::FillOutput>(*scratch_, patches_.extract(cell).mapped()));
+  SetColours(LocalColours(work), input);
+  if (!work.holes) {
+    TILEMEND_ASSIGN_OR_RETURN(*input.mutable_vertices(), TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
+    return absl::OkStatus();
+  }
+  Localise(*work.holes);
+  *input.mutable_vertices() = ToProto(work.holes->vertices);
+  input.set_lattice_step(work.holes->lattice_step);
+  std::vector<std::vector<SmoothedPoint>> moves;
+  for (const auto& [seam, place] : smoothed_[cell]) {
+    TILEMEND_ASSIGN_OR_RETURN(v1::SmoothedPoints points, TakeUp<v1::SmoothedPoints>(*scratch_, place));
+    TILEMEND_ASSIGN_OR_RETURN(moves.emplace_back(), FromProto(points, NewPointsOf(input.patches())));
+    *input.add_smoothed() = std::move(points);
+  }
+  smoothed_.erase(cell);
+  return ComparePatches(cell, input.vertices(), input.patches(), moves);
 }
 
 // Groups name materials; where there are none they would tell a task from the same task of another plan.
@@ -209,6 +274,10 @@ absl::Status SceneTasks::Decode(const TaskResult& result) {
       TILEMEND_ASSIGN_OR_RETURN(auto output, Parse<v1::FillOutput>(*result.output));
       return TakeFill(result.cell, std::move(output));
     }
+    case Stage::kSmoothSeam: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SmoothSeamOutput>(*result.output));
+      return TakeSmooth(result.cell, output);
+    }
     case Stage::kAssemble: {
       TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(*result.output));
       return TakeAssemble(result.cell, output);
@@ -226,18 +295,39 @@ absl::Status SceneTasks::TakeCluster(CellId cell, const v1::SampleClusterOutput&
 }
 
 absl::Status SceneTasks::TakeFill(CellId cell, v1::FillOutput output) {
-  TILEMEND_ASSIGN_OR_RETURN(const CellPatches patches, PatchesOf(output, holes_[cell]));
-  TILEMEND_RETURN_IF_ERROR(ComparePatches(cell, output));
+  TILEMEND_ASSIGN_OR_RETURN(CellPatches patches, PatchesOf(output, holes_[cell]));
+  if (output.has_samples()) {
+    TILEMEND_ASSIGN_OR_RETURN(patches.samples, SamplesOf(output.samples(), cell, sampled_[cell]));
+    sampled_.erase(cell);
+  }
+  if (spec_.surface != SurfaceName(Surface::kWang)) {
+    TILEMEND_ASSIGN_OR_RETURN(const auto rims, TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
+    TILEMEND_RETURN_IF_ERROR(ComparePatches(cell, rims, output, {}));
+  }
   output.clear_quality();
+  output.clear_samples();
   TILEMEND_ASSIGN_OR_RETURN(patches_[cell], PutAside(output));
   return waves_.TakeFill(cell, patches);
 }
 
-absl::Status SceneTasks::ComparePatches(CellId cell, const v1::FillOutput& output) {
+absl::Status SceneTasks::TakeSmooth(CellId cell, const v1::SmoothSeamOutput& output) {
+  auto asked = seams_.extract({cell, output.number()});
+  if (asked.empty()) return absl::InvalidArgumentError("a seam that was not asked for");
+  SmoothedSeam& seam = asked.mapped();
+  seam.heights.assign(output.height().begin(), output.height().end());
+  for (const auto& [side, points] : {std::pair(seam.cells[0], &output.a()), std::pair(seam.cells[1], &output.b())}) {
+    ScratchFile::Place& place = smoothed_[side][{seam.cells[0], seam.cells[1]}];
+    TILEMEND_ASSIGN_OR_RETURN(place, PutAside(*points));
+  }
+  return waves_.TakeSmooth(seam);
+}
+
+absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims, const v1::FillOutput& output,
+                                        std::span<const std::vector<SmoothedPoint>> moves) {
   if (!waves_.CompareFills(cell)) return absl::OkStatus();
-  TILEMEND_ASSIGN_OR_RETURN(const auto rims, TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(rims));
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<HolePatch> patches, FromProto(output, vertices.size()));
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<HolePatch> patches, FromProto(output, vertices.size()));
+  MoveSmoothedPoints(moves, waves_.plan().lattice_step, patches);
   waves_.TakePatches(cell, vertices, patches);
   return absl::OkStatus();
 }

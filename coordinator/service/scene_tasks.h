@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +51,10 @@ class SceneTasks {
   absl::StatusOr<NewTask> Encode(ClusterWork& work);
   absl::StatusOr<NewTask> Encode(LayerWork& work);
   absl::StatusOr<NewTask> Encode(FillWork& work);
-  absl::StatusOr<NewTask> Encode(const AssembleWork& work);
+  absl::StatusOr<NewTask> Encode(SmoothWork& work);
+  absl::StatusOr<NewTask> Encode(AssembleWork& work);
+  absl::Status SetPatches(AssembleWork& work, v1::AssembleInput& input);
+  absl::StatusOr<v1::SeamSide> SideOf(const CellHoles& cell, const std::vector<int32_t>& holes);
   FillColours LocalColours(const AssembleWork& work) const;
   void SetFiles(const SceneTile& tile, v1::AssembleInput& input);
   v1::TileRef Ref(const SceneTile& tile) const;
@@ -59,8 +63,10 @@ class SceneTasks {
   absl::Status TakeSurvey(const TaskResult& result);
   absl::Status TakeCluster(CellId cell, const v1::SampleClusterOutput& output);
   absl::Status TakeFill(CellId cell, v1::FillOutput output);
+  absl::Status TakeSmooth(CellId cell, const v1::SmoothSeamOutput& output);
   absl::Status TakeAssemble(CellId cell, const v1::AssembleOutput& output);
-  absl::Status ComparePatches(CellId cell, const v1::FillOutput& output);
+  absl::Status ComparePatches(CellId cell, const v1::RimVertices& rims, const v1::FillOutput& output,
+                              std::span<const std::vector<SmoothedPoint>> moves);
   absl::StatusOr<ScratchFile::Place> PutAside(const google::protobuf::MessageLite& message);
 
   const JobSpec& spec_;
@@ -75,8 +81,14 @@ class SceneTasks {
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there
   std::map<CellId, std::vector<int32_t>> layers_;                // the plan's numbers of what is sampled
   // Of the cells that are filled, until they are assembled.
-  std::map<CellId, std::vector<int32_t>> holes_;  // the plan's numbers
+  std::map<CellId, std::vector<int32_t>> holes_;    // the plan's numbers
+  std::map<CellId, std::vector<int32_t>> sampled_;  // the plan's numbers of the seam vertices
   std::map<CellId, ScratchFile::Place> rims_, patches_;
+  // Of seams that are smoothed: what was asked, by the first cell and the number there, and the points of each cell
+  // that move, by seam.
+  std::map<std::pair<CellId, int32_t>, SmoothedSeam> seams_;
+  int32_t last_seam_ = 0;  // its number
+  std::map<CellId, std::map<std::pair<CellId, CellId>, ScratchFile::Place>> smoothed_;
 };
 
 }  // namespace tilemend

@@ -13,16 +13,28 @@ void SortAndThin(std::vector<int32_t>& numbers) {
 }  // namespace
 
 LocalNumbers Localise(CellHoles& holes) {
+  CellHoles none;
+  return Localise(holes, none);
+}
+
+LocalNumbers Localise(CellHoles& holes, CellHoles& others) {
   LocalNumbers numbers;
-  for (const CellHole& hole : holes.holes) numbers.holes.push_back(hole.id);
-  for (const RimVertex& v : holes.vertices) {
-    if (v.seam_vertex >= 0) numbers.seam_vertices.push_back(v.seam_vertex);
+  for (CellHoles* all : {&holes, &others}) {
+    for (const CellHole& hole : all->holes) numbers.holes.push_back(hole.id);
+    for (const RimVertex& v : all->vertices) {
+      for (const int32_t seam_vertex : {v.seam_vertex, v.follows}) {
+        if (seam_vertex >= 0) numbers.seam_vertices.push_back(seam_vertex);
+      }
+    }
   }
   SortAndThin(numbers.holes);
   SortAndThin(numbers.seam_vertices);
-  for (CellHole& hole : holes.holes) hole.id = LocalNumber(numbers.holes, hole.id);
-  for (RimVertex& v : holes.vertices) {
-    if (v.seam_vertex >= 0) v.seam_vertex = LocalNumber(numbers.seam_vertices, v.seam_vertex);
+  for (CellHoles* all : {&holes, &others}) {
+    for (CellHole& hole : all->holes) hole.id = LocalNumber(numbers.holes, hole.id);
+    for (RimVertex& v : all->vertices) {
+      if (v.seam_vertex >= 0) v.seam_vertex = LocalNumber(numbers.seam_vertices, v.seam_vertex);
+      if (v.follows >= 0) v.follows = LocalNumber(numbers.seam_vertices, v.follows);
+    }
   }
   return numbers;
 }

@@ -19,6 +19,8 @@ struct LocalNumbers {
 
 // Replaces the plan's numbers in `holes` by local ones, whose order is the same.
 LocalNumbers Localise(CellHoles& holes);
+// The same numbers in both.
+LocalNumbers Localise(CellHoles& holes, CellHoles& others);
 
 // What the plan calls a local number; none if that is out of range.
 std::optional<int32_t> InPlan(const std::vector<int32_t>& numbers, int64_t local);

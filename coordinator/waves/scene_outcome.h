@@ -19,6 +19,7 @@ struct PatchSize {
   int64_t new_vertices = 0;
   int64_t triangles = 0;
   FillWay way = FillWay::kNone;
+  int32_t loop_cuts = 0;  // as HolePatch
 };
 
 // By hole or cluster of the plan.
@@ -27,6 +28,7 @@ struct SceneOutcome {
   int64_t triangles = 0;                             // of `sizes`
   std::map<int32_t, std::string> failures;           // of the holes that were tried in vain: why
   std::vector<LeftOpen> unwritten;                   // tiles that could not be written
+  std::vector<LeftOpen> unsmoothed;                  // seams of `wang` that could not be smoothed
   std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen
   std::set<CellId> chosen;                           // cells that were to be filled; empty: all
   QualityTally quality;                              // of all new triangles

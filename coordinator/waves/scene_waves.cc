@@ -69,6 +69,8 @@ SceneWork SceneWaves::WorkOf(const Item& item) const {
       return LayerWork{MakeCellHoles(plan_, input_, heights_, HolesOfLayer(holes_of_.at(item.cell)), false)};
     case Wave::kFill:
       return FillWorkOf(item.cell);
+    case Wave::kSmooth:
+      return SmoothWorkOf(item.cluster);
     case Wave::kAssemble:
       return AssembleWorkOf(item.cell);
     default:
@@ -79,6 +81,24 @@ SceneWork SceneWaves::WorkOf(const Item& item) const {
 FillWork SceneWaves::FillWorkOf(CellId cell) const {
   FillWork work{MakeFillHoles(plan_, input_, heights_, holes_of_.at(cell)), {}};
   for (const CellId tile : TilesInReach(work.holes, plan_, input_)) work.surface.push_back(tiles_.at(tile));
+  if (!is_wang()) return work;
+  const std::vector<int32_t> of_layer = HolesOfLayer(holes_of_.at(cell));
+  if (!of_layer.empty()) work.sampled = MakeCellHoles(plan_, input_, heights_, of_layer, false);
+  return work;
+}
+
+SmoothWork SceneWaves::SmoothWorkOf(int32_t seam) const {
+  const auto& [cells, pair] = seams_[seam];
+  SmoothWork work{{cells.first, cells.second}, cells.first.row == cells.second.row ? 0 : 1};
+  for (int side = 0; side < 2; ++side) {
+    work.sides[side] = MakeFillHoles(plan_, input_, heights_, holes_of_.at(work.cells[side]), false);
+    const std::set<int32_t>& holes = side == 0 ? pair.holes_of_first : pair.holes_of_second;
+    work.holes[side].assign(holes.begin(), holes.end());
+  }
+  for (const int32_t v : pair.vertices) {
+    work.vertices.push_back(v);
+    work.heights.push_back(heights_.height.at(v));
+  }
   return work;
 }
 
@@ -89,6 +109,7 @@ AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
   }
   if (const auto holes = holes_of_.find(cell); holes != holes_of_.end()) {
     for (const int32_t h : holes->second) work.colours.of_holes[h] = plan_.colours[h];
+    if (is_wang()) work.holes = MakeFillHoles(plan_, input_, heights_, holes->second, false);
   }
   work.colours.on_vertices =
       std::any_of(plan_.colours.begin(), plan_.colours.end(), [](const FillColour& c) { return c.known; });
@@ -140,6 +161,13 @@ absl::Status SceneWaves::TakeLayer(const std::vector<SeamSample>& samples) {
 }
 
 absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
+  for (const SeamSample& sample : result.samples) {
+    const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
+    if (!status.ok()) return status;
+  }
+  samples_.insert(samples_.end(), result.samples.begin(), result.samples.end());
+  --awaited_;
+  if (!IsChosen(cell)) return absl::OkStatus();
   for (const PatchExtent& patch : result.patches) {
     if (patch.hole < 0 || patch.hole >= std::ssize(plan_.holes)) {
       return absl::InvalidArgumentError(absl::StrCat("hole ", patch.hole, " is not in the plan"));
@@ -153,12 +181,23 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
       size.triangles += patch.triangles;
       outcome_.triangles += patch.triangles;
       size.way = patch.way;
+      size.loop_cuts += patch.loop_cuts;
     } else {
       outcome_.failures[patch.hole] = patch.failure;
       if (const auto size = outcome_.sizes.extract(patch.hole)) outcome_.triangles -= size.mapped().triangles;
     }
   }
   outcome_.quality.Merge(result.quality);
+  return absl::OkStatus();
+}
+
+absl::Status SceneWaves::TakeSmooth(const SmoothedSeam& result) {
+  if (result.heights.size() != result.vertices.size()) return absl::InvalidArgumentError("columns of unequal length");
+  for (size_t i = 0; i < result.vertices.size(); ++i) {
+    const absl::Status status = CheckSample(plan_, result.vertices[i], result.heights[i]);
+    if (!status.ok()) return status;
+    smoothed_[result.vertices[i]][{result.cells[0], result.cells[1]}] = result.heights[i];
+  }
   --awaited_;
   return absl::OkStatus();
 }
@@ -188,6 +227,11 @@ bool SceneWaves::FailHoles(CellId cell, const std::string& reason) {
   return true;
 }
 
+void SceneWaves::LeaveSeam(CellId cell, const std::string& reason) {
+  outcome_.unsmoothed.push_back({cell, absl::StrCat("a seam is not smoothed: ", reason)});
+  --awaited_;
+}
+
 void SceneWaves::LeaveTile(CellId cell, const std::string& reason) {
   FailHoles(cell, reason);
   outcome_.unwritten.push_back({cell, absl::StrCat("the tile is not written: ", reason)});
@@ -207,14 +251,20 @@ void SceneWaves::Advance() {
       wave_ = Wave::kLayer;
       return QueueLayer(1);
     case Wave::kLayer:
-      SettleLayer(plan_, samples_, options_.seam_smoothing, heights_);
+      // Wang smooths when all layers are filled; what thin-plate samples so is smoothed at once.
+      SettleLayer(plan_, samples_, is_wang() ? 0 : options_.wang.seam_smoothing, heights_);
       samples_.clear();
       if (layer_ < plan_.layers) return QueueLayer(layer_ + 1);
-      EndStep("sample");
+      EndStep(is_wang() ? "layers" : "sample");
       wave_ = Wave::kFill;
       return QueueFills();
     case Wave::kFill:
       EndStep("fill");
+      wave_ = Wave::kSmooth;
+      return QueueSeams();
+    case Wave::kSmooth:
+      SettleSmoothed(plan_, smoothed_, heights_);
+      if (is_wang()) EndStep("smooth");
       wave_ = Wave::kAssemble;
       return QueueAssembles();
     case Wave::kAssemble:
@@ -293,9 +343,42 @@ void SceneWaves::QueueClusters() {
 
 void SceneWaves::QueueLayer(int32_t layer) {
   layer_ = layer;
-  phase_ = absl::StrCat("sample layer ", layer, " of ", plan_.layers);
+  phase_ = absl::StrCat(is_wang() ? "fill layer " : "sample layer ", layer, " of ", plan_.layers);
+  for (const auto& [cell, holes] : holes_of_) QueueCellOfLayer(cell, holes);
+}
+
+void SceneWaves::QueueCellOfLayer(CellId cell, const std::vector<int32_t>& holes) {
+  if (is_wang() && LastLayerOf(holes) == layer_ && IsFilled(cell)) return QueueFill(cell);
+  if (!HolesOfLayer(holes).empty()) ready_.push_back({Wave::kLayer, cell});
+}
+
+int32_t SceneWaves::LastLayerOf(const std::vector<int32_t>& holes) const {
+  int32_t last = 1;
+  for (const int32_t h : holes) {
+    if (plan_.holes[h].water < 0) last = std::max(last, plan_.holes[h].layer);
+  }
+  return last;
+}
+
+bool SceneWaves::IsFilled(CellId cell) const {
+  if (IsChosen(cell)) return true;
+  if (!is_wang() || options_.wang.seam_smoothing == 0) return false;
+  return IsChosen({cell.col - 1, cell.row}) || IsChosen({cell.col + 1, cell.row}) ||
+         IsChosen({cell.col, cell.row - 1}) || IsChosen({cell.col, cell.row + 1});
+}
+
+void SceneWaves::QueueSeams() {
+  if (!is_wang() || options_.wang.seam_smoothing == 0) return;
+  phase_ = "smooth seams";
+  std::vector<int32_t> filled;
   for (const auto& [cell, holes] : holes_of_) {
-    if (!HolesOfLayer(holes).empty()) ready_.push_back({Wave::kLayer, cell});
+    std::copy_if(holes.begin(), holes.end(), std::back_inserter(filled),
+                 [&](int32_t h) { return !outcome_.failures.contains(h); });
+  }
+  for (auto& [cells, seam] : FindPairSeams(plan_, filled, heights_)) {
+    if (!IsChosen(cells.first) && !IsChosen(cells.second)) continue;
+    ready_.push_back({Wave::kSmooth, cells.first, static_cast<int32_t>(seams_.size())});
+    seams_.emplace_back(cells, std::move(seam));
   }
 }
 
@@ -308,7 +391,7 @@ void SceneWaves::QueueFills() {
 
 void SceneWaves::QueueFill(CellId cell) {
   filling_.insert(cell);
-  if (!IsChosen(cell)) return;
+  if (!IsFilled(cell)) return;
   ready_.push_back({Wave::kFill, cell});
 }
 

@@ -1,4 +1,4 @@
-// The order of the work on a scene: survey, plan, sample clusters, sample layers, fill, assemble.
+// The order of the work on a scene: survey, plan, sample clusters, sample layers, fill, smooth seams, assemble.
 #ifndef TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
 #define TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
 
@@ -19,6 +19,7 @@
 #include "coordinator/plan/plan.h"
 #include "coordinator/plan/seam/seam_heights.h"
 #include "coordinator/waves/fill_gaps.h"
+#include "coordinator/waves/pair_seams.h"
 #include "coordinator/waves/scene_outcome.h"
 #include "coordinator/waves/scene_work.h"
 
@@ -27,10 +28,10 @@ namespace tilemend {
 struct WaveOptions {
   PlanOptions plan;
   Surface surface = kDefaultSurface;
-  double seam_smoothing = kSeamSmoothing;  // [0, 1], gamma of Wang eq. 5
-  bool single_mesh = false;                // the scene is one tile without a grid: its cell is made around it
-  bool plan_only = false;                  // ends with the plan
-  std::set<CellId> chosen;                 // cells that are filled and written; empty: all
+  WangOptions wang;
+  bool single_mesh = false;  // the scene is one tile without a grid: its cell is made around it
+  bool plan_only = false;    // ends with the plan
+  std::set<CellId> chosen;   // cells that are filled and written; empty: all
 };
 
 // Gives out the pieces of work of one scene as soon as they can be done, and takes what came of them. It computes the
@@ -39,16 +40,20 @@ struct WaveOptions {
 //   while (std::optional<SceneWork> work = waves.Next()) ...;  // do it, or have it done
 //   waves.Take...(...)                                         // once for each, in any order; then Next again
 //
-// With the surface wang, and for what thin-plate leaves unknown, seams are sampled layer by layer. With thin-plate they
-// are sampled cluster by cluster, the largest first, and a cell is filled as soon as its own clusters are known. The
-// results do not depend on the order in which they come.
+// With the surface wang cells are filled layer by layer (Wang 2021, 3.3): each FillWork also samples the seams of its
+// cell, and the layer after it begins with these heights. A cell is filled once, in the last layer of its holes; those
+// of layers before are only sampled in theirs (LayerWork). Closed holes are filled with layer 1. When all cells are
+// filled, the seams between cells of one layer are smoothed (3.4). With thin-plate seams are sampled cluster by
+// cluster, the largest first, what that leaves unknown layer by layer, and a cell is filled as soon as its own clusters
+// are known. The results do not depend on the order in which they come.
 //
 // It holds the plan, the heights of seams and the outcome, but no patch, and of the survey records what is handed over
 // (StoredRecord). Pure; one thread at a
 // time.
 class SceneWaves {
  public:
-  // Hears of the end of each step: "survey", "plan", "sample", "fill", "assemble".
+  // Hears of the end of each step: "survey", "plan", "sample" (thin-plate) or "layers" (wang), "fill", "smooth" (wang),
+  // "assemble".
   using StepEnded = std::function<void(std::string_view step)>;
 
   SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended = {});
@@ -67,14 +72,17 @@ class SceneWaves {
   absl::Status TakeCluster(const ClusterSamples& result);
   absl::Status TakeLayer(const std::vector<SeamSample>& samples);
   absl::Status TakeFill(CellId cell, const CellPatches& result);
-  // Before TakeFill, of cells that CompareFills: the patches, with the vertices of the FillWork. They are
+  // Of cells that CompareFills, once: the patches as they are written, with the vertices of their work. They are
   // compared with those of neighbours that overlap.
   bool CompareFills(CellId cell) const { return fill_gaps_.Wants(cell); }
   void TakePatches(CellId cell, std::span<const RimVertex> vertices, std::span<const HolePatch> patches);
+  absl::Status TakeSmooth(const SmoothedSeam& result);
   void TakeAssemble();
 
   // In place of a result of ClusterWork, LayerWork or FillWork: the holes of `cell` stay open, for this reason.
   void LeaveHoles(CellId cell, const std::string& reason);
+  // In place of a result of SmoothWork: the seams of `cell` that are given out with it keep what its cells gave.
+  void LeaveSeam(CellId cell, const std::string& reason);
   // In place of a result of AssembleWork: the tile is not written, and so its holes are not filled.
   void LeaveTile(CellId cell, const std::string& reason);
 
@@ -94,15 +102,16 @@ class SceneWaves {
   int64_t cells_done() const { return cells_done_; }
 
  private:
-  enum class Wave { kSurvey, kCluster, kLayer, kFill, kAssemble, kDone };
+  enum class Wave { kSurvey, kCluster, kLayer, kFill, kSmooth, kAssemble, kDone };
   struct Item {
     Wave wave = Wave::kSurvey;
     CellId cell = {};
-    int32_t cluster = -1;
+    int32_t cluster = -1;  // or, of kSmooth, the seam
   };
 
   SceneWork WorkOf(const Item& item) const;
   FillWork FillWorkOf(CellId cell) const;
+  SmoothWork SmoothWorkOf(int32_t seam) const;
   AssembleWork AssembleWorkOf(CellId cell) const;
   // Starts the wave after the one that has ended.
   void Advance();
@@ -112,6 +121,12 @@ class SceneWaves {
   void KeepChosenHoles();
   void QueueClusters();
   void QueueLayer(int32_t layer);
+  void QueueCellOfLayer(CellId cell, const std::vector<int32_t>& holes);
+  void QueueSeams();
+  bool is_wang() const { return options_.surface == Surface::kWang; }
+  // Whether the cell is filled: it is chosen, or its patch is smoothed with that of a chosen one.
+  bool IsFilled(CellId cell) const;
+  int32_t LastLayerOf(const std::vector<int32_t>& holes) const;
   void QueueFills();
   void QueueFill(CellId cell);
   void QueueAssembles();
@@ -143,6 +158,8 @@ class SceneWaves {
   std::set<CellId> filled_;                                    // cells with a patch
   bool float32_ = false;                                       // some tile is
   std::vector<SeamSample> samples_;                            // of this layer
+  std::vector<std::pair<CellPair, PairSeam>> seams_;           // that are smoothed
+  SmoothedHeights smoothed_;
   FillGaps fill_gaps_;
   SceneOutcome outcome_;
 };

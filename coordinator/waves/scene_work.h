@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_WAVES_SCENE_WORK_H_
 #define TILEMEND_COORDINATOR_WAVES_SCENE_WORK_H_
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,10 +33,23 @@ struct LayerWork {
   CellHoles holes;
 };
 
-// Fill the holes of one cell. Gives CellPatches.
+// Fill the holes of one cell. Gives CellPatches; with the surface of Wang 2021 also the boundary height samples of the
+// holes in `sampled`, which are taken first (TakeSampledHeights).
 struct FillWork {
   CellHoles holes;
-  std::vector<const SceneTile*> surface;  // tiles that patches of closed holes may not pass through
+  std::vector<const SceneTile*> surface = {};  // tiles that patches of closed holes may not pass through
+  std::optional<CellHoles> sampled = {};       // without a band
+};
+
+// Smooth the patches of two cells of one layer along the seam between them (Wang 2021, 3.4). Gives a SmoothedSeam, and
+// new heights of points of both cells' patches, which stay with who made the patches. Numbers are the plan's.
+struct SmoothWork {
+  std::array<CellId, 2> cells = {};
+  int32_t number = 0;                              // 0: the second cell is east of the first; 1: north
+  std::array<CellHoles, 2> sides = {};             // as filled, with heights and without bands
+  std::array<std::vector<int32_t>, 2> holes = {};  // those that the seam bounds
+  std::vector<int32_t> vertices = {};              // of the seam, rising
+  std::vector<double> heights = {};                // of each: the mean of what its cells gave
 };
 
 // Write the tile of one cell with its patches.
@@ -44,9 +58,10 @@ struct AssembleWork {
   bool float32 = false;       // number type of a new tile, where the cell has none
   int64_t tile_vertices = 0;  // in the tile, as surveyed
   FillColours colours = {};
+  std::optional<CellHoles> holes = {};  // of Wang 2021: as filled, with the heights that seams have in the end; no band
 };
 
-using SceneWork = std::variant<SurveyWork, ClusterWork, LayerWork, FillWork, AssembleWork>;
+using SceneWork = std::variant<SurveyWork, ClusterWork, LayerWork, FillWork, SmoothWork, AssembleWork>;
 
 struct ClusterSamples {
   int32_t cluster = 0;
@@ -62,11 +77,20 @@ struct PatchExtent {
   int64_t triangles = 0;
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
   FillWay way = FillWay::kNone;
+  int32_t loop_cuts = 0;  // as HolePatch
 };
 
 struct CellPatches {
   std::vector<PatchExtent> patches;
-  QualityTally quality;  // of all triangles
+  QualityTally quality;                  // of all triangles
+  std::vector<SeamSample> samples = {};  // of FillWork::sampled
+};
+
+// New heights of the vertices of a seam, in the order of its SmoothWork.
+struct SmoothedSeam {
+  std::array<CellId, 2> cells = {};
+  std::vector<int32_t> vertices = {};
+  std::vector<double> heights = {};
 };
 
 }  // namespace tilemend

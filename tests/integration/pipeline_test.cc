@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -253,7 +254,8 @@ TEST(SeamTest, ClosesWithAnySmoothing) {
   const SurveyedScene scene = SurveyScene(MakeScene(options));
   for (const double gamma : {0.0, 0.9}) {
     PipelineOptions pipeline;
-    pipeline.gamma = gamma;
+    pipeline.fill.surface = Surface::kWang;
+    pipeline.fill.wang.seam_smoothing = gamma;
     const TriMesh welded = WeldTiles(FillScene(scene, pipeline).tiles);
     for (const auto& [edge, uses] : UsesOf(welded)) {
       const Point3 a = welded.points[edge.first], b = welded.points[edge.second];
@@ -261,6 +263,45 @@ TEST(SeamTest, ClosesWithAnySmoothing) {
           (a.x() == b.x() && (a.x() == 0 || a.x() == 100)) || (a.y() == b.y() && (a.y() == 0 || a.y() == 100));
       ASSERT_EQ(uses.size(), rim ? 1u : 2u) << "gamma " << gamma << " at " << a.transpose();
     }
+  }
+}
+
+// A lake of three layers on hills.
+SurveyedScene DeepLake(Cut cut) {
+  SceneMakerOptions options;
+  options.cols = options.rows = 5;
+  options.cut = cut;
+  options.ellipses = {{{125, 125}, {115, 115}}};
+  return SurveyScene(MakeScene(options));
+}
+
+using Change = std::function<void(WangOptions&)>;
+
+class WangStepTest : public testing::TestWithParam<Cut> {
+ protected:
+  std::map<CellId, TriMesh> Fill(const Change& change) const {
+    PipelineOptions options;
+    options.fill.surface = Surface::kWang;
+    change(options.fill.wang);
+    const FilledScene filled = FillScene(DeepLake(GetParam()), options);
+    EXPECT_EQ(filled.plan.layers, 3);
+    for (const auto& [hole, patch] : filled.patches) EXPECT_EQ(patch.failure, "");
+    return filled.tiles;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Cuts, WangStepTest, testing::Values(Cut::kClipped, Cut::kRagged));
+
+// Each step of the paper leaves its mark on the result.
+TEST_P(WangStepTest, EveryStepIsSeen) {
+  const auto whole = Fill([](WangOptions&) {});
+  const Change changes[] = {[](WangOptions& w) { w.adjust = false; }, [](WangOptions& w) { w.fairing_steps = 0; },
+                            [](WangOptions& w) { w.seam_smoothing = 0; }, [](WangOptions& w) { w.seam_buffer = 1; },
+                            [](WangOptions& w) { w.longest_loop = 20; }};
+  for (const Change& change : changes) {
+    const auto other = Fill(change);
+    const bool same = std::equal(whole.begin(), whole.end(), other.begin(),
+                                 [](const auto& a, const auto& b) { return a.second.points == b.second.points; });
+    EXPECT_FALSE(same) << "change " << &change - changes;
   }
 }
 

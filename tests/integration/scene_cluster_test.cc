@@ -91,6 +91,27 @@ TEST_F(SceneClusterTest, ThreeWorkersGiveTheBytesOfARun) {
   ExpectOriginalsKept(scene, folder_ / "out");
 }
 
+// A lake of three layers, dispatched one after the other, and the seams after them.
+TEST_F(SceneClusterTest, ThreeWorkersGiveTheBytesOfOneWithTheLayersOfWang) {
+  SceneMakerOptions options;
+  options.cols = options.rows = 5;
+  options.cut = Cut::kRagged;
+  options.ellipses = {{{125, 125}, {115, 115}}};
+  const std::string scene = WriteMade(options, folder_ / "scene");
+  const auto submit = [&](const char* out) {
+    return Ask({"submit", scene, "--out", folder_ / out, "--surface", "wang", "--wait"});
+  };
+  const auto alone = NewWorker();
+  ASSERT_EQ(submit("one").code, 0);
+  const auto b = NewWorker(), c = NewWorker();
+  ASSERT_EQ(submit("three").code, 0);
+  EXPECT_EQ(ReportOf(folder_ / "three")["layers"], 3);
+  EXPECT_EQ(ReportOf(folder_ / "three")["filled"], ReportOf(folder_ / "three")["holes"]);
+  EXPECT_EQ(TilesBelow(folder_ / "three"), TilesBelow(folder_ / "one"));
+  ExpectOriginalsKept(scene, folder_ / "three");
+  ExpectClosed(options, folder_ / "three");
+}
+
 TEST_F(SceneClusterTest, TheCoordinatorReadsTheAreasOfWater) {
   const std::string scene = WriteMade(LakeOverNineCells(Cut::kClipped), folder_ / "scene");
   const std::string areas = folder_.Write("dry.geojson",

@@ -7,10 +7,12 @@
 #include <variant>
 
 #include "common/mesh/position_index.h"
+#include "common/records/patch_heights.h"
 #include "coordinator/waves/scene_waves.h"
 #include "worker/assemble/assemble.h"
 #include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
+#include "worker/fill/seam/smooth_seam.h"
 
 namespace tilemend {
 namespace {
@@ -49,9 +51,20 @@ class LocalStages {
     return waves_.TakeLayer(samples);
   }
 
-  absl::Status operator()(const FillWork& work) {
-    const std::vector<HolePatch> patches = FillHoles(work.holes, options_.fill);
+  absl::Status operator()(const FillWork& given) {
+    FillWork work = given;
     CellPatches result;
+    if (work.sampled) {
+      std::vector<int32_t> vertices;
+      std::vector<double> heights;
+      for (const HeightSample& s : SampleHeights(*work.sampled)) {
+        result.samples.push_back({work.holes.cell, s.seam_vertex, s.height});
+        vertices.push_back(s.seam_vertex);
+        heights.push_back(s.height);
+      }
+      TakeSampledHeights(vertices, heights, work.holes);
+    }
+    const std::vector<HolePatch> patches = FillHoles(work.holes, options_.fill);
     for (const HolePatch& p : patches) {
       result.patches.push_back({p.hole, p.failure, std::ssize(p.new_points), std::ssize(p.triangles), p.hold_out});
       filled_.patches[p.hole] = p;
@@ -61,8 +74,25 @@ class LocalStages {
     return waves_.TakeFill(work.holes.cell, result);
   }
 
+  absl::Status operator()(const SmoothWork& work) {
+    const auto side = [&](int k) {
+      return SeamSide{work.sides[k].vertices, patches_[work.sides[k].cell], work.holes[k]};
+    };
+    const WangOptions& wang = options_.fill.wang;
+    SmoothedPatches smoothed = SmoothSeam(side(0), side(1), {work.vertices, work.heights},
+                                          {wang.seam_smoothing, wang.seam_buffer, work.sides[0].lattice_step});
+    moves_[work.sides[0].cell].push_back(std::move(smoothed.a));
+    moves_[work.sides[1].cell].push_back(std::move(smoothed.b));
+    return waves_.TakeSmooth({work.cells, work.vertices, std::move(smoothed.heights)});
+  }
+
   absl::Status operator()(const AssembleWork& work) {
     const CellId cell = work.tile->cell;
+    if (work.holes) {
+      vertices_[cell] = work.holes->vertices;
+      MoveSmoothedPoints(moves_[cell], work.holes->lattice_step, patches_[cell]);
+      for (const HolePatch& p : patches_[cell]) filled_.patches[p.hole] = p;
+    }
     const FilePatch patch =
         MergePatches(vertices_[cell], patches_[cell], cell, static_cast<int32_t>(work.tile_vertices), work.colours);
     TriMesh& tile = filled_.tiles[cell];
@@ -79,6 +109,7 @@ class LocalStages {
   FilledScene& filled_;
   std::map<CellId, std::vector<RimVertex>> vertices_;
   std::map<CellId, std::vector<HolePatch>> patches_;
+  std::map<CellId, std::vector<std::vector<SmoothedPoint>>> moves_;
 };
 
 }  // namespace
@@ -87,7 +118,7 @@ FilledScene FillScene(const SurveyedScene& scene, const PipelineOptions& options
   WaveOptions wave_options;
   wave_options.plan = options.plan;
   wave_options.surface = options.fill.surface;
-  wave_options.seam_smoothing = options.gamma;
+  wave_options.wang = options.fill.wang;
   SceneWaves waves(scene.AsScene(), std::move(wave_options));
   FilledScene filled;
   filled.tiles = scene.tiles;

@@ -19,7 +19,6 @@ namespace tilemend {
 struct PipelineOptions {
   PlanOptions plan;
   FillOptions fill;
-  double gamma = 0.5;
 };
 
 struct FilledScene {

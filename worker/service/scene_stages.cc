@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +13,9 @@
 #include "absl/time/clock.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/text.h"
+#include "common/records/patch_heights.h"
 #include "common/rpc/look_payloads.h"
+#include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
 #include "common/store/file_stamp.h"
@@ -24,6 +27,7 @@
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
+#include "worker/fill/seam/smooth_seam.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
 #include "worker/materials/file_witness.h"
@@ -93,6 +97,8 @@ FillOptions OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) 
   options.refine.uniform = proto.uniform();
   options.surface = proto.thin_plate() ? Surface::kThinPlate : Surface::kWang;
   if (proto.has_tension()) options.tension = proto.tension();
+  options.wang.longest_loop = proto.longest_loop();
+  options.wang.fairing_steps = proto.fairing_steps();
   return options;
 }
 
@@ -114,14 +120,24 @@ absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input
   return output.SerializeAsString();
 }
 
-absl::StatusOr<std::string> RunSampleLayer(const v1::SampleLayerInput& input) {
-  TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
+absl::StatusOr<v1::SampleLayerOutput> Sample(const v1::CellHolesBlob& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input));
   v1::SampleLayerOutput output;
   for (const HeightSample& sample : SampleHeights(holes)) {
     output.add_seam_vertex(sample.seam_vertex);
     output.add_height(sample.height);
   }
+  return output;
+}
+
+absl::StatusOr<std::string> RunSampleLayer(const v1::SampleLayerInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const v1::SampleLayerOutput output, Sample(input.holes()));
   return output.SerializeAsString();
+}
+
+template <typename T>
+std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
+  return {values.data(), static_cast<size_t>(values.size())};
 }
 
 absl::Status Changed(const std::string& path) {
@@ -169,7 +185,12 @@ class TileSurface {
 };
 
 absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToken& cancel) {
-  TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
+  TILEMEND_ASSIGN_OR_RETURN(CellHoles holes, FromProto(input.holes()));
+  v1::SampleLayerOutput samples;
+  if (input.has_sampled()) {
+    TILEMEND_ASSIGN_OR_RETURN(samples, Sample(input.sampled()));
+    TakeSampledHeights(Column(samples.seam_vertex()), Column(samples.height()), holes);
+  }
   TileSurface surface(input);
   const std::vector<HolePatch> patches =
       FillHoles(holes, OptionsOf(input.options(), cancel),
@@ -178,6 +199,39 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToke
   TILEMEND_RETURN_IF_ERROR(surface.status());
   v1::FillOutput output = ToProto(patches, holes.vertices, holes.lattice_step);
   *output.mutable_quality() = ToProto(TallyQuality(holes, patches));
+  if (input.has_sampled()) *output.mutable_samples() = std::move(samples);
+  return output.SerializeAsString();
+}
+
+struct DecodedSide {
+  std::vector<RimVertex> vertices;
+  std::vector<HolePatch> patches;
+  std::vector<int32_t> holes;
+
+  SeamSide View() const { return {vertices, patches, holes}; }
+};
+
+absl::StatusOr<DecodedSide> Decode(const v1::SeamSide& proto) {
+  DecodedSide side;
+  TILEMEND_ASSIGN_OR_RETURN(side.vertices, FromProto(proto.vertices()));
+  TILEMEND_ASSIGN_OR_RETURN(side.patches, FromProto(proto.patches(), side.vertices.size()));
+  side.holes.assign(proto.holes().begin(), proto.holes().end());
+  return side;
+}
+
+absl::StatusOr<std::string> RunSmoothSeam(const v1::SmoothSeamInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const DecodedSide a, Decode(input.a()));
+  TILEMEND_ASSIGN_OR_RETURN(const DecodedSide b, Decode(input.b()));
+  if (input.height_size() != input.seam_vertex_size() || !(input.lattice_step() > 0)) {
+    return absl::InvalidArgumentError("malformed payload: seam");
+  }
+  const SmoothedPatches smoothed = SmoothSeam(a.View(), b.View(), {Column(input.seam_vertex()), Column(input.height())},
+                                              {input.smoothing(), input.buffer(), input.lattice_step()});
+  v1::SmoothSeamOutput output;
+  output.set_number(input.number());
+  output.mutable_height()->Add(smoothed.heights.begin(), smoothed.heights.end());
+  *output.mutable_a() = ToProto(smoothed.a);
+  *output.mutable_b() = ToProto(smoothed.b);
   return output.SerializeAsString();
 }
 
@@ -195,6 +249,13 @@ absl::StatusOr<std::vector<HolePatch>> PatchesOf(const v1::AssembleInput& input,
       return absl::InvalidArgumentError("malformed payload: a patch without a colour");
     }
   }
+  int64_t points = 0;
+  for (const HolePatch& patch : patches) points += static_cast<int64_t>(patch.new_points.size());
+  std::vector<std::vector<SmoothedPoint>> moves;
+  for (const v1::SmoothedPoints& of_seam : input.smoothed()) {
+    TILEMEND_ASSIGN_OR_RETURN(moves.emplace_back(), FromProto(of_seam, points));
+  }
+  if (!moves.empty()) MoveSmoothedPoints(moves, input.lattice_step(), patches);
   return patches;
 }
 
@@ -307,6 +368,10 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
     case Stage::kFill: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::FillInput>(bytes));
       return RunFill(input, cancel);
+    }
+    case Stage::kSmoothSeam: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SmoothSeamInput>(bytes));
+      return RunSmoothSeam(input);
     }
     case Stage::kAssemble: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(bytes));

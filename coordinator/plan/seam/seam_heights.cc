@@ -102,4 +102,12 @@ void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double g
   }
 }
 
+void SettleSmoothed(const Plan& plan, const SmoothedHeights& smoothed, SeamHeights& heights) {
+  for (const auto& [vertex, by_seam] : smoothed) {
+    double sum = 0;
+    for (const auto& [cells, height] : by_seam) sum += height;
+    heights.height[vertex] = HeightAt(plan, vertex, sum / static_cast<double>(by_seam.size()));
+  }
+}
+
 }  // namespace tilemend

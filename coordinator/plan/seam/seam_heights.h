@@ -44,6 +44,13 @@ void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSam
 // settled already are ignored. The order of samples is of no importance.
 void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double gamma, SeamHeights& heights);
 
+// What the smoothing of seams gave to a vertex, by the cells of each seam.
+using SmoothedHeights = std::map<int32_t, std::map<std::pair<CellId, CellId>, double>>;
+
+// Gives smoothed vertices the mean of what their seams gave, rounded to the plan's lattice. Vertices that were given a
+// height keep it.
+void SettleSmoothed(const Plan& plan, const SmoothedHeights& smoothed, SeamHeights& heights);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_SEAM_SEAM_HEIGHTS_H_

@@ -231,6 +231,19 @@ TEST(MakePlanTest, NumbersTheLayersOfALakeFromItsShoreInward) {
   }
 }
 
+// The cell in the middle has no surface but an island, which its layer's heights can begin at.
+TEST(MakePlanTest, CountsAHoleWithAnIslandToTheFirstLayer) {
+  const std::string beach(18, '#'), lake = "##" + std::string(14, '.') + "##";
+  Picture picture(18, lake);
+  picture[0] = picture[1] = picture[16] = picture[17] = beach;
+  EXPECT_EQ(PlanOf(PictureScene(picture, 6)).layers, 2);
+  for (const int row : {8, 9}) picture[row].replace(8, 2, "##");
+  const Plan plan = PlanOf(PictureScene(picture, 6));
+  ExpectSound(plan);
+  EXPECT_EQ(plan.clusters, 1);
+  EXPECT_EQ(plan.layers, 1);
+}
+
 TEST(MakePlanTest, CountsAnIslandsShoreToTheBoundaryOfAClosedHole) {
   const Plan plan = PlanOf(Picture{"#######",  //
                                    "#.....#",  //

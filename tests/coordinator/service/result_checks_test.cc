@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <deque>
 #include <functional>
 #include <map>
@@ -61,7 +62,48 @@ TEST_F(ResultChecksTest, TakesWhatASoundWorkerGives) {
   };
   Run(see);
   Run(see, Surface::kWang);
-  EXPECT_EQ(seen.size(), kAllStages.size());
+  // Layers are sampled alone only where cells have holes in several, or a cluster has no surface.
+  EXPECT_EQ(seen.count(Stage::kSampleLayer), 0U);
+  EXPECT_EQ(seen.size(), kAllStages.size() - 1);
+}
+
+TEST_F(ResultChecksTest, RefusesHeightsOfASeamBeyondThePatches) {
+  int seams = 0;
+  const auto see = [&](const Exchange& e) {
+    v1::SmoothSeamOutput output;
+    if (e.stage != Stage::kSmoothSeam || !output.ParseFromString(e.output) || output.a().height().empty()) return;
+    ++seams;
+    const auto refused = [&](const auto& change) {
+      v1::SmoothSeamOutput other = output;
+      change(other);
+      return absl::IsDataLoss(check_(e.stage, e.input, other.SerializeAsString()));
+    };
+    EXPECT_TRUE(refused([](auto& o) { o.set_number(o.number() + 1); }));
+    EXPECT_TRUE(refused([](auto& o) { o.add_height(0); }));
+    EXPECT_TRUE(refused([](auto& o) { o.mutable_height()->Set(0, 1e6); }));
+    EXPECT_TRUE(refused([](auto& o) { o.mutable_a()->mutable_height()->Set(0, -1e6); }));
+    EXPECT_TRUE(refused([](auto& o) { o.mutable_a()->mutable_height()->Set(0, std::nan("")); }));
+    EXPECT_TRUE(refused([](auto& o) { o.mutable_b()->add_point(1'000'000), o.mutable_b()->add_height(0); }));
+  };
+  Run(see, Surface::kWang);
+  EXPECT_GT(seams, 0);
+}
+
+TEST_F(ResultChecksTest, RefusesAFillWithoutItsSamples) {
+  int fills = 0;
+  const auto see = [&](const Exchange& e) {
+    v1::FillInput input;
+    v1::FillOutput output;
+    if (e.stage != Stage::kFill || !input.ParseFromString(e.input) || !input.has_sampled()) return;
+    ASSERT_TRUE(output.ParseFromString(e.output));
+    ++fills;
+    output.mutable_samples()->mutable_height()->Set(0, std::nan(""));
+    EXPECT_TRUE(absl::IsDataLoss(check_(e.stage, e.input, output.SerializeAsString())));
+    output.clear_samples();
+    EXPECT_TRUE(absl::IsDataLoss(check_(e.stage, e.input, output.SerializeAsString())));
+  };
+  Run(see, Surface::kWang);
+  EXPECT_GT(fills, 0);
 }
 
 // Bytes from the network may be anything: the check says no, and does not fall over.

@@ -113,11 +113,12 @@ TEST_F(ScenePipelineTest, WritesTheSameTilesInWhateverOrderResultsCome) {
   EXPECT_EQ(TilesBelow(spec_.out), forwards);
 }
 
-TEST_F(ScenePipelineTest, WangIsSampledByLayers) {
+TEST_F(ScenePipelineTest, WangFillsByLayersAndSmoothsSeams) {
   spec_.surface = SurfaceName(Surface::kWang);
   ASSERT_TRUE(Run().ok());
   EXPECT_EQ(stages_[Stage::kSampleCluster], 0);
-  EXPECT_GT(stages_[Stage::kSampleLayer], 0);
+  EXPECT_EQ(stages_[Stage::kSampleLayer], 0);
+  EXPECT_GT(stages_[Stage::kSmoothSeam], 0);
   EXPECT_EQ(ReportOf(spec_.out)["options"]["surface"], "wang");
 }
 

@@ -50,6 +50,9 @@ struct Namer {
   std::string operator()(const ClusterWork& w) const { return absl::StrCat("cluster ", w.cluster); }
   std::string operator()(const LayerWork& w) const { return absl::StrCat("layer ", ToString(w.holes.cell)); }
   std::string operator()(const FillWork& w) const { return absl::StrCat("fill ", ToString(w.holes.cell)); }
+  std::string operator()(const SmoothWork& w) const {
+    return absl::StrCat("smooth ", ToString(w.cells[0]), " ", ToString(w.cells[1]));
+  }
   std::string operator()(const AssembleWork& w) const { return absl::StrCat("assemble ", ToString(w.tile->cell)); }
 };
 std::string NameOf(const SceneWork& work) { return std::visit(Namer{}, work); }
@@ -81,9 +84,19 @@ class Stages {
   }
   void operator()(const FillWork& w) {
     CellPatches result;
-    for (const RimVertex& v : w.holes.vertices) EXPECT_TRUE(v.height_known) << "filled before its seams are settled";
+    for (const RimVertex& v : w.sampled.value_or(CellHoles()).vertices) {
+      if (!v.height_known) result.samples.push_back({w.holes.cell, v.seam_vertex, 1.0 * v.seam_vertex});
+    }
+    for (const RimVertex& v : w.holes.vertices) {
+      EXPECT_TRUE(v.height_known || w.sampled) << "filled before its seams are settled";
+    }
     for (const CellHole& hole : w.holes.holes) result.patches.push_back({hole.id, "", 1, 2, {}});
     EXPECT_TRUE(waves_.TakeFill(w.holes.cell, result).ok());
+  }
+  void operator()(const SmoothWork& w) {
+    std::vector<double> heights = w.heights;
+    for (double& height : heights) height += 100;
+    EXPECT_TRUE(waves_.TakeSmooth({w.cells, w.vertices, heights}).ok());
   }
   void operator()(const AssembleWork&) { waves_.TakeAssemble(); }
 
@@ -153,20 +166,58 @@ TEST(SceneWavesTest, BeginsWithTheLargestClusterAndFillsMeanwhileWhatNeedsNone) 
 
 TEST(SceneWavesTest, SamplesLayerByLayerWhatHasNoSurface) {
   const SurveyedScene scene = Lake();
-  for (const Surface surface : {Surface::kThinPlate, Surface::kWang}) {
-    SceneWaves waves(scene.AsScene(), Dry(surface));
-    Stages stages(waves, scene);
-    stages.cluster_has_surface = false;
-    DoAll(AllNow(waves), stages);
-    if (surface == Surface::kThinPlate) DoAll(AllNow(waves), stages);
-    const std::vector<SceneWork> first = AllNow(waves);
-    EXPECT_THAT(NamesOf(first), AllOf(Each(StartsWith("layer ")), Not(Contains("layer +001_+001"))));
-    EXPECT_EQ(waves.phase(), "sample layer 1 of 2");
-    DoAll(first, stages);
-    // The hole in the middle has seams alone, and the first layer has settled them all.
-    const std::vector<SceneWork> fills = AllNow(waves);
-    EXPECT_THAT(NamesOf(fills), AllOf(SizeIs(9), Each(StartsWith("fill "))));
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  stages.cluster_has_surface = false;
+  for (int wave = 0; wave < 2; ++wave) DoAll(AllNow(waves), stages);
+  const std::vector<SceneWork> first = AllNow(waves);
+  EXPECT_THAT(NamesOf(first), AllOf(Each(StartsWith("layer ")), Not(Contains("layer +001_+001"))));
+  EXPECT_EQ(waves.phase(), "sample layer 1 of 2");
+  DoAll(first, stages);
+  // The hole in the middle has seams alone, and the first layer has settled them all.
+  const std::vector<SceneWork> fills = AllNow(waves);
+  EXPECT_THAT(NamesOf(fills), AllOf(SizeIs(9), Each(StartsWith("fill "))));
+}
+
+TEST(SceneWavesTest, WangFillsLayerByLayerAndSmoothsLast) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry(Surface::kWang));
+  Stages stages(waves, scene);
+  DoAll(AllNow(waves), stages);
+  const std::vector<SceneWork> first = AllNow(waves);
+  EXPECT_THAT(NamesOf(first), AllOf(SizeIs(8), Each(StartsWith("fill ")), Not(Contains("fill +001_+001"))));
+  for (const SceneWork& work : first) EXPECT_TRUE(std::get<FillWork>(work).sampled);
+  EXPECT_EQ(waves.phase(), "fill layer 1 of 2");
+  DoAll(first, stages);
+  const std::vector<SceneWork> second = AllNow(waves);
+  ASSERT_THAT(NamesOf(second), ElementsAre("fill +001_+001"));
+  for (const RimVertex& v : std::get<FillWork>(second[0]).holes.vertices) EXPECT_TRUE(v.height_known);
+  DoAll(second, stages);
+  // Eight cells of layer 1 in a ring; the seams to the one in the middle are between layers.
+  const std::vector<SceneWork> seams = AllNow(waves);
+  EXPECT_THAT(NamesOf(seams),
+              AllOf(SizeIs(8), Each(StartsWith("smooth ")), Not(Contains("smooth +001_+000 +001_+001"))));
+  const auto before = waves.heights().height;
+  DoAll(seams, stages);
+  const std::vector<SceneWork> assembles = AllNow(waves);
+  EXPECT_THAT(NamesOf(assembles), AllOf(SizeIs(9), Each(StartsWith("assemble "))));
+  EXPECT_NE(waves.heights().height, before);
+  for (const SceneWork& work : assembles) {
+    for (const RimVertex& v : std::get<AssembleWork>(work).holes.value_or(CellHoles()).vertices) {
+      const double settled = v.index < 0 ? waves.heights().height.at(v.seam_vertex) : v.position.z();
+      EXPECT_EQ(v.position.z(), settled);
+    }
   }
+}
+
+TEST(SceneWavesTest, SmoothsNothingWithGammaZero) {
+  const SurveyedScene scene = Lake();
+  WaveOptions options = Dry(Surface::kWang);
+  options.wang.seam_smoothing = 0;
+  SceneWaves waves(scene.AsScene(), options);
+  Stages stages(waves, scene);
+  for (int wave = 0; wave < 3; ++wave) DoAll(AllNow(waves), stages);
+  EXPECT_THAT(NamesOf(AllNow(waves)), Each(StartsWith("assemble ")));
 }
 
 TEST(SceneWavesTest, SettlesTheSameHeightsInWhateverOrderResultsCome) {

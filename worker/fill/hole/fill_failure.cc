@@ -24,6 +24,8 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
       return "its patch would need an edge that the surface already has";
     case FillFailure::kNoSolution:
       return "the equations of its surface have no solution";
+    case FillFailure::kTurnsOver:
+      return "a triangle of its patch turns over where the output rounds";
     case FillFailure::kTooLongForSpace:
       return "it projects on no plane without overlap and has " + std::to_string(boundary_edges) +
              " boundary vertices; at most " + std::to_string(kLongestSpatialLoop) + " can be filled in space";

@@ -15,6 +15,7 @@ enum class FillFailure {
   kCrossesOnItsPlane,
   kRepeatsEdges,
   kNoSolution,
+  kTurnsOver,
   kTooLongForSpace,
   kNoBridge,
   kCrosses,

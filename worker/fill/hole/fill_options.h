@@ -20,6 +20,7 @@ struct FillOptions {
   Surface surface = kDefaultSurface;
   std::optional<double>
       tension;  // of the thin-plate surface, 1 / metre^2; none: chosen from the rim (choose_tension.h)
+  WangOptions wang;
   RefineOptions refine;
 };
 

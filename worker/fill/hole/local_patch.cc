@@ -5,6 +5,7 @@
 namespace tilemend {
 
 void AddPart(const HolePart& part, const LocalPatch& of_part, const LocalHole& hole, LocalPatch& patch) {
+  patch.loop_cuts += of_part.loop_cuts;
   const auto first = hole.size() + static_cast<int32_t>(patch.new_points.size());
   patch.new_points.insert(patch.new_points.end(), of_part.new_points.begin(), of_part.new_points.end());
   for (Triangle t : of_part.triangles) {
@@ -18,6 +19,7 @@ HolePatch ToHolePatch(const LocalHole& hole, LocalPatch patch) {
   out.new_points = std::move(patch.new_points);
   out.triangles = std::move(patch.triangles);
   out.hold_out = patch.hold_out;
+  out.loop_cuts = patch.loop_cuts;
   for (Triangle& t : out.triangles) {
     for (int32_t& v : t) v = v < hole.size() ? hole.vertices[v] : hole.size() - 1 - v;
   }

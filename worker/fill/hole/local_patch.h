@@ -18,6 +18,7 @@ struct LocalPatch {
   std::vector<Triangle> triangles = {};
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this patch alone
   bool is_bare = false;                  // no new vertex could be laid where the way would have liked some
+  int32_t loop_cuts = 0;                 // as HolePatch
 
   bool ok() const { return failure == FillFailure::kNone; }
 };

@@ -15,8 +15,8 @@ struct PlaneFillOptions {
 };
 
 // Triangulates the hole over the plane of `frame`, refines it, finds the heights of the new points (plane_heights.h)
-// and improves the shapes that triangles have in space (flip_edges.h, smooth_on_surface.h; for Wang's surface and water
-// only by turning edges).
+// and improves the shapes that triangles have in space (flip_edges.h, smooth_on_surface.h; for water only by turning
+// edges). Wang's surface, but for water, has steps of its own: wang_fill.h.
 //
 // New points lie on the scene's lattice; over the upright plane also where the tile's number type holds them.
 // Failures: the boundary crosses itself on the plane, the surface joins it by edges already, or the heights have no

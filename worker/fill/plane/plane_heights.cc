@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "worker/fill/surface/choose_tension.h"
-#include "worker/fill/surface/fair_heights.h"
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/linear_surface.h"
@@ -19,23 +18,6 @@ std::vector<Triangle> AddBand(const LocalHole& hole, const ProjectionFrame& fram
   BandTriangles band = BandAt(hole, has_equation, static_cast<int32_t>(points.size()));
   for (const int32_t v : band.others) points.push_back(frame.ToFrame(hole.cell->band.points[v]));
   return std::move(band.triangles);
-}
-
-bool SolveAsWang(const LocalHole& hole, const ProjectionFrame& frame, PlanePatch& patch) {
-  FairingProblem problem;
-  problem.rim_count = hole.size();
-  problem.new_count = static_cast<int32_t>(patch.points.size()) - hole.size();
-  problem.points = std::move(patch.points);
-  problem.patch = std::move(patch.triangles);
-  problem.has_equation = patch.has_equation;
-  const size_t count = problem.points.size();
-  problem.band = AddBand(hole, frame, hole.has_equation, problem.points);
-  AdjustHeights(problem);
-  const bool solved = FairHeights(problem);
-  patch.points = std::move(problem.points);
-  patch.points.resize(count);
-  patch.triangles = std::move(problem.patch);
-  return solved;
 }
 
 // Laplacians that are known from the surface of the whole cluster, at seams.
@@ -109,7 +91,6 @@ bool FindHeights(const LocalHole& hole, const ProjectionFrame& frame, const Fill
     }
     return true;
   }
-  if (options.surface == Surface::kWang) return SolveAsWang(hole, frame, patch);
   return SolveAsThinPlate(hole, frame, options, use, patch, chosen);
 }
 

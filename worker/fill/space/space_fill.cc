@@ -7,6 +7,7 @@
 
 #include "worker/fill/space/sound_triangulation.h"
 #include "worker/fill/space/unrolled_fill.h"
+#include "worker/fill/wang/wang_fill.h"
 
 namespace tilemend {
 namespace {
@@ -63,7 +64,13 @@ LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<Vert
   LocalPatch patch;
   patch.triangles = TriangulateInSpace(hole, loop, bridges, check.Surface());
   if (patch.triangles.empty()) return {FillFailure::kCrosses};
-  if (!bridges.empty() || options.surface != Surface::kThinPlate) return patch;
+  if (options.surface == Surface::kWang) {
+    LocalPatch shaped = ShapeAsWang(hole, patch.triangles, options);
+    if (shaped.ok() && check.StaysNear(shaped) && check.IsSound(shaped)) return shaped;
+    patch.is_bare = true;
+    return patch;
+  }
+  if (!bridges.empty()) return patch;
   for (const double bend : kBends) {
     LocalPatch refined = FillOver(patch.triangles, bend, hole, options);
     if (refined.ok() && check.StaysNear(refined) && check.IsSound(refined)) return refined;

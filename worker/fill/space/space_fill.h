@@ -19,8 +19,9 @@ std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vecto
                                          const std::set<VertexPair>& used, std::span<const SpaceTriangle> surface);
 
 // Triangulates the boundary so that the patch crosses neither itself nor the surface. Islands are tied to the rest by
-// bridges, the shortest that lead to a sound patch. With the thin plate, a hole of one loop is refined over these
-// triangles with all, half or none of the bending (unrolled_fill.h), whichever is sound first.
+// bridges, the shortest that lead to a sound patch. With Wang's surface the triangles are refined, adjusted and faired
+// (ShapeAsWang) where that leads to a sound patch, else they are the patch. With the thin plate, a hole of one loop is
+// refined over these triangles with all, half or none of the bending (unrolled_fill.h), whichever is sound first.
 //   hole     closed, its vertices at folds without an equation
 // A patch may yet be unsound: the caller checks it. Failures: too long a boundary, no bridge, none without a crossing.
 LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check);

@@ -1,0 +1,158 @@
+#include "worker/fill/wang/wang_fill.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "common/mesh/rounding.h"
+#include "worker/fill/region/planar_region.h"
+#include "worker/fill/wang/adjust_patch.h"
+#include "worker/fill/wang/cut_to_loops.h"
+#include "worker/fill/wang/fair_patch.h"
+#include "worker/fill/wang/minimum_area.h"
+#include "worker/fill/wang/new_patch.h"
+#include "worker/fill/wang/refine_patch.h"
+
+namespace tilemend {
+namespace {
+
+using MayJoin = std::function<bool(int32_t, int32_t)>;
+
+PatchSurroundings SurroundingsOf(const LocalHole& hole, const ProjectionFrame& frame, int32_t patch_size) {
+  PatchSurroundings around;
+  BandTriangles band = BandAt(hole, hole.has_equation, patch_size);
+  for (const int32_t v : band.others) around.points.push_back(frame.ToFrame(hole.cell->band.points[v]));
+  around.triangles = std::move(band.triangles);
+  around.has_equation = hole.has_equation;
+  return around;
+}
+
+NewPatch RimOf(const LocalHole& hole, const ProjectionFrame& frame) {
+  NewPatch patch;
+  patch.rim_count = hole.size();
+  patch.sizes = hole.sizes;
+  for (const Point3& p : hole.positions) patch.points.push_back(frame.ToFrame(p));
+  for (const RegionSegment& s : hole.inner_edges) patch.fixed_edges.push_back(Undirected(s.from, s.to));
+  std::sort(patch.fixed_edges.begin(), patch.fixed_edges.end());
+  return patch;
+}
+
+// Refinement, adjustment, fairing.
+bool Shape(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, const MayJoin& may_join,
+           NewPatch& patch) {
+  RefinePatch(options.refine, may_join, patch);
+  const PatchSurroundings around = SurroundingsOf(hole, frame, patch.size());
+  if (options.wang.adjust) AdjustPatch(around, patch);
+  return FairPatch(around, options.wang.fairing_steps, patch);
+}
+
+class WangFiller {
+ public:
+  WangFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, bool may_repeat)
+      : hole_(hole), frame_(frame), options_(options), patch_(RimOf(hole, frame)) {
+    may_join_ = [this, may_repeat](int32_t a, int32_t b) { return may_repeat || hole_.MayJoin(a, b); };
+  }
+
+  LocalPatch Run() {
+    LocalPatch result;
+    result.failure = Triangulate(result.loop_cuts);
+    if (!result.ok()) return result;
+    if (!Shape(hole_, frame_, options_, may_join_, patch_)) return {FillFailure::kNoSolution};
+    if (!Round()) return {FillFailure::kTurnsOver};
+    for (int32_t v = hole_.size(); v < patch_.size(); ++v) result.new_points.push_back(InScene(v));
+    result.triangles = std::move(patch_.triangles);
+    return result;
+  }
+
+ private:
+  FillFailure Triangulate(int32_t& cuts) {
+    std::vector<Point2> flat;
+    for (const Point3& p : patch_.points) flat.emplace_back(p.head<2>());
+    const std::vector<LatticePoint> places = RoundToWindow(flat, patch_.sizes).points;
+    std::vector<RegionSegment> fixed = hole_.segments;
+    fixed.insert(fixed.end(), hole_.inner_edges.begin(), hole_.inner_edges.end());
+    const RegionTriangulation region = TriangulateRegion(places, fixed);
+    if (!region.conflicts.empty()) {
+      return hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane;
+    }
+    const CutRegion cut = CutToLoops(region, places, options_.wang.longest_loop);
+    cuts = cut.cuts;
+    for (const std::vector<int32_t>& loop : cut.loops) {
+      if (options_.refine.cancelled()) return FillFailure::kNotApplicable;
+      if (!TriangulateLoop(loop, places)) return FillFailure::kFlatTriangle;
+    }
+    return FillFailure::kNone;
+  }
+
+  bool TriangulateLoop(const std::vector<int32_t>& loop, std::span<const LatticePoint> places) {
+    std::vector<Point3> positions;
+    for (const int32_t v : loop) positions.push_back(patch_.points[v]);
+    const auto turns_left = [&](int32_t i, int32_t j, int32_t k) {
+      return Orientation(places[loop[i]], places[loop[j]], places[loop[k]]) > 0;
+    };
+    std::vector<Triangle> triangles = TriangulateLeastArea(
+        positions, [&](int32_t i, int32_t k) { return may_join_(loop[i], loop[k]); }, turns_left);
+    // Edges that the surface has already are split by the refinement.
+    if (triangles.empty()) {
+      triangles = TriangulateLeastArea(
+          positions, [](int32_t, int32_t) { return true; }, turns_left);
+    }
+    for (const Triangle& t : triangles) patch_.triangles.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
+    return !triangles.empty();
+  }
+
+  Point3 InScene(int32_t v) const {
+    const Point3 p = frame_.ToScene(patch_.points[v]);
+    Point3 rounded = RoundedToLattice(p, hole_.cell->lattice_step);
+    if (frame_.upright()) rounded.head<2>() = p.head<2>();  // there already
+    return rounded;
+  }
+
+  // Over the upright plane: puts new points where the output can hold them. Off it, triangles are checked in space.
+  bool Round() {
+    if (!frame_.upright()) return true;
+    const NumberType type = hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64;
+    const PointMover mover(patch_);
+    for (int32_t v = hole_.size(); v < patch_.size(); ++v) {
+      Point3& p = patch_.points[v];
+      const Point2 exact = p.head<2>();
+      p.head<2>() = RoundedTo(type, RoundedToLattice(exact, hole_.cell->lattice_step));
+      if (mover.TurnsLeftAround(v)) continue;
+      p.head<2>() = RoundedTo(type, exact);
+      if (!mover.TurnsLeftAround(v)) return false;
+    }
+    return true;
+  }
+
+  const LocalHole& hole_;
+  const ProjectionFrame& frame_;
+  const FillOptions& options_;
+  NewPatch patch_;
+  MayJoin may_join_;
+};
+
+}  // namespace
+
+LocalPatch FillAsWang(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options,
+                      bool may_repeat) {
+  return WangFiller(hole, frame, options, may_repeat).Run();
+}
+
+LocalPatch ShapeAsWang(const LocalHole& hole, std::vector<Triangle> triangles, const FillOptions& options) {
+  const ProjectionFrame scene = ProjectionFrame::Upright();
+  NewPatch patch = RimOf(hole, scene);
+  patch.projects = false;
+  patch.triangles = std::move(triangles);
+  const MayJoin may_join = [&](int32_t a, int32_t b) { return hole.MayJoin(a, b); };
+  if (!Shape(hole, scene, options, may_join, patch)) return {FillFailure::kNoSolution};
+  LocalPatch result;
+  for (int32_t v = hole.size(); v < patch.size(); ++v) {
+    result.new_points.push_back(RoundedToLattice(patch.points[v], hole.cell->lattice_step));
+  }
+  result.triangles = std::move(patch.triangles);
+  return result;
+}
+
+}  // namespace tilemend
