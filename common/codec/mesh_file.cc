@@ -5,13 +5,14 @@
 #include "common/codec/obj.h"
 #include "common/codec/off.h"
 #include "common/codec/ply.h"
+#include "common/codec/stl.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path) {
-  constexpr const char kAccepted[] = "; accepted: .ply, .obj, .off";
+  constexpr const char kAccepted[] = "; accepted: .ply, .obj, .off, .stl";
   const size_t slash = path.rfind('/');
   const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
   const size_t dot = file.rfind('.');
@@ -22,6 +23,7 @@ absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path) {
   if (extension == ".ply") return MeshFormat::kPly;
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".off") return MeshFormat::kOff;
+  if (extension == ".stl") return MeshFormat::kStl;
   return absl::InvalidArgumentError(absl::StrCat(std::string(path), ": ", extension, " files are not read", kAccepted));
 }
 
@@ -39,6 +41,8 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
       return ParseObj(bytes, name);
     case MeshFormat::kOff:
       return ParseOff(bytes, name);
+    case MeshFormat::kStl:
+      return ParseStl(bytes, name);
   }
   return absl::InternalError(absl::StrCat(name, ": unknown mesh format"));
 }
@@ -52,6 +56,8 @@ absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view orig
       return AppendToObj(original_bytes, patch, name);
     case MeshFormat::kOff:
       return AppendToOff(original_bytes, patch, name);
+    case MeshFormat::kStl:
+      return AppendToStl(original_bytes, patch, name);
   }
   return absl::InternalError(absl::StrCat(name, ": unknown mesh format"));
 }

@@ -22,7 +22,7 @@
 
 namespace tilemend {
 
-enum class MeshFormat { kPly, kObj, kOff };
+enum class MeshFormat { kPly, kObj, kOff, kStl };
 
 struct MeshFile {
   MeshFormat format = MeshFormat::kPly;
@@ -51,7 +51,7 @@ struct FilePatch {
 };
 
 // The format by the extension (.ply, .obj, .off, any case). kInvalidArgument naming the format and the accepted ones
-// for anything else (.stl, .glb, .osgb, .b3dm, .gltf, .las ... are refused by name).
+// for anything else (.glb, .osgb, .b3dm, .gltf, .las ... are refused by name).
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
 
 // Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an
@@ -68,6 +68,7 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
 //   OBJ: every original line kept byte for byte; then `v` lines with 17 digits where needed (shortest that round-trip),
 //        `mtllib` with the patch's library, `g tilemend_filled`, `f` lines with `usemtl` where the material changes.
 //   OFF: counts in the header updated, vertices inserted after the originals, faces appended.
+//   STL: facets appended, the count in a binary header updated.
 // New coordinates are rounded to the file's number type (common/mesh/rounding.h).
 absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view original_bytes, const FilePatch& patch,
                                         const std::string& name);

@@ -42,7 +42,21 @@ TriMesh SheetWithAHole() {
   return mesh;
 }
 
+std::string StlText(const TriMesh& mesh) {
+  std::string text = "solid sheet\n";
+  for (const Triangle& t : mesh.triangles) {
+    text += "facet normal 0 0 1\nouter loop\n";
+    for (const int32_t v : t) {
+      const Point3& p = mesh.points[v];
+      absl::StrAppendFormat(&text, "vertex %.17g %.17g %.17g\n", p.x(), p.y(), p.z());
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid sheet\n";
+}
+
 std::string Text(const TriMesh& mesh, MeshFormat format) {
+  if (format == MeshFormat::kStl) return StlText(mesh);
   std::string text = format == MeshFormat::kOff
                          ? absl::StrFormat("OFF\n%d %d 0\n", mesh.points.size(), mesh.triangles.size())
                          : "# a sheet\nmtllib sheet.mtl\n";
@@ -150,7 +164,7 @@ TEST_P(FillTest, JsonIsAReport) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, FillTest,
                          ::testing::Values(FormatCase{".ply", MeshFormat::kPly}, FormatCase{".obj", MeshFormat::kObj},
-                                           FormatCase{".off", MeshFormat::kOff}),
+                                           FormatCase{".off", MeshFormat::kOff}, FormatCase{".stl", MeshFormat::kStl}),
                          [](const auto& format) { return std::string(format.param.extension + 1); });
 
 // The rim of the hole tells nothing of the body that goes through it: the mesh is read again for it, here and by

@@ -18,13 +18,13 @@ TEST(MeshFormatOfTest, GoesByTheExtensionInAnyCase) {
 }
 
 TEST(MeshFormatOfTest, RefusesOthersByName) {
-  for (const char* extension : {".stl", ".glb", ".gltf", ".b3dm", ".osgb", ".las", ".fbx", ".dae", ".gz", ".3ds"}) {
+  for (const char* extension : {".glb", ".gltf", ".b3dm", ".osgb", ".las", ".fbx", ".dae", ".gz", ".3ds"}) {
     const absl::Status status = MeshFormatOf(absl::StrCat("dir/tile", extension)).status();
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
     EXPECT_EQ(status.message(),
-              absl::StrCat("dir/tile", extension, ": ", extension, " files are not read; accepted: .ply, .obj, .off"));
+              absl::StrCat("dir/tile", extension, ": ", extension, " files are not read; accepted: .ply, .obj, .off, .stl"));
   }
-  EXPECT_EQ(MeshFormatOf("a.ply/tile").status().message(), "a.ply/tile: no file extension; accepted: .ply, .obj, .off");
+  EXPECT_EQ(MeshFormatOf("a.ply/tile").status().message(), "a.ply/tile: no file extension; accepted: .ply, .obj, .off, .stl");
   EXPECT_FALSE(MeshFormatOf(".ply").ok());
 }
 
@@ -38,7 +38,7 @@ TEST(ReadMeshFileTest, ReadsWhatIsThere) {
   EXPECT_EQ(file->mesh.points.size(), 3u);
   EXPECT_EQ(file->file_bytes, static_cast<int64_t>(text.size()));
   EXPECT_EQ(ReadMeshFile(path + "x.obj").status().code(), absl::StatusCode::kNotFound);
-  EXPECT_EQ(ReadMeshFile(::testing::TempDir() + "/x.stl").status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(ReadMeshFile(::testing::TempDir() + "/x.glb").status().code(), absl::StatusCode::kInvalidArgument);
 }
 
 }  // namespace
