@@ -84,8 +84,6 @@ enum class FillWay : uint8_t {
   kSpace,        // triangles of its boundary in space
   kFoldsCut,     // heights over a plane, with folds of its boundary cut off
   kBare,         // triangles of its boundary in space alone, where no new vertex could be laid
-  kBand,         // a band between two loops that face each other
-  kStitched,     // thin triangles across a crack
 };
 
 // New geometry for one hole. A corner k >= 0 is rim vertex k of the CellHoles; -1 - k is new_points[k].

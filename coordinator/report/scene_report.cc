@@ -317,10 +317,6 @@ const char* WayName(FillWay way) {
       return "folds cut off";
     case FillWay::kBare:
       return "bare triangles";
-    case FillWay::kBand:
-      return "band";
-    case FillWay::kStitched:
-      return "stitched";
   }
   return "unknown";
 }
