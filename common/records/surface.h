@@ -22,6 +22,9 @@ struct WangOptions {
   bool adjust = true;           // eq. 1; false: for tests alone
 };
 
+inline constexpr int32_t kShortestLongestLoop = 3, kLongestLongestLoop = 2000;
+inline constexpr int32_t kMostFairingSteps = 1000;
+
 // "thin-plate" or "wang", as flags, jobs and reports say it.
 constexpr const char* SurfaceName(Surface surface) { return surface == Surface::kThinPlate ? "thin-plate" : "wang"; }
 

@@ -40,7 +40,8 @@ absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
   };
   for (const Option& option :
        {Option{"seam_smoothing", spec.seam_smoothing, 0, 1}, Option{"seam_buffer", spec.seam_buffer, 1, 100},
-        Option{"longest_loop", spec.longest_loop, 3, 2000}, Option{"fairing_steps", spec.fairing_steps, 0, 1000}}) {
+        Option{"longest_loop", spec.longest_loop, kShortestLongestLoop, kLongestLongestLoop},
+        Option{"fairing_steps", spec.fairing_steps, 0, kMostFairingSteps}}) {
     if (!option.value) continue;
     if (surface != Surface::kWang) return InvalidSpec(option.name, "only the surface wang has this option");
     TILEMEND_RETURN_IF_ERROR(CheckRange(option.name, *option.value, option.low, option.high));

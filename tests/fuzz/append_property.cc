@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 #include "common/mesh/rounding.h"
 
@@ -15,6 +16,22 @@ FilePatch SmallPatch(int32_t vertices) {
   patch.like = {0, -1, vertices - 1};
   patch.triangles = {{0, vertices, vertices + 1}, {vertices, vertices + 1, vertices + 2}};
   return patch;
+}
+
+// Of a format without shared vertices: points that are equal become one vertex, wherever they stand.
+std::string CornerViolation(const TriMesh& before, NumberType type, const FilePatch& patch, const TriMesh& after) {
+  std::vector<Point3> points = before.points;
+  for (const Point3& p : patch.new_points) points.push_back(RoundedTo(type, p));
+  std::vector<Triangle> triangles = before.triangles;
+  triangles.insert(triangles.end(), patch.triangles.begin(), patch.triangles.end());
+  if (after.triangles.size() != triangles.size()) return "other number of triangles";
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      if (points[triangles[i][k]] != after.points[after.triangles[i][k]])
+        return "triangle " + std::to_string(i) + " is different";
+    }
+  }
+  return "";
 }
 
 bool SameBits(const Point3& a, const Point3& b) { return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0; }
@@ -33,6 +50,7 @@ std::string AppendPropertyViolation(MeshFormat format, std::string_view bytes) {
   if (!appended.ok()) return "appending failed: " + appended.status().ToString();
   const absl::StatusOr<MeshFile> after = ParseMesh(format, *appended, "appended");
   if (!after.ok()) return "reading back failed: " + after.status().ToString();
+  if (format == MeshFormat::kStl) return CornerViolation(before->mesh, before->number_type, patch, after->mesh);
   if (after->mesh.points.size() != vertices + patch.new_points.size()) return "other number of vertices";
   if (after->mesh.triangles.size() != triangles + patch.triangles.size()) return "other number of triangles";
   if (after->number_type != before->number_type) return "other number type";

@@ -157,25 +157,35 @@ TEST_F(SceneRunTest, OverwriteReplacesFilesOfTheSameNameOnly) {
   EXPECT_EQ(FilesBelow(out)["mine.txt"], "mine");
 }
 
-// A folder in a tile's place stops the job after other tiles were written.
-TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
+TEST_F(SceneRunTest, AFolderInATilesPlaceIsRefusedBeforeAnythingIsWritten) {
   const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
-  ASSERT_EQ(Run(scene, folder_ / "whole").code, 0);
   folder_.Write("out/report.json", "of an older output");
   folder_.Write("out/tiles/Tile_+003_+002.ply/in-the-way", "");
+  const auto before = FilesBelow(out);
+  const Ended refused = Run(scene, out, {"--overwrite"});
+  EXPECT_EQ(refused.code, 4) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("Tile_+003_+002.ply"));
+  EXPECT_EQ(FilesBelow(out), before);
+}
+
+TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
+  SceneMakerOptions options = SmallScene(Cut::kClipped);
+  options.cols = options.rows = 8;
+  const std::string scene = WriteMade(options, folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, folder_ / "whole").code, 0);
+  folder_.Write("out/report.json", "of an older output");
   folder_.Write("out/tiles/Tile_+000_+000.ply.part-0123abcd-1", "of a worker that was killed");
-  const Ended failed = Run(scene, out, {"--overwrite"});
-  EXPECT_EQ(failed.code, 4) << failed.err;
-  EXPECT_THAT(failed.err, HasSubstr("Tile_+003_+002.ply"));
-  EXPECT_THAT(failed.err, HasSubstr("not complete"));
+  Process process(folder_.path(), TILEMEND_CLIENT, {"run", scene, "--out", out, "--overwrite"});
+  process.AwaitLine("fill");
+  process.Signal(SIGKILL);
+  process.Wait();
   EXPECT_FALSE(std::filesystem::exists(out + "/report.json"));
   EXPECT_THAT(Tilemend({"report", out}).err, HasSubstr("not complete"));
-  std::filesystem::remove_all(out + "/tiles/Tile_+003_+002.ply");
   EXPECT_EQ(Run(scene, out, {"--uniform"}).code, 4);
   const Ended again = Run(scene, out);
   EXPECT_EQ(again.code, 0) << again.err;
   ExpectComplete(out, TilesBelow(folder_ / "whole"));
-  EXPECT_EQ(FilesBelow(out).size(), 16U) << "twelve tiles, the report, holes and breaklines, results";
+  EXPECT_EQ(FilesBelow(out).size(), 68U) << "64 tiles, the report, holes and breaklines, results";
 }
 
 // Whenever it comes: the output is complete, or it can be completed, or there is none.

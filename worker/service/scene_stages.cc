@@ -89,7 +89,7 @@ absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
   return output.ok() ? output : WithHint(output.status());
 }
 
-FillOptions OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
+absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
   FillOptions options;
   options.refine.is_cancelled = [&cancel] { return cancel.cancelled(); };
   options.refine.gradation = proto.gradation();
@@ -97,16 +97,22 @@ FillOptions OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) 
   options.refine.uniform = proto.uniform();
   options.surface = proto.thin_plate() ? Surface::kThinPlate : Surface::kWang;
   if (proto.has_tension()) options.tension = proto.tension();
+  if (options.surface != Surface::kWang) return options;
   options.wang.longest_loop = proto.longest_loop();
   options.wang.fairing_steps = proto.fairing_steps();
-  return options;
+  const bool in_range = options.wang.longest_loop >= kShortestLongestLoop &&
+                        options.wang.longest_loop <= kLongestLongestLoop && options.wang.fairing_steps >= 0 &&
+                        options.wang.fairing_steps <= kMostFairingSteps;
+  return in_range ? absl::StatusOr<FillOptions>(options)
+                  : absl::InvalidArgumentError("options of the surface wang out of range");
 }
 
 absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input, const CancelToken& cancel) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
   v1::SampleClusterOutput output;
   output.set_cluster(input.cluster());
-  const std::optional<ClusterSurface> surface = SampleCluster(holes, OptionsOf(input.options(), cancel));
+  TILEMEND_ASSIGN_OR_RETURN(const FillOptions options, OptionsOf(input.options(), cancel));
+  const std::optional<ClusterSurface> surface = SampleCluster(holes, options);
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   if (!surface) return output.SerializeAsString();
   if (surface->hold_out) *output.mutable_hold_out() = ToProto(*surface->hold_out);
@@ -192,9 +198,9 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToke
     TakeSampledHeights(Column(samples.seam_vertex()), Column(samples.height()), holes);
   }
   TileSurface surface(input);
+  TILEMEND_ASSIGN_OR_RETURN(const FillOptions options, OptionsOf(input.options(), cancel));
   const std::vector<HolePatch> patches =
-      FillHoles(holes, OptionsOf(input.options(), cancel),
-                [&](const Point3& lo, const Point3& hi) { return surface.Near(lo, hi); });
+      FillHoles(holes, options, [&](const Point3& lo, const Point3& hi) { return surface.Near(lo, hi); });
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   TILEMEND_RETURN_IF_ERROR(surface.status());
   v1::FillOutput output = ToProto(patches, holes.vertices, holes.lattice_step);

@@ -21,10 +21,11 @@ TEST(MeshFormatOfTest, RefusesOthersByName) {
   for (const char* extension : {".glb", ".gltf", ".b3dm", ".osgb", ".las", ".fbx", ".dae", ".gz", ".3ds"}) {
     const absl::Status status = MeshFormatOf(absl::StrCat("dir/tile", extension)).status();
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
-    EXPECT_EQ(status.message(),
-              absl::StrCat("dir/tile", extension, ": ", extension, " files are not read; accepted: .ply, .obj, .off, .stl"));
+    EXPECT_EQ(status.message(), absl::StrCat("dir/tile", extension, ": ", extension,
+                                             " files are not read; accepted: .ply, .obj, .off, .stl"));
   }
-  EXPECT_EQ(MeshFormatOf("a.ply/tile").status().message(), "a.ply/tile: no file extension; accepted: .ply, .obj, .off, .stl");
+  EXPECT_EQ(MeshFormatOf("a.ply/tile").status().message(),
+            "a.ply/tile: no file extension; accepted: .ply, .obj, .off, .stl");
   EXPECT_FALSE(MeshFormatOf(".ply").ok());
 }
 

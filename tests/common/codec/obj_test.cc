@@ -141,8 +141,10 @@ TEST(ObjTest, NamesTheLineOfAnError) {
   EXPECT_EQ(MessageOf(three + "f 1 2 3x\n"), "a.obj: line 4: expected v, v/vt, v//vn or v/vt/vn, found something else");
   EXPECT_EQ(MessageOf(three + "f 1 2 a\n"), "a.obj: line 4: expected a vertex index, found something else");
   EXPECT_EQ(MessageOf("v 0 0\nv 1 0 0\n"), "a.obj: line 1: expected a coordinate, found end of line");
-  EXPECT_EQ(MessageOf("\nv 0 0 inf"), "a.obj: line 2: expected a coordinate of at most 1e9 m, found something else");
-  EXPECT_EQ(MessageOf("v 0 0 1e10"), "a.obj: line 1: expected a coordinate of at most 1e9 m, found '1e10'");
+  EXPECT_EQ(MessageOf("\nv 0 0 inf"),
+            "a.obj: line 2: expected a coordinate that is finite and at most 1e9 m, found something else");
+  EXPECT_EQ(MessageOf("v 0 0 1e10"),
+            "a.obj: line 1: expected a coordinate that is finite and at most 1e9 m, found '1e10'");
   EXPECT_EQ(MessageOf("v 0 0 0x"), "a.obj: line 1: expected a coordinate, found something else");
   EXPECT_EQ(MessageOf(three + "\x01\x02 3\n"), "a.obj: line 4: expected an OBJ statement, found something else");
   EXPECT_THAT(MessageOf(three + "usemtl " + std::string(2 << 20, 'm')), HasSubstr("line 4: the line is longer than"));

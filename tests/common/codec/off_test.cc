@@ -100,7 +100,7 @@ TEST(OffTest, NamesTheLineOfAnError) {
   EXPECT_EQ(MessageOf(head + "0 x 0\n3 0 1 2\n"), "a.off: line 5: expected a coordinate, found something else");
   EXPECT_EQ(MessageOf(head + "0 0\n3 0 1 2\n"), "a.off: line 5: expected a coordinate, found end of line");
   EXPECT_EQ(MessageOf(head + "0 nan 0\n3 0 1 2\n"),
-            "a.off: line 5: expected a coordinate of at most 1e9 m, found something else");
+            "a.off: line 5: expected a coordinate that is finite and at most 1e9 m, found something else");
   EXPECT_EQ(MessageOf(head + "0 1 0\n3 0 1 3\n"), "a.off: line 6: expected a vertex index in 0 to 2, found '3'");
   EXPECT_EQ(MessageOf(head + "0 1 0\n3 0 1\n"), "a.off: line 6: expected a vertex index in 0 to 2, found end of line");
   EXPECT_EQ(MessageOf(head + "0 1 0\n-3 0 1 2\n"),

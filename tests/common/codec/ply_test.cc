@@ -80,7 +80,7 @@ TEST(PlyTest, NamesTheByteOfABadBinaryValue) {
   std::vector<std::string> vertices = odd.Vertices();
   vertices[0] = odd.Vertex(1, 0, std::nan(""), {}, 0);
   EXPECT_EQ(MessageOf(odd.Header() + Join(vertices) + Join(odd.Faces()) + odd.Edges()),
-            at(odd.Header().size() + 9) + "a coordinate of at most 1e9 m, found nan");
+            at(odd.Header().size() + 9) + "a coordinate that is finite and at most 1e9 m, found nan");
 }
 
 TEST(PlyTest, NamesTheByteOfABadRecordOfFixedSize) {
@@ -90,7 +90,8 @@ TEST(PlyTest, NamesTheByteOfABadRecordOfFixedSize) {
   for (const float bad : {std::nanf(""), HUGE_VALF, 1.1e9f, -2e9f}) {
     std::string file = good;
     file.replace(body + 16, 4, Bytes(bad, false));
-    EXPECT_THAT(MessageOf(file), HasSubstr("byte " + std::to_string(body + 16) + ": expected a coordinate of at most"));
+    EXPECT_THAT(MessageOf(file),
+                HasSubstr("byte " + std::to_string(body + 16) + ": expected a coordinate that is finite and at most"));
   }
   std::string file = good;
   file.replace(body + 36 + 5, 4, Bytes(int32_t{3}, false));
@@ -111,7 +112,7 @@ TEST(PlyTest, NamesTheLineOfABadText) {
   EXPECT_EQ(MessageOf(head + "0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1\n"),
             "a.ply: line 17: expected a vertex index in 0 to 2, found end of file");
   EXPECT_EQ(MessageOf(head + "0 0 0 7\n1 0 nan 8\n0 1 0 9\n3 0 1 2\n0\n"),
-            "a.ply: line 14: expected a coordinate of at most 1e9 m, found something else");
+            "a.ply: line 14: expected a coordinate that is finite and at most 1e9 m, found something else");
 }
 
 }  // namespace

@@ -209,12 +209,24 @@ TEST_F(SceneStagesTest, FillsAHoleSoundly) {
     const CellHoles work = HoleOf(HoledRoof());
     v1::FillInput input = FillInputOf(work);
     input.mutable_options()->set_thin_plate(thin_plate);
+    input.mutable_options()->set_longest_loop(400);
     const auto output = RunWell<v1::FillOutput>(Stage::kFill, input);
     const auto patches = FromProto(output, work.vertices.size());
     ASSERT_TRUE(patches.ok()) << patches.status();
     ASSERT_EQ(patches->size(), 1u);
     ExpectClosesHole(work, work.holes[0], patches->front());
     EXPECT_EQ(output.quality().triangles(), static_cast<int64_t>(patches->front().triangles.size()));
+  }
+}
+
+TEST_F(SceneStagesTest, RefusesOptionsOfWangOutOfRange) {
+  for (const auto& [loop, steps] : {std::pair(0, 10), {2, 10}, {2001, 10}, {400, -1}, {400, 1001}}) {
+    v1::FillInput input = FillInputOf(HoleOf(HoledRoof()));
+    input.mutable_options()->set_thin_plate(false);
+    input.mutable_options()->set_longest_loop(loop);
+    input.mutable_options()->set_fairing_steps(steps);
+    const auto ended = runner_(Stage::kFill, input.SerializeAsString(), cancel_);
+    EXPECT_EQ(ended.status().code(), absl::StatusCode::kInvalidArgument) << loop << " " << steps;
   }
 }
 
