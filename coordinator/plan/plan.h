@@ -15,8 +15,8 @@
 
 namespace tilemend {
 
-// Plans the filling. Cost O(n log n) in the boundary edges of the scene and the vertices of its seams, which are bounded
-// (seam_layout.h); deterministic.
+// Plans the filling. Cost O(n log n) in the boundary edges of the scene and the vertices of its seams, which are
+// bounded (seam_layout.h); deterministic.
 Plan MakePlan(const PlanInput& input, const PlanOptions& options);
 
 }  // namespace tilemend

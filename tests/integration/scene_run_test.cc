@@ -170,13 +170,13 @@ TEST_F(SceneRunTest, AFolderInATilesPlaceIsRefusedBeforeAnythingIsWritten) {
 
 TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   SceneMakerOptions options = SmallScene(Cut::kClipped);
-  options.cols = options.rows = 8;
+  options.cols = options.rows = 16;
   const std::string scene = WriteMade(options, folder_ / "scene"), out = folder_ / "out";
   ASSERT_EQ(Run(scene, folder_ / "whole").code, 0);
   folder_.Write("out/report.json", "of an older output");
   folder_.Write("out/tiles/Tile_+000_+000.ply.part-0123abcd-1", "of a worker that was killed");
   Process process(folder_.path(), TILEMEND_CLIENT, {"run", scene, "--out", out, "--overwrite"});
-  process.AwaitLine("fill");
+  process.AwaitLine("assemble");
   process.Signal(SIGKILL);
   process.Wait();
   EXPECT_FALSE(std::filesystem::exists(out + "/report.json"));
@@ -185,7 +185,7 @@ TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   const Ended again = Run(scene, out);
   EXPECT_EQ(again.code, 0) << again.err;
   ExpectComplete(out, TilesBelow(folder_ / "whole"));
-  EXPECT_EQ(FilesBelow(out).size(), 68U) << "64 tiles, the report, holes and breaklines, results";
+  EXPECT_EQ(FilesBelow(out).size(), 260U) << "256 tiles, the report, holes and breaklines, results";
 }
 
 // Whenever it comes: the output is complete, or it can be completed, or there is none.
