@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/mesh/triangle_shape.h"
+#include "worker/fill/mesh/span_triangulation.h"
 
 namespace tilemend {
 namespace {
@@ -20,22 +21,8 @@ class LeastArea {
   }
 
   std::vector<Triangle> Run() {
-    for (int32_t span = 2; span < n_; ++span) {
-      for (int32_t i = 0; i + span < n_; ++i) Solve(i, i + span);
-    }
-    std::vector<Triangle> triangles;
-    if (area_[At(0, n_ - 1)] == kNever) return triangles;
-    std::vector<std::pair<int32_t, int32_t>> open = {{0, n_ - 1}};
-    while (!open.empty()) {
-      const auto [i, k] = open.back();
-      open.pop_back();
-      if (k - i < 2) continue;
-      const int32_t j = apex_[At(i, k)];
-      triangles.push_back({i, j, k});
-      open.emplace_back(i, j);
-      open.emplace_back(j, k);
-    }
-    return triangles;
+    return TriangulateSpans(
+        n_, [this](int32_t i, int32_t k) { Solve(i, k); }, [this](int32_t i, int32_t k) { return apex_[At(i, k)]; });
   }
 
  private:
