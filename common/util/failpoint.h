@@ -4,6 +4,7 @@
 //
 //   TILEMEND_FAILPOINT=journal.commit:3         the third time, the process kills itself there (SIGKILL)
 //   TILEMEND_FAILPOINT=journal.commit:3:error   the third time and ever after, the operation fails there
+//   TILEMEND_FAILPOINT=journal.commit:3:stop    the third time, the process stops there (SIGSTOP) until SIGCONT
 #ifndef TILEMEND_COMMON_UTIL_FAILPOINT_H_
 #define TILEMEND_COMMON_UTIL_FAILPOINT_H_
 

@@ -270,6 +270,9 @@ absl::StatusOr<uint32_t> TakeOver(PostgresConnection& connection, const StandBy&
 absl::StatusOr<std::unique_ptr<Journal>> OpenPostgresJournal(const std::string& where, const StandBy& stand_by) {
   TILEMEND_ASSIGN_OR_RETURN(PostgresConnection connection, PostgresConnection::Open(where));
   TILEMEND_RETURN_IF_ERROR(connection.Run(kTables));
+  // One that is stopped within a transaction holds the row of the epoch: the server lets go of it.
+  TILEMEND_RETURN_IF_ERROR(connection.Run(
+      absl::StrCat("SET idle_in_transaction_session_timeout = ", absl::ToInt64Milliseconds(stand_by.silence))));
   TILEMEND_ASSIGN_OR_RETURN(const uint32_t epoch, TakeOver(connection, stand_by));
   auto journal = std::make_unique<PostgresJournal>(std::move(connection), epoch);
   TILEMEND_RETURN_IF_ERROR(journal->Start());

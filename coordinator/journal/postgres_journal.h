@@ -2,7 +2,8 @@
 //
 // The one that is at work says so every second. When it has been silent for some time, one of the others takes the next
 // epoch and goes on with what is there. Every commit looks at the epoch in the same transaction: a coordinator that was
-// stopped, or cut off, and comes back is refused at its next write and ends.
+// stopped, or cut off, and comes back is refused at its next write and ends. One that is stopped within a commit loses
+// its connection, and with it the commit, after the same time.
 #ifndef TILEMEND_COORDINATOR_JOURNAL_POSTGRES_JOURNAL_H_
 #define TILEMEND_COORDINATOR_JOURNAL_POSTGRES_JOURNAL_H_
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -95,8 +96,9 @@ absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync) {
 
 absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter(Sync sync) {
   if (removed_.load()) return absl::FailedPreconditionError(absl::StrCat(path_, ": the job is over"));
-  std::string path = absl::StrCat(path_, "/part-", next_temporary_.fetch_add(1));
-  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  // Of a name that is free: a coordinator that was stopped and wakes may write here until it finds itself replaced.
+  std::string path = absl::StrCat(path_, "/part-XXXXXX");
+  const int fd = ::mkostemp(path.data(), O_CLOEXEC);
   if (fd < 0) return FileError(errno, "cannot create", path);
   return std::unique_ptr<Writer>(new Writer(*this, sync, std::move(path), fd));
 }

@@ -70,7 +70,6 @@ class BlobFolder {
   absl::Status MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync);
 
   std::string path_;
-  std::atomic<uint64_t> next_temporary_{0};
   std::atomic<bool> removed_{false};
 };
 

@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
 #include "common/util/exit_codes.h"
+#include "common/util/failpoint.h"
 #include "coordinator/journal/postgres_connection.h"
 #include "tests/support/postgres_server.h"
 
@@ -62,13 +63,14 @@ class PostgresJournalTest : public ::testing::Test {
       return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
   };
-  static Child StartChild() {
+  static Child StartChild(const StandBy& stand_by = {}, const std::string& failpoint = "") {
     int orders[2], answers[2];
     EXPECT_EQ(pipe(orders), 0);
     EXPECT_EQ(pipe(answers), 0);
     const pid_t pid = fork();
     if (pid != 0) return {pid, orders[1], answers[0]};
-    const auto journal = Open();
+    if (!ArmFailPoint(failpoint).ok()) _exit(1);
+    const auto journal = Open(stand_by);
     char byte = 0;
     for (int64_t number = 1; read(orders[0], &byte, 1) == 1; ++number) {
       journal->PutJob(NewJob(number));
@@ -189,6 +191,21 @@ TEST_F(PostgresJournalTest, OneThatComesBackIsRefusedAtItsNextWrite) {
   const std::vector<JobRecord> jobs = Open()->TakeJobs();
   ASSERT_EQ(jobs.size(), 2U);
   EXPECT_EQ(jobs[1].number, 7) << "what the first put after it came back is not there";
+}
+
+TEST_F(PostgresJournalTest, OneThatIsStoppedWithinACommitHoldsNobodyUp) {
+  StandBy stand_by;
+  stand_by.silence = kSilence;
+  const Child child = StartChild(stand_by, "journal.commit:1:stop");
+  child.Tell();
+  int status = 0;
+  ASSERT_EQ(waitpid(child.pid, &status, WUNTRACED), child.pid);
+  ASSERT_TRUE(WIFSTOPPED(status));
+  const auto journal = Open(stand_by);
+  EXPECT_EQ(journal->epoch(), 2U);
+  kill(child.pid, SIGCONT);
+  EXPECT_EQ(child.AwaitEnd(), kExitRetryable);
+  EXPECT_TRUE(journal->TakeJobs().empty()) << "what was not committed is not there";
 }
 
 TEST_F(PostgresJournalTest, SaysThatNoServerIsThere) {

@@ -54,6 +54,18 @@ TEST_F(BlobFolderTest, RefusesBytesOfAnotherDigestAndLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "blobs"));
 }
 
+TEST_F(BlobFolderTest, TwoThatWriteIntoOneFolderDoNotMeet) {
+  BlobFolder other(folder_ / "blobs");  // of a coordinator that was stopped and has not yet found itself replaced
+  const auto first = *blobs_->NewWriter();
+  const auto second = other.NewWriter();
+  ASSERT_TRUE(second.ok()) << second.status();
+  ASSERT_TRUE(first->Append("a").ok());
+  ASSERT_TRUE((*second)->Append("b").ok());
+  EXPECT_TRUE(first->Commit(Sha256Hex("a")).ok());
+  EXPECT_TRUE((*second)->Commit(Sha256Hex("b")).ok());
+  EXPECT_EQ(*blobs_->Read(Sha256Hex("b")), "b");
+}
+
 TEST_F(BlobFolderTest, RefusesNamesThatAreNoDigests) {
   EXPECT_TRUE(absl::IsInvalidArgument(blobs_->Read("../../etc/passwd").status()));
   EXPECT_TRUE(absl::IsInvalidArgument(blobs_->Read(std::string(64, 'A')).status()));
