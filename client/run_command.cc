@@ -18,6 +18,7 @@
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "common/util/heap.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "coordinator/service/coordinator_impl.h"
@@ -111,6 +112,7 @@ void PrintEnd(const v1::Job& job, OutputFormat format) {
 }  // namespace
 
 int RunCommand(const Args& args) {
+  KeepHeap();
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   const auto spec = SpecFromFlags(args);

@@ -20,6 +20,7 @@
 #include "common/service/service_notifier.h"
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
+#include "common/util/heap.h"
 #include "common/util/log.h"
 #include "common/util/manual.h"
 #include "common/util/roots.h"
@@ -147,6 +148,7 @@ int PrintDescription(const std::string& form) {
 
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
+  KeepHeap();
   const auto settings = ReadSettings(WorkerFlags(), "", std::getenv);
   if (!settings.ok()) return Fail(settings.status(), kExitUsage);
   const auto flags = Flags::Parse(WorkerFlags(), words, *settings);

@@ -226,7 +226,6 @@ class BodyReader {
     constexpr size_t kLeastTriangleBytes = 4;  // a count and three indices of a byte each, in either encoding
     const size_t room = (bytes_.size() - reader_.source().position()) / kLeastTriangleBytes;
     file_.mesh.triangles.reserve(std::min(count, room));
-    if (records_ != nullptr) records_->face_ends.reserve(count);
     const std::optional<FixedFaces> fixed = FixedLayout(element);
     for (size_t k = 0; k < count; ++k) {
       if constexpr (kBinary) {
@@ -260,7 +259,9 @@ class BodyReader {
     constexpr size_t kListBytes = 13;
     const size_t stride = layout.before + kListBytes + layout.after;
     const size_t faces = static_cast<size_t>(stop - p) / stride;
-    if (records_ != nullptr) {
+    if (records_ != nullptr && faces == static_cast<size_t>(header_.elements[header_.face].count)) {
+      records_->face_bytes = stride;
+    } else if (records_ != nullptr) {
       for (size_t k = 1; k <= faces; ++k) records_->face_ends.push_back(begin + k * stride);
     }
     source.Seek(begin + faces * stride);

@@ -16,6 +16,7 @@ namespace tilemend {
 struct PlyRecords {
   std::vector<size_t> element_ends;  // per element: just after its last record
   std::vector<size_t> vertex_ends;   // per vertex: just after it; empty if all records have the same number of bytes
+  size_t face_bytes = 0;             // of each face, where all are known to have the same number; else 0 and
   std::vector<size_t> face_ends;     // per face: just after it
 };
 

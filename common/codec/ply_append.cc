@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -119,6 +120,12 @@ class PlyAppender {
   }
 
   void CopyFaces(size_t begin) {
+    constexpr size_t kTriangle = 13;  // a count and three indices of four bytes
+    if (records_.face_bytes == kTriangle && add_mark_) return CopyMarked<kTriangle>(begin);
+    for (size_t k = 0; k < static_cast<size_t>(face_.count) && records_.face_bytes > 0; ++k) {
+      out_ += bytes_.substr(begin + k * records_.face_bytes, records_.face_bytes);
+      if (add_mark_) out_ += '\0';
+    }
     for (const size_t end : records_.face_ends) {
       if (widen_ && !ascii_) {
         CopyWidened(begin);
@@ -128,6 +135,17 @@ class PlyAppender {
       if (add_mark_) out_ += ascii_ ? std::string_view(" 0") : std::string_view("\0", 1);
       begin = end;
     }
+  }
+
+  // The usual faces, with the number of their bytes known to the compiler.
+  template <size_t kBytes>
+  void CopyMarked(size_t begin) {
+    const size_t faces = static_cast<size_t>(face_.count);
+    const size_t at = out_.size();
+    out_.resize(at + faces * (kBytes + 1));  // every mark is 0 with it
+    const char* from = bytes_.data() + begin;
+    char* to = out_.data() + at;
+    for (size_t k = 0; k < faces; ++k, from += kBytes, to += kBytes + 1) std::memcpy(to, from, kBytes);
   }
 
   int64_t BinaryCount(const PlyProperty& property, size_t at) const {

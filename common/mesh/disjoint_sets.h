@@ -19,6 +19,7 @@ class DisjointSets {
 
   // Puts the groups of a and b together.
   void Join(int32_t a, int32_t b) {
+    if (parent_[a] == parent_[b]) return;  // most pairs, where things are joined to the same ones again and again
     const auto [low, high] = std::minmax({LowestOf(a), LowestOf(b)});
     parent_[high] = low;
   }

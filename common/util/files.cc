@@ -10,8 +10,10 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <random>
 #include <system_error>
 
@@ -41,6 +43,31 @@ absl::Status WriteAll(int fd, std::string_view content, const std::string& path)
     content.remove_prefix(static_cast<size_t>(n));
   }
   return absl::OkStatus();
+}
+
+bool SetDirect(int fd, bool direct) {
+  const int flags = ::fcntl(fd, F_GETFL);
+  return flags >= 0 && ::fcntl(fd, F_SETFL, direct ? flags | O_DIRECT : flags & ~O_DIRECT) == 0;
+}
+
+// Writes the whole blocks of `content` past the page cache, as far as the file system can, to an empty file. Returns
+// how many bytes it wrote; what stopped it shows when the rest is written.
+size_t WriteBlocksDirectly(int fd, std::string_view content) {
+  constexpr size_t kBlock = 4096;  // that of disks, or a multiple
+  constexpr size_t kChunk = size_t{1} << 20;
+  if (content.size() < kChunk || !SetDirect(fd, true)) return 0;
+  const std::unique_ptr<void, decltype(&std::free)> buffer(std::aligned_alloc(kBlock, kChunk), &std::free);
+  size_t done = 0;
+  while (buffer != nullptr && content.size() - done >= kBlock) {
+    const size_t size = std::min(kChunk, (content.size() - done) / kBlock * kBlock);
+    std::memcpy(buffer.get(), content.data() + done, size);
+    const ssize_t n = ::write(fd, buffer.get(), size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n > 0) done += static_cast<size_t>(n);
+    if (n != static_cast<ssize_t>(size)) break;
+  }
+  SetDirect(fd, false);
+  return done;
 }
 
 absl::Status MakeFoldersBelow(const Roots& roots, const std::filesystem::path& folder) {
@@ -210,7 +237,11 @@ absl::Status WriteFileAtomically(const std::string& path, std::string_view conte
 }
 
 absl::Status WriteNewFile(const std::string& path, std::string_view content) {
-  return WriteNew(path, path, Sync::kYes, [&](int file) { return WriteAll(file, content, path); });
+  // A file that is synced at once gains nothing by the page cache but copies of all its bytes there.
+  return WriteNew(path, path, Sync::kYes, [&](int file) {
+    const size_t done = WriteBlocksDirectly(file, content);
+    return WriteAll(file, content.substr(done), path);
+  });
 }
 
 absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::string& to, Carry how) {

@@ -16,4 +16,10 @@ void KeepHeap() {
 #endif
 }
 
+void ReturnHeap() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 }  // namespace tilemend

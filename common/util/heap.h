@@ -1,4 +1,4 @@
-// The heap of a process that does one piece of work and ends.
+// The heap of a process that takes and frees much memory again and again.
 #ifndef TILEMEND_COMMON_UTIL_HEAP_H_
 #define TILEMEND_COMMON_UTIL_HEAP_H_
 
@@ -7,6 +7,9 @@ namespace tilemend {
 // Keeps freed memory for the next step in place of giving it back to the system, which would hand it out again page by
 // page. Blocks of 32 MiB and more still come and go one by one. Without effect where the C library is not glibc.
 void KeepHeap();
+
+// Gives freed memory back to the system after all: for when there is nothing more to do for a while.
+void ReturnHeap();
 
 }  // namespace tilemend
 

@@ -18,6 +18,7 @@
 #include "common/rpc/status_proto.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
+#include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
 
@@ -257,7 +258,7 @@ void Worker::RunTasks() {
     std::optional<v1::JobFolders> folders;
     {
       std::unique_lock<std::mutex> lock(mutex_);
-      changed_.wait(lock, [this] { return ended_ || !ready_.empty() || !to_look_.empty(); });
+      AwaitTask(lock);
       if (ended_) return;
       if (!to_look_.empty()) {
         folders = std::move(to_look_.front());
@@ -273,6 +274,16 @@ void Worker::RunTasks() {
       RunTask(*held);
     }
   }
+}
+
+void Worker::AwaitTask(std::unique_lock<std::mutex>& lock) {
+  constexpr std::chrono::seconds kRest(5);  // between the waves of a job it is less
+  const auto has_task = [this] { return ended_ || !ready_.empty() || !to_look_.empty(); };
+  if (changed_.wait_for(lock, kRest, has_task)) return;
+  lock.unlock();
+  ReturnHeap();
+  lock.lock();
+  changed_.wait(lock, has_task);
 }
 
 void Worker::RunTask(Held& held) {

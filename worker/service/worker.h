@@ -87,6 +87,8 @@ class Worker {
   void SetMode(Mode mode);
 
   void RunTasks();
+  // Waits until there is something to do, or the worker has ended.
+  void AwaitTask(std::unique_lock<std::mutex>& lock);
   void RunTask(Held& held);
   void Look(const v1::JobFolders& folders);
   absl::StatusOr<std::string> Compute(const Held& held);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
@@ -68,6 +67,17 @@ Weld WeldMarked(const TriMesh& mesh, const std::vector<uint8_t>& marked) {
   return result;
 }
 
+// The triangles with a welded corner.
+std::vector<int32_t> TrianglesAtWelds(const TriMesh& mesh, const std::vector<int32_t>& weld) {
+  std::vector<int32_t> at_weld;
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    // kNone is all ones: one comparison for the three.
+    if ((weld[t[0]] & weld[t[1]] & weld[t[2]]) != kNone) at_weld.push_back(static_cast<int32_t>(i));
+  }
+  return at_weld;
+}
+
 struct HalfEdge {
   int32_t from, to;
   int32_t triangle;
@@ -76,9 +86,10 @@ struct HalfEdge {
 };
 
 // The edges between welded vertices, of all triangles that have three positions.
-std::vector<HalfEdge> HalfEdgesAtWelds(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
+std::vector<HalfEdge> HalfEdgesAtWelds(const TriMesh& mesh, const std::vector<int32_t>& weld,
+                                       const std::vector<int32_t>& at_weld, SurveyRecord& record) {
   std::vector<HalfEdge> edges;
-  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+  for (const int32_t i : at_weld) {
     const Triangle& t = mesh.triangles[i];
     const int32_t w[3] = {weld[t[0]], weld[t[1]], weld[t[2]]};
     const int welded = (w[0] != kNone) + (w[1] != kNone) + (w[2] != kNone);
@@ -89,7 +100,7 @@ std::vector<HalfEdge> HalfEdgesAtWelds(const TriMesh& mesh, const std::vector<in
       continue;
     }
     for (int k = 0; k < 3; ++k) {
-      const HalfEdge e{w[k], w[(k + 1) % 3], static_cast<int32_t>(i)};
+      const HalfEdge e{w[k], w[(k + 1) % 3], i};
       if (e.from != kNone && e.to != kNone) edges.push_back(e);
     }
   }
@@ -101,12 +112,13 @@ struct WeldedEdges {
   std::vector<std::pair<int32_t, int32_t>> across;  // triangles that share one
 };
 
-WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, SurveyRecord& record) {
+WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, const std::vector<int32_t>& at_weld,
+                            SurveyRecord& record) {
   struct Entry {
     uint64_t key;
     int32_t order;
   };
-  const std::vector<HalfEdge> edges = HalfEdgesAtWelds(mesh, weld, record);
+  const std::vector<HalfEdge> edges = HalfEdgesAtWelds(mesh, weld, at_weld, record);
   std::vector<Entry> entries;
   entries.reserve(edges.size());
   for (const HalfEdge& e : edges) {
@@ -161,12 +173,14 @@ std::vector<int32_t> StoreBoundary(const TriMesh& mesh, const Weld& weld, const 
 }
 
 // The triangles at the boundary vertices and one more ring.
-void StoreBand(const TriMesh& mesh, const std::vector<int32_t>& boundary, SurveyRecord& record) {
+void StoreBand(const TriMesh& mesh, const std::vector<int32_t>& boundary, const std::vector<int32_t>& at_weld,
+               SurveyRecord& record) {
   std::vector<uint8_t> near(mesh.points.size(), 0);
   const auto at_boundary = [&](const Triangle& t) {
     return boundary[t[0]] != kNone || boundary[t[1]] != kNone || boundary[t[2]] != kNone;
   };
-  for (const Triangle& t : mesh.triangles) {
+  for (const int32_t i : at_weld) {
+    const Triangle& t = mesh.triangles[i];
     if (at_boundary(t)) near[t[0]] = near[t[1]] = near[t[2]] = 1;
   }
   for (const BoundaryVertex& v : record.vertices) record.band.points.push_back(v.position);
@@ -209,42 +223,68 @@ void StoreVertexFigures(SurveyRecord& record) {
   }
 }
 
-// The piece of surface of each boundary edge. Away from welded vertices triangles are of one piece when they share a
-// vertex; at those, when they share an edge.
-void StorePieces(const TriMesh& mesh, const Weld& weld, const WeldedEdges& edges, SurveyRecord& record) {
-  std::vector<int32_t> at_weld;  // the triangles with a welded corner: things of their own beside the other vertices
+// Calls `use` with each triangle and the thing that stands for it among the joined ones: a vertex without weld, or a
+// number of its own from `vertices` on for each of `at_weld`.
+template <class Use>
+void ForThings(const TriMesh& mesh, const std::vector<int32_t>& at_weld, Use use) {
+  size_t next = 0;
+  const auto vertices = static_cast<int32_t>(mesh.points.size());
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle& t = mesh.triangles[i];
-    if (std::any_of(t.begin(), t.end(), [&](int32_t v) { return weld.weld[v] != kNone; })) {
-      at_weld.push_back(static_cast<int32_t>(i));
-    }
+    const bool welded = next < at_weld.size() && at_weld[next] == static_cast<int32_t>(i);
+    use(t, welded ? vertices + static_cast<int32_t>(next++) : t[0]);
   }
+}
+
+// The area of each of `count` pieces, which are numbered by the lowest thing of their group.
+std::vector<double> PieceAreas(const TriMesh& mesh, const std::vector<int32_t>& at_weld,
+                               const std::vector<int32_t>& number, int32_t count, DisjointSets& sets) {
+  std::vector<double> areas(count, 0);
+  int32_t current = kNone;  // its sum is kept at hand
+  double sum = 0;
+  const auto change_to = [&](int32_t piece) {
+    if (current != kNone) areas[current] = sum;
+    current = piece;
+    if (current != kNone) sum = areas[current];
+  };
+  ForThings(mesh, at_weld, [&](const Triangle& t, int32_t thing) {
+    const int32_t piece = number[sets.LowestOf(thing)];
+    if (piece != current) change_to(piece);
+    if (piece != kNone) sum += TwiceVectorArea(mesh.points, t).norm() / 2;
+  });
+  change_to(kNone);
+  return areas;
+}
+
+// The piece of surface of each boundary edge. Away from welded vertices triangles are of one piece when they share a
+// vertex; at those, when they share an edge.
+void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_t>& at_weld, const WeldedEdges& edges,
+                 SurveyRecord& record) {
   const auto vertices = static_cast<int32_t>(mesh.points.size());
-  DisjointSets sets(vertices + static_cast<int32_t>(at_weld.size()));
+  const int32_t things = vertices + static_cast<int32_t>(at_weld.size());
+  DisjointSets sets(things);
+  ForThings(mesh, at_weld, [&](const Triangle& t, int32_t thing) {
+    if (thing < vertices) {
+      sets.Join(thing, t[1]);
+      sets.Join(thing, t[2]);
+      return;
+    }
+    for (const int32_t v : t) {
+      if (weld.weld[v] == kNone) sets.Join(thing, v);
+    }
+  });
   const auto of_triangle = [&](int32_t t) {
     return vertices + static_cast<int32_t>(std::lower_bound(at_weld.begin(), at_weld.end(), t) - at_weld.begin());
   };
-  for (size_t i = 0, next = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
-    const bool welded = next < at_weld.size() && at_weld[next] == static_cast<int32_t>(i);
-    const int32_t own = welded ? vertices + static_cast<int32_t>(next++) : t[0];
-    for (const int32_t v : t) {
-      if (weld.weld[v] == kNone) sets.Join(own, v);
-    }
-  }
   for (const auto& [a, b] : edges.across) sets.Join(of_triangle(a), of_triangle(b));
-  std::unordered_map<int32_t, int32_t> number;
+  std::vector<int32_t> number(things, kNone);  // of the piece, by its lowest thing
+  int32_t pieces = 0;
   for (size_t e = 0; e < edges.single.size(); ++e) {
-    const int32_t set = sets.LowestOf(of_triangle(edges.single[e].triangle));
-    record.edges[e].piece = number.try_emplace(set, static_cast<int32_t>(number.size())).first->second;
+    int32_t& piece = number[sets.LowestOf(of_triangle(edges.single[e].triangle))];
+    if (piece == kNone) piece = pieces++;
+    record.edges[e].piece = piece;
   }
-  record.piece_areas.assign(number.size(), 0);
-  for (size_t i = 0, next = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
-    const bool welded = next < at_weld.size() && at_weld[next] == static_cast<int32_t>(i);
-    const auto piece = number.find(sets.LowestOf(welded ? vertices + static_cast<int32_t>(next++) : t[0]));
-    if (piece != number.end()) record.piece_areas[piece->second] += TwiceVectorArea(mesh.points, t).norm() / 2;
-  }
+  record.piece_areas = PieceAreas(mesh, at_weld, number, pieces, sets);
 }
 
 }  // namespace
@@ -263,11 +303,12 @@ SurveyRecord SurveyTile(const TriMesh& mesh, bool float32) {
   const std::vector<uint8_t> marked = MarkUnbalancedVertices(mesh);
   const Weld weld = WeldMarked(mesh, marked);
   record.doubled_vertices = weld.doubled;
-  const WeldedEdges edges = FindWeldedEdges(mesh, weld.weld, record);
+  const std::vector<int32_t> at_weld = TrianglesAtWelds(mesh, weld.weld);
+  const WeldedEdges edges = FindWeldedEdges(mesh, weld.weld, at_weld, record);
   const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges.single, record);
-  StoreBand(mesh, boundary, record);
+  StoreBand(mesh, boundary, at_weld, record);
   StoreVertexFigures(record);
-  StorePieces(mesh, weld, edges, record);
+  StorePieces(mesh, weld, at_weld, edges, record);
   return record;
 }
 

@@ -84,6 +84,36 @@ TEST(PlyAppendBinaryTest, NewFileReadsBackRoundedToItsNumberType) {
   EXPECT_EQ(narrow->mesh.triangles, patch.triangles);
 }
 
+// `marks` is what each face has behind its corners.
+std::string FloatTriangles(const std::string& face_properties, const std::vector<std::string>& marks) {
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face " +
+      std::to_string(marks.size()) + "\nproperty list uchar int vertex_indices\n" + face_properties + "end_header\n";
+  for (int i = 0; i < 12; ++i) bytes += Bytes(static_cast<float>(i), false);
+  int32_t corner = 0;
+  for (const std::string& mark : marks) {
+    bytes += '\3';
+    for (int k = 0; k < 3; ++k) bytes += Bytes(corner++ % 4, false);
+    bytes += mark;
+  }
+  return bytes;
+}
+
+TEST(PlyAppendBinaryTest, CopiesTrianglesOfOneSize) {
+  const FilePatch patch = {{}, {}, {{2, 3, 0}}};  // the corners that come next
+  const std::string filled = "property uchar tilemend_filled\n", zero(1, '\0');
+  const auto append = [&](const std::string& before) {
+    return AppendPatch(MeshFormat::kPly, before, patch, "a.ply").value();
+  };
+  const std::string once = append(FloatTriangles("", {"", ""}));
+  EXPECT_EQ(once, FloatTriangles(filled, {zero, zero, "\1"}));
+  EXPECT_EQ(append(FloatTriangles(filled, {"\1", zero})), FloatTriangles(filled, {"\1", zero, "\1"}))
+      << "what is marked already stays so";
+  EXPECT_EQ(append(FloatTriangles("property short kind\n", {"ab", "cd"})),
+            FloatTriangles("property short kind\n" + filled, {"ab" + zero, "cd" + zero, zero + zero + "\1"}));
+}
+
 TEST(PlyAppendBinaryTest, WidensIndicesThatDoNotFit) {
   std::string before =
       "ply\nformat binary_little_endian 1.0\nelement vertex 255\nproperty float x\nproperty float y\n"

@@ -165,6 +165,17 @@ TEST_F(FilesTest, NewFilesNeedTheirFolderAndNoOtherFile) {
   EXPECT_FALSE(fs::exists(folder_ / "none"));
 }
 
+TEST_F(FilesTest, NewFilesOfAnySizeHoldWhatWasWritten) {
+  constexpr size_t kMegabyte = size_t{1} << 20;
+  for (const size_t size : {kMegabyte - 1, kMegabyte, 2 * kMegabyte + 1, 3 * kMegabyte + 4095, 3 * kMegabyte + 8192}) {
+    std::string content(size, '\0');
+    for (size_t i = 0; i < size; ++i) content[i] = static_cast<char>(i * 2654435761U >> 13);
+    const std::string path = folder_ / std::to_string(size);
+    ASSERT_TRUE(WriteNewFile(path, content).ok());
+    EXPECT_TRUE(ReadFile(path).value() == content) << size << " bytes";
+  }
+}
+
 TEST_F(FilesTest, MovesAFileInPlaceOfAnother) {
   folder_.Write("from", "new");
   folder_.Write("deep/to", "old");

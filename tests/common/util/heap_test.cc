@@ -19,6 +19,17 @@ TEST(HeapTest, KeepsWhatIsFreed) {
   EXPECT_GE(mallinfo2().arena, before + kBytes);
 }
 
+TEST(HeapTest, ReturnsWhatIsFreedWhenAsked) {
+  KeepHeap();
+  constexpr size_t kBytes = size_t{16} << 20;
+  void* volatile block = std::malloc(kBytes);
+  std::free(block);
+  const size_t kept = mallinfo2().keepcost;
+  EXPECT_GE(kept, kBytes);
+  ReturnHeap();
+  EXPECT_LT(mallinfo2().keepcost, kept);
+}
+
 }  // namespace
 }  // namespace tilemend
 #endif
