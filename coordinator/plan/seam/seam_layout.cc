@@ -96,14 +96,16 @@ class SeamLayer {
     }
   }
 
-  // The vertex at a corner in a hole: a rim point if one is very near, else a new vertex. What a bent seam would cede
-  // to a cell outside the area stayed unfilled.
+  // The vertex at a corner in a hole: a rim point if one is very near, or if the surface of a neighbour that was given
+  // an edge back covers the corner, else a new vertex. What a bent seam would cede to a cell outside the area stayed
+  // unfilled.
   int32_t CornerVertex(Corner c) {
     const auto [it, fresh] = corner_vertex_.try_emplace(c, -1);
     if (!fresh) return it->second;
     const Point2 p = CornerPosition(c, site_.area, site_.lines);
-    const double reach =
-        TouchesOutside(c, site_.area) || site_.lines.joined ? kCornerOnRim : kCornerSnap * site_.index.mean_size();
+    const bool keeps = TouchesOutside(c, site_.area) || site_.lines.joined;
+    const double near_by = keeps ? kCornerOnRim : kCornerSnap * site_.index.mean_size();
+    const double reach = site_.index.InSurface(p, kCornerOnRim) ? site_.index.mean_size() : near_by;
     const int32_t near = site_.index.NearestPoint(p, reach);
     it->second = near >= 0 ? near : NewVertex(p, 3, -1);
     return it->second;
