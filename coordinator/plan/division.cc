@@ -78,15 +78,17 @@ class Divider {
     std::vector<Point2> points = division.seams.trouble;
     for (const auto& [cell, found] : division.holes) {
       for (const PlannedHole& hole : found.holes) {
-        if (!hole.failure.empty()) AddSeamEnds(hole, points);
+        if (!hole.failure.empty()) AddEnds(hole, points);
       }
     }
     return points;
   }
 
-  void AddSeamEnds(const PlannedHole& hole, std::vector<Point2>& points) const {
+  // Its own points where it has no seam: one cell closes on all of a piece that lies over the line.
+  void AddEnds(const PlannedHole& hole, std::vector<Point2>& points) const {
+    const bool seams = std::any_of(hole.segments.begin(), hole.segments.end(), [](const auto& s) { return s.seam; });
     for (const RimSegment& s : hole.segments) {
-      if (!s.seam) continue;
+      if (s.seam != seams) continue;
       for (const int32_t v : {s.from, s.to}) {
         if (v < std::ssize(part_.rim.points)) points.emplace_back(part_.rim.points[v].position.head<2>());
       }

@@ -88,6 +88,32 @@ TEST(LaySeamsTest, TakesRimPointsBesideItsWayOnlyWhereAskedTo) {
   EXPECT_FALSE(passes(SeamsOverRim::kNo));
 }
 
+// A piece of the southern tile stands out over the grid corner at the rim of the area, and its tile closes on its top.
+TEST(LaySeamsTest, BeginsAtTheRimWhereSurfaceCoversTheCorner) {
+  SurveyedScene scene = PictureScene({"####", "####", "...#", "...#", "----", "#..#", "...#", "####", "####"}, 4);
+  const Point3 west(0, 4.25, 0), east(1, 4.25, 0);
+  for (const CellId cell : {CellId{0, 0}, CellId{0, 1}}) {
+    for (Point3& p : scene.tiles.at(cell).points) {
+      if (p == Point3(0, 4, 0)) p = west;
+      if (p == Point3(1, 4, 0)) p = east;
+      if (p == Point3(3, 4, 0)) p.y() = 3.75;  // a ragged cut
+    }
+  }
+  const SeamScene s(SurveyScene(scene.grid, std::move(scene.tiles)));
+  ClosingCells closing = s.closing;
+  for (size_t e = 0; e < s.rim.edges.size(); ++e) {
+    const RimEdge& edge = s.rim.edges[e];
+    if (s.rim.points[edge.from].position == east && s.rim.points[edge.to].position == west) closing[e] = {0, 0};
+    if (s.rim.points[edge.from].position == west && s.rim.points[edge.to].position == east) closing[e] = {0, 0};
+  }
+  const SeamLayout layout = LaySeams(s.Site(), closing, SeamsOverRim::kYes);
+  EXPECT_TRUE(layout.failures.empty()) << layout.failures.front().reason;
+  EXPECT_TRUE(std::any_of(layout.seams.begin(), layout.seams.end(), [&](const Seam& seam) {
+    return seam.a == CellId{0, 0} && seam.b == CellId{0, 1} &&
+           PositionOf(s, layout, seam.vertices.front()) == west.head<2>();
+  }));
+}
+
 TEST(LaySeamsTest, SaysWhereInsideAndOutsideCannotBeToldApart) {
   const SeamScene s(
       {"######|######", "####..|....##", "####..|.#..##", "####..|....##", "####..|....##", "######|######"}, 6);
