@@ -68,10 +68,15 @@ absl::Status CheckEdges(const CellHole& hole, const HolePatch& patch, size_t rim
   return inner == back ? absl::OkStatus() : Wrong(hole.id, "an edge inside that is left open");
 }
 
-// As ReachOf, twice as far: a surface may go beyond its rim, but not away. Water lies where its level is.
+// As ReachOf, twice as far: a surface may go beyond its rim, but not away. Water lies where its level is, ground under
+// objects at the rim where that is known.
 Eigen::AlignedBox3d PlaceOf(const CellHoles& asked, const CellHole& hole) {
   Eigen::AlignedBox3d box;
-  for (const RimSegment& s : hole.segments) box.extend(asked.vertices[s.from].position);
+  for (const RimSegment& s : hole.segments) {
+    const RimVertex& v = asked.vertices[s.from];
+    box.extend(v.position);
+    if (v.ground) box.extend(Point3(v.position.x(), v.position.y(), *v.ground));
+  }
   const double size = box.diagonal().norm();
   const Point3 middle = box.center();
   if (hole.level) box.extend(Point3(middle.x(), middle.y(), *hole.level));

@@ -96,6 +96,9 @@ TEST(PatchCheckTest, RefusesVerticesFarFromTheHole) {
   auto patches = Fan();
   patches[0].new_points[0] = {2, 2, -30};
   EXPECT_TRUE(CheckPatches(asked, patches, TallyOf(patches)).ok()) << "water lies where its level is";
+  asked = Asked();
+  asked.vertices[1].ground = -30;
+  EXPECT_TRUE(CheckPatches(asked, patches, TallyOf(patches)).ok()) << "ground lies under the object at the rim";
 }
 
 TEST(PatchCheckTest, AnswersDoNotContradictThemselves) {
