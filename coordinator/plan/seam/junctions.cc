@@ -64,12 +64,19 @@ void Pass(const SeamSite& site, CellId a, CellId b, int32_t point, Junctions& ju
   }
 }
 
-// Whether the border begins in a hole, by its first junctions.
+int64_t EndsLessStarts(std::span<const Junction> junctions) {
+  const auto starts = std::count_if(junctions.begin(), junctions.end(), [](const Junction& j) { return j.start; });
+  return std::ssize(junctions) - 2 * starts;
+}
+
+// Whether the border begins in a hole: by its first junctions, if those leave it open by all of them.
 bool StartsInside(const SeamSite& site, const ClosingCells& closing, const Border& border,
-                  std::span<const Junction> first) {
-  const auto starts = std::count_if(first.begin(), first.end(), [](const Junction& j) { return j.start; });
-  const auto ends = std::ssize(first) - starts;
-  return starts != ends ? ends > starts : LiesInHole(site, closing, LowCorner(border));
+                  std::span<const Junction> first, std::span<const Junction> all) {
+  for (const auto junctions : {first, all}) {
+    const int64_t more = EndsLessStarts(junctions);
+    if (more != 0) return more > 0;
+  }
+  return LiesInHole(site, closing, LowCorner(border));
 }
 
 // Makes starts and ends take turns, as far as there are some of each.
@@ -98,7 +105,7 @@ void SortJunctions(const SeamSite& site, const ClosingCells& closing, const Bord
     size_t end = begin + 1;
     while (end < junctions.size() && junctions[end].t - junctions[end - 1].t <= site.lines.tolerance) ++end;
     const std::span<Junction> together(junctions.data() + begin, end - begin);
-    if (begin == 0) inside = StartsInside(site, closing, border, together);
+    if (begin == 0) inside = StartsInside(site, closing, border, together, junctions);
     Alternate(together, inside);
     begin = end;
   }
