@@ -109,6 +109,7 @@ class Divider {
       }
       const StoredRecord& record = part_.input.cells.at(cell);
       boundary.has_surface = record != nullptr && record->triangle_count > 0;
+      if (record != nullptr && !part_.lines.joined) boundary.surface = &record;
       division.holes[cell] = FindHoles(site, boundary);
     }
   }

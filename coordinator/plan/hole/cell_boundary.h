@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/records/stored_record.h"
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
@@ -21,6 +22,7 @@ struct BoundarySegment {
 struct CellBoundary {
   CellId cell;
   bool has_surface = true;
+  const StoredRecord* surface = nullptr;              // the record of the cell's tile; null: it tells no pieces
   std::vector<BoundarySegment> open;                  // of holes that reach the cell's grid boundary
   std::vector<std::vector<RimSegment>> closed_loops;  // loops inside the cell, hole on the left
   std::string seam_failure;                           // why a seam of the cell could not be laid; empty if all were

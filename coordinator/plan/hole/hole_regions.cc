@@ -96,7 +96,7 @@ FoundHoles FindHoles(const HoleSite& site, const CellBoundary& boundary) {
   std::vector<ClosedHole> closed;
   std::vector<ClosedLoop> outlines;
   for (const std::vector<RimSegment>& segments : boundary.closed_loops) {
-    ClosedLoop loop = ReadLoop(site, segments);
+    ClosedLoop loop = ReadLoop(site, segments, boundary);
     if (loop.outer_rim) {
       outlines.push_back(std::move(loop));
       continue;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -197,6 +198,11 @@ TEST(SceneWavesTest, WangFillsLayerByLayerAndSmoothsLast) {
   const std::vector<SceneWork> seams = AllNow(waves);
   EXPECT_THAT(NamesOf(seams),
               AllOf(SizeIs(8), Each(StartsWith("smooth ")), Not(Contains("smooth +001_+000 +001_+001"))));
+  std::set<std::pair<CellId, int32_t>> numbers;
+  for (const SceneWork& work : seams) {
+    numbers.insert({std::get<SmoothWork>(work).cells[0], std::get<SmoothWork>(work).number});
+  }
+  EXPECT_THAT(numbers, SizeIs(8)) << "they tell the seams of a cell apart";
   const auto before = waves.heights().height;
   DoAll(seams, stages);
   const std::vector<SceneWork> assembles = AllNow(waves);

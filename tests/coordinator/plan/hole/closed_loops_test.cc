@@ -11,7 +11,7 @@ namespace tilemend {
 namespace {
 
 ClosedLoop Read(const HoleScene& scene, size_t loop = 0) {
-  return ReadLoop(scene.Site(), scene.boundary.closed_loops[loop]);
+  return ReadLoop(scene.Site(), scene.boundary.closed_loops[loop], scene.boundary);
 }
 
 void SetNormals(const Eigen::Vector3d& normal, HoleScene& scene) {
@@ -48,6 +48,23 @@ TEST(ReadLoopTest, TakesAnOverhangThatTheNormalsMakeDoubtfulByItsWayAroundFromAb
   const ClosedLoop loop = Read(scene);
   EXPECT_TRUE(loop.faces_up);
   EXPECT_FALSE(loop.outer_rim);
+}
+
+// A hole of four edges in a rough wall that is a height field all the same: its normals happen to contradict its way
+// around.
+TEST(ReadLoopTest, TakesALoopOfAPieceWhoseBoundaryReachesBeyondForAHole) {
+  HoleScene scene({{{1, 1, 0}, {1, 2, 30}, {2, 2, 30}, {2, 1, 0}}, PieceLoop(0, 0, 9, 9)});
+  SetNormals(Eigen::Vector3d(0, 1, 0.1).normalized(), scene);
+  EXPECT_TRUE(Read(scene).outer_rim) << "the pieces are not known";
+  SurveyRecord record;
+  for (const RimPoint& p : scene.rim.points) record.vertices.push_back({p.index, p.position, p.normal, 0});
+  for (const RimEdge& e : scene.rim.edges) record.edges.push_back({e.from, e.to, 0});
+  const StoredRecord stored(&record);
+  scene.boundary.surface = &stored;
+  EXPECT_FALSE(Read(scene).outer_rim);
+  EXPECT_TRUE(Read(scene).faces_up);
+  for (size_t e = 0; e < 4; ++e) record.edges[e].piece = 1;
+  EXPECT_TRUE(Read(scene).outer_rim) << "it has all of its piece's boundary";
 }
 
 TEST(ReadLoopTest, DoesNotDependOnTheStart) {

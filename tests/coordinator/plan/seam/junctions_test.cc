@@ -57,6 +57,21 @@ TEST(FindJunctionsTest, MakesStartsAndEndsTakeTurns) {
   }
 }
 
+// The first two at one place, the low corner in no surface; but one more begins than ends.
+TEST(FindJunctionsTest, BeginsAsAllOfThemTellWhereTheFirstDoNot) {
+  const SeamScene s({"####|####", "####|####", "####|####", "####|####"}, 4);
+  const std::set<CellId> area = AreaOf(3, 3);
+  const GridLines lines = LinesOf(area, 4);
+  const Rim rim = RimOf({{{3, .5, 0}, {6, .5, 0}, {6, 5, 0}, {4, 3, 0}, {5, 1, 0}, {4, 1, 0}}});
+  const RimIndex index(rim);
+  const SeamSite site{area, lines, rim, index, s.options, 0x1p-10};
+  const Junctions junctions = FindJunctions(site, {{0, 1}, {1, 1}, {1, 0}, {0, 0}, {1, 0}, {0, 0}});
+  const std::vector<Junction>& middle = junctions.along.at(kMiddle);
+  ASSERT_EQ(middle.size(), 3U);
+  EXPECT_EQ(middle[1].t, 1);
+  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(middle[i].start, i != 1);
+}
+
 // A loop whose edges cells at corners from each other close on, and cells that are no neighbours.
 TEST(FindJunctionsTest, GoesAcrossACornerByTheCellOnTheHolesSide) {
   const SeamScene s({"####|####", "####|####", "####|####", "####|####"}, 4);
