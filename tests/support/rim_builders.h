@@ -28,6 +28,7 @@ inline Rim RimOf(const std::vector<Loop3>& loops, CellId tile = {}) {
       p.index = first + i;
       p.position = loop[i];
       p.size = ((before - loop[i]).norm() + (after - loop[i]).norm()) / 2;
+      p.reach = p.size;
       rim.points.push_back(p);
       rim.point_of[tile].push_back(first + i);
       rim.edges.push_back({first + i, first + (i + 1) % n, tile});

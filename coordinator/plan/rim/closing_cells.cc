@@ -34,7 +34,7 @@ CellId ClosingCellOf(const RimEdge& e, const PlanInput& input, const GridLines& 
     const double da = lines.Inside(a.position, e.owner, side), db = lines.Inside(b.position, e.owner, side);
     const bool in_zigzag = input.cells.contains(across) || lines.zigzag.contains({e.owner, side});
     const bool ragged = !lines.clipped && in_zigzag;
-    const double reach = ragged ? std::max({lines.tolerance, a.size, b.size}) : lines.tolerance;
+    const double reach = ragged ? std::max({lines.tolerance, a.reach, b.reach}) : lines.tolerance;
     const double depth = std::max(std::abs(da), std::abs(db));
     const bool within = std::max(da, db) <= reach && (ragged || std::min(da, db) >= -std::max(reach, kOnLine));
     if (!within || !Faces(a.position, b.position, side) || depth >= nearest) continue;

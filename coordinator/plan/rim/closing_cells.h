@@ -16,7 +16,7 @@ using ClosingCells = std::vector<CellId>;
 // Gives each edge to its owner, or to the cell across a grid line when the tile ends at that line and the hole lies
 // beyond. On a ragged cut a tile ends along a zigzag about the line; there an edge belongs across if it is within an
 // edge's length of the line and faces it, and a run of edges too shallow to bound a hole of its own goes to the cell
-// around it (shallow_runs.h). Edge's lengths are the points' sizes. Cost O(n log n) in the
+// around it (shallow_runs.h). Edge's lengths are the points' reaches. Cost O(n log n) in the
 // edges, and for each loop its edges times the runs that go to the cell around them.
 ClosingCells FindClosingCells(const PlanInput& input, const GridLines& lines, const Rim& rim);
 

@@ -232,17 +232,24 @@ int32_t CountTouchingGroups(const Rim& rim, const std::vector<uint8_t>& touching
   return static_cast<int32_t>(std::count_if(members.begin(), members.end(), [](int32_t n) { return n > 1; }));
 }
 
+// How many times its length seen from above an edge reaches at most: those of walls reach no farther than others.
+constexpr double kSteepestReach = 1.5;
+
 void StoreSizes(Rim& rim) {
   std::vector<int32_t> count(rim.points.size(), 0);
   for (const RimEdge& e : rim.edges) {
-    const double length = (rim.points[e.to].position - rim.points[e.from].position).norm();
+    const Point3 way = rim.points[e.to].position - rim.points[e.from].position;
     for (const int32_t p : {e.from, e.to}) {
-      rim.points[p].size += length;
+      rim.points[p].size += way.norm();
+      rim.points[p].reach += way.head<2>().norm();
       ++count[p];
     }
   }
   for (size_t p = 0; p < rim.points.size(); ++p) {
-    if (count[p] > 0) rim.points[p].size /= count[p];
+    RimPoint& point = rim.points[p];
+    if (count[p] == 0) continue;
+    point.size /= count[p];
+    point.reach = std::min(point.size, kSteepestReach * point.reach / count[p]);
   }
 }
 

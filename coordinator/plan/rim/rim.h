@@ -22,6 +22,8 @@ struct RimPoint {
   Eigen::Vector3d normal{0, 0, 1};
   double centroid_height = 0;
   double size = 0;  // mean length of the rim edges here
+  // How near a grid line is near, on a ragged cut: the size, but at most 1.5 times the same length seen from above.
+  double reach = 0;
 };
 
 struct RimEdge {

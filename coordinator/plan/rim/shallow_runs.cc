@@ -108,7 +108,7 @@ class RunCloser {
       const RimEdge& e = rim_.edges[EdgeAt(k)];
       if (lines_.clipped && e.owner != CellAt(k)) return false;  // the tile ends here, with the hole beyond
       for (const int32_t p : {e.from, e.to}) {
-        const double reach = lines_.clipped ? lines_.tolerance : edges * rim_.points[p].size;
+        const double reach = lines_.clipped ? lines_.tolerance : edges * rim_.points[p].reach;
         if (!NearSquare(rim_.points[p].position, around, reach)) return false;
       }
     }

@@ -23,7 +23,7 @@ bool LiesOnOutline(const SeamSite& site, const ClosingCells& closing, const Poin
     const RimPoint& a = site.rim.points[site.rim.edges[i].from];
     const RimPoint& b = site.rim.points[site.rim.edges[i].to];
     const double distance = DistanceToSegment(corner, Point2(a.position.head<2>()), Point2(b.position.head<2>()));
-    if (distance > std::max(a.size, b.size) || distance >= nearest) continue;
+    if (distance > std::max(a.reach, b.reach) || distance >= nearest) continue;
     nearest = distance;
     outline = !site.area.contains(closing[i]);
   }

@@ -83,7 +83,22 @@ TEST(BuildRimTest, KnowsTheOwnerOfEachEdgeAndThePointOfEachBoundaryVertex) {
 
 TEST(BuildRimTest, GivesEachPointTheMeanLengthOfItsEdges) {
   const Rim rim = RimOfPicture({"###", "#.#", "###"}, 3);
-  for (const RimPoint& p : rim.points) EXPECT_DOUBLE_EQ(p.size, 1);
+  for (const RimPoint& p : rim.points) {
+    EXPECT_DOUBLE_EQ(p.size, 1);
+    EXPECT_DOUBLE_EQ(p.reach, 1);
+  }
+}
+
+TEST(BuildRimTest, EdgesOfWallsReachNoFartherThanTheyAreLongSeenFromAbove) {
+  SurveyedScene scene = PictureScene({"####", "#..#", "#..#", "####"}, 4);
+  for (Point3& p : scene.tiles.at({0, 0}).points) {
+    if (p == Point3(1, 1, 0)) p.z() = 30;
+  }
+  const Rim rim = BuildRim(SurveyScene(scene.grid, std::move(scene.tiles)).Input());
+  for (const RimPoint& p : rim.points) {
+    if (p.position.z() > 0) EXPECT_GT(p.size, 30);
+    if (p.position.z() > 0) EXPECT_DOUBLE_EQ(p.reach, 1.5);
+  }
 }
 
 TEST(BuildRimTest, LeavesChainsThatDoNotCloseUnlinked) {
