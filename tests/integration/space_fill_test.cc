@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "tests/support/filled_mesh.h"
+#include "tests/support/round_meshes.h"
 #include "tests/support/space_meshes.h"
 
 namespace tilemend {
@@ -50,6 +53,36 @@ TEST(SpaceFillTest, FillsHolesInNoisyBoxesSoundly) {
       closed += open == 0;
     }
     EXPECT_GE(closed, holes * 0.95);
+  }
+}
+
+// A band wound several times round a torus: over no plane, with hundreds of edges.
+TEST(SpaceFillTest, FillsALongHoleThatProjectsOnNoPlane) {
+  for (const int32_t around : {24, 48}) {
+    SCOPED_TRACE(around);
+    const int32_t along = 5 * around;
+    const auto at = [&](double turn, double share) {
+      const double way = share < 1 ? 2 * std::numbers::pi * share : 0, off = 5 + 2 * std::cos(turn);
+      return Point3(off * std::cos(way), off * std::sin(way), -2 * std::sin(turn));
+    };
+    TriMesh mesh = Welded(TubeMesh(around, along, at));
+    std::vector<Triangle> kept;
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto square = static_cast<int32_t>(t / 2);
+      const double share = (square / around + 0.5) / along, turn = (square % around + 0.5) / around;
+      const double wound = 6 * share - turn;
+      if (share < 0.1 || share > 0.9 || wound - std::floor(wound) > 0.5) kept.push_back(mesh.triangles[t]);
+    }
+    mesh.triangles = kept;
+    const FilledMesh filled = Fill(mesh);
+    ASSERT_EQ(filled.plan.holes.size(), 1u);
+    EXPECT_GT(filled.plan.holes[0].segments.size(), around * 12u);
+    EXPECT_THAT(filled.failures, IsEmpty());
+    EXPECT_EQ(ExpectSound(filled), 0);
+    ASSERT_FALSE(filled.patches[0].new_points.empty());
+    for (const Point3& p : filled.patches[0].new_points) {
+      EXPECT_NEAR(std::hypot(std::hypot(p.x(), p.y()) - 5, p.z()), 2, 0.5);
+    }
   }
 }
 

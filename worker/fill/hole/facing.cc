@@ -14,8 +14,10 @@ using Eigen::Vector3d;
 // Enough for a direction to within about a degree.
 constexpr int kViewSteps = 200;
 // Over a plane triangles are stretched by one over the cosine of the slope; twice is too much if at more than a tenth
-// of the rim.
+// of the rim. Bending over a plane is that in space only where it is nearly level: in a mesh that may lie in any way
+// there is no other reason to keep to the plane.
 constexpr double kSteepCosine = 0.5;
+constexpr double kSteepCosineAnyWay = 0.92;
 constexpr double kSteepShare = 0.1;
 
 }  // namespace
@@ -42,11 +44,12 @@ Vector3d WidestView(const LocalHole& hole) {
 
 bool IsSteep(const LocalHole& hole) {
   const Vector3d facing = FacingOf(hole).normalized();
+  const double least = hole.cell->upright ? kSteepCosine : kSteepCosineAnyWay;
   int32_t steep = 0, rim = 0;
   for (const Vector3d& normal : hole.normals) {
     if (normal.isZero()) continue;
     ++rim;
-    steep += normal.dot(facing) < kSteepCosine;
+    steep += normal.dot(facing) < least;
   }
   return steep > kSteepShare * rim;
 }

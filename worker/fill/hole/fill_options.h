@@ -13,7 +13,7 @@
 
 namespace tilemend {
 
-// Loops longer than this are not filled in space: the cost is cubic.
+// Loops longer than this are not unrolled, and in scenes not filled in space.
 inline constexpr int32_t kLongestSpatialLoop = 400;
 
 struct FillOptions {

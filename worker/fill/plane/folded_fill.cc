@@ -237,7 +237,7 @@ class FoldedFiller {
       const std::vector<int32_t> loop = std::move(loops_.back());
       loops_.pop_back();
       if (loop.size() > kLongestLoop && Part(loop)) continue;
-      const std::vector<Triangle> triangles = TriangulateInSpace(whole_, loop, used_, {});
+      const std::vector<Triangle> triangles = TriangulateInSpace(whole_, loop, used_, CrossingIndex({}));
       use(triangles);
       if (triangles.empty() || (loop.size() == 3 && IsOnSurface(loop))) {
         AddFan(loop, patch);

@@ -3,13 +3,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "common/mesh/box_tree.h"
 #include "common/mesh/exact_signs.h"
 
 namespace tilemend {
 namespace {
+
+using Eigen::AlignedBox3d;
 
 // Triangles at an edge that lie closer together than the angle with this sine are folded onto each other.
 constexpr double kFoldSine = 0.02;
@@ -51,14 +55,6 @@ bool MeetsInPlane(const Point3& p, const Point3& q, const SpaceTriangle& t) {
          SegmentsMeet(from, to, corners[2], corners[0]);
 }
 
-bool HasArea(const SpaceTriangle& t) {
-  for (int k = 0; k < 3; ++k) {
-    const auto view = [&](const Point3& p) { return Point2(p[k], p[(k + 1) % 3]); };
-    if (TurnOf(view(t[0]), view(t[1]), view(t[2])) != 0) return true;
-  }
-  return false;
-}
-
 bool SegmentMeets(const Point3& p, const Point3& q, const SpaceTriangle& t) {
   const int from = SideOfPlane(t[0], t[1], t[2], p), to = SideOfPlane(t[0], t[1], t[2], q);
   if (from * to > 0) return false;
@@ -93,6 +89,21 @@ bool IsFolded(const SpaceTriangle& a, const SpaceTriangle& b) {
 
 }  // namespace
 
+AlignedBox3d BoxOf(const SpaceTriangle& t) {
+  AlignedBox3d box(t[0]);
+  box.extend(t[1]);
+  box.extend(t[2]);
+  return box;
+}
+
+bool HasArea(const SpaceTriangle& t) {
+  for (int k = 0; k < 3; ++k) {
+    const auto view = [&](const Point3& p) { return Point2(p[k], p[(k + 1) % 3]); };
+    if (TurnOf(view(t[0]), view(t[1]), view(t[2])) != 0) return true;
+  }
+  return false;
+}
+
 bool SegmentCrosses(const Point3& p, const Point3& q, const SpaceTriangle& t) {
   return HasArea(t) && SegmentMeets(p, q, t);
 }
@@ -105,59 +116,57 @@ bool TrianglesCross(const SpaceTriangle& a, const SpaceTriangle& b) {
 
 namespace {
 
-struct Boxed {
-  Point3 lo, hi;
-  const SpaceTriangle* triangle;
-  int32_t of_patch;  // its number in the patch; -1: of the surface
-};
-
-Boxed Box(const SpaceTriangle& t, int32_t of_patch) {
-  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]), &t, of_patch};
-}
-
-bool Overlap(const Boxed& a, const Boxed& b) {
-  return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
-}
-
-// Calls found(a, b) for the numbers of triangles that cross until it returns true; returns whether it did.
+// Calls found(a, b) for the numbers of patch triangles that cross, a < b, until it returns true; returns whether it
+// did.
 template <typename Found>
-bool FindCrossing(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface, const Found& found) {
-  if (patch.empty()) return false;
-  std::vector<Boxed> boxes;
-  Boxed all = Box(patch[0], 0);
-  for (size_t t = 0; t < patch.size(); ++t) {
-    boxes.push_back(Box(patch[t], static_cast<int32_t>(t)));
-    all.lo = all.lo.cwiseMin(boxes.back().lo);
-    all.hi = all.hi.cwiseMax(boxes.back().hi);
-  }
-  for (const SpaceTriangle& t : surface) {
-    if (Overlap(Box(t, -1), all) && HasArea(t)) boxes.push_back(Box(t, -1));
-  }
-  int axis = 0;
-  (all.hi - all.lo).maxCoeff(&axis);
-  std::stable_sort(boxes.begin(), boxes.end(), [&](const Boxed& a, const Boxed& b) { return a.lo[axis] < b.lo[axis]; });
-  for (size_t i = 0; i < boxes.size(); ++i) {
-    for (size_t k = i + 1; k < boxes.size() && boxes[k].lo[axis] <= boxes[i].hi[axis]; ++k) {
-      const int32_t a = boxes[i].of_patch, b = boxes[k].of_patch;
-      if (a < 0 && b < 0) continue;
-      if (Overlap(boxes[i], boxes[k]) && TrianglesCross(*boxes[i].triangle, *boxes[k].triangle) && found(a, b)) {
-        return true;
-      }
-    }
+bool FindCrossing(std::span<const SpaceTriangle> patch, const BoxTree& tree, const Found& found) {
+  for (size_t a = 0; a < patch.size(); ++a) {
+    const auto number = static_cast<int32_t>(a);
+    const bool any = tree.AnyMeeting(BoxOf(patch[a]), [&](int32_t b) {
+      return b > number && TrianglesCross(patch[a], patch[b]) && found(number, b);
+    });
+    if (any) return true;
   }
   return false;
+}
+
+BoxTree TreeOf(std::span<const SpaceTriangle> triangles) {
+  std::vector<AlignedBox3d> boxes;
+  boxes.reserve(triangles.size());
+  for (const SpaceTriangle& t : triangles) boxes.push_back(BoxOf(t));
+  return BoxTree(boxes);
 }
 
 }  // namespace
 
 bool PatchCrosses(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface) {
-  return FindCrossing(patch, surface, [](int32_t, int32_t) { return true; });
+  const BoxTree tree = TreeOf(patch);
+  const bool crosses_surface = std::any_of(surface.begin(), surface.end(), [&](const SpaceTriangle& t) {
+    return tree.AnyMeeting(BoxOf(t), [&](int32_t k) { return HasArea(t) && TrianglesCross(patch[k], t); });
+  });
+  return crosses_surface || FindCrossing(patch, tree, [](int32_t, int32_t) { return true; });
+}
+
+std::vector<int32_t> CrossedTriangles(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface) {
+  const BoxTree tree = TreeOf(patch);
+  std::set<int32_t> crossed;
+  for (const SpaceTriangle& t : surface) {
+    tree.AnyMeeting(BoxOf(t), [&](int32_t k) {
+      if (HasArea(t) && TrianglesCross(patch[k], t)) crossed.insert(k);
+      return false;
+    });
+  }
+  FindCrossing(patch, tree, [&](int32_t a, int32_t b) {
+    crossed.insert({a, b});
+    return false;
+  });
+  return {crossed.begin(), crossed.end()};
 }
 
 std::vector<std::pair<int32_t, int32_t>> SelfCrossings(std::span<const SpaceTriangle> patch) {
   std::vector<std::pair<int32_t, int32_t>> crossings;
-  FindCrossing(patch, {}, [&](int32_t a, int32_t b) {
-    crossings.emplace_back(std::minmax(a, b));
+  FindCrossing(patch, TreeOf(patch), [&](int32_t a, int32_t b) {
+    crossings.emplace_back(a, b);
     return false;
   });
   std::sort(crossings.begin(), crossings.end());

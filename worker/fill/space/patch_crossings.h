@@ -2,6 +2,7 @@
 #ifndef TILEMEND_WORKER_FILL_SPACE_PATCH_CROSSINGS_H_
 #define TILEMEND_WORKER_FILL_SPACE_PATCH_CROSSINGS_H_
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -12,6 +13,11 @@
 
 namespace tilemend {
 
+Eigen::AlignedBox3d BoxOf(const SpaceTriangle& triangle);
+
+// Whether the corners lie on no line; exact.
+bool HasArea(const SpaceTriangle& triangle);
+
 // Whether segment pq has a point in common with a triangle. Exact; false for a triangle without area.
 bool SegmentCrosses(const Point3& p, const Point3& q, const SpaceTriangle& t);
 
@@ -21,9 +27,13 @@ bool SegmentCrosses(const Point3& p, const Point3& q, const SpaceTriangle& t);
 bool TrianglesCross(const SpaceTriangle& a, const SpaceTriangle& b);
 
 // Whether two triangles of the patch cross, or one of the patch and one of the surface (TrianglesCross). Surface
-// triangles without area are passed over. Precondition: patch triangles have area. O(n log n + pairs whose extents
-// along the longest axis overlap).
+// triangles without area are passed over. Precondition: patch triangles have area. O(n log n) where few extents
+// overlap.
 bool PatchCrosses(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface);
+
+// The numbers of the patch triangles that cross one of the surface or of the patch, rising. Precondition and cost as
+// above.
+std::vector<int32_t> CrossedTriangles(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface);
 
 // The pairs of triangles of the patch that cross, the lower number first, in order. Precondition and cost as above.
 std::vector<std::pair<int32_t, int32_t>> SelfCrossings(std::span<const SpaceTriangle> patch);

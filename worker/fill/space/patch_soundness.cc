@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "common/mesh/box_tree.h"
 #include "common/mesh/triangle_shape.h"
 #include "common/mesh/vertex_lists.h"
 #include "worker/fill/space/patch_crossings.h"
@@ -81,17 +82,29 @@ bool CrossingCheck::StaysNear(const LocalPatch& patch) const {
                      [&](const Point3& p) { return reach_.contains(p); });
 }
 
-bool CrossingCheck::Crosses(const LocalPatch& patch) {
+std::pair<std::vector<SpaceTriangle>, AlignedBox3d> CrossingCheck::Place(const LocalPatch& patch) const {
   std::vector<SpaceTriangle> triangles;
   AlignedBox3d box = reach_;
   for (const Triangle& t : patch.triangles) {
     triangles.push_back(InSpace(hole_, patch, t));
     for (const Point3& p : triangles.back()) box.extend(p);
   }
+  return {std::move(triangles), box};
+}
+
+bool CrossingCheck::Crosses(const LocalPatch& patch) {
+  const auto [triangles, box] = Place(patch);
   if (!PatchCrosses(triangles, Surroundings(box))) return false;
   if (knows_crossed_) return true;
   LeaveOutCrossed();
   return PatchCrosses(triangles, surroundings_);
+}
+
+std::vector<int32_t> CrossingCheck::Crossed(const LocalPatch& patch) {
+  const auto [triangles, box] = Place(patch);
+  Surroundings(box);
+  if (!knows_crossed_) LeaveOutCrossed();
+  return CrossedTriangles(triangles, surroundings_);
 }
 
 std::span<const SpaceTriangle> CrossingCheck::Surface() {
@@ -100,21 +113,22 @@ std::span<const SpaceTriangle> CrossingCheck::Surface() {
   return surroundings_;
 }
 
-// Whether a triangle of the surface passes through an edge of the boundary.
-bool CrossingCheck::PassesThroughRim(const SpaceTriangle& t) const {
-  const auto has = [&](const Point3& p) { return t[0] == p || t[1] == p || t[2] == p; };
-  return std::any_of(hole_.segments.begin(), hole_.segments.end(), [&](const RegionSegment& s) {
-    const Point3 &from = hole_.positions[s.from], &to = hole_.positions[s.to];
-    return !has(from) && !has(to) && SegmentCrosses(from, to, t);
-  });
-}
-
 // They are looked for when a patch is first found to cross any surface.
 void CrossingCheck::LeaveOutCrossed() {
   knows_crossed_ = true;
-  if (std::erase_if(surroundings_, [&](const SpaceTriangle& t) { return PassesThroughRim(t); }) > 0) {
-    rim_is_crossed_ = true;
+  std::vector<AlignedBox3d> boxes;
+  for (const RegionSegment& s : hole_.segments) {
+    boxes.emplace_back(hole_.positions[s.from]).extend(hole_.positions[s.to]);
   }
+  const BoxTree tree(boxes);
+  const auto passes_through_rim = [&](const SpaceTriangle& t) {
+    const auto has = [&](const Point3& p) { return t[0] == p || t[1] == p || t[2] == p; };
+    return tree.AnyMeeting(BoxOf(t), [&](int32_t k) {
+      const Point3 &from = hole_.positions[hole_.segments[k].from], &to = hole_.positions[hole_.segments[k].to];
+      return !has(from) && !has(to) && SegmentCrosses(from, to, t);
+    });
+  };
+  if (std::erase_if(surroundings_, passes_through_rim) > 0) rim_is_crossed_ = true;
 }
 
 }  // namespace tilemend

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "worker/fill/hole/fill_options.h"
@@ -35,6 +36,8 @@ class CrossingCheck {
   // Whether the patch keeps within reach.
   bool StaysNear(const LocalPatch& patch) const;
   bool Crosses(const LocalPatch& patch);
+  // The numbers of the triangles that cross, rising.
+  std::vector<int32_t> Crossed(const LocalPatch& patch);
   // Neither a fault nor a crossing.
   bool IsSound(const LocalPatch& patch) { return FaultOf(hole_, patch) == FillFailure::kNone && !Crosses(patch); }
   // The surface within reach, without what passes through the boundary.
@@ -43,8 +46,9 @@ class CrossingCheck {
   bool rim_is_crossed() const { return rim_is_crossed_; }
 
  private:
+  // The patch in space; it and all within reach.
+  std::pair<std::vector<SpaceTriangle>, Eigen::AlignedBox3d> Place(const LocalPatch& patch) const;
   const std::vector<SpaceTriangle>& Surroundings(const Eigen::AlignedBox3d& box);
-  bool PassesThroughRim(const SpaceTriangle& t) const;
   void LeaveOutCrossed();
 
   const LocalHole& hole_;

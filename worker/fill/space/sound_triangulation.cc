@@ -9,38 +9,25 @@
 
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
+#include "worker/fill/space/clip_ears.h"
 #include "worker/fill/space/minimum_weight.h"
+#include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
 namespace {
 
-using Box3 = Eigen::AlignedBox3d;
-
 // Each round forbids at least one triangle; noisy rims need a few.
 constexpr int kRounds = 40;
-
-Box3 BoxOf(const SpaceTriangle& t) {
-  Box3 box(t[0]);
-  box.extend(t[1]);
-  box.extend(t[2]);
-  return box;
-}
+// Long loops are cut down to this: few enough to choose the best of all triangulations, enough to have a shape.
+constexpr int32_t kClippedTo = 60;
 
 double AreaOf(const SpaceTriangle& t) { return TriangleArea(t[0], t[1], t[2]); }
 
 class SoundTriangulator {
  public:
-  SoundTriangulator(std::span<const Point3> loop, std::span<const SpaceTriangle> surface) : loop_(loop) {
-    Box3 extent;
+  SoundTriangulator(std::span<const Point3> loop, const CrossingIndex& surface) : loop_(loop), surface_(surface) {
     PositionIndex index;
-    for (const Point3& p : loop) {
-      extent.extend(p);
-      places_.push_back(index.Insert(p));
-    }
-    for (const SpaceTriangle& t : surface) {
-      const Box3 box = BoxOf(t);
-      if (box.intersects(extent) && AreaOf(t) > 0) surface_.emplace_back(box, &t);
-    }
+    for (const Point3& p : loop) places_.push_back(index.Insert(p));
   }
 
   std::vector<Triangle> Run(std::span<const Eigen::Vector3d> outside,
@@ -61,11 +48,7 @@ class SoundTriangulator {
   bool Fits(const Triangle& t) {
     const auto [it, fresh] = fits_.try_emplace(KeyOf(t), false);
     if (!fresh) return it->second;
-    const SpaceTriangle triangle = InSpace(t);
-    const Box3 box = BoxOf(triangle);
-    it->second = std::none_of(surface_.begin(), surface_.end(), [&](const auto& other) {
-      return other.first.intersects(box) && TrianglesCross(triangle, *other.second);
-    });
+    it->second = !surface_.IsCrossedBy(InSpace(t));
     return it->second;
   }
 
@@ -98,7 +81,7 @@ class SoundTriangulator {
 
   std::span<const Point3> loop_;
   std::vector<int32_t> places_;  // equal for equal positions
-  std::vector<std::pair<Box3, const SpaceTriangle*>> surface_;
+  const CrossingIndex& surface_;
   std::unordered_map<int64_t, bool> fits_;  // by the corners' numbers
 };
 
@@ -106,9 +89,20 @@ class SoundTriangulator {
 
 std::vector<Triangle> TriangulateSoundly(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
                                          const std::function<bool(int32_t, int32_t)>& allowed,
-                                         std::span<const SpaceTriangle> surface) {
-  if (static_cast<int32_t>(loop.size()) > kLongestSoundLoop) return TriangulateLoop(loop, outside, allowed);
-  return SoundTriangulator(loop, surface).Run(outside, allowed);
+                                         const CrossingIndex& surface) {
+  if (static_cast<int32_t>(loop.size()) <= kLongestSoundLoop)
+    return SoundTriangulator(loop, surface).Run(outside, allowed);
+  CrossingIndex taken = surface;
+  ClippedLoop clipped = ClipEars(loop, outside, allowed, kClippedTo, taken);
+  const std::vector<int32_t>& rest = clipped.rest;
+  if (static_cast<int32_t>(rest.size()) > kLongestSoundLoop) return {};
+  std::vector<Point3> places;
+  for (const int32_t i : rest) places.push_back(loop[i]);
+  const auto allowed_rest = [&](int32_t i, int32_t k) { return allowed(rest[i], rest[k]); };
+  const std::vector<Triangle> inner = SoundTriangulator(places, taken).Run(clipped.outside, allowed_rest);
+  if (inner.empty()) return {};
+  for (const Triangle& t : inner) clipped.triangles.push_back({rest[t[0]], rest[t[1]], rest[t[2]]});
+  return std::move(clipped.triangles);
 }
 
 }  // namespace tilemend

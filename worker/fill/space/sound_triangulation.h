@@ -8,21 +8,21 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
-#include "worker/fill/space/patch_crossings.h"
+#include "worker/fill/space/crossing_index.h"
 
 namespace tilemend {
 
-// Loops longer than this are triangulated without regard to crossings.
+// Longer loops are cut down first (clip_ears.h).
 inline constexpr int32_t kLongestSoundLoop = 160;
 
 // As TriangulateLoop, without triangles that cross one of `surface`. Triangulations that cross themselves are avoided
 // by search: of two triangles that cross, the larger one is forbidden, and the loop is triangulated again; likewise
 // where a loop that passes a vertex twice gets an edge with more than two triangles. The result is empty if there is
-// none without crossings of the surface, and may still cross itself if the search ends first.
-// O(n^3) triangles are looked at, and all of `surface` within the extent of each.
+// none without crossings of the surface or that is found, and may still cross itself if the search ends first.
+// O(n log^2 n) for long loops; else O(n^3) triangles are looked at.
 std::vector<Triangle> TriangulateSoundly(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
                                          const std::function<bool(int32_t, int32_t)>& allowed,
-                                         std::span<const SpaceTriangle> surface);
+                                         const CrossingIndex& surface);
 
 }  // namespace tilemend
 

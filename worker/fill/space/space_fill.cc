@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "worker/fill/space/faired_fill.h"
 #include "worker/fill/space/sound_triangulation.h"
 #include "worker/fill/space/unrolled_fill.h"
 #include "worker/fill/wang/wang_fill.h"
@@ -18,6 +19,8 @@ using Loop = std::vector<int32_t>;  // of vertices; may pass one several times
 constexpr double kBends[] = {1, 0.5, 0};
 // Of the ways to tie the first island to the rest of a rim.
 constexpr size_t kBridgesTried = 12;
+// Places of a loop that bridges begin or end at, at most; of a longer one every second, third and so on.
+constexpr size_t kBridgeEnds = 600;
 
 // A way from a loop to another and back.
 struct Bridge {
@@ -29,8 +32,9 @@ struct Bridge {
 std::vector<Bridge> BridgesFrom(const LocalHole& hole, const std::vector<Loop>& loops) {
   std::vector<Bridge> bridges;
   for (size_t l = 1; l < loops.size(); ++l) {
-    for (size_t i = 0; i < loops[0].size(); ++i) {
-      for (size_t k = 0; k < loops[l].size(); ++k) {
+    const size_t step = 1 + loops[0].size() / kBridgeEnds, other_step = 1 + loops[l].size() / kBridgeEnds;
+    for (size_t i = 0; i < loops[0].size(); i += step) {
+      for (size_t k = 0; k < loops[l].size(); k += other_step) {
         const int32_t a = loops[0][i], b = loops[l][k];
         if (a == b || hole.MayJoin(a, b)) bridges.push_back({i, l, k, (hole.positions[a] - hole.positions[b]).norm()});
       }
@@ -60,9 +64,9 @@ void Cross(const Bridge& bridge, std::vector<Loop>& loops, std::set<VertexPair>&
 }
 
 LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& bridges,
-                    const FillOptions& options, CrossingCheck& check) {
+                    const FillOptions& options, const CrossingIndex& surface, CrossingCheck& check) {
   LocalPatch patch;
-  patch.triangles = TriangulateInSpace(hole, loop, bridges, check.Surface());
+  patch.triangles = TriangulateInSpace(hole, loop, bridges, surface);
   if (patch.triangles.empty()) return {FillFailure::kCrosses};
   if (options.surface == Surface::kWang) {
     LocalPatch shaped = ShapeAsWang(hole, patch.triangles, options);
@@ -70,11 +74,14 @@ LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<Vert
     patch.is_bare = true;
     return patch;
   }
-  if (!bridges.empty()) return patch;
-  for (const double bend : kBends) {
-    LocalPatch refined = FillOver(patch.triangles, bend, hole, options);
-    if (refined.ok() && check.StaysNear(refined) && check.IsSound(refined)) return refined;
+  if (bridges.empty() && hole.size() <= kLongestSpatialLoop) {
+    for (const double bend : kBends) {
+      LocalPatch refined = FillOver(patch.triangles, bend, hole, options);
+      if (refined.ok() && check.StaysNear(refined) && check.IsSound(refined)) return refined;
+    }
   }
+  LocalPatch faired = FillFaired(patch.triangles, hole, options, check);
+  if (faired.ok() && check.StaysNear(faired)) return faired;
   patch.is_bare = true;
   return patch;
 }
@@ -82,7 +89,7 @@ LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<Vert
 }  // namespace
 
 std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vector<int32_t>& loop,
-                                         const std::set<VertexPair>& used, std::span<const SpaceTriangle> surface) {
+                                         const std::set<VertexPair>& used, const CrossingIndex& surface) {
   std::vector<Point3> positions;
   std::vector<Eigen::Vector3d> outside;
   for (size_t i = 0; i < loop.size(); ++i) {
@@ -98,11 +105,12 @@ std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vecto
 }
 
 LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check) {
-  if (hole.loops.empty() || hole.segments.size() > kLongestSpatialLoop) return {FillFailure::kTooLongForSpace};
+  const bool too_long = hole.cell->upright && hole.segments.size() > kLongestSpatialLoop;
+  if (hole.loops.empty() || too_long) return {FillFailure::kTooLongForSpace};
   std::vector<Loop> loops;
   for (const RimLoop& loop : hole.loops) loops.push_back(loop.vertices);
-  check.Surface();  // tells whether the rim is crossed, even if there is no bridge
-  if (loops.size() == 1) return FillLoop(hole, loops[0], {}, options, check);
+  const CrossingIndex surface(check.Surface());
+  if (loops.size() == 1) return FillLoop(hole, loops[0], {}, options, surface, check);
   LocalPatch patch{FillFailure::kNoBridge};
   const std::vector<Bridge> first = BridgesFrom(hole, loops);
   for (size_t b = 0; b < std::min(first.size(), kBridgesTried); ++b) {
@@ -114,7 +122,7 @@ LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, Crossi
       if (next.empty()) return patch;
       Cross(next[0], joined, used);
     }
-    patch = FillLoop(hole, joined[0], used, options, check);
+    patch = FillLoop(hole, joined[0], used, options, surface, check);
     if (patch.ok() && check.IsSound(patch)) return patch;
   }
   return patch;

@@ -9,6 +9,7 @@
 
 #include "worker/fill/hole/fill_options.h"
 #include "worker/fill/hole/local_patch.h"
+#include "worker/fill/space/crossing_index.h"
 #include "worker/fill/space/patch_soundness.h"
 
 namespace tilemend {
@@ -16,12 +17,13 @@ namespace tilemend {
 // A triangulation of a loop of vertices of the hole that has no edge twice, makes none of `used` inside, and crosses
 // nothing of `surface` (sound_triangulation.h); empty if there is none.
 std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vector<int32_t>& loop,
-                                         const std::set<VertexPair>& used, std::span<const SpaceTriangle> surface);
+                                         const std::set<VertexPair>& used, const CrossingIndex& surface);
 
 // Triangulates the boundary so that the patch crosses neither itself nor the surface. Islands are tied to the rest by
 // bridges, the shortest that lead to a sound patch. With Wang's surface the triangles are refined, adjusted and faired
-// (ShapeAsWang) where that leads to a sound patch, else they are the patch. With the thin plate, a hole of one loop is
-// refined over these triangles with all, half or none of the bending (unrolled_fill.h), whichever is sound first.
+// (ShapeAsWang) where that leads to a sound patch, else they are the patch. With the thin plate, a short hole of one
+// loop is refined over these triangles with all, half or none of the bending (unrolled_fill.h), whichever is sound
+// first; others, and those that this leads to nothing for, are refined and bent in space (faired_fill.h).
 //   hole     closed, its vertices at folds without an equation
 // A patch may yet be unsound: the caller checks it. Failures: too long a boundary, no bridge, none without a crossing.
 LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check);

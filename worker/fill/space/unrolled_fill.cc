@@ -8,9 +8,9 @@
 
 #include "common/mesh/rounding.h"
 #include "worker/fill/region/planar_region.h"
+#include "worker/fill/space/bend_patch.h"
 #include "worker/fill/space/sound_triangulation.h"
 #include "worker/fill/space/unrolled.h"
-#include "worker/fill/surface/fair_surface.h"
 
 namespace tilemend {
 namespace {
@@ -35,32 +35,18 @@ std::vector<Vector3d> NormalsAlong(const LocalHole& hole, const RimLoop& loop) {
 std::optional<std::vector<Point3>> BendInSpace(const LocalHole& hole, const Unrolled& disc,
                                                std::span<const Point2> new_points,
                                                const std::vector<Triangle>& triangles, double bend) {
-  const size_t rim = disc.flat().size(), count = new_points.size();
-  const BandTriangles band = BandAt(hole, hole.has_equation, static_cast<int32_t>(rim + count));
-  FairSurfaceProblem fair;
-  std::vector<Point3> flat, lifted;
-  fair.points = hole.positions;
+  std::vector<Point3> flat, points;
   for (const Point2& p : disc.flat()) flat.emplace_back(p.x(), p.y(), 0);
   for (const Point2& p : new_points) {
-    lifted.push_back(disc.Lift(p));
+    points.push_back(disc.Lift(p));
     flat.emplace_back(p.x(), p.y(), 0);
   }
-  fair.points.insert(fair.points.end(), lifted.begin(), lifted.end());
-  for (const int32_t v : band.others) fair.points.push_back(hole.cell->band.points[v]);
-  flat.resize(fair.points.size(), Point3::Zero());
-  fair.patch = triangles;
-  fair.band = band.triangles;
-  for (size_t v = 0; v < fair.points.size(); ++v) {
-    const bool is_new = v >= rim && v < rim + count;
-    fair.known.push_back(!is_new);
-    fair.has_equation.push_back(v < rim ? static_cast<bool>(hole.has_equation[v]) : is_new);
+  if (bend > 0) {
+    const std::optional<std::vector<Point3>> bent = BendPatch(hole, std::move(flat), points, triangles);
+    if (!bent) return std::nullopt;
+    for (size_t k = 0; k < points.size(); ++k) points[k] += bend * ((*bent)[k] - points[k]);
   }
-  if (bend > 0 && !FairSurface(flat, fair)) return std::nullopt;
-  std::vector<Point3> points;
-  for (size_t k = 0; k < count; ++k) {
-    points.push_back(
-        RoundedToLattice(Point3(lifted[k] + bend * (fair.points[rim + k] - lifted[k])), hole.cell->lattice_step));
-  }
+  for (Point3& p : points) p = RoundedToLattice(p, hole.cell->lattice_step);
   return points;
 }
 
@@ -69,9 +55,9 @@ std::optional<std::vector<Point3>> BendInSpace(const LocalHole& hole, const Unro
 LocalPatch FillUnrolled(const LocalHole& hole, const FillOptions& options) {
   if (hole.loops.size() != 1 || hole.size() > kLongestSpatialLoop) return {FillFailure::kNotApplicable};
   const RimLoop& loop = hole.loops[0];
-  std::vector<Triangle> triangles =
-      TriangulateSoundly(loop.positions, NormalsAlong(hole, loop),
-                         [&](int32_t i, int32_t k) { return hole.MayJoin(loop.vertices[i], loop.vertices[k]); }, {});
+  std::vector<Triangle> triangles = TriangulateSoundly(
+      loop.positions, NormalsAlong(hole, loop),
+      [&](int32_t i, int32_t k) { return hole.MayJoin(loop.vertices[i], loop.vertices[k]); }, CrossingIndex({}));
   for (Triangle& t : triangles) t = {loop.vertices[t[0]], loop.vertices[t[1]], loop.vertices[t[2]]};
   return FillOver(std::move(triangles), 1, hole, options);
 }

@@ -7,9 +7,6 @@
 namespace tilemend {
 namespace {
 
-// The first solve has the weights of the unrolled shape, the second those of the surface; a third changes nothing
-// that can be measured.
-constexpr int kSolves = 2;
 // Needles are given the area of a triangle with this sine, so that they cannot outweigh everything else.
 constexpr double kLeastSine = 1e-3;
 
@@ -84,12 +81,10 @@ class BendingSystem {
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem) {
   if (std::find(problem.known.begin(), problem.known.end(), false) == problem.known.end()) return true;
   std::vector<Point3> points = problem.points;
-  for (int solve = 0; solve < kSolves; ++solve) {
-    BendingSystem system(problem);
-    for (const Triangle& t : problem.patch) system.Add(t, solve == 0 ? shape : points);
-    for (const Triangle& t : problem.band) system.Add(t, points);
-    if (!system.Solve(points)) return false;
-  }
+  BendingSystem system(problem);
+  for (const Triangle& t : problem.patch) system.Add(t, shape);
+  for (const Triangle& t : problem.band) system.Add(t, points);
+  if (!system.Solve(points)) return false;
   problem.points = std::move(points);
   return true;
 }

@@ -20,8 +20,8 @@ struct FairSurfaceProblem {
 
 // Moves the unknown points so that the integral of |Laplacian of the position|^2 is least (Botsch and Kobbelt 2004,
 // "An intuitive framework for real-time freeform modeling"; cotangent weights after Pinkall and Polthier 1993, lumped
-// masses). The first weights are those of `shape`: positions in which the patch triangles have the shapes that they
-// should keep; later ones those of the surface found.
+// masses). The weights are those of `shape`: positions in which the patch triangles have the shapes that they should keep.
+// Weights of the surface found, in a second solve, were tried: round surfaces came out flatter, and further off.
 //   shape  one position for each point; those of band triangles are taken from problem.points
 // False, with the points as they were, if the system cannot be factorised. Sparse Cholesky; about O(n^1.5).
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem);

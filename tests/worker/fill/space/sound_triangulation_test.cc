@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "worker/fill/space/minimum_weight.h"
+#include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
 namespace {
@@ -33,11 +34,12 @@ TEST(SoundTriangulationTest, TakesTheDiagonalThatTheSurfaceLeavesFree) {
   const std::vector<Eigen::Vector3d> outside(4, Eigen::Vector3d::Zero());
   for (const double z : {0.0, 1.0}) {
     const std::vector<SpaceTriangle> blade = {Blade(z)};
-    const std::vector<Triangle> triangles = TriangulateSoundly(kSaddle, outside, kAnyChord, blade);
+    const std::vector<Triangle> triangles = TriangulateSoundly(kSaddle, outside, kAnyChord, CrossingIndex(blade));
     ASSERT_THAT(triangles, SizeIs(2));
     EXPECT_FALSE(PatchCrosses(InSpace(kSaddle, triangles), blade));
   }
-  EXPECT_THAT(TriangulateSoundly(kSaddle, outside, kAnyChord, std::vector{Blade(0), Blade(1)}), IsEmpty());
+  EXPECT_THAT(TriangulateSoundly(kSaddle, outside, kAnyChord, CrossingIndex(std::vector{Blade(0), Blade(1)})),
+              IsEmpty());
 }
 
 // A loop whose triangulation with the least bend passes through itself, as noisy rims have.
@@ -54,7 +56,7 @@ TEST(SoundTriangulationTest, DoesNotPassThroughItself) {
       outside.emplace_back(Eigen::Vector3d(wild, more, 1.5).normalized());
     }
     crossed += !SelfCrossings(InSpace(loop, TriangulateLoop(loop, outside, kAnyChord))).empty();
-    const std::vector<Triangle> triangles = TriangulateSoundly(loop, outside, kAnyChord, {});
+    const std::vector<Triangle> triangles = TriangulateSoundly(loop, outside, kAnyChord, CrossingIndex({}));
     EXPECT_THAT(triangles, SizeIs(16)) << seed;
     EXPECT_THAT(SelfCrossings(InSpace(loop, triangles)), IsEmpty()) << seed;
   }

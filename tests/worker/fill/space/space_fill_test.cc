@@ -58,13 +58,13 @@ TEST(SpaceFillTest, MakesNoUsedEdge) {
   const std::vector<int32_t>& loop = hole.loops[0].vertices;
   for (const int first : {0, 1}) {
     const VertexPair diagonal = Undirected(loop[first], loop[first + 2]);
-    const std::vector<Triangle> triangles = TriangulateInSpace(hole, loop, {diagonal}, {});
+    const std::vector<Triangle> triangles = TriangulateInSpace(hole, loop, {diagonal}, CrossingIndex({}));
     ASSERT_EQ(triangles.size(), 2u);
     for (const Triangle& t : triangles) {
       EXPECT_FALSE(std::count(t.begin(), t.end(), diagonal.first) && std::count(t.begin(), t.end(), diagonal.second));
     }
   }
-  EXPECT_TRUE(TriangulateInSpace(hole, loop, {Undirected(loop[0], loop[2]), Undirected(loop[1], loop[3])}, {}).empty());
+  EXPECT_TRUE(TriangulateInSpace(hole, loop, {Undirected(loop[0], loop[2]), Undirected(loop[1], loop[3])}, CrossingIndex({})).empty());
 }
 
 }  // namespace
