@@ -3,8 +3,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <utility>
 
+#include "common/mesh/rounding.h"
+#include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/faired_fill.h"
 #include "worker/fill/space/sound_triangulation.h"
 #include "worker/fill/space/unrolled_fill.h"
@@ -63,11 +67,45 @@ void Cross(const Bridge& bridge, std::vector<Loop>& loops, std::set<VertexPair>&
   loop.insert(loop.begin() + static_cast<ptrdiff_t>(bridge.from) + 1, around.begin(), around.end());
 }
 
+// A loop of vertices of the hole, as what triangulates it takes it.
+struct LoopInSpace {
+  LoopInSpace(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& used)
+      : allowed([&](int32_t a, int32_t b) {
+          return hole.MayJoin(loop[a], loop[b]) && !used.contains(Undirected(loop[a], loop[b]));
+        }) {
+    for (size_t i = 0; i < loop.size(); ++i) {
+      positions.push_back(hole.positions[loop[i]]);
+      outside.push_back(hole.NormalBeside(loop[i], loop[(i + 1) % loop.size()]));
+    }
+  }
+
+  std::vector<Point3> positions;
+  std::vector<Eigen::Vector3d> outside;
+  std::function<bool(int32_t, int32_t)> allowed;
+};
+
+LocalPatch CloseLoopByCone(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& bridges,
+                           const CrossingIndex& surface) {
+  // In scenes folds are cut off instead, which keeps to the ground.
+  if (hole.cell->upright) return {FillFailure::kCrosses};
+  const LoopInSpace in_space(hole, loop, bridges);
+  const std::optional<ConeFill> cone =
+      CloseByCone(in_space.positions, in_space.outside, in_space.allowed, surface,
+                  [&](const Point3& p) { return RoundedToLattice(p, hole.cell->lattice_step); });
+  if (!cone) return {FillFailure::kCrosses};
+  LocalPatch patch;
+  patch.is_bare = true;
+  patch.new_points = {cone->tip};
+  const auto vertex = [&](int32_t place) { return place < std::ssize(loop) ? loop[place] : hole.size(); };
+  for (const Triangle& t : cone->triangles) patch.triangles.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
+  return patch;
+}
+
 LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& bridges,
                     const FillOptions& options, const CrossingIndex& surface, CrossingCheck& check) {
   LocalPatch patch;
   patch.triangles = TriangulateInSpace(hole, loop, bridges, surface);
-  if (patch.triangles.empty()) return {FillFailure::kCrosses};
+  if (patch.triangles.empty()) return CloseLoopByCone(hole, loop, bridges, surface);
   if (options.surface == Surface::kWang) {
     LocalPatch shaped = ShapeAsWang(hole, patch.triangles, options);
     if (shaped.ok() && check.StaysNear(shaped) && check.IsSound(shaped)) return shaped;
@@ -83,23 +121,15 @@ LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<Vert
   LocalPatch faired = FillFaired(patch.triangles, hole, options, check);
   if (faired.ok() && check.StaysNear(faired)) return faired;
   patch.is_bare = true;
-  return patch;
+  return check.IsSound(patch) ? patch : CloseLoopByCone(hole, loop, bridges, surface);
 }
 
 }  // namespace
 
 std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vector<int32_t>& loop,
                                          const std::set<VertexPair>& used, const CrossingIndex& surface) {
-  std::vector<Point3> positions;
-  std::vector<Eigen::Vector3d> outside;
-  for (size_t i = 0; i < loop.size(); ++i) {
-    positions.push_back(hole.positions[loop[i]]);
-    outside.push_back(hole.NormalBeside(loop[i], loop[(i + 1) % loop.size()]));
-  }
-  const auto allowed = [&](int32_t a, int32_t b) {
-    return hole.MayJoin(loop[a], loop[b]) && !used.contains(Undirected(loop[a], loop[b]));
-  };
-  std::vector<Triangle> triangles = TriangulateSoundly(positions, outside, allowed, surface);
+  const LoopInSpace in_space(hole, loop, used);
+  std::vector<Triangle> triangles = TriangulateSoundly(in_space.positions, in_space.outside, in_space.allowed, surface);
   for (Triangle& t : triangles) t = {loop[t[0]], loop[t[1]], loop[t[2]]};
   return triangles;
 }
