@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Kills and stops workers at random moments and holds what comes of it to an undisturbed run.
 
-    worker_kill_test.py BIN [--kills 200] [--jobs 20] [--seed 1] [--scene SCENE ...]
+    worker_kill_test.py BIN [--kills 200] [--jobs 20] [--most-a-job N] [--seed 1] [--scene SCENE ...]
 
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. Jobs run one after the other with three
 workers, on a made scene or on those that are given in turn. Half of the workers are killed (SIGKILL, and another one is
 started), half are stopped (SIGSTOP) until after their lease has run out, so that they wake with tasks that are others'.
+A task is given up when three workers were lost with it: with --most-a-job 2 that cannot be, however slow the machine is.
 Some jobs see the coordinator stopped for twice its lease as well, which is to count against nobody. At last every worker
 is asked to end (SIGTERM) in the midst of a job, one after the other, and replaced. Every file of each output must be
 that of the undisturbed run, no task may have been committed twice or given up. Prints its figures. Exit code 1 if
@@ -96,13 +97,16 @@ def kill_often(arguments, crowd, all_jobs, chance):
         jobs.keep_going()
         wanted = arguments.kills * (number + 1) // arguments.jobs
         next_one = [time.time() + chance.uniform(0, 0.5)]
+        before = [crowd.kills + crowd.stops]  # the job
 
         def disturb():
-            if crowd.kills + crowd.stops < wanted and time.time() >= next_one[0]:
+            done = crowd.kills + crowd.stops
+            if done < min(wanted, before[0] + arguments.most_a_job) and time.time() >= next_one[0]:
                 crowd.disturb(chance)
                 next_one[0] = time.time() + chance.uniform(0.05, 0.6)
         await_job(jobs, crowd, disturb)
         while crowd.kills + crowd.stops < wanted:  # the job was over before
+            before[0] = crowd.kills + crowd.stops
             jobs.keep_going()
             await_job(jobs, crowd, disturb)
 
@@ -166,6 +170,7 @@ def main():
     parser.add_argument('bin')
     parser.add_argument('--kills', type=int, default=200)
     parser.add_argument('--jobs', type=int, default=20)
+    parser.add_argument('--most-a-job', type=int, default=1000)
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--scene', action='append', default=[])
     arguments = parser.parse_args()
