@@ -132,7 +132,7 @@ class MeshFiller {
 }  // namespace
 
 absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const MeshFillOptions& options) {
-  KeepHeap();
+  KeepHeap(1);
   return MeshFiller(path, options).Fill();
 }
 

@@ -112,7 +112,6 @@ void PrintEnd(const v1::Job& job, OutputFormat format) {
 }  // namespace
 
 int RunCommand(const Args& args) {
-  KeepHeap();
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   const auto spec = SpecFromFlags(args);
@@ -128,6 +127,7 @@ int RunCommand(const Args& args) {
     std::error_code error;
     std::filesystem::remove_all(*work_folder, error);
   });
+  KeepHeap(static_cast<int>(*threads));
   const auto job = RunEmbedded(*spec, static_cast<int>(*threads), *work_folder, signals);
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));

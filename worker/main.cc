@@ -113,6 +113,7 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
   StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}, {"worker", options.id}});
   options.log = &log;
+  KeepHeap(options.threads);
   log.Info("starting", {{"coordinator", flags.Text("coordinator")}, {"threads", options.threads}});
   Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"), SecurityFromFlags(flags))),
                 SceneStageRunner(), metrics);
@@ -148,7 +149,6 @@ int PrintDescription(const std::string& form) {
 
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
-  KeepHeap();
   const auto settings = ReadSettings(WorkerFlags(), "", std::getenv);
   if (!settings.ok()) return Fail(settings.status(), kExitUsage);
   const auto flags = Flags::Parse(WorkerFlags(), words, *settings);

@@ -8,11 +8,12 @@
 
 namespace tilemend {
 
-void KeepHeap() {
+void KeepHeap([[maybe_unused]] int threads) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   mallopt(M_TOP_PAD, 1 << 20);
+  mallopt(M_ARENA_MAX, threads + 1);
 #endif
 }
 

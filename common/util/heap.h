@@ -5,8 +5,9 @@
 namespace tilemend {
 
 // Keeps freed memory for the next step in place of giving it back to the system, which would hand it out again page by
-// page. Blocks of 32 MiB and more still come and go one by one. Without effect where the C library is not glibc.
-void KeepHeap();
+// page. Blocks of 32 MiB and more still come and go one by one. What is kept is kept for `threads` that work at once,
+// and all the others together. Without effect where the C library is not glibc.
+void KeepHeap(int threads);
 
 // Gives freed memory back to the system after all: for when there is nothing more to do for a while.
 void ReturnHeap();

@@ -277,7 +277,7 @@ void Worker::RunTasks() {
 }
 
 void Worker::AwaitTask(std::unique_lock<std::mutex>& lock) {
-  constexpr std::chrono::seconds kRest(5);  // between the waves of a job it is less
+  constexpr std::chrono::seconds kRest(1);  // as while a large scene is planned
   const auto has_task = [this] { return ended_ || !ready_.empty() || !to_look_.empty(); };
   if (changed_.wait_for(lock, kRest, has_task)) return;
   lock.unlock();

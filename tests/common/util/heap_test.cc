@@ -11,7 +11,7 @@ namespace tilemend {
 namespace {
 
 TEST(HeapTest, KeepsWhatIsFreed) {
-  KeepHeap();
+  KeepHeap(1);
   constexpr size_t kBytes = size_t{16} << 20;
   const size_t before = mallinfo2().arena;
   void* volatile block = std::malloc(kBytes);  // or the compiler leaves both calls out
@@ -20,7 +20,7 @@ TEST(HeapTest, KeepsWhatIsFreed) {
 }
 
 TEST(HeapTest, ReturnsWhatIsFreedWhenAsked) {
-  KeepHeap();
+  KeepHeap(1);
   constexpr size_t kBytes = size_t{16} << 20;
   void* volatile block = std::malloc(kBytes);
   std::free(block);

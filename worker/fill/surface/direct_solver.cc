@@ -1,12 +1,64 @@
 #include "worker/fill/surface/direct_solver.h"
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 namespace tilemend {
 
+namespace {
+
+using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+
+// Where a symmetric matrix has entries, with room for what the ordering puts there.
+Eigen::SparseMatrix<char> PatternOf(const Eigen::SparseMatrix<double>& lower) {
+  std::vector<int> in_column(static_cast<size_t>(lower.cols()), 0);
+  const auto for_entries = [&](const auto& use) {
+    for (int column = 0; column < lower.cols(); ++column) {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, column); entry; ++entry) {
+        use(column, static_cast<int>(entry.row()));
+        if (entry.row() != column) use(static_cast<int>(entry.row()), column);
+      }
+    }
+  };
+  for_entries([&](int column, int) { ++in_column[column]; });
+  Eigen::SparseMatrix<char> pattern(lower.rows(), lower.cols());
+  int* const begin = pattern.outerIndexPtr();
+  std::partial_sum(in_column.begin(), in_column.end(), begin + 1);
+  const Eigen::Index entries = begin[lower.cols()];
+  pattern.reserve(entries + entries / 5 + 2 * lower.cols());
+  pattern.resizeNonZeros(entries);
+  std::copy_n(begin, lower.cols(), in_column.begin());  // where the next entry goes
+  for_entries([&](int column, int row) { pattern.innerIndexPtr()[in_column[column]++] = row; });
+  return pattern;
+}
+
+Order MinimumDegree(Eigen::SparseMatrix<char> pattern) {
+  Order order;
+  Eigen::internal::minimum_degree_ordering(pattern, order);
+  return order;
+}
+
+}  // namespace
+
+SymmetricFactorization::SymmetricFactorization(Eigen::SparseMatrix<double> lower)
+    : back_(MinimumDegree(PatternOf(lower))) {
+  Eigen::SparseMatrix<double> ordered(lower.rows(), lower.cols());
+  ordered.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(back_.inverse());
+  lower = Eigen::SparseMatrix<double>();
+  lower.data().squeeze();
+  solver_.compute(ordered);
+}
+
+Eigen::VectorXd SymmetricFactorization::Solve(const Eigen::VectorXd& right_side) const {
+  return back_ * solver_.solve(back_.inverse() * right_side);
+}
+
 PlateFactorization::PlateFactorization(const PlateEquations& equations)
-    : equations_(equations), solver_(equations.LowerMatrix()) {}
+    : equations_(equations), factorization_(equations.LowerMatrix()) {}
 
 PointValues PlateFactorization::Solve(const PointValues& residual) const {
-  return equations_.Spread(solver_.solve(equations_.Gather(residual)));
+  return equations_.Spread(factorization_.Solve(equations_.Gather(residual)));
 }
 
 PointValues GivenHeights(const ThinPlateProblem& problem) {

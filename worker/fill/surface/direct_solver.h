@@ -9,28 +9,33 @@
 
 namespace tilemend {
 
-// Approximate minimum degree on a matrix that is symmetric: Eigen's own adds its transpose to it first.
-struct SymmetricOrdering {
-  using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
-  template <class Matrix>
-  void operator()(const Matrix& matrix, PermutationType& permutation) const {
-    Eigen::AMDOrdering<int>()(matrix.template selfadjointView<Eigen::Lower>(), permutation);
-  }
+// A sparse Cholesky factorisation of a symmetric matrix, of which `lower` is the lower triangle, in an order of
+// approximate minimum degree (Eigen). Its memory is that of the triangle and of the factor: Eigen's own way to the
+// order would have whole copies of the matrix beside them.
+class SymmetricFactorization {
+ public:
+  explicit SymmetricFactorization(Eigen::SparseMatrix<double> lower);
+  bool ok() const { return solver_.info() == Eigen::Success; }
+  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) const;
+
+ private:
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> back_;  // from the order to the numbers of the matrix
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
 };
 
-// A sparse Cholesky factorisation of A (Eigen). About O(n^1.5) for n unknown points at even distances; close to O(n) on
-// graded meshes, whose separators are small.
+// The same of A. About O(n^1.5) for n unknown points at even distances; close to O(n) on graded meshes, whose
+// separators are small.
 class PlateFactorization {
  public:
   // `equations` must outlive it.
   explicit PlateFactorization(const PlateEquations& equations);
-  bool ok() const { return solver_.info() == Eigen::Success; }
+  bool ok() const { return factorization_.ok(); }
   // A^-1 of a residual.
   PointValues Solve(const PointValues& residual) const;
 
  private:
   const PlateEquations& equations_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, SymmetricOrdering> solver_;
+  const SymmetricFactorization factorization_;
 };
 
 // The heights of the points that have one; zero elsewhere.

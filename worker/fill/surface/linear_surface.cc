@@ -122,9 +122,9 @@ bool Soften(ThinPlateProblem& surface) {
   }
   Eigen::SparseMatrix<double> matrix = equations.LowerMatrix();
   matrix.diagonal() += equations.Gather(masses);
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, SymmetricOrdering> solver(matrix);
-  if (solver.info() != Eigen::Success) return false;
-  const PointValues change = equations.Spread(solver.solve(equations.Gather(equations.Residual(heights))));
+  const SymmetricFactorization solver(std::move(matrix));
+  if (!solver.ok()) return false;
+  const PointValues change = equations.Spread(solver.Solve(equations.Gather(equations.Residual(heights))));
   if (!change.allFinite()) return false;
   for (size_t v = 0; v < surface.points.size(); ++v) surface.points[v].z() += change[static_cast<Eigen::Index>(v)];
   return true;
