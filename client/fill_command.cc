@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -109,6 +110,46 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
   }
 }
 
+// An option of some fillers.
+struct FillerFlag {
+  const char* name;
+  double low, high;
+  std::vector<Filler> fillers;
+  std::function<void(FillerOptions&, double)> set;
+};
+
+std::vector<FillerFlag> FillerFlagsRead() {
+  using enum Filler;
+  using O = FillerOptions;
+  return {{"front-merge",
+           0,
+           1,
+           {kAdvancingFrontNormal, kAdvancingFrontCurvature, kAdvancingFrontPoisson, kSvmLaplacian},
+           [](O& o, double x) { o.merge = x; }},
+          {"front-bend", 0, 1e6, {kAdvancingFrontNormal}, [](O& o, double x) { o.bend = x; }},
+          {"long-edge", 1, 100, {kSvmLaplacian}, [](O& o, double x) { o.long_edge = x; }},
+          {"svm-rings", 1, 20, {kSvmLaplacian}, [](O& o, double x) { o.rings = static_cast<int32_t>(x); }},
+          {"svm-gamma", 1e-6, 1e9, {kSvmLaplacian}, [](O& o, double x) { o.gamma = x; }},
+          {"svm-width", 0.1, 1e6, {kSvmLaplacian}, [](O& o, double x) { o.kernel_width = x; }},
+          {"halvings", 0, 10, {kAdvancingFrontCurvature}, [](O& o, double x) { o.halvings = static_cast<int32_t>(x); }},
+          {"centroid-steps", 0, 1000, {kAdvancingFrontCurvature}, [](O& o, double x) {
+             o.centroid_steps = static_cast<int32_t>(x);
+           }}};
+}
+
+absl::Status ReadFillerOptions(const Args& args, FillOptions& options) {
+  for (const FillerFlag& flag : FillerFlagsRead()) {
+    if (!args.IsGiven(flag.name)) continue;
+    if (std::ranges::count(flag.fillers, options.filler) == 0) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("--", flag.name, ": the filler ", FillerName(options.filler), " has no such option"));
+    }
+    TILEMEND_ASSIGN_OR_RETURN(const double value, args.Number(flag.name, flag.low, flag.high));
+    flag.set(options.filling, value);
+  }
+  return absl::OkStatus();
+}
+
 // Flags that are out of their range are kInvalidArgument.
 absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   MeshFillOptions all;
@@ -119,13 +160,16 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
         absl::StrCat("--surface '", args.Text("surface"), "': expected thin-plate or wang"));
   }
   options.surface = *surface;
+  TILEMEND_ASSIGN_OR_RETURN(options.filler, FillerFromFlags(args));
+  TILEMEND_RETURN_IF_ERROR(ReadFillerOptions(args, options));
   TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
   if (options.tension && options.surface != Surface::kThinPlate)
     return absl::InvalidArgumentError("--tension: only the surface thin-plate has a tension");
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
-  if ((longest_loop || fairing_steps) && options.surface != Surface::kWang) {
-    return absl::InvalidArgumentError("--longest-loop, --fairing-steps: only the surface wang has these options");
+  if ((longest_loop || fairing_steps) && options.surface != Surface::kWang && options.filler != Filler::kMinimumArea) {
+    return absl::InvalidArgumentError(
+        "--longest-loop, --fairing-steps: only the surface wang and the filler minimum-area have these options");
   }
   options.wang.longest_loop = longest_loop.value_or(options.wang.longest_loop);
   options.wang.fairing_steps = fairing_steps.value_or(options.wang.fairing_steps);
@@ -153,6 +197,7 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
   if (options.tension) tension.value = *options.tension;
   if (all.holes.largest_hole) largest.value = static_cast<double>(*all.holes.largest_hole);
   return {{"surface", SurfaceName(options.surface)},
+          {"filler", FillerName(options.filler)},
           tension,
           {"gradation", options.refine.gradation},
           {"size-limit", options.refine.size_limit},

@@ -50,6 +50,7 @@ std::vector<FlagSpec> JobFlags() {
 std::vector<FlagSpec> SurfaceFlags() {
   const JobSpec defaults;
   return {{"surface", "thin-plate|wang", "wang is for comparison", defaults.surface},
+          {"filler", "NAME", absl::StrCat("of closed holes: ", FillerNames()), FillerName(Filler::kAuto)},
           {"tension", "auto|X", "of thin-plate: how taut it is, 0 to 1000 per m^2; auto: from the rim", "auto"},
           {"gradation", "X", "growth of triangles from edge to edge inward, 1 to 10", absl::StrCat(defaults.gradation)},
           {"size-limit", "X", "longest edge as a multiple of the rim's mean edge, 1 to 1e6",
@@ -100,6 +101,11 @@ absl::StatusOr<std::optional<int32_t>> WholeNumberIfGiven(const Args& args, cons
   return static_cast<int32_t>(number);
 }
 
+absl::StatusOr<Filler> FillerFromFlags(const Args& args) {
+  if (const std::optional<Filler> filler = FillerNamed(args.Text("filler"))) return *filler;
+  return absl::InvalidArgumentError(absl::StrCat("--filler '", args.Text("filler"), "': expected ", FillerNames()));
+}
+
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {
   if (args.Text("tension") == "auto") return std::nullopt;
   return args.Number("tension", 0, 1000);
@@ -110,6 +116,8 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.scene = AbsolutePath(args.arguments().front());
   spec.out = AbsolutePath(args.Text("out"));
   spec.surface = args.Text("surface");
+  TILEMEND_ASSIGN_OR_RETURN(const Filler filler, FillerFromFlags(args));
+  spec.filler = FillerName(filler);
   spec.uniform = args.Switch("uniform");
   TILEMEND_ASSIGN_OR_RETURN(spec.tension, TensionFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(spec.gradation, args.Number("gradation", 1, 10));

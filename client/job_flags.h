@@ -8,6 +8,7 @@
 #include "absl/status/statusor.h"
 #include "client/commands.h"
 #include "client/output.h"
+#include "common/records/filler.h"
 #include "coordinator/report/water_choice.h"
 #include "tilemend/v1/jobs.pb.h"
 
@@ -21,6 +22,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args);
 absl::StatusOr<std::optional<double>> NumberIfGiven(const Args& args, const char* flag, double low, double high);
 absl::StatusOr<std::optional<int32_t>> WholeNumberIfGiven(const Args& args, const char* flag, int low, int high);
 // --tension auto|X; none for auto.
+absl::StatusOr<Filler> FillerFromFlags(const Args& args);
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args);
 absl::StatusOr<double> WaterToleranceFromFlags(const Args& args);
 absl::StatusOr<WaterProfile> WaterProfileFromFlags(const Args& args);

@@ -84,6 +84,10 @@ RULES = {
          'worker/fill/wang'],
         ['eigen']),
 
+    'worker/fill/front': rule(
+        ['common/mesh', 'common/records', 'worker/fill/mesh', 'worker/fill/hole'],
+        ['eigen']),
+
     'worker/fill/plane': rule(
         ['common/mesh', 'common/mesh/winding', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
          'worker/fill/shape', 'worker/fill/space', 'worker/fill/wang'],
@@ -99,7 +103,8 @@ RULES = {
         ['eigen']),
 
     'worker/fill': rule(
-        ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/plane', 'worker/fill/crease'],
+        ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/front', 'worker/fill/plane',
+         'worker/fill/crease'],
         []),
 
     'worker/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),

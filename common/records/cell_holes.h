@@ -84,6 +84,12 @@ enum class FillWay : uint8_t {
   kSpace,        // triangles of its boundary in space
   kFoldsCut,     // heights over a plane, with folds of its boundary cut off
   kBare,         // triangles of its boundary in space alone, where no new vertex could be laid
+  // With the filler of that name (Filler), in its order.
+  kAdvancingFrontNormal,
+  kAdvancingFrontCurvature,
+  kAdvancingFrontPoisson,
+  kSvmLaplacian,
+  kMinimumArea,
 };
 
 // New geometry for one hole. A corner k >= 0 is rim vertex k of the CellHoles; -1 - k is new_points[k].

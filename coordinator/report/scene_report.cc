@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "absl/strings/str_format.h"
+#include "common/records/filler.h"
 #include "common/util/version.h"
 
 namespace tilemend {
@@ -317,6 +318,16 @@ const char* WayName(FillWay way) {
       return "folds cut off";
     case FillWay::kBare:
       return "bare triangles";
+    case FillWay::kAdvancingFrontNormal:
+      return FillerName(Filler::kAdvancingFrontNormal);
+    case FillWay::kAdvancingFrontCurvature:
+      return FillerName(Filler::kAdvancingFrontCurvature);
+    case FillWay::kAdvancingFrontPoisson:
+      return FillerName(Filler::kAdvancingFrontPoisson);
+    case FillWay::kSvmLaplacian:
+      return FillerName(Filler::kSvmLaplacian);
+    case FillWay::kMinimumArea:
+      return FillerName(Filler::kMinimumArea);
   }
   return "unknown";
 }

@@ -21,6 +21,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/grid/scene.h"
+#include "common/records/filler.h"
 #include "common/records/surface.h"
 #include "common/util/stage.h"
 #include "coordinator/service/job_folders.h"
@@ -35,6 +36,7 @@ struct JobSpec {
   std::string surface = SurfaceName(kDefaultSurface);  // a name that SurfaceNamed knows
   bool uniform = false;                                // triangles as large as the rim's throughout
   double gradation = 1.3;                              // [1, 10], growth of the triangles inward
+  std::string filler = FillerName(Filler::kAuto);      // of closed holes: a name that FillerNamed knows
   double size_limit = 16;                              // [1, 1e6], largest edge over the rim's mean edge
   std::optional<double> tension;       // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
   std::string water = "auto";          // or "off", or a file of polygons: see water_choice.h

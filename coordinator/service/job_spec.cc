@@ -62,6 +62,9 @@ absl::Status JobSpec::Check() const {
   if (!named) {
     return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "': expected thin-plate or wang"));
   }
+  if (!FillerNamed(filler)) {
+    return InvalidSpec("filler", absl::StrCat("'", Printable(filler), "': expected ", FillerNames()));
+  }
   if (water.empty() || !IsUtf8(water)) {
     return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
   }

@@ -37,6 +37,7 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
   options.set_size_limit(spec.size_limit);
   options.set_uniform(spec.uniform);
   options.set_thin_plate(spec.surface == SurfaceName(Surface::kThinPlate));
+  options.set_filler(spec.filler);
   if (spec.tension) options.set_tension(*spec.tension);
   if (options.thin_plate()) return options;
   const WangOptions wang = WangOptionsOf(spec);
@@ -49,6 +50,7 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
   ReportedOption tension{"tension", std::string("auto")};
   if (spec.tension) tension.value = *spec.tension;
   std::vector<ReportedOption> options = {{"surface", spec.surface},
+                                         {"filler", spec.filler},
                                          {"tension", tension.value},
                                          {"gradation", spec.gradation},
                                          {"size-limit", spec.size_limit},
@@ -73,12 +75,13 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
 std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
   const WangOptions wang = WangOptionsOf(spec);
   return absl::StrFormat(
-      "scene %s\nsurface %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d\ntension %s\n"
+      "scene %s\nsurface %s\nfiller %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d\ntension "
+      "%s\n"
       "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\ncells %s\n",
-      spec.scene, spec.surface, spec.uniform, spec.gradation, spec.size_limit, wang.seam_smoothing, wang.seam_buffer,
-      wang.longest_loop, wang.fairing_steps, spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto",
-      spec.water, water.digest, spec.water_tolerance, spec.water_profile, spec.water_colour, spec.textures, area_digest,
-      spec.cells);
+      spec.scene, spec.surface, spec.filler, spec.uniform, spec.gradation, spec.size_limit, wang.seam_smoothing,
+      wang.seam_buffer, wang.longest_loop, wang.fairing_steps,
+      spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
+      spec.water_profile, spec.water_colour, spec.textures, area_digest, spec.cells);
 }
 
 }  // namespace tilemend

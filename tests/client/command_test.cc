@@ -53,6 +53,10 @@ TEST_F(CommandTest, ExitCodes) {
   EXPECT_EQ(Run({"run", "toy://2x2"}).code, 2);
   EXPECT_EQ(Run({"run", "--out", out}).code, 2);
   EXPECT_EQ(Run({"run", "toy://2x2", "--out", out, "--surface", "flat"}).code, 2);
+  EXPECT_EQ(Run({"run", "toy://2x2", "--out", out, "--filler", "putty"}).code, 2);
+  EXPECT_EQ(Run({"fill", "mesh.off", "--out", out, "--filler", "putty"}).code, 2);
+  EXPECT_EQ(Run({"fill", "mesh.off", "--out", out, "--svm-rings", "2"}).code, 2);
+  EXPECT_EQ(Run({"fill", "mesh.off", "--out", out, "--filler", "svm-laplacian", "--svm-rings", "0"}).code, 2);
   EXPECT_EQ(Run({"run", "toy://2x2", "--out", out, "--workers", "0"}).code, 2);
   EXPECT_EQ(Run({"run", "no-such-scene", "--out", out}).code, 3);
   EXPECT_EQ(Run({"report", out}).code, 3);

@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "worker/fill/crease/crease_fill.h"
+#include "worker/fill/front/front_fill.h"
 #include "worker/fill/hole/cell_band.h"
 #include "worker/fill/hole/facing.h"
 #include "worker/fill/hole/local_patch.h"
 #include "worker/fill/hole/projection_frame.h"
 #include "worker/fill/plane/folded_fill.h"
 #include "worker/fill/plane/plane_fill.h"
+#include "worker/fill/space/least_area_fill.h"
 #include "worker/fill/space/patch_soundness.h"
 #include "worker/fill/space/space_fill.h"
 #include "worker/fill/space/unrolled_fill.h"
@@ -26,6 +28,24 @@ enum class Check {
   kCrossings,  // it might pass through itself or the surface around it
   kFreely,     // it might also go astray, or face down where heights fill the hole
 };
+
+FillWay WayOf(Filler filler) {
+  switch (filler) {
+    case Filler::kAuto:
+      break;
+    case Filler::kAdvancingFrontNormal:
+      return FillWay::kAdvancingFrontNormal;
+    case Filler::kAdvancingFrontCurvature:
+      return FillWay::kAdvancingFrontCurvature;
+    case Filler::kAdvancingFrontPoisson:
+      return FillWay::kAdvancingFrontPoisson;
+    case Filler::kSvmLaplacian:
+      return FillWay::kSvmLaplacian;
+    case Filler::kMinimumArea:
+      return FillWay::kMinimumArea;
+  }
+  return FillWay::kNone;
+}
 
 struct Way {
   FillWay name;
@@ -67,6 +87,7 @@ class HoleFiller {
 
  private:
   std::vector<Way> Ways() {
+    if (options_.filler != Filler::kAuto && !hole_.open && !hole_.level) return {AsNamed()};
     std::vector<Way> ways;
     if (FillsOverGround()) {
       AddPlanes(false, ways);
@@ -91,6 +112,13 @@ class HoleFiller {
 
   // Water, open holes, and holes whose rim stands on objects.
   bool FillsOverGround() const { return hole_.open || hole_.level || !hole_.on_object.empty(); }
+
+  Way AsNamed() {
+    return {WayOf(options_.filler), Check::kCrossings, [&] {
+              if (options_.filler == Filler::kMinimumArea) return FillLeastArea(FreeHole(), options_);
+              return FillWithFront(hole_, options_, [&] { return crossings_.Surface(); });
+            }};
+  }
 
   Way InSpace() {
     return {FillWay::kSpace, Check::kCrossings, [&] { return FillInSpace(FreeHole(), options_, crossings_); }};

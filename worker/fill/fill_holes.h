@@ -22,6 +22,9 @@ namespace tilemend {
 //   kSpace        closed                                    space_fill.h
 //   kFoldsCut     all but water, same planes                folded_fill.h
 //
+// With options.filler but kAuto closed holes without a level are filled by that one alone (front_fill.h,
+// least_area_fill.h), their patches checked for crossings.
+//
 // A closed hole with a level (CellHole::level) is filled as kWater, over the ground, its folds cut off if need be, else
 // in space. New vertices of water all get its level.
 //

@@ -97,6 +97,9 @@ absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const Cance
   options.refine.uniform = proto.uniform();
   options.surface = proto.thin_plate() ? Surface::kThinPlate : Surface::kWang;
   if (proto.has_tension()) options.tension = proto.tension();
+  const auto filler = proto.filler().empty() ? Filler::kAuto : FillerNamed(proto.filler());
+  if (!filler) return absl::InvalidArgumentError("an unknown filler");
+  options.filler = *filler;
   if (options.surface != Surface::kWang) return options;
   options.wang.longest_loop = proto.longest_loop();
   options.wang.fairing_steps = proto.fairing_steps();

@@ -6,6 +6,29 @@
 #include "worker/fill/hole/fill_options.h"
 
 namespace tilemend {
+namespace {
+
+// Of what is wrong with the one patch that was made.
+std::string TextOfFault(FillFailure failure) {
+  switch (failure) {
+    case FillFailure::kTurnsOver:
+      return "a triangle of its patch turns over where the output rounds";
+    case FillFailure::kFlatTriangle:
+      return "a triangle of its patch would have no area";
+    case FillFailure::kRepeatsTriangle:
+      return "its patch would repeat a triangle of the surface";
+    case FillFailure::kOverfullEdge:
+      return "its patch would make an edge with three triangles";
+    case FillFailure::kNotClosed:
+      return "its patch would not close on its whole boundary";
+    case FillFailure::kFrontOpen:
+      return "the advancing front did not close";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
 
 std::string TextOf(FillFailure failure, size_t boundary_edges) {
   switch (failure) {
@@ -24,8 +47,6 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
       return "its patch would need an edge that the surface already has";
     case FillFailure::kNoSolution:
       return "the equations of its surface have no solution";
-    case FillFailure::kTurnsOver:
-      return "a triangle of its patch turns over where the output rounds";
     case FillFailure::kTooLongForSpace:
       return "it projects on no plane without overlap and has " + std::to_string(boundary_edges) +
              " boundary vertices; at most " + std::to_string(kLongestSpatialLoop) + " can be filled in space";
@@ -36,14 +57,16 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kRimIsCrossed:
       return "the surface around it passes through its boundary and through every patch that was tried; repair the "
              "mesh first";
+    case FillFailure::kTooLongForArea:
+      return "it has " + std::to_string(boundary_edges) +
+             " boundary vertices, too many for a triangulation of least area";
+    case FillFailure::kTurnsOver:
     case FillFailure::kFlatTriangle:
-      return "a triangle of its patch would have no area";
     case FillFailure::kRepeatsTriangle:
-      return "its patch would repeat a triangle of the surface";
     case FillFailure::kOverfullEdge:
-      return "its patch would make an edge with three triangles";
     case FillFailure::kNotClosed:
-      return "its patch would not close on its whole boundary";
+    case FillFailure::kFrontOpen:
+      return TextOfFault(failure);
   }
   return "";
 }

@@ -24,6 +24,8 @@ enum class FillFailure {
   kRepeatsTriangle,
   kOverfullEdge,
   kNotClosed,
+  kFrontOpen,
+  kTooLongForArea,
 };
 
 // For people.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "common/records/filler.h"
 #include "common/records/surface.h"
 #include "worker/fill/region/refine_region.h"
 
@@ -21,6 +22,8 @@ struct FillOptions {
   std::optional<double>
       tension;  // of the thin-plate surface, 1 / metre^2; none: chosen from the rim (choose_tension.h)
   WangOptions wang;
+  Filler filler = Filler::kAuto;  // of closed holes
+  FillerOptions filling;
   RefineOptions refine;
 };
 

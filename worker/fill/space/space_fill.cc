@@ -134,6 +134,17 @@ std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vecto
   return triangles;
 }
 
+std::vector<int32_t> JoinedLoop(const LocalHole& hole, std::set<VertexPair>& bridges) {
+  std::vector<Loop> loops;
+  for (const RimLoop& loop : hole.loops) loops.push_back(loop.vertices);
+  while (loops.size() > 1) {
+    const std::vector<Bridge> next = BridgesFrom(hole, loops);
+    if (next.empty()) return {};
+    Cross(next[0], loops, bridges);
+  }
+  return loops.empty() ? Loop() : loops[0];
+}
+
 LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check) {
   const bool too_long = hole.cell->upright && hole.segments.size() > kLongestSpatialLoop;
   if (hole.loops.empty() || too_long) return {FillFailure::kTooLongForSpace};

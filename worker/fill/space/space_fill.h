@@ -19,6 +19,10 @@ namespace tilemend {
 std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vector<int32_t>& loop,
                                          const std::set<VertexPair>& used, const CrossingIndex& surface);
 
+// The hole's loops tied together by the shortest bridges, one after the other, which it adds to `bridges`; empty if
+// there are no loops, or some cannot be tied. O(rim^2 log rim) for each island.
+std::vector<int32_t> JoinedLoop(const LocalHole& hole, std::set<VertexPair>& bridges);
+
 // Triangulates the boundary so that the patch crosses neither itself nor the surface. Islands are tied to the rest by
 // bridges, the shortest that lead to a sound patch. With Wang's surface the triangles are refined, adjusted and faired
 // (ShapeAsWang) where that leads to a sound patch, else they are the patch. With the thin plate, a short hole of one

@@ -1,0 +1,82 @@
+// The ways to fill closed holes that can be asked for by name.
+#ifndef TILEMEND_COMMON_RECORDS_FILLER_H_
+#define TILEMEND_COMMON_RECORDS_FILLER_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tilemend {
+
+enum class Filler : uint8_t {
+  kAuto,                     // by the kind of the hole (worker/fill/fill_holes.h)
+  kAdvancingFrontNormal,     // Sun et al. 2012
+  kAdvancingFrontCurvature,  // the front refined by Gaussian curvature
+  kAdvancingFrontPoisson,    // Zhao et al. 2007
+  kSvmLaplacian,             // Xu et al. 2014
+  kMinimumArea,              // Liepa 2003, as Wang 2021 takes it
+};
+
+inline constexpr std::array kFillers = {Filler::kAuto,
+                                        Filler::kAdvancingFrontNormal,
+                                        Filler::kAdvancingFrontCurvature,
+                                        Filler::kAdvancingFrontPoisson,
+                                        Filler::kSvmLaplacian,
+                                        Filler::kMinimumArea};
+
+// As flags, jobs and reports say it.
+constexpr const char* FillerName(Filler filler) {
+  switch (filler) {
+    case Filler::kAuto:
+      break;
+    case Filler::kAdvancingFrontNormal:
+      return "advancing-front-normal";
+    case Filler::kAdvancingFrontCurvature:
+      return "advancing-front-curvature";
+    case Filler::kAdvancingFrontPoisson:
+      return "advancing-front-poisson";
+    case Filler::kSvmLaplacian:
+      return "svm-laplacian";
+    case Filler::kMinimumArea:
+      return "minimum-area";
+  }
+  return "auto";
+}
+
+// The filler of that name; nothing for any other text.
+constexpr std::optional<Filler> FillerNamed(std::string_view name) {
+  for (const Filler filler : kFillers) {
+    if (name == FillerName(filler)) return filler;
+  }
+  return std::nullopt;
+}
+
+// All of them, for people.
+inline std::string FillerNames() {
+  std::string names;
+  for (const Filler filler : kFillers) names += (names.empty() ? "" : ", ") + std::string(FillerName(filler));
+  return names;
+}
+
+// What the papers leave open.
+struct FillerOptions {
+  // Of every front: a new vertex closer than this to the front, in edges there, becomes a vertex of it (Xu 2014, 3.2).
+  double merge = 0.6;  // [0, 1]
+  // Of Sun 2012, eq. 5: eta, metres. None: half the new edge, with which the new vertex lies on the osculating circle.
+  std::optional<double> bend = {};  // [0, 1e6]
+  // Of Xu 2014: edges of the rim longer than this many mean ones are split (3.1: k), the rings of the surface that are
+  // learnt from (3.3: k), gamma of eq. 11, the width of the kernel in mean edges of the rim.
+  double long_edge = 1.5;    // [1, 100]
+  int32_t rings = 3;         // [1, 20]
+  double gamma = 10;         // [1e-6, 1e9]
+  double kernel_width = 10;  // [0.1, 1e6]
+  // Of the curvature paper: how often an edge may be halved, and how often vertices go to the centroid.
+  int32_t halvings = 2;         // [0, 10]
+  int32_t centroid_steps = 10;  // [0, 1000]
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_RECORDS_FILLER_H_

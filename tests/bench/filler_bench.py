@@ -1,0 +1,202 @@
+#!/usr/bin/python3
+"""Fills the same 40 made holes with each filler of `tilemend fill --filler` and prints what became of them.
+
+    filler_bench.py [--bin DIR] [--only flat,tube] [--fillers auto,minimum-area] [--rims 10,400] [--json FILE] [--keep DIR]
+
+Four kinds of surface, each with ten holes whose boundaries have 10 to 400 vertices: nearly flat ground, a curved surface, a sheet
+folded by 90 degrees, the wall of a tube of which the hole takes nearly half. Meshes are triangles of side 1, each vertex off its
+place; holes are blobs, larger with their boundary. An error is the mean distance from what was removed to the patch, over the
+hole's radius. Quality is 2 * inradius / circumradius of the patch's triangles. Crossings are triangles that `tilemend check` finds.
+Seconds and memory are those of the whole process. Needs numpy and scipy.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from scipy.spatial import Delaunay, cKDTree
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import measure
+import surfaces
+
+FILLERS = ('auto', 'advancing-front-normal', 'advancing-front-curvature', 'advancing-front-poisson', 'svm-laplacian', 'minimum-area')
+RIMS = (10, 16, 24, 36, 54, 80, 120, 180, 270, 400)
+MARGIN = 9  # of the sheet around its hole, edges
+
+
+def flat(u, v, _):
+    return np.stack([u, v, .02 * np.sin(1.7 * u) * np.cos(1.3 * v)], 1)
+
+
+def curved(u, v, radius):
+    return np.stack([u, v, .25 * radius * (np.cos(1.2 * u / radius) + np.sin(.9 * v / radius + .4))], 1)
+
+
+def creased(u, v, _):
+    return np.stack([u, v * np.sqrt(.5), -np.abs(v) * np.sqrt(.5)], 1)
+
+
+def tube(u, v, radius):
+    around = max(radius / 1.5, (radius + MARGIN) / 2.8)
+    return np.stack([u, around * np.sin(v / around), around * np.cos(v / around)], 1)
+
+
+KINDS = {'flat': flat, 'curved': curved, 'creased': creased, 'tube': tube}
+
+
+def sheet(reach, rng):
+    """Points (n x 2) and triangles of a plane of that half width; lines v = 0 stay straight for folds."""
+    rows = np.arange(-np.ceil(reach / .866), np.ceil(reach / .866) + 1)
+    points = np.concatenate([np.stack([np.arange(-reach, reach + 1) + .5 * (k % 2), np.full(int(2 * reach + 1), .866 * k)], 1) for k in rows])
+    shift = rng.uniform(-.18, .18, points.shape)
+    shift[np.abs(points[:, 1]) < 1e-9, 1] = 0
+    points = points + shift
+    triangles = Delaunay(points).simplices
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    turn = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+    triangles[turn < 0] = triangles[turn < 0][:, ::-1]
+    longest = np.max([np.linalg.norm(points[triangles[:, k]] - points[triangles[:, k - 1]], axis=1) for k in range(3)], 0)
+    return points, triangles[(np.abs(turn) > .1) & (longest < 2)]
+
+
+def one_disc(triangles):
+    """Whether triangles are one piece with one boundary that passes no vertex twice."""
+    edges = surfaces.boundary(triangles)
+    if len(np.unique(edges[:, 0])) != len(edges):
+        return False
+    used, again = np.unique(edges, return_inverse=True)
+    return len(np.unique(surfaces.components(again.reshape(-1, 2), len(used)))) == 1
+
+
+def make(kind, rim):
+    """Points, triangles, which of them are removed, the radius of the hole: its boundary has about `rim` vertices."""
+    best = None
+    for attempt in range(12):
+        rng = np.random.default_rng([list(KINDS).index(kind), rim, attempt])
+        phase, radius = rng.uniform(0, 2 * np.pi, 3), rim / (2 * np.pi) * rng.uniform(.75, 1.05)
+        flat_points, triangles = sheet(int(np.ceil(1.3 * radius + MARGIN)), rng)
+        middle = flat_points[triangles].mean(1)
+        angle = np.arctan2(middle[:, 1], middle[:, 0])
+        wobble = 1 + .12 * np.sin(2 * angle + phase[0]) + .08 * np.sin(3 * angle + phase[1]) + .04 * np.sin(5 * angle + phase[2])
+        removed = np.hypot(*middle.T) < radius * wobble
+        if not removed.any() or not one_disc(triangles[removed]):
+            continue
+        off = abs(len(surfaces.boundary(triangles[removed])) - rim)
+        if best is None or off < best[0]:
+            best = off, (KINDS[kind](*flat_points.T, radius), triangles, removed, radius)
+        if off <= .02 * rim:
+            break
+    return best[1]
+
+
+def spread(corners, most):
+    """Places over triangles, no further apart than `most`."""
+    cuts = np.maximum(1, np.ceil(np.linalg.norm(corners - np.roll(corners, 1, 1), axis=2).max(1) / most)).astype(int)
+    places = []
+    for n in np.unique(cuts):
+        i, j = (k.ravel() for k in np.meshgrid(np.arange(n + 1), np.arange(n + 1)))
+        i, j = i[i + j <= n] / n, j[i + j <= n] / n
+        weights = np.stack([1 - i - j, i, j], 1)
+        places.append(np.einsum('pk,tkx->tpx', weights, corners[cuts == n]).reshape(-1, 3))
+    return np.concatenate(places)
+
+
+def error(truth, patch, radius):
+    """The mean distance from places of the truth to the patch, over the radius."""
+    step = max(.1, radius / 60)
+    return cKDTree(spread(patch, step)).query(spread(truth, .5))[0].mean() / radius
+
+
+def quality(corners):
+    a, b, c = (np.linalg.norm(corners[:, k] - corners[:, k - 1], axis=1) for k in range(3))
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    return 16 * area ** 2 / ((a + b + c) * a * b * c)
+
+
+def crossings(program, path):
+    text = subprocess.run([program, 'check', path, '-o', 'json'], capture_output=True, text=True, check=False).stdout
+    return json.loads(text)['defects']['self_intersections']['count']
+
+
+def run(a, filler, kind, rim, made, folder):
+    points, triangles, removed, radius = made
+    path, out = (os.path.join(folder, f'{kind}_{rim}{end}.off') for end in ('', '_' + filler))
+    surfaces.write_off(path, points, triangles[~removed])
+    program = os.path.join(a.bin, 'tilemend')
+    process = measure.Run([program, 'fill', path, '--out', out, '--overwrite', '--filler', filler], accept=(0, 100))
+    new_points, new_triangles = surfaces.read_off(out)
+    patch = new_points[new_triangles[(~removed).sum():]]
+    result = {'filler': filler, 'kind': kind, 'rim': len(surfaces.boundary(triangles[removed])), 'filled': process.code == 0 and len(patch) > 0,
+              'seconds': process.wall, 'peak': process.peak}
+    if result['filled']:
+        q = quality(patch)
+        result |= {'error': error(points[triangles[removed]], patch, radius), 'quality': q.mean(), 'least': q.min(),
+                   'histogram': np.histogram(q, 20, (0, 1))[0].tolist(), 'triangles': len(patch), 'crossings': crossings(program, out)}
+    return result
+
+
+def measured(a, folder):
+    results = []
+    for kind in a.only:
+        for rim in a.rims:
+            made = make(kind, rim)
+            print(f'{kind}, {rim} edges', file=sys.stderr)
+            results += [run(a, filler, kind, rim, made, folder) for filler in a.fillers]
+    return results
+
+
+def mean_of(rows, key):
+    return np.mean([r[key] for r in rows]) if rows else np.nan
+
+
+def table(results):
+    """A row by filler and kind; the last columns compare with the default on the holes that both filled."""
+    rows = []
+    errors = {(r['kind'], r['rim']): r['error'] for r in results if r['filler'] == 'auto' and r['filled']}
+    for filler in dict.fromkeys(r['filler'] for r in results):
+        for kind in [*dict.fromkeys(r['kind'] for r in results), 'all']:
+            chosen = [r for r in results if r['filler'] == filler and kind in ('all', r['kind'])]
+            good = [r for r in chosen if r['filled']]
+            both = [(r['error'], errors[r['kind'], r['rim']]) for r in good if (r['kind'], r['rim']) in errors]
+            better = sum(own < default for own, default in both) if filler != 'auto' else '–'
+            mean = '–' if not both else f'{np.mean([d for _, d in both]):.4f}'
+            rows.append([f'`{filler}`', kind, f'{len(good)}/{len(chosen)}', f'{mean_of(good, "error"):.4f}', mean, better,
+                         f'{mean_of(good, "quality"):.3f}', sum(r['crossings'] for r in good), measure.up(sum(r['seconds'] for r in chosen), 2),
+                         measure.megabytes(max(r['peak'] for r in chosen))])
+    return measure.table(['', '', 'filled', 'mean error', "default's, same holes", 'better than default', 'mean quality', 'crossings', 's', 'peak, MB'], rows)
+
+
+def words(text):
+    return text.split(',')
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--bin', default=measure.BIN)
+    parser.add_argument('--only', type=words, default=list(KINDS))
+    parser.add_argument('--fillers', type=words, default=list(FILLERS))
+    parser.add_argument('--rims', type=lambda t: [int(r) for r in words(t)], default=list(RIMS))
+    parser.add_argument('--json', default='')
+    parser.add_argument('--keep', default='')
+    return parser.parse_args()
+
+
+def main():
+    a = arguments()
+    with tempfile.TemporaryDirectory(prefix='tilemend-bench-') as folder:
+        if a.keep:
+            os.makedirs(a.keep, exist_ok=True)
+        results = measured(a, a.keep or folder)
+    if a.json:
+        with open(a.json, 'w', encoding='utf-8') as file:
+            json.dump(results, file)
+    print(measure.machine())
+    print(table(results))
+
+
+if __name__ == '__main__':
+    main()

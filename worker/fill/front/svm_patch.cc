@@ -1,0 +1,44 @@
+#include "worker/fill/front/svm_patch.h"
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "worker/fill/front/cotangent_system.h"
+#include "worker/fill/front/least_squares_svm.h"
+
+namespace tilemend {
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr Eigen::Index kMostSamples = 2000;
+
+}  // namespace
+
+bool ShapeByLaplacians(std::span<const LaplacianSample> samples, const FillerOptions& options, double edge,
+                       std::span<const Triangle> triangles, int32_t rim, std::vector<Point3>& points) {
+  const auto all = static_cast<int32_t>(points.size());
+  if (rim == all) return true;
+  const CotangentSystem system(points, triangles, rim);
+  if (!system.ok()) return false;
+  const Eigen::Index every = (std::ssize(samples) + kMostSamples - 1) / kMostSamples;
+  const Eigen::Index count = every > 0 ? (std::ssize(samples) + every - 1) / every : 0;
+  MatrixXd of_rim(rim, 3), right = MatrixXd::Zero(all - rim, 3);
+  for (int32_t v = 0; v < rim; ++v) of_rim.row(v) = points[v].transpose();
+  for (int axis = 0; axis < 3 && count > 0; ++axis) {
+    Eigen::VectorXd at(count), values(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      at[i] = samples[i * every].at[axis];
+      values[i] = samples[i * every].laplacian[axis];
+    }
+    const std::optional<SvmFunction> f = LearnSvm(at, values, options.gamma, options.kernel_width * edge);
+    if (!f) return false;
+    for (int32_t v = rim; v < all; ++v) right(v - rim, axis) = system.WeightOf(v) * (*f)(points[v][axis]);
+  }
+  const MatrixXd places = system.Solve(of_rim, right);
+  if (!places.allFinite()) return false;
+  for (int32_t v = rim; v < all; ++v) points[v] = places.row(v - rim).transpose();
+  return true;
+}
+
+}  // namespace tilemend
