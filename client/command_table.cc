@@ -62,6 +62,13 @@ std::vector<FlagSpec> FillFlags() {
   return flags;
 }
 
+std::vector<FlagSpec> AggregateFlags() {
+  return {{"out", "FILE", "PLY file to write", ""},
+          {"overwrite", "", "replace FILE if it exists", ""},
+          {"memory", "MB", "address space that may be taken, 64 to 1e9 (default: any)", ""},
+          {"longest-loop", "N", "longer boundaries stay open, 3 to 20000: n^3 steps", "2000"}};
+}
+
 std::vector<FlagSpec> InspectFlags() {
   return Join(WaterFlags(""),
               {AreaFlag(), {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""}});
@@ -81,19 +88,14 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> cluster = Join(CoordinatorFlags(), {OutputFlag()});
   const std::vector<FlagSpec> list =
       Join({{"state", "STATE[,STATE]", "only jobs in these states: running, done, ...", ""}}, cluster);
+  const std::vector<FlagSpec> inspect = Join(InspectFlags(), output), aggregate = Join(AggregateFlags(), output);
   const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);
   const std::vector<FlagSpec> retry = Join(
       {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));
   const FlagSpec priority = {"priority", "P", "-100 to 100: tasks of jobs with a lower one wait", "0"};
   const std::vector<FlagSpec> submit = Join(Join(Join(JobFlags(), StartFlags()), {priority}), output);
   return {
-      {"inspect",
-       "SCENE|MESH",
-       "show tiles, borders and holes; write nothing",
-       1,
-       {},
-       Join(InspectFlags(), output),
-       InspectCommand},
+      {"inspect", "SCENE|MESH", "show tiles, borders and holes; write nothing", 1, {}, inspect, InspectCommand},
       {"check",
        "MESH|SCENE|DIR",
        "show what is wrong with a mesh, a scene or an output; write nothing",
@@ -103,6 +105,7 @@ std::vector<Command> ServiceCommands() {
        CheckCommand},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
       {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, Join(FillFlags(), output), FillCommand},
+      {"aggregate", "SCENE --out FILE", "join all cells and fill that", 1, {"out"}, aggregate, AggregateCommand},
       {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, submit, SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},

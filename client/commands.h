@@ -27,6 +27,7 @@ int InspectCommand(const Args& args);
 int CheckCommand(const Args& args);
 int RunCommand(const Args& args);
 int FillCommand(const Args& args);
+int AggregateCommand(const Args& args);
 int SubmitCommand(const Args& args);
 int GetCommand(const Args& args);
 int ListCommand(const Args& args);

@@ -182,7 +182,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/gis', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
+        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
          'worker/fill', 'worker/check', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),

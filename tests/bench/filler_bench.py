@@ -4,7 +4,7 @@
     filler_bench.py [--bin DIR] [--only flat,tube] [--fillers auto,minimum-area] [--rims 10,400] [--json FILE] [--keep DIR]
 
 Four kinds of surface, each with ten holes whose boundaries have 10 to 400 vertices: nearly flat ground, a curved surface, a sheet
-folded by 90 degrees, the wall of a tube of which the hole takes nearly half. Meshes are triangles of side 1, each vertex off its
+folded by 90 degrees, the wall of a tube, of which large holes take nearly half. Meshes are triangles of side 1, each vertex off its
 place; holes are blobs, larger with their boundary. An error is the mean distance from what was removed to the patch, over the
 hole's radius. Quality is 2 * inradius / circumradius of the patch's triangles. Crossings are triangles that `tilemend check` finds.
 Seconds and memory are those of the whole process. Needs numpy and scipy.
@@ -41,7 +41,7 @@ def creased(u, v, _):
 
 
 def tube(u, v, radius):
-    around = max(radius / 1.5, (radius + MARGIN) / 2.8)
+    around = max(radius / 1.5, (1.3 * radius + MARGIN + 2) / 2.8)  # the sheet does not meet itself behind
     return np.stack([u, around * np.sin(v / around), around * np.cos(v / around)], 1)
 
 
@@ -127,10 +127,13 @@ def run(a, filler, kind, rim, made, folder):
     path, out = (os.path.join(folder, f'{kind}_{rim}{end}.off') for end in ('', '_' + filler))
     surfaces.write_off(path, points, triangles[~removed])
     program = os.path.join(a.bin, 'tilemend')
-    process = measure.Run([program, 'fill', path, '--out', out, '--overwrite', '--filler', filler], accept=(0, 100))
+    edges = len(surfaces.boundary(triangles[removed]))
+    # What is left of a tube has no side: its outline counts as a hole, too.
+    process = measure.Run([program, 'fill', path, '--out', out, '--overwrite', '--filler', filler, '--largest-hole', str(edges)],
+                          accept=(0, 100))
     new_points, new_triangles = surfaces.read_off(out)
     patch = new_points[new_triangles[(~removed).sum():]]
-    result = {'filler': filler, 'kind': kind, 'rim': len(surfaces.boundary(triangles[removed])), 'filled': process.code == 0 and len(patch) > 0,
+    result = {'filler': filler, 'kind': kind, 'rim': edges, 'filled': len(patch) > 0,
               'seconds': process.wall, 'peak': process.peak}
     if result['filled']:
         q = quality(patch)
@@ -146,6 +149,9 @@ def measured(a, folder):
             made = make(kind, rim)
             print(f'{kind}, {rim} edges', file=sys.stderr)
             results += [run(a, filler, kind, rim, made, folder) for filler in a.fillers]
+            if a.json:
+                with open(a.json, 'w', encoding='utf-8') as file:
+                    json.dump(results, file)
     return results
 
 
@@ -191,9 +197,6 @@ def main():
         if a.keep:
             os.makedirs(a.keep, exist_ok=True)
         results = measured(a, a.keep or folder)
-    if a.json:
-        with open(a.json, 'w', encoding='utf-8') as file:
-            json.dump(results, file)
     print(measure.machine())
     print(table(results))
 

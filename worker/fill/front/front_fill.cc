@@ -16,8 +16,8 @@
 namespace tilemend {
 namespace {
 
-// A disc of even triangles needs a tenth of this. A front that needs more runs away.
-int64_t MostNewPoints(int64_t edges) { return edges * edges + 200; }
+// A disc of even triangles needs a third of this. A front that needs more runs away.
+int64_t MostNewPoints(int64_t edges) { return edges * edges / 3 + 200; }
 
 FrontRim RimOf(const LocalHole& hole) {
   FrontRim rim;

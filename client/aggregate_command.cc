@@ -1,0 +1,94 @@
+// `tilemend aggregate`: a scene as one mesh, for comparison.
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "absl/cleanup/cleanup.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/time/clock.h"
+#include "client/aggregate.h"
+#include "client/commands.h"
+#include "client/job_flags.h"
+#include "client/output.h"
+#include "common/util/files.h"
+#include "common/util/utc.h"
+#include "coordinator/report/scene_report.h"
+#include "coordinator/report/tile_checks.h"
+
+namespace tilemend {
+namespace {
+
+absl::StatusOr<AggregateOptions> OptionsFromFlags(const Args& args) {
+  AggregateOptions options;
+  const std::string out = args.Text("out");
+  options.joined = absl::StrCat(out, ".joined.ply");
+  if (args.IsGiven("memory")) {
+    const auto megabytes = args.Number("memory", 64, 1e9);
+    if (!megabytes.ok()) return megabytes.status();
+    options.memory_bytes = static_cast<int64_t>(*megabytes * 1e6);
+  }
+  const auto longest = WholeNumberIfGiven(args, "longest-loop", 3, 20000);
+  if (!longest.ok()) return longest.status();
+  options.longest_loop = longest->value_or(options.longest_loop);
+  return options;
+}
+
+absl::Status CheckPaths(const std::string& out, const std::string& joined, bool overwrite) {
+  if (std::filesystem::path(out).extension() != ".ply") {
+    return absl::InvalidArgumentError(absl::StrCat(out, ": expected a file name that ends in .ply"));
+  }
+  std::error_code error;
+  for (const std::string& file : {out, joined}) {
+    if (std::filesystem::is_directory(file, error)) {
+      return absl::InvalidArgumentError(absl::StrCat(file, ": is a folder; choose another --out"));
+    }
+    if (overwrite || !std::filesystem::exists(file, error)) continue;
+    return absl::AlreadyExistsError(absl::StrCat(file, ": exists already; choose another --out, or give --overwrite"));
+  }
+  return absl::OkStatus();
+}
+
+void Print(const SceneReportInput& report, const std::string& out, OutputFormat format) {
+  if (format == OutputFormat::kJson) {
+    std::fputs(SceneReport(report).c_str(), stdout);
+    return;
+  }
+  const size_t holes = report.plan->holes.size(), left = report.outcome.failures.size();
+  std::fputs(absl::StrFormat("%d of %d closed holes of the joined mesh filled\nwritten: %s\n", holes - left, holes, out)
+                 .c_str(),
+             stdout);
+  for (const LeftOpen& l : LeftOf(report)) {
+    if (l.is_hole) std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
+  }
+}
+
+}  // namespace
+
+int AggregateCommand(const Args& args) {
+  const auto format = FormatFromFlags(args);
+  if (!format.ok()) return PrintUsageError(format.status());
+  const auto options = OptionsFromFlags(args);
+  if (!options.ok()) return PrintUsageError(options.status());
+  const std::string out = args.Text("out");
+  if (const absl::Status status = CheckPaths(out, options->joined, args.Switch("overwrite")); !status.ok()) {
+    return PrintError(status);
+  }
+  const auto scene = LoadScene(args.arguments().front(), ReadTileBounds);
+  if (!scene.ok()) return PrintError(scene.status());
+  const absl::Cleanup remove_joined = [&] {
+    std::error_code error;
+    std::filesystem::remove(options->joined, error);
+  };
+  auto filled = AggregateAndFill(*scene, *options);
+  if (!filled.ok()) return PrintError(filled.status());
+  if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
+  filled->report.scene = args.arguments().front();
+  filled->report.options = {{"filler", FillerName(Filler::kMinimumArea)},
+                            {"longest-loop", 1.0 * options->longest_loop}};
+  filled->report.date = UtcText(absl::Now());
+  Print(filled->report, out, *format);
+  return filled->report.outcome.failures.empty() ? kExitDone : kExitSomeLeft;
+}
+
+}  // namespace tilemend
