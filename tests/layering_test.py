@@ -129,7 +129,7 @@ RULES = {
     'coordinator/plan/seam': rule(['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'], ['absl'], pure=True),
 
     'coordinator/plan/hole': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'coordinator/plan/types', 'coordinator/plan/rim'],
+        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim'],
         ['eigen'], pure=True),
 
     'coordinator/plan/mesh': rule(

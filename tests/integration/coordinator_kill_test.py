@@ -19,13 +19,14 @@ import re
 import resource
 import shutil
 import signal
-import socket
 import sqlite3
 import subprocess
 import sys
 import tempfile
 import time
 import urllib.request
+
+from free_port import free_port
 
 FAILPOINTS = ['journal.make', 'journal.commit', 'journal.committed', 'journal.checkpointed', 'journal.tidy', 'blob.sync',
               'blob.renamed', 'restore.swept', 'output.claimed', 'file.written', 'file.renamed', 'file.moved',
@@ -44,17 +45,6 @@ class Failure(Exception):
 def require(condition, text):
     if not condition:
         raise Failure(text)
-
-
-def free_port():
-    """Below those that the system gives to connections, which could take it while the coordinator is dead."""
-    while True:
-        with socket.socket() as s:
-            try:
-                s.bind(('127.0.0.1', random.SystemRandom().randrange(15000, 32000)))
-                return s.getsockname()[1]
-            except OSError:
-                pass
 
 
 def await_(what, condition):
