@@ -118,6 +118,7 @@ class StripLayer {
         if (strip_end_[side]) PassNeighboursRim(region, side, rims);
       }
     }
+    SplitEdges();
   }
 
  private:
@@ -239,6 +240,36 @@ class StripLayer {
 
   void AddEdge(int32_t a, int32_t b) {
     if (edges_.insert(std::minmax(a, b)).second) hole_.inner_edges.push_back({a, b, true});
+  }
+
+  // At a corner of the grid the outline of one neighbour may have no vertex where that of another crosses it.
+  void SplitEdges() {
+    std::vector<RimSegment> result;
+    for (const RimSegment& edge : hole_.inner_edges) {
+      int32_t last = edge.from;
+      for (const int32_t v : CopiesBetween(edge.from, edge.to)) {
+        result.push_back({last, v, true});
+        last = v;
+      }
+      result.push_back({last, edge.to, true});
+    }
+    hole_.inner_edges = std::move(result);
+  }
+
+  // Those on an edge along an axis, on the way from one end to the other.
+  std::vector<int32_t> CopiesBetween(int32_t from, int32_t to) const {
+    const Point2 a = PlaceOf(from), b = PlaceOf(to), way = b - a;
+    std::map<double, int32_t> between;  // by how far along
+    if (way.cwiseAbs().minCoeff() > kOnLine) return {};
+    for (const auto& [place, copy] : copies_) {
+      const Point2 off = Point2(place.first, place.second) - a;
+      const double along = off.dot(way) / way.norm();
+      if (!copy || along < Least() || along > way.norm() - Least()) continue;
+      if ((off - along * way.normalized()).norm() < kOnLine) between.emplace(along, *copy);
+    }
+    std::vector<int32_t> found;
+    for (const auto& [along, copy] : between) found.push_back(copy);
+    return found;
   }
 
   // A neighbour's vertex as one of this hole; none where it is outside, too near to the rim, or on an object.

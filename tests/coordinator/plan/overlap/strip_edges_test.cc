@@ -174,5 +174,36 @@ TEST_F(StripEdgesTest, OutlinesCrossAtCorners) {
   EXPECT_EQ(around, (std::set<Place>{{9.75, 10.25}, {10.25, 9.75}, {10.25, 10.25}}));
 }
 
+// Beside a corner the outline of the eastern tile has no vertex where that of the northern one crosses it.
+TEST_F(StripEdgesTest, EdgesEndWhereAnotherNeighboursVertexLiesOnThem) {
+  AddCell({0, 1});
+  AddCell({1, 1});
+  const int32_t source = AddVertex({10, 10, 0}, -1, -1);
+  plan_.vertices[source].lines = 3;
+  const auto outline = [&](double x, double y, uint8_t lines) {
+    const int32_t v = AddVertex({x, y, 0}, -1, lines == 3 ? source : on_line_[3]);
+    plan_.vertices[v].lines = lines;
+    return v;
+  };
+  const auto region = [&](const std::vector<int32_t>& along) {
+    const int32_t tip = AddVertex({5, 5, 0}, 0, -1);
+    std::vector<RimSegment> segments = {{tip, along.front(), false}};
+    for (size_t i = 0; i + 1 < along.size(); ++i) segments.push_back({along[i], along[i + 1], true});
+    segments.push_back({along.back(), tip, false});
+    return segments;
+  };
+  plan_.holes[0].own_regions = {region({outline(10.25, 7, 1), outline(10.25, 10.25, 3), outline(7, 10.25, 2)})};
+  plan_.holes[1].own_regions = {region({outline(9.75, 10.25, 1), outline(9.75, 8, 1)})};
+  PlannedHole north;
+  north.cell = {0, 1};
+  north.own_regions = {region({outline(8, 9.75, 2), outline(9.75, 9.75, 2)})};
+  plan_.holes.push_back(north);
+  LayStripEdges(outlines_, plan_);
+  const std::set<std::set<Place>> edges = EdgesOf(plan_.holes[0]);
+  EXPECT_THAT(edges, Contains(std::set<Place>{{9.75, 8}, {9.75, 9.75}}));
+  EXPECT_THAT(edges, Contains(std::set<Place>{{9.75, 9.75}, {9.75, 10.25}}));
+  EXPECT_EQ(edges.count({{9.75, 8}, {9.75, 10.25}}), 0U);
+}
+
 }  // namespace
 }  // namespace tilemend
