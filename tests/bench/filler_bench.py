@@ -7,7 +7,8 @@ Four kinds of surface, each with ten holes whose boundaries have 10 to 400 verti
 folded by 90 degrees, the wall of a tube, of which large holes take nearly half. Meshes are triangles of side 1, each vertex off its
 place; holes are blobs, larger with their boundary. An error is the mean distance from what was removed to the patch, over the
 hole's radius. Quality is 2 * inradius / circumradius of the patch's triangles. Crossings are triangles that `tilemend check` finds.
-Seconds and memory are those of the whole process. Needs numpy and scipy.
+Seconds and memory are those of the whole process;
+a fill that takes more than 30 s is stopped and counts as not filled. Needs numpy and scipy.
 """
 import argparse
 import json
@@ -25,6 +26,7 @@ import surfaces
 
 FILLERS = ('auto', 'advancing-front-normal', 'advancing-front-curvature', 'advancing-front-poisson', 'svm-laplacian', 'minimum-area')
 RIMS = (10, 16, 24, 36, 54, 80, 120, 180, 270, 400)
+LIMIT = 30  # seconds; what takes longer counts as not filled
 MARGIN = 9  # of the sheet around its hole, edges
 
 
@@ -122,6 +124,11 @@ def crossings(program, path):
     return json.loads(text)['defects']['self_intersections']['count']
 
 
+def patch_of(path, originals):
+    points, triangles = surfaces.read_off(path)
+    return points[triangles[originals:]]
+
+
 def run(a, filler, kind, rim, made, folder):
     points, triangles, removed, radius = made
     path, out = (os.path.join(folder, f'{kind}_{rim}{end}.off') for end in ('', '_' + filler))
@@ -129,10 +136,9 @@ def run(a, filler, kind, rim, made, folder):
     program = os.path.join(a.bin, 'tilemend')
     edges = len(surfaces.boundary(triangles[removed]))
     # What is left of a tube has no side: its outline counts as a hole, too.
-    process = measure.Run([program, 'fill', path, '--out', out, '--overwrite', '--filler', filler, '--largest-hole', str(edges)],
-                          accept=(0, 100))
-    new_points, new_triangles = surfaces.read_off(out)
-    patch = new_points[new_triangles[(~removed).sum():]]
+    process = measure.Run(['timeout', str(LIMIT), program, 'fill', path, '--out', out, '--overwrite', '--filler', filler, '--largest-hole', str(edges)],
+                          accept=(0, 100, 124))
+    patch = patch_of(out, (~removed).sum()) if process.code != 124 else ()
     result = {'filler': filler, 'kind': kind, 'rim': edges, 'filled': len(patch) > 0,
               'seconds': process.wall, 'peak': process.peak}
     if result['filled']:
