@@ -54,6 +54,9 @@ void ExpectMended(const TriMesh& mesh, SingleType kind) {
     EXPECT_EQ(of_kind, 1);
     EXPECT_THAT(filled.failures, IsEmpty());
     ExpectSound(filled);
+    if (kind != SingleType::kCrack && kind != SingleType::kDislocation) continue;
+    // Stitched: thin triangles between vertices that are there.
+    for (const HolePatch& patch : filled.patches) EXPECT_THAT(patch.new_points, IsEmpty());
   }
 }
 

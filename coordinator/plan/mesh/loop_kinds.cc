@@ -24,6 +24,9 @@ constexpr double kGoesOn = 0.3;
 // Of the way from loop to loop: what leads along the axis. Loops in one plane, one within the other, do not face.
 constexpr double kAcross = 0.3;
 
+// Corners at which the width of a loop is measured, at most: of a longer one every second, third and so on.
+constexpr size_t kMostWidths = 1000;
+
 std::vector<Vector3d> SidesOf(const LoopLine& loop) {
   std::vector<Vector3d> sides;
   for (size_t i = 0; i < loop.corners.size(); ++i) {
@@ -103,7 +106,7 @@ bool IsCrack(const LoopLine& loop) {
 double MedianWidth(const LoopLine& loop) {
   const size_t n = loop.corners.size();
   std::vector<double> widths;
-  for (size_t i = 0; i < n; ++i) {
+  for (size_t i = 0; i < n; i += 1 + n / kMostWidths) {
     const Point3 &p = loop.corners[i], &before = loop.corners[(i + n - 1) % n], &after = loop.corners[(i + 1) % n];
     double nearest = std::numeric_limits<double>::infinity();
     for (size_t k = i + 1; k < i + n - 1; ++k) {
@@ -112,8 +115,9 @@ double MedianWidth(const LoopLine& loop) {
     const double edges = ((p - before).norm() + (after - p).norm()) / 2;
     widths.push_back(edges > 0 ? nearest / edges : 0);
   }
-  std::nth_element(widths.begin(), widths.begin() + static_cast<ptrdiff_t>(n / 2), widths.end());
-  return widths[n / 2];
+  const size_t middle = widths.size() / 2;
+  std::nth_element(widths.begin(), widths.begin() + static_cast<ptrdiff_t>(middle), widths.end());
+  return widths[middle];
 }
 
 bool IsDislocation(const LoopLine& loop, const DislocationLimit& limit) {
