@@ -79,6 +79,25 @@ class RimCrossings {
 // The segments of a cell's holes on its tile's outline, by Side.
 using OutlineSegments = std::array<std::vector<RimSegment>, 4>;
 
+// Vertices of neighbours as those of a hole, by place; none: it takes no such vertex.
+using Copies = std::map<std::pair<double, double>, std::optional<int32_t>>;
+
+// Those on an edge along an axis, on the way from a to b, not within `room` of its ends.
+std::vector<int32_t> CopiesBetween(const Copies& copies, const Point2& a, const Point2& b, double room) {
+  const Point2 way = b - a;
+  if (way.cwiseAbs().minCoeff() > kOnLine) return {};
+  std::map<double, int32_t> between;  // by how far along
+  for (const auto& [place, copy] : copies) {
+    const Point2 off = Point2(place.first, place.second) - a;
+    const double along = off.dot(way) / way.norm();
+    if (!copy || along < room || along > way.norm() - room) continue;
+    if ((off - along * way.normalized()).norm() < kOnLine) between.emplace(along, *copy);
+  }
+  std::vector<int32_t> found;
+  for (const auto& [along, copy] : between) found.push_back(copy);
+  return found;
+}
+
 class StripLayer {
  public:
   StripLayer(const GridLines& outlines, Plan& plan, PlannedHole& hole) : plan_(plan), hole_(hole) {
@@ -247,29 +266,13 @@ class StripLayer {
     std::vector<RimSegment> result;
     for (const RimSegment& edge : hole_.inner_edges) {
       int32_t last = edge.from;
-      for (const int32_t v : CopiesBetween(edge.from, edge.to)) {
+      for (const int32_t v : CopiesBetween(copies_, PlaceOf(edge.from), PlaceOf(edge.to), Least())) {
         result.push_back({last, v, true});
         last = v;
       }
       result.push_back({last, edge.to, true});
     }
     hole_.inner_edges = std::move(result);
-  }
-
-  // Those on an edge along an axis, on the way from one end to the other.
-  std::vector<int32_t> CopiesBetween(int32_t from, int32_t to) const {
-    const Point2 a = PlaceOf(from), b = PlaceOf(to), way = b - a;
-    std::map<double, int32_t> between;  // by how far along
-    if (way.cwiseAbs().minCoeff() > kOnLine) return {};
-    for (const auto& [place, copy] : copies_) {
-      const Point2 off = Point2(place.first, place.second) - a;
-      const double along = off.dot(way) / way.norm();
-      if (!copy || along < Least() || along > way.norm() - Least()) continue;
-      if ((off - along * way.normalized()).norm() < kOnLine) between.emplace(along, *copy);
-    }
-    std::vector<int32_t> found;
-    for (const auto& [along, copy] : between) found.push_back(copy);
-    return found;
   }
 
   // A neighbour's vertex as one of this hole; none where it is outside, too near to the rim, or on an object.
@@ -299,7 +302,6 @@ class StripLayer {
   }
 
   // Within a hair: outlines that go on one another do so only nearly.
-  using Copies = std::map<std::pair<double, double>, std::optional<int32_t>>;
   Copies::const_iterator CopyAt(const Point2& place) const {
     auto it = copies_.lower_bound({place.x() - kOnLine, place.y()});
     while (it != copies_.end() && it->first.first <= place.x() + kOnLine) {

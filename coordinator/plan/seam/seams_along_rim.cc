@@ -49,12 +49,12 @@ bool LiesOnBorder(const SeamSite& site, const RimEdge& e, CellId inside, CellId 
 
 void CloseAlongSeams(const SeamSite& site, std::span<const Seam> seams, ClosingCells& closing) {
   for (auto& [e, passings] : FindPassings(site, seams)) {
+    CellId& cell = closing[e];
     while (!passings.empty()) {
-      auto next =
-          std::find_if(passings.begin(), passings.end(), [&](const Passing& p) { return p.from == closing[e]; });
+      auto next = std::find_if(passings.begin(), passings.end(), [&](const Passing& p) { return p.from == cell; });
       if (next == passings.end()) next = passings.begin();
       if (site.area.contains(next->to) || LiesOnBorder(site, site.rim.edges[e], next->from, next->to)) {
-        closing[e] = next->to;
+        cell = next->to;
       }
       passings.erase(next);
     }

@@ -81,10 +81,12 @@ class BendingSystem {
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem) {
   if (std::find(problem.known.begin(), problem.known.end(), false) == problem.known.end()) return true;
   std::vector<Point3> points = problem.points;
-  BendingSystem system(problem);
-  for (const Triangle& t : problem.patch) system.Add(t, shape);
-  for (const Triangle& t : problem.band) system.Add(t, points);
-  if (!system.Solve(points)) return false;
+  for (int solve = 0; solve < problem.solves; ++solve) {
+    BendingSystem system(problem);
+    for (const Triangle& t : problem.patch) system.Add(t, solve == 0 ? shape : points);
+    for (const Triangle& t : problem.band) system.Add(t, points);
+    if (!system.Solve(points)) return false;
+  }
   problem.points = std::move(points);
   return true;
 }

@@ -64,7 +64,9 @@ TEST(SpaceFillTest, MakesNoUsedEdge) {
       EXPECT_FALSE(std::count(t.begin(), t.end(), diagonal.first) && std::count(t.begin(), t.end(), diagonal.second));
     }
   }
-  EXPECT_TRUE(TriangulateInSpace(hole, loop, {Undirected(loop[0], loop[2]), Undirected(loop[1], loop[3])}, CrossingIndex({})).empty());
+  EXPECT_TRUE(
+      TriangulateInSpace(hole, loop, {Undirected(loop[0], loop[2]), Undirected(loop[1], loop[3])}, CrossingIndex({}))
+          .empty());
 }
 
 }  // namespace
