@@ -1,7 +1,6 @@
 // `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
-#include <stdlib.h>
-
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>

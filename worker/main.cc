@@ -135,7 +135,7 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
       worker.Stop();
     }
   });
-  const absl::Status end = worker.Join();
+  absl::Status end = worker.Join();
   signals.Stop();  // before the worker goes
   return end;
 }

@@ -1,8 +1,7 @@
 #include "common/util/failpoint.h"
 
-#include <signal.h>
-
 #include <atomic>
+#include <csignal>
 #include <cstdint>
 #include <vector>
 

@@ -125,7 +125,7 @@ absl::Status WriteInPlace(const std::string& path, Sync sync, Write write) {
     FailPoint("file.renamed");
     return absl::OkStatus();
   }
-  const absl::Status status = WriteErrnoStatus(errno, "cannot rename into place", path);
+  absl::Status status = WriteErrnoStatus(errno, "cannot rename into place", path);
   Remove(Place(temporary));
   return status;
 }

@@ -130,7 +130,7 @@ absl::Status CheckPatches(const CellHoles& asked, const std::vector<HolePatch>& 
   for (const CellHole& hole : asked.holes) {
     const auto patch = given.find(hole.id);
     if (patch == given.end()) return Wrong(hole.id, "no patch");
-    const absl::Status status = CheckPatch(asked, hole, *patch->second);
+    absl::Status status = CheckPatch(asked, hole, *patch->second);
     if (!status.ok()) return status;
   }
   if (given.size() != asked.holes.size())

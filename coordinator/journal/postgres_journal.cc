@@ -82,7 +82,7 @@ class PostgresJournal : public CommittedJournal {
   // Ends the process unless its epoch is the last one. Within a transaction: until its end it stays so.
   void SayAtWork();
   absl::Status Insert(const JobRecord& job);
-  absl::Status Insert(const NewResult& result);
+  absl::Status Insert(const NewResult& put);
   absl::Status Insert(const OldJob& job);
   absl::Status Insert(const SetAsideRecord& aside);
   bool DeleteOldResults();

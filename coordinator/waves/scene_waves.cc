@@ -132,7 +132,7 @@ absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
     return absl::InvalidArgumentError(absl::StrCat("cluster ", result.cluster, " is not in the plan"));
   }
   for (const ClusterSample& sample : result.samples) {
-    const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
+    absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
     if (!status.ok()) return status;
     if (!std::isfinite(sample.laplacian) || !sample.slope.allFinite()) {
       return absl::InvalidArgumentError(
@@ -153,7 +153,7 @@ absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
 
 absl::Status SceneWaves::TakeLayer(const std::vector<SeamSample>& samples) {
   for (const SeamSample& sample : samples) {
-    const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
+    absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
     if (!status.ok()) return status;
   }
   samples_.insert(samples_.end(), samples.begin(), samples.end());
@@ -163,7 +163,7 @@ absl::Status SceneWaves::TakeLayer(const std::vector<SeamSample>& samples) {
 
 absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
   for (const SeamSample& sample : result.samples) {
-    const absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
+    absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
     if (!status.ok()) return status;
   }
   samples_.insert(samples_.end(), result.samples.begin(), result.samples.end());
@@ -195,7 +195,7 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
 absl::Status SceneWaves::TakeSmooth(const SmoothedSeam& result) {
   if (result.heights.size() != result.vertices.size()) return absl::InvalidArgumentError("columns of unequal length");
   for (size_t i = 0; i < result.vertices.size(); ++i) {
-    const absl::Status status = CheckSample(plan_, result.vertices[i], result.heights[i]);
+    absl::Status status = CheckSample(plan_, result.vertices[i], result.heights[i]);
     if (!status.ok()) return status;
     smoothed_[result.vertices[i]][{result.cells[0], result.cells[1]}] = result.heights[i];
   }

@@ -306,7 +306,7 @@ void Worker::RunTask(Held& held) {
   if (waiting_call_ != nullptr) waiting_call_->Interrupt();
 }
 
-void Worker::LogFailure(const v1::Task& task, const v1::Status& error) {
+void Worker::LogFailure(const v1::Task& task, const v1::Status& error) const {
   options_.log->Warn("task failed", {{"job", task.ref().job()},
                                      {"trace", task.trace()},
                                      {"task", task.ref().task()},

@@ -92,7 +92,7 @@ class Worker {
   void RunTask(Held& held);
   void Look(const v1::JobFolders& folders);
   absl::StatusOr<std::string> Compute(const Held& held);
-  void LogFailure(const v1::Task& task, const v1::Status& error);
+  void LogFailure(const v1::Task& task, const v1::Status& error) const;
   v1::FinishedTask Report(const v1::Task& task, absl::StatusOr<std::string> output);
 
   const WorkerOptions options_;

@@ -67,7 +67,7 @@ class RimCrossings {
       const double da = a[axis] - line, db = b[axis] - line;
       const bool a_on = std::abs(da) < kOnLine, b_on = std::abs(db) < kOnLine;
       if (a_on != b_on) found.push_back(a_on ? a : b);
-      if (!a_on && !b_on && da * db < 0) found.push_back(a + da / (da - db) * (b - a));
+      if (!a_on && !b_on && da * db < 0) found.emplace_back(a + da / (da - db) * (b - a));
     }
     return found;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -128,11 +129,11 @@ class RimCollector {
 
 void CollectEdges(const PlanInput& input, RimPoints keep, Rim& rim) {
   std::vector<double> west;  // of the tiles from each one on
-  double least = std::numeric_limits<double>::infinity();
-  for (auto cell = input.cells.rbegin(); cell != input.cells.rend(); ++cell) {
-    if (cell->second == nullptr || cell->second->vertex_count == 0) continue;
-    west.push_back(least = std::min(least, cell->second->lo.x()));
+  for (const auto& [cell, record] : input.cells) {
+    if (record != nullptr && record->vertex_count > 0) west.push_back(record->lo.x());
   }
+  std::reverse(west.begin(), west.end());
+  std::partial_sum(west.begin(), west.end(), west.begin(), [](double a, double b) { return std::min(a, b); });
   RimCollector collector(keep, rim);
   for (const auto& [cell, record] : input.cells) {
     if (record == nullptr) continue;
@@ -274,8 +275,8 @@ void LinkLoops(Rim& rim) {
 
 std::vector<RimSegment> Reversed(const Rim& rim, std::span<const int32_t> edges) {
   std::vector<RimSegment> segments;
-  for (auto e = edges.rbegin(); e != edges.rend(); ++e)
-    segments.push_back({rim.edges[*e].to, rim.edges[*e].from, rim.edges[*e].area_edge});
+  for (const int32_t e : edges) segments.push_back({rim.edges[e].to, rim.edges[e].from, rim.edges[e].area_edge});
+  std::reverse(segments.begin(), segments.end());
   return segments;
 }
 

@@ -41,7 +41,7 @@ class FoldedFiller {
     patch.new_points.assign(whole_.positions.begin() + hole_.size(), whole_.positions.end());
     if (!segments_.empty()) {
       const HolePart part = RegionPart();
-      const LocalPatch of_region = FillOverPlane(part.hole, frame_, options_, {RimUse::kWhole, true});
+      LocalPatch of_region = FillOverPlane(part.hole, frame_, options_, {RimUse::kWhole, true});
       if (!of_region.ok()) return of_region;
       patch.hold_out = of_region.hold_out;
       AddPart(part, of_region, hole_, patch);
@@ -104,7 +104,7 @@ class FoldedFiller {
     std::vector<Point2> flat;
     std::vector<double> sizes;
     for (const int32_t v : used) {
-      flat.push_back(frame_.ToFrame(whole_.positions[v]).head<2>());
+      flat.emplace_back(frame_.ToFrame(whole_.positions[v]).head<2>());
       sizes.push_back(whole_.sizes[v]);
     }
     const PlanarPoints planar = RoundToWindow(flat, sizes);
@@ -148,11 +148,11 @@ class FoldedFiller {
     whole_.positions.push_back(Storable(place));
     whole_.sizes.push_back(size);
     whole_.has_equation.push_back(false);
-    whole_.normals.push_back(Eigen::Vector3d::Zero());
+    whole_.normals.emplace_back(Eigen::Vector3d::Zero());
     // Where the boundary folds it runs up something.
     if (!whole_.on_object.empty()) {
       whole_.on_object.push_back(true);
-      whole_.ground.push_back(std::nullopt);
+      whole_.ground.emplace_back(std::nullopt);
     }
     return whole_.size() - 1;
   }

@@ -39,7 +39,7 @@ std::vector<Point3> TipsFor(std::span<const Point3> base) {
       for (int j = -1; j <= 1; ++j) {
         for (int k = -1; k <= 1; ++k) {
           if (i == 0 && j == 0 && k == 0) continue;
-          tips.push_back(middle + share * reach * (i * u + j * v + k * up).normalized());
+          tips.emplace_back(middle + share * reach * (i * u + j * v + k * up).normalized());
         }
       }
     }

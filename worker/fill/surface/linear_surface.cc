@@ -122,7 +122,7 @@ bool Soften(ThinPlateProblem& surface) {
   }
   Eigen::SparseMatrix<double> matrix = equations.LowerMatrix();
   matrix.diagonal() += equations.Gather(masses);
-  const SymmetricFactorization solver(std::move(matrix));
+  const SymmetricFactorization solver(matrix);
   if (!solver.ok()) return false;
   const PointValues change = equations.Spread(solver.Solve(equations.Gather(equations.Residual(heights))));
   if (!change.allFinite()) return false;
