@@ -83,9 +83,9 @@ absl::StatusOr<FilledMesh> AggregateAndFill(const Scene& scene, const AggregateO
   try {
     return JoinAndFill(scene, options, progress);
   } catch (const std::bad_alloc&) {
-    return absl::ResourceExhaustedError(absl::StrCat("out of the memory that --memory allows, ", progress.step, ": ",
-                                                     progress.tiles, " of ", progress.all, " tiles joined, ",
-                                                     progress.triangles, " triangles"));
+    return absl::ResourceExhaustedError(absl::StrCat(
+        options.memory_bytes > 0 ? "out of the memory that --memory allows, " : "out of memory, ", progress.step, ": ",
+        progress.tiles, " of ", progress.all, " tiles joined, ", progress.triangles, " triangles"));
   }
 }
 

@@ -1,5 +1,9 @@
 // `tilemend aggregate`: a scene as one mesh, for comparison.
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -19,10 +23,10 @@
 namespace tilemend {
 namespace {
 
+namespace fs = std::filesystem;
+
 absl::StatusOr<AggregateOptions> OptionsFromFlags(const Args& args) {
   AggregateOptions options;
-  const std::string out = args.Text("out");
-  options.joined = absl::StrCat(out, ".joined.ply");
   if (args.IsGiven("memory")) {
     const auto megabytes = args.Number("memory", 64, 1e9);
     if (!megabytes.ok()) return megabytes.status();
@@ -34,19 +38,35 @@ absl::StatusOr<AggregateOptions> OptionsFromFlags(const Args& args) {
   return options;
 }
 
-absl::Status CheckPaths(const std::string& out, const std::string& joined, bool overwrite) {
-  if (std::filesystem::path(out).extension() != ".ply") {
+absl::Status CheckPath(const std::string& out, bool overwrite) {
+  if (fs::path(out).extension() != ".ply") {
     return absl::InvalidArgumentError(absl::StrCat(out, ": expected a file name that ends in .ply"));
   }
   std::error_code error;
-  for (const std::string& file : {out, joined}) {
-    if (std::filesystem::is_directory(file, error)) {
-      return absl::InvalidArgumentError(absl::StrCat(file, ": is a folder; choose another --out"));
-    }
-    if (overwrite || !std::filesystem::exists(file, error)) continue;
-    return absl::AlreadyExistsError(absl::StrCat(file, ": exists already; choose another --out, or give --overwrite"));
+  if (!fs::exists(out, error)) return absl::OkStatus();
+  if (!fs::is_regular_file(out, error)) {
+    return absl::InvalidArgumentError(absl::StrCat(out, ": is there and is no file; choose another --out"));
   }
-  return absl::OkStatus();
+  if (overwrite) return absl::OkStatus();
+  return absl::AlreadyExistsError(absl::StrCat(out, ": exists already; choose another --out, or give --overwrite"));
+}
+
+// Whether the output would not lie among the scene's files, by another name either.
+absl::Status CheckApart(const std::string& out, const Scene& scene) {
+  std::error_code error;
+  const fs::path root = fs::weakly_canonical(scene.root, error), file = fs::weakly_canonical(out, error);
+  if (!error && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first != root.end()) {
+    return absl::OkStatus();
+  }
+  return absl::InvalidArgumentError(
+      absl::StrCat(out, ": the output would be written into the scene, ", root.string(), "; choose another --out"));
+}
+
+// A new folder beside the output, for the joined mesh.
+absl::StatusOr<std::string> MakeFolderBeside(const std::string& out) {
+  std::string folder = (fs::path(out).parent_path() / ".tilemend-aggregate-XXXXXX").string();
+  if (mkdtemp(folder.data()) != nullptr) return folder;
+  return absl::PermissionDeniedError(absl::StrCat(out, ": cannot make a folder beside it: ", std::strerror(errno)));
 }
 
 void Print(const SceneReportInput& report, const std::string& out, OutputFormat format) {
@@ -68,18 +88,20 @@ void Print(const SceneReportInput& report, const std::string& out, OutputFormat 
 int AggregateCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
-  const auto options = OptionsFromFlags(args);
+  auto options = OptionsFromFlags(args);
   if (!options.ok()) return PrintUsageError(options.status());
   const std::string out = args.Text("out");
-  if (const absl::Status status = CheckPaths(out, options->joined, args.Switch("overwrite")); !status.ok()) {
-    return PrintError(status);
-  }
+  if (const absl::Status status = CheckPath(out, args.Switch("overwrite")); !status.ok()) return PrintError(status);
   const auto scene = LoadScene(args.arguments().front(), ReadTileBounds);
   if (!scene.ok()) return PrintError(scene.status());
+  if (const absl::Status status = CheckApart(out, *scene); !status.ok()) return PrintError(status);
+  const auto folder = MakeFolderBeside(out);
+  if (!folder.ok()) return PrintError(folder.status());
   const absl::Cleanup remove_joined = [&] {
     std::error_code error;
-    std::filesystem::remove(options->joined, error);
+    fs::remove_all(*folder, error);
   };
+  options->joined = absl::StrCat(*folder, "/joined.ply");
   auto filled = AggregateAndFill(*scene, *options);
   if (!filled.ok()) return PrintError(filled.status());
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);

@@ -66,6 +66,29 @@ TEST_F(CommandTest, ExitCodes) {
   EXPECT_EQ(Run({"run", "toy://2x2?fail=1,1", "--out", out}).code, 100);
 }
 
+TEST_F(CommandTest, AggregateLeavesTheSceneAndFilesBesideItsOutputAsTheyAre) {
+  const std::string tile =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n1 1 0\n9 1 0\n1 9 0\n3 0 1 2\n";
+  std::filesystem::create_directory(folder_ / "scene");
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/tile.ply", tile).ok());
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/scene.json",
+                                  R"({"origin": [0, 0, 0], "cell_size": 10, "cols": 1, "rows": 1,
+                                      "tiles": [{"col": 0, "row": 0, "path": "tile.ply"}]})")
+                  .ok());
+  std::filesystem::create_symlink(folder_ / "scene/tile.ply", folder_ / "link.ply");
+  for (const char* out : {"scene/tile.ply", "scene/new.ply", "link.ply"}) {
+    EXPECT_EQ(Run({"aggregate", folder_ / "scene", "--out", folder_ / out, "--overwrite"}).code, 4) << out;
+  }
+  EXPECT_EQ(ReadFile(folder_ / "scene/tile.ply").value(), tile);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "scene/new.ply"));
+  std::filesystem::create_directory(folder_ / "out");
+  const Ended ended = Run({"aggregate", folder_ / "scene", "--out", folder_ / "out/all.ply"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/all.ply"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 1) << "the output alone";
+}
+
 TEST_F(CommandTest, UnknownWordsGetASuggestion) {
   Ended ended = Run({"submitt"});
   EXPECT_EQ(ended.code, 2);
