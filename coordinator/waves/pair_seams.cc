@@ -24,6 +24,13 @@ std::map<CellPair, PairSeam> FindPairSeams(const Plan& plan, std::span<const int
       if (plan.vertices[v].index < 0 && heights.height.contains(v)) seam.vertices.insert(v);
     }
   }
+  const PairSeam* before = nullptr;
+  CellId first;
+  for (auto& [cells, seam] : seams) {
+    if (before != nullptr && cells.first == first) seam.number = before->number + 1;
+    before = &seam;
+    first = cells.first;
+  }
   return seams;
 }
 

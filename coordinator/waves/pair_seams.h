@@ -19,6 +19,7 @@ using CellPair = std::pair<CellId, CellId>;  // the lower one first
 struct PairSeam {
   std::set<int32_t> holes_of_first, holes_of_second;
   std::set<int32_t> vertices;  // of seams, with a height
+  int32_t number = 0;          // of those whose first cell is the same; cells across a corner have one too
 };
 
 // The seams between holes of one layer in two cells (Wang 2021, 3.4). `holes` are those that were filled; water and

@@ -89,8 +89,7 @@ FillWork SceneWaves::FillWorkOf(CellId cell) const {
 
 SmoothWork SceneWaves::SmoothWorkOf(int32_t seam) const {
   const auto& [cells, pair] = seams_[seam];
-  SmoothWork work{{cells.first, cells.second}};
-  while (work.number < seam && seams_[seam - 1 - work.number].first.first == cells.first) ++work.number;
+  SmoothWork work{{cells.first, cells.second}, pair.number};
   for (int side = 0; side < 2; ++side) {
     work.sides[side] = MakeFillHoles(plan_, input_, heights_, holes_of_.at(work.cells[side]), false);
     const std::set<int32_t>& holes = side == 0 ? pair.holes_of_first : pair.holes_of_second;

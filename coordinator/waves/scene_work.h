@@ -45,7 +45,7 @@ struct FillWork {
 // new heights of points of both cells' patches, which stay with who made the patches. Numbers are the plan's.
 struct SmoothWork {
   std::array<CellId, 2> cells = {};
-  int32_t number = 0;                              // of those whose first cell is the same: also across corners
+  int32_t number = 0;                              // PairSeam::number
   std::array<CellHoles, 2> sides = {};             // as filled, with heights and without bands
   std::array<std::vector<int32_t>, 2> holes = {};  // those that the seam bounds
   std::vector<int32_t> vertices = {};              // of the seam, rising

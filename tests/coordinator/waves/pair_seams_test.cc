@@ -50,6 +50,24 @@ TEST_F(PairSeamsTest, LeavesVerticesWithoutAHeight) {
   EXPECT_THAT(Find().begin()->second.vertices, ElementsAre(0, 2));
 }
 
+// Over a corner of a ragged cut a seam may have cells on its sides that are no neighbours.
+TEST_F(PairSeamsTest, NumbersThoseOfOneCellAcrossCornersToo) {
+  plan_.vertices.resize(9);
+  plan_.holes.resize(4);
+  plan_.holes[2].cell = {2, 1};
+  plan_.holes[3].cell = {2, 2};
+  for (const int32_t h : {2, 3}) {
+    const int32_t from = 2 * h + 1, to = from + 1;
+    plan_.holes[0].segments.push_back({from, to, true});
+    plan_.holes[h].segments.push_back({to, from, true});
+    plan_.holes[h].layer = 1;
+  }
+  const auto seams = FindPairSeams(plan_, std::vector<int32_t>{0, 1, 2, 3}, heights_);
+  std::vector<int32_t> numbers;
+  for (const auto& [cells, seam] : seams) numbers.push_back(seam.number);
+  EXPECT_THAT(numbers, ElementsAre(0, 1, 2));
+}
+
 TEST_F(PairSeamsTest, FindsNoneBetweenLayers) {
   plan_.holes[1].layer = 2;
   EXPECT_THAT(Find(), IsEmpty());

@@ -94,17 +94,17 @@ class Cutter {
 
   // Without points inside, the triangles of a part are a tree.
   void TakePart(int32_t first, std::vector<bool>& seen) {
-    std::vector<int32_t> todo = {first};
-    while (!todo.empty()) {
-      const std::vector<Side> part = PartAt(todo.back());
+    std::vector<int32_t> open = {first};
+    while (!open.empty()) {
+      const std::vector<Side> part = PartAt(open.back());
       if (std::ssize(part) + 2 > longest_) {
         const Side cut = MostEvenCut(part);
-        todo.push_back(cut.triangle);
+        open.push_back(cut.triangle);
         Wall(cut);
         ++cut_.cuts;
         continue;
       }
-      todo.pop_back();
+      open.pop_back();
       for (const Side& s : part) seen[s.triangle] = true;
       cut_.loops.push_back(LoopAround(part.front().triangle));
     }
