@@ -28,18 +28,20 @@ if [[ ! -e $dir/ca.key ]]; then
     -addext basicConstraints=critical,CA:TRUE -addext keyUsage=critical,keyCertSign,cRLSign -out "$dir/ca.pem"
 fi
 
-# certificate NAME SUBJECT_ALTERNATIVES: written beside and renamed, the key first, so that nobody sees a half one.
+# certificate NAME SUBJECT_ALTERNATIVES [USES]: written beside and renamed, the key first, so that nobody sees a half one.
 certificate() {
-  local name=$1 alternatives=$2
+  local name=$1 alternatives=$2 uses=${3:-clientAuth}
   new_key "$dir/$name.key.new"
   openssl req -new -key "$dir/$name.key.new" -subj "/CN=$name" |
     openssl x509 -req -CA "$dir/ca.pem" -CAkey "$dir/ca.key" -sha256 -days "$days" -set_serial "0x$(openssl rand -hex 16)" \
-      -extfile <(printf 'subjectAltName=%s\nextendedKeyUsage=serverAuth,clientAuth\n' "$alternatives") \
+      -extfile <(printf 'subjectAltName=%s\nextendedKeyUsage=%s\n' "$alternatives" "$uses") \
       -out "$dir/$name.pem.new" 2>/dev/null
   mv "$dir/$name.key.new" "$dir/$name.key"
   mv "$dir/$name.pem.new" "$dir/$name.pem"
 }
 
-certificate coordinator "$names"
-for role in worker submit watch admin scale; do certificate "$role" "$names,URI:tilemend:role:$role"; done
+certificate coordinator "$names" serverAuth
+# Of a worker Prometheus asks as well, by the name `worker`, wherever it is. Nobody but the coordinator can pose as it.
+certificate worker "DNS:worker,URI:tilemend:role:worker" serverAuth,clientAuth
+for role in submit watch admin scale; do certificate "$role" "URI:tilemend:role:$role"; done
 chmod 644 "$dir"/*.pem

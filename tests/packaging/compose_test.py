@@ -4,8 +4,14 @@
     compose_test.py BIN TOOLS [--image IMAGE] [--answers FILE]
 
 A coordinator and one worker begin to fill a scene. Then there are three workers, one is killed, the coordinator is
-started again, all certificates are renewed. The output must have the bytes of `tilemend run`, and Prometheus must
-answer every query of the dashboard. Exit code 77 (skipped, and says so) without a Docker engine, docker-compose or the image.
+started again, all certificates are renewed. The output must have the bytes of `tilemend run`, and Prometheus, which
+reads the metrics over TLS with a token, must answer every query of the dashboard.
+
+The image has the programs of BIN, and is made here, unless --image names one. So is Prometheus', of Debian's package,
+unless PROMETHEUS_IMAGE names one. Exit code 77 (skipped, and says so) without a Docker engine that can build,
+docker-compose or the image debian:12-slim. Where no registry is at hand, this makes that one:
+
+    debootstrap --variant=minbase bookworm base && tar -C base -c . | docker import - debian:12-slim
 
 BIN has tilemend and tilemend-make-scene; TOOLS/../scenes/table3.json is the scene's layout, if it is there.
 """
@@ -47,9 +53,49 @@ def await_(what, condition, seconds=120):
     raise SystemExit(f'FAILED: waited {seconds} s in vain for {what}')
 
 
+BASE = 'debian:12-slim'
+PROGRAMS = 'FROM scratch\nCOPY installed /installed\n'
+PROMETHEUS = f'''FROM {BASE}
+RUN apt-get update -q && DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends prometheus \\
+    && install -d -o nobody /prometheus
+USER nobody
+ENTRYPOINT ["prometheus"]
+'''
+
+
+def build_image(name, *words, text=None):
+    done = subprocess.run(['docker', 'build', '-t', name, *words], env=dict(os.environ, DOCKER_BUILDKIT='1'), input=text,
+                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode:
+        raise SystemExit(f'FAILED: docker build -t {name}: {done.stdout[-4000:]}')
+    return name
+
+
+def image_of(build):
+    """With the programs of a build tree in place of those that the first stage would compile."""
+    with tempfile.TemporaryDirectory() as folder:
+        for component in ((), ('--component', 'trial')):
+            run('cmake', '--install', build, '--prefix', '/usr', '--strip', *component,
+                env=dict(os.environ, DESTDIR=os.path.join(folder, 'installed')))
+        with open(os.path.join(folder, 'Dockerfile'), 'w') as file:
+            file.write(PROGRAMS)
+        build_image('tilemend-test-programs', folder)
+    return build_image('tilemend-test', '-f', os.path.join(ROOT, 'docker/Dockerfile'), '--build-arg',
+                       'PROGRAMS=tilemend-test-programs', ROOT)
+
+
+def check_libraries(image):
+    """All that the programs load is in the image."""
+    script = 'ldd /usr/bin/tilemend* /usr/lib/tilemend/*.so'
+    listed = run('docker', 'run', '--rm', '--entrypoint', 'sh', image, '-c', script).stdout
+    missing = [line.strip() for line in listed.splitlines() if 'not found' in line]
+    if missing or 'libssl' not in listed:
+        raise SystemExit(f'FAILED: docker/runtime_packages.txt: {missing or listed}')
+
+
 class Cluster:
     def __init__(self, folder, image):
-        self.data = os.path.join(folder, 'data')
+        self.folder, self.data = folder, os.path.join(folder, 'data')
         self.port = '19090'
         self.env = dict(os.environ, TRIAL=folder, TILEMEND_IMAGE=image, TILEMEND_LEASE='5', PROMETHEUS_PORT=self.port)
 
@@ -85,21 +131,25 @@ class Cluster:
 
 
 def disturb(cluster, name):
-    """While the job runs."""
-    settled = await_('the first tasks', lambda: cluster.job(name)['progress']['tasks_done'])
+    """While the job runs. Between the faults it is paused, so that it does not end before the last, however fast it is."""
+    await_('the first tasks', lambda: cluster.job(name)['progress']['tasks_done'])
+    cluster.client('pause', name)
     cluster.trial('scale', '3')
     cluster.slow_down()
     await_('three workers', lambda: len(cluster.workers()) == 3)
-    print(f'three workers after {settled} tasks')
+    print(f'three workers after {cluster.job(name)["progress"]["tasks_done"]} tasks')
+    cluster.client('resume', name)
     run('docker', 'kill', cluster.containers('worker')[0])
     cluster.trial('renew')
+    cluster.client('pause', name)
     print(f'killed a worker, renewed the certificates after {cluster.job(name)["progress"]["tasks_done"]} tasks')
+    cluster.client('resume', name)
     run('docker', 'restart', '-t', '5', cluster.containers('coordinator')[0])
     await_('the coordinator', lambda: run(TRIAL, 'client', 'get', name, env=cluster.env, check=False).returncode == 0)
     job = cluster.job(name)
     print(f'started the coordinator again: {job["state"]}, {job["progress"]["tasks_done"]} tasks')
-    if job['state'] != 'running':
-        raise SystemExit('FAILED: the job was over before it was disturbed; take a larger scene')
+    if '"event":"job goes on"' not in cluster.trial('logs', 'coordinator'):
+        raise SystemExit('FAILED: the job was over before the coordinator ended')
 
 
 def same_tiles(one, other):
@@ -142,49 +192,78 @@ def check_alerts(cluster):
     print('a lost worker fires its alert, and no other')
 
 
-def check_engine(image):
+def check_metrics_are_guarded(cluster):
+    """Nobody reads them without the token, and not in plain text."""
+    (coordinator,) = cluster.containers('coordinator')
+    ask = "printf 'GET /metrics HTTP/1.1\\r\\nHost: a\\r\\n\\r\\n' | timeout 9 "
+    say = lambda how: run('docker', 'exec', coordinator, 'bash', '-c', ask + how, check=False).stdout
+    encrypted = say('openssl s_client -quiet -connect 127.0.0.1:9100 2>/dev/null')
+    plain = say("bash -c 'exec 3<>/dev/tcp/127.0.0.1/9100; cat >&3; cat <&3'")
+    if ' 401 ' not in encrypted or 'tilemend_' in encrypted + plain:
+        raise SystemExit(f'FAILED: metrics without a token: {encrypted}{plain}')
+    print('metrics are refused without the token')
+
+
+def check_engine():
     if not shutil.which('docker') or not shutil.which('docker-compose'):
         skip('there is no docker or no docker-compose')
     if run('docker', 'info', check=False).returncode:
         skip('no Docker engine runs')
-    if run('docker', 'image', 'inspect', image, check=False).returncode:
-        skip(f'there is no image {image}: docker build -f docker/Dockerfile -t {image} .')
+    if run('docker', 'image', 'inspect', BASE, check=False).returncode and run('docker', 'pull', BASE, check=False).returncode:
+        skip(f'there is no image {BASE}; see the head of this file')
+    trial = subprocess.run(['docker', 'build', '-'], env=dict(os.environ, DOCKER_BUILDKIT='1'), input='FROM scratch\nLABEL a=b\n',
+                           text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if trial.returncode:
+        skip(f'docker cannot build: {trial.stdout.strip()}')
 
 
-def main():
+def play(cluster, scene, options):
+    expected = run(os.path.join(options.bin, 'tilemend'), 'run', scene, '--out', os.path.join(cluster.folder, 'expected'),
+                   check=False).returncode
+    cluster.trial('up', '1')
+    cluster.slow_down()
+    start = time.time()
+    name = json.loads(cluster.client('submit', '/data/scene', '--out', '/data/out', '-o', 'json'))['name']
+    disturb(cluster, name)
+    ended = run(TRIAL, 'client', 'watch', name, '-o', 'json', env=cluster.env, check=False)
+    if ended.returncode != expected:
+        raise SystemExit(f'FAILED: watch ended with {ended.returncode}, run with {expected}: {ended.stderr}')
+    print(f'job ended: {json.loads(ended.stdout)["message"]}, {time.time() - start:.0f} s')
+    tiles = same_tiles(os.path.join(cluster.folder, 'expected', 'tiles'), os.path.join(cluster.data, 'out', 'tiles'))
+    print(f'{tiles} tiles with the bytes of `tilemend run`')
+    time.sleep(6)  # a scrape of the end
+    check_metrics_are_guarded(cluster)
+    check_alerts(cluster)
+    print(f'{ask_dashboard(cluster, start, options.answers)} queries of the dashboard answered')
+
+
+def read_options():
     parser = argparse.ArgumentParser()
     parser.add_argument('bin')
     parser.add_argument('tools')
-    parser.add_argument('--image', default='tilemend')
+    parser.add_argument('--image')
     parser.add_argument('--answers')
     parser.add_argument('--spacing', default='0.5')
-    options = parser.parse_args()
-    check_engine(options.image)
+    return parser.parse_args()
+
+
+def main():
+    options = read_options()
+    check_engine()
+    image = options.image or image_of(os.path.dirname(os.path.abspath(options.bin)))
+    check_libraries(image)
+    if 'PROMETHEUS_IMAGE' not in os.environ:
+        os.environ['PROMETHEUS_IMAGE'] = build_image('tilemend-test-prometheus', '-', text=PROMETHEUS)
     layout = os.path.join(options.tools, '..', 'scenes', 'table3.json')
     shape = ['--layout', layout] if os.path.exists(layout) else ['--cols', '8', '--rows', '4', '--holes', 'lakes,small']
     with tempfile.TemporaryDirectory(prefix='tilemend-compose-') as folder:
-        cluster = Cluster(folder, options.image)
+        cluster = Cluster(folder, image)
         os.chmod(folder, 0o755)
         os.makedirs(cluster.data)
-        run(os.path.join(options.bin, 'tilemend-make-scene'), os.path.join(cluster.data, 'scene'), '--cell', '250',
-            '--spacing', options.spacing, *shape)
-        expected = run(os.path.join(options.bin, 'tilemend'), 'run', os.path.join(cluster.data, 'scene'), '--out',
-                       os.path.join(folder, 'expected'), check=False).returncode
+        scene = os.path.join(cluster.data, 'scene')
+        run(os.path.join(options.bin, 'tilemend-make-scene'), scene, '--cell', '250', '--spacing', options.spacing, *shape)
         try:
-            cluster.trial('up', '1')
-            cluster.slow_down()
-            start = time.time()
-            name = json.loads(cluster.client('submit', '/data/scene', '--out', '/data/out', '-o', 'json'))['name']
-            disturb(cluster, name)
-            ended = run(TRIAL, 'client', 'watch', name, '-o', 'json', env=cluster.env, check=False)
-            if ended.returncode != expected:
-                raise SystemExit(f'FAILED: watch ended with {ended.returncode}, run with {expected}: {ended.stderr}')
-            print(f'job ended: {json.loads(ended.stdout)["message"]}, {time.time() - start:.0f} s')
-            print(f'{same_tiles(os.path.join(folder, "expected", "tiles"), os.path.join(cluster.data, "out", "tiles"))}'
-                  ' tiles with the bytes of `tilemend run`')
-            time.sleep(6)  # a scrape of the end
-            check_alerts(cluster)
-            print(f'{ask_dashboard(cluster, start, options.answers)} queries of the dashboard answered')
+            play(cluster, scene, options)
         except SystemExit:
             print(cluster.trial('logs', 'coordinator')[-4000:])
             raise
