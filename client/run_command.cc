@@ -73,15 +73,22 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   worker_options.id = "embedded";
   worker_options.threads = threads;
   worker_options.prefetch = threads;  // the only worker
+  // Out of reach in the same process: it has no thread for the calls.
+  worker_options.patience = absl::Seconds(10);
+  v1::CancelJobRequest cancel;
+  cancel.set_name(job->name());
+  // Not by a call, for which there may be no thread. Refused if the job has just ended; then there is nothing to
+  // cancel.
+  const auto cancel_job = [&impl, cancel] { impl->CancelJob(cancel).status().IgnoreError(); };
+  worker_options.on_end = cancel_job;
   Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(),
                 *MetricsRegistry::Null());
-  signals.Start([&client, name = job->name()](int) {
-    // Refused if the job has just ended; then there is nothing to cancel.
-    client.Cancel(name).status().IgnoreError();
-  });
+  signals.Start([&cancel_job](int) { cancel_job(); });
   ProgressDisplay display;
   auto end = client.Watch(job->name(), [&display](const v1::Job& now) { display.Show(now); });
-  signals.Stop();  // before the client goes
+  signals.Stop();  // before the coordinator goes
+  worker.Stop();
+  TILEMEND_RETURN_IF_ERROR(worker.Join());
   return end;
 }
 

@@ -17,6 +17,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/rpc/limits.h"
 #include "common/util/files.h"
+#include "common/util/shortage.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -154,6 +155,7 @@ std::string WithPort(const std::string& address, int port) {
 }
 
 void PrepareProcess() {
+  EndOnShortage();
   setenv("GRPC_VERBOSITY", "NONE", 0);
   // While a channel is not connected its calls fail at once, and nothing but this notices that it is again. The default
   // is 5 s.

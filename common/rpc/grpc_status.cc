@@ -5,6 +5,14 @@
 #include "common/rpc/status_proto.h"
 
 namespace tilemend {
+namespace {
+
+constexpr char kNoThread[] = "Server Threadpool Exhausted";  // gRPC's words
+constexpr char kNoThreadPlainly[] =
+    "the coordinator has no thread for the call: it has too many, or the system gives it no more (`ulimit -a`); try "
+    "again";
+
+}  // namespace
 
 grpc::Status ToGrpcStatus(const absl::Status& status) {
   if (status.ok()) return grpc::Status::OK;
@@ -21,7 +29,9 @@ absl::Status FromGrpcStatus(const grpc::Status& status) {
       proto.code() == static_cast<int>(status.error_code())) {
     return StatusFromProto(proto);
   }
-  return absl::Status(static_cast<absl::StatusCode>(status.error_code()), status.error_message());
+  const bool no_thread = status.error_message() == kNoThread;
+  return absl::Status(static_cast<absl::StatusCode>(status.error_code()),
+                      no_thread ? kNoThreadPlainly : status.error_message());
 }
 
 }  // namespace tilemend

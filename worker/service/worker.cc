@@ -92,10 +92,12 @@ void Worker::SyncLoop() {
   while (SyncOnce(backoff)) {
   }
   metrics_.SetConnected(false);
-  std::lock_guard<std::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
   ended_ = true;
   for (auto& [token, held] : held_) held->cancel.Cancel();
   changed_.notify_all();
+  lock.unlock();
+  if (options_.on_end) options_.on_end();
 }
 
 bool Worker::SyncOnce(absl::Duration& backoff) {
@@ -117,15 +119,21 @@ bool Worker::SyncOnce(absl::Duration& backoff) {
   if (response.ok()) {
     SetConnected(absl::OkStatus());
     backoff = options_.first_backoff;
+    in_vain_ = absl::ZeroDuration();
     const bool leave = response->leave();
     Take(request, *std::move(response));
     return !leave;
   }
   if (absl::IsCancelled(response.status()) || absl::IsAborted(response.status())) return true;  // call again
-  SetConnected(response.status());
-  if (ErrorReason(response.status()) == "PROTOCOL_VERSION" || absl::IsInvalidArgument(response.status())) {
+  return AfterFailure(response.status(), backoff);
+}
+
+bool Worker::AfterFailure(const absl::Status& status, absl::Duration& backoff) {
+  SetConnected(status);
+  in_vain_ += backoff;
+  if (ErrorReason(status) == "PROTOCOL_VERSION" || absl::IsInvalidArgument(status) || in_vain_ > options_.patience) {
     std::lock_guard<std::mutex> lock(mutex_);
-    end_status_ = response.status();
+    end_status_ = status;
     return false;
   }
   const absl::Duration pause = backoff;

@@ -39,6 +39,9 @@ struct WorkerOptions {
   int prefetch = 0;
   absl::Duration first_backoff = absl::Milliseconds(50);
   absl::Duration max_backoff = absl::Seconds(1);
+  // How long it calls its coordinator in vain, in pauses between calls, before it ends with the error.
+  absl::Duration patience = absl::InfiniteDuration();
+  std::function<void()> on_end;  // on a thread of its own, once it will take no more tasks; none: nobody is told
   std::function<v1::FoldersSeen(const v1::JobFolders&)> look = LookAtFolders;  // on a thread of tasks
   Log* log = Log::Null();                                                      // outlives the worker
 };
@@ -64,7 +67,7 @@ class Worker {
   // Why it cannot get tasks now, for people; "" if it can.
   std::string WhyNotReady();
 
-  // Waits for the end. An error if the coordinator refuses to work with this worker.
+  // Waits for the end. An error if the coordinator refuses to work with this worker, or was out of reach for too long.
   absl::Status Join();
 
  private:
@@ -78,7 +81,8 @@ class Worker {
 
   void SyncLoop();
   bool SyncOnce(absl::Duration& backoff);  // false: the end
-  v1::SyncRequest NextRequest();           // with the lock held
+  bool AfterFailure(const absl::Status& status, absl::Duration& backoff);
+  v1::SyncRequest NextRequest();  // with the lock held
   void Take(const v1::SyncRequest& request, v1::SyncResponse response);
   void TakeLooks(const v1::SyncRequest& request, const v1::SyncResponse& response);  // with the lock held
   void DropHeld(uint64_t token);                                                     // with the lock held
@@ -106,6 +110,7 @@ class Worker {
   Mode mode_ = Mode::kRunning;
   bool ended_ = false;
   absl::Status end_status_;
+  absl::Duration in_vain_;  // since the last call that was answered
   uint64_t sequence_ = 0;
   std::map<uint64_t, std::shared_ptr<Held>> held_;  // by attempt token, dropped ones too
   std::deque<std::shared_ptr<Held>> ready_;

@@ -1,5 +1,6 @@
 #include "common/rpc/grpc_status.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -36,6 +37,13 @@ TEST(GrpcStatusTest, DetailsThatAreNotOursAreIgnored) {
   const grpc::Status ours = ToGrpcStatus(Example());
   const grpc::Status mixed(grpc::StatusCode::ABORTED, "text", ours.error_details());
   EXPECT_EQ(FromGrpcStatus(mixed), absl::AbortedError("text"));
+}
+
+TEST(GrpcStatusTest, SaysPlainlyThatThereIsNoThread) {
+  const absl::Status status =
+      FromGrpcStatus(grpc::Status(grpc::StatusCode::RESOURCE_EXHAUSTED, "Server Threadpool Exhausted"));
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("the coordinator has no thread for the call"));
 }
 
 TEST(ReplyTest, GivesTheValueOrTheError) {

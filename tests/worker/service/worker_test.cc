@@ -88,6 +88,8 @@ class WorkerTest : public testing::Test {
     options.prefetch = 1;
     options.first_backoff = backoff_;
     options.max_backoff = backoff_;
+    options.patience = patience_;
+    options.on_end = [this] { ends_.fetch_add(1); };
     return std::make_unique<Worker>(options, coordinator_.NewLink(), std::move(runner), metrics_);
   }
 
@@ -103,7 +105,30 @@ class WorkerTest : public testing::Test {
   FakeCoordinator coordinator_;
   PrometheusRegistry metrics_;
   absl::Duration backoff_ = absl::Milliseconds(1);
+  absl::Duration patience_ = absl::InfiniteDuration();
+  std::atomic<int> ends_ = 0;
 };
+
+TEST_F(WorkerTest, EndsWithTheErrorWhereItsCoordinatorIsOutOfReachForTooLong) {
+  patience_ = absl::Milliseconds(3);
+  const auto worker = NewWorker(Echo);
+  for (int call = 0; call < 4; ++call) coordinator_.Answer(absl::ResourceExhaustedError("no thread"));
+  EXPECT_EQ(worker->Join(), absl::ResourceExhaustedError("no thread"));
+  EXPECT_EQ(ends_, 1);
+}
+
+TEST_F(WorkerTest, CountsCallsInVainFromTheLastAnswer) {
+  patience_ = absl::Milliseconds(3);
+  const auto worker = NewWorker(Echo);
+  for (int call = 0; call < 8; ++call) {
+    coordinator_.Answer(call % 3 == 2 ? absl::StatusOr<v1::SyncResponse>(v1::SyncResponse())
+                                      : absl::ResourceExhaustedError("no thread"));
+  }
+  EXPECT_EQ(ends_, 0);
+  worker->Abandon();
+  EXPECT_TRUE(worker->Join().ok());
+  EXPECT_EQ(ends_, 1);
+}
 
 TEST(NewWorkerIdTest, NamesHostAndProcessAndIsNew) {
   EXPECT_THAT(NewWorkerId(), MatchesRegex(".+-[0-9]+-[0-9a-f]+"));

@@ -1,0 +1,14 @@
+// How a program ends that has no memory or no thread left where nothing can be done about it any more.
+#ifndef TILEMEND_COMMON_UTIL_SHORTAGE_H_
+#define TILEMEND_COMMON_UTIL_SHORTAGE_H_
+
+namespace tilemend {
+
+// For the start of main. An exception of that kind that nobody catches (std::bad_alloc, std::system_error) and an abort
+// of a library while the system gives neither end the process with a line on stderr and kExitRetryable. Every other
+// abort stays one.
+void EndOnShortage();
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_UTIL_SHORTAGE_H_

@@ -1,0 +1,60 @@
+#include "common/util/shortage.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include "common/util/exit_codes.h"
+
+namespace tilemend {
+namespace {
+
+template <class Thrown>
+void ThrowInThread(const Thrown& thrown) {
+  EndOnShortage();
+  std::thread([&thrown] { throw thrown; }).join();
+}
+
+TEST(ShortageDeathTest, EndsWhereNoThreadCanBeMade) {
+  const std::system_error error(std::make_error_code(std::errc::resource_unavailable_try_again));
+  EXPECT_EXIT(ThrowInThread(error), testing::ExitedWithCode(kExitRetryable),
+              "cannot go on: Resource temporarily unavailable; memory or threads are short");
+}
+
+TEST(ShortageDeathTest, EndsWhereThereIsNoMemory) {
+  EXPECT_EXIT(ThrowInThread(std::bad_alloc()), testing::ExitedWithCode(kExitRetryable), "cannot go on: out of memory");
+}
+
+TEST(ShortageDeathTest, LeavesOtherExceptionsToTheirEnd) {
+  EXPECT_EXIT(ThrowInThread(std::logic_error("a fault of its own")), testing::KilledBySignal(SIGABRT),
+              "a fault of its own");
+}
+
+TEST(ShortageDeathTest, LeavesAnAbortWithoutShortage) {
+  const auto abort_at_once = [] {
+    EndOnShortage();
+    std::abort();
+  };
+  EXPECT_EXIT(abort_at_once(), testing::KilledBySignal(SIGABRT), "");
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they need room without limit
+TEST(ShortageDeathTest, EndsAnAbortForWantOfMemory) {
+  const auto abort_in_little_room = [] {
+    EndOnShortage();
+    const rlimit none = {1, RLIM_INFINITY};
+    setrlimit(RLIMIT_AS, &none);
+    std::abort();
+  };
+  EXPECT_EXIT(abort_in_little_room(), testing::ExitedWithCode(kExitRetryable), "cannot go on: out of memory");
+}
+#endif
+
+}  // namespace
+}  // namespace tilemend
