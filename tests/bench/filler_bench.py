@@ -28,6 +28,7 @@ FILLERS = ('auto', 'advancing-front-normal', 'advancing-front-curvature', 'advan
 RIMS = (10, 16, 24, 36, 54, 80, 120, 180, 270, 400)
 LIMIT = 30  # seconds; what takes longer counts as not filled
 MARGIN = 9  # of the sheet around its hole, edges
+NEAR = 12  # places of a patch whose triangles count as near
 
 
 def flat(u, v, _):
@@ -96,21 +97,41 @@ def make(kind, rim):
 
 
 def spread(corners, most):
-    """Places over triangles, no further apart than `most`."""
+    """Places over triangles, no further apart than `most`, and the triangle that each lies on."""
     cuts = np.maximum(1, np.ceil(np.linalg.norm(corners - np.roll(corners, 1, 1), axis=2).max(1) / most)).astype(int)
-    places = []
+    places, owners = [], []
     for n in np.unique(cuts):
         i, j = (k.ravel() for k in np.meshgrid(np.arange(n + 1), np.arange(n + 1)))
         i, j = i[i + j <= n] / n, j[i + j <= n] / n
         weights = np.stack([1 - i - j, i, j], 1)
-        places.append(np.einsum('pk,tkx->tpx', weights, corners[cuts == n]).reshape(-1, 3))
-    return np.concatenate(places)
+        chosen = np.flatnonzero(cuts == n)
+        places.append(np.einsum('pk,tkx->tpx', weights, corners[chosen]).reshape(-1, 3))
+        owners.append(np.repeat(chosen, len(weights)))
+    return np.concatenate(places), np.concatenate(owners)
+
+
+def to_segment(p, a, b):
+    along = b - a
+    share = np.einsum('nx,nx->n', p - a, along) / np.maximum(np.einsum('nx,nx->n', along, along), 1e-30)
+    return np.linalg.norm(p - a - share.clip(0, 1)[:, None] * along, axis=1)
+
+
+def to_triangle(p, corners):
+    """The distance from each point (n x 3) to its triangle (n x 3 x 3)."""
+    a, b, c = corners.transpose(1, 0, 2)
+    normal = np.cross(b - a, c - a)
+    length = np.maximum(np.linalg.norm(normal, axis=1), 1e-30)
+    inside = np.all([np.einsum('nx,nx->n', np.cross(t - s, p - s), normal) >= 0 for s, t in ((a, b), (b, c), (c, a))], 0)
+    plane = np.abs(np.einsum('nx,nx->n', p - a, normal)) / length
+    return np.where(inside, plane, np.min([to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a)], 0))
 
 
 def error(truth, patch, radius):
-    """The mean distance from places of the truth to the patch, over the radius."""
-    step = max(.1, radius / 60)
-    return cKDTree(spread(patch, step)).query(spread(truth, .5))[0].mean() / radius
+    """The mean distance from places of the truth to the patch, over the radius: to the nearest of the triangles that have a place near by."""
+    places, owners = spread(patch, max(.1, radius / 60))
+    points = spread(truth, .5)[0]
+    near = owners[cKDTree(places).query(points, min(NEAR, len(places)))[1].reshape(len(points), -1)]
+    return np.min([to_triangle(points, patch[near[:, k]]) for k in range(near.shape[1])], 0).mean() / radius
 
 
 def quality(corners):
@@ -143,18 +164,23 @@ def run(a, filler, kind, rim, made, folder):
               'seconds': process.wall, 'peak': process.peak}
     if result['filled']:
         q = quality(patch)
-        result |= {'error': error(points[triangles[removed]], patch, radius), 'quality': q.mean(), 'least': q.min(),
+        result |= {'error': float(error(points[triangles[removed]], patch, radius)), 'quality': float(q.mean()), 'least': float(q.min()),
                    'histogram': np.histogram(q, 20, (0, 1))[0].tolist(), 'triangles': len(patch), 'crossings': crossings(program, out)}
     return result
+
+
+def of_hole(a, kind, rim, folder):
+    """What became of one hole with each filler."""
+    made = make(kind, rim)
+    return [run(a, filler, kind, rim, made, folder) for filler in a.fillers]
 
 
 def measured(a, folder):
     results = []
     for kind in a.only:
         for rim in a.rims:
-            made = make(kind, rim)
             print(f'{kind}, {rim} edges', file=sys.stderr)
-            results += [run(a, filler, kind, rim, made, folder) for filler in a.fillers]
+            results += of_hole(a, kind, rim, folder)
             if a.json:
                 with open(a.json, 'w', encoding='utf-8') as file:
                     json.dump(results, file)

@@ -56,8 +56,8 @@ def makers():
     return result
 
 
-def row(bin_folder, name, seed, scene):
-    """The row of a scene and its ratio of errors; nothing where it has fewer than two layers."""
+def judged(bin_folder, scene):
+    """What check_fill.py says of both surfaces, and their reports; nothing where the scene has fewer than two layers."""
     checked, report = {}, {}
     for surface in ('wang', 'thin-plate'):
         out = f'{scene}-{surface}'
@@ -65,6 +65,24 @@ def row(bin_folder, name, seed, scene):
         if report[surface]['layers'] < 2:
             return None
         checked[surface] = scene_tools.check(scene, out)
+    return checked, report
+
+
+def errors(bin_folder, scene):
+    """Mean error by surface, metres, and the broken promises of all; nothing where the scene has fewer than two layers."""
+    found = judged(bin_folder, scene)
+    if found is None:
+        return None
+    checked = found[0]
+    return {s: c['error mean, m'] for s, c in checked.items()} | {'broken': [f'{s}: {b}' for s, c in checked.items() for b in c['broken']]}
+
+
+def row(bin_folder, name, seed, scene):
+    """The row of a scene and its ratio of errors; nothing where it has fewer than two layers."""
+    found = judged(bin_folder, scene)
+    if found is None:
+        return None
+    checked, report = found
     wang, plate = checked['wang'], checked['thin-plate']
     ratio = plate['error mean, m'] / wang['error mean, m']
 
