@@ -39,6 +39,7 @@ ClusterEvents::ClusterEvents(MetricsRegistry& registry, Log& log) : log_(log) {
         registry.AddGauge(prefix + "running_job_age_seconds", "Since a running job was made; NaN likewise.", labels);
     slots_[i].tasks_running = registry.AddGauge(prefix + "running_job_tasks_running",
                                                 "Tasks of a running job that workers hold; NaN likewise.", labels);
+    for (Gauge* const gauge : {slots_[i].share, slots_[i].age, slots_[i].tasks_running}) gauge->Set(std::nan(""));
   }
   for (size_t i = 0; i < ended_.size(); ++i) {
     const auto state = static_cast<JobState>(i);

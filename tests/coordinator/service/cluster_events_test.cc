@@ -75,6 +75,11 @@ TEST_F(ClusterEventsTest, MeasuresHowLongAJobWaitedForItsFirstTask) {
   EXPECT_THAT(log_.lines, ElementsAre("info job started job=j queue_seconds=7\n"));
 }
 
+TEST_F(ClusterEventsTest, ShowsNoJobBeforeItKnowsAny) {
+  ExpectLine("running_job_done_ratio{slot=\"1\"} Nan");
+  ExpectLine("running_job_age_seconds{slot=\"16\"} Nan");
+}
+
 TEST_F(ClusterEventsTest, GivesEachRunningJobASlotForItsTime) {
   NewJob("a");
   NewJob("b");
