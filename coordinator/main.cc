@@ -25,6 +25,7 @@
 #include "common/util/exit_codes.h"
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
+#include "common/util/heap.h"
 #include "common/util/log.h"
 #include "common/util/manual.h"
 #include "common/util/roots.h"
@@ -200,6 +201,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
     is_asked_to_end.store(true);
     if (count == 1) stop.release();
   });
+  ShareHeap();
   PrometheusRegistry metrics;
   ProcessMetrics process(metrics, kProgram, Version());
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));

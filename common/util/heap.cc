@@ -17,6 +17,13 @@ void KeepHeap([[maybe_unused]] int threads) {
 #endif
 }
 
+void ShareHeap() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 256 << 10);  // or it grows with what is freed
+  mallopt(M_ARENA_MAX, 2);
+#endif
+}
+
 void ReturnHeap() {
 #ifdef __GLIBC__
   malloc_trim(0);

@@ -10,6 +10,19 @@
 namespace tilemend {
 namespace {
 
+// First: what is kept by then is used first.
+TEST(HeapTest, GivesLargeBlocksBackWhereItIsShared) {
+  ShareHeap();
+  constexpr size_t kBytes = size_t{1} << 20;
+  for (int i = 0; i < 2; ++i) {  // the second would come from what is kept
+    const size_t before = mallinfo2().hblkhd;
+    void* volatile block = std::malloc(kBytes);
+    EXPECT_GE(mallinfo2().hblkhd, before + kBytes);
+    std::free(block);
+    EXPECT_EQ(mallinfo2().hblkhd, before);
+  }
+}
+
 TEST(HeapTest, KeepsWhatIsFreed) {
   KeepHeap(1);
   constexpr size_t kBytes = size_t{16} << 20;
