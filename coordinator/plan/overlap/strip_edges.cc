@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,63 +16,22 @@ namespace tilemend {
 namespace {
 
 constexpr double kClearance = 0.125;  // of its size: a new vertex is not nearer to the rim
-constexpr double kLeastRoom = 0.02;   // likewise: to others on the same line, where a rim crosses it
 constexpr double kLeastSteps = 4;     // of the lattice: lines nearer to each other count as one
 constexpr uint8_t kCornerLines = 3;
 
-// A way along an axis.
+// A straight way.
 struct Way {
-  int axis;
   Point2 from, to;
 };
 
-bool Cross(const Way& way, const Point2& a, const Point2& b) {
-  const int across = 1 - way.axis;
-  const double da = a[across] - way.from[across], db = b[across] - way.from[across];
-  if (da * db >= 0) return false;
-  const double at = a[way.axis] + da / (da - db) * (b[way.axis] - a[way.axis]);
-  const auto [low, high] = std::minmax(way.from[way.axis], way.to[way.axis]);
-  return at >= low && at <= high;
+// Twice the area of a triangle, positive if it is counterclockwise.
+double Turn(const Point2& a, const Point2& b, const Point2& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// The rims of each cell's holes where they stand on no object.
-class RimCrossings {
- public:
-  explicit RimCrossings(const Plan& plan) {
-    for (const PlannedHole& hole : plan.holes) {
-      for (const std::vector<RimSegment>& region : hole.own_regions) {
-        for (const RimSegment& s : region) {
-          const PlanVertex &a = plan.vertices[s.from], &b = plan.vertices[s.to];
-          if (!s.seam && !a.on_object && !b.on_object) rims_[hole.cell].emplace_back(a.position, b.position);
-        }
-      }
-    }
-  }
-
-  // Where they cross the line on which `axis` has this value, or end there.
-  const std::vector<Point3>& Find(CellId cell, int axis, double line) {
-    const auto [it, fresh] = found_.try_emplace({cell, axis, line});
-    if (fresh) it->second = Search(cell, axis, line);
-    return it->second;
-  }
-
- private:
-  std::vector<Point3> Search(CellId cell, int axis, double line) const {
-    std::vector<Point3> found;
-    const auto it = rims_.find(cell);
-    if (it == rims_.end()) return found;
-    for (const auto& [a, b] : it->second) {
-      const double da = a[axis] - line, db = b[axis] - line;
-      const bool a_on = std::abs(da) < kOnLine, b_on = std::abs(db) < kOnLine;
-      if (a_on != b_on) found.push_back(a_on ? a : b);
-      if (!a_on && !b_on && da * db < 0) found.emplace_back(a + da / (da - db) * (b - a));
-    }
-    return found;
-  }
-
-  std::map<CellId, std::vector<std::pair<Point3, Point3>>> rims_;
-  std::map<std::tuple<CellId, int, double>, std::vector<Point3>> found_;
-};
+bool Cross(const Way& way, const Point2& a, const Point2& b) {
+  return Turn(way.from, way.to, a) * Turn(way.from, way.to, b) < 0 && Turn(a, b, way.from) * Turn(a, b, way.to) <= 0;
+}
 
 // The segments of a cell's holes on its tile's outline, by Side.
 using OutlineSegments = std::array<std::vector<RimSegment>, 4>;
@@ -125,16 +82,13 @@ class StripLayer {
     }
   }
 
-  void LayEdges(const std::map<CellId, OutlineSegments>& of_cells, RimCrossings& rims) {
+  void LayEdges(const std::map<CellId, OutlineSegments>& of_cells) {
     for (std::vector<RimSegment>& region : hole_.own_regions) {
       for (const Side side : kSides) {
         const auto neighbour = of_cells.find(Across(hole_.cell, side));
         if (strip_end_[side] && neighbour != of_cells.end()) {
           LaySide(region, side, neighbour->second[Opposite(side)]);
         }
-      }
-      for (const Side side : kSides) {
-        if (strip_end_[side]) PassNeighboursRim(region, side, rims);
       }
     }
     SplitEdges();
@@ -173,7 +127,6 @@ class StripLayer {
 
   // The neighbour's outline on this side, as far as it runs through the hole.
   void LaySide(const std::vector<RimSegment>& region, Side side, const std::vector<RimSegment>& neighbours) {
-    const int axis = AxisOf(side);
     std::vector<RimSegment> own;
     for (const RimSegment& s : region) {
       if (s.seam && RunsAlong(s, side)) own.push_back(s);
@@ -182,62 +135,13 @@ class StripLayer {
     for (const RimSegment& s : neighbours) {
       const std::optional<int32_t> from = CopyOf(s.from, side, own, rim), to = CopyOf(s.to, side, own, rim);
       if (!from || !to) continue;
-      const Way edge{1 - axis, PlaceOf(*from), PlaceOf(*to)};
-      if (IsClear(edge, rim, std::min(ClearanceAt(*from), ClearanceAt(*to)))) AddEdge(*from, *to);
+      const double clearance = std::min(ClearanceAt(*from), ClearanceAt(*to));
+      if (IsClear({PlaceOf(*from), PlaceOf(*to)}, rim, clearance)) AddEdge(*from, *to);
     }
     for (const RimSegment& s : own) {
       const std::optional<int32_t> from = CopyBeside(s.from, side), to = CopyBeside(s.to, side);
-      if (from && to && edges_.contains(std::minmax(*from, *to))) AddDiagonal({s.from, s.to, *from, *to});
+      if (from && to && edges_.contains(std::minmax(*from, *to))) AddDiagonal({s.from, s.to, *from, *to}, rim);
     }
-  }
-
-  // Puts new vertices on the outline where the neighbour's rim crosses it.
-  void PassNeighboursRim(std::vector<RimSegment>& region, Side side, RimCrossings& rims) {
-    const int axis = AxisOf(side);
-    std::vector<RimSegment> result;
-    for (const RimSegment& s : region) {
-      int32_t last = s.from;
-      if (IsNew(s.from) && IsNew(s.to) && At(s.from, axis) == own_[side] && At(s.to, axis) == own_[side]) {
-        for (const int32_t v : NeighboursRimBetween(s.from, s.to, side, rims)) {
-          result.push_back({last, v, true});
-          last = v;
-        }
-      }
-      result.push_back({last, s.to, s.seam});
-    }
-    region = std::move(result);
-  }
-
-  // New vertices on the outline between two on it, where the neighbour's rim crosses it or, in the strip, ends.
-  std::vector<int32_t> NeighboursRimBetween(int32_t from, int32_t to, Side side, RimCrossings& rims) {
-    const int axis = AxisOf(side), along = 1 - axis;
-    const CellId neighbour = Across(hole_.cell, side);
-    const double size = std::min(plan_.vertices[from].size, plan_.vertices[to].size);
-    std::map<double, double> heights = {{At(from, along), 0}, {At(to, along), 0}};  // by place
-    const auto add = [&](const std::vector<Point3>& crossings, double room) {
-      for (const Point3& p : crossings) {
-        const auto after = heights.lower_bound(p[along]);
-        if (after == heights.begin() || after == heights.end()) continue;
-        const bool is_clear = after->first - p[along] >= room && p[along] - std::prev(after)->first >= room;
-        if (is_clear) heights.emplace(p[along], p.z());
-      }
-    };
-    add(rims.Find(neighbour, axis, own_[side]), kLeastRoom * size);
-    add(rims.Find(neighbour, axis, *strip_end_[side]), kClearance * size);
-    std::vector<int32_t> found;
-    for (auto it = std::next(heights.begin()); std::next(it) != heights.end(); ++it) {
-      found.push_back(AddKnown(from, along, it->first, it->second, size));
-    }
-    if (At(from, along) > At(to, along)) std::reverse(found.begin(), found.end());
-    return found;
-  }
-
-  int32_t AddKnown(int32_t like, int axis, double at, double height, double size) {
-    const int32_t v = AddVertex(like, axis, RoundedToLattice(at, plan_.lattice_step));
-    plan_.vertices[v].position.z() = RoundedToLattice(height, plan_.lattice_step);
-    plan_.vertices[v].size = size;
-    SetKnown(plan_.vertices[v]);
-    return v;
   }
 
   static void SetKnown(PlanVertex& vertex) {
@@ -247,14 +151,12 @@ class StripLayer {
     vertex.height_known = true;
   }
 
-  bool IsNew(int32_t v) const { return plan_.vertices[v].index < 0; }
-
   // From the south-western corner of the strip between two ways across it to the north-eastern one: in both tiles.
-  void AddDiagonal(const std::array<int32_t, 4>& corners) {
+  void AddDiagonal(const std::array<int32_t, 4>& corners, const std::vector<RimSegment>& rim) {
     const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), [&](int32_t a, int32_t b) {
       return At(a, 0) + At(a, 1) < At(b, 0) + At(b, 1);
     });
-    AddEdge(*low, *high);
+    if (IsClear({PlaceOf(*low), PlaceOf(*high)}, rim, 0)) AddEdge(*low, *high);
   }
 
   void AddEdge(int32_t a, int32_t b) {
@@ -264,13 +166,17 @@ class StripLayer {
   // At a corner of the grid the outline of one neighbour may have no vertex where that of another crosses it.
   void SplitEdges() {
     std::vector<RimSegment> result;
+    std::set<std::pair<int32_t, int32_t>> known;
+    const auto add = [&](int32_t a, int32_t b) {
+      if (known.insert(std::minmax(a, b)).second) result.push_back({a, b, true});
+    };
     for (const RimSegment& edge : hole_.inner_edges) {
       int32_t last = edge.from;
       for (const int32_t v : CopiesBetween(copies_, PlaceOf(edge.from), PlaceOf(edge.to), Least())) {
-        result.push_back({last, v, true});
+        add(last, v);
         last = v;
       }
-      result.push_back({last, edge.to, true});
+      add(last, edge.to);
     }
     hole_.inner_edges = std::move(result);
   }
@@ -283,10 +189,8 @@ class StripLayer {
     const Point2 place = vertex.position.head<2>();
     if (const auto it = CopyAt(place); it != copies_.end()) return it->second;
     std::optional<int32_t>& copy = copies_[{place.x(), place.y()}];
-    if (vertex.on_object || !IsInside(place, 1 - AxisOf(side)) || !IsAcross(place, side, own)) return copy;
-    Way across{AxisOf(side), place, place};
-    across.to[across.axis] = own_[side];
-    if (!IsClear(across, rim, ClearanceAt(v))) return copy;
+    if (vertex.on_object || !IsInside(place, 1 - AxisOf(side)) || !IsInHole(place, side, own, rim)) return copy;
+    if (!IsClear({place, place}, rim, ClearanceAt(v))) return copy;
     if (vertex.index >= 0) SetKnown(vertex);
     vertex.tile = hole_.cell;
     plan_.vertices.push_back(vertex);
@@ -311,13 +215,20 @@ class StripLayer {
     return copies_.end();
   }
 
-  // Whether the hole reaches the outline straight across the strip.
-  bool IsAcross(const Point2& place, Side side, const std::vector<RimSegment>& own) const {
-    const int along = 1 - AxisOf(side);
-    return std::any_of(own.begin(), own.end(), [&](const RimSegment& s) {
-      const auto [low, high] = std::minmax({At(s.from, along), At(s.to, along)});
-      return place[along] >= low && place[along] <= high;
-    });
+  // By the boundary between there and the outline, straight across the strip.
+  bool IsInHole(const Point2& place, Side side, const std::vector<RimSegment>& own,
+                const std::vector<RimSegment>& rim) const {
+    const int axis = AxisOf(side);
+    bool inside = false;
+    for (const std::vector<RimSegment>* const segments : {&own, &rim}) {
+      for (const RimSegment& s : *segments) {
+        const Point2 a = PlaceOf(s.from), b = PlaceOf(s.to);
+        if ((a[1 - axis] < place[1 - axis]) == (b[1 - axis] < place[1 - axis])) continue;
+        const double share = (place[1 - axis] - a[1 - axis]) / (b[1 - axis] - a[1 - axis]);
+        if ((a[axis] + share * (b[axis] - a[axis]) - place[axis]) * OutwardOf(side) > 0) inside = !inside;
+      }
+    }
+    return inside;
   }
 
   int32_t AddVertex(int32_t like, int axis, double at) {
@@ -388,7 +299,6 @@ class StripLayer {
 }  // namespace
 
 void LayStripEdges(const GridLines& outlines, Plan& plan) {
-  RimCrossings rims(plan);
   std::vector<StripLayer> layers;
   std::map<CellId, OutlineSegments> of_cells;
   for (PlannedHole& hole : plan.holes) {
@@ -397,7 +307,7 @@ void LayStripEdges(const GridLines& outlines, Plan& plan) {
     layers.back().LayCorners();
     layers.back().CollectOutline(of_cells[hole.cell]);
   }
-  for (StripLayer& layer : layers) layer.LayEdges(of_cells, rims);
+  for (StripLayer& layer : layers) layer.LayEdges(of_cells);
 }
 
 }  // namespace tilemend

@@ -14,6 +14,10 @@ namespace {
 constexpr double kRimClearance = 0.4;
 // In uniform mode sizes go from those of the rim near by to its mean, slowly: a lone outlier is not followed.
 constexpr double kUniformGrowth = 0.02;
+// Where tiles overlap, how long edges are at most: of the distance to the rim, or of the mean size at the rim. In the
+// strip of two tiles both have one surface up to the last vertex before the rim.
+constexpr double kOfDistance = 0.5;
+constexpr double kLeastOfMean = 0.1;
 
 // A stretch of a line.
 struct Stretch {
@@ -116,8 +120,11 @@ std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, cons
 
 double SeamSizeAt(const SeamSite& site, const Point2& p) {
   const double mean = site.index.mean_size();
-  if (site.options.uniform) return site.index.SizeAt(p, kUniformGrowth, mean);
-  return site.index.SizeAt(p, site.options.gradation - 1, site.options.size_limit * mean);
+  const double size = site.options.uniform
+                          ? site.index.SizeAt(p, kUniformGrowth, mean)
+                          : site.index.SizeAt(p, site.options.gradation - 1, site.options.size_limit * mean);
+  if (!site.lines.joined) return size;
+  return std::min(size, std::max(kLeastOfMean * mean, kOfDistance * site.index.Distance(p, size / kOfDistance)));
 }
 
 std::optional<std::vector<SeamPlace>> PlaceSeamVertices(const SeamSite& site, const Border& border, const Point2& from,

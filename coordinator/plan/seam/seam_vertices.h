@@ -24,7 +24,8 @@ struct SeamPlace {
   int32_t beside = -1;
 };
 
-// The wanted edge length at a place, metres: it grows from the rim inward (PlanOptions).
+// The wanted edge length at a place, metres: it grows from the rim inward (PlanOptions). Where tiles overlap it is at
+// most half the distance to the rim, or a tenth of the mean size at the rim.
 double SeamSizeAt(const SeamSite& site, const Point2& p);
 
 // Places between two points, spaced evenly by the wanted edge length, or wider where there would be more than

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -124,34 +125,31 @@ TEST_F(StripEdgesTest, TilesThatDoNotOverlapHaveNone) {
   EXPECT_THAT(plan_.holes[0].inner_edges, IsEmpty());
 }
 
-// A tongue of the eastern tile's surface reaches through the strip.
-TEST_F(StripEdgesTest, TheFillPassesTheNeighboursRimAtItsHeight) {
-  PlannedHole tongue;
-  tongue.cell = {1, 0};
-  const int32_t a = AddVertex({9.75, 5, 3}, 1, -1), b = AddVertex({11.75, 5, 3}, 2, -1);
-  const int32_t beside = AddVertex({9.75, 4.5, 0}, -1, on_line_[1]);
-  tongue.own_regions = {{{beside, a, true}, {a, b, false}}};
-  plan_.holes.push_back(tongue);
-  LayStripEdges(outlines_, plan_);
-  std::vector<Place> passed;
-  for (const PlanVertex& v : plan_.vertices) {
-    if (v.index < 0 && v.height_known && v.position.z() == 3) passed.push_back({v.position.x(), v.position.y()});
+// The rim runs through the strip between a neighbour's vertex and the tile's outline.
+TEST_F(StripEdgesTest, TheyReachBehindATipOfTheRim) {
+  std::vector<RimSegment>& region = plan_.holes[0].own_regions[0];
+  const int32_t before = AddVertex({10, 4.9, 0}, 1, -1), tip = AddVertex({10, 5.1, 0}, 2, -1);
+  const int32_t a = AddVertex({10.25, 4.9, 0}, 3, -1), b = AddVertex({10.25, 5.1, 0}, 4, -1);
+  const auto middle = std::find_if(region.begin(), region.end(), [&](const RimSegment& s) {
+    return PlaceOf(s.from) == Place{10.25, 4} && PlaceOf(s.to) == Place{10.25, 6};
+  });
+  const int32_t end = middle->to;
+  *middle = {middle->from, a, true};
+  region.insert(region.end(), {{a, before, false}, {before, tip, false}, {tip, b, false}, {b, end, true}});
+  for (PlanVertex& v : plan_.vertices) v.size = 0.5;
+  const int32_t behind = AddVertex({9.75, 5, 0}, -1, on_line_[1]);
+  plan_.vertices[behind].size = 0.5;
+  for (std::vector<RimSegment>& other : plan_.holes[1].own_regions) {
+    const auto whole = std::find_if(other.begin(), other.end(), [&](const RimSegment& s) {
+      return PlaceOf(s.from) == Place{9.75, 6} && PlaceOf(s.to) == Place{9.75, 4};
+    });
+    const RimSegment rest{behind, whole->to, true};
+    whole->to = behind;
+    other.insert(std::next(whole), rest);
   }
-  EXPECT_THAT(passed, Contains(Place{9.75, 5}));
-  EXPECT_THAT(passed, Contains(Place{10.25, 5}));
-  const std::set<std::set<Place>> halves = {{{10.25, 4}, {10.25, 5}}, {{10.25, 5}, {10.25, 6}}};
-  EXPECT_THAT(halves, IsSubsetOf(EdgesOf(plan_.holes[0])));
-}
-
-TEST_F(StripEdgesTest, WhatStandsThereIsNotPassed) {
-  PlannedHole wall;
-  wall.cell = {1, 0};
-  const int32_t a = AddVertex({9.75, 5, 9}, 1, -1), b = AddVertex({11.75, 5, 9}, 2, -1);
-  plan_.vertices[a].on_object = true;
-  wall.own_regions = {{{a, b, false}}};
-  plan_.holes.push_back(wall);
   LayStripEdges(outlines_, plan_);
-  for (const PlanVertex& v : plan_.vertices) EXPECT_FALSE(v.index < 0 && v.position.z() == 9);
+  const std::set<std::set<Place>> behind_it = {{{9.75, 4}, {9.75, 5}}, {{9.75, 5}, {9.75, 6}}};
+  EXPECT_THAT(behind_it, IsSubsetOf(EdgesOf(plan_.holes[0])));
 }
 
 // Four tiles: beside its own corner each has the points where the outlines of the others cross its own.

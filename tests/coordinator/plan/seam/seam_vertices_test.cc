@@ -80,6 +80,17 @@ TEST(PlaceSeamVerticesTest, GrowsThemApartFromTheRimInward) {
   EXPECT_GT(hole.Place(limited).size(), gentle);
 }
 
+TEST(PlaceSeamVerticesTest, BringsThemCloserToTheRimWhereTilesOverlap) {
+  RoundHole hole(20, 16);
+  const std::vector<SeamPlace> apart = hole.Place({});
+  hole.lines.joined = true;
+  const std::vector<SeamPlace> places = hole.Place({});
+  const double edge = hole.rim.points[0].size;
+  EXPECT_GT(apart.front().position.y() - hole.from.y(), 0.5 * edge);
+  EXPECT_LT(places.front().position.y() - hole.from.y(), 0.15 * edge);
+  EXPECT_LT(places.size(), apart.size() + 16);
+}
+
 TEST(PlaceSeamVerticesTest, KeepsClearOfTheRim) {
   RoundHole hole(20, 64);
   const std::vector<SeamPlace> before = hole.Place(Uniform());
