@@ -49,8 +49,8 @@ bool Faces(const End& a, const End& b) {
   const Point2 gap = b.at - a.at;
   const double far = gap.norm();
   if (far > kWidestBridge || a.outward.dot(b.outward) > -kOpposite) return false;
-  // A centreline may end anywhere across the water, in a corner too.
-  const double ahead = (a.outward - b.outward).normalized().dot(gap), across = (a.width + b.width) / 2;
+  // A centreline may end anywhere across the water, in a corner too, and the river may bend under the bridge.
+  const double ahead = (a.outward - b.outward).normalized().dot(gap), across = 0.75 * (a.width + b.width);
   return far * far - ahead * ahead <= across * across;
 }
 

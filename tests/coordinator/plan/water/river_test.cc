@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -63,6 +64,18 @@ TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesAslant) {
     for (auto& [a, b] : reach.boundary) slant(a), slant(b);
     for (Point3& p : reach.shore) slant(p);
   }
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_EQ(rivers[0].reaches.size(), 2u);
+}
+
+// The second reach is turned by 57 degrees about a place under the bridge: its near end is off the line of the first.
+TEST(FindRiversTest, GoesOnWhereItBendsUnderABridge) {
+  std::vector<Reach> reaches = {ReachBetween(0, 240, 5, Falling), ReachBetween(266, 500, 5, Falling)};
+  const Eigen::Rotation2Dd turn(1.0);
+  const Point2 bend(240, 0);
+  for (auto& [a, b] : reaches[1].boundary) a = bend + turn * (a - bend), b = bend + turn * (b - bend);
+  for (Point3& p : reaches[1].shore) p.head<2>() = bend + turn * (p.head<2>() - bend);
   const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
   ASSERT_EQ(rivers.size(), 1u);
   EXPECT_EQ(rivers[0].reaches.size(), 2u);
