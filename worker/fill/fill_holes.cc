@@ -73,19 +73,29 @@ class HoleFiller {
         patch.failure = FillFailure::kCrosses;
       }
       if (patch.ok()) {
-        const bool patch_is_bare = patch.is_bare;
-        HolePatch filled = ToHolePatch(hole_, std::move(patch));
-        filled.way = patch_is_bare ? FillWay::kBare : way.name;
-        return filled;
+        Keep(way.name, std::move(patch));
+        if (least_creases_ == 0) break;
+        continue;
       }
       // That a patch was only crossed tells most of why the hole stays open.
       if (patch.failure != FillFailure::kNotApplicable && failure != FillFailure::kCrosses) failure = patch.failure;
     }
+    if (best_ && !options_.refine.cancelled()) return *std::move(best_);
     const bool by_rim = failure == FillFailure::kCrosses && crossings_.rim_is_crossed();
     return Failed(by_rim ? FillFailure::kRimIsCrossed : failure);
   }
 
  private:
+  // In a scene the first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases.
+  void Keep(FillWay way, LocalPatch patch) {
+    const int32_t creases = hole_.cell->upright ? 0 : CountCreases(hole_, patch);
+    if (best_ && creases >= least_creases_) return;
+    least_creases_ = creases;
+    const bool patch_is_bare = patch.is_bare;
+    best_ = ToHolePatch(hole_, std::move(patch));
+    best_->way = patch_is_bare ? FillWay::kBare : way;
+  }
+
   std::vector<Way> Ways() {
     if (options_.filler != Filler::kAuto && !hole_.open && !hole_.level) return {AsNamed()};
     std::vector<Way> ways;
@@ -170,6 +180,8 @@ class HoleFiller {
   const LocalHole hole_;
   CrossingCheck crossings_;
   std::optional<LocalHole> free_hole_;
+  std::optional<HolePatch> best_;
+  int32_t least_creases_ = 0;
 };
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace tilemend {
 
 // Fills each hole with new triangles that close on its rim (Wang 2021, 3.3: triangulation, refinement, adjustment,
-// fairing). The ways that are tried, in this order, each where it applies; the first sound patch is taken:
+// fairing). The ways that are tried, in this order, each where it applies; the first sound patch is taken, in a mesh
+// that may lie in any way the first without creases, or the one with the fewest (CountCreases):
 //
 //   FillWay       holes                                     see
 //   kCreases      closed, thin plate                        crease_fill.h
