@@ -57,6 +57,7 @@ std::vector<FlagSpec> FillFlags() {
   // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
   flags = Join(std::move(flags), WaterFlags("off"));
   flags.push_back(WaterColourFlag());
+  flags.push_back({"allow-creases", "", "fill holes also where the surface has to fold back", ""});
   flags.push_back({"fill-outlines", "", "fill the outlines of sheets as well, not only holes", ""});
   flags.push_back({"largest-hole", "EDGES", "leave holes with a longer boundary open, 3 to 1e9 (default: none)", ""});
   return flags;

@@ -181,6 +181,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
     if (!all.water_colour)
       return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected R,G,B or #rrggbb"));
   }
+  options.allow_creases = args.Switch("allow-creases");
   all.holes.fill_outlines = args.Switch("fill-outlines");
   if (args.IsGiven("largest-hole")) {
     TILEMEND_ASSIGN_OR_RETURN(const double edges, args.Number("largest-hole", 3, 1e9));
@@ -202,6 +203,7 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
           {"gradation", options.refine.gradation},
           {"size-limit", options.refine.size_limit},
           {"uniform", options.refine.uniform},
+          {"allow-creases", options.allow_creases},
           {"fill-outlines", all.holes.fill_outlines},
           largest,
           {"water", args.Text("water")},

@@ -5,8 +5,8 @@
 
 Twelve bodies, from smooth ones to ones with sharp edges, thin parts, tubes and tips; discs of four sizes on each, more than 300
 in all. An error is the mean distance from the patch (corners and middles of its triangles) to the body as it was, over the
-disc's radius. Crossings are triangles that `tilemend check` finds, less those of the body before. Seconds of tilemend are those
-of its whole process, those of CGAL of filling alone. Without CGAL (Debian: libcgal-dev) or its driver tilemend runs alone.
+disc's radius. Crossings are triangles that `tilemend check` finds, less those of the body before. Seconds are those of the CPU in
+the whole process, of both: reading, filling and writing. Without CGAL (Debian: libcgal-dev) or its driver tilemend runs alone.
 """
 import argparse
 import collections
@@ -205,10 +205,10 @@ def fill_both(a, driver, name, seed, folder):
     before, results = crossings(tilemend, whole), {}
     ours, theirs = os.path.join(folder, f'{name}_ours.off'), os.path.join(folder, f'{name}_cgal.off')
     run = measure.Run([tilemend, 'fill', holed, '--out', ours, '--overwrite'], accept=(0, 100))
-    results['tilemend'] = Result(judge(points, triangles, of, discs, ours), run.wall, crossings(tilemend, ours) - before)
+    results['tilemend'] = Result(judge(points, triangles, of, discs, ours), run.cpu, crossings(tilemend, ours) - before)
     if driver:
-        _, seconds = peer.fill(driver, 'dt', holed, theirs)
-        results['CGAL'] = Result(judge(points, triangles, of, discs, theirs), seconds, crossings(tilemend, theirs) - before)
+        run, _ = peer.fill(driver, 'dt', holed, theirs)
+        results['CGAL'] = Result(judge(points, triangles, of, discs, theirs), run.cpu, crossings(tilemend, theirs) - before)
     return len(discs), results
 
 

@@ -15,6 +15,7 @@
 #include "worker/fill/plane/folded_fill.h"
 #include "worker/fill/plane/plane_fill.h"
 #include "worker/fill/space/least_area_fill.h"
+#include "worker/fill/space/patch_creases.h"
 #include "worker/fill/space/patch_soundness.h"
 #include "worker/fill/space/space_fill.h"
 #include "worker/fill/space/unrolled_fill.h"
@@ -74,26 +75,39 @@ class HoleFiller {
       }
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
-        if (least_creases_ == 0) break;
+        if (least_faults_ == 0) break;
         continue;
       }
       // That a patch was only crossed tells most of why the hole stays open.
       if (patch.failure != FillFailure::kNotApplicable && failure != FillFailure::kCrosses) failure = patch.failure;
     }
-    if (best_ && !options_.refine.cancelled()) return *std::move(best_);
+    if (best_ && !options_.refine.cancelled()) {
+      return FoldsBack() ? Failed(FillFailure::kFoldsBack) : *std::move(best_);
+    }
     const bool by_rim = failure == FillFailure::kCrosses && crossings_.rim_is_crossed();
     return Failed(by_rim ? FillFailure::kRimIsCrossed : failure);
   }
 
  private:
-  // In a scene the first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases.
+  // In a scene the first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and
+  // spikes.
   void Keep(FillWay way, LocalPatch patch) {
-    const int32_t creases = hole_.cell->upright ? 0 : CountCreases(hole_, patch);
-    if (best_ && creases >= least_creases_) return;
-    least_creases_ = creases;
-    const bool patch_is_bare = patch.is_bare;
+    int32_t faults = 0;
+    if (!hole_.cell->upright) {
+      if (CountCreases(hole_, patch) > 0) patch = BevelCreases(hole_, std::move(patch), crossings_);
+      faults = CountCreases(hole_, patch) + CountSpikes(hole_, patch);
+    }
+    if (best_ && faults >= least_faults_) return;
+    least_faults_ = faults;
+    const bool is_bare = patch.is_bare;
     best_ = ToHolePatch(hole_, std::move(patch));
-    best_->way = patch_is_bare ? FillWay::kBare : way;
+    best_->way = is_bare ? FillWay::kBare : way;
+  }
+
+  // Whether all patches do. Creases that go on from those of the surface are right; others are worse than the hole.
+  bool FoldsBack() const {
+    const bool chosen = options_.allow_creases || options_.filler != Filler::kAuto;
+    return least_faults_ > 0 && best_->way != FillWay::kCreases && !chosen && options_.surface == Surface::kThinPlate;
   }
 
   std::vector<Way> Ways() {
@@ -181,7 +195,7 @@ class HoleFiller {
   CrossingCheck crossings_;
   std::optional<LocalHole> free_hole_;
   std::optional<HolePatch> best_;
-  int32_t least_creases_ = 0;
+  int32_t least_faults_ = 0;
 };
 
 }  // namespace

@@ -8,9 +8,11 @@
 namespace tilemend {
 namespace {
 
-// Of what is wrong with the one patch that was made.
+// Of what is wrong with a patch.
 std::string TextOfFault(FillFailure failure) {
   switch (failure) {
+    case FillFailure::kNoSolution:
+      return "the equations of its surface have no solution";
     case FillFailure::kTurnsOver:
       return "a triangle of its patch turns over where the output rounds";
     case FillFailure::kFlatTriangle:
@@ -23,6 +25,8 @@ std::string TextOfFault(FillFailure failure) {
       return "its patch would not close on its whole boundary";
     case FillFailure::kFrontOpen:
       return "the advancing front did not close";
+    case FillFailure::kFoldsBack:
+      return "every patch that was tried folds back at its boundary; --allow-creases takes such patches";
     default:
       return "";
   }
@@ -45,8 +49,6 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
       return "its boundary crosses itself on its own plane";
     case FillFailure::kRepeatsEdges:
       return "its patch would need an edge that the surface already has";
-    case FillFailure::kNoSolution:
-      return "the equations of its surface have no solution";
     case FillFailure::kTooLongForSpace:
       return "it projects on no plane without overlap and has " + std::to_string(boundary_edges) +
              " boundary vertices; at most " + std::to_string(kLongestSpatialLoop) + " can be filled in space";
@@ -60,6 +62,8 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kTooLongForArea:
       return "it has " + std::to_string(boundary_edges) +
              " boundary vertices, too many for a triangulation of least area";
+    case FillFailure::kNoSolution:
+    case FillFailure::kFoldsBack:
     case FillFailure::kTurnsOver:
     case FillFailure::kFlatTriangle:
     case FillFailure::kRepeatsTriangle:

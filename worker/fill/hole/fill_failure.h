@@ -26,6 +26,7 @@ enum class FillFailure {
   kNotClosed,
   kFrontOpen,
   kTooLongForArea,
+  kFoldsBack,
 };
 
 // For people.

@@ -25,6 +25,7 @@ struct FillOptions {
   Filler filler = Filler::kAuto;  // of closed holes
   FillerOptions filling;
   RefineOptions refine;
+  bool allow_creases = false;  // in a mesh that may lie in any way: patches that fold back on the surface beside them
 };
 
 // The original triangles of all tiles whose extents meet the box from `lo` to `hi`, at their positions in the tiles.

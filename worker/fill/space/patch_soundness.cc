@@ -1,7 +1,6 @@
 #include "worker/fill/space/patch_soundness.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -14,8 +13,6 @@ namespace tilemend {
 namespace {
 
 using Eigen::AlignedBox3d;
-
-constexpr double kCreaseCosine = -0.5;
 
 bool HasFlatTriangle(const LocalHole& hole, const LocalPatch& patch) {
   return std::any_of(patch.triangles.begin(), patch.triangles.end(),
@@ -59,26 +56,6 @@ bool FacesDown(const LocalHole& hole, const LocalPatch& patch, const ProjectionF
   return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
     return frame.HeightAlong(TwiceVectorArea(InSpace(hole, patch, t))) <= 0;
   });
-}
-
-int32_t CountCreases(const LocalHole& hole, const LocalPatch& patch) {
-  std::map<std::pair<int32_t, int32_t>, Eigen::Vector3d> beside;  // by edge, as the triangle there runs along it
-  for (const Triangle& t : patch.triangles) {
-    const Eigen::Vector3d normal = TwiceVectorArea(InSpace(hole, patch, t)).normalized();
-    for (int k = 0; k < 3; ++k) beside[{t[k], t[(k + 1) % 3]}] = normal;
-  }
-  int32_t creases = 0;
-  for (const auto& [edge, normal] : beside) {
-    const auto [from, to] = edge;
-    const auto back = beside.find({to, from});
-    if (back != beside.end() && from > to) continue;
-    const bool on_rim = back == beside.end() && from < hole.size() && to < hole.size();
-    const Eigen::Vector3d other = back != beside.end() ? back->second
-                                  : on_rim             ? hole.NormalBeside(from, to)
-                                                       : Eigen::Vector3d::Zero();
-    creases += normal.dot(other) < kCreaseCosine;
-  }
-  return creases;
 }
 
 const std::vector<SpaceTriangle>& CrossingCheck::Surroundings(const AlignedBox3d& box) {

@@ -20,10 +20,6 @@ FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch);
 // Whether a triangle of the patch does not face up.
 bool FacesDown(const LocalHole& hole, const LocalPatch& patch, const ProjectionFrame& frame);
 
-// How many edges of the patch, those on the rim included, turn by more than 120 degrees: what `tilemend check` calls
-// creased. O(n log n).
-int32_t CountCreases(const LocalHole& hole, const LocalPatch& patch);
-
 // Finds patches of one hole that pass through themselves, the surface around it, or patches made before.
 //
 // Triangles of the surface that pass through the hole's boundary do so through any patch: they do not count.

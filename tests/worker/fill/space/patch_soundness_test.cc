@@ -92,25 +92,5 @@ TEST_F(PatchSoundnessTest, KnowsHowFarAPatchMayGo) {
   EXPECT_FALSE(check.StaysNear(patch_));
 }
 
-TEST(PatchSoundnessTest, CountsCreases) {
-  const CellHoles work = WorkOfSheet(
-      Disc(0, 5, 3), [](const Point3& p) { return p; }, 0);
-  const CellBand band(work);
-  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  const std::vector<int32_t>& loop = hole.loops[0].vertices;
-  Point3 middle = Point3::Zero();
-  for (const Point3& p : hole.positions) middle += p / hole.size();
-  const auto cone = [&](const Point3& tip) {
-    LocalPatch patch;
-    patch.new_points = {tip};
-    for (size_t i = 0; i < loop.size(); ++i) {
-      patch.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], hole.size()});
-    }
-    return patch;
-  };
-  EXPECT_EQ(CountCreases(hole, cone(middle)), 0);
-  EXPECT_GT(CountCreases(hole, cone(hole.positions[loop[0]] + Point3(-9, 0, 0.1))), 0);
-}
-
 }  // namespace
 }  // namespace tilemend
