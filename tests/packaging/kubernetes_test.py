@@ -79,12 +79,15 @@ def pods_of(objects):
     return {name: o for kind in ('StatefulSet', 'Deployment') for name, o in of_kind(objects, kind).items()}
 
 
-def check_pod(name, owner, objects):
+def check_owner(name, owner, objects):
     template = owner['spec']['template']
-    pod, labels = template['spec'], template['metadata']['labels']
-    check(matches(owner['spec']['selector'], labels), f'{name}: its selector does not take its own pods')
+    check(matches(owner['spec']['selector'], template['metadata']['labels']), f'{name}: its selector does not take its own pods')
+    check_pod(name, template['spec'], owner['spec'].get('volumeClaimTemplates', []), objects)
+
+
+def check_pod(name, pod, own_claims, objects):
     volumes = {v['name']: v for v in pod['volumes']}
-    volumes.update({c['metadata']['name']: c for c in owner['spec'].get('volumeClaimTemplates', [])})
+    volumes.update({c['metadata']['name']: c for c in own_claims})
     (container,) = pod['containers']
     mounted = {m['name'] for m in container['volumeMounts']}
     check(mounted == set(volumes), f'{name}: volumes {set(volumes)}, mounted {mounted}')
@@ -111,7 +114,7 @@ def check_security(name, pod, container):
 
 
 def check_ports(name, container):
-    ports = {p['name']: p['containerPort'] for p in container['ports']}
+    ports = {p['name']: p['containerPort'] for p in container.get('ports', [])}
     flags = flags_of(container)
     for flag, port in (('listen', 'grpc'), ('metrics', 'metrics')):
         if flag in flags:
@@ -128,7 +131,7 @@ def check_ports(name, container):
 
 
 def flags_of(container):
-    words = [argument[2:].partition('=') for argument in container['args']]
+    words = [argument[2:].partition('=') for argument in container.get('args', [])]
     return {name: value for name, _, value in words}
 
 
@@ -333,7 +336,9 @@ def main():
         objects = build(os.path.join(here, 'trial'))
         check_against_kubectl(os.path.join(here, 'trial'), objects)
     for name, owner in pods_of(objects).items():
-        check_pod(name, owner, objects)
+        check_owner(name, owner, objects)
+    for name, pod in of_kind(objects, 'Pod').items():
+        check_pod(name, pod['spec'], [], objects)
     check_names(objects)
     check_scaling(objects)
     if not faults:
