@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -23,9 +24,10 @@ constexpr double kSteepest = 0.005;       // metre a metre
 constexpr size_t kStationsAtEnd = 3;      // that tell where a reach runs at its end
 constexpr double kWidestBridge = 40;      // metres
 constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
+constexpr double kMostAside = 1.5;        // widths: one end of the line through the other
 constexpr size_t kOddStations = 8;        // one in so many may be other than the rest
 constexpr size_t kAgreeing = 3;           // one in so many has the level at both shores; along the rest one is a quay
-constexpr size_t kBankStations = 4;       // one in so many may lie between quays on both sides
+constexpr size_t kBankStations = 3;       // one in so many may lie between quays on both sides
 constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
 constexpr double kErrorOfRise = 1.4472;   // of the difference to the mean of three, likewise
@@ -47,10 +49,12 @@ End EndOf(const Centreline& line, size_t reach, bool last) {
 
 bool Faces(const End& a, const End& b) {
   const Point2 gap = b.at - a.at;
-  const double far = gap.norm();
-  if (far > kWidestBridge || a.outward.dot(b.outward) > -kOpposite) return false;
+  const double far = gap.norm(), width = (a.width + b.width) / 2, turn = a.outward.dot(b.outward);
+  // Nearer than that the last bits of two centrelines, which may end in corners, tell nothing.
+  if (far < width && turn < kOpposite) return true;
+  if (far > kWidestBridge || turn > -kOpposite) return false;
   // A centreline may end anywhere across the water, in a corner too, and the river may bend under the bridge.
-  const double ahead = (a.outward - b.outward).normalized().dot(gap), across = 0.75 * (a.width + b.width);
+  const double ahead = (a.outward - b.outward).normalized().dot(gap), across = kMostAside * width;
   return far * far - ahead * ahead <= across * across;
 }
 
@@ -245,26 +249,37 @@ std::vector<Chain> ChainsOf(std::span<const Reach> reaches, const std::vector<Ce
   return chains;
 }
 
+std::optional<River> RiverAlong(const Chain& chain, std::span<const Reach> reaches,
+                                const std::vector<Centreline>& lines, double tolerance) {
+  const Course course = CourseOf(chain, reaches, lines);
+  if (course.length < kLeastRiver * course.width()) return std::nullopt;
+  River river;
+  river.profile = FitRiver(course.line, course.shore, course.noise, {kStation, kLeastAtStation, tolerance});
+  river.width = course.width();
+  if (river.profile.stations.empty()) return std::nullopt;
+  const RiverTest test(course, river.profile, tolerance);
+  if (!test.Holds()) return std::nullopt;
+  river.given = course.given;
+  river.falls = chain.size() > 1 || test.Falls();
+  for (const auto& [r, reversed] : chain) river.reaches.push_back(r);
+  std::sort(river.reaches.begin(), river.reaches.end());
+  return river;
+}
+
 }  // namespace
 
 std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, double least_width) {
   std::vector<Centreline> lines;
   for (const Reach& reach : reaches) lines.push_back(LineOf(reach, least_width));
   std::vector<River> rivers;
+  const auto add = [&](const Chain& chain) {
+    std::optional<River> river = RiverAlong(chain, reaches, lines, tolerance);
+    if (river) rivers.push_back(*std::move(river));
+    return river.has_value();
+  };
   for (const Chain& chain : ChainsOf(reaches, lines)) {
-    const Course course = CourseOf(chain, reaches, lines);
-    if (course.length < kLeastRiver * course.width()) continue;
-    River river;
-    river.profile = FitRiver(course.line, course.shore, course.noise, {kStation, kLeastAtStation, tolerance});
-    river.width = course.width();
-    if (river.profile.stations.empty()) continue;
-    const RiverTest test(course, river.profile, tolerance);
-    if (!test.Holds()) continue;
-    river.given = course.given;
-    river.falls = chain.size() > 1 || test.Falls();
-    for (const auto& [r, reversed] : chain) river.reaches.push_back(r);
-    std::sort(river.reaches.begin(), river.reaches.end());
-    rivers.push_back(std::move(river));
+    if (add(chain) || chain.size() == 1) continue;
+    for (const auto& link : chain) add({link});
   }
   return rivers;
 }

@@ -296,6 +296,15 @@ WaterBody RiverBody(const Plan& plan, const std::vector<Candidate>& candidates, 
   return body;
 }
 
+// Of a river that does not fall a lake at the mean of its stations.
+void MakeLevel(const Plan& plan, WaterBody& river) {
+  double sum = 0;
+  for (const Point3& station : river.river.stations) sum += station.z();
+  river.level = OnLattice(plan, sum / static_cast<double>(river.river.stations.size()));
+  river.river = {};
+  river.removed_rises.clear();
+}
+
 }  // namespace
 
 void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) {
@@ -318,11 +327,12 @@ void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) 
   for (River& river : FindRivers(reaches, options.tolerance, options.profile.least_river)) {
     for (size_t& r : river.reaches) r = candidate_of[r];
     const size_t first = river.reaches[0];
-    const bool large = AreaOf(plan, candidates[first]) >= options.profile.least_lake;
-    if (!river.given && !river.falls && large) level[first] = true;
     if (!river.given && river.reaches.size() == 1 && level[first]) continue;
+    const bool large = AreaOf(plan, candidates[first]) >= options.profile.least_lake;
+    const bool is_lake = !river.given && !river.falls && large;
     for (const size_t r : river.reaches) in_river[r] = true;
     bodies.push_back(RiverBody(plan, candidates, std::move(river)));
+    if (is_lake) MakeLevel(plan, bodies.back());
   }
   for (size_t i = 0; i < candidates.size(); ++i) {
     if (!in_river[i] && (level[i] || candidates[i].body.forced)) bodies.push_back(std::move(candidates[i].body));

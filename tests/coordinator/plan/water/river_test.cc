@@ -69,16 +69,36 @@ TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesAslant) {
   EXPECT_EQ(rivers[0].reaches.size(), 2u);
 }
 
-// The second reach is turned by 57 degrees about a place under the bridge: its near end is off the line of the first.
+void Turn(double angle, const Point2& centre, Reach& reach) {
+  const Eigen::Rotation2Dd turn(angle);
+  for (auto& [a, b] : reach.boundary) a = centre + turn * (a - centre), b = centre + turn * (b - centre);
+  for (Point3& p : reach.shore) p.head<2>() = centre + turn * (p.head<2>() - centre);
+}
+
+// The second reach is turned about a place under the bridge: its near end is off the line of the first.
 TEST(FindRiversTest, GoesOnWhereItBendsUnderABridge) {
   std::vector<Reach> reaches = {ReachBetween(0, 240, 5, Falling), ReachBetween(266, 500, 5, Falling)};
-  const Eigen::Rotation2Dd turn(1.0);
-  const Point2 bend(240, 0);
-  for (auto& [a, b] : reaches[1].boundary) a = bend + turn * (a - bend), b = bend + turn * (b - bend);
-  for (Point3& p : reaches[1].shore) p.head<2>() = bend + turn * (p.head<2>() - bend);
+  Turn(1, Point2(240, 0), reaches[1]);
   const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
   ASSERT_EQ(rivers.size(), 1u);
   EXPECT_EQ(rivers[0].reaches.size(), 2u);
+}
+
+TEST(FindRiversTest, GoesRoundACornerUnderABridge) {
+  std::vector<Reach> reaches = {ReachBetween(0, 240, 12, Falling), ReachBetween(246, 500, 12, Falling)};
+  Turn(1.7, Point2(240, 0), reaches[1]);
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_EQ(rivers[0].reaches.size(), 2u);
+}
+
+// A weir: the levels of the second are 4 m above those of the first, which makes no river of both.
+TEST(FindRiversTest, WhatIsNoneTogetherMayBeOneAlone) {
+  const auto above = [](double x, double y) { return Falling(x, y) + 4; };
+  const std::vector<Reach> reaches = {ReachBetween(0, 240, 12, Falling), ReachBetween(252, 500, 12, above)};
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 2u);
+  EXPECT_EQ(rivers[0].reaches.size(), 1u);
 }
 
 // Quays of two heights for 70 m, then one on the left shore for as long as the other half of the river has none.

@@ -135,6 +135,25 @@ TEST_P(WaterTest, AQuayAlongATenthOfTheShoreIsNoObstacle) {
   EXPECT_GT(plan.water[0].highest, kWaterLevel + 1.4);
 }
 
+// Between quays for a fifth of its length, and beside one for half of it.
+TEST_P(WaterTest, ACanalHasTheLevelOfItsStations) {
+  SceneMakerOptions scene;
+  scene.cut = GetParam();
+  scene.cell_size = 50;
+  scene.spacing = 1;
+  scene.noise = 0.1;
+  scene.boxes = {{{5, 54}, {195, 66}}};
+  scene.terrain = [](double x, double y) {
+    const bool left = y > 60 && x<100, both = x> 110 && x < 150;
+    const double bank = 0.1 * std::fmax(0, std::abs(y - 60) - 6);
+    return kWaterLevel + bank + (left || both ? 2.5 : 0);
+  };
+  const Plan plan = PlanOf(scene);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_THAT(plan.water[0].river.stations, IsEmpty());
+  EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.05);
+}
+
 // On one side the surface ends on the bank, up to 0.1 m above the water.
 TEST_P(WaterTest, ABankOnOneSideIsNoFall) {
   const auto ground = [](double d, double x, double y) {
