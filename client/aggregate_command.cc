@@ -15,6 +15,7 @@
 #include "client/commands.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/output_file.h"
 #include "common/util/files.h"
 #include "common/util/utc.h"
 #include "coordinator/report/scene_report.h"
@@ -42,13 +43,7 @@ absl::Status CheckPath(const std::string& out, bool overwrite) {
   if (fs::path(out).extension() != ".ply") {
     return absl::InvalidArgumentError(absl::StrCat(out, ": expected a file name that ends in .ply"));
   }
-  std::error_code error;
-  if (!fs::exists(out, error)) return absl::OkStatus();
-  if (!fs::is_regular_file(out, error)) {
-    return absl::InvalidArgumentError(absl::StrCat(out, ": is there and is no file; choose another --out"));
-  }
-  if (overwrite) return absl::OkStatus();
-  return absl::AlreadyExistsError(absl::StrCat(out, ": exists already; choose another --out, or give --overwrite"));
+  return CheckOutputFile(out, overwrite);
 }
 
 // Whether the output would not lie among the scene's files, by another name either.
@@ -95,6 +90,8 @@ int AggregateCommand(const Args& args) {
   const auto scene = LoadScene(args.arguments().front(), ReadTileBounds);
   if (!scene.ok()) return PrintError(scene.status());
   if (const absl::Status status = CheckApart(out, *scene); !status.ok()) return PrintError(status);
+  const auto lock = OutputLock::Take(out);
+  if (!lock.ok()) return PrintError(lock.status());
   const auto folder = MakeFolderBeside(out);
   if (!folder.ok()) return PrintError(folder.status());
   const absl::Cleanup remove_joined = [&] {
@@ -104,6 +101,8 @@ int AggregateCommand(const Args& args) {
   options->joined = absl::StrCat(*folder, "/joined.ply");
   auto filled = AggregateAndFill(*scene, *options);
   if (!filled.ok()) return PrintError(filled.status());
+  // Somebody else may have written there since.
+  if (const absl::Status status = CheckPath(out, args.Switch("overwrite")); !status.ok()) return PrintError(status);
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.scene = args.arguments().front();
   filled->report.options = {{"filler", FillerName(Filler::kMinimumArea)},

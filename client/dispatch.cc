@@ -66,7 +66,13 @@ int UsageError(const std::string& text) {
 }
 
 int RunParsed(const Command& command, const std::vector<std::string>& words) {
-  const auto settings = ReadSettings(command.flags, UsualFile(std::getenv), std::getenv);
+  auto settings = ReadSettings(command.flags, UsualFile(std::getenv), std::getenv);
+  // As under sudo, where it is the file of another user. One that is named is wanted.
+  if (absl::IsPermissionDenied(settings.status()) && std::getenv("TILEMEND_CONFIG") == nullptr) {
+    std::fprintf(stderr, "tilemend: warning: %s; its settings are not used\n",
+                 std::string(settings.status().message()).c_str());
+    settings = ReadSettings(command.flags, "", std::getenv);
+  }
   if (!settings.ok()) return UsageError(std::string(settings.status().message()));
   const auto args = Args::Parse(command.flags, words, *settings);
   if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));

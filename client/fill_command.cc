@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "client/job_flags.h"
 #include "client/mesh_filler.h"
 #include "client/output.h"
+#include "client/output_file.h"
 #include "common/codec/mesh_file.h"
 #include "common/records/surface.h"
 #include "common/util/colour.h"
@@ -77,16 +79,10 @@ absl::Status CheckPaths(const std::string& in, const std::string& out, bool over
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat to, MeshFormatOf(out));
   if (from != to)
     return absl::InvalidArgumentError(absl::StrCat(out, ": expected a file name with the format of the input, ", in));
-  if (std::filesystem::is_directory(out, error)) {
-    return absl::InvalidArgumentError(absl::StrCat(out, ": the output is a folder; choose another --out"));
-  }
-  std::vector<std::string> written = {out};
-  if (to == MeshFormat::kObj) written.push_back(absl::StrCat(FolderOf(out), "/", LibraryFor(out)));
-  for (const std::string& file : written) {
-    if (overwrite || !std::filesystem::exists(file, error)) continue;
-    return absl::AlreadyExistsError(absl::StrCat(file, ": exists already; choose another --out, or give --overwrite"));
-  }
-  return absl::OkStatus();
+  TILEMEND_RETURN_IF_ERROR(ReadFileEnds(in, 0).status());
+  TILEMEND_RETURN_IF_ERROR(CheckOutputFile(out, overwrite));
+  return to == MeshFormat::kObj ? CheckOutputFile(absl::StrCat(FolderOf(out), "/", LibraryFor(out)), overwrite)
+                                : absl::OkStatus();
 }
 
 void PrintSummary(const SceneReportInput& report, const std::string& out) {
@@ -163,6 +159,8 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(options.filler, FillerFromFlags(args));
   TILEMEND_RETURN_IF_ERROR(ReadFillerOptions(args, options));
   TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
+  if (options.surface == Surface::kWang && options.filler != Filler::kAuto)
+    return absl::InvalidArgumentError("--filler: with the surface wang closed holes are filled as wang fills them");
   if (options.tension && options.surface != Surface::kThinPlate)
     return absl::InvalidArgumentError("--tension: only the surface thin-plate has a tension");
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
@@ -220,6 +218,12 @@ bool SomeHolesLeft(const SceneReportInput& report) {
          std::any_of(holes.begin(), holes.end(), [](const PlannedHole& h) { return !h.failure.empty(); });
 }
 
+absl::StatusOr<FilledMesh> FillAndShow(const std::string& in, MeshFillOptions options) {
+  StepDisplay display;
+  options.show = [&display](std::string_view step, size_t done, size_t all) { display.Show(step, done, all); };
+  return FillMesh(in, options);
+}
+
 }  // namespace
 
 int FillCommand(const Args& args) {
@@ -233,16 +237,20 @@ int FillCommand(const Args& args) {
   if (!profile.ok()) return PrintUsageError(profile.status());
   const std::string& in = args.arguments().front();
   const std::string out = args.Text("out");
-  if (const absl::Status status = CheckPaths(in, out, args.Switch("overwrite")); !status.ok())
-    return PrintError(status);
+  const bool overwrite = args.Switch("overwrite");
+  if (const absl::Status status = CheckPaths(in, out, overwrite); !status.ok()) return PrintError(status);
+  const auto lock = OutputLock::Take(out);
+  if (!lock.ok()) return PrintError(lock.status());
   auto water = ReadWaterChoice(args.Text("water"), *water_tolerance, SceneFrame());
   if (!water.ok()) return PrintError(water.status());
   water->options.profile = *profile;
   options->water = water->options;
-  auto filled = FillMesh(in, *options);
+  auto filled = FillAndShow(in, *options);
   if (!filled.ok()) return PrintError(filled.status());
   Stopwatch watch;
-  auto warnings = WriteFilesBeside(in, out, args.Switch("overwrite"), *filled);
+  // Somebody else may have written there since.
+  if (const absl::Status status = CheckPaths(in, out, overwrite); !status.ok()) return PrintError(status);
+  auto warnings = WriteFilesBeside(in, out, overwrite, *filled);
   if (!warnings.ok()) return PrintError(warnings.status());
   filled->report.warnings = *std::move(warnings);
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);

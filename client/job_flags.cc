@@ -57,8 +57,11 @@ std::vector<FlagSpec> SurfaceFlags() {
            absl::StrCat(defaults.size_limit)},
           {"uniform", "", "keep the boundary's triangle size inside, no growth", ""},
           {"longest-loop", "N",
-           absl::StrCat("of wang: longer boundaries are cut, 3 to 2000; ", WangOptions().longest_loop), ""},
-          {"fairing-steps", "N", absl::StrCat("of wang: 0 to 1000; ", WangOptions().fairing_steps), ""}};
+           absl::StrCat("of wang: longer boundaries are cut; of minimum-area (fill): left open; 3 to 2000; ",
+                        WangOptions().longest_loop),
+           ""},
+          {"fairing-steps", "N",
+           absl::StrCat("of wang and minimum-area (fill): 0 to 1000; ", WangOptions().fairing_steps), ""}};
 }
 
 std::vector<FlagSpec> WaterFlags(const std::string& default_value) {

@@ -25,7 +25,7 @@ namespace {
 class MeshFiller {
  public:
   MeshFiller(const std::string& path, const MeshFillOptions& options)
-      : path_(path), options_(options.fill), library_(options.library) {
+      : path_(path), options_(options.fill), library_(options.library), show_(options.show) {
     WaveOptions waves;
     waves.plan = {
         options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,
@@ -51,6 +51,7 @@ class MeshFiller {
 
  private:
   absl::Status Read() {
+    show_("read", 0, 0);
     TILEMEND_ASSIGN_OR_RETURN(format_, MeshFormatOf(path_));
     TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ReadFile(path_));
     const std::filesystem::path path(path_);
@@ -58,6 +59,7 @@ class MeshFiller {
     TILEMEND_ASSIGN_OR_RETURN(survey_, SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_));
     filled_.files = std::move(survey_.files);
     EndStep("read");
+    show_("find holes", 0, 0);
     return absl::OkStatus();
   }
 
@@ -79,7 +81,10 @@ class MeshFiller {
       surface->AppendNear(lo, hi, found);
       return found;
     };
-    const std::vector<HolePatch> patches = FillHoles(work.holes, options_, near);
+    const size_t holes = work.holes.holes.size();
+    size_t done = 0;
+    show_("fill", done, holes);
+    const std::vector<HolePatch> patches = FillHoles(work.holes, options_, near, [&] { show_("fill", ++done, holes); });
     TILEMEND_RETURN_IF_ERROR(read);
     rim_ = work.holes.vertices;
     patches_ = patches;
@@ -121,6 +126,7 @@ class MeshFiller {
   const std::string path_;
   const FillOptions options_;
   const std::string library_;
+  const ShowStep show_;
   Stopwatch watch_;
   FilledMesh filled_;  // `bytes` are those of the original until the end
   MeshFormat format_ = MeshFormat::kPly;

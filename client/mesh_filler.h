@@ -2,9 +2,12 @@
 #ifndef TILEMEND_CLIENT_MESH_FILLER_H_
 #define TILEMEND_CLIENT_MESH_FILLER_H_
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -17,12 +20,16 @@
 
 namespace tilemend {
 
+// What is being done, and of how many holes it is done; 0 of 0 where none are counted.
+using ShowStep = std::function<void(std::string_view step, size_t holes_done, size_t holes)>;
+
 struct MeshFillOptions {
   FillOptions fill;
   WaterOptions water;
   MeshHoleOptions holes;
   std::optional<Rgb> water_colour;  // none: as the rim has it
   std::string library;              // of an OBJ: the material file beside the output that its filled faces will have
+  ShowStep show = [](std::string_view, size_t, size_t) {};
 };
 
 struct FilledMesh {

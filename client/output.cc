@@ -99,6 +99,14 @@ std::string DurationText(absl::Duration duration) {
   return absl::StrFormat("%d h %02d min", seconds / 3600, seconds / 60 % 60);
 }
 
+constexpr char kEraseLine[] = "\r\033[K";  // of a terminal
+
+std::string BarText(double share) {
+  constexpr double kWidth = 30;
+  const auto full = static_cast<size_t>(kWidth * share);
+  return absl::StrCat("[", std::string(full, '#'), std::string(static_cast<size_t>(kWidth) - full, '.'), "]");
+}
+
 // ", 2 min 05 s, 1 min 10 s left": since the job was made and, once there is something to guess it by, until its end.
 std::string TimesText(const v1::Job& job, double share) {
   constexpr double kLeastShare = 0.05;
@@ -230,16 +238,35 @@ ExitCode PrintError(const absl::Status& status) {
   return ExitCodeOf(status);
 }
 
+StepDisplay::StepDisplay() : is_terminal_(isatty(STDERR_FILENO) == 1), begin_(absl::Now()) {}
+
+StepDisplay::~StepDisplay() {
+  if (!step_.empty()) std::fputs(kEraseLine, stderr);
+}
+
+void StepDisplay::Show(std::string_view step, size_t done, size_t all) {
+  constexpr absl::Duration kBetween = absl::Milliseconds(100);
+  const absl::Time now = absl::Now();
+  if (!is_terminal_ || (step == step_ && now - shown_ < kBetween)) return;
+  step_ = step;
+  shown_ = now;
+  const std::string share = all == 0 ? "" : absl::StrCat(", ", done, "/", Counted(all, "hole"));
+  std::fprintf(stderr, "%s%s %s%s, %s", kEraseLine,
+               BarText(all == 0 ? 0 : static_cast<double>(done) / static_cast<double>(all)).c_str(), step_.c_str(),
+               share.c_str(), DurationText(now - begin_).c_str());
+  std::fflush(stderr);
+}
+
 ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressDisplay::~ProgressDisplay() {
-  if (has_bar_) std::fputs("\r\033[K", stderr);
+  if (has_bar_) std::fputs(kEraseLine, stderr);
 }
 
 void ProgressDisplay::Show(const v1::Job& job) {
   const v1::Progress& p = job.progress();
   for (; warnings_ < job.warnings_size(); ++warnings_) {
-    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? "\r\033[K" : "", job.name().c_str(),
+    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? kEraseLine : "", job.name().c_str(),
                  Printable(job.warnings(warnings_)).c_str());
   }
   if (p.phase() == kResumePhase) return;  // it runs through what was shown before
@@ -252,12 +279,9 @@ void ProgressDisplay::Show(const v1::Job& job) {
     waiting_ = job.waiting();
     return;
   }
-  constexpr double kWidth = 30;
   share_ = std::max(share_, ShareDone(p));
-  const auto full = static_cast<size_t>(kWidth * share_);
-  const std::string bar = std::string(full, '#') + std::string(static_cast<size_t>(kWidth) - full, '.');
   std::fprintf(
-      stderr, "\r\033[K[%s] %s, %s tasks, %s cells%s", bar.c_str(), Printable(p.phase()).c_str(),
+      stderr, "%s%s %s, %s tasks, %s cells%s", kEraseLine, BarText(share_).c_str(), Printable(p.phase()).c_str(),
       Share(p.tasks_done(), p.tasks()).c_str(), Share(p.cells_done(), p.cells()).c_str(),
       job.waiting().empty() ? TimesText(job, share_).c_str() : (", waits: " + Printable(job.waiting())).c_str());
   std::fflush(stderr);

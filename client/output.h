@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "absl/time/time.h"
 #include "common/util/exit_codes.h"
 #include "tilemend/v1/jobs.pb.h"
 
@@ -54,6 +56,20 @@ class ProgressDisplay {
   int warnings_ = 0;             // shown so far
   double share_ = 0;             // of the bar, which never runs back
   std::string phase_, waiting_;  // as said last
+};
+
+// The same for work without a job: a bar on a terminal, else nothing. It goes when this object goes.
+class StepDisplay {
+ public:
+  StepDisplay();
+  ~StepDisplay();
+  // `all` 0: it is not known how much there is. Shown at most ten times a second, each step at least once.
+  void Show(std::string_view step, size_t done, size_t all);
+
+ private:
+  const bool is_terminal_;
+  std::string step_;
+  absl::Time begin_, shown_;
 };
 
 }  // namespace tilemend

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <semaphore>
 #include <string>
 #include <system_error>
@@ -246,21 +247,29 @@ int PrintDescription(const std::string& form) {
   return kExitDone;
 }
 
+// Answers what is asked about the program itself, if anything is. Settings have no part in it.
+std::optional<int> Answer(const Flags& flags) {
+  if (flags.Switch("help")) {
+    std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s", FlagsHelp(CoordinatorFlags()).c_str());
+    return kExitDone;
+  }
+  if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));
+  if (flags.Switch("version")) {
+    std::printf("tilemend-coordinator %s\n", Version());
+    return kExitDone;
+  }
+  return std::nullopt;
+}
+
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
+  if (const auto asked = Flags::Parse(CoordinatorFlags(), words, {}); asked.ok()) {
+    if (const std::optional<int> code = Answer(*asked)) return *code;
+  }
   const auto settings = ReadSettings(CoordinatorFlags(), "", std::getenv);
   if (!settings.ok()) return Fail(settings.status(), kExitUsage);
   const auto flags = Flags::Parse(CoordinatorFlags(), words, *settings);
   if (!flags.ok()) return Fail(flags.status(), kExitUsage);
-  if (flags->Switch("help")) {
-    std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s", FlagsHelp(CoordinatorFlags()).c_str());
-    return kExitDone;
-  }
-  if (flags->IsGiven("describe")) return PrintDescription(flags->Text("describe"));
-  if (flags->Switch("version")) {
-    std::printf("tilemend-coordinator %s\n", Version());
-    return kExitDone;
-  }
   auto options = OptionsFromFlags(*flags);
   if (!options.ok()) return Fail(options.status(), kExitUsage);
   const char* failpoint = std::getenv("TILEMEND_FAILPOINT");

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -147,21 +148,29 @@ int PrintDescription(const std::string& form) {
   return kExitDone;
 }
 
+// Answers what is asked about the program itself, if anything is. Settings have no part in it.
+std::optional<int> Answer(const Flags& flags) {
+  if (flags.Switch("help")) {
+    std::printf("Usage: tilemend-worker [FLAGS]\n\n%s", FlagsHelp(WorkerFlags()).c_str());
+    return kExitDone;
+  }
+  if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));
+  if (flags.Switch("version")) {
+    std::printf("tilemend-worker %s\n", Version());
+    return kExitDone;
+  }
+  return std::nullopt;
+}
+
 int Main(const std::vector<std::string>& words) {
   PrepareProcess();
+  if (const auto asked = Flags::Parse(WorkerFlags(), words, {}); asked.ok()) {
+    if (const std::optional<int> code = Answer(*asked)) return *code;
+  }
   const auto settings = ReadSettings(WorkerFlags(), "", std::getenv);
   if (!settings.ok()) return Fail(settings.status(), kExitUsage);
   const auto flags = Flags::Parse(WorkerFlags(), words, *settings);
   if (!flags.ok()) return Fail(flags.status(), kExitUsage);
-  if (flags->Switch("help")) {
-    std::printf("Usage: tilemend-worker [FLAGS]\n\n%s", FlagsHelp(WorkerFlags()).c_str());
-    return kExitDone;
-  }
-  if (flags->IsGiven("describe")) return PrintDescription(flags->Text("describe"));
-  if (flags->Switch("version")) {
-    std::printf("tilemend-worker %s\n", Version());
-    return kExitDone;
-  }
   const auto options = OptionsFromFlags(*flags);
   if (!options.ok()) return Fail(options.status(), kExitUsage);
   const absl::Status status = WithoutExceptions([&] { return Work(*flags, *options); });

@@ -1,10 +1,15 @@
 // What Dispatch does around a command.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <new>
+#include <string>
 
 #include "client/commands.h"
 #include "common/util/exit_codes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace tilemend {
 namespace {
@@ -16,6 +21,27 @@ TEST(DispatchTest, WantOfMemoryIsAnErrorThatMayPass) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(Dispatch({command}, {"fill"}), kExitRetryable);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("fill: out of memory"), std::string::npos);
+}
+
+// As under sudo -u, with the folder of who was there before.
+TEST(DispatchDeathTest, GoesOnWithoutSettingsOfAnotherUser) {
+  if (::geteuid() != 0) GTEST_SKIP() << "root alone can become another user";
+  const TemporaryFolder folder;
+  folder.Write("tilemend.conf", "no settings at all");
+  std::filesystem::permissions(folder / "tilemend.conf", std::filesystem::perms::owner_read);
+  const auto as_another = [&](const char* variable, const std::string& value) {
+    Command command;
+    command.name = "get";
+    command.run = [](const Args&) -> int { return kExitDone; };
+    ::setenv(variable, value.c_str(), 1);
+    constexpr uid_t kNobody = 65534;
+    if (::setuid(kNobody) != 0) std::abort();
+    std::exit(Dispatch({command}, {"get"}));
+  };
+  EXPECT_EXIT(as_another("XDG_CONFIG_HOME", folder.path()), testing::ExitedWithCode(kExitDone),
+              "warning: .*tilemend.conf.*; its settings are not used");
+  EXPECT_EXIT(as_another("TILEMEND_CONFIG", folder / "tilemend.conf"), testing::ExitedWithCode(kExitUsage),
+              "tilemend.conf: cannot open");
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 // `tilemend fill` and `tilemend inspect` on single meshes.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -222,6 +226,34 @@ TEST(CheckCommandTest, SaysWhatIsWrongUntilItIsMended) {
   EXPECT_EQ(tilemend({"check", in, "--crease-angle", "0"}).code, 2);
 }
 
+// Another process that writes the same file holds it with a lock on the file beside it.
+TEST(FillCommandTest, TwoAtOnceDoNotWriteOneFile) {
+  const TemporaryFolder folder;
+  const std::string in = folder.Write("in.obj", Text(SheetWithAHole(), MeshFormat::kObj)), out = folder / "new/out.obj";
+  const auto fill = [&] { return Process(folder.path(), TILEMEND_CLIENT, {"fill", in, "--out", out}).Wait(); };
+  const std::string lock = folder.Write("new/.out.obj.tilemend-lock", "");
+  const int held = ::open(lock.c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_GE(held, 0);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  const Ended refused = fill();
+  EXPECT_EQ(refused.code, 5);
+  EXPECT_THAT(refused.err, HasSubstr("another command is writing it"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  ::close(held);
+  EXPECT_EQ(fill().code, 0);
+  EXPECT_FALSE(std::filesystem::exists(lock));
+}
+
+TEST(FillCommandTest, NeverReplacesAPipe) {
+  const TemporaryFolder folder;
+  const std::string in = folder.Write("in.off", Text(SheetWithAHole(), MeshFormat::kOff)), out = folder / "out.off";
+  ASSERT_EQ(::mkfifo(out.c_str(), 0600), 0);
+  const Ended ended = Process(folder.path(), TILEMEND_CLIENT, {"fill", in, "--out", out, "--overwrite"}).Wait();
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.err, HasSubstr("is there and is no file"));
+  EXPECT_TRUE(std::filesystem::is_fifo(out));
+}
+
 TEST(FillCommandTest, ExitCodes) {
   const TemporaryFolder folder;
   const std::string in = folder.Write("in.obj", Text(SheetWithAHole(), MeshFormat::kObj));
@@ -233,6 +265,7 @@ TEST(FillCommandTest, ExitCodes) {
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--gradation", "0"}), 2);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--surface", "wang", "--tension", "1"}), 2);
   EXPECT_EQ(code({"run", in, "--out", folder / "o", "--surface", "wang", "--tension", "1"}), 2);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--surface", "wang", "--filler", "minimum-area"}), 2);
   EXPECT_EQ(code({"fill", folder / "none.obj", "--out", folder / "o.obj"}), 3);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.ply"}), 4);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o"}), 4);

@@ -200,7 +200,8 @@ class HoleFiller {
 
 }  // namespace
 
-std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options, const SurfaceNear& near) {
+std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options, const SurfaceNear& near,
+                                 const std::function<void()>& hole_done) {
   CellBand band(cell);
   std::vector<HolePatch> patches;
   for (const CellHole& hole : cell.holes) {
@@ -209,6 +210,7 @@ std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& optio
     patch.hole = hole.id;
     if (&hole != &cell.holes.back()) band.Add(hole, patch);
     patches.push_back(std::move(patch));
+    if (hole_done) hole_done();
   }
   return patches;
 }

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_WORKER_FILL_FILL_HOLES_H_
 #define TILEMEND_WORKER_FILL_FILL_HOLES_H_
 
+#include <functional>
 #include <vector>
 
 #include "common/records/cell_holes.h"
@@ -41,8 +42,9 @@ namespace tilemend {
 // with the surface around it the patch makes no edge with three triangles and no triangle twice; new vertices lie on
 // the lattice, or where that is too coarse on what the output holds; no triangle without area; a hole that cannot be
 // filled so has a failure and no geometry. Once options.refine is cancelled, patches are missing or failed. Heights of
-// seam vertices must be known. Deterministic; pure; safe from any thread.
-std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options, const SurfaceNear& near = {});
+// seam vertices must be known. Deterministic; pure; safe from any thread. `hole_done` is called after each hole.
+std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options, const SurfaceNear& near = {},
+                                 const std::function<void()>& hole_done = {});
 
 }  // namespace tilemend
 

@@ -1,0 +1,84 @@
+#include "client/output_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/error_info.h"
+#include "common/util/folders.h"
+#include "common/util/place.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+
+namespace fs = std::filesystem;
+
+absl::Status CheckOutputFile(const std::string& path, bool overwrite) {
+  std::error_code error;
+  if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return absl::OkStatus();
+  const fs::file_type type = fs::status(path, error).type();
+  if (type == fs::file_type::directory) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a folder; choose another --out"));
+  }
+  if (type == fs::file_type::not_found) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": is a link to nothing; remove it, or choose another --out"));
+  }
+  if (type == fs::file_type::none || type == fs::file_type::unknown)
+    return WriteErrnoStatus(error.value(), "cannot look at it", path);
+  if (type != fs::file_type::regular) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": is there and is no file; choose another --out"));
+  }
+  if (overwrite) return absl::OkStatus();
+  return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; choose another --out, or give --overwrite"));
+}
+
+absl::StatusOr<OutputLock> OutputLock::Take(const std::string& path) {
+  const fs::path out(path);
+  OutputLock lock;
+  std::vector<fs::path> missing;
+  for (fs::path at = out.parent_path(); !at.empty() && KindOf(at.string()) == PathKind::kNothing;
+       at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+    TILEMEND_RETURN_IF_ERROR(MakeFolder(folder->string()));
+    lock.made_.push_back(folder->string());
+  }
+  lock.file_ = (out.parent_path() / absl::StrCat(".", out.filename().string(), ".tilemend-lock")).string();
+  struct stat opened {
+  }, named{};
+  do {
+    if (lock.fd_ >= 0) ::close(lock.fd_);
+    lock.fd_ = ::open(lock.file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    if (lock.fd_ < 0) return WriteErrnoStatus(errno, "cannot write there", path);
+    if (::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(std::exchange(lock.fd_, -1));  // and leave the file to its holder
+      return WithErrorInfo(absl::AbortedError(absl::StrCat(
+                               path, ": another command is writing it; wait for its end, or choose another --out")),
+                           {"OUTPUT_IN_USE", {}});
+    }
+    // Who had the file may have removed it before the lock was taken.
+  } while (::fstat(lock.fd_, &opened) != 0 || ::stat(lock.file_.c_str(), &named) != 0 || opened.st_ino != named.st_ino);
+  return lock;
+}
+
+OutputLock::OutputLock(OutputLock&& other) noexcept
+    : made_(std::exchange(other.made_, {})), file_(std::move(other.file_)), fd_(std::exchange(other.fd_, -1)) {}
+
+OutputLock::~OutputLock() {
+  if (fd_ >= 0) {
+    ::unlink(file_.c_str());
+    ::close(fd_);
+  }
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) RemoveEmptyFolder(*folder).IgnoreError();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,38 @@
+// The one file that a command writes.
+#ifndef TILEMEND_CLIENT_OUTPUT_FILE_H_
+#define TILEMEND_CLIENT_OUTPUT_FILE_H_
+
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace tilemend {
+
+// Whether a command may write a file of that name: kAlreadyExists where one is there without `overwrite`;
+// kInvalidArgument where something is that is no file (a folder, a pipe, a device, a link to nothing).
+absl::Status CheckOutputFile(const std::string& path, bool overwrite);
+
+// Holds the name of an output against other processes of this program, with a hidden file beside it that goes with this
+// object; one that is left by a process that was killed holds nothing. Makes missing folders, which go as well if
+// nothing is in them. A file system without locks has to do without.
+class OutputLock {
+ public:
+  // kAborted: another process has it. kPermissionDenied, kInvalidArgument, kResourceExhausted as WriteFileAtomically.
+  static absl::StatusOr<OutputLock> Take(const std::string& path);
+  ~OutputLock();
+  OutputLock(OutputLock&& other) noexcept;
+  OutputLock& operator=(OutputLock&&) = delete;
+
+ private:
+  OutputLock() = default;
+
+  std::vector<std::string> made_;  // folders, the outermost first
+  std::string file_;
+  int fd_ = -1;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_OUTPUT_FILE_H_

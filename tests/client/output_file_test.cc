@@ -1,0 +1,79 @@
+#include "client/output_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class OutputFileTest : public testing::Test {
+ protected:
+  std::string Path(const std::string& name) const { return folder_ / name; }
+  size_t CountFiles() const {
+    return static_cast<size_t>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(OutputFileTest, TakesANameThatIsFree) {
+  EXPECT_TRUE(CheckOutputFile(Path("new.ply"), false).ok());
+  EXPECT_TRUE(CheckOutputFile(Path("no folder/new.ply"), false).ok());
+}
+
+TEST_F(OutputFileTest, ReplacesAFileOnlyWhenTold) {
+  folder_.Write("old.ply", "text");
+  EXPECT_TRUE(absl::IsAlreadyExists(CheckOutputFile(Path("old.ply"), false)));
+  EXPECT_TRUE(CheckOutputFile(Path("old.ply"), true).ok());
+}
+
+TEST_F(OutputFileTest, NeverReplacesWhatIsNoFile) {
+  fs::create_directory(Path("folder.ply"));
+  ASSERT_EQ(::mkfifo(Path("pipe.ply").c_str(), 0600), 0);
+  fs::create_symlink("nowhere", Path("link.ply"));
+  for (const std::string& path : {Path("folder.ply"), Path("pipe.ply"), Path("link.ply"), std::string("/dev/null")}) {
+    for (const bool overwrite : {false, true}) {
+      EXPECT_TRUE(absl::IsInvalidArgument(CheckOutputFile(path, overwrite))) << path;
+    }
+  }
+}
+
+TEST_F(OutputFileTest, IsHeldByOneAtATime) {
+  std::optional<absl::StatusOr<OutputLock>> first = OutputLock::Take(Path("new/out.ply"));
+  ASSERT_TRUE(first->ok());
+  const absl::Status second = OutputLock::Take(Path("new/out.ply")).status();
+  EXPECT_TRUE(absl::IsAborted(second));
+  EXPECT_THAT(std::string(second.message()), HasSubstr("another command is writing it"));
+  EXPECT_TRUE(OutputLock::Take(Path("new/other.ply")).ok());
+  first.reset();
+  EXPECT_TRUE(OutputLock::Take(Path("new/out.ply")).ok());
+}
+
+TEST_F(OutputFileTest, LeavesNothingBehind) {
+  { ASSERT_TRUE(OutputLock::Take(Path("a/b/out.ply")).ok()); }
+  EXPECT_EQ(CountFiles(), 0);
+}
+
+TEST_F(OutputFileTest, TakesOverWhatAKilledProcessLeft) {
+  folder_.Write(".out.ply.tilemend-lock", "");
+  EXPECT_TRUE(OutputLock::Take(Path("out.ply")).ok());
+}
+
+TEST_F(OutputFileTest, SaysWhereItCannotWrite) {
+  folder_.Write("file", "text");
+  EXPECT_TRUE(absl::IsInvalidArgument(OutputLock::Take(Path("file/out.ply")).status()));
+}
+
+}  // namespace
+}  // namespace tilemend
