@@ -89,13 +89,16 @@ class HoleFiller {
   }
 
  private:
-  // In a scene the first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and
-  // spikes.
+  // The first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and spikes.
   void Keep(FillWay way, LocalPatch patch) {
     int32_t faults = 0;
-    if (!hole_.cell->upright) {
-      if (CountCreases(hole_, patch) > 0) patch = BevelCreases(hole_, std::move(patch), crossings_);
-      faults = CountCreases(hole_, patch) + CountSpikes(hole_, patch);
+    if (ShunsFolds()) {
+      faults = CountCreases(hole_, patch);
+      if (faults > 0) {
+        patch = BevelCreases(hole_, std::move(patch), crossings_);
+        faults = CountCreases(hole_, patch);
+      }
+      faults += CountSpikes(hole_, patch);
     }
     if (best_ && faults >= least_faults_) return;
     least_faults_ = faults;
@@ -104,11 +107,14 @@ class HoleFiller {
     best_->way = is_bare ? FillWay::kBare : way;
   }
 
-  // Whether all patches do. Creases that go on from those of the surface are right; others are worse than the hole.
-  bool FoldsBack() const {
-    const bool chosen = options_.allow_creases || options_.filler != Filler::kAuto;
-    return least_faults_ > 0 && best_->way != FillWay::kCreases && !chosen && options_.surface == Surface::kThinPlate;
+  // What is published makes its patches as published.
+  bool ShunsFolds() const {
+    const bool is_ours = options_.surface == Surface::kThinPlate && options_.filler == Filler::kAuto;
+    return is_ours && !hole_.cell->upright;
   }
+
+  // Whether all patches do. Creases that go on from those of the surface are right; others are worse than the hole.
+  bool FoldsBack() const { return least_faults_ > 0 && best_->way != FillWay::kCreases && !options_.allow_creases; }
 
   std::vector<Way> Ways() {
     if (options_.filler != Filler::kAuto && !hole_.open && !hole_.level) return {AsNamed()};

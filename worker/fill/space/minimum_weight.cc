@@ -68,6 +68,8 @@ class LoopTriangulator {
   void Try(int32_t i, int32_t j, int32_t k, bool closing, Weight& best) {
     const Weight left = j - i > 1 ? best_[At(i, j)] : Weight{}, right = k - j > 1 ? best_[At(j, k)] : Weight{};
     if (left.angle == kNever || right.angle == kNever) return;
+    // The triangle itself only adds to these.
+    if (!(Weight{std::max(left.angle, right.angle), left.area + right.area} < best)) return;
     const Eigen::Vector3d area = AreaVector(i, j, k);
     const double size = area.norm();
     if (size <= 0) return;

@@ -14,6 +14,7 @@
 #include "common/mesh/edge_key.h"
 #include "common/mesh/rounding.h"
 #include "common/mesh/triangle_shape.h"
+#include "common/mesh/vertex_lists.h"
 
 namespace tilemend {
 namespace {
@@ -169,7 +170,25 @@ class Bevelling {
 }  // namespace
 
 int32_t CountCreases(const LocalHole& hole, const LocalPatch& patch) {
-  return static_cast<int32_t>(Bevelling(hole, patch).Creases().size());
+  const std::vector<Triangle>& triangles = patch.triangles;
+  const VertexLists corners = CornersAt(triangles, static_cast<size_t>(hole.size()) + patch.new_points.size());
+  std::vector<Vector3d> normals;
+  for (const Triangle& t : triangles) normals.push_back(TwiceVectorArea(InSpace(hole, patch, t)).normalized());
+  int32_t creases = 0;
+  for (size_t n = 0; n < triangles.size(); ++n) {
+    for (int k = 0; k < 3; ++k) {
+      const int32_t a = triangles[n][k], b = triangles[n][(k + 1) % 3];
+      const auto runs_back = [&](int32_t corner) { return triangles[corner >> 2][((corner & 3) + 1) % 3] == a; };
+      const auto around = corners.Of(b);
+      const auto back = std::ranges::find_if(around, runs_back);
+      if (back != around.end()) {
+        creases += a < b && normals[n].dot(normals[*back >> 2]) < kCreaseCosine;
+      } else if (a < hole.size() && b < hole.size()) {
+        creases += normals[n].dot(hole.NormalBeside(a, b)) < kCreaseCosine;
+      }
+    }
+  }
+  return creases;
 }
 
 int32_t CountSpikes(const LocalHole& hole, const LocalPatch& patch) {

@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 #include "common/mesh/position_index.h"
@@ -28,6 +28,7 @@ class SoundTriangulator {
   SoundTriangulator(std::span<const Point3> loop, const CrossingIndex& surface) : loop_(loop), surface_(surface) {
     PositionIndex index;
     for (const Point3& p : loop) places_.push_back(index.Insert(p));
+    fits_.assign(loop.size() * loop.size() * loop.size(), Answer::kUnknown);
   }
 
   std::vector<Triangle> Run(std::span<const Eigen::Vector3d> outside,
@@ -43,13 +44,14 @@ class SoundTriangulator {
   }
 
  private:
+  enum class Answer : uint8_t { kUnknown, kNo, kYes };
+
   SpaceTriangle InSpace(const Triangle& t) const { return {loop_[t[0]], loop_[t[1]], loop_[t[2]]}; }
 
   bool Fits(const Triangle& t) {
-    const auto [it, fresh] = fits_.try_emplace(KeyOf(t), false);
-    if (!fresh) return it->second;
-    it->second = !surface_.IsCrossedBy(InSpace(t));
-    return it->second;
+    Answer& answer = fits_[KeyOf(t)];
+    if (answer == Answer::kUnknown) answer = surface_.IsCrossedBy(InSpace(t)) ? Answer::kNo : Answer::kYes;
+    return answer == Answer::kYes;
   }
 
   // Forbids the larger one of any two that cross, and the largest of those at an edge with more than two; false if
@@ -70,19 +72,19 @@ class SoundTriangulator {
     for (const auto& [edge, around] : at_edge) {
       if (around.size() > 2) forbidden.push_back(std::accumulate(around.begin(), around.end(), around[0], larger));
     }
-    for (const int32_t t : forbidden) fits_[KeyOf(triangles[t])] = false;
+    for (const int32_t t : forbidden) fits_[KeyOf(triangles[t])] = Answer::kNo;
     return !forbidden.empty();
   }
 
-  int64_t KeyOf(const Triangle& t) const {
-    const auto n = static_cast<int64_t>(loop_.size());
-    return (t[0] * n + t[1]) * n + t[2];
+  size_t KeyOf(const Triangle& t) const {
+    const size_t n = loop_.size();
+    return (static_cast<size_t>(t[0]) * n + static_cast<size_t>(t[1])) * n + static_cast<size_t>(t[2]);
   }
 
   std::span<const Point3> loop_;
   std::vector<int32_t> places_;  // equal for equal positions
   const CrossingIndex& surface_;
-  std::unordered_map<int64_t, bool> fits_;  // by the corners' numbers
+  std::vector<Answer> fits_;  // by the corners' numbers
 };
 
 }  // namespace

@@ -40,7 +40,11 @@ class BendingSystem {
   bool Solve(std::vector<Point3>& points) const {
     Eigen::SparseMatrix<double> laplacian(rows_, columns_);
     laplacian.setFromTriplets(entries_.begin(), entries_.end());
-    const Eigen::SparseMatrix<double> scaled = mass_.cwiseInverse().asDiagonal() * laplacian;
+    Eigen::SparseMatrix<double> scaled = laplacian;
+    const Eigen::VectorXd inverse = mass_.cwiseInverse();
+    for (int32_t column = 0; column < columns_; ++column) {
+      for (Eigen::SparseMatrix<double>::InnerIterator it(scaled, column); it; ++it) it.valueRef() *= inverse[it.row()];
+    }
     const Eigen::SparseMatrix<double> system = laplacian.transpose() * scaled;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
     if (solver.info() != Eigen::Success) return false;

@@ -48,7 +48,7 @@ class Refiner {
       const int32_t a = mesh_.from_vertex_handle(half).idx(), b = mesh_.to_vertex_handle(half).idx();
       if (mesh_.is_boundary(edge) || may_join_(a, b)) continue;
       const Point3 middle = (patch_.points[a] + patch_.points[b]) / 2;
-      mesh_.split(edge, AddPoint(middle, (patch_.sizes[a] + patch_.sizes[b]) / 2));
+      mesh_.split(edge, AddPoint(middle, (patch_.sizes[a] + patch_.sizes[b]) / 2));  // before any edge is settled
     }
   }
 
@@ -87,7 +87,9 @@ class Refiner {
       if (reach <= size || reach <= patch_.sizes[v]) return false;
     }
     if (patch_.projects && !HasPlace(c, corners)) return false;
-    mesh_.split(face, AddPoint(c, size));
+    const PatchMesh::VertexHandle middle = AddPoint(c, size);
+    mesh_.split(face, middle);
+    for (const auto part : mesh_.vf_range(middle)) MarkStale(part);
     return true;
   }
 
@@ -100,16 +102,28 @@ class Refiner {
     return TurnOf(p.head<2>(), patch_.points[a].head<2>(), patch_.points[b].head<2>()) > 0;
   }
 
+  // An edge that was not to be turned is looked at again only when something about it has changed.
   void TurnEdges() {
     for (int pass = 0; pass < kTurnPasses; ++pass) {
       bool any = false;
       for (const auto edge : mesh_.edges()) {
-        if (!IsBetterTurned(edge)) continue;
+        if (!IsStale(edge) || !IsBetterTurned(edge)) continue;
         mesh_.FlipEdge(edge);
+        for (const int side : {0, 1}) MarkStale(mesh_.face_handle(mesh_.halfedge_handle(edge, side)));
         any = true;
       }
       if (!any) return;
     }
+  }
+
+  bool IsStale(PatchMesh::EdgeHandle edge) {
+    settled_.resize(mesh_.n_edges(), false);
+    return !settled_[edge.idx()];
+  }
+
+  void MarkStale(PatchMesh::FaceHandle face) {
+    settled_.resize(mesh_.n_edges(), false);
+    for (const auto edge : mesh_.fe_range(face)) settled_[edge.idx()] = false;
   }
 
   double AngleAt(int32_t apex, int32_t a, int32_t b) const {
@@ -117,7 +131,16 @@ class Refiner {
     return std::atan2(u.cross(v).norm(), u.dot(v));
   }
 
-  bool IsBetterTurned(PatchMesh::EdgeHandle edge) const {
+  bool IsBetterTurned(PatchMesh::EdgeHandle edge) {
+    if (!IsBetterAcross(edge)) {
+      settled_[edge.idx()] = true;
+      return false;
+    }
+    return mesh_.is_flip_ok(edge);
+  }
+
+  // By its two triangles alone.
+  bool IsBetterAcross(PatchMesh::EdgeHandle edge) const {
     if (mesh_.is_boundary(edge)) return false;
     const HalfEdge e = mesh_.halfedge_handle(edge, 0), twin = mesh_.opposite_halfedge_handle(e);
     const int32_t a = mesh_.to_vertex_handle(twin).idx(), b = mesh_.to_vertex_handle(e).idx();
@@ -128,14 +151,14 @@ class Refiner {
     const int32_t p = mesh_.Apex(e), q = mesh_.Apex(twin);
     if (AngleAt(p, a, b) + AngleAt(q, a, b) <= std::numbers::pi + kAngleSlack) return false;
     if (p < patch_.rim_count && q < patch_.rim_count && !may_join_(p, q)) return false;
-    if (patch_.projects && !(TurnsLeft(patch_.points[p], a, q) && TurnsLeft(patch_.points[q], b, p))) return false;
-    return mesh_.is_flip_ok(edge);
+    return !patch_.projects || (TurnsLeft(patch_.points[p], a, q) && TurnsLeft(patch_.points[q], b, p));
   }
 
   const RefineOptions& options_;
   const std::function<bool(int32_t, int32_t)>& may_join_;
   NewPatch& patch_;
   PatchMesh mesh_;
+  std::vector<bool> settled_;  // by edge: not to be turned as its triangles are
   double largest_ = 0;
 };
 
