@@ -94,6 +94,7 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
   int64_t triangles = 0;
   std::vector<std::vector<std::string>> rows;
   for (const auto& [cell, stored] : records) {
+    if (stored == nullptr) continue;
     const auto record = stored.Outline();
     const SurveyRecord& r = *record;
     triangles += r.triangle_count;
@@ -106,7 +107,7 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
       "(%.3f, %.3f, %.3f)\n"
       "triangles: %d\n%s",
       scene.root, scene.cols, scene.rows, scene.grid.cell_size.x(), scene.grid.cell_size.y(), scene.grid.corner.x(),
-      scene.grid.corner.y(), scene.tiles.size(), records.size(), scene.crs.empty() ? "not given" : scene.crs,
+      scene.grid.corner.y(), scene.tiles.size(), rows.size(), scene.crs.empty() ? "not given" : scene.crs,
       scene.origin.x(), scene.origin.y(), scene.origin.z(), triangles, HolesLine(plan));
   if (!scene.area_known) absl::StrAppend(&text, "area: not given; holes that reach its rim are left\n");
   const size_t tiles = rows.size();
@@ -183,7 +184,7 @@ int InspectSceneAt(const Request& request) {
   for (const SceneTile& tile : waves.scene().tiles) {
     Json row = {{"cell", {tile.cell.col, tile.cell.row}}, {"path", tile.path.empty() ? Json() : Json(tile.path)}};
     const auto it = waves.records().find(tile.cell);
-    if (it != waves.records().end()) row.update(RecordJson(*it->second.Outline()));
+    if (it != waves.records().end() && it->second != nullptr) row.update(RecordJson(*it->second.Outline()));
     tiles.push_back(row);
   }
   plan["tiles"] = tiles;

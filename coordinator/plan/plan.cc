@@ -200,6 +200,8 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   BorderFindings borders = AuditBorders(input);
   lines = FindGridLines(input, borders, plan.lattice_step);
   plan.borders = std::move(borders.borders);
+  borders.offsets.clear();
+  borders.buffers.clear();
   if (borders.independent) {
     PlanOverlapping(input, lines, options, plan);
     RefuseTilesThatFaceDown(input, plan);

@@ -180,7 +180,9 @@ std::vector<std::vector<Point2>> RingsOf(const Mask& mask) {
 
 PlanePolygon ProposeArea(const Scene& scene, const std::map<CellId, StoredRecord>& records) {
   Mask mask = EmptyMask(scene);
-  for (const auto& [cell, record] : records) AddSurface(*record.Outline(), mask);
+  for (const auto& [cell, record] : records) {
+    if (record != nullptr) AddSurface(*record.Outline(), mask);
+  }
   const auto mouth = static_cast<int32_t>(kMouth * scene.grid.cell_size.minCoeff() / mask.step);
   Grow(1, mouth, mask);
   FillHoles(mask);

@@ -13,7 +13,8 @@ namespace tilemend {
 // a cell wide. Empty if the surface is too small. On a raster of 128 squares to a cell, fewer in scenes of more than
 // 2000 cells: the outline is some two squares inside the surface's own. Rings have what is inside on their left.
 //
-// Precondition: cell_size > 0. Cost: linear in the raster and the boundary edges. Deterministic.
+// Precondition: cell_size > 0. Null records are of cells without surface. Cost: linear in the raster and the boundary
+// edges. Deterministic.
 PlanePolygon ProposeArea(const Scene& scene, const std::map<CellId, StoredRecord>& records);
 
 }  // namespace tilemend

@@ -35,6 +35,12 @@ struct ScratchFile::RecordPlaces {
   Place vertices, edges, colours, band_points, band_triangles;
 };
 
+struct ScratchFile::Kept {
+  std::shared_ptr<const ScratchFile> file;
+  SurveySummary summary;
+  RecordPlaces places;
+};
+
 absl::StatusOr<std::shared_ptr<ScratchFile>> ScratchFile::Create(const std::string& folder) {
   std::error_code error;
   const std::filesystem::path base =
@@ -99,14 +105,18 @@ absl::StatusOr<SurveyRecord> ScratchFile::ReadRecord(const SurveySummary& summar
 }
 
 absl::StatusOr<StoredRecord> ScratchFile::Keep(const SurveyRecord& record) {
-  RecordPlaces places;
+  // Once for all copies of the handle, of which there are several for each cell of a scene.
+  const auto kept = std::make_shared<Kept>();
+  RecordPlaces& places = kept->places;
   TILEMEND_ASSIGN_OR_RETURN(places.vertices, Put(BytesOf(record.vertices)));
   TILEMEND_ASSIGN_OR_RETURN(places.edges, Put(BytesOf(record.edges)));
   TILEMEND_ASSIGN_OR_RETURN(places.colours, Put(BytesOf(record.colours)));
   TILEMEND_ASSIGN_OR_RETURN(places.band_points, Put(BytesOf(record.band.points)));
   TILEMEND_ASSIGN_OR_RETURN(places.band_triangles, Put(BytesOf(record.band.triangles)));
-  const auto read = [file = shared_from_this(), summary = SurveySummary(record), places](bool with_band) {
-    absl::StatusOr<SurveyRecord> again = file->ReadRecord(summary, places, with_band);
+  kept->file = shared_from_this();
+  kept->summary = record;
+  const auto read = [kept](bool with_band) {
+    absl::StatusOr<SurveyRecord> again = kept->file->ReadRecord(kept->summary, kept->places, with_band);
     if (!again.ok()) throw std::runtime_error(std::string(again.status().message()));
     return std::make_shared<const SurveyRecord>(*std::move(again));
   };

@@ -46,6 +46,7 @@ class ScratchFile : public std::enable_shared_from_this<ScratchFile> {
   absl::Status ReadColumn(const Place& place, std::vector<T>& column) const;
 
   struct RecordPlaces;
+  struct Kept;
   absl::StatusOr<SurveyRecord> ReadRecord(const SurveySummary& summary, const RecordPlaces& places,
                                           bool with_band) const;
 

@@ -104,7 +104,7 @@ SmoothWork SceneWaves::SmoothWorkOf(int32_t seam) const {
 
 AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
   AssembleWork work{tiles_.at(cell), float32_};
-  if (const auto record = records_.find(cell); record != records_.end()) {
+  if (const auto record = records().find(cell); record != records().end() && record->second != nullptr) {
     work.tile_vertices = record->second->vertex_count;
   }
   if (const auto holes = holes_of_.find(cell); holes != holes_of_.end()) {
@@ -117,7 +117,7 @@ AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
 }
 
 void SceneWaves::TakeSurvey(CellId cell, StoredRecord record) {
-  records_[cell] = std::move(record);
+  input_.cells[cell] = std::move(record);
   --awaited_;
 }
 
@@ -285,11 +285,8 @@ void SceneWaves::MakeThePlan() {
   input_.has_grid = !options_.single_mesh;
   input_.area_known = scene_.area_known;
   input_.area = scene_.area;
-  for (const auto& [cell, tile] : tiles_) {
-    const auto record = records_.find(cell);
-    input_.cells[cell] = record == records_.end() ? StoredRecord() : record->second;
-  }
-  input_.grid = options_.single_mesh ? GridAround(*records_.begin()->second) : scene_.grid;
+  input_.grid = options_.single_mesh ? GridAround(*records().begin()->second) : scene_.grid;
+  for (const auto& [cell, tile] : tiles_) input_.cells.try_emplace(cell);
   plan_ = MakePlan(input_, options_.plan);
   SettleWater(plan_, heights_);
   plan_.colours = ColourHoles(plan_, input_, options_.plan.water_colour);
@@ -397,7 +394,8 @@ void SceneWaves::QueueFill(CellId cell) {
 
 void SceneWaves::QueueAssembles() {
   phase_ = "assemble";
-  float32_ = std::any_of(records_.begin(), records_.end(), [](const auto& r) { return r.second->float32; });
+  float32_ = std::any_of(records().begin(), records().end(),
+                         [](const auto& r) { return r.second != nullptr && r.second->float32; });
   for (const SceneTile& tile : scene_.tiles) {
     if (!IsChosen(tile.cell) || (tile.path.empty() && !filled_.contains(tile.cell))) {
       ++cells_done_;  // nothing to write

@@ -90,8 +90,8 @@ class SceneWaves {
   const SceneTile& tile(CellId cell) const { return *tiles_.at(cell); }  // of the scene
   const WaveOptions& options() const { return options_; }
   bool IsChosen(CellId cell) const { return options_.chosen.empty() || options_.chosen.contains(cell); }
-  // By cell, those that have been taken.
-  const std::map<CellId, StoredRecord>& records() const { return records_; }
+  // By cell, those that have been taken; once the plan is made also null, for cells without surface.
+  const std::map<CellId, StoredRecord>& records() const { return input_.cells; }
   // Empty until all surveys are taken and Next is called.
   const Plan& plan() const { return plan_; }
   const SeamHeights& heights() const { return heights_; }
@@ -147,7 +147,6 @@ class SceneWaves {
   std::string phase_ = "survey";
   int64_t cells_done_ = 0;
 
-  std::map<CellId, StoredRecord> records_;
   PlanInput input_;
   Plan plan_;
   SeamHeights heights_;

@@ -153,6 +153,7 @@ BorderFindings AuditBorders(const PlanInput& input) {
     all.push_back(offset);
     straight_on_line |= std::abs(offset) <= kOnLine;
   }
+  found.borders.shrink_to_fit();
   for (const auto& [side, offset] : found.buffers) all.push_back(offset);
   if (!all.empty()) found.usual_offset = Median(all);
   const auto& [shared, on_line] = evidence.shared;

@@ -107,8 +107,12 @@ class RimCollector {
     }
     int32_t settled = 0;  // the first so many points keep their numbers
     while (settled < std::ssize(rim_.points) && passed(settled)) ++settled;
-    const auto is_settled = [&](int32_t p) { return p < settled; };
-    std::erase_if(open_, [&](CellId cell) { return std::ranges::all_of(rim_.point_of.at(cell), is_settled); });
+    std::erase_if(open_, [&](CellId cell) {
+      std::vector<int32_t>& points = rim_.point_of.at(cell);
+      const int32_t last = points.empty() ? -1 : *std::ranges::max_element(points);
+      if (last < 0) std::vector<int32_t>().swap(points);
+      return last < settled;
+    });
     index_ = PositionIndex();
     point_at_.clear();
     for (size_t p = 0; p < rim_.points.size(); ++p) {

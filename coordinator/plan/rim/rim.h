@@ -39,7 +39,7 @@ struct Rim {
   std::vector<int32_t> unlinked;            // edges of chains that do not close (non-manifold surface)
   int32_t continuous = 0;                   // groups of loops that touch
   std::map<CellId, std::vector<int32_t>>
-      point_of;                 // per tile: the point of each boundary vertex of its record; -1: none
+      point_of;  // per tile: the point of each boundary vertex of its record, -1: none; empty: none at all
   bool surface_beyond = false;  // an area polygon bounds the holes: what lies beyond all edges counts as surface
 };
 
