@@ -134,6 +134,8 @@ std::vector<FillerFlag> FillerFlagsRead() {
 }
 
 absl::Status ReadFillerOptions(const Args& args, FillOptions& options) {
+  if (options.surface == Surface::kWang && options.filler != Filler::kAuto)
+    return absl::InvalidArgumentError("--filler: with the surface wang closed holes are filled as wang fills them");
   for (const FillerFlag& flag : FillerFlagsRead()) {
     if (!args.IsGiven(flag.name)) continue;
     if (std::ranges::count(flag.fillers, options.filler) == 0) {
@@ -159,8 +161,6 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(options.filler, FillerFromFlags(args));
   TILEMEND_RETURN_IF_ERROR(ReadFillerOptions(args, options));
   TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
-  if (options.surface == Surface::kWang && options.filler != Filler::kAuto)
-    return absl::InvalidArgumentError("--filler: with the surface wang closed holes are filled as wang fills them");
   if (options.tension && options.surface != Surface::kThinPlate)
     return absl::InvalidArgumentError("--tension: only the surface thin-plate has a tension");
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
