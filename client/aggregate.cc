@@ -65,7 +65,8 @@ absl::StatusOr<FilledMesh> JoinAndFill(const Scene& scene, const AggregateOption
   {
     TILEMEND_ASSIGN_OR_RETURN(const FilePatch joined, Join(scene, progress));
     progress.step = "writing the joined mesh";
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(options.joined, NewPlyFile(joined, NumberType::kFloat64)));
+    TILEMEND_RETURN_IF_ERROR(
+        WriteFileAtomically(options.joined, NewPlyFile(joined, NumberType::kFloat64, FaceMark::kNone)));
   }
   progress.step = "filling";
   MeshFillOptions fill;

@@ -37,6 +37,7 @@ std::vector<FlagSpec> FillerFlags() {
   const auto text = [](const char* help, double value) { return absl::StrCat(help, "; ", value); };
   return {{"front-merge", "X",
            text("of fronts: new vertices nearer to the front, in edges, join it, 0 to 1", defaults.merge), ""},
+          {"longest-rim", "N", text("of fronts: longer boundaries stay open, 3 to 100000", defaults.longest_rim), ""},
           {"front-bend", "METRES", "of advancing-front-normal: eta, 0 to 1e6 (default: half the new edge)", ""},
           {"long-edge", "X",
            text("of svm-laplacian: longer edges, in mean ones, are split, 1 to 100", defaults.long_edge), ""},

@@ -73,9 +73,11 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
 absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view original_bytes, const FilePatch& patch,
                                         const std::string& name);
 
-// A whole file for a cell that had none: binary little-endian PLY of `number_type`, every face marked as filled, with
-// the patch's colours on its vertices.
-std::string NewPlyFile(const FilePatch& patch, NumberType number_type);
+enum class FaceMark { kFilled, kNone };  // kNone: faces have no property tilemend_filled
+
+// A whole file, as for a cell that had none: binary little-endian PLY of `number_type`, with the patch's colours on its
+// vertices.
+std::string NewPlyFile(const FilePatch& patch, NumberType number_type, FaceMark mark = FaceMark::kFilled);
 
 }  // namespace tilemend
 

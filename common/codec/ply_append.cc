@@ -326,7 +326,7 @@ absl::StatusOr<std::string> AppendToPly(std::string_view bytes, const FilePatch&
   return PlyAppender(bytes, header, records, patch, file.number_type).Write();
 }
 
-std::string NewPlyFile(const FilePatch& patch, NumberType number_type) {
+std::string NewPlyFile(const FilePatch& patch, NumberType number_type, FaceMark mark) {
   const bool narrow = number_type == NumberType::kFloat32;
   const char* const type = narrow ? "float" : "double";
   std::string out = absl::StrCat("ply\nformat binary_little_endian 1.0\nelement vertex ", patch.new_points.size());
@@ -334,7 +334,9 @@ std::string NewPlyFile(const FilePatch& patch, NumberType number_type) {
   const bool coloured = !patch.colours.empty();
   if (coloured) out += "\nproperty uchar red\nproperty uchar green\nproperty uchar blue";
   absl::StrAppend(&out, "\nelement face ", patch.triangles.size(), "\nproperty list uchar int vertex_indices");
-  absl::StrAppend(&out, "\nproperty uchar ", std::string(kFilledProperty), "\nend_header\n");
+  const bool marked = mark == FaceMark::kFilled;
+  if (marked) absl::StrAppend(&out, "\nproperty uchar ", std::string(kFilledProperty));
+  out += "\nend_header\n";
   constexpr size_t kFaceBytes = 14;
   out.reserve(out.size() + patch.new_points.size() * (narrow ? 12 : 24) + patch.triangles.size() * kFaceBytes);
   const bool swap = NeedsSwap(PlyEncoding::kLittleEndian);
@@ -349,7 +351,7 @@ std::string NewPlyFile(const FilePatch& patch, NumberType number_type) {
   for (const Triangle& triangle : patch.triangles) {
     out += '\3';
     for (const int32_t corner : triangle) AppendBinary(corner, PlyType::kInt32, swap, out);
-    out += '\1';
+    if (marked) out += '\1';
   }
   return out;
 }

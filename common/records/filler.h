@@ -64,6 +64,8 @@ inline std::string FillerNames() {
 struct FillerOptions {
   // Of every front: a new vertex closer than this to the front, in edges there, becomes a vertex of it (Xu 2014, 3.2).
   double merge = 0.6;  // [0, 1]
+  // Likewise: holes of more boundary edges stay open, with that reason.
+  int32_t longest_rim = 1000;  // [3, 100000]
   // Of Sun 2012, eq. 5: eta, metres. None: half the new edge, with which the new vertex lies on the osculating circle.
   std::optional<double> bend = {};  // [0, 1e6]
   // Of Xu 2014: edges of the rim longer than this many mean ones are split (3.1: k), the rings of the surface that are

@@ -13,6 +13,12 @@ enum class Surface { kThinPlate, kWang };
 
 inline constexpr Surface kDefaultSurface = Surface::kThinPlate;
 
+// Where new vertices lie on a grid line inside a hole.
+enum class SeamPoints {
+  kProjected,  // opposite the boundary points of the two cells beside it (Wang 2021, 3.3, figure 8)
+  kSpaced,     // as far apart as the triangles there will be large
+};
+
 // What Wang 2021 leaves open.
 struct WangOptions {
   double seam_smoothing = 0.5;  // [0, 1]: gamma of eq. 5
@@ -20,10 +26,24 @@ struct WangOptions {
   int32_t longest_loop = 400;   // [3, 2000]: boundary vertices; longer loops are cut before they are triangulated
   int32_t fairing_steps = 10;   // [0, 1000]: of the fairing by eq. 4
   bool adjust = true;           // eq. 1; false: for tests alone
+  SeamPoints seam_points = SeamPoints::kProjected;
 };
 
 inline constexpr int32_t kShortestLongestLoop = 3, kLongestLongestLoop = 2000;
 inline constexpr int32_t kMostFairingSteps = 1000;
+
+// "projected" or "spaced", as flags, jobs and reports say it.
+constexpr const char* SeamPointsName(SeamPoints points) {
+  return points == SeamPoints::kProjected ? "projected" : "spaced";
+}
+
+// Those of that name; nothing for any other text.
+constexpr std::optional<SeamPoints> SeamPointsNamed(std::string_view name) {
+  for (const SeamPoints points : {SeamPoints::kProjected, SeamPoints::kSpaced}) {
+    if (name == SeamPointsName(points)) return points;
+  }
+  return std::nullopt;
+}
 
 // "thin-plate" or "wang", as flags, jobs and reports say it.
 constexpr const char* SurfaceName(Surface surface) { return surface == Surface::kThinPlate ? "thin-plate" : "wang"; }

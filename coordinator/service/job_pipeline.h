@@ -49,6 +49,7 @@ struct JobSpec {
   // Of `wang` alone; none: as WangOptions has them, which says what they are.
   std::optional<double> seam_smoothing, seam_buffer;
   std::optional<int32_t> longest_loop, fairing_steps;
+  std::string seam_points;  // a name that SeamPointsNamed knows; empty: as WangOptions
   bool link = false;       // tiles without a patch as hard links of the originals
   bool overwrite = false;  // replace an existing output
   bool dry_run = false;    // survey and plan only, write no tiles

@@ -46,6 +46,12 @@ absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
     if (surface != Surface::kWang) return InvalidSpec(option.name, "only the surface wang has this option");
     TILEMEND_RETURN_IF_ERROR(CheckRange(option.name, *option.value, option.low, option.high));
   }
+  if (spec.seam_points.empty()) return absl::OkStatus();
+  if (surface != Surface::kWang) return InvalidSpec("seam_points", "only the surface wang has this option");
+  if (!SeamPointsNamed(spec.seam_points)) {
+    return InvalidSpec("seam_points",
+                       absl::StrCat("'", Printable(spec.seam_points), "': expected projected or spaced"));
+  }
   return absl::OkStatus();
 }
 

@@ -14,6 +14,7 @@ WangOptions WangOptionsOf(const JobSpec& spec) {
   options.seam_buffer = spec.seam_buffer.value_or(options.seam_buffer);
   options.longest_loop = spec.longest_loop.value_or(options.longest_loop);
   options.fairing_steps = spec.fairing_steps.value_or(options.fairing_steps);
+  options.seam_points = SeamPointsNamed(spec.seam_points).value_or(options.seam_points);
   return options;
 }
 
@@ -27,6 +28,7 @@ WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function
   if (!spec.water_colour.empty()) options.plan.water_colour = ParseColour(spec.water_colour);
   options.surface = SurfaceNamed(spec.surface).value_or(kDefaultSurface);
   options.wang = WangOptionsOf(spec);
+  if (options.surface == Surface::kWang) options.plan.seam_points = options.wang.seam_points;
   options.plan_only = spec.dry_run;
   return options;
 }
@@ -68,6 +70,7 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
     options.push_back({"seam-buffer", wang.seam_buffer});
     options.push_back({"longest-loop", double{1} * wang.longest_loop});
     options.push_back({"fairing-steps", double{1} * wang.fairing_steps});
+    options.push_back({"seam-points", SeamPointsName(wang.seam_points)});
   }
   return options;
 }
@@ -75,11 +78,12 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
 std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
   const WangOptions wang = WangOptionsOf(spec);
   return absl::StrFormat(
-      "scene %s\nsurface %s\nfiller %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d\ntension "
+      "scene %s\nsurface %s\nfiller %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d "
+      "%s\ntension "
       "%s\n"
       "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\ncells %s\n",
       spec.scene, spec.surface, spec.filler, spec.uniform, spec.gradation, spec.size_limit, wang.seam_smoothing,
-      wang.seam_buffer, wang.longest_loop, wang.fairing_steps,
+      wang.seam_buffer, wang.longest_loop, wang.fairing_steps, SeamPointsName(wang.seam_points),
       spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
       spec.water_profile, spec.water_colour, spec.textures, area_digest, spec.cells);
 }

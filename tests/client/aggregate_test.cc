@@ -55,6 +55,14 @@ TEST_F(AggregateTest, OpenHolesBecomeOneClosedHole) {
   EXPECT_GT(mesh->mesh.triangles.size(), joined->mesh.triangles.size());
 }
 
+TEST_F(AggregateTest, MarksWhatItFillsAlone) {
+  auto filled = AggregateAndFill(TwoCells(8), options_);
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  const std::string joined = ReadFile(options_.joined).value();
+  EXPECT_EQ(joined.find("tilemend_filled"), std::string::npos);
+  EXPECT_NE(filled->bytes.find("tilemend_filled"), std::string::npos);
+}
+
 TEST_F(AggregateTest, LeavesALoopThatIsTooLong) {
   options_.longest_loop = 7;
   const auto filled = AggregateAndFill(TwoCells(8), options_);

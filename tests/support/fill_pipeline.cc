@@ -119,6 +119,7 @@ FilledScene FillScene(const SurveyedScene& scene, const PipelineOptions& options
   wave_options.plan = options.plan;
   wave_options.surface = options.fill.surface;
   wave_options.wang = options.fill.wang;
+  if (options.fill.surface == Surface::kWang) wave_options.plan.seam_points = options.fill.wang.seam_points;
   SceneWaves waves(scene.AsScene(), std::move(wave_options));
   FilledScene filled;
   filled.tiles = scene.tiles;

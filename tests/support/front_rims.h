@@ -52,6 +52,7 @@ inline FrontRim SphereRim(int32_t edges, double radius) {
 inline FrontLimits EnoughFor(const FrontRim& rim) {
   FrontLimits limits;
   limits.most_new_points = 2 * std::ssize(rim.points) * std::ssize(rim.points);
+  limits.longest_front = 2 * std::ssize(rim.points) + 100;
   return limits;
 }
 

@@ -8,6 +8,7 @@
 
 #include "absl/strings/str_format.h"
 #include "coordinator/plan/seam/junctions.h"
+#include "coordinator/plan/seam/projected_places.h"
 #include "coordinator/plan/seam/seam_path.h"
 #include "coordinator/plan/seam/seam_vertices.h"
 
@@ -26,6 +27,12 @@ struct End {
   bool start;  // the hole lies towards larger coordinates
 };
 
+// A stretch of a border's line through a hole.
+struct Stretch {
+  Border border;
+  int32_t from, to;
+};
+
 class SeamLayer {
  public:
   SeamLayer(const SeamSite& site, SeamsOverRim over_rim)
@@ -39,6 +46,7 @@ class SeamLayer {
       if (site_.options.cancelled()) break;
       if (!site_.lines.left_open.contains(border)) LayBorder(border, of_border, in_hole);
     }
+    LayProjected();
     return std::move(result_);
   }
 
@@ -55,21 +63,80 @@ class SeamLayer {
       Fail(border, "its boundary crosses itself at the grid line, so that it has no inside there");
       return;
     }
-    for (size_t i = 0; i + 1 < ends.size(); i += 2) LayStretch(border, ends[i].vertex, ends[i + 1].vertex);
+    for (size_t i = 0; i + 1 < ends.size(); i += 2) {
+      const Stretch stretch{border, ends[i].vertex, ends[i + 1].vertex};
+      if (stretch.from == stretch.to) continue;
+      if (TakesProjections(border)) {
+        projected_.push_back(stretch);
+      } else {
+        LaySpaced(stretch);
+      }
+    }
   }
 
-  void LayStretch(const Border& border, int32_t from, int32_t to) {
-    if (from == to) return;
-    std::vector<int32_t> way = {from};
-    const auto places = PlaceSeamVertices(site_, border, PositionOf(from), PositionOf(to), EdgesLeft());
+  bool TakesProjections(const Border& border) const {
+    return site_.options.seam_points == SeamPoints::kProjected && !site_.lines.joined && IsInner(border);
+  }
+
+  bool IsInner(const Border& border) const {
+    return site_.area.contains(border.first) && site_.area.contains(border.second);
+  }
+
+  // First the stretches that have rim points opposite them, then those opposite these, and so on inward (Wang 2021,
+  // 3.3: the second layer does as the first). What has nothing opposite it is spaced.
+  void LayProjected() {
+    bool from_rim = true;
+    while (!projected_.empty() && !site_.options.cancelled()) {
+      std::vector<std::pair<Stretch, std::vector<SeamPlace>>> found;
+      std::vector<Stretch> rest;
+      for (const Stretch& s : projected_) {
+        const auto boundary = from_rim ? RimPlacesBeside(site_, s.border) : SeamPlacesBeside(s.border);
+        auto places = ProjectedPlaces(site_, s.border, PositionOf(s.from), PositionOf(s.to), boundary);
+        if (places.empty()) {
+          rest.push_back(s);
+        } else {
+          found.emplace_back(s, std::move(places));
+        }
+      }
+      projected_ = std::move(rest);
+      for (const auto& [stretch, places] : found) Lay(stretch, places);
+      if (found.empty() && !from_rim) break;
+      from_rim = false;
+    }
+    for (const Stretch& s : projected_) LaySpaced(s);
+  }
+
+  // The vertices of the seams across the two cells of a border.
+  std::vector<BoundaryPlace> SeamPlacesBeside(const Border& border) const {
+    std::vector<BoundaryPlace> places;
+    const int dx = border.second.col - border.first.col, dy = border.second.row - border.first.row;
+    for (const Border& beyond : {Border{{border.first.col - dx, border.first.row - dy}, border.first},
+                                 Border{border.second, {border.second.col + dx, border.second.row + dy}}}) {
+      const auto it = laid_.find(beyond);
+      if (it == laid_.end()) continue;
+      for (const int32_t v : it->second) places.push_back({PositionOf(v), -1, site_.index.mean_size()});
+    }
+    return places;
+  }
+
+  void LaySpaced(const Stretch& stretch) {
+    const Border& border = stretch.border;
+    const auto places = PlaceSeamVertices(site_, border, PositionOf(stretch.from), PositionOf(stretch.to), EdgesLeft());
     if (!places) {
       Fail(border, absl::StrFormat("the mesh is too fine for cells of this size: more than %d edges on one grid line, "
                                    "or %d in the scene",
                                    kMostSeamEdges, most_vertices_));
       return;
     }
-    for (const SeamPlace& place : *places) {
+    Lay(stretch, *places);
+  }
+
+  void Lay(const Stretch& stretch, const std::vector<SeamPlace>& places) {
+    const auto& [border, from, to] = stretch;
+    std::vector<int32_t> way = {from};
+    for (const SeamPlace& place : places) {
       way.push_back(NewVertex(place.position, IsVertical(border) ? 1 : 2, place.beside));
+      laid_[border].push_back(way.back());
     }
     way.push_back(to);
     const auto position = [this](int32_t v) { return PositionOf(v); };
@@ -123,8 +190,9 @@ class SeamLayer {
 
   // How far a seam may leave its line without need, metres. At the rim of the area what it cedes stays unfilled.
   double LargestBend(const Border& border) const {
-    const bool inner = site_.area.contains(border.first) && site_.area.contains(border.second);
-    return inner ? std::numeric_limits<double>::infinity() : kSamePlace;
+    if (!IsInner(border)) return kSamePlace;
+    // Edges between projections may be as long as the stretch: they do not reach for rim points far off.
+    return TakesProjections(border) ? site_.index.mean_size() : std::numeric_limits<double>::infinity();
   }
 
   const SeamSite& site_;
@@ -132,6 +200,8 @@ class SeamLayer {
   const int32_t rim_points_;
   const int64_t most_vertices_ = kMostVertices + kMostVerticesOfCell * std::ssize(site_.area);
   std::map<Corner, int32_t> corner_vertex_;
+  std::vector<Stretch> projected_;               // yet to be laid
+  std::map<Border, std::vector<int32_t>> laid_;  // the new vertices along each border
   SeamLayout result_;
 };
 

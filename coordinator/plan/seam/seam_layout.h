@@ -34,8 +34,9 @@ struct SeamLayout {
 // outside.
 //
 // A stretch runs from junction to junction (junctions.h) or to a grid corner that lies in the hole. Its vertices lie on
-// the line (seam_vertices.h); where the straight way would meet the rim it bends over rim points (Wang 2021, 3.3,
-// closure cases 1 to 3: on a ragged cut a stretch begins and ends off the line). Deterministic.
+// the line (seam_vertices.h, or projected_places.h where the options say so and tiles share vertices); where the
+// straight way would meet the rim it bends over rim points (Wang 2021, 3.3, closure cases 1 to 3: on a ragged cut a
+// stretch begins and ends off the line). Deterministic.
 SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, SeamsOverRim over_rim);
 
 }  // namespace tilemend

@@ -16,6 +16,7 @@
 #include "common/records/cell_holes.h"
 #include "common/records/fill_colour.h"
 #include "common/records/stored_record.h"
+#include "common/records/surface.h"
 #include "common/records/water_surface.h"
 
 namespace tilemend {
@@ -43,6 +44,7 @@ struct PlanOptions {
   WaterOptions water;
   MeshHoleOptions mesh;
   std::optional<Rgb> water_colour = {};  // of the faces; none: as the rim has it
+  SeamPoints seam_points = SeamPoints::kSpaced;  // of seams between cells of the area
   // Asked at least at every border and cell; once true the plan ends soon and is empty. None: never.
   std::function<bool()> is_cancelled = {};
   bool cancelled() const { return is_cancelled && is_cancelled(); }

@@ -21,6 +21,14 @@ TEST(SurfaceTest, NamesStayAsUsersAndStoredJobsKnowThem) {
   EXPECT_STREQ(SurfaceName(kDefaultSurface), "thin-plate");
 }
 
+TEST(SeamPointsTest, ReadsBackItsNamesAndNoOthers) {
+  for (const SeamPoints points : {SeamPoints::kProjected, SeamPoints::kSpaced}) {
+    EXPECT_EQ(SeamPointsNamed(SeamPointsName(points)), points);
+  }
+  EXPECT_STREQ(SeamPointsName(SeamPoints::kProjected), "projected");
+  EXPECT_EQ(SeamPointsNamed("even"), std::nullopt);
+}
+
 TEST(SurfaceTest, NoOtherTextNamesOne) {
   for (const std::string_view text : {"", "flat", "Wang", "wang ", " wang", "thin", "thin-plate-2", "thin_plate"}) {
     EXPECT_EQ(SurfaceNamed(text), std::nullopt) << '"' << text << '"';

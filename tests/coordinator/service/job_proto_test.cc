@@ -18,6 +18,7 @@ TEST(JobProtoTest, ASpecComesBackAsItWas) {
   spec.size_limit = 99;
   spec.tension = 0;
   spec.seam_smoothing = 0;
+  spec.seam_points = "spaced";
   spec.water = "/water.geojson";
   spec.area = "/area.gpkg";
   spec.cells = "3,4";

@@ -93,6 +93,16 @@ TEST(JobSpecTest, OnlyWangSmoothsSeams) {
   EXPECT_EQ(fault(1.01, Surface::kWang), "seam_smoothing");
 }
 
+TEST(JobSpecTest, OnlyWangProjectsSeamPoints) {
+  const auto fault = [](const char* points, Surface surface) {
+    return Fault([&](JobSpec& s) { s.seam_points = points, s.surface = SurfaceName(surface); });
+  };
+  for (const char* points : {"", "projected", "spaced"}) EXPECT_EQ(fault(points, Surface::kWang), "") << points;
+  EXPECT_EQ(fault("", Surface::kThinPlate), "");
+  EXPECT_EQ(fault("spaced", Surface::kThinPlate), "seam_points");
+  EXPECT_EQ(fault("else", Surface::kWang), "seam_points");
+}
+
 struct Range {
   const char* field;
   double JobSpec::*value;

@@ -18,6 +18,8 @@ TEST(SceneOptionsTest, WavesAskWhetherTheJobIsCancelled) {
   spec.water_colour = "#010203";
   const WaveOptions options = WaveOptionsOf(spec, {}, [&] { return cancelled; });
   EXPECT_EQ(options.surface, Surface::kWang);
+  EXPECT_EQ(options.plan.seam_points, SeamPoints::kProjected);
+  EXPECT_EQ(WaveOptionsOf({}, {}, {}).plan.seam_points, SeamPoints::kSpaced);
   EXPECT_TRUE(options.plan_only);
   EXPECT_EQ(options.plan.water_colour, (Rgb{1, 2, 3}));
   EXPECT_FALSE(options.plan.cancelled());
@@ -54,6 +56,7 @@ TEST(JobKeyTest, TellsApartWhatGivesOtherBytes) {
   add([](JobSpec&, WaterChoice&, std::string&) {});
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.gradation = std::nextafter(spec.gradation, 2); });
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.tension = 0; });
+  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.seam_points = "spaced"; });
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.cells = "1,1"; });
   add([](JobSpec&, WaterChoice& water, std::string&) { water.digest = "other content"; });
   add([](JobSpec&, WaterChoice&, std::string& area) { area = "other content"; });

@@ -25,6 +25,9 @@ constexpr double kCutOff = 150 * kDegree;
 // Vertices of the front within this many edges of where a new one should go may take its place.
 constexpr double kReach = 1.6;
 
+// A corner that waits is looked at again when the front has changed within this many edges of it.
+constexpr double kSight = 8;
+
 // What a new triangle must keep to, one after the other as the front gets stuck.
 enum class Care { kFull, kNearFront, kNone };
 
@@ -56,8 +59,8 @@ class Front {
         waiting_.push_back(node);
         continue;
       }
-      if (NewPoints() > limits_.most_new_points || (limits_.is_cancelled && limits_.is_cancelled())) return {};
-      QueueWaiting();
+      if (RunsAway() || (limits_.is_cancelled && limits_.is_cancelled())) return {};
+      QueueWaitingNear(node);
       care_ = Care::kFull;
     }
     patch_.closed = true;
@@ -66,6 +69,10 @@ class Front {
 
  private:
   int64_t NewPoints() const { return std::ssize(patch_.points) - std::ssize(rim_.points); }
+
+  bool RunsAway() const {
+    return NewPoints() > limits_.most_new_points || std::ssize(loops_.Alive()) > limits_.longest_front;
+  }
 
   bool TakeLessCare() {
     if (care_ == Care::kNone || waiting_.empty()) return false;
@@ -76,6 +83,18 @@ class Front {
 
   void QueueWaiting() {
     for (const int32_t node : std::exchange(waiting_, {})) Queue(node);
+  }
+
+  // What a corner allows depends on the front near it alone.
+  void QueueWaitingNear(int32_t changed) {
+    const Point3 place = At(changed);
+    const double edge = CornerAt(changed).Length();
+    std::erase_if(waiting_, [&](int32_t node) {
+      const double reach = kSight * std::max(edge, CornerAt(node).Length());
+      if (loops_[node].alive && (At(node) - place).norm() > reach) return false;
+      Queue(node);
+      return true;
+    });
   }
 
   void Queue(int32_t node) {

@@ -25,6 +25,7 @@ struct FrontRim {
 struct FrontLimits {
   double merge = 0.6;                       // FillerOptions::merge
   int64_t most_new_points = 0;              // more than these: the front does not close
+  int64_t longest_front = 0;                // likewise, of vertices on it
   std::function<bool()> is_cancelled = {};  // asked now and then; none: never
 };
 

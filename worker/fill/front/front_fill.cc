@@ -19,6 +19,9 @@ namespace {
 // A disc of even triangles needs a third of this. A front that needs more runs away.
 int64_t MostNewPoints(int64_t edges) { return edges * edges / 3 + 200; }
 
+// A front that closes gets shorter; over a folded boundary it grows a little at first.
+int64_t LongestFront(int64_t edges) { return 2 * edges + 100; }
+
 FrontRim RimOf(const LocalHole& hole) {
   FrontRim rim;
   rim.points = hole.positions;
@@ -101,7 +104,7 @@ class FrontFiller {
   void Advance(const FrontRule& rule) {
     const int64_t edges = std::ssize(rim_.points);
     const FrontLimits limits = {options_.filling.merge, std::min(options_.refine.max_new_points, MostNewPoints(edges)),
-                                options_.refine.is_cancelled};
+                                LongestFront(edges), options_.refine.is_cancelled};
     front_ = AdvanceFront(rim_, rule, limits);
   }
 
@@ -126,6 +129,7 @@ class FrontFiller {
 LocalPatch FillWithFront(const LocalHole& hole, const FillOptions& options,
                          const std::function<std::span<const SpaceTriangle>()>& surface) {
   if (hole.loops.empty()) return {FillFailure::kNotClosed};
+  if (std::ssize(hole.segments) > options.filling.longest_rim) return {FillFailure::kTooLongForFront};
   FrontFiller filler(hole, options);
   switch (options.filler) {
     case Filler::kAdvancingFrontNormal:

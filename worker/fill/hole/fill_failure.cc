@@ -32,6 +32,12 @@ std::string TextOfFault(FillFailure failure) {
   }
 }
 
+std::string TextOfLength(FillFailure failure, size_t boundary_edges) {
+  const std::string has = "it has " + std::to_string(boundary_edges) + " boundary ";
+  return failure == FillFailure::kTooLongForArea ? has + "vertices, too many for a triangulation of least area"
+                                                 : has + "edges, more than --longest-rim allows";
+}
+
 }  // namespace
 
 std::string TextOf(FillFailure failure, size_t boundary_edges) {
@@ -60,8 +66,8 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
       return "the surface around it passes through its boundary and through every patch that was tried; repair the "
              "mesh first";
     case FillFailure::kTooLongForArea:
-      return "it has " + std::to_string(boundary_edges) +
-             " boundary vertices, too many for a triangulation of least area";
+    case FillFailure::kTooLongForFront:
+      return TextOfLength(failure, boundary_edges);
     case FillFailure::kNoSolution:
     case FillFailure::kFoldsBack:
     case FillFailure::kTurnsOver:

@@ -27,6 +27,7 @@ enum class FillFailure {
   kFrontOpen,
   kTooLongForArea,
   kFoldsBack,
+  kTooLongForFront,
 };
 
 // For people.

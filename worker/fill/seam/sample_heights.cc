@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace tilemend {
 namespace {
@@ -41,14 +42,15 @@ double HeightOf(const CellHoles& cell, const HoleBoundary& boundary, int32_t v) 
   return vertex.index < 0 || boundary.seam_ends.contains(v) ? vertex.position.z() : vertex.centroid_height;
 }
 
-// The projections nearest to the line, one for each bin along it, in order.
+// The projections onto a line in order, and of those the nearest to it, one for each bin along it.
 class LineProfile {
  public:
-  LineProfile(std::vector<Projection> all, double bin) {
-    std::sort(all.begin(), all.end(), [](const Projection& a, const Projection& b) {
+  LineProfile(std::vector<Projection> all, double bin, double same_place)
+      : all_(std::move(all)), same_place_(same_place) {
+    std::sort(all_.begin(), all_.end(), [](const Projection& a, const Projection& b) {
       return a.t != b.t ? a.t < b.t : a.distance != b.distance ? a.distance < b.distance : a.height < b.height;
     });
-    for (const Projection& p : all) {
+    for (const Projection& p : all_) {
       if (!nearest_.empty() && std::floor(p.t / bin) == std::floor(nearest_.back().t / bin)) {
         if (p.distance < nearest_.back().distance) nearest_.back() = p;
       } else {
@@ -58,6 +60,23 @@ class LineProfile {
   }
 
   double At(double t) const {
+    const Projection* const here = NearestAt(t);
+    return here != nullptr ? here->height : Between(t);
+  }
+
+ private:
+  // What projects to a place itself, the nearest to the line; null: nothing.
+  const Projection* NearestAt(double t) const {
+    const Projection* nearest = nullptr;
+    const auto first = std::lower_bound(all_.begin(), all_.end(), t - same_place_,
+                                        [](const Projection& p, double v) { return p.t < v; });
+    for (auto it = first; it != all_.end() && it->t <= t + same_place_; ++it) {
+      if (nearest == nullptr || it->distance < nearest->distance) nearest = &*it;
+    }
+    return nearest;
+  }
+
+  double Between(double t) const {
     const auto next = std::lower_bound(nearest_.begin(), nearest_.end(), t,
                                        [](const Projection& p, double value) { return p.t < value; });
     if (next == nearest_.begin()) return next->height;
@@ -67,8 +86,8 @@ class LineProfile {
     return before->height + f * (next->height - before->height);
   }
 
- private:
-  std::vector<Projection> nearest_;
+  std::vector<Projection> all_, nearest_;
+  double same_place_;
 };
 
 class HoleSampler {
@@ -104,7 +123,7 @@ class HoleSampler {
       size += vertex.size;
     }
     const double bin = std::max(size / static_cast<double>(all.size()), 1e-6);
-    return profiles_.emplace(key, LineProfile(std::move(all), bin)).first->second;
+    return profiles_.emplace(key, LineProfile(std::move(all), bin, cell_.lattice_step)).first->second;
   }
 
   const CellHoles& cell_;

@@ -16,8 +16,9 @@ struct HeightSample {
 };
 
 // Height projection transformation (Wang 2021, 3.3, figure 8): every boundary point of a hole whose height is known is
-// projected onto the grid boundaries; a seam vertex takes the height at its place among the projections, linear between
-// them, the point nearest to the grid line counting where several project to one place. An original boundary point
+// projected onto the grid boundaries; a seam vertex takes the height of the point that projects to its place (to within
+// the lattice's step), else what is linear between projections, the point nearest to the grid line counting where
+// several project to one place. An original boundary point
 // gives the mean height of the centroids of the triangles at it, or its own height where a seam begins at it. The
 // corners of the cell part its grid boundary: a seam vertex at a corner takes the mean of both sides.
 //

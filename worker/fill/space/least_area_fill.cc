@@ -23,7 +23,7 @@ LocalPatch FillLeastArea(const LocalHole& hole, const FillOptions& options) {
       [&](int32_t i, int32_t k) {
         return hole.MayJoin(loop[i], loop[k]) && !bridges.contains(Undirected(loop[i], loop[k]));
       },
-      [](int32_t, int32_t, int32_t) { return true; });
+      [](int32_t, int32_t, int32_t) { return true; }, options.refine.is_cancelled);
   if (triangles.empty()) return {FillFailure::kRepeatsEdges};
   for (Triangle& t : triangles) t = {loop[t[0]], loop[t[1]], loop[t[2]]};
   return ShapeAsWang(hole, std::move(triangles), options);

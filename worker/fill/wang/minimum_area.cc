@@ -14,8 +14,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 class LeastArea {
  public:
   LeastArea(std::span<const Point3> loop, const std::function<bool(int32_t, int32_t)>& joins,
-            const std::function<bool(int32_t, int32_t, int32_t)>& fits)
-      : loop_(loop), joins_(joins), fits_(fits), n_(static_cast<int32_t>(loop.size())) {
+            const std::function<bool(int32_t, int32_t, int32_t)>& fits, const std::function<bool()>& is_cancelled)
+      : loop_(loop), joins_(joins), fits_(fits), is_cancelled_(is_cancelled), n_(static_cast<int32_t>(loop.size())) {
     area_.assign(static_cast<size_t>(n_) * n_, 0);
     apex_.assign(static_cast<size_t>(n_) * n_, -1);
   }
@@ -30,8 +30,8 @@ class LeastArea {
 
   void Solve(int32_t i, int32_t k) {
     double best = kNever;
-    const bool closes = i == 0 && k == n_ - 1;
-    if (closes || joins_(i, k)) {
+    const bool closes = i == 0 && k == n_ - 1, cancelled = is_cancelled_ && is_cancelled_();
+    if (!cancelled && (closes || joins_(i, k))) {
       for (int32_t j = i + 1; j < k; ++j) {
         const double parts = area_[At(i, j)] + area_[At(j, k)];
         if (!(parts < best)) continue;
@@ -47,6 +47,7 @@ class LeastArea {
   std::span<const Point3> loop_;
   const std::function<bool(int32_t, int32_t)>& joins_;
   const std::function<bool(int32_t, int32_t, int32_t)>& fits_;
+  const std::function<bool()>& is_cancelled_;
   const int32_t n_;
   std::vector<double> area_;  // least, of what lies between loop[i] and loop[k]
   std::vector<int32_t> apex_;
@@ -56,9 +57,10 @@ class LeastArea {
 
 std::vector<Triangle> TriangulateLeastArea(std::span<const Point3> loop,
                                            const std::function<bool(int32_t, int32_t)>& joins,
-                                           const std::function<bool(int32_t, int32_t, int32_t)>& fits) {
+                                           const std::function<bool(int32_t, int32_t, int32_t)>& fits,
+                                           const std::function<bool()>& is_cancelled) {
   if (loop.size() < 3) return {};
-  return LeastArea(loop, joins, fits).Run();
+  return LeastArea(loop, joins, fits, is_cancelled).Run();
 }
 
 }  // namespace tilemend

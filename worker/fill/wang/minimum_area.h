@@ -16,11 +16,13 @@ namespace tilemend {
 //   loop  positions in order; at least 3. A loop may pass one place several times
 //   joins whether a new edge may run between loop[i] and loop[k], i < k
 //   fits  whether triangle loop[i], loop[j], loop[k], i < j < k, may be made; asked last, only where it matters
+//   is_cancelled  asked n^2 times; once true there is soon no result. None: never
 // Returns triangles over loop indices, oriented like the loop; empty if there is no triangulation of such triangles
 // with area. O(n^3) time, 12 n^2 bytes.
 std::vector<Triangle> TriangulateLeastArea(std::span<const Point3> loop,
                                            const std::function<bool(int32_t, int32_t)>& joins,
-                                           const std::function<bool(int32_t, int32_t, int32_t)>& fits);
+                                           const std::function<bool(int32_t, int32_t, int32_t)>& fits,
+                                           const std::function<bool()>& is_cancelled = {});
 
 }  // namespace tilemend
 

@@ -93,11 +93,12 @@ class WangFiller {
       return Orientation(places[loop[i]], places[loop[j]], places[loop[k]]) > 0;
     };
     std::vector<Triangle> triangles = TriangulateLeastArea(
-        positions, [&](int32_t i, int32_t k) { return may_join_(loop[i], loop[k]); }, turns_left);
+        positions, [&](int32_t i, int32_t k) { return may_join_(loop[i], loop[k]); }, turns_left,
+        options_.refine.is_cancelled);
     // Edges that the surface has already are split by the refinement.
     if (triangles.empty()) {
       triangles = TriangulateLeastArea(
-          positions, [](int32_t, int32_t) { return true; }, turns_left);
+          positions, [](int32_t, int32_t) { return true; }, turns_left, options_.refine.is_cancelled);
     }
     for (const Triangle& t : triangles) patch_.triangles.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
     return !triangles.empty();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "tests/support/rim_builders.h"
 #include "tests/support/seam_scene.h"
@@ -68,6 +70,25 @@ TEST(LaySeamsTest, MeetsInOneVertexAtACornerInAHole) {
   EXPECT_EQ(
       std::count_if(layout.vertices.begin(), layout.vertices.end(), [](const SeamVertex& v) { return v.lines == 3; }),
       1);
+}
+
+// One hole over three rows of four cells: two cells in the middle have no rim.
+TEST(LaySeamsTest, HandsProjectedPlacesOnFromLayerToLayer) {
+  const std::string whole = "#..|...|...|..#", edge = "###|###|###|###", line = "---+---+---+---";
+  SeamScene s({edge, whole, whole, line, whole, whole, whole, line, whole, whole, edge}, 3);
+  s.options.seam_points = SeamPoints::kProjected;
+  const SeamLayout layout = Lay(s);
+  EXPECT_TRUE(layout.failures.empty());
+  const auto heights_on = [&](CellId a, CellId b) {
+    std::set<double> at;
+    for (const Seam& seam : layout.seams) {
+      if (seam.a != a || seam.b != b) continue;
+      for (const int32_t v : seam.vertices) at.insert(PositionOf(s, layout, v).y());
+    }
+    return at;
+  };
+  EXPECT_EQ(heights_on({0, 1}, {1, 1}), (std::set<double>{3, 4, 5, 6}));  // opposite the western rim
+  EXPECT_EQ(heights_on({1, 1}, {2, 1}), (std::set<double>{3, 4, 5, 6}));  // opposite those
 }
 
 TEST(LaySeamsTest, TakesRimPointsBesideItsWayOnlyWhereAskedTo) {

@@ -113,6 +113,13 @@ TEST(AdvancingFrontTest, GivesUpAboveTheMostNewPoints) {
   EXPECT_TRUE(patch.triangles.empty());
 }
 
+TEST(AdvancingFrontTest, GivesUpWhenItGetsTooLong) {
+  const FrontRim rim = FlatRim(60);
+  FrontLimits limits = EnoughFor(rim);
+  limits.longest_front = 59;
+  EXPECT_FALSE(AdvanceFront(rim, PlainRule(), limits).closed);
+}
+
 TEST(AdvancingFrontTest, EndsWhenItIsCancelled) {
   const FrontRim rim = FlatRim(60);
   FrontLimits limits = EnoughFor(rim);

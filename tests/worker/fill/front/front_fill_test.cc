@@ -64,6 +64,14 @@ TEST_F(FrontFillTest, EachOptionIsSeen) {
   EXPECT_TRUE(differs(Filler::kAdvancingFrontCurvature, steps));
 }
 
+TEST_F(FrontFillTest, LongerRimsThanAllowedStayOpenWithThatReason) {
+  FillerOptions filling;
+  filling.longest_rim = static_cast<int32_t>(hole_.segments.size());
+  for (const Filler filler : kFronts) EXPECT_TRUE(Fill(filler, filling).ok());
+  --filling.longest_rim;
+  for (const Filler filler : kFronts) EXPECT_EQ(Fill(filler, filling).failure, FillFailure::kTooLongForFront);
+}
+
 TEST_F(FrontFillTest, WithoutLoopsThereIsNoFront) {
   LocalHole hole = MakeLocalHole(work_, band_, work_.holes[0]);
   hole.loops.clear();

@@ -103,6 +103,19 @@ TEST(SampleHeightsTest, TakesTheProjectionNearestToTheGridLine) {
   EXPECT_THAT(Sample(work), ElementsAre(Pair(101, 10)));
 }
 
+// The point nearest to the line in the same stretch of it has another place.
+TEST(SampleHeightsTest, TakesWhatProjectsToThePlaceItself) {
+  CellHoles work = HoleBuilder()
+                       .Original(10, 0, 0, 0)
+                       .Unknown(10, 5.25, kVertical)
+                       .Original(10, 10, 0, 0)
+                       .Original(8, 5.5, 0, 20)
+                       .Original(6, 5.25, 0, 30)
+                       .Work();
+  work.lattice_step = 0x1p-10;
+  EXPECT_THAT(Sample(work), ElementsAre(Pair(101, 30)));
+}
+
 TEST(SampleHeightsTest, InterpolatesBetweenProjections) {
   const CellHoles work = HoleBuilder()
                              .Original(10, 0, 0, 0)

@@ -14,6 +14,12 @@ namespace {
 const auto kAnyChord = [](int32_t, int32_t) { return true; };
 const auto kAnyTriangle = [](int32_t, int32_t, int32_t) { return true; };
 
+TEST(TriangulateLeastAreaTest, EndsWithoutAResultOnceItIsCancelled) {
+  const std::vector<Point3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  EXPECT_EQ(TriangulateLeastArea(square, kAnyChord, kAnyTriangle, [] { return false; }).size(), 2U);
+  EXPECT_TRUE(TriangulateLeastArea(square, kAnyChord, kAnyTriangle, [] { return true; }).empty());
+}
+
 double AreaOf(const std::vector<Point3>& loop, const std::vector<Triangle>& triangles) {
   double area = 0;
   for (const Triangle& t : triangles) area += TriangleArea(loop[t[0]], loop[t[1]], loop[t[2]]);
