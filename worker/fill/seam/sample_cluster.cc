@@ -26,6 +26,10 @@ constexpr int kMostCoarsenings = 28;
 // Coarse triangles grow at least as fast.
 constexpr double kCoarseGradation = 1.3;
 
+bool IsLinear(const CellHoles& cluster, const FillOptions& options) {
+  return cluster.holes.front().among_objects && !options.tension;
+}
+
 // The cluster with its triangles and seam vertices `coarsening` times as large and far apart as the options say.
 class ClusterSampler {
  public:
@@ -51,7 +55,7 @@ class ClusterSampler {
   std::optional<ClusterSurface> Solve() const {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
-    if (cluster_.holes.front().among_objects && !options_.tension) {
+    if (IsLinear(cluster_, options_)) {
       if (!SolveLinear(hole_.on_object, {}, problem)) return std::nullopt;
       surface.samples = Samples(problem, std::vector<double>(problem.points.size(), 0));
       return surface;
@@ -278,16 +282,35 @@ class ClusterSampler {
   std::set<int32_t> at_fold_;  // local vertices at and in the folds that were cut off
 };
 
+// The surface that is linear between the ground of the rim: it takes no triangulation of the cluster.
+std::optional<ClusterSurface> SampleGround(const CellHoles& cluster) {
+  std::vector<Point3> ground;
+  std::vector<int32_t> asked;
+  std::vector<Point2> at;
+  for (const RimVertex& v : cluster.vertices) {
+    if (v.index >= 0 && !v.on_object) ground.push_back(v.position);
+    if (v.seam_vertex < 0) continue;
+    asked.push_back(v.seam_vertex);
+    at.emplace_back(v.position.head<2>());
+  }
+  if (ground.empty()) return std::nullopt;
+  const std::vector<double> heights = LinearHeights(ground, at);
+  ClusterSurface surface;
+  for (size_t i = 0; i < asked.size(); ++i) surface.samples.push_back({asked[i], heights[i], 0, {0, 0}});
+  return surface;
+}
+
 }  // namespace
 
 std::optional<ClusterSurface> SampleCluster(const CellHoles& cluster, const FillOptions& options,
                                             int64_t most_unknowns) {
   const CellBand band(cluster);
+  const bool is_linear = IsLinear(cluster, options);
   double coarsening = 1;
   for (int round = 0; round < kMostCoarsenings; ++round, coarsening *= 2) {
     ClusterSampler sampler(cluster, band, options, coarsening);
     const bool fits = sampler.Triangulate(most_unknowns);
-    if (sampler.has_conflicts()) return std::nullopt;
+    if (sampler.has_conflicts()) return is_linear ? SampleGround(cluster) : std::nullopt;
     if (fits) return sampler.Solve();
   }
   return std::nullopt;

@@ -81,6 +81,20 @@ TEST(SampleClusterTest, DoesSoWhereTheBoundaryHasVerticalEdges) {
   for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 0.01);
 }
 
+// A corner of the western rim lies beyond the seam: seen from above the two bound nothing.
+TEST(SampleClusterTest, AmongObjectsARimThatCrossesTheSeamDoesNoHarm) {
+  CellHoles cluster = Cluster(0);
+  std::find_if(cluster.vertices.begin(), cluster.vertices.end(), [](const RimVertex& v) {
+    return v.position.x() == 0 && v.position.y() == 5;
+  })->position.x() = 7;
+  EXPECT_FALSE(SampleCluster(cluster, {}).has_value());
+  for (CellHole& hole : cluster.holes) hole.among_objects = true;
+  const auto surface = SampleCluster(cluster, {});
+  ASSERT_TRUE(surface.has_value());
+  EXPECT_EQ(surface->samples.size(), 9U);
+  for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 1e-6);
+}
+
 // As where the edge of the area runs along a grid line.
 TEST(SampleClusterTest, GivesANewVertexOfTheRimThatNoSeamEndsAtItsHeight) {
   CellHoles cluster = Cluster(0);
