@@ -18,6 +18,7 @@
 #include "common/util/error_info.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
+#include "coordinator/service/cluster_events.h"
 #include "coordinator/service/job_pipeline.h"
 
 namespace tilemend {
@@ -84,13 +85,6 @@ struct Column {
 
 // Bytes of a path need not be UTF-8.
 std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-// As the coordinator's metrics have it: of each cell, a survey and an assembly are to come at least.
-double ShareDone(const v1::Progress& p) {
-  if (p.cells() == 0) return 0;
-  const double expected = std::max(static_cast<double>(p.tasks()), 2.0 * static_cast<double>(p.cells()));
-  return std::min(1.0, static_cast<double>(p.tasks_done()) / expected);
-}
 
 std::string DurationText(absl::Duration duration) {
   const int64_t seconds = std::max<int64_t>(0, absl::ToInt64Seconds(duration));
@@ -279,7 +273,7 @@ void ProgressDisplay::Show(const v1::Job& job) {
     waiting_ = job.waiting();
     return;
   }
-  share_ = std::max(share_, ShareDone(p));
+  share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.tasks(), p.tasks_done()));
   std::fprintf(
       stderr, "%s%s %s, %s tasks, %s cells%s", kEraseLine, BarText(share_).c_str(), Printable(p.phase()).c_str(),
       Share(p.tasks_done(), p.tasks()).c_str(), Share(p.cells_done(), p.cells()).c_str(),

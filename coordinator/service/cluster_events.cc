@@ -22,11 +22,15 @@ double Rounded(double seconds) { return std::round(seconds * 1000) / 1000; }
 
 double ShareDone(const Job& job) {
   if (job.state == JobState::kDone || job.state == JobState::kPartial) return 1;
-  if (job.progress.cells == 0) return 0;
-  // Tasks are added as the job gets to know them: a survey and an assembly of each cell, at least, are to come.
-  const double expected =
-      std::max(static_cast<double>(job.counts.added), 2.0 * static_cast<double>(job.progress.cells));
-  return std::min(1.0, static_cast<double>(job.counts.settled()) / expected);
+  return ShareDone(job.progress.phase, job.progress.cells, job.counts.added, job.counts.settled());
+}
+
+double ShareDone(std::string_view phase, int64_t cells, int64_t tasks, int64_t tasks_done) {
+  if (cells == 0) return 0;
+  int64_t to_come = cells;
+  if (phase == "survey" || phase == "plan") to_come = 2 * cells;
+  if (phase == "assemble") to_come = 0;
+  return std::min(1.0, static_cast<double>(tasks_done) / static_cast<double>(std::max<int64_t>(1, tasks + to_come)));
 }
 
 ClusterEvents::ClusterEvents(MetricsRegistry& registry, Log& log) : log_(log) {

@@ -131,23 +131,22 @@ class Cluster:
 
 
 def disturb(cluster, name):
-    """While the job runs. Between the faults it is paused, so that it does not end before the last, however fast it is."""
+    """While the job runs. It is paused until all is ready for the faults, so that it does not end before them, however fast
+    it is."""
     await_('the first tasks', lambda: cluster.job(name)['progress']['tasks_done'])
     cluster.client('pause', name)
     cluster.trial('scale', '3')
     cluster.slow_down()
     await_('three workers', lambda: len(cluster.workers()) == 3)
-    print(f'three workers after {cluster.job(name)["progress"]["tasks_done"]} tasks')
-    cluster.client('resume', name)
-    run('docker', 'kill', cluster.containers('worker')[0])
     cluster.trial('renew')
-    cluster.client('pause', name)
-    print(f'killed a worker, renewed the certificates after {cluster.job(name)["progress"]["tasks_done"]} tasks')
+    print(f'three workers, and new certificates, after {cluster.job(name)["progress"]["tasks_done"]} tasks')
+    (coordinator,), worker = cluster.containers('coordinator'), cluster.containers('worker')[0]
     cluster.client('resume', name)
-    run('docker', 'restart', '-t', '5', cluster.containers('coordinator')[0])
+    with subprocess.Popen(['docker', 'restart', '-t', '5', coordinator], stdout=subprocess.DEVNULL):
+        run('docker', 'kill', worker)
     await_('the coordinator', lambda: run(TRIAL, 'client', 'get', name, env=cluster.env, check=False).returncode == 0)
     job = cluster.job(name)
-    print(f'started the coordinator again: {job["state"]}, {job["progress"]["tasks_done"]} tasks')
+    print(f'killed a worker and started the coordinator again: {job["state"]}, {job["progress"]["tasks_done"]} tasks')
     if '"event":"job goes on"' not in cluster.trial('logs', 'coordinator'):
         raise SystemExit('FAILED: the job was over before the coordinator ended')
 

@@ -146,9 +146,16 @@ TEST_F(ClusterEventsTest, NamesTheTaskWhoseAttemptFailed) {
 TEST(ShareDoneTest, IsAllOnlyAtTheEnd) {
   Job job;
   EXPECT_EQ(ShareDone(job), 0);
+  job.progress.phase = "survey";
   job.progress.cells = 10;
-  job.counts.added = job.counts.committed = 10;  // all surveys: as many assemblies are to come
-  EXPECT_EQ(ShareDone(job), 0.5);
+  job.counts.added = job.counts.committed = 10;  // as many cells to fill and to assemble are to come
+  EXPECT_EQ(ShareDone(job), 10 / 30.0);
+  job.progress.phase = "fill";
+  job.counts.added = job.counts.committed = 20;
+  EXPECT_EQ(ShareDone(job), 20 / 30.0);
+  job.progress.phase = "assemble";
+  job.counts.added = 30;
+  EXPECT_EQ(ShareDone(job), 20 / 30.0);
   job.state = JobState::kDone;
   EXPECT_EQ(ShareDone(job), 1);
 }
