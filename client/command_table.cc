@@ -59,6 +59,8 @@ std::vector<FlagSpec> FillFlags() {
   flags = Join(std::move(flags), WaterFlags("off"));
   flags.push_back(WaterColourFlag());
   flags.push_back({"allow-creases", "", "fill holes also where the surface has to fold back", ""});
+  flags.push_back({"dislocation-width", "LENGTH",
+                   "how wide dislocations are at most, in the mesh's units (default: a fifth of their edges)", ""});
   flags.push_back({"fill-outlines", "", "fill the outlines of sheets as well, not only holes", ""});
   flags.push_back({"largest-hole", "EDGES", "leave holes with a longer boundary open, 3 to 1e9 (default: none)", ""});
   return flags;

@@ -153,6 +153,18 @@ absl::Status ReadFillerOptions(const Args& args, FillOptions& options) {
   return absl::OkStatus();
 }
 
+absl::Status ReadHoleOptions(const Args& args, MeshHoleOptions& holes) {
+  holes.fill_outlines = args.Switch("fill-outlines");
+  if (args.IsGiven("largest-hole")) {
+    TILEMEND_ASSIGN_OR_RETURN(const double edges, args.Number("largest-hole", 3, 1e9));
+    holes.largest_hole = static_cast<int64_t>(edges);
+  }
+  if (args.IsGiven("dislocation-width")) {
+    TILEMEND_ASSIGN_OR_RETURN(holes.dislocation_width, args.Number("dislocation-width", 1e-12, 1e9));
+  }
+  return absl::OkStatus();
+}
+
 // Flags that are out of their range are kInvalidArgument.
 absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   MeshFillOptions all;
@@ -185,11 +197,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
       return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected R,G,B or #rrggbb"));
   }
   options.allow_creases = args.Switch("allow-creases");
-  all.holes.fill_outlines = args.Switch("fill-outlines");
-  if (args.IsGiven("largest-hole")) {
-    TILEMEND_ASSIGN_OR_RETURN(const double edges, args.Number("largest-hole", 3, 1e9));
-    all.holes.largest_hole = static_cast<int64_t>(edges);
-  }
+  TILEMEND_RETURN_IF_ERROR(ReadHoleOptions(args, all.holes));
   all.library = LibraryFor(args.Text("out"));
   return all;
 }
@@ -199,6 +207,8 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
   const FillOptions& options = all.fill;
   ReportedOption tension{"tension", std::string("auto")}, largest{"largest-hole", std::string("any")};
   if (options.tension) tension.value = *options.tension;
+  ReportedOption dislocation{"dislocation-width", std::string("auto")};
+  if (all.holes.dislocation_width) dislocation.value = *all.holes.dislocation_width;
   if (all.holes.largest_hole) largest.value = static_cast<double>(*all.holes.largest_hole);
   return {{"surface", SurfaceName(options.surface)},
           {"filler", FillerName(options.filler)},
@@ -207,6 +217,7 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
           {"size-limit", options.refine.size_limit},
           {"uniform", options.refine.uniform},
           {"allow-creases", options.allow_creases},
+          dislocation,
           {"fill-outlines", all.holes.fill_outlines},
           largest,
           {"water", args.Text("water")},

@@ -7,7 +7,6 @@
 
 #include "coordinator/plan/hole/closed_loops.h"
 #include "coordinator/plan/hole/hole_types.h"
-#include "coordinator/plan/mesh/loop_kinds.h"
 
 namespace tilemend {
 namespace {
@@ -16,8 +15,9 @@ using Eigen::AlignedBox3d;
 
 class Grouper {
  public:
-  Grouper(const Rim& rim, std::span<const MeshLoop> loops, const std::vector<bool>& is_outline)
-      : rim_(rim), loops_(loops), is_outline_(is_outline), partner_(loops.size()) {
+  Grouper(const Rim& rim, std::span<const MeshLoop> loops, const std::vector<bool>& is_outline,
+          const DislocationLimit& dislocation)
+      : rim_(rim), loops_(loops), is_outline_(is_outline), dislocation_(dislocation), partner_(loops.size()) {
     for (const RimPoint& p : rim.points) position_.push_back(p.position);
     for (const MeshLoop& loop : loops) {
       AlignedBox3d box;
@@ -111,7 +111,7 @@ class Grouper {
     const LoopLine line = LineOf(hole.loop);
     if (hole.others.empty()) {
       if (IsCrack(line)) return SingleType::kCrack;
-      return IsDislocation(line, {}) ? SingleType::kDislocation : SingleType::kSimple;
+      return IsDislocation(line, dislocation_) ? SingleType::kDislocation : SingleType::kSimple;
     }
     if (partner_[hole.loop]) return SingleType::kAnnular;
     std::vector<std::vector<RimSegment>> islands;
@@ -122,6 +122,7 @@ class Grouper {
   const Rim& rim_;
   std::span<const MeshLoop> loops_;
   const std::vector<bool>& is_outline_;
+  const DislocationLimit& dislocation_;
   std::vector<Point3> position_;                // of rim points
   std::vector<AlignedBox3d> reach_;             // of each loop
   std::vector<std::optional<size_t>> partner_;  // the loop that each one faces
@@ -129,8 +130,9 @@ class Grouper {
 
 }  // namespace
 
-LoopGroups GroupLoops(const Rim& rim, std::span<const MeshLoop> loops, const std::vector<bool>& is_outline) {
-  return Grouper(rim, loops, is_outline).Run();
+LoopGroups GroupLoops(const Rim& rim, std::span<const MeshLoop> loops, const std::vector<bool>& is_outline,
+                      const DislocationLimit& dislocation) {
+  return Grouper(rim, loops, is_outline, dislocation).Run();
 }
 
 }  // namespace tilemend

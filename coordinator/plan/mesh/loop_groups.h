@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "coordinator/plan/mesh/loop_kinds.h"
 #include "coordinator/plan/mesh/mesh_loops.h"
 #include "coordinator/plan/types/plan_types.h"
 
@@ -24,7 +25,8 @@ struct LoopGroups {
 // Puts together the loops that face each other (annular holes) and outlines of pieces with the smallest hole that they
 // lie in (islands), and classifies each hole in the paper's order: crack, dislocation, annular, island, simple (Zhang
 // 2022, 4.2). An outline that faces another loop is none. O(n^2) in loops whose boxes are near, O(n log n) in all else.
-LoopGroups GroupLoops(const Rim& rim, std::span<const MeshLoop> loops, const std::vector<bool>& is_outline);
+LoopGroups GroupLoops(const Rim& rim, std::span<const MeshLoop> loops, const std::vector<bool>& is_outline,
+                      const DislocationLimit& dislocation = {});
 
 }  // namespace tilemend
 

@@ -17,6 +17,8 @@ namespace {
 
 // The lattice is so much finer than the mean edge along the holes: rounding to it tilts no triangle that is seen.
 constexpr double kStepsAnEdge = 0x1p20;
+// Of the area of a flat piece: rounding.
+constexpr double kFlat = 1e-9;
 constexpr int kFloat32Digits = 24, kFloat64Digits = 53;
 
 // The finest useful power of two whose multiples the mesh's number type holds out to its farthest coordinate.
@@ -31,6 +33,12 @@ double LatticeStep(const SurveyRecord& record, const Rim& rim) {
   const double holds = power(farthest) * std::ldexp(2.0, -(record.float32 ? kFloat32Digits : kFloat64Digits));
   const double step = std::max(holds, power(length) / kStepsAnEdge);
   return step > 0 ? step : 1;
+}
+
+DislocationLimit DislocationLimitOf(const MeshHoleOptions& options) {
+  DislocationLimit limit;
+  limit.length = options.dislocation_width.value_or(limit.length);
+  return limit;
 }
 
 class MeshPlanner {
@@ -48,7 +56,7 @@ class MeshPlanner {
     std::vector<bool> outline(loops_.size(), false);
     if (!options_.mesh.fill_outlines) outline = FindOutlines(loops_, record_->piece_areas);
     StoreVertices();
-    const LoopGroups groups = GroupLoops(rim_, loops_, outline);
+    const LoopGroups groups = GroupLoops(rim_, loops_, outline, DislocationLimitOf(options_.mesh));
     for (const MeshHole& hole : groups.holes) StoreHole(hole);
     plan_.outer_rims = std::ssize(groups.outlines);
     for (const size_t l : groups.outlines) Leave("outline of a piece of surface", loops_[l].segments.size(), false);
@@ -76,6 +84,9 @@ class MeshPlanner {
       segments.insert(segments.end(), loops_[l].segments.begin(), loops_[l].segments.end());
       area += loops_[l].vector_area;
     }
+    if (found.others.empty() && IsFlatOutline(loops_[found.loop])) {
+      return Leave("outline of a flat piece: its patch would lie on it", segments.size(), true);
+    }
     if (options_.mesh.largest_hole && std::ssize(segments) > *options_.mesh.largest_hole) {
       return Leave("longer than --largest-hole", segments.size(), false);
     }
@@ -85,6 +96,11 @@ class MeshPlanner {
     hole.area = area.norm();
     hole.projects = plan_.upright && ProjectsUpright(hole.segments);
     plan_.holes.push_back(std::move(hole));
+  }
+
+  // Whether a loop runs around a piece of surface that is as large as what would close it.
+  bool IsFlatOutline(const MeshLoop& loop) const {
+    return loop.Turn() < 0 && record_->piece_areas[loop.piece] <= (1 + kFlat) * loop.vector_area.norm();
   }
 
   // Whether the surface along a hole faces up and the hole is one region seen from above.

@@ -33,6 +33,8 @@ struct WaterOptions {
 struct MeshHoleOptions {
   bool fill_outlines = false;             // outlines of pieces as well
   std::optional<int64_t> largest_hole{};  // edges: longer loops stay open
+  // Holes no wider are dislocations, in the mesh's own units (Zhang 2022, 4.1 (2)); none: in lengths of their edges.
+  std::optional<double> dislocation_width{};
 };
 
 struct PlanOptions {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/mesh_builders.h"
 #include "tests/support/mesh_reading.h"
 #include "tests/support/round_meshes.h"
 #include "tests/support/space_meshes.h"
@@ -26,6 +27,33 @@ TEST(PlanMeshTest, HasAnUpOnlyWhereWaterIsLookedFor) {
   EXPECT_FALSE(PlanMesh(read.input, options).upright);
   options.water.find = true;
   EXPECT_TRUE(PlanMesh(read.input, options).upright);
+}
+
+TEST(PlanMeshTest, LeavesTheOutlinesOfFlatPieces) {
+  PlanOptions options;
+  options.water.find = false;
+  options.mesh.fill_outlines = true;
+  TriMesh lone;
+  lone.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  lone.triangles = {{0, 1, 2}};
+  const MeshReading read(lone);
+  const Plan plan = PlanMesh(read.input, options);
+  EXPECT_THAT(plan.holes, testing::IsEmpty());
+  ASSERT_EQ(plan.left.size(), 1u);
+  EXPECT_TRUE(plan.left[0].is_hole);
+  const MeshReading dome(SphereBelt(0, 60));
+  EXPECT_EQ(PlanMesh(dome.input, options).holes.size(), 1u);
+}
+
+TEST(PlanMeshTest, MeasuresDislocationsInTheUnitsOfTheMeshIfAsked) {
+  // A slit as wide as the edges along it are long.
+  const MeshReading read(SquaresMesh(0, 20, 0, 5, [](int32_t i, int32_t j) { return j != 2 || i < 3 || i > 16; }));
+  PlanOptions options;
+  options.water.find = false;
+  const auto kind = [&] { return PlanMesh(read.input, options).holes.at(0).single; };
+  EXPECT_EQ(kind(), SingleType::kSimple);
+  options.mesh.dislocation_width = 1.5;
+  EXPECT_EQ(kind(), SingleType::kDislocation);
 }
 
 }  // namespace
