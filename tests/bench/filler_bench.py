@@ -201,8 +201,8 @@ def table(results):
             good = [r for r in chosen if r['filled']]
             both = [(r['error'], errors[r['kind'], r['rim']]) for r in good if (r['kind'], r['rim']) in errors]
             better = sum(own < default for own, default in both) if filler != 'auto' else '–'
-            mean = '–' if not both else f'{np.mean([d for _, d in both]):.4f}'
-            rows.append([f'`{filler}`', kind, f'{len(good)}/{len(chosen)}', f'{mean_of(good, "error"):.4f}', mean, better,
+            mean = '–' if not both else f'{np.mean([d for _, d in both]):.5f}'
+            rows.append([f'`{filler}`', kind, f'{len(good)}/{len(chosen)}', f'{mean_of(good, "error"):.5f}', mean, better,
                          f'{mean_of(good, "quality"):.3f}', sum(r['crossings'] for r in good), measure.up(sum(r['seconds'] for r in chosen), 2),
                          measure.megabytes(max(r['peak'] for r in chosen))])
     return measure.table(['', '', 'filled', 'mean error', "default's, same holes", 'better than default', 'mean quality', 'crossings', 's', 'peak, MB'], rows)

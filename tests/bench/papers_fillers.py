@@ -115,7 +115,7 @@ def ahead_of_default(results):
                 if (r['filler'], r['kind']) == (filler, kind) and r['filled'] and (kind, r['rim']) in default]
         own, its = np.mean(both, 0) if both else (np.inf, 0)
         if filler != 'auto' and own < its:
-            found.append(f'`{filler}` on {kind} ({own:.4f} to {its:.4f})')
+            found.append(f'`{filler}` on {kind} ({own:.5f} to {its:.5f})')
     return 'The default is not ahead of: ' + '; '.join(found) + '.' if found else 'The default is ahead of each on each kind.'
 
 
@@ -129,5 +129,5 @@ def part_fillers(a, folder):
             '400 boundary vertices. An error is the mean distance from what was removed to the triangles of the patch, over the radius of the hole. '
             'A fill of more than 30 s counts as not filled.\n\n' + filler_bench.table(results) + '\n\n' + ahead_of_default(results) +
             ' The nearly flat ground is even but for 0.02 edges that no filler can know: the default goes on with slopes of the rim that mean nothing there. With '
-            '`--tension 100`, which forgets them, its error in the hole of 178 edges is half as large; but the same tension on the curved sheet makes it 18 times as large, and '
-            'what the rim says of the two does not tell them apart surely enough. The curved sheet turns evenly: harmonic normals carry that turning inward, least bending only the slope.')
+            '`--tension 100`, which forgets them, its error in the hole of 178 edges is half as large; but the same tension on the curved sheet makes it 18 times as large. '
+            'Telling the two apart by the rim was not tried. The curved sheet turns evenly: harmonic normals carry that turning inward, least bending only the slope.')
