@@ -19,7 +19,8 @@ constexpr double kCornerSnap = 0.25;  // of the rim's edge length: a grid corner
 // New vertices on all seams: some 100 MB and more for very many cells, whatever the scene says of itself.
 constexpr int64_t kMostVertices = 1'000'000;
 constexpr int64_t kMostVerticesOfCell = 1'000;
-constexpr double kCornerOnRim = 1e-3;  // metres: the same at the rim of the area, where a seam must keep to the line
+constexpr double kProjectedBend = 0.2;  // of the rim's mean edge: as far as edges between spaced places bend there
+constexpr double kCornerOnRim = 1e-3;   // metres: the same at the rim of the area, where a seam must keep to the line
 
 // One end of a stretch.
 struct End {
@@ -192,7 +193,8 @@ class SeamLayer {
   double LargestBend(const Border& border) const {
     if (!IsInner(border)) return kSamePlace;
     // Edges between projections may be as long as the stretch: they do not reach for rim points far off.
-    return TakesProjections(border) ? site_.index.mean_size() : std::numeric_limits<double>::infinity();
+    return TakesProjections(border) ? kProjectedBend * site_.index.mean_size()
+                                    : std::numeric_limits<double>::infinity();
   }
 
   const SeamSite& site_;
