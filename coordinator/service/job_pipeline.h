@@ -50,9 +50,9 @@ struct JobSpec {
   std::optional<double> seam_smoothing, seam_buffer;
   std::optional<int32_t> longest_loop, fairing_steps;
   std::string seam_points;  // a name that SeamPointsNamed knows; empty: as WangOptions
-  bool link = false;       // tiles without a patch as hard links of the originals
-  bool overwrite = false;  // replace an existing output
-  bool dry_run = false;    // survey and plan only, write no tiles
+  bool link = false;        // tiles without a patch as hard links of the originals
+  bool overwrite = false;   // replace an existing output
+  bool dry_run = false;     // survey and plan only, write no tiles
   bool operator==(const JobSpec&) const = default;
 
   // kInvalidArgument (INVALID_SPEC, metadata field) naming the first field out of its range.

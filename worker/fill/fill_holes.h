@@ -12,8 +12,8 @@ namespace tilemend {
 
 // Fills each hole with new triangles that close on its rim (Wang 2021, 3.3: triangulation, refinement, adjustment,
 // fairing). The ways that are tried, in this order, each where it applies; the first sound patch is taken, in a mesh
-// that may lie in any way the first that has no creases, or none but bevelled ones (patch_creases.h). Else the hole stays
-// open, but where the creases go on from those around it (kCreases) or are allowed (options.allow_creases):
+// that may lie in any way the first that has no creases, or none but bevelled ones (patch_creases.h). Else the hole
+// stays open, but where the creases go on from those around it (kCreases) or are allowed (options.allow_creases):
 //
 //   FillWay       holes                                     see
 //   kCreases      closed, thin plate                        crease_fill.h

@@ -45,7 +45,7 @@ struct PlanOptions {
   bool uniform = false;
   WaterOptions water;
   MeshHoleOptions mesh;
-  std::optional<Rgb> water_colour = {};  // of the faces; none: as the rim has it
+  std::optional<Rgb> water_colour = {};          // of the faces; none: as the rim has it
   SeamPoints seam_points = SeamPoints::kSpaced;  // of seams between cells of the area
   // Asked at least at every border and cell; once true the plan ends soon and is empty. None: never.
   std::function<bool()> is_cancelled = {};
