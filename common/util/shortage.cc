@@ -64,7 +64,8 @@ bool ThreadsAreShort() {
 void EndOfAbort(int) {
   if (MemoryIsShort()) End("out of memory");
   if (ThreadsAreShort()) End("no thread can be made");
-  // Its return makes abort() do what it does without a handler.
+  // After its return as without a handler: the signal may come from without, as that of a watchdog.
+  std::raise(SIGABRT);
 }
 
 }  // namespace
@@ -73,6 +74,7 @@ void EndOnShortage() {
   std::set_terminate(EndOfException);
   struct sigaction action = {};
   action.sa_handler = EndOfAbort;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGABRT, &action, nullptr);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -42,6 +43,16 @@ TEST(ShortageDeathTest, LeavesAnAbortWithoutShortage) {
     std::abort();
   };
   EXPECT_EXIT(abort_at_once(), testing::KilledBySignal(SIGABRT), "");
+}
+
+// As systemd's watchdog sends it.
+TEST(ShortageDeathTest, LeavesASignalFromWithout) {
+  const auto signal_at_once = [] {
+    EndOnShortage();
+    kill(getpid(), SIGABRT);
+    std::exit(0);
+  };
+  EXPECT_EXIT(signal_at_once(), testing::KilledBySignal(SIGABRT), "");
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they need room without limit
