@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <ranges>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -78,7 +79,7 @@ OutputLock::~OutputLock() {
     ::unlink(file_.c_str());
     ::close(fd_);
   }
-  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) RemoveEmptyFolder(*folder).IgnoreError();
+  for (const auto& folder : std::ranges::reverse_view(made_)) RemoveEmptyFolder(folder).IgnoreError();
 }
 
 }  // namespace tilemend
