@@ -75,21 +75,20 @@ void Turn(double angle, const Point2& centre, Reach& reach) {
   for (Point3& p : reach.shore) p.head<2>() = centre + turn * (p.head<2>() - centre);
 }
 
-// The second reach is turned about a place under the bridge: its near end is off the line of the first.
+// The second reach is turned about a place under the bridge: its near end is off the line of the first, or close to it
+// in another direction.
 TEST(FindRiversTest, GoesOnWhereItBendsUnderABridge) {
-  std::vector<Reach> reaches = {ReachBetween(0, 240, 5, Falling), ReachBetween(266, 500, 5, Falling)};
-  Turn(1, Point2(240, 0), reaches[1]);
-  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
-  ASSERT_EQ(rivers.size(), 1u);
-  EXPECT_EQ(rivers[0].reaches.size(), 2u);
-}
-
-TEST(FindRiversTest, GoesRoundACornerUnderABridge) {
-  std::vector<Reach> reaches = {ReachBetween(0, 240, 12, Falling), ReachBetween(246, 500, 12, Falling)};
-  Turn(1.7, Point2(240, 0), reaches[1]);
-  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
-  ASSERT_EQ(rivers.size(), 1u);
-  EXPECT_EQ(rivers[0].reaches.size(), 2u);
+  struct Bend {
+    double half_width, bridge, angle;
+  };
+  for (const Bend& bend : {Bend{5, 26, 1}, Bend{12, 6, 1.7}}) {
+    std::vector<Reach> reaches = {ReachBetween(0, 240, bend.half_width, Falling),
+                                  ReachBetween(240 + bend.bridge, 500, bend.half_width, Falling)};
+    Turn(bend.angle, Point2(240, 0), reaches[1]);
+    const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+    ASSERT_EQ(rivers.size(), 1u) << bend.angle;
+    EXPECT_EQ(rivers[0].reaches.size(), 2u);
+  }
 }
 
 // A weir: the levels of the second are 4 m above those of the first, which makes no river of both.
