@@ -113,7 +113,7 @@ std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, cons
     const double share = counts.back() * static_cast<double>(i) / static_cast<double>(edges);
     while (counts[k] < share) ++k;
     const double f = (share - counts[k - 1]) / (counts[k] - counts[k - 1]);
-    places.push_back(from + (steps[k - 1] + f * (steps[k] - steps[k - 1])) / length * (to - from));
+    places.emplace_back(from + (steps[k - 1] + f * (steps[k] - steps[k - 1])) / length * (to - from));
   }
   return places;
 }
