@@ -153,7 +153,7 @@ std::vector<Point2> Simplified(std::vector<Point2> line, const Mask& mask) {
   MarkCorners(line, count / 2, count, needed);
   std::vector<Point2> ring;
   for (size_t i = 0; i < count; ++i) {
-    if (needed[i]) ring.push_back(mask.lo + mask.step * line[i]);
+    if (needed[i]) ring.emplace_back(mask.lo + mask.step * line[i]);
   }
   return ring;
 }

@@ -274,8 +274,9 @@ std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, 
   std::vector<River> rivers;
   const auto add = [&](const Chain& chain) {
     std::optional<River> river = RiverAlong(chain, reaches, lines, tolerance);
-    if (river) rivers.push_back(*std::move(river));
-    return river.has_value();
+    const bool found = river.has_value();
+    if (found) rivers.push_back(*std::move(river));
+    return found;
   };
   for (const Chain& chain : ChainsOf(reaches, lines)) {
     if (add(chain) || chain.size() == 1) continue;

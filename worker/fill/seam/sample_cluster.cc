@@ -131,7 +131,7 @@ class ClusterSampler {
     std::vector<Point2> flat;
     std::vector<double> sizes;
     for (int32_t v = 0; v < hole_.size(); ++v) {
-      flat.push_back(hole_.positions[v].head<2>());
+      flat.emplace_back(hole_.positions[v].head<2>());
       sizes.push_back(coarsening_ * hole_.sizes[v]);
     }
     planar_.emplace(RoundToWindow(flat, sizes));
