@@ -168,7 +168,7 @@ TEST_F(AccessTest, TokensOpenWhatTheirRolesMay) {
 
 TEST_F(AccessTest, OnlyItsOwnerAndAdministratorsCancelAJob) {
   Start("", true);
-  const auto stub = [&](const std::string& name, const std::string& role) {
+  const auto as = [&](const std::string& name, const std::string& role) {
     return v1::Jobs::NewStub(Connect(address_, With(name, {role})));
   };
   v1::CreateJobRequest create;
@@ -176,13 +176,13 @@ TEST_F(AccessTest, OnlyItsOwnerAndAdministratorsCancelAJob) {
   create.mutable_spec()->set_out(folder_ / "out");
   v1::Job job;
   grpc::ClientContext first;
-  ASSERT_TRUE(stub("ann", "submit")->CreateJob(&first, create, &job).ok());
+  ASSERT_TRUE(as("ann", "submit")->CreateJob(&first, create, &job).ok());
   EXPECT_EQ(job.owner(), "ann");
   v1::CancelJobRequest cancel;
   cancel.set_name(job.name());
   grpc::ClientContext second, third;
-  EXPECT_EQ(stub("bob", "submit")->CancelJob(&second, cancel, &job).error_code(), grpc::PERMISSION_DENIED);
-  EXPECT_TRUE(stub("eve", "admin")->CancelJob(&third, cancel, &job).ok());
+  EXPECT_EQ(as("bob", "submit")->CancelJob(&second, cancel, &job).error_code(), grpc::PERMISSION_DENIED);
+  EXPECT_TRUE(as("eve", "admin")->CancelJob(&third, cancel, &job).ok());
 }
 
 // New connections get the new certificates; those that are there lose no call.

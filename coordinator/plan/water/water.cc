@@ -300,7 +300,7 @@ WaterBody RiverBody(const Plan& plan, const std::vector<Candidate>& candidates, 
 void MakeLevel(const Plan& plan, WaterBody& river) {
   double sum = 0;
   for (const Point3& station : river.river.stations) sum += station.z();
-  river.level = OnLattice(plan, sum / static_cast<double>(river.river.stations.size()));
+  river.level = river.shore_level = OnLattice(plan, sum / static_cast<double>(river.river.stations.size()));
   river.river = {};
   river.removed_rises.clear();
 }

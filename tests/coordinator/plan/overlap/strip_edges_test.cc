@@ -152,6 +152,22 @@ TEST_F(StripEdgesTest, TheyReachBehindATipOfTheRim) {
   EXPECT_THAT(behind_it, IsSubsetOf(EdgesOf(plan_.holes[0])));
 }
 
+// Two holes of the eastern tile run along the same outline, one with a vertex where the other has none.
+TEST_F(StripEdgesTest, NoEdgeIsGivenTwice) {
+  PlannedHole other;
+  other.cell = {1, 0};
+  const int32_t north = AddVertex({9.75, 6, 0}, -1, on_line_[2]), middle = AddVertex({9.75, 5, 0}, -1, on_line_[1]);
+  const int32_t south = AddVertex({9.75, 4, 0}, -1, on_line_[1]), tip = AddVertex({15, 5, 0}, 9, -1);
+  other.own_regions = {{{tip, north, false}, {north, middle, true}, {middle, south, true}, {south, tip, false}}};
+  plan_.holes.push_back(other);
+  LayStripEdges(outlines_, plan_);
+  const std::vector<RimSegment>& edges = plan_.holes[0].inner_edges;
+  std::set<std::set<Place>> places;
+  for (const RimSegment& s : edges) places.insert({PlaceOf(s.from), PlaceOf(s.to)});
+  EXPECT_THAT(places, Contains(std::set<Place>{{9.75, 4}, {9.75, 5}}));
+  EXPECT_EQ(places.size(), edges.size());
+}
+
 // Four tiles: beside its own corner each has the points where the outlines of the others cross its own.
 TEST_F(StripEdgesTest, OutlinesCrossAtCorners) {
   AddCell({0, 1});

@@ -152,6 +152,7 @@ TEST_P(WaterTest, ACanalHasTheLevelOfItsStations) {
   ASSERT_THAT(plan.water, SizeIs(1));
   EXPECT_THAT(plan.water[0].river.stations, IsEmpty());
   EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.05);
+  EXPECT_EQ(plan.water[0].shore_level, plan.water[0].level);
 }
 
 // On one side the surface ends on the bank, up to 0.1 m above the water.
