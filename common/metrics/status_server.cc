@@ -4,8 +4,10 @@
 #include <openssl/crypto.h>
 #include <openssl/ssl.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <semaphore>
 #include <thread>
 #include <utility>
@@ -13,14 +15,14 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "common/metrics/timed_connection.h"
 #include "common/util/files.h"
 
 namespace tilemend {
 namespace {
 
-constexpr size_t kThreads = 8;
-constexpr std::ptrdiff_t kMostConnections = 64;  // that wait for a thread; the others wait in the kernel
-constexpr time_t kRequestSeconds = 5;
+constexpr size_t kThreads = 16;
+constexpr std::ptrdiff_t kMostConnections = 64;  // served or waiting for a thread; the others wait in the kernel
 constexpr size_t kMostRequestBytes = 4096;
 
 constexpr char kMetricsType[] = "text/plain; version=0.0.4; charset=utf-8";
@@ -29,9 +31,12 @@ constexpr char kTextType[] = "text/plain; charset=utf-8";
 // Threads that have a bounded queue before them: who comes when it is full waits to be accepted.
 class BoundedPool : public httplib::TaskQueue {
  public:
+  explicit BoundedPool(std::atomic<int>& waiting) : waiting_(waiting) {}
   void enqueue(std::function<void()> answer) override {
     room_.acquire();
+    ++waiting_;
     pool_.enqueue([this, answer = std::move(answer)] {
+      --waiting_;
       answer();
       room_.release();
     });
@@ -39,6 +44,7 @@ class BoundedPool : public httplib::TaskQueue {
   void shutdown() override { pool_.shutdown(); }
 
  private:
+  std::atomic<int>& waiting_;  // for a thread
   std::counting_semaphore<kMostConnections> room_{kMostConnections};
   httplib::ThreadPool pool_{kThreads};
 };
@@ -52,14 +58,40 @@ int LoadCertificate(SSL* connection, void* data) {
              : 0;
 }
 
-std::unique_ptr<httplib::Server> NewServer(StatusSecurity& security) {
-  if (security.certificate.empty()) return std::make_unique<httplib::Server>();
-  return std::make_unique<httplib::SSLServer>([&security](SSL_CTX& context) {
-    SSL_CTX_set_min_proto_version(&context, TLS1_2_VERSION);
-    SSL_CTX_set_cert_cb(&context, LoadCertificate, &security);
-    return true;
-  });
+struct FreeContext {
+  void operator()(SSL_CTX* context) const { SSL_CTX_free(context); }
+};
+using TlsContext = std::unique_ptr<SSL_CTX, FreeContext>;
+
+// None for plain text. `security` must outlive it.
+TlsContext NewContext(StatusSecurity& security) {
+  if (security.certificate.empty()) return nullptr;
+  TlsContext context(SSL_CTX_new(TLS_server_method()));
+  SSL_CTX_set_min_proto_version(context.get(), TLS1_2_VERSION);
+  SSL_CTX_set_cert_cb(context.get(), LoadCertificate, &security);
+  return context;
 }
+
+// One request for each connection, and a bounded time for both.
+class TimedServer : public httplib::Server {
+ public:
+  explicit TimedServer(TlsContext context) : context_(std::move(context)) {
+    new_task_queue = [this] { return new BoundedPool(waiting_); };
+  }
+  // Once it is bound. The library has the kernel keep five connections, and a sixth tries again after a second.
+  void KeepMoreInTheKernel() { ::listen(svr_sock_.load(), SOMAXCONN); }
+
+ private:
+  bool process_and_close_socket(socket_t fd) override {
+    TimedConnection connection(fd, {}, [this] { return waiting_ > 0; });
+    if (context_ != nullptr && !connection.Encrypt(context_.get())) return false;
+    bool closed = false;
+    return process_request(connection, true, closed, nullptr);
+  }
+
+  const TlsContext context_;
+  std::atomic<int> waiting_{0};
+};
 
 // Of a file that cannot be read nothing is let in. Takes the same time for every wrong token of the right length.
 bool ShowsToken(const httplib::Request& request, const std::string& token_file) {
@@ -89,7 +121,7 @@ struct StatusServer::Impl {
 
   StatusPages pages;
   StatusSecurity security;
-  std::unique_ptr<httplib::Server> server;
+  std::unique_ptr<TimedServer> server;
   int port = 0;
   std::thread thread;
 };
@@ -115,11 +147,7 @@ void StatusServer::Impl::AddPages() {
 }
 
 bool StatusServer::Impl::Listen(const std::string& host, int wanted_port) {
-  server->new_task_queue = [] { return new BoundedPool; };
   server->set_default_headers({{"Cache-Control", "no-store"}});
-  server->set_keep_alive_max_count(1);
-  server->set_read_timeout(kRequestSeconds);
-  server->set_write_timeout(kRequestSeconds);
   server->set_payload_max_length(kMostRequestBytes);
   server->set_socket_options(AllowAddressAgain);
   if (wanted_port == 0) {
@@ -128,6 +156,7 @@ bool StatusServer::Impl::Listen(const std::string& host, int wanted_port) {
     port = wanted_port;
   }
   if (port <= 0) return false;
+  server->KeepMoreInTheKernel();
   thread = std::thread([this] { server->listen_after_bind(); });
   while (!server->is_running()) std::this_thread::yield();  // before that it cannot be stopped
   return true;
@@ -138,7 +167,7 @@ absl::StatusOr<std::unique_ptr<StatusServer>> StatusServer::Start(const std::str
   auto impl = std::make_unique<Impl>();
   impl->pages = std::move(pages);
   impl->security = std::move(security);
-  impl->server = NewServer(impl->security);
+  impl->server = std::make_unique<TimedServer>(NewContext(impl->security));
   impl->AddPages();
   const size_t colon = address.rfind(':');
   std::string host = address.substr(0, colon);

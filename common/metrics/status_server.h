@@ -25,7 +25,8 @@ struct StatusSecurity {
   std::string token_file;
 };
 
-// A request that does not come to its end holds one of several threads, for some seconds.
+// A connection has five seconds in all, a quarter of one while others wait for a thread, and 64 KB (ConnectionLimits):
+// requests that never end, or come byte by byte, keep nobody out and take no memory.
 class StatusServer {
  public:
   // Serves on `address` ("HOST:PORT", port 0 takes a free one) as long as it lives. kUnavailable if the address cannot

@@ -8,12 +8,15 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "absl/time/clock.h"
 #include "tests/support/certificates.h"
 #include "tests/support/http_get.h"
 #include "tests/support/temporary_folder.h"
@@ -70,11 +73,27 @@ TEST(StatusServerTest, HasNoOtherPages) {
 TEST(StatusServerTest, AnswersBesideRequestsThatNeverEnd) {
   const auto server = StatusServer::Start("127.0.0.1:0", {[] { return "here\n"; }});
   ASSERT_TRUE(server.ok()) << server.status();
-  const int first = HalfOpen((*server)->port());
-  const int second = HalfOpen((*server)->port());
+  // Twice as many as it has threads.
+  std::vector<int> open;
+  for (int i = 0; i < 32; ++i) open.push_back(HalfOpen((*server)->port()));
+  const absl::Time begin = absl::Now();
   EXPECT_THAT(HttpGet((*server)->port(), "/metrics"), HasSubstr("here\n"));
-  close(first);
-  close(second);
+  EXPECT_LT(absl::Now() - begin, absl::Seconds(4));  // less than those have that keep nobody waiting
+  for (const int fd : open) close(fd);
+}
+
+TEST(StatusServerTest, EndsAHeadThatNeverEnds) {
+  const auto server = StatusServer::Start("127.0.0.1:0", {[] { return "here\n"; }});
+  ASSERT_TRUE(server.ok()) << server.status();
+  const int fd = HalfOpen((*server)->port());
+  const std::string header = "TP/1.1\r\nX-Long: " + std::string(4000, 'a') + "\r\n";
+  size_t sent = 0;
+  for (ssize_t count = 1; count > 0 && sent < (size_t{1} << 30); sent += static_cast<size_t>(count)) {
+    count = std::max<ssize_t>(0, send(fd, header.data(), header.size(), MSG_NOSIGNAL));
+  }
+  close(fd);
+  EXPECT_LT(sent, size_t{64} << 20);  // what the kernel holds of it, at most
+  EXPECT_THAT(HttpGet((*server)->port(), "/metrics"), HasSubstr("here\n"));
 }
 
 TEST(StatusServerTest, SaysWhenItsPortIsTaken) {
@@ -100,10 +119,10 @@ class SecuredStatusServerTest : public ::testing::Test {
     const std::string address =
         (authority.empty() ? "http://127.0.0.1:" : "https://127.0.0.1:") + std::to_string(server_->port());
     httplib::Client client(address);
-    if (!authority.empty()) client.set_ca_cert_path(authority.c_str());
+    if (!authority.empty()) client.set_ca_cert_path(authority);
     httplib::Headers headers;
     if (!authorization.empty()) headers.emplace("Authorization", authorization);
-    const httplib::Result result = client.Get(path.c_str(), headers);
+    const httplib::Result result = client.Get(path, headers);
     return result ? result->status : 0;
   }
   TemporaryFolder folder_;

@@ -1,0 +1,119 @@
+#include "common/metrics/timed_connection.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "absl/time/clock.h"
+
+namespace tilemend {
+namespace {
+
+// How often it is looked whether others have come.
+constexpr int kLookMilliseconds = 50;
+
+}  // namespace
+
+TimedConnection::TimedConnection(int fd, ConnectionLimits limits, std::function<bool()> others_wait)
+    : fd_(fd), limits_(limits), others_wait_(std::move(others_wait)), begin_(absl::Now()) {
+  fcntl(fd_, F_SETFL, fcntl(fd_, F_GETFL) | O_NONBLOCK);
+}
+
+TimedConnection::~TimedConnection() {
+  if (ssl_ != nullptr) SSL_shutdown(ssl_.get());  // says that this is the end, and does not wait for an answer
+  shutdown(fd_, SHUT_RDWR);
+  close(fd_);
+}
+
+bool TimedConnection::HasTime() const {
+  return absl::Now() - begin_ < (others_wait_() ? limits_.time_while_others_wait : limits_.time);
+}
+
+bool TimedConnection::AwaitReady(short events) const {  // NOLINT(google-runtime-int)
+  while (HasTime()) {
+    pollfd waited{fd_, events, 0};
+    const int ready = poll(&waited, 1, kLookMilliseconds);
+    if (ready > 0) return true;
+    if (ready < 0 && errno != EINTR) return false;
+  }
+  return false;
+}
+
+bool TimedConnection::Again(int result) const {
+  switch (SSL_get_error(ssl_.get(), result)) {
+    case SSL_ERROR_WANT_READ:
+      return AwaitReady(POLLIN);
+    case SSL_ERROR_WANT_WRITE:
+      return AwaitReady(POLLOUT);
+    default:
+      return false;
+  }
+}
+
+bool TimedConnection::Encrypt(SSL_CTX* context) {
+  ssl_.reset(SSL_new(context));
+  if (ssl_ == nullptr || SSL_set_fd(ssl_.get(), fd_) != 1) return false;
+  int result = 0;
+  do {
+    result = SSL_accept(ssl_.get());
+  } while (result != 1 && Again(result));
+  return result == 1;
+}
+
+ssize_t TimedConnection::ReadSome(char* to, size_t size) {
+  if (ssl_ != nullptr) {
+    int count = 0;
+    do {
+      count = SSL_read(ssl_.get(), to, static_cast<int>(size));
+    } while (count <= 0 && Again(count));
+    return std::max(count, -1);
+  }
+  ssize_t count = 0;
+  do {
+    count = recv(fd_, to, size, 0);
+  } while (count < 0 && (errno == EINTR || (errno == EAGAIN && AwaitReady(POLLIN))));
+  return count;
+}
+
+ssize_t TimedConnection::read(char* to, size_t size) {
+  if (at_ == end_) {
+    if (read_bytes_ >= limits_.read_bytes || !HasTime()) return -1;
+    const ssize_t count = ReadSome(buffer_.data(), buffer_.size());
+    if (count <= 0) return count;
+    at_ = 0;
+    end_ = static_cast<size_t>(count);
+    read_bytes_ += end_;
+  }
+  const size_t given = std::min(size, end_ - at_);
+  std::memcpy(to, buffer_.data() + at_, given);
+  at_ += given;
+  return static_cast<ssize_t>(given);
+}
+
+ssize_t TimedConnection::write(const char* from, size_t size) {
+  if (!HasTime()) return -1;
+  if (ssl_ != nullptr) {
+    int count = 0;
+    do {
+      count = SSL_write(ssl_.get(), from, static_cast<int>(size));
+    } while (count <= 0 && Again(count));
+    return std::max(count, -1);
+  }
+  ssize_t count = 0;
+  do {
+    count = send(fd_, from, size, MSG_NOSIGNAL);
+  } while (count < 0 && (errno == EINTR || (errno == EAGAIN && AwaitReady(POLLOUT))));
+  return count;
+}
+
+// The pages do not depend on who asks.
+void TimedConnection::get_remote_ip_and_port(std::string&, int&) const {}
+void TimedConnection::get_local_ip_and_port(std::string&, int&) const {}
+
+}  // namespace tilemend
