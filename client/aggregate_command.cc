@@ -17,6 +17,7 @@
 #include "client/output.h"
 #include "client/output_file.h"
 #include "common/util/files.h"
+#include "common/util/text.h"
 #include "common/util/utc.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/tile_checks.h"
@@ -70,7 +71,8 @@ void Print(const SceneReportInput& report, const std::string& out, OutputFormat 
     return;
   }
   const size_t holes = report.plan->holes.size(), left = report.outcome.failures.size();
-  std::fputs(absl::StrFormat("%d of %d closed holes of the joined mesh filled\nwritten: %s\n", holes - left, holes, out)
+  std::fputs(absl::StrFormat("%d of %d closed holes of the joined mesh filled\nwritten: %s\n", holes - left, holes,
+                             Printable(out))
                  .c_str(),
              stdout);
   for (const LeftOpen& l : LeftOf(report)) {
@@ -90,16 +92,23 @@ int AggregateCommand(const Args& args) {
   const auto scene = LoadScene(args.arguments().front(), ReadTileBounds);
   if (!scene.ok()) return PrintError(scene.status());
   if (const absl::Status status = CheckApart(out, *scene); !status.ok()) return PrintError(status);
-  const auto lock = OutputLock::Take(out);
+  SignalWatcher signals;  // before other threads
+  auto lock = OutputLock::Take(out);
   if (!lock.ok()) return PrintError(lock.status());
   const auto folder = MakeFolderBeside(out);
   if (!folder.ok()) return PrintError(folder.status());
-  const absl::Cleanup remove_joined = [&] {
+  const auto remove_joined = [&] {
     std::error_code error;
     fs::remove_all(*folder, error);
   };
+  const absl::Cleanup remove_at_end = remove_joined;
+  CancelOnSignal(signals, [&] {
+    remove_joined();
+    lock->Release();
+  });
   options->joined = absl::StrCat(*folder, "/joined.ply");
   auto filled = AggregateAndFill(*scene, *options);
+  signals.Stop();
   if (!filled.ok()) return PrintError(filled.status());
   // Somebody else may have written there since.
   if (const absl::Status status = CheckPath(out, args.Switch("overwrite")); !status.ok()) return PrintError(status);

@@ -9,6 +9,7 @@
 #include "absl/strings/str_join.h"
 #include "client/json_access.h"
 #include "client/output.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -62,7 +63,8 @@ std::string FillText(const Json& borders) {
 std::string CountsText(const Json& borders) {
   std::vector<std::string> parts;
   for (const auto& [kind, count] : borders.items()) {
-    if (count.is_number_integer() && count != 0) parts.push_back(absl::StrCat(count.get<int64_t>(), " ", kind));
+    if (count.is_number_integer() && count != 0)
+      parts.push_back(absl::StrCat(count.get<int64_t>(), " ", Printable(kind)));
   }
   return absl::StrJoin(parts, ", ");
 }

@@ -18,6 +18,7 @@
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/mesh_defects.h"
 
@@ -134,8 +135,8 @@ int64_t CountFaults(const Json& json) {
 }
 
 void PrintTable(const Json& json) {
-  std::string text =
-      absl::StrFormat("checked: %s, %d triangles\n", json["path"].get<std::string>(), json["triangles"].get<int64_t>());
+  std::string text = absl::StrFormat("checked: %s, %d triangles\n", Printable(json["path"].get<std::string>()),
+                                     json["triangles"].get<int64_t>());
   for (const auto& [name, finding] : json["defects"].items()) {
     std::string label = name;
     std::replace(label.begin(), label.end(), '_', ' ');

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -5,9 +7,12 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
+#include "client/output.h"
 #include "common/util/exit_codes.h"
 #include "common/util/manual.h"
 #include "common/util/settings.h"
+#include "common/util/standard_streams.h"
+#include "common/util/text.h"
 #include "common/util/version.h"
 
 namespace tilemend {
@@ -45,7 +50,7 @@ std::string Help(const std::vector<Command>& commands) {
   absl::StrAppend(&text,
                   "  help COMMAND                    show the flags of a command\n"
                   "\n",
-                  FlagsHelp(OwnFlags()),
+                  FlagsHelp(OwnFlags(), ColumnsOfTerminal(STDOUT_FILENO)),
                   "\n"
                   "Exit codes: 0 done, 2 usage, 3 not found, 4 invalid input, 5 try again, 6 failed, 7 cancelled,\n"
                   "100 done but some holes or cells are left.\n");
@@ -57,11 +62,12 @@ std::string UsageOf(const Command& command) {
 }
 
 std::string HelpOf(const Command& command) {
-  return absl::StrCat("Usage: ", UsageOf(command), " [FLAGS]\n\n", command.summary, "\n\n", FlagsHelp(command.flags));
+  return absl::StrCat("Usage: ", UsageOf(command), " [FLAGS]\n\n", command.summary, "\n\n",
+                      FlagsHelp(command.flags, ColumnsOfTerminal(STDOUT_FILENO)));
 }
 
 int UsageError(const std::string& text) {
-  std::fprintf(stderr, "tilemend: %s\nTry `tilemend help`.\n", text.c_str());
+  std::fprintf(stderr, "tilemend: %s\nTry `tilemend help`.\n", Printable(text).c_str());
   return kExitUsage;
 }
 
@@ -88,7 +94,9 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
     if (args->Text(name).empty()) return UsageError(absl::StrCat(command.name, ": --", name, " is needed"));
   }
   try {
-    return command.run(*args);
+    const int code = command.run(*args);
+    const absl::Status printed = FlushOutput();
+    return printed.ok() ? code : PrintError(printed);
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "tilemend: %s: out of memory; use larger triangles (no --uniform) or a larger machine\n",
                  command.name.c_str());

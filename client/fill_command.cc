@@ -17,12 +17,14 @@
 #include "client/mesh_filler.h"
 #include "client/output.h"
 #include "client/output_file.h"
+#include "client/progress_display.h"
 #include "common/codec/mesh_file.h"
 #include "common/records/surface.h"
 #include "common/util/colour.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
+#include "common/util/text.h"
 #include "common/util/utc.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/water_choice.h"
@@ -96,11 +98,11 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
                              plan.holes.size() - report.outcome.failures.size(), Counted(plan.holes.size(), "hole"),
                              vertices == 1 ? "1 new vertex" : absl::StrCat(vertices, " new vertices"),
                              Counted(static_cast<size_t>(triangles), "triangle"),
-                             Counted(static_cast<size_t>(plan.outer_rims), "outline"), out)
+                             Counted(static_cast<size_t>(plan.outer_rims), "outline"), Printable(out))
                  .c_str(),
              stdout);
-  for (const std::string& w : report.warnings) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
-  for (const std::string& w : PlanWarnings(plan)) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
+  PrintWarnings(report.warnings);
+  PrintWarnings(PlanWarnings(plan));
   for (const LeftOpen& l : LeftOf(report)) {
     if (l.is_hole) std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
   }
@@ -240,6 +242,16 @@ absl::StatusOr<FilledMesh> FillAndShow(const std::string& in, MeshFillOptions op
   return FillMesh(in, options);
 }
 
+int PrintEnd(SceneReportInput& report, const std::string& out, OutputFormat format) {
+  report.date = UtcText(absl::Now());
+  if (format == OutputFormat::kJson) {
+    std::fputs(SceneReport(report).c_str(), stdout);
+  } else {
+    PrintSummary(report, out);
+  }
+  return SomeHolesLeft(report) ? kExitSomeLeft : kExitDone;
+}
+
 }  // namespace
 
 int FillCommand(const Args& args) {
@@ -255,13 +267,16 @@ int FillCommand(const Args& args) {
   const std::string out = args.Text("out");
   const bool overwrite = args.Switch("overwrite");
   if (const absl::Status status = CheckPaths(in, out, overwrite); !status.ok()) return PrintError(status);
-  const auto lock = OutputLock::Take(out);
+  SignalWatcher signals;  // before other threads
+  auto lock = OutputLock::Take(out);
   if (!lock.ok()) return PrintError(lock.status());
+  CancelOnSignal(signals, [&lock] { lock->Release(); });
   auto water = ReadWaterChoice(args.Text("water"), *water_tolerance, SceneFrame());
   if (!water.ok()) return PrintError(water.status());
   water->options.profile = *profile;
   options->water = water->options;
   auto filled = FillAndShow(in, *options);
+  signals.Stop();
   if (!filled.ok()) return PrintError(filled.status());
   Stopwatch watch;
   // Somebody else may have written there since.
@@ -272,13 +287,7 @@ int FillCommand(const Args& args) {
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
   filled->report.options = ReportedOptionsOf(args, *options, *water_tolerance);
-  filled->report.date = UtcText(absl::Now());
-  if (*format == OutputFormat::kJson) {
-    std::fputs(SceneReport(filled->report).c_str(), stdout);
-  } else {
-    PrintSummary(filled->report, out);
-  }
-  return SomeHolesLeft(filled->report) ? kExitSomeLeft : kExitDone;
+  return PrintEnd(filled->report, out, *format);
 }
 
 }  // namespace tilemend

@@ -21,6 +21,7 @@
 #include "common/gis/area_file.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/area_proposal.h"
 #include "coordinator/report/scene_geojson.h"
@@ -106,9 +107,10 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
       "scene %s\ngrid: %d x %d cells of %g x %g m from (%g, %g), %d in the area, %d with a tile\nCRS: %s, origin "
       "(%.3f, %.3f, %.3f)\n"
       "triangles: %d\n%s",
-      scene.root, scene.cols, scene.rows, scene.grid.cell_size.x(), scene.grid.cell_size.y(), scene.grid.corner.x(),
-      scene.grid.corner.y(), scene.tiles.size(), rows.size(), scene.crs.empty() ? "not given" : scene.crs,
-      scene.origin.x(), scene.origin.y(), scene.origin.z(), triangles, HolesLine(plan));
+      Printable(scene.root), scene.cols, scene.rows, scene.grid.cell_size.x(), scene.grid.cell_size.y(),
+      scene.grid.corner.x(), scene.grid.corner.y(), scene.tiles.size(), rows.size(),
+      scene.crs.empty() ? "not given" : Printable(scene.crs), scene.origin.x(), scene.origin.y(), scene.origin.z(),
+      triangles, HolesLine(plan));
   if (!scene.area_known) absl::StrAppend(&text, "area: not given; holes that reach its rim are left\n");
   const size_t tiles = rows.size();
   rows.resize(std::min(tiles, kMostListedRows));
@@ -116,10 +118,6 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
                   Table({"tile", "vertices", "triangles", "boundary edges", "non-manifold", "heights, m"}, rows),
                   MoreText(tiles, "-o json lists all"), BordersText(plan), PlanText(plan));
   return text;
-}
-
-void Warn(const std::vector<std::string>& warnings) {
-  for (const std::string& w : warnings) std::fprintf(stderr, "tilemend: warning: %s\n", w.c_str());
 }
 
 // What is to be looked at, and how.
@@ -169,12 +167,12 @@ int InspectSceneAt(const Request& request) {
   const auto inspection = InspectSceneOf(request);
   if (!inspection.ok()) return PrintError(inspection.status());
   const SceneWaves& waves = *inspection->waves;
-  Warn(waves.scene().warnings);
+  PrintWarnings(waves.scene().warnings);
   ExitCode code = kExitDone;
   for (const absl::Status& error : inspection->errors) code = PrintError(error);
   if (!inspection->errors.empty()) return code;
   if (const absl::Status status = WriteProposal(request.propose_area, waves); !status.ok()) return PrintError(status);
-  Warn(PlanWarnings(waves.plan()));
+  PrintWarnings(PlanWarnings(waves.plan()));
   Json plan = PlanJson(waves.plan(), static_cast<int64_t>(waves.scene().tiles.size()));
   if (request.format == OutputFormat::kTable) {
     std::fputs(SceneText(*inspection, plan).c_str(), stdout);
@@ -202,10 +200,10 @@ int InspectMeshAt(const Request& request) {
   WaveOptions wave_options;
   wave_options.plan = *options;
   wave_options.single_mesh = wave_options.plan_only = true;
-  Warn(scene.warnings);
+  PrintWarnings(scene.warnings);
   SceneWaves waves(std::move(scene), wave_options);
   while (waves.Next()) waves.TakeSurvey({0, 0}, SurveyOf(*file));
-  Warn(PlanWarnings(waves.plan()));
+  PrintWarnings(PlanWarnings(waves.plan()));
   const auto record = waves.records().at({0, 0}).Outline();
   const SurveyRecord& r = *record;
   const Json plan = PlanJson(waves.plan(), 1);
@@ -219,7 +217,7 @@ int InspectMeshAt(const Request& request) {
   std::fputs(absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, faces with more corners: %d\nboundary edges: %d, "
                              "non-manifold edges: %d, "
                              "triangles without area: %d\nholes: %d closed, outlines: %d, continuous: %d\n%s",
-                             path, r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(),
+                             Printable(path), r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(),
                              r.nonmanifold_edges, r.degenerate_triangles, waves.plan().holes.size(),
                              waves.plan().outer_rims, waves.plan().continuous, PlanText(plan))
                  .c_str(),

@@ -24,9 +24,10 @@ constexpr absl::Duration kReconnectPatience = absl::Minutes(10);
 constexpr std::chrono::seconds kCallTimeout(30);
 
 absl::Status Unreachable(const absl::Status& status) {
-  return absl::UnavailableError(
-      absl::StrCat("cannot reach the coordinator; is it running, and is --coordinator right? (",
-                   std::string(status.message()), ")"));
+  return absl::UnavailableError(absl::StrCat(
+      "cannot reach the coordinator; is it running, and are --coordinator, --tls-ca, --tls-cert and --tls-key "
+      "right? (",
+      std::string(status.message()), ")"));
 }
 
 }  // namespace
@@ -170,6 +171,8 @@ void JobClient::StopWatch() {
 absl::StatusOr<std::string> FindJobName(JobClient& client, const std::string& argument) {
   constexpr size_t kWholeId = 12;
   const std::string name = JobName(argument);
+  if (name == JobName(""))
+    return absl::InvalidArgumentError(absl::StrCat("'", argument, "': expected the id of a job"));
   if (name.size() >= JobName("").size() + kWholeId) return name;
   std::vector<std::string> found;
   v1::ListJobsRequest request;

@@ -56,7 +56,7 @@ class JobClient {
 };
 
 // The name of the job that `argument` means: a name, an id or the beginning of an id that no other job has.
-// kInvalidArgument if several have it. Else the name as it was given, for the coordinator to refuse.
+// kInvalidArgument if several have it, or if it is empty. Else the name as it was given, for the coordinator to refuse.
 absl::StatusOr<std::string> FindJobName(JobClient& client, const std::string& argument);
 
 // "jobs/X" for "X" and "jobs/X".

@@ -11,6 +11,7 @@
 #include "client/job_client.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/progress_display.h"
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/util/error_info.h"

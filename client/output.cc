@@ -1,7 +1,5 @@
 #include "client/output.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -18,8 +16,6 @@
 #include "common/util/error_info.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
-#include "coordinator/service/cluster_events.h"
-#include "coordinator/service/job_pipeline.h"
 
 namespace tilemend {
 namespace {
@@ -30,7 +26,37 @@ std::string StateName(v1::JobState state) { return absl::AsciiStrToLower(v1::Job
 
 std::string TimeText(const google::protobuf::Timestamp& time) { return UtcText(absl::FromUnixSeconds(time.seconds())); }
 
-// "3/24", or "-" while the whole is not known.
+struct Column {
+  size_t width = 0;
+  bool has_numbers = false, has_texts = false;
+
+  bool right() const { return has_numbers && !has_texts; }
+  void Take(const std::string& cell) {
+    width = std::max(width, ColumnsOf(cell));
+    double number = 0;
+    if (!cell.empty()) (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
+  }
+};
+
+// Bytes of a path need not be UTF-8.
+std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+// A path of a hundred thousand letters says no more than its ends.
+std::string Shortened(const std::string& text) {
+  constexpr size_t kMost = 6000, kEnd = 1000;
+  if (text.size() <= kMost) return text;
+  return absl::StrCat(text.substr(0, kEnd), " ... ", text.substr(text.size() - kEnd));
+}
+
+}  // namespace
+
+std::string DurationText(absl::Duration duration) {
+  const int64_t seconds = std::max<int64_t>(0, absl::ToInt64Seconds(duration));
+  if (seconds < 60) return absl::StrCat(seconds, " s");
+  if (seconds < 3600) return absl::StrFormat("%d min %02d s", seconds / 60, seconds % 60);
+  return absl::StrFormat("%d h %02d min", seconds / 3600, seconds / 60 % 60);
+}
+
 std::string Share(int64_t part, int64_t whole) { return whole == 0 ? "-" : absl::StrCat(part, "/", whole); }
 
 Json JobJson(const v1::Job& job) {
@@ -71,54 +97,6 @@ Json JobJson(const v1::Job& job) {
   return json;
 }
 
-struct Column {
-  size_t width = 0;
-  bool has_numbers = false, has_texts = false;
-
-  bool right() const { return has_numbers && !has_texts; }
-  void Take(const std::string& cell) {
-    width = std::max(width, cell.size());
-    double number = 0;
-    if (!cell.empty()) (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
-  }
-};
-
-// Bytes of a path need not be UTF-8.
-std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-std::string DurationText(absl::Duration duration) {
-  const int64_t seconds = std::max<int64_t>(0, absl::ToInt64Seconds(duration));
-  if (seconds < 60) return absl::StrCat(seconds, " s");
-  if (seconds < 3600) return absl::StrFormat("%d min %02d s", seconds / 60, seconds % 60);
-  return absl::StrFormat("%d h %02d min", seconds / 3600, seconds / 60 % 60);
-}
-
-constexpr char kEraseLine[] = "\r\033[K";  // of a terminal
-
-std::string BarText(double share) {
-  constexpr double kWidth = 30;
-  const auto full = static_cast<size_t>(kWidth * share);
-  return absl::StrCat("[", std::string(full, '#'), std::string(static_cast<size_t>(kWidth) - full, '.'), "]");
-}
-
-// ", 2 min 05 s, 1 min 10 s left": since the job was made and, once there is something to guess it by, until its end.
-std::string TimesText(const v1::Job& job, double share) {
-  constexpr double kLeastShare = 0.05;
-  const absl::Duration elapsed = absl::Now() - absl::FromUnixSeconds(job.create_time().seconds());
-  std::string text = ", " + DurationText(elapsed);
-  if (share > kLeastShare) absl::StrAppend(&text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");
-  return text;
-}
-
-// A path of a hundred thousand letters says no more than its ends.
-std::string Shortened(const std::string& text) {
-  constexpr size_t kMost = 6000, kEnd = 1000;
-  if (text.size() <= kMost) return text;
-  return absl::StrCat(text.substr(0, kEnd), " ... ", text.substr(text.size() - kEnd));
-}
-
-}  // namespace
-
 std::string MoreText(size_t count, const std::string& where) {
   return count > kMostListedRows ? absl::StrCat("and ", count - kMostListedRows, " more; ", where, "\n") : "";
 }
@@ -139,7 +117,7 @@ std::string Table(const std::vector<std::string>& headings, const std::vector<st
     std::string line;
     for (size_t i = 0; i < row.size() && i < columns.size(); ++i) {
       const std::string cell = Printable(row[i]);
-      const std::string padding(columns[i].width - cell.size(), ' ');
+      const std::string padding(columns[i].width - ColumnsOf(cell), ' ');
       absl::StrAppend(&line, columns[i].right() ? padding : "", cell, columns[i].right() ? "" : padding, "  ");
     }
     absl::StrAppend(&text, std::string(absl::StripTrailingAsciiWhitespace(line)), "\n");
@@ -186,7 +164,8 @@ std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format) {
   }
   std::vector<std::vector<std::string>> rows;
   for (const v1::Job& job : jobs) {
-    rows.push_back({job.name(), StateName(job.state()), Share(job.progress().cells_done(), job.progress().cells()),
+    rows.push_back({job.name(), StateName(job.state()) + (job.paused() ? ", paused" : ""),
+                    Share(job.progress().cells_done(), job.progress().cells()),
                     Share(job.progress().tasks_done(), job.progress().tasks()), TimeText(job.create_time()),
                     job.spec().out()});
   }
@@ -198,8 +177,8 @@ std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat
   Json json = Json::array();
   for (const v1::WorkerInfo& w : workers) {
     const std::string state = absl::StrReplaceAll(absl::AsciiStrToLower(v1::WorkerState_Name(w.state())), {{"_", " "}});
-    rows.push_back({Printable(w.id()), state, Share(w.tasks(), w.threads()), TimeText(w.first_seen()),
-                    TimeText(w.last_seen()), Printable(w.release()), Printable(w.identity()), Printable(w.message())});
+    rows.push_back({w.id(), state, Share(w.tasks(), w.threads()), TimeText(w.first_seen()), TimeText(w.last_seen()),
+                    w.release(), w.identity(), w.message()});
     json.push_back({{"id", w.id()},
                     {"state", state},
                     {"tasks", w.tasks()},
@@ -232,54 +211,10 @@ ExitCode PrintError(const absl::Status& status) {
   return ExitCodeOf(status);
 }
 
-StepDisplay::StepDisplay() : is_terminal_(isatty(STDERR_FILENO) == 1), begin_(absl::Now()) {}
-
-StepDisplay::~StepDisplay() {
-  if (!step_.empty()) std::fputs(kEraseLine, stderr);
-}
-
-void StepDisplay::Show(std::string_view step, size_t done, size_t all) {
-  constexpr absl::Duration kBetween = absl::Milliseconds(100);
-  const absl::Time now = absl::Now();
-  if (!is_terminal_ || (step == step_ && now - shown_ < kBetween)) return;
-  step_ = step;
-  shown_ = now;
-  const std::string share = all == 0 ? "" : absl::StrCat(", ", done, "/", Counted(all, "hole"));
-  std::fprintf(stderr, "%s%s %s%s, %s", kEraseLine,
-               BarText(all == 0 ? 0 : static_cast<double>(done) / static_cast<double>(all)).c_str(), step_.c_str(),
-               share.c_str(), DurationText(now - begin_).c_str());
-  std::fflush(stderr);
-}
-
-ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
-
-ProgressDisplay::~ProgressDisplay() {
-  if (has_bar_) std::fputs(kEraseLine, stderr);
-}
-
-void ProgressDisplay::Show(const v1::Job& job) {
-  const v1::Progress& p = job.progress();
-  for (; warnings_ < job.warnings_size(); ++warnings_) {
-    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? kEraseLine : "", job.name().c_str(),
-                 Printable(job.warnings(warnings_)).c_str());
+void PrintWarnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::fprintf(stderr, "tilemend: warning: %s\n", Printable(warning).c_str());
   }
-  if (p.phase() == kResumePhase) return;  // it runs through what was shown before
-  if (!is_terminal_) {
-    if (p.phase() != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), Printable(p.phase()).c_str());
-    phase_ = p.phase();
-    if (job.waiting() != waiting_ && !job.waiting().empty()) {
-      std::fprintf(stderr, "%s: waits: %s\n", job.name().c_str(), Printable(job.waiting()).c_str());
-    }
-    waiting_ = job.waiting();
-    return;
-  }
-  share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.tasks(), p.tasks_done()));
-  std::fprintf(
-      stderr, "%s%s %s, %s tasks, %s cells%s", kEraseLine, BarText(share_).c_str(), Printable(p.phase()).c_str(),
-      Share(p.tasks_done(), p.tasks()).c_str(), Share(p.cells_done(), p.cells()).c_str(),
-      job.waiting().empty() ? TimesText(job, share_).c_str() : (", waits: " + Printable(job.waiting())).c_str());
-  std::fflush(stderr);
-  has_bar_ = true;
 }
 
 }  // namespace tilemend

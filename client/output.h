@@ -3,9 +3,9 @@
 #define TILEMEND_CLIENT_OUTPUT_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -26,7 +26,7 @@ std::string MoreText(size_t count, const std::string& where);
 // Metres with three decimals: of a number, or "first to last" of two.
 std::string LevelText(const nlohmann::ordered_json& level);
 
-// Rows under their headings, columns lined up; columns of numbers alone at their right.
+// Rows under their headings, columns lined up; columns of numbers alone at their right. Cells need not be printable.
 std::string Table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows);
 
 // "1 tension", "2 tensions".
@@ -43,34 +43,14 @@ ExitCode ExitCodeOf(const v1::Job& job);
 // One line on stderr; gives the exit code.
 ExitCode PrintError(const absl::Status& status);
 
-// Shows on stderr how a job goes: a bar on a terminal, else a line for each phase.
-class ProgressDisplay {
- public:
-  ProgressDisplay();
-  ~ProgressDisplay();
-  void Show(const v1::Job& job);
+// On stderr, one line each.
+void PrintWarnings(const std::vector<std::string>& warnings);
 
- private:
-  const bool is_terminal_;
-  bool has_bar_ = false;
-  int warnings_ = 0;             // shown so far
-  double share_ = 0;             // of the bar, which never runs back
-  std::string phase_, waiting_;  // as said last
-};
+// "12 s", "2 min 05 s", "1 h 02 min".
+std::string DurationText(absl::Duration duration);
 
-// The same for work without a job: a bar on a terminal, else nothing. It goes when this object goes.
-class StepDisplay {
- public:
-  StepDisplay();
-  ~StepDisplay();
-  // `all` 0: it is not known how much there is. Shown at most ten times a second, each step at least once.
-  void Show(std::string_view step, size_t done, size_t all);
-
- private:
-  const bool is_terminal_;
-  std::string step_;
-  absl::Time begin_, shown_;
-};
+// "3/24", or "-" while the whole is not known.
+std::string Share(int64_t part, int64_t whole);
 
 }  // namespace tilemend
 

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <ranges>
 #include <system_error>
@@ -13,7 +15,9 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "client/progress_display.h"
 #include "common/util/error_info.h"
+#include "common/util/exit_codes.h"
 #include "common/util/folders.h"
 #include "common/util/place.h"
 #include "common/util/status_macros.h"
@@ -74,12 +78,25 @@ absl::StatusOr<OutputLock> OutputLock::Take(const std::string& path) {
 OutputLock::OutputLock(OutputLock&& other) noexcept
     : made_(std::exchange(other.made_, {})), file_(std::move(other.file_)), fd_(std::exchange(other.fd_, -1)) {}
 
-OutputLock::~OutputLock() {
+OutputLock::~OutputLock() { Release(); }
+
+void OutputLock::Release() {
   if (fd_ >= 0) {
     ::unlink(file_.c_str());
-    ::close(fd_);
+    ::close(std::exchange(fd_, -1));
   }
-  for (const auto& folder : std::ranges::reverse_view(made_)) RemoveEmptyFolder(folder).IgnoreError();
+  for (const auto& folder : std::ranges::reverse_view(std::exchange(made_, {}))) {
+    RemoveEmptyFolder(folder).IgnoreError();
+  }
+}
+
+void CancelOnSignal(SignalWatcher& signals, const std::function<void()>& clean_up) {
+  signals.Start([clean_up](int) {
+    EraseBar();
+    std::fputs("tilemend: cancelled; nothing was written\n", stderr);
+    clean_up();
+    std::_Exit(kExitCancelled);
+  });
 }
 
 }  // namespace tilemend

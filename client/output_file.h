@@ -2,11 +2,13 @@
 #ifndef TILEMEND_CLIENT_OUTPUT_FILE_H_
 #define TILEMEND_CLIENT_OUTPUT_FILE_H_
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/util/signals.h"
 
 namespace tilemend {
 
@@ -22,6 +24,8 @@ class OutputLock {
   // kAborted: another process has it. kPermissionDenied, kInvalidArgument, kResourceExhausted as WriteFileAtomically.
   static absl::StatusOr<OutputLock> Take(const std::string& path);
   ~OutputLock();
+  // What the destructor does, before it.
+  void Release();
   OutputLock(OutputLock&& other) noexcept;
   OutputLock& operator=(OutputLock&&) = delete;
 
@@ -32,6 +36,10 @@ class OutputLock {
   std::string file_;
   int fd_ = -1;
 };
+
+// From now on the first SIGINT or SIGTERM ends the program: says so, calls `clean_up` on a thread of its own, and ends
+// with kExitCancelled. Until `signals` is stopped, which is to be before the output is written: half of it would stay.
+void CancelOnSignal(SignalWatcher& signals, const std::function<void()>& clean_up);
 
 }  // namespace tilemend
 

@@ -12,6 +12,7 @@
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_table.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -26,7 +27,7 @@ std::string WarningsText(const Json& report) {
   if (!warnings.is_array() || warnings.empty()) return "";
   std::string text = absl::StrCat("\n", Counted(warnings.size(), "warning"), "\n");
   for (size_t i = 0; i < std::min(warnings.size(), kMostListedRows); ++i) {
-    absl::StrAppend(&text, "  ", Text(warnings[i]), "\n");
+    absl::StrAppend(&text, "  ", Printable(Text(warnings[i])), "\n");
   }
   return text + MoreText(warnings.size(), "see report.json");
 }

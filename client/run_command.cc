@@ -13,6 +13,7 @@
 #include "client/job_client.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/progress_display.h"
 #include "client/report_text.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
@@ -20,6 +21,7 @@
 #include "common/util/heap.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "coordinator/service/coordinator_impl.h"
 #include "coordinator/service/grpc_services.h"
 #include "coordinator/service/scene_pipeline.h"
@@ -138,7 +140,8 @@ int RunCommand(const Args& args) {
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
   if (LeftUnfinished(*job)) {
-    std::fprintf(stderr, "tilemend: %s is not complete; the same command completes it\n", spec->out().c_str());
+    std::fprintf(stderr, "tilemend: %s is not complete; the same command completes it\n",
+                 Printable(spec->out()).c_str());
   }
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();

@@ -1,4 +1,6 @@
 // tilemend-coordinator: takes jobs, plans them and gives their tasks to workers.
+#include <unistd.h>
+
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -32,6 +34,7 @@
 #include "common/util/roots.h"
 #include "common/util/settings.h"
 #include "common/util/signals.h"
+#include "common/util/standard_streams.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
 #include "common/util/without_exceptions.h"
@@ -250,7 +253,8 @@ int PrintDescription(const std::string& form) {
 // Answers what is asked about the program itself, if anything is. Settings have no part in it.
 std::optional<int> Answer(const Flags& flags) {
   if (flags.Switch("help")) {
-    std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s", FlagsHelp(CoordinatorFlags()).c_str());
+    std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s",
+                FlagsHelp(CoordinatorFlags(), ColumnsOfTerminal(STDOUT_FILENO)).c_str());
     return kExitDone;
   }
   if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));

@@ -1,5 +1,7 @@
 // tilemend-worker: runs tasks of a coordinator. The first SIGTERM or SIGINT lets it finish and report what it has, the
 // second makes it give that back.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -27,6 +29,7 @@
 #include "common/util/roots.h"
 #include "common/util/settings.h"
 #include "common/util/signals.h"
+#include "common/util/standard_streams.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
 #include "common/util/without_exceptions.h"
@@ -151,7 +154,8 @@ int PrintDescription(const std::string& form) {
 // Answers what is asked about the program itself, if anything is. Settings have no part in it.
 std::optional<int> Answer(const Flags& flags) {
   if (flags.Switch("help")) {
-    std::printf("Usage: tilemend-worker [FLAGS]\n\n%s", FlagsHelp(WorkerFlags()).c_str());
+    std::printf("Usage: tilemend-worker [FLAGS]\n\n%s",
+                FlagsHelp(WorkerFlags(), ColumnsOfTerminal(STDOUT_FILENO)).c_str());
     return kExitDone;
   }
   if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));

@@ -8,8 +8,10 @@
 #include <openssl/err.h>
 #include <openssl/ssl.h>
 
+#include <algorithm>
 #include <string_view>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/strip.h"
@@ -110,8 +112,17 @@ absl::Status CheckServerSecurity(const Security& security, const std::string& ad
 
 absl::Status CheckChannelSecurity(const Security& security, const std::string& address) {
   TILEMEND_RETURN_IF_ERROR(CheckPlaintext(security, address));
-  if (!security.token_file.empty()) TILEMEND_RETURN_IF_ERROR(ReadOwnFile(security.token_file).status());
+  if (!security.token_file.empty()) TILEMEND_RETURN_IF_ERROR(ReadToken(security.token_file).status());
   return CheckFiles(security.tls);
+}
+
+absl::StatusOr<std::string> ReadToken(const std::string& file) {
+  constexpr size_t kLongest = 4096;
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadOwnFile(file));
+  std::string token(absl::StripAsciiWhitespace(text));
+  const bool is_word = std::all_of(token.begin(), token.end(), [](unsigned char c) { return absl::ascii_isgraph(c); });
+  if (is_word && !token.empty() && token.size() <= kLongest) return token;
+  return absl::InvalidArgumentError(absl::StrCat(file, ": expected a token: one word of printable ASCII"));
 }
 
 std::shared_ptr<grpc::ServerCredentials> MakeServerCredentials(const TlsFiles& files) {

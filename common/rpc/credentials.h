@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "common/util/flags.h"
 
 namespace grpc {
@@ -49,6 +50,10 @@ Security SecurityFromFlags(const Flags& flags);
 // --insecure.
 absl::Status CheckServerSecurity(const Security& security, const std::string& address);
 absl::Status CheckChannelSecurity(const Security& security, const std::string& address);
+
+// The token that a file holds, without the blanks around it. kInvalidArgument unless it is one word of printable ASCII
+// of at most 4096 letters: gRPC ends the process for a call with anything else. Errors of ReadOwnFile.
+absl::StatusOr<std::string> ReadToken(const std::string& file);
 
 // For files that passed the check. They are looked at again every few seconds: connections that are made later have
 // the new certificates, those that are there go on.

@@ -1,5 +1,6 @@
 #include "common/rpc/endpoint.h"
 
+#include <google/protobuf/stubs/logging.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
@@ -12,12 +13,11 @@
 #include <cstdlib>
 #include <utility>
 
-#include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "common/rpc/limits.h"
-#include "common/util/files.h"
 #include "common/util/shortage.h"
+#include "common/util/standard_streams.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -57,8 +57,8 @@ class TokenSender : public grpc::experimental::Interceptor {
   void Intercept(grpc::experimental::InterceptorBatchMethods* methods) override {
     using Point = grpc::experimental::InterceptionHookPoints;
     if (methods->QueryInterceptionHookPoint(Point::PRE_SEND_INITIAL_METADATA)) {
-      if (const auto token = ReadOwnFile(file_); token.ok()) {
-        header_ = absl::StrCat("Bearer ", absl::StripAsciiWhitespace(*token));
+      if (const auto token = ReadToken(file_); token.ok()) {
+        header_ = absl::StrCat("Bearer ", *token);
         methods->GetSendInitialMetadata()->insert({"authorization", header_});
       }
     }
@@ -155,7 +155,10 @@ std::string WithPort(const std::string& address, int port) {
 }
 
 void PrepareProcess() {
+  OpenStandardStreams();
   EndOnShortage();
+  // What it would say of a malformed message stands in the answer already; whoever sends them could fill the log.
+  google::protobuf::SetLogHandler(nullptr);
   setenv("GRPC_VERBOSITY", "NONE", 0);
   // While a channel is not connected its calls fail at once, and nothing but this notices that it is again. The default
   // is 5 s.

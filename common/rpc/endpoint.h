@@ -50,8 +50,9 @@ absl::Status CheckAddress(const std::string& address);
 // `address` with another port: where it is known, that of a server that chose one.
 std::string WithPort(const std::string& address, int port);
 
-// For the start of main. Raises the limit of open files as far as allowed, keeps gRPC's own log quiet unless
-// GRPC_VERBOSITY says otherwise, and ends the process in order where it runs short (EndOnShortage).
+// For the start of main. Opens standard streams that are closed (OpenStandardStreams), raises the limit of open files
+// as far as allowed, keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise, and protobuf's, and ends the
+// process in order where it runs short (EndOnShortage).
 void PrepareProcess();
 
 }  // namespace tilemend

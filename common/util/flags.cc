@@ -55,6 +55,21 @@ bool IsFlag(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && !absl::ascii_isdigit(static_cast<unsigned char>(word[1]));
 }
 
+// `line` broken at blanks, so that no part has more than `columns`, but for a word that has; all but the first begin
+// with `indent` blanks. As it is where that leaves no room.
+std::string Wrapped(std::string line, size_t indent, size_t columns) {
+  constexpr size_t kLeastRoom = 20;
+  if (columns < indent + kLeastRoom) return line;
+  size_t begin = 0;
+  while (line.size() - begin > columns) {
+    const size_t blank = line.rfind(' ', begin + columns);
+    if (blank == std::string::npos || blank <= begin + indent) break;
+    line.replace(blank, 1, absl::StrCat("\n", std::string(indent, ' ')));
+    begin = blank + 1;
+  }
+  return line;
+}
+
 }  // namespace
 
 absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
@@ -113,16 +128,16 @@ std::string DidYouMean(const std::string& word, const std::vector<std::string>& 
   return absl::StrCat("; did you mean ", *nearest, "?");
 }
 
-std::string FlagsHelp(const std::vector<FlagSpec>& specs) {
+std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns) {
+  constexpr size_t kIndent = 34;
   std::string text;
   for (const FlagSpec& spec : specs) {
     std::string left = spec.letter != 0 ? absl::StrCat("  -", std::string(1, spec.letter), ", --", spec.name)
                                         : absl::StrCat("      --", spec.name);
     if (!spec.value.empty()) absl::StrAppend(&left, " ", spec.value);
-    left.resize(std::max<size_t>(left.size() + 2, 34), ' ');
-    absl::StrAppend(&text, left, spec.help);
-    if (!spec.default_value.empty()) absl::StrAppend(&text, " (default ", spec.default_value, ")");
-    absl::StrAppend(&text, "\n");
+    left.resize(std::max<size_t>(left.size() + 2, kIndent), ' ');
+    const std::string given = spec.default_value.empty() ? "" : absl::StrCat(" (default ", spec.default_value, ")");
+    absl::StrAppend(&text, Wrapped(absl::StrCat(left, spec.help, given), kIndent, columns), "\n");
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #ifndef TILEMEND_COMMON_UTIL_FLAGS_H_
 #define TILEMEND_COMMON_UTIL_FLAGS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -48,8 +49,9 @@ class Flags {
 // "; did you mean X?" for the name nearest to `word`, "" if none is near.
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& names);
 
-// One line for each flag.
-std::string FlagsHelp(const std::vector<FlagSpec>& specs);
+// One line for each flag. With `columns`, those of a terminal, lines that are longer go on below where their text
+// begins.
+std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns = 0);
 
 }  // namespace tilemend
 

@@ -1,5 +1,6 @@
 #include "common/util/settings.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -26,6 +27,17 @@ absl::Status Take(const FlagSpec& spec, const std::string& value, const std::str
   return absl::OkStatus();
 }
 
+// A setting of another program or command is none of ours, but what is nearly one of ours is a slip of the pen.
+absl::Status CheckForeign(const std::vector<FlagSpec>& specs, const std::string& name, const std::string& where) {
+  std::vector<std::string> names;
+  for (const FlagSpec& spec : specs) {
+    if (spec.setting) names.push_back(spec.name);
+  }
+  const std::string hint = DidYouMean(name, names);
+  if (hint.empty()) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(where, ": unknown setting ", name, hint));
+}
+
 absl::Status TakeFile(const std::vector<FlagSpec>& specs, const std::string& path, Settings& settings) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadOwnFile(path));
   int number = 0;
@@ -38,9 +50,10 @@ absl::Status TakeFile(const std::vector<FlagSpec>& specs, const std::string& pat
     if (equals == absl::string_view::npos) return absl::InvalidArgumentError(where + ": expected NAME = VALUE");
     const absl::string_view name = absl::StripAsciiWhitespace(content.substr(0, equals));
     const std::string value(absl::StripAsciiWhitespace(content.substr(equals + 1)));
-    for (const FlagSpec& spec : specs) {
-      if (spec.setting && spec.name == name) TILEMEND_RETURN_IF_ERROR(Take(spec, value, where, settings));
-    }
+    const auto spec =
+        std::find_if(specs.begin(), specs.end(), [name](const auto& s) { return s.setting && s.name == name; });
+    TILEMEND_RETURN_IF_ERROR(spec == specs.end() ? CheckForeign(specs, std::string(name), where)
+                                                 : Take(*spec, value, where, settings));
   }
   return absl::OkStatus();
 }

@@ -1,6 +1,7 @@
 #include "common/util/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -31,7 +32,65 @@ bool IsControl(std::string_view character) {
          (second == 0x81 && third >= 0xA6 && third <= 0xA9);
 }
 
+// Of a well-formed character.
+uint32_t CodePointOf(std::string_view character) {
+  const auto byte = [&](size_t i) { return static_cast<uint32_t>(static_cast<uint8_t>(character[i])); };
+  if (character.size() == 1) return byte(0);
+  uint32_t point = byte(0) & (0x7FU >> character.size());
+  for (size_t i = 1; i < character.size(); ++i) point = point << 6 | (byte(i) & 0x3F);
+  return point;
+}
+
+struct Range {
+  uint32_t first, last;
+};
+// The blocks of Unicode's East Asian Width that are wide as a whole; emoji are among the last but one.
+constexpr std::array<Range, 10> kWide = {{{0x1100, 0x115F},
+                                          {0x2E80, 0x303E},
+                                          {0x3041, 0xA4CF},
+                                          {0xA960, 0xA97F},
+                                          {0xAC00, 0xD7A3},
+                                          {0xF900, 0xFAFF},
+                                          {0xFE30, 0xFE6F},
+                                          {0xFF00, 0xFF60},
+                                          {0x1F300, 0x1FAFF},
+                                          {0x20000, 0x3FFFD}}};
+constexpr std::array<Range, 4> kCombining = {{{0x0300, 0x036F}, {0x1AB0, 0x1AFF}, {0x200B, 0x200D}, {0xFE00, 0xFE0F}}};
+
+template <size_t kCount>
+bool IsIn(const std::array<Range, kCount>& ranges, uint32_t point) {
+  return std::any_of(ranges.begin(), ranges.end(), [=](Range r) { return r.first <= point && point <= r.last; });
+}
+
+size_t ColumnsOfCharacter(std::string_view character) {
+  const uint32_t point = CodePointOf(character);
+  if (IsIn(kCombining, point)) return 0;
+  return IsIn(kWide, point) ? 2 : 1;
+}
+
 }  // namespace
+
+size_t ColumnsOf(std::string_view text) {
+  size_t columns = 0;
+  while (!text.empty()) {
+    const std::string_view character = text.substr(0, std::max<size_t>(1, CharacterLength(text)));
+    columns += ColumnsOfCharacter(character);
+    text.remove_prefix(character.size());
+  }
+  return columns;
+}
+
+std::string CutToColumns(std::string_view text, size_t columns) {
+  size_t end = 0, taken = 0;
+  while (end < text.size()) {
+    const std::string_view rest = text.substr(end);
+    const std::string_view character = rest.substr(0, std::max<size_t>(1, CharacterLength(rest)));
+    taken += ColumnsOfCharacter(character);
+    if (taken > columns) break;
+    end += character.size();
+  }
+  return std::string(text.substr(0, end));
+}
 
 bool IsUtf8(std::string_view text) {
   while (!text.empty()) {

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COMMON_UTIL_TEXT_H_
 #define TILEMEND_COMMON_UTIL_TEXT_H_
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,13 @@ namespace tilemend {
 
 // Whether `text` is well-formed UTF-8 (no surrogates, no overlong forms, at most U+10FFFF).
 bool IsUtf8(std::string_view text);
+
+// How many columns of a terminal `text` takes, which is UTF-8 without control characters: two for ideographs and the
+// like, none for marks that combine with the character before them.
+size_t ColumnsOf(std::string_view text);
+
+// The longest beginning of `text` with no more columns.
+std::string CutToColumns(std::string_view text, size_t columns);
 
 // `text` as one line of UTF-8: control characters (C1 and marks of direction too) and bytes that are no
 // UTF-8 become \xNN.

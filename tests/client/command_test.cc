@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -143,6 +144,49 @@ TEST_F(CommandTest, CtrlCCancelsARunAndLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "work"));
 }
 
+// An output that takes a minute: the edges of its hole are short, and stay so inside.
+TEST_F(CommandTest, CtrlCEndsAFillAndLeavesNothing) {
+  std::string ring = "OFF\n8000 8000 0\n";
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = i * (2 * 3.14159265358979 / 4000);
+    absl::StrAppend(&ring, std::cos(angle), " ", std::sin(angle), " 0\n", 1.1 * std::cos(angle), " ",
+                    1.1 * std::sin(angle), " 0\n");
+  }
+  for (int i = 0; i < 4000; ++i) {
+    const int a = 2 * i, b = 2 * ((i + 1) % 4000);
+    absl::StrAppend(&ring, "3 ", a, " ", a + 1, " ", b, "\n3 ", b, " ", a + 1, " ", b + 1, "\n");
+  }
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "ring.off", ring).ok());
+  Process process(folder_.path().string(), TOY_CLIENT,
+                  {"fill", folder_ / "ring.off", "--out", folder_ / "new/filled.off", "--uniform"});
+  ASSERT_TRUE(Await([&] { return std::filesystem::exists(folder_ / "new/.filled.off.tilemend-lock"); }));
+  process.Signal(SIGINT);
+  const Ended ended = process.Wait();
+  EXPECT_EQ(ended.code, 7) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("cancelled; nothing was written"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+}
+
+TEST_F(CommandTest, WhatIsPrintedOfAReportIsPrintable) {
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json",
+                                  R"({"version": "0.1.0", "cells": 4, "warnings": ["a\u001b[31mb"], "scene": "\u001bc",
+                                      "borders": {"\u001b[2J": 3}})")
+                  .ok());
+  EXPECT_THAT(Run({"report", folder_ / "out"}).out, Not(HasSubstr("\033")));
+}
+
+TEST_F(CommandTest, WhatCannotBePrintedIsAnError) {
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json", R"({"version": "0.1.0", "cells": 4})").ok());
+  const auto run_in_shell = [&](const std::string& redirection) {
+    const std::string words = absl::StrCat(TOY_CLIENT, " report ", folder_ / "out", " ", redirection);
+    return Process(folder_.path().string(), "/bin/sh", {"-c", words}).Wait();
+  };
+  const Ended full = run_in_shell("> /dev/full");
+  EXPECT_EQ(full.code, 5);
+  EXPECT_THAT(full.err, HasSubstr("standard output: cannot write"));
+  EXPECT_EQ(run_in_shell(">&-").code, 0);
+}
+
 TEST_F(CommandTest, ReportShowsTheReportOfAnOutput) {
   ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json",
                                   R"({"version": "0.1.0", "cells": 4, "warnings": ["mind the gap"]})")
@@ -185,6 +229,7 @@ TEST_F(ClusterCommandTest, SubmitWaitGetListWatch) {
   EXPECT_THAT(RunWith({"list"}).out, HasSubstr(name));
   EXPECT_EQ(RunWith({"watch", name}).code, 0);
   EXPECT_EQ(RunWith({"get", "none"}).code, 3);
+  EXPECT_EQ(RunWith({"get", "jobs/"}).code, 4);  // the beginning of every name
   EXPECT_EQ(RunWith({"cancel", name}).code, 6);
   const Ended again = RunWith({"retry", name, "--wait", "--overwrite"});
   EXPECT_EQ(again.code, 0) << again.err;
@@ -204,6 +249,7 @@ TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {
       RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "--priority", "-4", "-o", "json"}).out);
   EXPECT_EQ(job["priority"], -4);
   EXPECT_THAT(RunWith({"pause", job["name"]}).out, HasSubstr("it is paused"));
+  EXPECT_THAT(RunWith({"list"}).out, HasSubstr("  running, paused  "));
   EXPECT_TRUE(cluster_->Get(job["name"]).paused());
   EXPECT_EQ(RunWith({"resume", job["name"]}).code, 0);
   EXPECT_FALSE(cluster_->Get(job["name"]).paused());

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdio>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -115,55 +117,108 @@ TEST_F(AccessTest, TheTableHasEveryRpcAndNoOther) {
   EXPECT_THAT(listed, UnorderedElementsAreArray(RpcsOfTheProtocol()));
 }
 
-TEST_F(AccessTest, NobodyGetsInWithoutACertificateOfTheAuthority) {
-  Start("", true);
-  const TestAuthority foreign(folder_.path().string(), "foreign");
-  TlsFiles stranger = foreign.Issue("stranger", {"stranger", {"admin", "worker"}});
-  stranger.authority = authority_.path();  // it trusts the coordinator, but not the other way round
-  const std::vector<std::pair<std::string, Security>> callers = {
-      {"plain text", {}},
-      {"no certificate", {{"", "", authority_.path()}, "", false}},
-      {"expired", {authority_.Issue("expired", {"expired", {"admin", "worker"}, -7200, -3600}), "", false}},
-      {"not yet valid", {authority_.Issue("early", {"early", {"admin", "worker"}, 3600, 7200}), "", false}},
-      {"foreign", {stranger, "", false}}};
-  for (const auto& [name, security] : callers) {
-    for (const std::string& rpc : RpcsOfTheProtocol()) {
-      EXPECT_EQ(Call(rpc, security).code(), Code::kUnavailable) << rpc << ", " << name;
-    }
+// What becomes of a call, in a word.
+std::string Outcome(const absl::Status& status) {
+  switch (status.code()) {
+    case Code::kUnavailable:
+      return "shut";  // no connection
+    case Code::kUnauthenticated:
+      return "who?";
+    case Code::kPermissionDenied:
+      return "no";
+    default:
+      return "may";  // and is told what is wrong with the empty request
   }
-  EXPECT_TRUE(Call("tilemend.v1.Jobs/ListJobs", With("watch", {"watch"})).ok());  // it still serves
 }
 
-TEST_F(AccessTest, ACertificateOpensWhatItsRoleMay) {
-  Start("", true);
-  for (const char* role : {"", "scale", "watch", "submit", "admin", "worker", "king"}) {
-    const Security security = With(absl::StrCat("one-", role), {role});
+// Outcomes of all RPCs of the protocol for one kind of caller.
+struct Column {
+  std::string caller;
+  std::vector<std::string> outcomes;
+};
+
+std::string Markdown(const std::vector<std::string>& rpcs, const std::vector<Column>& columns) {
+  std::string text = "| call |", rule = "|---|";
+  for (const Column& column : columns) {
+    absl::StrAppend(&text, " ", column.caller, " |");
+    absl::StrAppend(&rule, "---|");
+  }
+  absl::StrAppend(&text, "\n", rule, "\n");
+  for (size_t i = 0; i < rpcs.size(); ++i) {
+    absl::StrAppend(&text, "| `", rpcs[i].substr(rpcs[i].rfind('.') + 1), "` |");
+    for (const Column& column : columns) absl::StrAppend(&text, " ", column.outcomes[i], " |");
+    absl::StrAppend(&text, "\n");
+  }
+  return text;
+}
+
+class AccessTableTest : public AccessTest {
+ protected:
+  Column Try(const std::string& caller, const Security& security) {
+    Column column{caller, {}};
+    for (const std::string& rpc : rpcs_) column.outcomes.push_back(Outcome(Call(rpc, security)));
+    return column;
+  }
+  Column All(const std::string& caller, const std::string& outcome) const {
+    return {caller, std::vector<std::string>(rpcs_.size(), outcome)};
+  }
+  // What it is to be for a caller with one role; none for "".
+  Column Expected(const std::string& role) const {
     Caller caller;
     for (const Role r : {Role::kScale, Role::kWatch, Role::kSubmit, Role::kAdmin, Role::kWorker}) {
       if (RoleName(r) == role) caller.roles.insert(r);
     }
-    for (const RpcNeed& need : RpcNeeds()) {
-      if (need.role == Role::kAnybody) continue;
-      const Code code = Call(std::string(need.rpc), security).code();
-      EXPECT_EQ(code == Code::kPermissionDenied, !caller.May(need.role)) << need.rpc << ", " << role;
-      EXPECT_NE(code, Code::kUnavailable) << need.rpc << ", " << role;
-    }
+    Column column{role.empty() ? "no role" : role, {}};
+    for (const std::string& rpc : rpcs_) column.outcomes.emplace_back(caller.May(NeedOf(rpc)) ? "may" : "no");
+    return column;
   }
-}
+  Security Bearer(const std::string& token) { return token.empty() ? Anonymous() : WithToken(token); }
+  Security Anonymous() { return {{"", "", authority_.path()}, "", false}; }
+  Security Foreign() {
+    const TestAuthority foreign(folder_.path().string(), "foreign");
+    TlsFiles stranger = foreign.Issue("stranger", {"stranger", {"admin", "worker"}});
+    stranger.authority = authority_.path();  // it trusts the coordinator, but not the other way round
+    return {stranger, "", false};
+  }
+  Security Valid(const std::string& name, int from_seconds, int to_seconds) {
+    return {authority_.Issue(name, {name, {"admin", "worker"}, from_seconds, to_seconds}), "", false};
+  }
 
-TEST_F(AccessTest, TokensOpenWhatTheirRolesMay) {
+  const std::vector<std::string> rpcs_ = RpcsOfTheProtocol();
+};
+
+// Every RPC with every kind of caller. docs/operations.md shows the table.
+TEST_F(AccessTableTest, NobodyMayWhatHisIdentityDoesNotSay) {
+  std::vector<Column> is, wanted;
+  const auto expect = [&](const Column& column, const Column& expected) {
+    is.push_back({expected.caller, column.outcomes});
+    wanted.push_back(expected);
+  };
+  const std::vector<std::string> roles = {"", "scale", "watch", "submit", "admin", "worker"};
+  Start("", true);
+  expect(Try("", {}), All("plain text", "shut"));
+  expect(Try("", Anonymous()), All("no certificate", "shut"));
+  expect(Try("", Valid("expired", -7200, -3600)), All("expired", "shut"));
+  expect(Try("", Valid("early", 3600, 7200)), All("not yet valid", "shut"));
+  expect(Try("", Foreign()), All("foreign", "shut"));
+  std::vector<Column> certificates;
+  for (const std::string& role : roles) certificates.push_back(Try("", With(absl::StrCat("one-", role), {role})));
   Start(TokenFile(), false);
-  for (const std::string& rpc : RpcsOfTheProtocol()) {
-    EXPECT_EQ(Call(rpc, {{"", "", authority_.path()}, "", false}).code(), Code::kUnauthenticated) << rpc;
-    EXPECT_EQ(Call(rpc, WithToken("old-secret")).code(), Code::kUnauthenticated) << rpc;
-    EXPECT_EQ(Call(rpc, WithToken("guess")).code(), Code::kUnauthenticated) << rpc;
-    const bool is_work = rpc.find(".Work/") != std::string::npos;
-    EXPECT_EQ(Call(rpc, WithToken("admin-secret")).code() == Code::kPermissionDenied, is_work) << rpc;
-    EXPECT_EQ(Call(rpc, WithToken("worker-secret")).code() == Code::kPermissionDenied, !is_work) << rpc;
-    const bool is_scaler = rpc.starts_with("externalscaler.");
-    EXPECT_EQ(Call(rpc, WithToken("scale-secret")).code() == Code::kPermissionDenied, !is_scaler) << rpc;
+  for (const auto& [caller, token] : std::vector<std::pair<std::string, std::string>>{
+           {"no token", ""}, {"unknown token", "guess"}, {"expired token", "old-secret"}}) {
+    expect(Try("", Bearer(token)), All(caller, "who?"));
   }
-  EXPECT_EQ(Call("tilemend.v1.Jobs/CreateJob", WithToken("watch-secret")).code(), Code::kPermissionDenied);
+  for (size_t i = 0; i < roles.size(); ++i) {
+    expect(certificates[i], Expected(roles[i]));
+    if (roles[i].empty()) continue;  // a token without a role is refused when the file is read
+    const Column token = Try("", WithToken(absl::StrCat(roles[i], "-secret")));
+    EXPECT_EQ(token.outcomes, certificates[i].outcomes) << roles[i];
+  }
+  const std::string table = Markdown(rpcs_, is);
+  std::printf("%s", table.c_str());
+  EXPECT_EQ(table, Markdown(rpcs_, wanted));
+  EXPECT_THAT(*ReadFile(OPERATIONS_PAGE), ::testing::HasSubstr(table)) << "docs/operations.md has another table";
+  EXPECT_TRUE(Call("tilemend.v1.Jobs/ListJobs", WithToken("watch-secret")).ok());  // it still serves
 }
 
 TEST_F(AccessTest, OnlyItsOwnerAndAdministratorsCancelAJob) {

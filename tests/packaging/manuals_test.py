@@ -108,6 +108,19 @@ def completions_of_zsh(program, words):
         return output('zsh', '-f', '-c', ZSH, env=env, cwd=folder, timeout=60).stdout
 
 
+def check_settings(bin_folder):
+    """One file may hold the settings of all programs."""
+    pages = [output(os.path.join(bin_folder, program), '--describe', 'man').stdout for program in PROGRAMS]
+    names = {name for page in pages for name in re.findall(r'TILEMEND_([A-Z_]+)\b', page.replace('\\-', '-'))} - {'CONFIG'}
+    check(len(names) > 20, f'settings: {names}')
+    with tempfile.NamedTemporaryFile('w') as file:
+        file.writelines(f'{name.lower().replace("_", "-")} = true\n' for name in sorted(names))
+        file.flush()
+        for words in (['tilemend', 'list', '--no-such'], ['tilemend-coordinator', '--no-such'], ['tilemend-worker', '--no-such']):
+            said = output(os.path.join(bin_folder, words[0]), *words[1:], env=dict(os.environ, TILEMEND_CONFIG=file.name))
+            check('unknown flag --no-such' in said.stderr, f'{words[0]} with the settings of all: {said.stderr}')
+
+
 def check_shells(bin_folder):
     tilemend = os.path.join(bin_folder, 'tilemend')
     for program in PROGRAMS:
@@ -141,6 +154,7 @@ def main():
     bin_folder = os.path.abspath(sys.argv[1])
     for program in PROGRAMS:
         check_page(os.path.join(bin_folder, program))
+    check_settings(bin_folder)
     check_shells(bin_folder)
     if faults:
         sys.exit('FAILED\n' + '\n'.join(faults))

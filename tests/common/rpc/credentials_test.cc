@@ -50,6 +50,19 @@ TEST(CheckServerSecurityTest, QuotesNothingOfAFile) {
   }
 }
 
+TEST(ReadTokenTest, TakesOneWordThatACallMayCarry) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(*ReadToken(folder.Write("token", " secret-123\n")), "secret-123");
+  for (const std::string& text : {std::string(), std::string("\n"), std::string("two words"), std::string("two\nlines"),
+                                  std::string("\x7f\x45\x4c\x46"), std::string("n\0l", 3), std::string("Z\xc3\xbcrich"),
+                                  std::string(4097, 'a')}) {
+    const std::string path = folder.Write("token", text);
+    EXPECT_TRUE(absl::IsInvalidArgument(ReadToken(path).status())) << text;
+    EXPECT_TRUE(absl::IsInvalidArgument(CheckChannelSecurity({{}, path, true}, "host:1"))) << text;
+  }
+  EXPECT_TRUE(absl::IsNotFound(ReadToken(folder / "none").status()));
+}
+
 TEST(SecurityFlagsTest, AreReadAsTheyAreTold) {
   const auto flags =
       Flags::Parse(ChannelSecurityFlags(), {"--tls-ca", "a", "--tls-cert=c", "--tls-key", "k", "--token-file", "t"});

@@ -83,5 +83,18 @@ TEST(FlagsHelpTest, HasALineForEachFlag) {
             "  -o, --output FORMAT             table or json (default table)\n");
 }
 
+TEST(FlagsHelpTest, KeepsToTheColumnsOfATerminal) {
+  const std::vector<FlagSpec> specs = {{"out", "DIR", "where to write what was asked for and more of it", "here"}};
+  EXPECT_EQ(FlagsHelp(specs),
+            "      --out DIR                   where to write what was asked for and more of it (default here)\n");
+  EXPECT_EQ(FlagsHelp(specs, 60),
+            "      --out DIR                   where to write what was\n"
+            "                                  asked for and more of it\n"
+            "                                  (default here)\n");
+  EXPECT_EQ(FlagsHelp(specs, 30), FlagsHelp(specs));
+  EXPECT_EQ(FlagsHelp({{"a", "", std::string(60, 'x') + " y", ""}}, 60),
+            "      --a                         " + std::string(60, 'x') + " y\n");
+}
+
 }  // namespace
 }  // namespace tilemend

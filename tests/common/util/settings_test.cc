@@ -44,7 +44,7 @@ TEST(ReadSettingsTest, NeedsOnlyTheFileThatIsNamed) {
 
 TEST(ReadSettingsTest, SaysWhichLineItCannotRead) {
   const TemporaryFolder folder;
-  for (const char* text : {"\ntls-ca\n", "\ninsecure = perhaps\n"}) {
+  for (const char* text : {"\ntls-ca\n", "\ninsecure = perhaps\n", "\ntls-cas = /file/ca\n"}) {
     ASSERT_TRUE(WriteFileAtomically(folder / "c", text).ok());
     const absl::Status status = ReadSettings(kSpecs, folder / "c", With({})).status();
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << text;

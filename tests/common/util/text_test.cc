@@ -17,6 +17,22 @@ TEST(TextTest, TellsUtf8) {
   }
 }
 
+TEST(TextTest, CountsTheColumnsOfATerminal) {
+  EXPECT_EQ(ColumnsOf(""), 0U);
+  EXPECT_EQ(ColumnsOf("plain"), 5U);
+  EXPECT_EQ(ColumnsOf("Z\xc3\xbcrich"), 6U);
+  EXPECT_EQ(ColumnsOf("Zu\xcc\x88rich"), 6U);                 // a diaeresis that combines
+  EXPECT_EQ(ColumnsOf("\xe8\xa5\xbf\xe6\xb9\x96"), 4U);       // an ideograph takes two
+  EXPECT_EQ(ColumnsOf("\xea\xb0\x95\xf0\x9f\x8c\x8a!"), 5U);  // so do Hangul and emoji
+}
+
+TEST(TextTest, CutsBetweenCharacters) {
+  EXPECT_EQ(CutToColumns("Z\xc3\xbcrich", 2), "Z\xc3\xbc");
+  EXPECT_EQ(CutToColumns("Z\xc3\xbcrich", 60), "Z\xc3\xbcrich");
+  EXPECT_EQ(CutToColumns("\xe8\xa5\xbf\xe6\xb9\x96", 3), "\xe8\xa5\xbf");
+  EXPECT_EQ(CutToColumns("abc", 0), "");
+}
+
 TEST(TextTest, PrintsOneLineOfUtf8) {
   EXPECT_EQ(Printable("Z\xc3\xbcrich"), "Z\xc3\xbcrich");
   EXPECT_EQ(Printable("a\nb\x7f"),

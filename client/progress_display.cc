@@ -1,0 +1,116 @@
+#include "client/progress_display.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "client/output.h"
+#include "common/util/standard_streams.h"
+#include "common/util/text.h"
+#include "coordinator/service/cluster_events.h"
+#include "coordinator/service/job_pipeline.h"
+
+namespace tilemend {
+namespace {
+
+constexpr char kEraseLine[] = "\r\033[K";  // of a terminal
+
+bool IsTerminal() { return isatty(STDERR_FILENO) == 1; }
+
+void DrawBar(double share, const std::string& text) {
+  std::fprintf(stderr, "%s%s", kEraseLine, BarLine(share, text, ColumnsOfTerminal(STDERR_FILENO)).c_str());
+  std::fflush(stderr);
+}
+
+// ", 2 min 05 s, 1 min 10 s left": since the job was made and, once there is something to guess it by, until its end.
+std::string TimesText(const v1::Job& job, double share) {
+  constexpr double kLeastShare = 0.05;
+  const absl::Duration elapsed = absl::Now() - absl::FromUnixSeconds(job.create_time().seconds());
+  std::string text = ", " + DurationText(elapsed);
+  if (share > kLeastShare) absl::StrAppend(&text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");
+  return text;
+}
+
+}  // namespace
+
+std::string BarLine(double share, const std::string& text, size_t columns) {
+  constexpr size_t kLongest = 30, kShortest = 10, kFrame = 3;  // brackets and a blank
+  size_t length = kLongest;
+  std::string shown = text;
+  if (columns > 0) {
+    // The last column stays free: some terminals go to the next line when it is written.
+    const auto room = static_cast<std::ptrdiff_t>(columns) - 1;
+    const auto left = room - static_cast<std::ptrdiff_t>(kFrame + ColumnsOf(text));
+    length = static_cast<size_t>(std::clamp<std::ptrdiff_t>(left, kShortest, kLongest));
+    const auto most =
+        static_cast<size_t>(std::max<std::ptrdiff_t>(0, room - static_cast<std::ptrdiff_t>(kFrame + length)));
+    shown = CutToColumns(text, most);
+  }
+  const auto full = static_cast<size_t>(static_cast<double>(length) * share);
+  return absl::StrCat("[", std::string(full, '#'), std::string(length - full, '.'), "] ", shown);
+}
+
+void EraseBar() {
+  if (IsTerminal()) std::fputs(kEraseLine, stderr);
+}
+
+ProgressDisplay::ProgressDisplay() : is_terminal_(IsTerminal()) {}
+
+ProgressDisplay::~ProgressDisplay() {
+  if (has_bar_) std::fputs(kEraseLine, stderr);
+}
+
+void ProgressDisplay::Show(const v1::Job& job) {
+  for (; warnings_ < job.warnings_size(); ++warnings_) {
+    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? kEraseLine : "", job.name().c_str(),
+                 Printable(job.warnings(warnings_)).c_str());
+  }
+  if (job.progress().phase() == kResumePhase) return;  // it runs through what was shown before
+  if (is_terminal_) {
+    ShowBar(job);
+  } else {
+    ShowLines(job);
+  }
+}
+
+void ProgressDisplay::ShowLines(const v1::Job& job) {
+  const std::string& phase = job.progress().phase();
+  if (phase != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), Printable(phase).c_str());
+  phase_ = phase;
+  if (job.waiting() != waiting_ && !job.waiting().empty()) {
+    std::fprintf(stderr, "%s: waits: %s\n", job.name().c_str(), Printable(job.waiting()).c_str());
+  }
+  waiting_ = job.waiting();
+}
+
+void ProgressDisplay::ShowBar(const v1::Job& job) {
+  const v1::Progress& p = job.progress();
+  share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.tasks(), p.tasks_done()));
+  DrawBar(share_,
+          absl::StrCat(Printable(p.phase()), ", ", Share(p.tasks_done(), p.tasks()), " tasks, ",
+                       Share(p.cells_done(), p.cells()), " cells",
+                       job.waiting().empty() ? TimesText(job, share_) : ", waits: " + Printable(job.waiting())));
+  has_bar_ = true;
+}
+
+StepDisplay::StepDisplay() : is_terminal_(IsTerminal()), begin_(absl::Now()) {}
+
+StepDisplay::~StepDisplay() {
+  if (!step_.empty()) std::fputs(kEraseLine, stderr);
+}
+
+void StepDisplay::Show(std::string_view step, size_t done, size_t all) {
+  constexpr absl::Duration kBetween = absl::Milliseconds(100);
+  const absl::Time now = absl::Now();
+  if (!is_terminal_ || (step == step_ && now - shown_ < kBetween)) return;
+  step_ = step;
+  shown_ = now;
+  const std::string holes = all == 0 ? "" : absl::StrCat(", ", done, "/", Counted(all, "hole"));
+  DrawBar(all == 0 ? 0 : static_cast<double>(done) / static_cast<double>(all),
+          absl::StrCat(step_, holes, ", ", DurationText(now - begin_)));
+}
+
+}  // namespace tilemend

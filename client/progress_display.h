@@ -1,0 +1,56 @@
+// How a job or a command goes, on stderr.
+#ifndef TILEMEND_CLIENT_PROGRESS_DISPLAY_H_
+#define TILEMEND_CLIENT_PROGRESS_DISPLAY_H_
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "absl/time/time.h"
+#include "tilemend/v1/jobs.pb.h"
+
+namespace tilemend {
+
+// One line of a terminal of `columns` columns, 0 if that is not known: a bar for `share`, 0 to 1, and `text`. The bar
+// gets shorter before the text is cut, which must not reach into a second line: that would not be erased. `text` is
+// printable.
+std::string BarLine(double share, const std::string& text, size_t columns);
+
+// Erases the bar that may be on stderr.
+void EraseBar();
+
+// How a job goes: a bar on a terminal, else a line for each phase. The bar goes when this object goes.
+class ProgressDisplay {
+ public:
+  ProgressDisplay();
+  ~ProgressDisplay();
+  void Show(const v1::Job& job);
+
+ private:
+  void ShowLines(const v1::Job& job);
+  void ShowBar(const v1::Job& job);
+
+  const bool is_terminal_;
+  bool has_bar_ = false;
+  int warnings_ = 0;             // shown so far
+  double share_ = 0;             // of the bar, which never runs back
+  std::string phase_, waiting_;  // as said last
+};
+
+// The same for work without a job: a bar on a terminal, else nothing.
+class StepDisplay {
+ public:
+  StepDisplay();
+  ~StepDisplay();
+  // `all` 0: it is not known how much there is. Shown at most ten times a second, each step at least once.
+  void Show(std::string_view step, size_t done, size_t all);
+
+ private:
+  const bool is_terminal_;
+  std::string step_;
+  absl::Time begin_, shown_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_PROGRESS_DISPLAY_H_

@@ -1,0 +1,32 @@
+#include "client/progress_display.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "common/util/text.h"
+
+namespace tilemend {
+namespace {
+
+TEST(BarLineTest, ShowsTheShareAndTheText) {
+  EXPECT_EQ(BarLine(0, "survey", 0), "[..............................] survey");
+  EXPECT_EQ(BarLine(0.5, "fill, 3/6 tasks", 200), "[###############...............] fill, 3/6 tasks");
+  EXPECT_EQ(BarLine(1, "", 200), "[##############################] ");
+}
+
+TEST(BarLineTest, NeverReachesTheLastColumn) {
+  const std::string text =
+      "sample clusters and fill, 52/99 tasks, waits: Z\xc3\xbcrich \xe8\xa5\xbf\xe6\xb9\x96 is not mounted";
+  for (size_t columns = 14; columns < 120; ++columns) {
+    EXPECT_LT(ColumnsOf(BarLine(0.3, text, columns)), columns) << columns;
+  }
+}
+
+TEST(BarLineTest, TheBarGetsShorterBeforeTheTextIsCut) {
+  EXPECT_EQ(BarLine(0.5, "survey", 30), "[##########..........] survey");
+  EXPECT_EQ(BarLine(0.5, "survey", 18), "[#####.....] surv");
+}
+
+}  // namespace
+}  // namespace tilemend
