@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -67,13 +68,16 @@ absl::Status CallBlindly(const std::shared_ptr<grpc::Channel>& channel, const st
 
 class AccessTest : public ::testing::Test {
  protected:
+  // A coordinator that nobody has called.
   void Start(const std::string& tokens, bool wants_certificates) {
+    server_.reset();
+    cluster_ = std::make_unique<TestCluster>();
     auto access = Access::Closed(tokens);
     ASSERT_TRUE(access.ok()) << access.status();
     TlsFiles tls = authority_.Issue("coordinator", {"coordinator"});
     if (!wants_certificates) tls.authority.clear();
     const auto gate = std::make_shared<Gate>(*std::move(access), *MetricsRegistry::Null(), *Log::Null());
-    auto server = CoordinatorServer::Start("127.0.0.1:0", cluster_.impl(), {tls, gate});
+    auto server = CoordinatorServer::Start("127.0.0.1:0", cluster_->impl(), {tls, gate});
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
     address_ = absl::StrCat("localhost:", server_->rpc().port());
@@ -101,7 +105,7 @@ class AccessTest : public ::testing::Test {
 
   TempFolder folder_;
   TestAuthority authority_{folder_.path().string(), "authority"};
-  TestCluster cluster_;
+  std::unique_ptr<TestCluster> cluster_;
   std::unique_ptr<CoordinatorServer> server_;
   std::string address_;
 };
