@@ -229,7 +229,7 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
     h->set_own_outline(hole.own_outline);
-    h->set_among_objects(hole.among_objects);
+    for (const Point3& point : hole.ground_points) AddPoint(point, h->mutable_ground_point());
     for (const RimSegment& s : hole.inner_edges) {
       h->add_inner_from(s.from);
       h->add_inner_to(s.to);
@@ -244,6 +244,15 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     *proto.mutable_band() = EncodeMesh(holes.band.points, holes.band.triangles, kFinestStep);
   }
   return proto;
+}
+
+absl::Status ReadGroundPoints(const v1::HoleBoundary& h, CellHole& hole) {
+  if (h.ground_point_size() % 3 != 0) return Malformed("ground points");
+  for (int i = 0; i < h.ground_point_size() / 3; ++i) {
+    hole.ground_points.push_back(PointAt(h.ground_point(), i));
+    if (!IsPlace(hole.ground_points.back())) return Malformed("ground points");
+  }
+  return absl::OkStatus();
 }
 
 absl::Status ReadEdges(const v1::HoleBoundary& h, int64_t vertices, CellHole& hole) {
@@ -286,7 +295,7 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
       if (!hole.river.stations.back().allFinite()) return Malformed("river stations");
     }
     hole.own_outline = h.own_outline();
-    hole.among_objects = h.among_objects();
+    TILEMEND_RETURN_IF_ERROR(ReadGroundPoints(h, hole));
     TILEMEND_RETURN_IF_ERROR(ReadEdges(h, n, hole));
     holes.holes.push_back(std::move(hole));
   }

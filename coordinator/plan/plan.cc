@@ -23,6 +23,7 @@
 #include "coordinator/plan/rim/rim_index.h"
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
+#include "coordinator/plan/water/ground_points.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 #include "coordinator/plan/water/water_answers.h"
@@ -223,6 +224,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (!options.cancelled()) FindWater(input, options.water, plan);
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
+  if (!options.cancelled()) FindGroundPoints(plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   return plan;

@@ -103,6 +103,7 @@ struct PlannedHole {
   // `segments` does.
   std::vector<std::vector<RimSegment>> own_regions;
   std::vector<RimSegment> inner_edges = {};  // of what is filled, between new vertices inside it (strip_edges.h)
+  std::vector<Point3> ground_points = {};    // among objects: what its surface is linear between (ground_points.h)
 };
 
 // A vertex of a hole boundary: a vertex of one or more tiles, or a new one on a seam.

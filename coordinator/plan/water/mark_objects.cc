@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coordinator/plan/water/hole_groups.h"
+#include "coordinator/plan/water/raised_levels.h"
 #include "coordinator/plan/water/shore_objects.h"
 
 namespace tilemend {
@@ -49,19 +50,22 @@ struct GroupSteps {
   std::vector<double> steps;
 };
 
-// The original vertices on the rims of the holes and of the regions that tiles fill for themselves; ascending.
+// The boundary of a hole and of the regions that tiles fill of it for themselves.
+template <typename Visit>
+void ForRimSegments(const PlannedHole& hole, const Visit& visit) {
+  std::for_each(hole.segments.begin(), hole.segments.end(), visit);
+  for (const std::vector<RimSegment>& region : hole.own_regions) std::for_each(region.begin(), region.end(), visit);
+}
+
+// The original vertices on the rims of the holes; ascending.
 std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes) {
   std::set<int32_t> vertices;
-  const auto add = [&](const std::vector<RimSegment>& segments) {
-    for (const RimSegment& s : segments) {
+  for (const int32_t h : holes) {
+    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
       for (const int32_t v : {s.from, s.to}) {
         if (plan.vertices[v].index >= 0) vertices.insert(v);
       }
-    }
-  };
-  for (const int32_t h : holes) {
-    add(plan.holes[h].segments);
-    for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) add(region);
+    });
   }
   return {vertices.begin(), vertices.end()};
 }
@@ -82,24 +86,48 @@ GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, co
   return group;
 }
 
+// Marks what walls lift off the ground of a group's rim.
+void MarkRaisedLevels(const std::vector<int32_t>& holes, Plan& plan) {
+  std::vector<int32_t> vertices;
+  std::vector<Point3> points;
+  std::vector<ShorePoint> kinds;
+  std::map<int32_t, int32_t> number;
+  const auto take = [&](int32_t v) {
+    const auto [it, fresh] = number.try_emplace(v, static_cast<int32_t>(vertices.size()));
+    if (fresh) {
+      const PlanVertex& vertex = plan.vertices[v];
+      vertices.push_back(v);
+      points.push_back(vertex.position);
+      kinds.push_back(vertex.index >= 0 && !vertex.on_object ? ShorePoint::kGround : ShorePoint::kOther);
+    }
+    return it->second;
+  };
+  std::vector<DirectedEdge> edges;
+  for (const int32_t h : holes) {
+    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
+      if (!s.seam) edges.push_back({take(s.from), take(s.to)});
+    });
+  }
+  const std::vector<bool> raised = OnRaisedLevels(points, kinds, edges);
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    if (raised[i]) plan.vertices[vertices[i]].on_object = true;
+  }
+}
+
 // Edges that run up an object are long in space alone: triangles of that length beside them would carry its wall far
 // out.
 void LowerSizesAtObjects(Plan& plan) {
   std::map<int32_t, std::pair<double, int>> lengths;  // seen from above: sum and count
-  const auto add = [&](const std::vector<RimSegment>& segments) {
-    for (const RimSegment& s : segments) {
-      if (s.seam) continue;
+  for (const PlannedHole& hole : plan.holes) {
+    ForRimSegments(hole, [&](const RimSegment& s) {
+      if (s.seam) return;
       const Point3 way = plan.vertices[s.to].position - plan.vertices[s.from].position;
       for (const int32_t v : {s.from, s.to}) {
         if (!plan.vertices[v].on_object) continue;
         lengths[v].first += way.head<2>().norm();
         ++lengths[v].second;
       }
-    }
-  };
-  for (const PlannedHole& hole : plan.holes) {
-    add(hole.segments);
-    for (const std::vector<RimSegment>& region : hole.own_regions) add(region);
+    });
   }
   for (const auto& [v, length] : lengths) {
     double& size = plan.vertices[v].size;
@@ -124,7 +152,9 @@ void MarkObjects(const PlanInput& input, Plan& plan) {
     for (size_t i = 0; i < group.rim.size(); ++i) {
       if (on_object(group.steps[i])) plan.vertices[group.rim[i]].on_object = true;
     }
-    const ptrdiff_t count = std::count_if(group.steps.begin(), group.steps.end(), on_object);
+    MarkRaisedLevels(group.holes, plan);
+    const ptrdiff_t count =
+        std::count_if(group.rim.begin(), group.rim.end(), [&](int32_t v) { return plan.vertices[v].on_object; });
     if (kFewObjects * count <= std::ssize(group.steps)) continue;
     for (const int32_t h : group.holes) plan.holes[h].among_objects = true;
   }

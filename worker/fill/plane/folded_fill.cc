@@ -171,7 +171,7 @@ class FoldedFiller {
     like.level = hole_.level;
     like.river = hole_.river;
     like.own_outline = hole_.own_outline;
-    like.among_objects = hole_.among_objects;
+    like.ground_points = hole_.ground_points;
     return like;
   }
 

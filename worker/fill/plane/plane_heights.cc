@@ -56,8 +56,8 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
     plate.known.push_back(v < rim || v >= all);
     plate.has_equation.push_back(v < rim ? static_cast<bool>(patch.has_equation[v]) : v < all);
   }
-  if (frame.upright() && hole.among_objects && !options.tension) {
-    const bool solved = SolveLinear(hole.on_object, hole.ground, plate);
+  if (frame.upright() && !hole.ground_points.empty() && !options.tension) {
+    const bool solved = SolveLinear(hole.ground_points, hole.on_object, hole.ground, plate);
     patch.points = std::move(plate.points);
     patch.points.resize(all);
     patch.triangles = std::move(plate.patch);

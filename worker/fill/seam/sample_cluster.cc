@@ -26,8 +26,14 @@ constexpr int kMostCoarsenings = 28;
 // Coarse triangles grow at least as fast.
 constexpr double kCoarseGradation = 1.3;
 
-bool IsLinear(const CellHoles& cluster, const FillOptions& options) {
-  return cluster.holes.front().among_objects && !options.tension;
+// What its surface is linear between; none: it is no such surface.
+std::vector<Point3> GroundPoints(const CellHoles& cluster, const FillOptions& options) {
+  std::vector<Point3> ground;
+  if (options.tension) return ground;
+  for (const CellHole& hole : cluster.holes) {
+    ground.insert(ground.end(), hole.ground_points.begin(), hole.ground_points.end());
+  }
+  return ground;
 }
 
 // The cluster with its triangles and seam vertices `coarsening` times as large and far apart as the options say.
@@ -52,11 +58,12 @@ class ClusterSampler {
 
   bool has_conflicts() const { return !region_.triangulation.conflicts.empty(); }
 
-  std::optional<ClusterSurface> Solve() const {
+  // `ground`: as GroundPoints.
+  std::optional<ClusterSurface> Solve(const std::vector<Point3>& ground) const {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
-    if (IsLinear(cluster_, options_)) {
-      if (!SolveLinear(hole_.on_object, {}, problem)) return std::nullopt;
+    if (!ground.empty()) {
+      if (!SolveLinear(ground, hole_.on_object, {}, problem)) return std::nullopt;
       surface.samples = Samples(problem, std::vector<double>(problem.points.size(), 0));
       return surface;
     }
@@ -282,18 +289,15 @@ class ClusterSampler {
   std::set<int32_t> at_fold_;  // local vertices at and in the folds that were cut off
 };
 
-// The surface that is linear between the ground of the rim: it takes no triangulation of the cluster.
-std::optional<ClusterSurface> SampleGround(const CellHoles& cluster) {
-  std::vector<Point3> ground;
+// The surface that is linear between the ground points: it takes no triangulation of the cluster.
+ClusterSurface SampleGround(const CellHoles& cluster, const std::vector<Point3>& ground) {
   std::vector<int32_t> asked;
   std::vector<Point2> at;
   for (const RimVertex& v : cluster.vertices) {
-    if (v.index >= 0 && !v.on_object) ground.push_back(v.position);
     if (v.seam_vertex < 0) continue;
     asked.push_back(v.seam_vertex);
     at.emplace_back(v.position.head<2>());
   }
-  if (ground.empty()) return std::nullopt;
   const std::vector<double> heights = LinearHeights(ground, at);
   ClusterSurface surface;
   for (size_t i = 0; i < asked.size(); ++i) surface.samples.push_back({asked[i], heights[i], 0, {0, 0}});
@@ -305,13 +309,15 @@ std::optional<ClusterSurface> SampleGround(const CellHoles& cluster) {
 std::optional<ClusterSurface> SampleCluster(const CellHoles& cluster, const FillOptions& options,
                                             int64_t most_unknowns) {
   const CellBand band(cluster);
-  const bool is_linear = IsLinear(cluster, options);
+  const std::vector<Point3> ground = GroundPoints(cluster, options);
   double coarsening = 1;
   for (int round = 0; round < kMostCoarsenings; ++round, coarsening *= 2) {
     ClusterSampler sampler(cluster, band, options, coarsening);
     const bool fits = sampler.Triangulate(most_unknowns);
-    if (sampler.has_conflicts()) return is_linear ? SampleGround(cluster) : std::nullopt;
-    if (fits) return sampler.Solve();
+    if (sampler.has_conflicts()) {
+      return ground.empty() ? std::nullopt : std::make_optional(SampleGround(cluster, ground));
+    }
+    if (fits) return sampler.Solve(ground);
   }
   return std::nullopt;
 }

@@ -7,9 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "common/mesh/lattice.h"
 #include "common/mesh/triangle_shape.h"
-#include "common/mesh/triangulation/region_triangulation.h"
+#include "common/mesh/triangulation/point_triangulation.h"
 #include "worker/fill/surface/direct_solver.h"
 #include "worker/fill/surface/plate_equations.h"
 
@@ -17,28 +16,17 @@ namespace tilemend {
 namespace {
 
 constexpr double kSoftness = 2.5;  // metres: edges are rounded off about so far
-constexpr double kFrame = 4;       // times the extent of the ground: the triangulation goes on so far around it
 
-// The ground on a lattice, in a square frame.
+// The ground, triangulated.
 class LinearSurface {
  public:
-  LinearSurface(const std::vector<Point3>& ground, const Eigen::AlignedBox2d& frame)
-      : ground_(ground), window_(frame.min(), frame.max()) {
-    for (const Point3& p : ground) points_.push_back(window_.Round(p.head<2>()));
-    const auto first = static_cast<int32_t>(points_.size());
-    for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
-                              Eigen::AlignedBox2d::TopRight, Eigen::AlignedBox2d::TopLeft}) {
-      points_.push_back(window_.Round(frame.corner(corner)));
-    }
-    const std::vector<RegionSegment> outline = {
-        {first, first + 1}, {first + 1, first + 2}, {first + 2, first + 3}, {first + 3, first}};
-    mesh_ = TriangulateRegion(points_, outline);
-  }
+  LinearSurface(const std::vector<Point3>& ground, const Eigen::AlignedBox2d& places)
+      : ground_(ground), triangulation_(TriangulatePoints(ground, places)) {}
 
   double HeightAt(const Point2& p) {
-    last_ = TriangleAt(window_.Round(p));
+    last_ = TriangleAt(triangulation_.window.Round(p));
     std::vector<Point3> corners;
-    for (const int32_t v : mesh_.triangles[last_]) {
+    for (const int32_t v : triangles()[last_]) {
       if (v < std::ssize(ground_)) corners.push_back(ground_[v]);
     }
     if (corners.size() == 3) return HeightIn(corners, p);
@@ -50,12 +38,13 @@ class LinearSurface {
   // Walks there from the last one.
   int32_t TriangleAt(const LatticePoint& p) const {
     int32_t t = last_;
-    for (size_t step = 0; step < mesh_.triangles.size(); ++step) {
-      const Triangle& corners = mesh_.triangles[t];
+    for (size_t step = 0; step < triangles().size(); ++step) {
+      const Triangle& corners = triangles()[t];
       int32_t next = -1;
       for (int k = 0; k < 3 && next < 0; ++k) {
-        const LatticePoint a = points_[corners[(k + 1) % 3]], b = points_[corners[(k + 2) % 3]];
-        if (Orientation(a, b, p) < 0) next = mesh_.neighbors[t][k];
+        const LatticePoint a = triangulation_.points[corners[(k + 1) % 3]],
+                           b = triangulation_.points[corners[(k + 2) % 3]];
+        if (Orientation(a, b, p) < 0) next = triangulation_.mesh.neighbors[t][k];
       }
       if (next < 0) break;
       t = next;
@@ -87,27 +76,23 @@ class LinearSurface {
         ->z();
   }
 
+  const std::vector<Triangle>& triangles() const { return triangulation_.mesh.triangles; }
+
   const std::vector<Point3>& ground_;
-  const LatticeWindow window_;
-  std::vector<LatticePoint> points_;
-  RegionTriangulation mesh_;
+  const PointTriangulation triangulation_;
   int32_t last_ = 0;
 };
 
 // Which heights count, and the ground under objects where it is known.
 std::vector<bool> KnownGround(const std::vector<bool>& on_object, const std::vector<std::optional<double>>& ground,
-                              const ThinPlateProblem& problem, std::vector<Point3>& points) {
-  std::vector<bool> known = problem.known;
+                              const std::vector<bool>& known, std::vector<Point3>& points) {
+  std::vector<bool> settled = known;
   for (size_t v = 0; v < on_object.size(); ++v) {
     if (!on_object[v]) continue;
-    const bool settled = v < ground.size() && ground[v];
-    if (settled) points[v].z() = *ground[v];
-    known[v] = settled;
+    settled[v] = v < ground.size() && ground[v];
+    if (settled[v]) points[v].z() = *ground[v];
   }
-  const bool any = std::any_of(problem.patch.begin(), problem.patch.end(), [&](const Triangle& t) {
-    return std::any_of(t.begin(), t.end(), [&](int32_t v) { return known[v]; });
-  });
-  return any ? known : problem.known;
+  return settled;
 }
 
 // Rounds off the edges of a surface: minimises |gradient|^2 + (height - its height)^2 / kSoftness^2 over the patch.
@@ -136,8 +121,7 @@ std::vector<double> LinearHeights(const std::vector<Point3>& ground, const std::
   Eigen::AlignedBox2d box;
   for (const Point3& p : ground) box.extend(Point2(p.head<2>()));
   for (const Point2& p : at) box.extend(p);
-  const Point2 reach = Point2::Constant(kFrame * std::max(box.sizes().maxCoeff(), 1.0));
-  LinearSurface surface(ground, {box.min() - reach, box.max() + reach});
+  LinearSurface surface(ground, box);
   std::vector<size_t> order(at.size());
   std::iota(order.begin(), order.end(), 0);
   const double strip = std::max(box.sizes().y(), 1e-9) / std::sqrt(static_cast<double>(at.size()) + 1);
@@ -150,26 +134,23 @@ std::vector<double> LinearHeights(const std::vector<Point3>& ground, const std::
   return heights;
 }
 
-bool SolveLinear(const std::vector<bool>& on_object, const std::vector<std::optional<double>>& ground,
-                 ThinPlateProblem& problem) {
+bool SolveLinear(const std::vector<Point3>& ground_points, const std::vector<bool>& on_object,
+                 const std::vector<std::optional<double>>& ground, ThinPlateProblem& problem) {
   ThinPlateProblem free;
   free.patch = problem.patch;
   free.points = problem.points;
-  free.known = KnownGround(on_object, ground, problem, free.points);
+  free.known = KnownGround(on_object, ground, problem.known, free.points);
   free.has_equation.assign(free.points.size(), false);
   std::vector<bool> in_patch(free.points.size(), false);
   for (const Triangle& t : free.patch) {
     for (const int32_t v : t) in_patch[v] = true;
   }
-  std::vector<Point3> through;
   std::vector<Point2> at;
   for (size_t v = 0; v < free.points.size(); ++v) {
     if (!in_patch[v]) free.known[v] = true;
     if (!free.known[v]) at.emplace_back(free.points[v].head<2>());
-    if (free.known[v] && in_patch[v]) through.push_back(free.points[v]);
   }
-  if (through.empty()) return false;
-  const std::vector<double> heights = LinearHeights(through, at);
+  const std::vector<double> heights = LinearHeights(ground_points, at);
   for (size_t v = 0, i = 0; v < free.points.size(); ++v) {
     if (!free.known[v]) free.points[v].z() = heights[i++];
   }

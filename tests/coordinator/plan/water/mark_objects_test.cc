@@ -48,6 +48,24 @@ TEST_P(MarkObjectsTest, AHoleAmongManyObjectsIsSaidToBe) {
   EXPECT_TRUE(among([](double, double y) { return std::fmod(y, 24) < 10; }));
 }
 
+// A roof 40 m wide is ground to an opening; its walls are 20 m high.
+TEST_P(MarkObjectsTest, ARoofThatWallsLiftIsMarked) {
+  const auto on_roof = [](double x, double y) { return x > 90 && std::abs(y - 59) < 20; };
+  const Plan plan = PlanOf(HoleOverNineCells(
+      GetParam(), [&](double, double x, double y) { return Gentle(x, y) + (on_roof(x, y) ? 20 : 0); }));
+  int marked = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const RimSegment& s : hole.segments) {
+      const PlanVertex& v = plan.vertices[s.from];
+      if (v.index < 0) continue;
+      const bool on_wall = v.position.z() > 6 && v.position.z() < 20;
+      EXPECT_TRUE(on_wall || v.on_object == (v.position.z() > 6)) << v.position.transpose();
+      marked += v.on_object;
+    }
+  }
+  EXPECT_GT(marked, 10);
+}
+
 TEST_P(MarkObjectsTest, OnRoughGroundNothingStands) {
   const Plan plan = PlanOf(
       HoleOverNineCells(GetParam(), [](double, double x, double y) { return 8 * std::sin(x / 4) * std::cos(y / 5); }));

@@ -88,7 +88,9 @@ TEST(SampleClusterTest, AmongObjectsARimThatCrossesTheSeamDoesNoHarm) {
     return v.position.x() == 0 && v.position.y() == 5;
   })->position.x() = 7;
   EXPECT_FALSE(SampleCluster(cluster, {}).has_value());
-  for (CellHole& hole : cluster.holes) hole.among_objects = true;
+  for (const RimVertex& v : cluster.vertices) {
+    if (v.index >= 0) cluster.holes[0].ground_points.push_back(v.position);
+  }
   const auto surface = SampleCluster(cluster, {});
   ASSERT_TRUE(surface.has_value());
   EXPECT_EQ(surface->samples.size(), 9U);

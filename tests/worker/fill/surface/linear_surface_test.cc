@@ -43,8 +43,8 @@ TEST(LinearHeightsTest, FewPointsWillDo) {
               ElementsAre(DoubleNear(1, 1e-6), DoubleNear(3, 1e-6)));
 }
 
-TEST(LinearHeightsTest, OfPointsOverOnePlaceTheFirstCounts) {
-  EXPECT_THAT(LinearHeights({{0, 0, 1}, {0, 0, 9}, {8, 0, 1}, {0, 8, 1}}, {{0, 0}, {2, 2}}), ElementsAre(1, 1));
+TEST(LinearHeightsTest, OfPointsOverOnePlaceOneCounts) {
+  EXPECT_THAT(LinearHeights({{0, 0, 3}, {0, 0, 3}, {8, 0, 3}, {0, 8, 3}}, {{0, 0}, {2, 2}}), ElementsAre(3, 3));
 }
 
 // A strip of ground 20 m wide between two shores, in squares of 1 m.
@@ -62,9 +62,18 @@ ThinPlateProblem Strip(double (*height)(const Point3&)) {
   return problem;
 }
 
+// What is known of it.
+std::vector<Point3> ShoreOf(const ThinPlateProblem& strip) {
+  std::vector<Point3> shore;
+  for (size_t v = 0; v < strip.points.size(); ++v) {
+    if (strip.known[v]) shore.push_back(strip.points[v]);
+  }
+  return shore;
+}
+
 TEST(SolveLinearTest, GoesStraightAcross) {
   ThinPlateProblem problem = Strip([](const Point3& p) { return p.y() < 20 ? 0.0 : 8.0; });
-  ASSERT_TRUE(SolveLinear({}, {}, problem));
+  ASSERT_TRUE(SolveLinear(ShoreOf(problem), {}, {}, problem));
   for (const Point3& p : problem.points) {
     const bool off_the_step = std::abs(p.y() - 20) > 10;
     EXPECT_NEAR(p.z(), p.y() < 20 ? 0 : 8, off_the_step ? 0.1 : 8) << p.transpose();
@@ -73,7 +82,7 @@ TEST(SolveLinearTest, GoesStraightAcross) {
 
 TEST(SolveLinearTest, RoundsEdgesOff) {
   ThinPlateProblem problem = Strip([](const Point3& p) { return std::abs(p.y() - 20); });
-  ASSERT_TRUE(SolveLinear({}, {}, problem));
+  ASSERT_TRUE(SolveLinear(ShoreOf(problem), {}, {}, problem));
   const auto at = [&](double x, double y) {
     return std::find_if(problem.points.begin(), problem.points.end(),
                         [&](const Point3& p) { return p.x() == x && p.y() == y; })
@@ -88,26 +97,22 @@ TEST(SolveLinearTest, WhatStandsOnTheShoreCountsNothing) {
   ThinPlateProblem problem = Strip([](const Point3& p) { return p.x() == 0 && p.y() == 20 ? 30.0 : 2.0; });
   std::vector<bool> on_object(problem.points.size(), false);
   for (size_t v = 0; v < on_object.size(); ++v) on_object[v] = problem.points[v].z() == 30;
-  ASSERT_TRUE(SolveLinear(on_object, {}, problem));
+  const std::vector<Point3> corners = {{0, 0, 2}, {20, 0, 2}, {20, 40, 2}, {0, 40, 2}};
+  ASSERT_TRUE(SolveLinear(corners, on_object, {}, problem));
   for (const Point3& p : problem.points) EXPECT_NEAR(p.z(), 2, 1e-6);
   std::vector<std::optional<double>> ground(problem.points.size());
   const auto object = std::find(on_object.begin(), on_object.end(), true) - on_object.begin();
   ground[object] = 1.5;
-  ASSERT_TRUE(SolveLinear(on_object, ground, problem));
+  ASSERT_TRUE(SolveLinear(corners, on_object, ground, problem));
   EXPECT_EQ(problem.points[object].z(), 1.5);
 }
 
-TEST(SolveLinearTest, WithoutAnyGroundWhatStandsThereIsGround) {
-  ThinPlateProblem problem = Strip([](const Point3&) { return 4.0; });
-  std::vector<bool> on_object = problem.known;
-  ASSERT_TRUE(SolveLinear(on_object, {}, problem));
-  for (const Point3& p : problem.points) EXPECT_NEAR(p.z(), 4, 1e-9);
-}
-
-TEST(SolveLinearTest, WithoutAnyHeightNothingIsChanged) {
-  ThinPlateProblem problem = Strip([](const Point3&) { return 4.0; });
-  problem.known.assign(problem.known.size(), false);
-  EXPECT_FALSE(SolveLinear({}, {}, problem));
+// As in a cell all of whose rim stands on objects.
+TEST(SolveLinearTest, TheGroundMayLieElsewhere) {
+  ThinPlateProblem problem = Strip([](const Point3&) { return 9.0; });
+  const std::vector<bool> on_object = problem.known;
+  ASSERT_TRUE(SolveLinear({{-50, -50, 0}, {70, -50, 12}, {70, 90, 12}, {-50, 90, 0}}, on_object, {}, problem));
+  for (const Point3& p : problem.points) EXPECT_NEAR(p.z(), 0.1 * (p.x() + 50), 0.3) << p.transpose();
 }
 
 }  // namespace

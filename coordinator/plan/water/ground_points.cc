@@ -1,0 +1,102 @@
+#include "coordinator/plan/water/ground_points.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/bin_grid.h"
+#include "common/mesh/triangulation/point_triangulation.h"
+#include "coordinator/plan/water/hole_groups.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kLowestWithin = 2;  // metres
+constexpr double kMostBins = 1000;   // along a side
+
+Eigen::AlignedBox2d ExtentOf(const Plan& plan, const PlannedHole& hole) {
+  Eigen::AlignedBox2d box;
+  const auto extend = [&](const std::vector<RimSegment>& segments) {
+    for (const RimSegment& s : segments) box.extend(Point2(plan.vertices[s.from].position.head<2>()));
+  };
+  extend(hole.segments);
+  for (const std::vector<RimSegment>& region : hole.own_regions) extend(region);
+  return box;
+}
+
+std::vector<Point3> GroundOf(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::set<int32_t> ground;
+  for (const int32_t h : holes) {
+    for (const RimSegment& s : plan.holes[h].segments) {
+      for (const int32_t v : {s.from, s.to}) {
+        if (plan.vertices[v].index >= 0 && !plan.vertices[v].on_object) ground.insert(v);
+      }
+    }
+  }
+  std::vector<Point3> points;
+  for (const int32_t v : ground) points.push_back(plan.vertices[v].position);
+  return points;
+}
+
+// The points, each as high as the lowest around it.
+std::vector<Point3> Lowered(const std::vector<Point3>& points, const Eigen::AlignedBox2d& places) {
+  const Point2 reach = Point2::Constant(kLowestWithin);
+  const auto place = [&](int32_t i) { return Point2(points[i].head<2>()); };
+  const BinGrid bins(places, std::max(kLowestWithin, places.sizes().maxCoeff() / kMostBins),
+                     static_cast<int32_t>(points.size()),
+                     [&](int32_t i) { return Eigen::AlignedBox2d(place(i), place(i)); });
+  std::vector<Point3> lowered = points;
+  for (int32_t i = 0; i < std::ssize(points); ++i) {
+    for (const int32_t k : bins.In({place(i) - reach, place(i) + reach})) {
+      if ((place(k) - place(i)).norm() <= kLowestWithin) lowered[i].z() = std::min(lowered[i].z(), points[k].z());
+    }
+  }
+  return lowered;
+}
+
+// The surface between the ground points of a group, to be asked for what it is made of in a box.
+class GroundSurface {
+ public:
+  GroundSurface(std::vector<Point3> points, const Eigen::AlignedBox2d& places) : points_(std::move(points)) {
+    const PointTriangulation triangulation = TriangulatePoints(points_, places);
+    triangles_ = triangulation.mesh.triangles;
+    for (const Triangle& t : triangles_) {
+      Eigen::AlignedBox2d box;
+      for (const int32_t v : t) box.extend(triangulation.window.ToMetres(triangulation.points[v]));
+      boxes_.push_back(box);
+    }
+  }
+
+  std::vector<Point3> CornersIn(const Eigen::AlignedBox2d& box) const {
+    std::set<int32_t> corners;
+    for (size_t t = 0; t < triangles_.size(); ++t) {
+      if (boxes_[t].intersects(box)) corners.insert(triangles_[t].begin(), triangles_[t].end());
+    }
+    std::vector<Point3> result;
+    for (const int32_t v : corners) {
+      if (v < std::ssize(points_)) result.push_back(points_[v]);
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<Point3> points_;
+  std::vector<Triangle> triangles_;  // corners of the frame too
+  std::vector<Eigen::AlignedBox2d> boxes_;
+};
+
+}  // namespace
+
+void FindGroundPoints(Plan& plan) {
+  for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
+    if (!plan.holes[holes.front()].among_objects || plan.holes[holes.front()].water >= 0) continue;
+    Eigen::AlignedBox2d places;
+    for (const int32_t h : holes) places.extend(ExtentOf(plan, plan.holes[h]));
+    const GroundSurface surface(Lowered(GroundOf(plan, holes), places), places);
+    for (const int32_t h : holes) plan.holes[h].ground_points = surface.CornersIn(ExtentOf(plan, plan.holes[h]));
+  }
+}
+
+}  // namespace tilemend

@@ -1,0 +1,79 @@
+#include "coordinator/plan/water/ground_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coordinator/plan/plan.h"
+#include "tests/support/surveyed_scene.h"
+#include "tests/support/water_scenes.h"
+
+namespace tilemend {
+namespace {
+
+double Ground(double x, double y) { return 0.05 * x + 0.5 * std::sin(y / 15); }
+
+bool InHouse(double y) { return std::fmod(y, 24) < 10; }
+
+// Rows of houses on both shores.
+Plan PlanAmongHouses(Cut cut) {
+  return MakePlan(SurveyScene(MakeScene(HoleOverNineCells(
+                                  cut, [](double, double x, double y) { return Ground(x, y) + (InHouse(y) ? 9 : 0); })))
+                      .Input(),
+                  {});
+}
+
+class GroundPointsTest : public ::testing::TestWithParam<Cut> {};
+
+TEST_P(GroundPointsTest, AreOnTheGroundOfTheWholeRim) {
+  const Plan plan = PlanAmongHouses(GetParam());
+  const double reach = 40 + 1;
+  for (const PlannedHole& hole : plan.holes) {
+    ASSERT_TRUE(hole.among_objects);
+    ASSERT_FALSE(hole.ground_points.empty());
+    for (const Point3& p : hole.ground_points) EXPECT_NEAR(p.z(), Ground(p.x(), p.y()), 0.4) << p.transpose();
+    const bool beyond = std::any_of(hole.ground_points.begin(), hole.ground_points.end(), [&](const Point3& p) {
+      const Point2 corner(hole.cell.col * 40.0, hole.cell.row * 40.0);
+      return (p.head<2>() - corner).minCoeff() < -1 || (p.head<2>() - corner).maxCoeff() > reach;
+    });
+    EXPECT_TRUE(beyond) << hole.cell.col << ' ' << hole.cell.row;
+  }
+}
+
+TEST_P(GroundPointsTest, AreTheLowestAround) {
+  Plan plan = PlanAmongHouses(GetParam());
+  for (size_t v = 0; v < plan.vertices.size(); v += 7) plan.vertices[v].position.z() += 1.5;  // cars, as it were
+  FindGroundPoints(plan);
+  int lowered = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const Point3& p : hole.ground_points) {
+      for (const RimSegment& s : hole.segments) {
+        const PlanVertex& v = plan.vertices[s.from];
+        const double apart = (v.position - p).head<2>().norm();
+        if (v.index < 0 || v.on_object || apart > 2) continue;
+        EXPECT_LE(p.z(), v.position.z()) << p.transpose();
+        lowered += apart == 0 && p.z() < v.position.z() - 1;
+      }
+    }
+  }
+  EXPECT_GT(lowered, 5);
+}
+
+TEST_P(GroundPointsTest, ThereAreNoneWhereFewObjectsStand) {
+  const Plan plan = MakePlan(
+      SurveyScene(MakeScene(HoleOverNineCells(GetParam(), [](double, double x, double y) { return Ground(x, y); })))
+          .Input(),
+      {});
+  for (const PlannedHole& hole : plan.holes) EXPECT_TRUE(hole.ground_points.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, GroundPointsTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
+                         [](const auto& cut) {
+                           return cut.param == Cut::kClipped  ? "Clipped"
+                                  : cut.param == Cut::kRagged ? "Ragged"
+                                                              : "Overlap";
+                         });
+
+}  // namespace
+}  // namespace tilemend
