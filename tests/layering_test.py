@@ -36,7 +36,7 @@ RULES = {
 
     'common/mesh': rule([], ['eigen']),
 
-    'common/mesh/triangulation': rule(['common/mesh'], []),
+    'common/mesh/triangulation': rule(['common/mesh'], ['eigen']),
 
     'common/mesh/winding': rule(['common/mesh'], ['clipper']),
 

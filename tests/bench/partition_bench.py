@@ -28,7 +28,9 @@ TWO = ('--holes', 'none', '--ellipse', '160,190,110,90', '--ellipse', '400,390,1
 GROUNDS = {**{f'Hurst {h}': ('--hurst', h) for h in (0.7, 1.0, 1.2)}, 'DEM': ('--dem', scene_tools.FAULT, '--relief', 100)}
 MADE = {**{f'lakes with islands, {name}': (*ground, *LAKES) for name, ground in GROUNDS.items()},
         **{f'lake 5 cells wide, {name}': (*ground, *WIDE) for name, ground in GROUNDS.items()},
-        'two lakes, Hurst 1.0': ('--hurst', 1.0, *TWO)}
+        'two lakes, Hurst 1.0': ('--hurst', 1.0, *TWO),
+        'lake among houses, Hurst 1.0': ('--hurst', 1.0, *WIDE)}
+HOUSES = {'lake among houses, Hurst 1.0': 288}
 REAL = {'Mars crater, real cut': 'mars', 'DEM, real cut': 'dem'}
 LEAST_POINTS = 20  # of a hole that is looked at on its own: the relief of fewer is no measure
 HEADS = ['scene', 'seed', 'layers', 'points', 'relief, m', 'apart, m', 'of the hole', 'of the scene', 'worst hole',
@@ -52,11 +54,13 @@ def fill_welded(bin_folder, scene, folder):
     return points[all_triangles[len(triangles):]], scene_tools.read_json(report)
 
 
-def made(bin_folder, flags, seed, folder):
+def made(bin_folder, name, seed, folder):
     sides = []
-    for name, grid in (('whole', WHOLE), ('cut', CUT)):
-        scene = os.path.join(folder, name)
-        scene_tools.run('make_scene.py', scene, *grid, '--cut', 'ragged', '--spacing', 2.5, '--seed', seed, *flags)
+    for side, grid in (('whole', WHOLE), ('cut', CUT)):
+        scene = os.path.join(folder, side)
+        houses_per_cell = HOUSES.get(name, 0) / (grid[1] * grid[3])
+        scene_tools.run('make_scene.py', scene, *grid, '--cut', 'ragged', '--spacing', 2.5, '--seed', seed,
+                        '--buildings', houses_per_cell, *MADE[name])
         sides.append(fill_cells(bin_folder, scene, scene + '-filled'))
     return *sides, surfaces.truth_of(os.path.join(folder, 'whole'))
 
@@ -99,7 +103,7 @@ def tables(bin_folder, seeds, only=None):
             continue
         for seed in seeds:
             with tempfile.TemporaryDirectory(prefix='tilemend-bench-') as folder:
-                sides = (made(bin_folder, MADE[name], seed, folder) if name in MADE
+                sides = (made(bin_folder, name, seed, folder) if name in MADE
                          else real(bin_folder, REAL[name], seed, folder))
                 rows.append(row(name, seed, *sides))
                 print(' | '.join(map(str, rows[-1])), file=sys.stderr, flush=True)

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -352,6 +354,57 @@ INSTANTIATE_TEST_SUITE_P(Lakes, WaterPipelineTest,
                            return std::string(std::get<0>(test.param) == Cut::kClipped ? "Clipped" : "Ragged") +
                                   (std::get<1>(test.param) == Surface::kWang ? "Wang" : "ThinPlate");
                          });
+
+// The new triangles of all tiles, as corners.
+std::vector<std::array<Point3, 3>> FilledTriangles(const SurveyedScene& scene, const FilledScene& filled) {
+  std::vector<std::array<Point3, 3>> triangles;
+  for (const auto& [cell, tile] : filled.tiles) {
+    const auto record = scene.records.find(cell);
+    const auto own = record == scene.records.end() ? 0 : static_cast<size_t>(record->second.triangle_count);
+    for (size_t t = own; t < tile.triangles.size(); ++t) {
+      const Triangle& c = tile.triangles[t];
+      triangles.push_back({tile.points[c[0]], tile.points[c[1]], tile.points[c[2]]});
+    }
+  }
+  return triangles;
+}
+
+std::optional<double> HeightOver(const std::vector<std::array<Point3, 3>>& triangles, const Point2& p) {
+  const auto area = [](const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); };
+  for (const auto& [a, b, c] : triangles) {
+    const Point2 u = b.head<2>() - a.head<2>(), v = c.head<2>() - a.head<2>(), w = p - a.head<2>();
+    const double s = area(w, v) / area(u, v), t = area(u, w) / area(u, v);
+    if (s >= 0 && t >= 0 && s + t <= 1) return a.z() + s * (b.z() - a.z()) + t * (c.z() - a.z());
+  }
+  return std::nullopt;
+}
+
+TEST(AmongHousesTest, TheSurfaceDoesNotDependOnWhereTheGridCuts) {
+  SceneMakerOptions options = HoleOverNineCells(Cut::kRagged, [](double, double x, double y) {
+    return 0.05 * x + 2 * std::sin(y / 15) + (std::fmod(y, 24) < 10 ? 9 : 0);
+  });
+  const auto fill = [&] {
+    const SurveyedScene scene = SurveyScene(MakeScene(options));
+    return FilledTriangles(scene, FillScene(scene));
+  };
+  const auto cut = fill();
+  options.cols = options.rows = 1;
+  options.cell_size *= 3;
+  const auto whole = fill();
+  double apart = 0;
+  int places = 0;
+  for (double x = 21; x < 100; x += 4) {
+    for (double y = 21; y < 100; y += 4) {
+      const auto a = HeightOver(cut, {x, y}), b = HeightOver(whole, {x, y});
+      if (!a || !b) continue;
+      apart += std::abs(*a - *b);
+      ++places;
+    }
+  }
+  ASSERT_GT(places, 100);
+  const double relief = 0.05 * 100 + 2 * 2;
+  EXPECT_LT(apart / places, 0.01 * relief);
+}
 
 }  // namespace
 }  // namespace tilemend
