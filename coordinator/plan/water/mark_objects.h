@@ -10,8 +10,9 @@ namespace tilemend {
 // and project, if they are at least 20 m across, where the way down is steeper than ground (StepsDown, with the bands
 // of the cells around as surroundings) or where walls lift them (OnRaisedLevels), provided that the steps at all these
 // rims together are walls (AreWalls). Smaller holes are filled as the surface around them goes on, walls and roofs
-// included. Where all of a rim would stand on objects, none of it does. Lowers the sizes of such vertices to the lengths
-// of their edges seen from above. Cost near-linear in the bands of the cells that such holes reach, for each hole.
+// included. Where all of a rim would stand on objects, none of it does. Lowers the sizes of such vertices to the
+// lengths of their edges seen from above. Cost near-linear in the bands of the cells that such holes reach, for each
+// hole.
 void MarkObjects(const PlanInput& input, Plan& plan);
 
 }  // namespace tilemend
