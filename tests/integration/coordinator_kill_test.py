@@ -121,6 +121,12 @@ class Bench:
         return subprocess.run([self.program('tilemend'), *words, '--coordinator', self.address], capture_output=True,
                               text=True, timeout=LIMIT)
 
+    def told(self, *words):
+        """What a command that succeeds says, as JSON."""
+        said = self.client(*words, '-o', 'json')
+        require(said.returncode == 0, f'{words}: exit code {said.returncode}: {said.stderr}')
+        return json.loads(said.stdout)
+
     def get(self, name):
         got = self.client('get', name, '-o', 'json')
         return json.loads(got.stdout) if got.returncode == 0 else None
@@ -351,14 +357,14 @@ def check_told_stays(bench, scene, figures, each):
         for worker in bench.workers:
             worker.send_signal(signal.SIGSTOP)  # or the job could be over
         out = os.path.join(bench.folder, f'told{number}')
-        made = json.loads(bench.client('submit', scene, '--out', out, '-o', 'json').stdout)
+        made = bench.told('submit', scene, '--out', out)
         restart()
         require(bench.get(made['name'])['state'] == 'running', f'{made["name"]} is not there any more')
         cancelled = bench.client('cancel', made['name'])
         require(cancelled.returncode == 0, cancelled.stderr)
         restart()
         require(bench.get(made['name'])['state'] == 'cancelled', f'{made["name"]} is not cancelled any more')
-        again = json.loads(bench.client('retry', made['name'], '-o', 'json').stdout)
+        again = bench.told('retry', made['name'])
         restart()
         require(bench.get(again['name'])['state'] == 'running', f'{again["name"]} is not there any more')
         bench.client('cancel', again['name'])
