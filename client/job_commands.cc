@@ -1,5 +1,6 @@
 // Commands that talk to a coordinator.
 #include <cstdio>
+#include <optional>
 #include <random>
 
 #include "absl/strings/ascii.h"
@@ -114,6 +115,19 @@ int SubmitCommand(const Args& args) {
   return AfterStart(*session, args, session->client->Create(request));
 }
 
+// A job that was cancelled a moment ago keeps its folder until its workers have left it.
+absl::StatusOr<v1::Job> RetryOnceLeft(JobClient& client, const v1::RetryJobRequest& request) {
+  const absl::Time end = absl::Now() + absl::Seconds(10);
+  while (true) {
+    absl::StatusOr<v1::Job> job = client.Retry(request);
+    const std::optional<ErrorInfo> error = GetErrorInfo(job.status());
+    const bool leaving = error && error->reason == "OUTPUT_IN_USE" && error->metadata.contains("job") &&
+                         absl::StrCat("jobs/", error->metadata.at("job")) == request.name();
+    if (!leaving || absl::Now() > end) return job;
+    absl::SleepFor(absl::Milliseconds(100));
+  }
+}
+
 int RetryCommand(const Args& args) {
   auto session = OpenSession(args, args.Switch("wait"));
   if (!session.ok()) return PrintUsageError(session.status());
@@ -123,7 +137,7 @@ int RetryCommand(const Args& args) {
   request.set_name(*name);
   request.set_request_id(RequestIdFromFlags(args));
   request.set_overwrite(args.Switch("overwrite"));
-  return AfterStart(*session, args, session->client->Retry(request));
+  return AfterStart(*session, args, RetryOnceLeft(*session->client, request));
 }
 
 int GetCommand(const Args& args) {
