@@ -130,18 +130,27 @@ class Cluster:
             return json.load(answer)['data']['result']
 
 
-def disturb(cluster, name):
-    """While the job runs. It is paused until all is ready for the faults, so that it does not end before them, however fast
-    it is."""
-    await_('the first tasks', lambda: cluster.job(name)['progress']['tasks_done'])
+def submit_paused(cluster):
+    """The name of a job that waits. Its only worker is frozen until then, so that it does no task, however long it takes to
+    start the client's container."""
+    (worker,) = cluster.containers('worker')
+    run('docker', 'pause', worker)
+    name = json.loads(cluster.client('submit', '/data/scene', '--out', '/data/out', '-o', 'json'))['name']
     cluster.client('pause', name)
+    run('docker', 'unpause', worker)
+    return name
+
+
+def disturb(cluster, name):
+    """While the job runs. It is paused until all is ready for the faults."""
     cluster.trial('scale', '3')
     cluster.slow_down()
     await_('three workers', lambda: len(cluster.workers()) == 3)
     cluster.trial('renew')
-    print(f'three workers, and new certificates, after {cluster.job(name)["progress"]["tasks_done"]} tasks')
-    (coordinator,), worker = cluster.containers('coordinator'), cluster.containers('worker')[0]
+    print('three workers, and new certificates')
     cluster.client('resume', name)
+    time.sleep(3)  # some of its tasks
+    (coordinator,), worker = cluster.containers('coordinator'), cluster.containers('worker')[0]
     with subprocess.Popen(['docker', 'restart', '-t', '5', coordinator], stdout=subprocess.DEVNULL):
         run('docker', 'kill', worker)
     await_('the coordinator', lambda: run(TRIAL, 'client', 'get', name, env=cluster.env, check=False).returncode == 0)
@@ -220,9 +229,8 @@ def play(cluster, scene, options):
     expected = run(os.path.join(options.bin, 'tilemend'), 'run', scene, '--out', os.path.join(cluster.folder, 'expected'),
                    check=False).returncode
     cluster.trial('up', '1')
-    cluster.slow_down()
     start = time.time()
-    name = json.loads(cluster.client('submit', '/data/scene', '--out', '/data/out', '-o', 'json'))['name']
+    name = submit_paused(cluster)
     disturb(cluster, name)
     ended = run(TRIAL, 'client', 'watch', name, '-o', 'json', env=cluster.env, check=False)
     if ended.returncode != expected:
