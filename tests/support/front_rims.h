@@ -53,6 +53,7 @@ inline FrontLimits EnoughFor(const FrontRim& rim) {
   FrontLimits limits;
   limits.most_new_points = 2 * std::ssize(rim.points) * std::ssize(rim.points);
   limits.longest_front = 2 * std::ssize(rim.points) + 100;
+  limits.most_looks = 10'000'000;
   return limits;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numbers>
 #include <set>
 #include <unordered_set>
@@ -51,19 +52,20 @@ class Front {
     for (int32_t node = 0; node < loops_.size(); ++node) Queue(node);
     while (!loops_.Alive().empty()) {
       if (queue_.empty() && !TakeLessCare()) return {};
+      if (sight_.looked_at() > limits_.most_looks) return {FrontEnd::kTooMuchWork, {}, {}};
       const int32_t node = queue_.begin()->second;
       queue_.erase(queue_.begin());
-      queued_[node] = -1;
+      of_node_[node].queued = -1;
       if (!loops_[node].alive) continue;
       if (!Advance(node)) {
-        waiting_.push_back(node);
+        Wait(node);
         continue;
       }
       if (RunsAway() || (limits_.is_cancelled && limits_.is_cancelled())) return {};
       QueueWaitingNear(node);
       care_ = Care::kFull;
     }
-    patch_.closed = true;
+    patch_.end = FrontEnd::kClosed;
     return std::move(patch_);
   }
 
@@ -77,33 +79,43 @@ class Front {
   bool TakeLessCare() {
     if (care_ == Care::kNone || waiting_.empty()) return false;
     care_ = care_ == Care::kFull ? Care::kNearFront : Care::kNone;
-    QueueWaiting();
+    widest_wait_ = 0;
+    for (const int32_t node : std::exchange(waiting_, {})) Queue(node);
     return true;
   }
 
-  void QueueWaiting() {
-    for (const int32_t node : std::exchange(waiting_, {})) Queue(node);
+  void Wait(int32_t node) {
+    waiting_.insert(node);
+    widest_wait_ = std::max(widest_wait_, kSight * CornerAt(node).Length());
   }
 
   // What a corner allows depends on the front near it alone.
   void QueueWaitingNear(int32_t changed) {
+    if (waiting_.empty()) {
+      widest_wait_ = 0;
+      return;
+    }
     const Point3 place = At(changed);
-    const double edge = CornerAt(changed).Length();
-    std::erase_if(waiting_, [&](int32_t node) {
-      const double reach = kSight * std::max(edge, CornerAt(node).Length());
-      if (loops_[node].alive && (At(node) - place).norm() > reach) return false;
-      Queue(node);
-      return true;
-    });
+    const double own_reach = kSight * CornerAt(changed).Length();
+    for (const int32_t node : sight_.NodesNear(place, std::max(own_reach, widest_wait_))) {
+      if (!waiting_.contains(node)) continue;
+      const double reach = std::max(own_reach, kSight * CornerAt(node).Length());
+      if ((At(node) - place).norm() <= reach) Queue(node);
+    }
   }
 
+  // A corner that may have changed. Its edge ahead is seen from now on.
   void Queue(int32_t node) {
-    queued_.resize(loops_.size(), -1);
-    if (queued_[node] >= 0) queue_.erase({queued_[node], node});
-    queued_[node] = -1;
+    of_node_.resize(loops_.size());
+    OfNode& own = of_node_[node];
+    waiting_.erase(node);
+    if (own.queued >= 0) queue_.erase({own.queued, node});
+    own.queued = -1;
     if (!loops_[node].alive) return;
-    queued_[node] = CornerAt(node).angle_rad;
-    queue_.insert({queued_[node], node});
+    if (own.followed != loops_[node].after) sight_.Follow(node, sizes_[loops_[node].vertex]);
+    own.followed = loops_[node].after;
+    own.queued = CornerAt(node).angle_rad;
+    queue_.insert({own.queued, node});
   }
 
   void QueueAround(int32_t node) {
@@ -166,7 +178,7 @@ class Front {
   bool Divide(int32_t node, const FrontCorner& corner, const std::vector<Point3>& places) {
     const double near = care_ == Care::kFull ? limits_.merge * corner.Length() : 0;
     for (const Point3& p : places) {
-      if (near > 0 && sight_.DistanceTo(p, node) < near) return false;
+      if (near > 0 && sight_.IsNear(p, node, near)) return false;
     }
     const int32_t a = loops_.VertexBefore(node), v = loops_[node].vertex, b = loops_.VertexAfter(node);
     for (size_t i = 0; i < places.size(); ++i) {
@@ -194,11 +206,18 @@ class Front {
 
   // A triangle between one of the corner's edges and the vertex of the front nearest to where a new one should go.
   bool AttachNear(int32_t node, const FrontCorner& corner, const std::vector<Point3>& places) {
+    const double reach = kReach * corner.Length();
+    std::map<int32_t, double> distances;
+    for (const Point3& p : places) {
+      for (const int32_t n : sight_.NodesNear(p, reach)) {
+        const double distance = (At(n) - p).norm();
+        double& least = distances.try_emplace(n, distance).first->second;
+        least = std::min(least, distance);
+      }
+    }
     std::vector<std::pair<double, int32_t>> near;
-    for (const int32_t n : loops_.Alive()) {
-      double distance = (At(n) - places.front()).norm();
-      for (const Point3& p : places) distance = std::min(distance, (At(n) - p).norm());
-      if (distance < kReach * corner.Length() && NormalAt(n).dot(corner.normal) > 0) near.emplace_back(distance, n);
+    for (const auto& [n, distance] : distances) {
+      if (distance < reach && NormalAt(n).dot(corner.normal) > 0) near.emplace_back(distance, n);
     }
     std::sort(near.begin(), near.end());
     return std::any_of(near.begin(), near.end(), [&](const auto& n) { return AttachEither(node, corner, n.second); });
@@ -272,9 +291,14 @@ class Front {
   std::vector<double> sizes_;           // of each vertex, as FrontCorner
   std::vector<Vector3d> carried_;       // likewise
   std::unordered_set<uint64_t> edges_;  // of the patch
+  struct OfNode {
+    double queued = -1;     // its angle in the queue, or -1
+    int32_t followed = -1;  // the end of its edge that `sight_` knows of
+  };
   std::set<std::pair<double, int32_t>> queue_;
-  std::vector<double> queued_;  // of each node: its angle in the queue, or -1
-  std::vector<int32_t> waiting_;
+  std::vector<OfNode> of_node_;
+  std::set<int32_t> waiting_;
+  double widest_wait_ = 0;  // of those that wait: how far off a change may be that lets them go on, metres
   Care care_ = Care::kFull;
 };
 

@@ -26,13 +26,18 @@ struct FrontLimits {
   double merge = 0.6;                       // FillerOptions::merge
   int64_t most_new_points = 0;              // more than these: the front does not close
   int64_t longest_front = 0;                // likewise, of vertices on it
+  int64_t most_looks = 0;                   // likewise, of edges of the front that are looked at: kTooMuchWork
   std::function<bool()> is_cancelled = {};  // asked now and then; none: never
 };
 
+enum class FrontEnd { kOpen, kClosed, kTooMuchWork };
+
 struct FrontPatch {
-  bool closed = false;         // false: no triangles
-  std::vector<Point3> points;  // those of the rim first
+  FrontEnd end = FrontEnd::kOpen;  // but for kClosed: no triangles
+  std::vector<Point3> points;      // those of the rim first
   std::vector<Triangle> triangles;
+
+  bool closed() const { return end == FrontEnd::kClosed; }
 };
 
 // The advancing front of Zhao 2007, Sun 2012 and Xu 2014: the smallest angle of the front first; at most 75 degrees,
@@ -46,7 +51,7 @@ struct FrontPatch {
 // changed; when all wait, new vertices may lie near the front, and at last the smallest angle is joined whatever it
 // covers. So a patch may cross itself: the caller checks it. No edge is made twice.
 //
-// O(new points * front). Deterministic.
+// About O(log n) for each new point, where the front is nowhere crowded. Deterministic.
 FrontPatch AdvanceFront(const FrontRim& rim, const FrontRule& rule, const FrontLimits& limits);
 
 }  // namespace tilemend

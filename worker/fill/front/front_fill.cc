@@ -22,6 +22,9 @@ int64_t MostNewPoints(int64_t edges) { return edges * edges / 3 + 200; }
 // A front that closes gets shorter; over a folded boundary it grows a little at first.
 int64_t LongestFront(int64_t edges) { return 2 * edges + 100; }
 
+// FillerOptions::most_work is in millions.
+constexpr int64_t kWorkUnit = 1'000'000;
+
 FrontRim RimOf(const LocalHole& hole) {
   FrontRim rim;
   rim.points = hole.positions;
@@ -71,7 +74,7 @@ class FrontFiller {
 
   LocalPatch ByPoisson() {
     Advance(PlainRule());
-    if (front_.closed && !ShapeByNormals(rim_.areas, front_.triangles, front_.points)) {
+    if (front_.closed() && !ShapeByNormals(rim_.areas, front_.triangles, front_.points)) {
       return {FillFailure::kNoSolution};
     }
     return Result();
@@ -81,7 +84,7 @@ class FrontFiller {
     const double edge = MeanEdge(hole_);
     const int32_t split = SplitLongEdges(options_.filling.long_edge * edge, rim_);
     Advance(PlainRule());
-    if (!front_.closed) return Result();
+    if (!front_.closed()) return Result();
     const std::vector<LaplacianSample> samples = SampleRings(hole_.positions, surface, options_.filling.rings);
     if (!ShapeByLaplacians(samples, options_.filling, edge, front_.triangles, hole_.size() + split, front_.points)) {
       return {FillFailure::kNoSolution};
@@ -92,7 +95,7 @@ class FrontFiller {
 
   LocalPatch ByCurvature() {
     Advance(PlainRule());
-    if (!front_.closed) return Result();
+    if (!front_.closed()) return Result();
     CurvaturePatch patch{std::move(front_.points), hole_.size(), std::move(front_.triangles)};
     RefineByCurvature(SurfaceAtRim(hole_), options_.filling, rim_.may_join, patch);
     front_.points = std::move(patch.points);
@@ -104,12 +107,14 @@ class FrontFiller {
   void Advance(const FrontRule& rule) {
     const int64_t edges = std::ssize(rim_.points);
     const FrontLimits limits = {options_.filling.merge, std::min(options_.refine.max_new_points, MostNewPoints(edges)),
-                                LongestFront(edges), options_.refine.is_cancelled};
+                                LongestFront(edges), options_.filling.most_work * kWorkUnit,
+                                options_.refine.is_cancelled};
     front_ = AdvanceFront(rim_, rule, limits);
   }
 
   LocalPatch Result() {
-    if (!front_.closed) return {FillFailure::kFrontOpen};
+    if (front_.end == FrontEnd::kTooMuchWork) return {FillFailure::kTooMuchWork};
+    if (!front_.closed()) return {FillFailure::kFrontOpen};
     LocalPatch patch;
     for (size_t v = hole_.positions.size(); v < front_.points.size(); ++v) {
       patch.new_points.push_back(RoundedToLattice(front_.points[v], hole_.cell->lattice_step));

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "common/mesh/segment_distance.h"
 #include "common/mesh/triangle_shape.h"
 
 namespace tilemend {
@@ -34,9 +34,9 @@ class Seen {
     }
   }
 
-  bool IsHitBy(int32_t from, const Point3& a, int32_t to, const Point3& b) const {
+  bool IsHitBy(int32_t from, Point3 a, int32_t to, Point3 b) const {
     const bool has_from = Has(from), has_to = Has(to);
-    if ((has_from && has_to) || IsFar(a, b)) return false;
+    if ((has_from && has_to) || !CutToReach(a, b)) return false;
     const Point2 p = Flat(a), q = Flat(b);
     if ((!has_from && Covers(p)) || (!has_to && Covers(q))) return true;
     for (int k = 0; k < 3; ++k) {
@@ -51,13 +51,20 @@ class Seen {
     return false;
   }
 
+  double reach() const { return reach_; }
+
  private:
   Point2 Flat(const Point3& p) const { return {x_.dot(p - origin_), y_.dot(p - origin_)}; }
   bool Has(int32_t v) const { return std::find(vertices_.begin(), vertices_.end(), v) != vertices_.end(); }
-  bool IsFar(const Point3& a, const Point3& b) const {
-    const double up = z_.dot(a - origin_), down = z_.dot(b - origin_);
-    return std::min(up, down) > reach_ || std::max(up, down) < -reach_ ||
-           (a - origin_).norm() > 2 * reach_ + (b - a).norm();
+  // Leaves of an edge what is no further above or below than the longest edge; false: nothing.
+  bool CutToReach(Point3& a, Point3& b) const {
+    const double at_a = z_.dot(a - origin_), at_b = z_.dot(b - origin_);
+    if (std::min(at_a, at_b) > reach_ || std::max(at_a, at_b) < -reach_) return false;
+    const Vector3d along = (b - a) / (at_b - at_a);
+    const Point3 from = a;
+    if (std::abs(at_a) > reach_) a = from + (std::copysign(reach_, at_a) - at_a) * along;
+    if (std::abs(at_b) > reach_) b = from + (std::copysign(reach_, at_b) - at_a) * along;
+    return true;
   }
   bool Covers(const Point2& p) const {
     return Turn(corners_[0], corners_[1], p) >= 0 && Turn(corners_[1], corners_[2], p) >= 0 &&
@@ -71,13 +78,13 @@ class Seen {
   double reach_ = 0;
 };
 
-double DistanceToSegment(const Point3& p, const Point3& a, const Point3& b) {
-  const Vector3d along = b - a;
-  const double share = along.squaredNorm() > 0 ? std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
-  return (p - a - share * along).norm();
+Eigen::AlignedBox3d BoxAround(const Point3& p, double reach) {
+  return {p - Vector3d::Constant(reach), p + Vector3d::Constant(reach)};
 }
 
 }  // namespace
+
+void FrontSight::Follow(int32_t node, double unit) { index_.Add(node, At(node), At(loops_[node].after), unit); }
 
 bool FrontSight::IsClear(const SpaceTriangle& t, const Triangle& vertices, const Vector3d& normal) const {
   const Vector3d area = TwiceVectorArea(t);
@@ -85,22 +92,28 @@ bool FrontSight::IsClear(const SpaceTriangle& t, const Triangle& vertices, const
     return false;
   }
   const Seen seen(t, vertices, area.normalized());
-  for (const int32_t n : loops_.Alive()) {
-    const int32_t from = loops_[n].vertex, to = loops_.VertexAfter(n);
-    if (seen.IsHitBy(from, points_[from], to, points_[to])) return false;
-  }
-  return true;
+  Eigen::AlignedBox3d box;
+  for (const Point3& corner : t) box.extend(corner);
+  const Vector3d reach = Vector3d::Constant(seen.reach());
+  const std::vector<int32_t> near = index_.Near({box.min() - reach, box.max() + reach});
+  return std::none_of(near.begin(), near.end(), [&](int32_t n) {
+    return seen.IsHitBy(loops_[n].vertex, At(n), loops_.VertexAfter(n), At(loops_[n].after));
+  });
 }
 
-double FrontSight::DistanceTo(const Point3& p, int32_t node) const {
-  double least = std::numeric_limits<double>::infinity();
+bool FrontSight::IsNear(const Point3& p, int32_t node, double distance) const {
   const int32_t vertex = loops_[node].vertex;
-  for (const int32_t n : loops_.Alive()) {
-    const int32_t from = loops_[n].vertex, to = loops_.VertexAfter(n);
-    if (from == vertex || to == vertex) continue;
-    least = std::min(least, DistanceToSegment(p, points_[from], points_[to]));
-  }
-  return least;
+  const std::vector<int32_t> near = index_.Near(BoxAround(p, distance));
+  return std::any_of(near.begin(), near.end(), [&](int32_t n) {
+    return loops_[n].vertex != vertex && loops_.VertexAfter(n) != vertex &&
+           DistanceToSegment(p, At(n), At(loops_[n].after)) < distance;
+  });
+}
+
+std::vector<int32_t> FrontSight::NodesNear(const Point3& p, double distance) const {
+  std::vector<int32_t> near = index_.Near(BoxAround(p, distance));
+  std::erase_if(near, [&](int32_t n) { return (At(n) - p).norm() > distance; });
+  return near;
 }
 
 }  // namespace tilemend

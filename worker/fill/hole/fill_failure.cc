@@ -25,6 +25,8 @@ std::string TextOfFault(FillFailure failure) {
       return "its patch would not close on its whole boundary";
     case FillFailure::kFrontOpen:
       return "the advancing front did not close";
+    case FillFailure::kTooMuchWork:
+      return "the advancing front needs more work than --filler-work allows";
     case FillFailure::kFoldsBack:
       return "every patch that was tried folds back at its boundary; --allow-creases takes such patches";
     default:
@@ -76,6 +78,7 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kOverfullEdge:
     case FillFailure::kNotClosed:
     case FillFailure::kFrontOpen:
+    case FillFailure::kTooMuchWork:
       return TextOfFault(failure);
   }
   return "";

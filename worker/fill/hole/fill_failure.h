@@ -28,6 +28,7 @@ enum class FillFailure {
   kTooLongForArea,
   kFoldsBack,
   kTooLongForFront,
+  kTooMuchWork,
 };
 
 // For people.

@@ -16,7 +16,7 @@ namespace {
 
 // Each edge of the rim has one triangle, each other edge two that run along it in both directions.
 void ExpectCloses(const FrontRim& rim, const FrontPatch& patch) {
-  ASSERT_TRUE(patch.closed);
+  ASSERT_TRUE(patch.closed());
   std::map<std::pair<int32_t, int32_t>, int> uses;
   for (const Triangle& t : patch.triangles) {
     for (int k = 0; k < 3; ++k) ++uses[{t[k], t[(k + 1) % 3]}];
@@ -109,7 +109,7 @@ TEST(AdvancingFrontTest, GivesUpAboveTheMostNewPoints) {
   FrontLimits limits = EnoughFor(rim);
   limits.most_new_points = 20;
   const FrontPatch patch = AdvanceFront(rim, PlainRule(), limits);
-  EXPECT_FALSE(patch.closed);
+  EXPECT_FALSE(patch.closed());
   EXPECT_TRUE(patch.triangles.empty());
 }
 
@@ -117,14 +117,33 @@ TEST(AdvancingFrontTest, GivesUpWhenItGetsTooLong) {
   const FrontRim rim = FlatRim(60);
   FrontLimits limits = EnoughFor(rim);
   limits.longest_front = 59;
-  EXPECT_FALSE(AdvanceFront(rim, PlainRule(), limits).closed);
+  EXPECT_FALSE(AdvanceFront(rim, PlainRule(), limits).closed());
+}
+
+TEST(AdvancingFrontTest, EndsWithThatReasonWhenItHasLookedAtTooMuch) {
+  const FrontRim rim = FlatRim(60);
+  FrontLimits limits = EnoughFor(rim);
+  limits.most_looks = 100;
+  const FrontPatch patch = AdvanceFront(rim, PlainRule(), limits);
+  EXPECT_EQ(patch.end, FrontEnd::kTooMuchWork);
+  EXPECT_TRUE(patch.triangles.empty());
+}
+
+// Each look at the whole front would take 16 times as many for each point.
+TEST(AdvancingFrontTest, LooksAtAsMuchForAPointOfALargeHoleAsOfASmallOne) {
+  for (const int32_t edges : {40, 640}) {
+    const FrontRim rim = FlatRim(edges);
+    FrontLimits limits = EnoughFor(rim);
+    limits.most_looks = 40 * edges * edges;
+    EXPECT_TRUE(AdvanceFront(rim, PlainRule(), limits).closed()) << edges;
+  }
 }
 
 TEST(AdvancingFrontTest, EndsWhenItIsCancelled) {
   const FrontRim rim = FlatRim(60);
   FrontLimits limits = EnoughFor(rim);
   limits.is_cancelled = [] { return true; };
-  EXPECT_FALSE(AdvanceFront(rim, PlainRule(), limits).closed);
+  EXPECT_FALSE(AdvanceFront(rim, PlainRule(), limits).closed());
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(HalfCotangentsTest, StayFiniteWithoutArea) {
 TEST(CotangentSystemTest, LinearFunctionsAreHarmonic) {
   const FrontRim rim = FlatRim(30, 0.1);
   const FrontPatch patch = AdvanceFront(rim, PlainRule(), EnoughFor(rim));
-  ASSERT_TRUE(patch.closed);
+  ASSERT_TRUE(patch.closed());
   const auto count = static_cast<int32_t>(rim.points.size());
   const CotangentSystem system(patch.points, patch.triangles, count);
   ASSERT_TRUE(system.ok());

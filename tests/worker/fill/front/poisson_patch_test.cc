@@ -10,7 +10,7 @@ namespace {
 TEST(PoissonPatchTest, BendsAPatchTheWayTheRimFaces) {
   const FrontRim rim = SphereRim(40, 9);
   FrontPatch patch = AdvanceFront(rim, PlainRule(), EnoughFor(rim));
-  ASSERT_TRUE(patch.closed);
+  ASSERT_TRUE(patch.closed());
   // Flat at first.
   for (Point3& p : patch.points) p.z() = rim.points[0].z();
   ASSERT_TRUE(ShapeByNormals(rim.areas, patch.triangles, patch.points));
@@ -23,7 +23,7 @@ TEST(PoissonPatchTest, BendsAPatchTheWayTheRimFaces) {
 TEST(PoissonPatchTest, LeavesAFlatPatchFlat) {
   const FrontRim rim = FlatRim(20);
   FrontPatch patch = AdvanceFront(rim, PlainRule(), EnoughFor(rim));
-  ASSERT_TRUE(patch.closed);
+  ASSERT_TRUE(patch.closed());
   const std::vector<Point3> before = patch.points;
   ASSERT_TRUE(ShapeByNormals(rim.areas, patch.triangles, patch.points));
   for (size_t v = 0; v < before.size(); ++v) EXPECT_LT((patch.points[v] - before[v]).norm(), 1e-9);

@@ -58,7 +58,7 @@ TEST(SplitRimTest, TiesAPatchBackToTheRimItself) {
     const auto count = static_cast<int32_t>(loop.size());
     const int32_t split = SplitLongEdges(longest, rim);
     FrontPatch patch = AdvanceFront(rim, PlainRule(), EnoughFor(rim));
-    ASSERT_TRUE(patch.closed);
+    ASSERT_TRUE(patch.closed());
     const size_t points = patch.points.size();
     ASSERT_TRUE(TieBack(count, split, rim.may_join, patch));
     EXPECT_EQ(patch.points.size(), points - split);
