@@ -128,6 +128,6 @@ def part_fillers(a, folder):
     return ('`tests/bench/filler_bench.py`: the same 40 made holes, ten each on nearly flat ground, a curved surface, a folded sheet and the wall of a tube, with 10 to '
             '400 boundary vertices. An error is the mean distance from what was removed to the triangles of the patch, over the radius of the hole. '
             'A fill of more than 30 s counts as not filled.\n\n' + filler_bench.table(results) + '\n\n' + ahead_of_default(results) +
-            ' The nearly flat ground is even but for 0.02 edges that no filler can know: the default goes on with slopes of the rim that mean nothing there. With '
-            '`--tension 100`, which forgets them, its error in the hole of 178 edges is half as large; but the same tension on the curved sheet makes it 18 times as large. '
-            'Telling the two apart by the rim was not tried. The curved sheet turns evenly: harmonic normals carry that turning inward, least bending only the slope.')
+            ' The nearly flat ground is even but for 0.02 edges that no filler can know. The default sees at rims of 20 edges and more that their heights are nothing but noise, '
+            'and goes on with none of their slopes; smaller ones it takes at their word. The curved sheet turns evenly: harmonic normals carry that turning inward, '
+            'least bending only the slope.')

@@ -25,6 +25,8 @@ std::string TextOfFault(FillFailure failure) {
       return "its patch would not close on its whole boundary";
     case FillFailure::kFrontOpen:
       return "the advancing front did not close";
+    case FillFailure::kNoBridge:
+      return "its islands cannot be joined to the rest of its boundary";
     case FillFailure::kTooMuchWork:
       return "the advancing front needs more work than --filler-work allows";
     case FillFailure::kFoldsBack:
@@ -60,8 +62,6 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kTooLongForSpace:
       return "it projects on no plane without overlap and has " + std::to_string(boundary_edges) +
              " boundary vertices; at most " + std::to_string(kLongestSpatialLoop) + " can be filled in space";
-    case FillFailure::kNoBridge:
-      return "its islands cannot be joined to the rest of its boundary";
     case FillFailure::kCrosses:
       return "every patch that was tried passes through itself or the surface around it";
     case FillFailure::kRimIsCrossed:
@@ -78,6 +78,7 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kOverfullEdge:
     case FillFailure::kNotClosed:
     case FillFailure::kFrontOpen:
+    case FillFailure::kNoBridge:
     case FillFailure::kTooMuchWork:
       return TextOfFault(failure);
   }

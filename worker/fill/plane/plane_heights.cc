@@ -38,7 +38,7 @@ bool SolveWhole(const LocalHole& hole, const FillOptions& options, ThinPlateProb
     plate.tension = options.tension ? *options.tension : *hole.tension;
     return SolveThinPlate(plate).has_value();
   }
-  chosen = ChooseTension(plate, hole.size() < kLeastRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments));
+  chosen = ChooseTension(plate, hole.size() < kLeastRimForNoise ? 0 : HoleWidth(plate.points, hole.segments));
   plate.tension = chosen->tension;
   const bool solved = SolveWithinReach(plate).has_value();
   chosen->tension = plate.tension;

@@ -15,7 +15,9 @@
 namespace tilemend {
 namespace {
 
-constexpr std::array<double, 6> kCandidates = {0, 3, 10, 30, 100, 300};  // times 1 / width^2, rising
+// Times 1 / width^2, rising; the last one is for rims that are nothing but noise, and is no step of the ladder.
+constexpr std::array<double, 7> kCandidates = {0, 3, 10, 30, 100, 300, 1e5};
+constexpr size_t kTaut = kCandidates.size() - 1;
 constexpr size_t kStart = 2;        // the likeliest candidate before any height is known
 constexpr double kStepPenalty = 1;  // of log-likelihood, for each step away from it
 constexpr double kLeastNoise = 1e-7, kMostNoise = 1, kNoiseStep = 10;  // variances of a height, over the kernel's scale
@@ -142,11 +144,15 @@ class Candidates {
   Candidates(const std::vector<Point3>& samples, double width)
       : samples_(samples), width_(width), noise_(LikeliestNoise(At(kStart))) {}
 
+  // Whether a plane and a variance of each height's own tell all, to within a step: slopes at the rim say nothing then.
+  bool IsAllNoise() { return At(kStart).LogLikelihood(kMostNoise) > At(kStart).LogLikelihood(noise_) - kStepPenalty; }
+
   // The best of the ladder, tried from kStart on as long as the score rises.
   size_t Choose() {
+    if (IsAllNoise()) return kTaut;
     size_t chosen = kStart;
     while (chosen > 0 && Score(chosen - 1) > Score(chosen)) --chosen;
-    while (chosen >= kStart && chosen + 1 < kCandidates.size() && Score(chosen + 1) > Score(chosen)) ++chosen;
+    while (chosen >= kStart && chosen + 1 < kTaut && Score(chosen + 1) > Score(chosen)) ++chosen;
     return chosen;
   }
 
@@ -183,12 +189,13 @@ class Candidates {
 HoldOut ChooseTension(const ThinPlateProblem& problem, double width) {
   HoldOut choice;
   const std::vector<int32_t> rim = RimOf(problem);
-  if (rim.size() < kLeastRimForHoldOut || !(width > 0)) return choice;
+  if (rim.size() < kLeastRimForNoise || !(width > 0)) return choice;
   double step = width / static_cast<double>(kMostRimPoints);
   const std::vector<Point3> samples = Samples(problem, Thinned(problem, rim, step));
   const std::vector<SampleBlocks> divisions = Divisions(samples, width, 2 * step);
   if (divisions.empty()) return choice;
   Candidates candidates(samples, width);
+  if (rim.size() < kLeastRimForHoldOut && !candidates.IsAllNoise()) return choice;
   const size_t chosen = candidates.Choose();
   choice.tension = kCandidates[chosen] / (width * width);
   choice.error = candidates.Error(chosen, divisions);

@@ -65,6 +65,23 @@ TEST(ChooseTensionTest, RoughGroundWantsSome) {
   EXPECT_LT(choice.error, 0.9 * choice.error_at_start);
 }
 
+// No slope at such a rim goes on anywhere.
+TEST(ChooseTensionTest, NoiseOnAPlaneWantsAMembraneWhateverItsSize) {
+  const auto noise = [](double x, double y) {
+    return 0.01 * std::sin(12.9898 * x + 78.233 * y + std::sin(37 * x * y)) + 0.1 * x - 0.3 * y;
+  };
+  for (const int32_t half : {4, 7, 16}) {
+    const HoldOut choice = ChooseTension(SquareHole(half, noise), 2 * half);
+    EXPECT_GT(choice.tension, 1000.0 / (4 * half * half)) << half;
+    EXPECT_GT(choice.blocks, 0) << half;
+  }
+}
+
+TEST(ChooseTensionTest, APlaneIsNoNoise) {
+  const auto plane = [](double x, double y) { return 0.1 * x - 0.3 * y; };
+  EXPECT_EQ(ChooseTension(SquareHole(7, plane), 14).tension, 0);
+}
+
 TEST(ChooseTensionTest, TakesPointsThatAllButCoincide) {
   for (const double gap : {1e-3, 1e-6, 1e-9}) {
     for (const double width : {32.0, 1.0}) {
