@@ -85,9 +85,8 @@ void OutputLock::Release() {
     ::unlink(file_.c_str());
     ::close(std::exchange(fd_, -1));
   }
-  for (const auto& folder : std::ranges::reverse_view(std::exchange(made_, {}))) {
-    RemoveEmptyFolder(folder).IgnoreError();
-  }
+  const std::vector<std::string> made = std::exchange(made_, {});
+  for (const auto& folder : std::ranges::reverse_view(made)) RemoveEmptyFolder(folder).IgnoreError();
 }
 
 void CancelOnSignal(SignalWatcher& signals, const std::function<void()>& clean_up) {

@@ -96,6 +96,16 @@ TEST(StatusServerTest, EndsAHeadThatNeverEnds) {
   EXPECT_THAT(HttpGet((*server)->port(), "/metrics"), HasSubstr("here\n"));
 }
 
+TEST(StatusServerTest, AnswersAPageOnceHoweverManyRangesAreAskedFor) {
+  const auto server = StatusServer::Start("127.0.0.1:0", {[] { return "here\n"; }});
+  ASSERT_TRUE(server.ok()) << server.status();
+  const auto result =
+      httplib::Client("127.0.0.1", (*server)->port()).Get("/metrics", {{"Range", "bytes=0-,0-,0-,1-2"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->status, 200);
+  EXPECT_EQ(result->body, "here\n");
+}
+
 TEST(StatusServerTest, SaysWhenItsPortIsTaken) {
   const auto first = StatusServer::Start("127.0.0.1:0", {[] { return ""; }});
   ASSERT_TRUE(first.ok()) << first.status();
