@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <map>
 #include <utility>
 
@@ -38,10 +37,9 @@ class Levels {
   }
 
   std::vector<bool> Raised() {
-    std::vector<std::pair<double, int32_t>> by_length;
-    for (const auto& [level, walls] : walls_) by_length.emplace_back(-length_[level], level);
-    std::sort(by_length.begin(), by_length.end());
-    for (const auto& [length, level] : by_length) MeasureFrom(level);
+    for (const auto& [level, walls] : walls_) {
+      if (!height_.contains(level)) MeasureTogether(level);
+    }
     std::vector<bool> raised(points_.size());
     for (size_t v = 0; v < points_.size(); ++v) {
       const auto height = height_.find(levels_.LowestOf(static_cast<int32_t>(v)));
@@ -89,17 +87,31 @@ class Levels {
     return links;
   }
 
-  // The heights of all levels that walls lead to from one whose own counts as 0.
-  void MeasureFrom(int32_t level) {
-    if (!height_.try_emplace(level, 0).second) return;
-    std::deque<int32_t> reached = {level};
-    while (!reached.empty()) {
-      const int32_t from = reached.front();
-      reached.pop_front();
-      for (const auto& [to, rise] : walls_[from]) {
-        if (height_.try_emplace(to, height_[from] + rise).second) reached.push_back(to);
+  // The heights of a level and of all that walls lead to from there, over the ground.
+  void MeasureTogether(int32_t first) {
+    height_[first] = 0;
+    std::vector<int32_t> together = {first};
+    for (size_t i = 0; i < together.size(); ++i) {
+      for (const auto& [to, rise] : walls_[together[i]]) {
+        if (height_.try_emplace(to, height_[together[i]] + rise).second) together.push_back(to);
       }
     }
+    const double ground = CommonHeight(together);
+    for (const int32_t level : together) height_[level] -= ground;
+  }
+
+  // That of the level that most of the shore is at, less than a lift up or down.
+  double CommonHeight(const std::vector<int32_t>& together) {
+    double common = 0, longest = -1;
+    for (const int32_t level : together) {
+      double length = 0;
+      for (const int32_t other : together) {
+        if (std::abs(height_[other] - height_[level]) < rule_.lift) length += length_[other];
+      }
+      if (length > longest) common = height_[level];
+      longest = std::max(longest, length);
+    }
+    return common;
   }
 
   const std::span<const Point3> points_;

@@ -23,11 +23,12 @@ enum class ShorePoint : uint8_t { kGround, kOther };  // kOther: on an object, o
 
 // Which points of a shore stand on raised levels, though they seem to be ground. A level is a stretch of ground along
 // the shore up to the next wall: a rise or fall by `lift` that is steeper than ground. It goes on behind an object with
-// about the same height on both sides. From the longest of the levels that walls join, the heights of the others are
-// those of the walls on the way, so that slopes do not count; raised is what is `lift` higher. What no wall leads to is
-// ground.
+// about the same height on both sides. From one level to another that walls lead to, the height is that of these walls,
+// so that slopes do not count. Where most of such a shore is, is ground; raised is what is `lift` higher. What no wall
+// leads to is ground.
 //
-// `edges` are those of the shore, into the points, in any order and direction. Metres. Cost near-linear.
+// `edges` are those of the shore, into the points, in any order and direction. Metres. Cost near-linear, and the
+// square of the levels that walls join.
 std::vector<bool> OnRaisedLevels(std::span<const Point3> points, std::span<const ShorePoint> kinds,
                                  std::span<const DirectedEdge> edges, const LevelRule& rule = {});
 

@@ -64,6 +64,12 @@ TEST(RaisedLevelsTest, TheGroundGoesOnBehindATree) {
   ExpectRaised(RaisedAlong(Joined({Level(10, 3), {9, 12, 8}, Level(7, 4), Level(15, 25), Level(2, 4)}), tree), 20, 15);
 }
 
+// The roof is longer than the ground on either side, but not than both.
+TEST(RaisedLevelsTest, MostOfTheShoreIsGround) {
+  ExpectRaised(RaisedAlong(Joined({Level(12, 3), Level(15, 25), Level(10, 4)})), 12, 15);
+  ExpectRaised(RaisedAlong(Joined({Level(12, 3), Level(40, 25), Level(10, 4)})), 0, 0);
+}
+
 // A house of 8 m hides the wall: nothing tells which of both sides is ground.
 TEST(RaisedLevelsTest, BehindAnObjectWithAnotherHeightNothingIsKnown) {
   const std::string house = std::string(10, ' ') + std::string(8, 'o');
