@@ -149,8 +149,8 @@ absl::Status Round(const std::string& path, Timings& timings, MeshFile& file, Su
   auto parsed = timings.Measure("parse", [&] { return ParseMesh(format, *bytes, path); });
   TILEMEND_RETURN_IF_ERROR(parsed.status());
   file = *std::move(parsed);
-  record =
-      timings.Measure("survey", [&file] { return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32); });
+  record = timings.Measure(
+      "survey", [&file] { return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo); });
   alone = timings.Measure("sorting", [&file] { return CountBoundaryEdgesBySorting(file.mesh); });
   const Seconds reading = timings.Last("read") + timings.Last("parse");
   timings.Add("survey, reading included", reading + timings.Last("survey"));

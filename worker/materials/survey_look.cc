@@ -10,17 +10,18 @@
 #include "worker/materials/rim_colours.h"
 #include "worker/materials/tile_look.h"
 #include "worker/survey/rim_spots.h"
-#include "worker/survey/survey.h"
 
 namespace tilemend {
 namespace {
 
-SurveyRecord SurveyOf(const MeshFile& file) { return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32); }
+SurveyRecord SurveyOf(const MeshFile& file, PieceAreas areas) {
+  return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, areas);
+}
 
 absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std::string& path, std::string_view bytes,
-                                             const std::string& name) {
+                                             const std::string& name, PieceAreas areas) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name));
-  LookSurvey survey{SurveyOf(obj.file), {}, {}};
+  LookSurvey survey{SurveyOf(obj.file, areas), {}, {}};
   TileLook look = ReadObjLook(root, path, obj.textures);
   const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
   obj.file = {};  // images need room
@@ -34,10 +35,10 @@ absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std:
 }
 
 absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string& path, std::string_view bytes,
-                                     const std::string& name) {
+                                     const std::string& name, PieceAreas areas) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kPly, bytes, name));
   TileLook look = ReadPlyLook(root, path, bytes);
-  LookSurvey survey{SurveyOf(file), std::move(look.files), std::move(look.witness)};
+  LookSurvey survey{SurveyOf(file, areas), std::move(look.files), std::move(look.witness)};
   std::vector<int32_t> vertices;
   for (const BoundaryVertex& v : survey.record.vertices) vertices.push_back(v.index);
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<Rgb> colours, PlyVertexColours(bytes, vertices, name));
@@ -48,13 +49,13 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
 }  // namespace
 
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format) {
+                                          MeshFormat format, PieceAreas areas) {
   const std::string name = absl::StrCat(root, "/", path);
-  if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name);
+  if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, areas);
   const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
-  if (textured) return SurveyTexturedObj(root, path, bytes, name);
+  if (textured) return SurveyTexturedObj(root, path, bytes, name, areas);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name));
-  return LookSurvey{SurveyOf(file), {}, {}};
+  return LookSurvey{SurveyOf(file, areas), {}, {}};
 }
 
 }  // namespace tilemend

@@ -9,6 +9,7 @@
 #include "common/codec/mesh_file.h"
 #include "common/records/survey_record.h"
 #include "common/records/tile_files.h"
+#include "worker/survey/survey.h"
 
 namespace tilemend {
 
@@ -22,7 +23,7 @@ struct LookSurvey {
 // boundary (texels or diffuse colours of an OBJ, colours of vertices of a PLY). A tile that names no files and has no
 // colours costs what SurveyTile does. Errors of ParseMesh; files and images that cannot be had are warnings.
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format);
+                                          MeshFormat format, PieceAreas areas = PieceAreas::kYes);
 
 }  // namespace tilemend
 

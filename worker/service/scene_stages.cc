@@ -69,13 +69,13 @@ absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   if (input.look()) {
     TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey,
-                              SurveyWithLook(input.tile().root(), input.tile().path(), bytes, format));
+                              SurveyWithLook(input.tile().root(), input.tile().path(), bytes, format, PieceAreas::kNo));
     output = ToProto(survey.record);
     *output.mutable_files() = ToProto(survey.files);
     SetWitness(survey.witness, *output.mutable_witness());
   } else {
     TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
-    output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32));
+    output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo));
   }
   output.set_digest(digest);
   output.set_stamp(stamp);

@@ -237,8 +237,8 @@ void ForThings(const TriMesh& mesh, const std::vector<int32_t>& at_weld, Use use
 }
 
 // The area of each of `count` pieces, which are numbered by the lowest thing of their group.
-std::vector<double> PieceAreas(const TriMesh& mesh, const std::vector<int32_t>& at_weld,
-                               const std::vector<int32_t>& number, int32_t count, DisjointSets& sets) {
+std::vector<double> AreasOfPieces(const TriMesh& mesh, const std::vector<int32_t>& at_weld,
+                                  const std::vector<int32_t>& number, int32_t count, DisjointSets& sets) {
   std::vector<double> areas(count, 0);
   int32_t current = kNone;  // its sum is kept at hand
   double sum = 0;
@@ -259,7 +259,7 @@ std::vector<double> PieceAreas(const TriMesh& mesh, const std::vector<int32_t>& 
 // The piece of surface of each boundary edge. Away from welded vertices triangles are of one piece when they share a
 // vertex; at those, when they share an edge.
 void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_t>& at_weld, const WeldedEdges& edges,
-                 SurveyRecord& record) {
+                 PieceAreas areas, SurveyRecord& record) {
   const auto vertices = static_cast<int32_t>(mesh.points.size());
   const int32_t things = vertices + static_cast<int32_t>(at_weld.size());
   DisjointSets sets(things);
@@ -284,12 +284,12 @@ void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_
     if (piece == kNone) piece = pieces++;
     record.edges[e].piece = piece;
   }
-  record.piece_areas = PieceAreas(mesh, at_weld, number, pieces, sets);
+  if (areas == PieceAreas::kYes) record.piece_areas = AreasOfPieces(mesh, at_weld, number, pieces, sets);
 }
 
 }  // namespace
 
-SurveyRecord SurveyTile(const TriMesh& mesh, bool float32) {
+SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
   SurveyRecord record;
   record.float32 = float32;
   record.vertex_count = static_cast<int64_t>(mesh.points.size());
@@ -308,7 +308,7 @@ SurveyRecord SurveyTile(const TriMesh& mesh, bool float32) {
   const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges.single, record);
   StoreBand(mesh, boundary, at_weld, record);
   StoreVertexFigures(record);
-  StorePieces(mesh, weld, at_weld, edges, record);
+  StorePieces(mesh, weld, at_weld, edges, areas, record);
   return record;
 }
 

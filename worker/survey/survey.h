@@ -7,13 +7,16 @@
 
 namespace tilemend {
 
+// Whether SurveyRecord::piece_areas is wanted, for which every triangle is looked at once more.
+enum class PieceAreas { kYes, kNo };
+
 // Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams,
 // which double vertices, are no boundary.
 //
 // Source: Wang 2021, 3.1; instead of a half-edge structure of the whole tile, a vertex whose outgoing and incoming
 // edges cancel is known to be inside after one pass over the triangles, and only the others are looked at. Cost: linear
 // in vertices and triangles, three passes. Pure; safe from any thread.
-SurveyRecord SurveyTile(const TriMesh& mesh, bool float32);
+SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas = PieceAreas::kYes);
 
 }  // namespace tilemend
 

@@ -19,6 +19,7 @@ namespace {
 using ::testing::Each;
 using ::testing::Ge;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 using Xyz = std::array<double, 3>;
 using DirectedEdge = std::pair<Xyz, Xyz>;
 
@@ -220,6 +221,15 @@ TEST(SurveyTileTest, TellsCountsAndBoundsOfTheTile) {
   EXPECT_FALSE(record.float32);
   EXPECT_EQ(record.lo, Point3(0, 0, -2));
   EXPECT_EQ(record.hi, Point3(3, 2, 3));
+}
+
+TEST(SurveyTileTest, TellsAreasOfPiecesWhereTheyAreWanted) {
+  const TriMesh mesh = PictureMesh({"#.##", "#..."});
+  const SurveyRecord with = SurveyTile(mesh, true), without = SurveyTile(mesh, true, PieceAreas::kNo);
+  EXPECT_THAT(with.piece_areas, UnorderedElementsAre(2, 2));
+  EXPECT_THAT(without.piece_areas, IsEmpty());
+  ASSERT_EQ(without.edges.size(), with.edges.size());
+  for (size_t e = 0; e < with.edges.size(); ++e) EXPECT_EQ(without.edges[e].piece, with.edges[e].piece);
 }
 
 TEST(SurveyTileTest, TellsOfAnEmptyMeshThatItHasNoBounds) {
