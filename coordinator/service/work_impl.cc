@@ -260,10 +260,11 @@ bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
   } else {
     std::get<TaskCompleted>(report.event).time = options_.clock();
   }
+  const std::optional<Task> before = failed != nullptr && task != nullptr ? std::optional(*task) : std::nullopt;
   const auto effects = Apply(report.event, {std::move(report.content)});
   if (!effects.ok()) return false;
-  if (failed != nullptr && task != nullptr) {
-    events_.AttemptFailed(*task, report.ref.job(), worker, entries_.at(report.ref.job()).origin, failed->error);
+  if (before) {
+    events_.AttemptFailed(*before, report.ref.job(), worker, entries_.at(report.ref.job()).origin, failed->error);
   }
   if (failed != nullptr && ErrorReason(failed->error) == "FOLDER_NOT_SEEN") trust_.Doubt(worker, report.ref.job());
   if (!report.refusal.empty()) {

@@ -81,6 +81,7 @@ void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time, Effects
   }
   for (const auto& [worker, count] : job.refusals) effects.cleared.push_back(worker);
   job.tasks.clear();
+  std::vector<uint64_t>().swap(job.settled_by);
   job.pending.clear();
   job.times.clear();
   job.doubted.clear();
@@ -145,7 +146,9 @@ absl::StatusOr<Effects> CoordinatorState::On(const TasksAdded& event) {
     task.input = spec.input;
     task.lost_workers = spec.lost_workers;
     if (spec.known) {
-      EnterResult(*job, task, *spec.known, true, effects);
+      SettledTask settled = SettledAs(*spec.known);
+      settled.known = true;
+      EnterResult(*job, task, std::move(settled), effects);
       continue;
     }
     job->pending.insert(id);

@@ -65,7 +65,7 @@ class CoordinatorState {
   //   kInvalidArgument (an event that does not fit: a lease of a task that is not pending, an unknown worker, ...).
   absl::StatusOr<Effects> Apply(const Event& event);
 
-  // Null if there is none. Valid until the next Apply.
+  // Null if there is none; a task that is settled is gone. Valid until the next Apply.
   const Job* FindJob(const std::string& job) const;
   const Job* FindRequest(const std::string& request_id) const;
   const Task* FindTask(const TaskKey& key) const;
@@ -111,8 +111,8 @@ class CoordinatorState {
   void GiveUp(Job& job, Task& task, const std::string& worker, Effects& effects);
   // Of a leased task; `result` says how, `worker` whose attempt it was.
   void Settle(Job& job, Task& task, const std::string& worker, KnownResult result, Effects& effects);
-  // Of one that is pending or leased no more.
-  void EnterResult(Job& job, Task& task, KnownResult result, bool known, Effects& effects);
+  // Of one that is pending or leased no more. Forgets the task.
+  void EnterResult(Job& job, Task& task, SettledTask settled, Effects& effects);
   void Insert(Job job);
   void LoseLease(Job& job, Task& task, const std::string& worker, Effects& effects);
   using TaskLoss = void (CoordinatorState::*)(Job& job, Task& task, const std::string& worker, Effects& effects);

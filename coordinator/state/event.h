@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -164,6 +165,15 @@ struct SettledTask {
   bool known = false;    // the result is of an earlier process
   absl::Time leased_at;  // of the attempt that settled it, unless known
 };
+
+// Without what it is a result of.
+inline SettledTask SettledAs(KnownResult result) {
+  SettledTask settled;
+  settled.state = result.state;
+  settled.output = std::move(result.output);
+  settled.error = std::move(result.error);
+  return settled;
+}
 
 // A task that counts a worker that was lost with it, and is not settled.
 struct StruckTask {

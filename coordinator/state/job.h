@@ -3,8 +3,8 @@
 #define TILEMEND_COORDINATOR_STATE_JOB_H_
 
 #include <cstdint>
+#include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -34,7 +34,8 @@ struct Progress {
   bool operator==(const Progress&) const = default;
 };
 
-// Pending -> leased -> one of the last three, which are final; a lost lease goes back to pending.
+// Pending -> leased -> one of the last three, which are final: the task is forgotten then. A lost lease goes back to
+// pending.
 enum class TaskState { kPending, kLeased, kCommitted, kFailed, kQuarantined };
 
 inline bool IsSettled(TaskState state) { return state != TaskState::kPending && state != TaskState::kLeased; }
@@ -67,9 +68,11 @@ struct Task {
   std::vector<std::string> lost_workers;         // workers that were lost while they held it, each once
   std::map<std::string, Refusal> refused;        // by worker, until it is settled
   absl::Time refused_at = absl::InfinitePast();  // the last of them
-  std::vector<Lease> leases;                     // kLeased: one, or two if the first takes long
-  std::optional<Lease> settled_by;               // the attempt that settled it, unless that was an earlier process
+  std::vector<Lease> leases;                     // one, or two if the first takes long
 };
+
+// Tells an attempt from others, in the few bytes that stay of a task.
+inline uint64_t MarkOf(const std::string& worker, uint64_t token) { return token ^ std::hash<std::string>()(worker); }
 
 // Null if that attempt is no lease of the task.
 inline const Lease* FindLease(const Task& task, const std::string& worker, uint64_t token) {
@@ -125,7 +128,9 @@ struct Job {
   Progress progress;
   std::vector<std::string> warnings;  // each once, at most kMostWarnings
   TaskCounts counts;
-  std::map<int64_t, Task> tasks;                   // emptied when the job is over
+  std::map<int64_t, Task> tasks;  // that are not settled; none when the job is over
+  // By id - 1, of the tasks that are settled: MarkOf the attempt whose report did so, else 0.
+  std::vector<uint64_t> settled_by;
   std::set<int64_t> pending;                       // ids of the tasks in state kPending
   std::set<std::pair<absl::Time, int64_t>> alone;  // tasks with one lease, since when
   std::set<int64_t> doubted;                       // ids of the tasks that are not settled and have refusals

@@ -53,9 +53,10 @@ absl::StatusOr<Task*> CoordinatorState::LeasedTask(const TaskKey& key, const std
 }
 
 absl::StatusOr<Task*> CoordinatorState::TaskForResult(const TaskKey& key, const std::string& worker, uint64_t token) {
-  const Task* known = FindTask(key);
-  const bool again = known != nullptr && known->settled_by && known->settled_by->token == token &&
-                     known->settled_by->worker == worker && known->state != TaskState::kQuarantined;
+  const Job* known = FindJob(key.job);
+  const auto place = static_cast<uint64_t>(key.task) - 1;
+  const bool again =
+      known != nullptr && place < known->settled_by.size() && known->settled_by[place] == MarkOf(worker, token);
   if (again) return nullptr;
   absl::StatusOr<Task*> task = LeasedTask(key, worker, token);
   if (const auto job = jobs_.find(key.job); !task.ok() && job != jobs_.end()) ++job->second.counts.refused_late;
@@ -86,29 +87,32 @@ void CoordinatorState::GiveUp(Job& job, Task& task, const std::string& worker, E
 }
 
 void CoordinatorState::Settle(Job& job, Task& task, const std::string& worker, KnownResult result, Effects& effects) {
-  task.settled_by = *LeaseOf(task, worker);
+  const Lease lease = *LeaseOf(task, worker);
   EndLeases(job, task);
   --job.counts.leased;
-  EnterResult(job, task, std::move(result), false, effects);
+  if (result.state != TaskState::kQuarantined) {
+    job.settled_by.resize(std::max<size_t>(job.settled_by.size(), static_cast<size_t>(task.id)));
+    job.settled_by[static_cast<size_t>(task.id) - 1] = MarkOf(worker, lease.token);
+  }
+  SettledTask settled = SettledAs(std::move(result));
+  settled.leased_at = lease.since;
+  EnterResult(job, task, std::move(settled), effects);
 }
 
-void CoordinatorState::EnterResult(Job& job, Task& task, KnownResult result, bool known, Effects& effects) {
-  task.state = result.state;
-  int64_t& count = task.state == TaskState::kCommitted ? job.counts.committed
-                   : task.state == TaskState::kFailed  ? job.counts.failed
-                                                       : job.counts.quarantined;
+void CoordinatorState::EnterResult(Job& job, Task& task, SettledTask settled, Effects& effects) {
+  int64_t& count = settled.state == TaskState::kCommitted ? job.counts.committed
+                   : settled.state == TaskState::kFailed  ? job.counts.failed
+                                                          : job.counts.quarantined;
   ++count;
   ++job.version;
+  task.state = settled.state;
   Judge(job, task, effects);
-  effects.settled.push_back({.key = {job.id, task.id},
-                             .cell = task.cell,
-                             .stage = task.stage,
-                             .input = std::exchange(task.input, {}),
-                             .state = task.state,
-                             .output = std::move(result.output),
-                             .error = std::move(result.error),
-                             .known = known,
-                             .leased_at = task.settled_by ? task.settled_by->since : absl::Time()});
+  settled.key = {job.id, task.id};
+  settled.cell = task.cell;
+  settled.stage = task.stage;
+  settled.input = std::move(task.input);
+  effects.settled.push_back(std::move(settled));
+  job.tasks.erase(effects.settled.back().key.task);
 }
 
 void CoordinatorState::LoseLease(Job& job, Task& task, const std::string& worker, Effects& effects) {
@@ -253,8 +257,8 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskAbandoned& event) {
   Effects effects;
   job->pending.erase(event.key.task);
   --job->counts.pending;
-  const KnownResult failed{TaskState::kFailed, "", Refused(found->second, "; there is no other worker to try it")};
-  EnterResult(*job, found->second, failed, false, effects);
+  const absl::Status error = Refused(found->second, "; there is no other worker to try it");
+  EnterResult(*job, found->second, SettledAs({TaskState::kFailed, "", error}), effects);
   return effects;
 }
 

@@ -23,6 +23,17 @@ TEST_F(LeaseEventsTest, CommitsAResultOnce) {
   EXPECT_THAT(state_.FindWorker("w")->held, IsEmpty());
 }
 
+TEST_F(LeaseEventsTest, LittleStaysOfATaskThatIsSettled) {
+  AddJob("a", 3);
+  See("w");
+  Do(TaskCompleted{Key("a", 3), "w", Lease(Key("a", 3), "w"), "out", now_});
+  EXPECT_EQ(state_.FindTask(Key("a", 3)), nullptr);
+  EXPECT_THAT(state_.FindJob("a")->tasks, SizeIs(2));
+  EXPECT_THAT(state_.FindJob("a")->settled_by, SizeIs(3));
+  EXPECT_EQ(ReasonOf(TaskCompleted{Key("a", 3), "w", 0, "out", now_}), "LATE_RESULT");
+  EXPECT_EQ(ReasonOf(TaskCompleted{Key("a", 0), "w", 1, "out", now_}), "LATE_RESULT") << "no task has that number";
+}
+
 TEST_F(LeaseEventsTest, AcceptsTheSameReportAgainWithoutEffect) {
   AddJob("a", 1);
   See("w");
