@@ -1,13 +1,11 @@
 // `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 #include <utility>
 
-#include "absl/cleanup/cleanup.h"
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
 #include "client/job_client.h"
@@ -15,6 +13,7 @@
 #include "client/output.h"
 #include "client/progress_display.h"
 #include "client/report_text.h"
+#include "client/work_folder.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
@@ -30,19 +29,6 @@
 
 namespace tilemend {
 namespace {
-
-absl::StatusOr<std::string> MakeWorkFolder(const std::string& parent) {
-  std::error_code error;
-  std::filesystem::path base =
-      parent.empty() ? std::filesystem::temp_directory_path(error) : std::filesystem::path(parent);
-  if (!error) std::filesystem::create_directories(base, error);
-  std::string path = (base / "tilemend-XXXXXX").string();
-  if (error || mkdtemp(path.data()) == nullptr) {
-    return absl::PermissionDeniedError(
-        absl::StrCat(base.string(), ": cannot make a work folder there; choose another with --work"));
-  }
-  return path;
-}
 
 // A job that was refused.
 v1::Job NotBegun(const v1::JobSpec& spec, const absl::Status& error) {
@@ -129,14 +115,10 @@ int RunCommand(const Args& args) {
                            : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
   if (!threads.ok()) return PrintUsageError(threads.status());
   SignalWatcher signals;  // before any other thread; until the work folder is gone
-  const auto work_folder = MakeWorkFolder(args.Text("work"));
+  const auto work_folder = WorkFolder::Make(args.Text("work"));
   if (!work_folder.ok()) return PrintError(work_folder.status());
-  const auto remove = absl::MakeCleanup([&work_folder] {
-    std::error_code error;
-    std::filesystem::remove_all(*work_folder, error);
-  });
   KeepHeap(static_cast<int>(*threads));
-  const auto job = RunEmbedded(*spec, static_cast<int>(*threads), *work_folder, signals);
+  const auto job = RunEmbedded(*spec, static_cast<int>(*threads), work_folder->path(), signals);
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
   if (LeftUnfinished(*job)) {

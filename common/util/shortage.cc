@@ -1,9 +1,13 @@
 #include "common/util/shortage.h"
 
+#include <dirent.h>
+#include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -21,7 +25,38 @@ namespace {
 // What a thread takes for its stack where nothing else is said, and somewhat more.
 constexpr size_t kProbedBytes = size_t{10} << 20;
 
-// Only what may be called in a handler of a signal, and takes no memory.
+constexpr size_t kMostPath = 4096;
+std::array<char, kMostPath> folder_to_remove = {};
+
+// Of the calls below all may be made in a handler of a signal, and take no memory but of the stack.
+
+void RemoveIn(int folder, int depth);
+
+// What `name` stands for in an open folder. What is too deep stays.
+void Remove(int folder, const char* name, int depth) {
+  if (unlinkat(folder, name, 0) == 0 || depth == 0) return;
+  const int inner = openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (inner < 0) return;
+  // Other threads may still write there.
+  for (int tries = 0; tries < 3 && unlinkat(folder, name, AT_REMOVEDIR) != 0; ++tries) RemoveIn(inner, depth - 1);
+  unlinkat(folder, name, AT_REMOVEDIR);
+  close(inner);
+}
+
+void RemoveIn(int folder, int depth) {
+  alignas(dirent64) std::array<char, 2048> entries;
+  long bytes = 0;
+  lseek(folder, 0, SEEK_SET);
+  while ((bytes = syscall(SYS_getdents64, folder, entries.data(), entries.size())) > 0) {
+    for (long at = 0; at < bytes;) {
+      auto* const entry = reinterpret_cast<dirent64*>(entries.data() + at);
+      at += entry->d_reclen;
+      if (std::strcmp(entry->d_name, ".") != 0 && std::strcmp(entry->d_name, "..") != 0)
+        Remove(folder, entry->d_name, depth);
+    }
+  }
+}
+
 [[noreturn]] void End(const char* what) {
   const char* const program = program_invocation_short_name;
   for (const char* text : {program, ": cannot go on: ", what,
@@ -29,6 +64,8 @@ constexpr size_t kProbedBytes = size_t{10} << 20;
                            "or --threads, and try again\n"}) {
     if (write(STDERR_FILENO, text, std::strlen(text)) < 0) break;
   }
+  constexpr int kDeepest = 8;
+  if (folder_to_remove[0] != '\0') Remove(AT_FDCWD, folder_to_remove.data(), kDeepest);
   _exit(kExitRetryable);
 }
 
@@ -76,6 +113,11 @@ void EndOnShortage() {
   action.sa_handler = EndOfAbort;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGABRT, &action, nullptr);
+}
+
+void RemoveOnShortage(const std::string& folder) {
+  folder_to_remove.front() = '\0';
+  if (folder.size() < kMostPath) std::memcpy(folder_to_remove.data(), folder.c_str(), folder.size() + 1);
 }
 
 }  // namespace tilemend

@@ -2,12 +2,18 @@
 #ifndef TILEMEND_COMMON_UTIL_SHORTAGE_H_
 #define TILEMEND_COMMON_UTIL_SHORTAGE_H_
 
+#include <string>
+
 namespace tilemend {
 
 // For the start of main. An exception of that kind that nobody catches (std::bad_alloc, std::system_error) and an abort
 // of a library while the system gives neither end the process with a line on stderr and kExitRetryable. Every other
 // abort stays one.
 void EndOnShortage();
+
+// A folder that goes away, with all that is in it, when the process ends so; "" for none. Of several calls the last one
+// counts. A path of 4,096 bytes or more stays. Not for two threads at once.
+void RemoveOnShortage(const std::string& folder);
 
 }  // namespace tilemend
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Runs `tilemend run` with too little address space and with too few threads: it must end by itself, with code 0 or 5
-and a line that says why, and the same command without a limit must complete what it left."""
+and a line that says why, nothing must be left in its work folder, and the same command without a limit must complete
+what it left of the output."""
 import argparse
 import filecmp
 import os
@@ -24,6 +25,14 @@ def ended(command, limit, amount, seconds):
 
     return subprocess.run(command, preexec_fn=lower, capture_output=True, text=True, timeout=seconds,
                           env={'PATH': os.environ['PATH']})
+
+
+def fault_of(run, work):
+    """What is wrong with how a run ended; empty if nothing is."""
+    if run.returncode not in (0, 5) or (run.returncode == 5 and 'tilemend: ' not in run.stderr):
+        return f'code {run.returncode}\n{run.stderr}'
+    left = os.listdir(work) if os.path.isdir(work) else []
+    return f'left in the work folder: {left}' if left else ''
 
 
 def differing(folder, reference):
@@ -55,15 +64,15 @@ def main():
             out = os.path.join(folder, f'out-{limit}-{number}')
             what = f'{number} {"MB" if limit == resource.RLIMIT_AS else "threads"}'
             try:
-                run = ended(base + [out, '--work', os.path.join(folder, f'work-{limit}')], limit, amount,
-                            options.seconds)
+                work = os.path.join(folder, f'work-{limit}')
+                run = ended(base + [out, '--work', work], limit, amount, options.seconds)
             except subprocess.TimeoutExpired:
                 print(f'{what}: does not end')
                 failures += 1
                 continue
             codes[run.returncode] = codes.get(run.returncode, 0) + 1
-            if run.returncode not in (0, 5) or (run.returncode == 5 and 'tilemend: ' not in run.stderr):
-                print(f'{what}: code {run.returncode}\n{run.stderr}')
+            if fault := fault_of(run, work):
+                print(f'{what}: {fault}')
                 failures += 1
             if run.returncode == 5:
                 subprocess.run(base + [out], check=True, capture_output=True)

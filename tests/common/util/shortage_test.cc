@@ -6,12 +6,16 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <thread>
 
+#include "absl/strings/str_cat.h"
 #include "common/util/exit_codes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace tilemend {
 namespace {
@@ -66,6 +70,21 @@ TEST(ShortageDeathTest, EndsAnAbortForWantOfMemory) {
   EXPECT_EXIT(abort_in_little_room(), testing::ExitedWithCode(kExitRetryable), "cannot go on: out of memory");
 }
 #endif
+
+TEST(ShortageDeathTest, TakesTheFolderAway) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 200; ++i) folder.Write(absl::StrCat("work/jobs/one/", std::string(40, 'b'), i), "blob");
+  folder.Write("tiles/kept.ply", "tile");
+  std::filesystem::create_directory_symlink(folder / "tiles", folder / "work/jobs/link");
+  const auto end = [&] {
+    RemoveOnShortage(folder / "tiles");
+    RemoveOnShortage(folder / "work");
+    ThrowInThread(std::bad_alloc());
+  };
+  EXPECT_EXIT(end(), testing::ExitedWithCode(kExitRetryable), "out of memory");
+  EXPECT_FALSE(std::filesystem::exists(folder / "work"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "tiles/kept.ply"));
+}
 
 }  // namespace
 }  // namespace tilemend
