@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coordinator/plan/division.h"
+#include "coordinator/plan/drop_vertices.h"
 #include "coordinator/plan/hole/layers.h"
 #include "coordinator/plan/hole/touching_holes.h"
 #include "coordinator/plan/mesh/plan_mesh.h"
@@ -227,6 +228,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (!options.cancelled()) FindGroundPoints(plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
+  DropUnusedVertices(plan);
   return plan;
 }
 

@@ -176,8 +176,8 @@ struct Plan {
   int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
   double lattice_step = 0;  // power of two, metres
   bool upright = true;      // as CellHoles
-  std::map<CellId, std::vector<int32_t>>
-      vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole
+  std::map<CellId, std::vector<int32_t>> vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of
+                                                              // its record; -1: it bounds no hole; empty: none does
 };
 
 }  // namespace tilemend
