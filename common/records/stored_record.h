@@ -3,9 +3,7 @@
 #define TILEMEND_COMMON_RECORDS_STORED_RECORD_H_
 
 #include <cstddef>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "common/records/survey_record.h"
@@ -22,28 +20,45 @@ namespace tilemend {
 class StoredRecord {
  public:
   using Pointer = std::shared_ptr<const SurveyRecord>;
-  // Never null. The band may be missing unless it is asked for. What fails to read throws.
-  using Read = std::function<Pointer(bool with_band)>;
+
+  // Where a record lies.
+  class Source {
+   public:
+    virtual ~Source() = default;
+    virtual const SurveySummary& summary() const = 0;
+    // Never null. The band may be missing unless it is asked for. What fails to read throws.
+    virtual Pointer Read(bool with_band) const = 0;
+  };
 
   StoredRecord(std::nullptr_t = nullptr) {}  // NOLINT: as a pointer
   // In memory, where the record must outlive the handle.
-  StoredRecord(const SurveyRecord* record) : record_(Pointer(), record) {}  // NOLINT: as a pointer
-  explicit StoredRecord(Pointer record) : record_(std::move(record)) {}
-  StoredRecord(const SurveySummary& summary, Read read) : summary_(summary), read_(std::move(read)) {}
+  StoredRecord(const SurveyRecord* record) : StoredRecord(Pointer(Pointer(), record)) {}  // NOLINT: as a pointer
+  explicit StoredRecord(Pointer record) {
+    if (record != nullptr) source_ = std::make_shared<InMemory>(std::move(record));
+  }
+  explicit StoredRecord(std::shared_ptr<const Source> source) : source_(std::move(source)) {}
 
-  bool operator==(std::nullptr_t) const { return record_ == nullptr && !summary_; }
+  bool operator==(std::nullptr_t) const { return source_ == nullptr; }
 
   // Preconditions of all below: not null.
-  const SurveySummary& operator*() const { return record_ != nullptr ? *record_ : *summary_; }
+  const SurveySummary& operator*() const { return source_->summary(); }
   const SurveySummary* operator->() const { return &**this; }
   // All but the band, which may be there.
-  Pointer Outline() const { return record_ != nullptr ? record_ : read_(false); }
-  Pointer WithBand() const { return record_ != nullptr ? record_ : read_(true); }
+  Pointer Outline() const { return source_->Read(false); }
+  Pointer WithBand() const { return source_->Read(true); }
 
  private:
-  Pointer record_;
-  std::optional<SurveySummary> summary_;
-  Read read_;
+  class InMemory : public Source {
+   public:
+    explicit InMemory(Pointer record) : record_(std::move(record)) {}
+    const SurveySummary& summary() const override { return *record_; }
+    Pointer Read(bool) const override { return record_; }
+
+   private:
+    const Pointer record_;
+  };
+
+  std::shared_ptr<const Source> source_;
 };
 
 }  // namespace tilemend

@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -17,6 +19,15 @@
 
 namespace tilemend {
 namespace {
+
+// The columns of a record in the order in which they lie in the file, those of the band last.
+template <class Record>
+auto ColumnsOf(Record& record) {
+  return std::tie(record.vertices, record.edges, record.colours, record.band.points, record.band.triangles);
+}
+
+constexpr size_t kOutlineColumns = 3;
+constexpr size_t kColumns = 5;
 
 template <typename T>
 std::string_view BytesOf(const std::vector<T>& column) {
@@ -31,14 +42,37 @@ absl::Status Failed(int error, const char* what) {
 
 }  // namespace
 
-struct ScratchFile::RecordPlaces {
-  Place vertices, edges, colours, band_points, band_triangles;
-};
+// A record whose columns lie in the file one after the other.
+class ScratchFile::StoredColumns : public StoredRecord::Source {
+ public:
+  StoredColumns(std::shared_ptr<const ScratchFile> file, const SurveySummary& summary, int64_t at,
+                const std::array<int32_t, kColumns>& sizes)
+      : file_(std::move(file)), summary_(summary), at_(at), sizes_(sizes) {}
 
-struct ScratchFile::Kept {
-  std::shared_ptr<const ScratchFile> file;
-  SurveySummary summary;
-  RecordPlaces places;
+  const SurveySummary& summary() const override { return summary_; }
+
+  StoredRecord::Pointer Read(bool with_band) const override {
+    const auto record = std::make_shared<SurveyRecord>();
+    static_cast<SurveySummary&>(*record) = summary_;
+    int64_t at = at_;
+    size_t number = 0;
+    const auto read = [&](auto& column) {
+      if (!with_band && number == kOutlineColumns) return;
+      column.resize(static_cast<size_t>(sizes_[number++]));
+      const size_t bytes = BytesOf(column).size();
+      const absl::Status status = file_->ReadInto(at, column.data(), bytes);
+      if (!status.ok()) throw std::runtime_error(std::string(status.message()));
+      at += static_cast<int64_t>(bytes);
+    };
+    std::apply([&](auto&... columns) { (read(columns), ...); }, ColumnsOf(*record));
+    return record;
+  }
+
+ private:
+  const std::shared_ptr<const ScratchFile> file_;
+  const SurveySummary summary_;
+  const int64_t at_;
+  const std::array<int32_t, kColumns> sizes_;  // entries
 };
 
 absl::StatusOr<std::shared_ptr<ScratchFile>> ScratchFile::Create(const std::string& folder) {
@@ -57,14 +91,19 @@ ScratchFile::~ScratchFile() { close(fd_); }
 absl::StatusOr<ScratchFile::Place> ScratchFile::Put(std::string_view bytes) {
   const auto size = static_cast<int64_t>(bytes.size());
   const Place place{end_.fetch_add(size), size};
-  for (int64_t at = place.at; !bytes.empty();) {
+  TILEMEND_RETURN_IF_ERROR(WriteAt(place.at, bytes));
+  return place;
+}
+
+absl::Status ScratchFile::WriteAt(int64_t at, std::string_view bytes) {
+  while (!bytes.empty()) {
     const ssize_t written = pwrite(fd_, bytes.data(), bytes.size(), at);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return Failed(errno, "cannot write");
     bytes.remove_prefix(static_cast<size_t>(written));
     at += written;
   }
-  return place;
+  return absl::OkStatus();
 }
 
 absl::Status ScratchFile::ReadInto(int64_t at, void* data, size_t size) const {
@@ -85,42 +124,24 @@ absl::StatusOr<std::string> ScratchFile::Get(const Place& place) const {
   return bytes;
 }
 
-template <typename T>
-absl::Status ScratchFile::ReadColumn(const Place& place, std::vector<T>& column) const {
-  column.resize(static_cast<size_t>(place.size) / sizeof(T));
-  return ReadInto(place.at, column.data(), static_cast<size_t>(place.size));
-}
-
-absl::StatusOr<SurveyRecord> ScratchFile::ReadRecord(const SurveySummary& summary, const RecordPlaces& places,
-                                                     bool with_band) const {
-  SurveyRecord record;
-  static_cast<SurveySummary&>(record) = summary;
-  TILEMEND_RETURN_IF_ERROR(ReadColumn(places.vertices, record.vertices));
-  TILEMEND_RETURN_IF_ERROR(ReadColumn(places.edges, record.edges));
-  TILEMEND_RETURN_IF_ERROR(ReadColumn(places.colours, record.colours));
-  if (!with_band) return record;
-  TILEMEND_RETURN_IF_ERROR(ReadColumn(places.band_points, record.band.points));
-  TILEMEND_RETURN_IF_ERROR(ReadColumn(places.band_triangles, record.band.triangles));
-  return record;
-}
-
 absl::StatusOr<StoredRecord> ScratchFile::Keep(const SurveyRecord& record) {
-  // Once for all copies of the handle, of which there are several for each cell of a scene.
-  const auto kept = std::make_shared<Kept>();
-  RecordPlaces& places = kept->places;
-  TILEMEND_ASSIGN_OR_RETURN(places.vertices, Put(BytesOf(record.vertices)));
-  TILEMEND_ASSIGN_OR_RETURN(places.edges, Put(BytesOf(record.edges)));
-  TILEMEND_ASSIGN_OR_RETURN(places.colours, Put(BytesOf(record.colours)));
-  TILEMEND_ASSIGN_OR_RETURN(places.band_points, Put(BytesOf(record.band.points)));
-  TILEMEND_ASSIGN_OR_RETURN(places.band_triangles, Put(BytesOf(record.band.triangles)));
-  kept->file = shared_from_this();
-  kept->summary = record;
-  const auto read = [kept](bool with_band) {
-    absl::StatusOr<SurveyRecord> again = kept->file->ReadRecord(kept->summary, kept->places, with_band);
-    if (!again.ok()) throw std::runtime_error(std::string(again.status().message()));
-    return std::make_shared<const SurveyRecord>(*std::move(again));
+  std::array<std::string_view, kColumns> bytes;
+  std::array<int32_t, kColumns> sizes{};
+  int64_t all = 0;
+  size_t number = 0;
+  const auto take = [&](const auto& column) {
+    bytes[number] = BytesOf(column);
+    sizes[number] = static_cast<int32_t>(column.size());
+    all += static_cast<int64_t>(bytes[number++].size());
   };
-  return StoredRecord(record, read);
+  std::apply([&](const auto&... columns) { (take(columns), ...); }, ColumnsOf(record));
+  const int64_t begin = end_.fetch_add(all);
+  int64_t at = begin;
+  for (const std::string_view column : bytes) {
+    TILEMEND_RETURN_IF_ERROR(WriteAt(at, column));
+    at += static_cast<int64_t>(column.size());
+  }
+  return StoredRecord(std::make_shared<StoredColumns>(shared_from_this(), record, begin, sizes));
 }
 
 }  // namespace tilemend

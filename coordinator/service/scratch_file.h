@@ -40,15 +40,11 @@ class ScratchFile : public std::enable_shared_from_this<ScratchFile> {
   absl::StatusOr<StoredRecord> Keep(const SurveyRecord& record);
 
  private:
-  explicit ScratchFile(int fd) : fd_(fd) {}
-  absl::Status ReadInto(int64_t at, void* data, size_t size) const;
-  template <typename T>
-  absl::Status ReadColumn(const Place& place, std::vector<T>& column) const;
+  class StoredColumns;
 
-  struct RecordPlaces;
-  struct Kept;
-  absl::StatusOr<SurveyRecord> ReadRecord(const SurveySummary& summary, const RecordPlaces& places,
-                                          bool with_band) const;
+  explicit ScratchFile(int fd) : fd_(fd) {}
+  absl::Status WriteAt(int64_t at, std::string_view bytes);
+  absl::Status ReadInto(int64_t at, void* data, size_t size) const;
 
   const int fd_;
   std::atomic<int64_t> end_{0};
