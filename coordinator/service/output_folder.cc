@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr char kMarker[] = ".tilemend-job";
 constexpr char kResultLog[] = ".tilemend-results";
+constexpr int64_t kNotPlaced = -1;
 constexpr const char* kOfReport[] = {"report.json", "holes.geojson", "breaklines.geojson"};
 
 // The path without links, as far as it is there.
@@ -127,10 +128,7 @@ absl::Status CheckNames(const std::string& path, const std::set<std::string>& fi
       if (!parents.insert(at.string()).second) break;
     }
   }
-  for (const std::string& parent : parents) {
-    const PathKind kind = KindOf(folder + parent);
-    if (kind == PathKind::kFile || kind == PathKind::kOther) return InTheWay(folder + parent, kind, PathKind::kFolder);
-  }
+  for (const std::string& parent : parents) TILEMEND_RETURN_IF_ERROR(CheckName(folder + parent, PathKind::kFolder));
   return absl::OkStatus();
 }
 
@@ -209,7 +207,8 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   files.insert("scene.json");
   files.insert(std::begin(kOfReport), std::end(kOfReport));
   TILEMEND_RETURN_IF_ERROR(CheckNames(path, files));
-  OutputFolder folder(path, key, std::move(files));
+  OutputFolder folder(path, key);
+  folder.Adopt(files);
   TILEMEND_RETURN_IF_ERROR(folder.Lock());
   if (!overwrite) {
     TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));  // another job may have ended here since
@@ -247,8 +246,7 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       marker_(std::exchange(other.marker_, -1)),
       keep_(other.keep_),
       wrote_(other.wrote_),
-      attempts_(std::exchange(other.attempts_, std::nullopt)),
-      placed_(std::move(other.placed_)) {}
+      attempts_(std::exchange(other.attempts_, std::nullopt)) {}
 
 OutputFolder::~OutputFolder() {
   if (path_.empty()) return;
@@ -286,30 +284,33 @@ absl::Status OutputFolder::BeginWriting() {
   return absl::OkStatus();
 }
 
+void OutputFolder::Adopt(const std::set<std::string>& files) {
+  for (const std::string& file : files) files_.try_emplace(file, kNotPlaced);
+}
+
 absl::Status OutputFolder::Place(const AttemptFile& file) {
-  if (!files_.contains(file.path)) {
-    return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
-  }
-  TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
-  placed_[file.path] = file.bytes;
-  return absl::OkStatus();
+  if (files_.contains(file.path)) TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
+  return Keep(file.path, file.bytes);
 }
 
 absl::Status OutputFolder::Keep(const std::string& file, int64_t bytes) {
-  if (!files_.contains(file)) {
+  const auto own = files_.find(file);
+  if (own == files_.end()) {
     return absl::InvalidArgumentError(absl::StrCat(Printable(file), ": no file of this output"));
   }
-  placed_[file] = bytes;
+  own->second = bytes;
   return absl::OkStatus();
 }
 
 std::string OutputFolder::result_log() const { return absl::StrCat(path_, "/", kResultLog); }
 
 absl::Status OutputFolder::SeeAll() const {
-  int64_t missing = 0;
+  int64_t missing = 0, placed = 0;
   std::string first;
   std::set<std::string> folders;
-  for (const auto& [file, bytes] : placed_) {
+  for (const auto& [file, bytes] : files_) {
+    if (bytes == kNotPlaced) continue;
+    ++placed;
     const fs::path path = fs::path(path_) / file;
     folders.insert(path.parent_path().string());
     const auto look = LookAt(path.string());
@@ -318,7 +319,7 @@ absl::Status OutputFolder::SeeAll() const {
   }
   if (missing > 0) {
     const absl::Status changed = absl::AbortedError(
-        absl::StrCat(Printable(first), ": not there as it was written, as ", missing, " of ", placed_.size(),
+        absl::StrCat(Printable(first), ": not there as it was written, as ", missing, " of ", placed,
                      " files of the output; was something removed while the job ran? Run the job again"));
     return WithErrorInfo(changed, {"OUTPUT_CHANGED", {{"file", Printable(first)}}});
   }

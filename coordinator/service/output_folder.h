@@ -46,7 +46,7 @@ class OutputFolder {
   // and what goes with it, which would not be true any more. kResourceExhausted, kPermissionDenied.
   absl::Status BeginWriting();
   // These files, relative, belong to this output as well.
-  void Adopt(const std::set<std::string>& files) { files_.insert(files.begin(), files.end()); }
+  void Adopt(const std::set<std::string>& files);
   // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
   absl::Status Place(const AttemptFile& file);
   // The file is there already, as it is to be. Errors as Place.
@@ -62,8 +62,7 @@ class OutputFolder {
   void Finish();
 
  private:
-  OutputFolder(std::string path, std::string key, std::set<std::string> files)
-      : path_(std::move(path)), key_(std::move(key)), files_(std::move(files)) {}
+  OutputFolder(std::string path, std::string key) : path_(std::move(path)), key_(std::move(key)) {}
   // Makes the folder, and locks the marker in it.
   absl::Status Lock();
   absl::Status WriteKey();
@@ -73,13 +72,12 @@ class OutputFolder {
 
   std::string path_;
   std::string key_;
-  std::set<std::string> files_;            // of this output, relative
+  std::map<std::string, int64_t> files_;   // of this output, relative: bytes, once placed
   std::vector<std::string> made_;          // folders, the outermost first
   int marker_ = -1;                        // descriptor
   bool keep_ = false;                      // the marker is to stay
   bool wrote_ = false;                     // this process
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
-  std::map<std::string, int64_t> placed_;  // bytes by relative path
 };
 
 }  // namespace tilemend

@@ -108,7 +108,8 @@ ResultLog::ResultLog(ResultLog&& other) noexcept
       end_(other.end_),
       begun_(other.begun_),
       earlier_(std::move(other.earlier_)),
-      own_(std::move(other.own_)) {}
+      own_(std::move(other.own_)),
+      put_(std::move(other.put_)) {}
 
 ResultLog::~ResultLog() {
   if (fd_ >= 0) ::close(fd_);
@@ -190,7 +191,7 @@ absl::Status ResultLog::Append(const Name& name, std::string_view result, bool b
   if (begins) {
     begun_ = true;
   } else {
-    own_[name] = {end_, true};
+    put_.push_back(end_);
   }
   end_ += record.size();
   return absl::OkStatus();
@@ -201,7 +202,7 @@ void ResultLog::Discard() {
 }
 
 absl::Status ResultLog::KeepUsed() {
-  std::vector<int64_t> kept;
+  std::vector<int64_t> kept = put_;
   int64_t bytes = static_cast<int64_t>(kHead.size());
   for (const auto* places : {&earlier_, &own_}) {
     for (const auto& [name, place] : *places) {

@@ -173,7 +173,8 @@ TEST_F(OutputFolderTest, WhatIsInTheWayIsNamedAndStays) {
                         {".tilemend-attempts", file},
                         {"tiles/a.ply", folder},
                         {"report.json", folder},
-                        {"tiles", file}};
+                        {"tiles", file},
+                        {"tiles", link}};
   for (const auto& [name, make] : cases) {
     const std::string path = out_ + "/" + name;
     fs::create_directories(fs::path(path).parent_path());
