@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -158,6 +160,29 @@ absl::Status BlobFolder::ReadChunks(const std::string& digest,
 }
 
 absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
+  std::string beside = absl::StrCat(path_, ".XXXXXX");
+  if (::mkdtemp(beside.data()) == nullptr) return FileError(errno, "cannot create", beside);
+  const bool changed = LinkInto(BlobFolder(beside), digests) &&
+                       ::renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0;
+  if (changed) return SyncFolder(std::filesystem::path(path_).parent_path().string());
+  std::error_code error;
+  std::filesystem::remove_all(beside, error);
+  return RemoveOthers(digests);
+}
+
+bool BlobFolder::LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const {
+  std::set<std::string> parents = {other.path_};
+  for (const std::string& digest : digests) {
+    const auto from = PathOf(digest), to = other.PathOf(digest);
+    if (!from.ok() || !Size(digest).ok()) continue;  // lost, and so made again
+    const std::string parent = std::filesystem::path(*to).parent_path().string();
+    if (parents.insert(parent).second && ::mkdir(parent.c_str(), 0700) != 0) return false;
+    if (::link(from->c_str(), to->c_str()) != 0) return false;
+  }
+  return std::all_of(parents.begin(), parents.end(), [](const std::string& p) { return SyncFolder(p).ok(); });
+}
+
+absl::Status BlobFolder::RemoveOthers(const std::set<std::string>& digests) {
   namespace fs = std::filesystem;
   std::error_code error;
   std::vector<fs::path> others;
@@ -170,12 +195,21 @@ absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
   return error ? FileError(error.value(), "cannot look through it", path_) : absl::OkStatus();
 }
 
-void BlobFolder::Remove() {
+void BlobFolder::Remove(const std::function<bool()>& stop) {
+  namespace fs = std::filesystem;
   removed_.store(true);
   std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::recursive_directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {
+    if (!at->is_directory(error)) files.push_back(at->path());
+  }
+  for (const fs::path& file : files) {
+    if (stop()) return;
+    fs::remove(file, error);
+  }
   // Twice: a write that began before may put a file in after the folder was listed.
-  std::filesystem::remove_all(path_, error);
-  std::filesystem::remove_all(path_, error);
+  fs::remove_all(path_, error);
+  fs::remove_all(path_, error);
 }
 
 }  // namespace tilemend

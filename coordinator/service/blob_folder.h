@@ -59,14 +59,20 @@ class BlobFolder {
   // Gives the blob's bytes to `take` in order, at most kMaxChunkBytes at a time, until it returns false.
   absl::Status ReadChunks(const std::string& digest, const std::function<bool(std::string_view)>& take) const;
 
-  // Removes all but these, and what was being written when an earlier process ended. Before anything else is called.
+  // Parts with all but these, and with what was being written when an earlier process ended: a folder beside this one,
+  // of the same name with an ending, holds them then, as to delete them takes long on some disks. Before anything else
+  // is called. Without hard links they are deleted at once.
   absl::Status KeepOnly(const std::set<std::string>& digests);
 
-  // Removes the folder and refuses every later write.
-  void Remove();
+  // Refuses every later write and removes the folder, which on some disks takes seconds for each thousand blobs: asks
+  // before each one whether to leave the rest there.
+  void Remove(const std::function<bool()>& stop = [] { return false; });
 
  private:
   absl::StatusOr<std::string> PathOf(const std::string& digest) const;
+  // Hard links in another such folder, synced. False if one cannot be made.
+  bool LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const;
+  absl::Status RemoveOthers(const std::set<std::string>& digests);
   absl::Status MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync);
 
   std::string path_;

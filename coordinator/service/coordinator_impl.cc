@@ -84,7 +84,10 @@ CoordinatorImpl::CoordinatorImpl(CoordinatorOptions options, PipelineFactory fac
 
 CoordinatorImpl::~CoordinatorImpl() {
   StopWaiting();
-  if (ticker_.joinable()) ticker_.join();
+  leaving_.store(true);
+  for (std::thread* thread : {&ticker_, &sweeper_}) {
+    if (thread->joinable()) thread->join();
+  }
   std::vector<std::unique_ptr<JobRunner>> runners;
   {
     Lock lock(mutex_);

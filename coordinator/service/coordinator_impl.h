@@ -6,6 +6,7 @@
 #ifndef TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
 #define TILEMEND_COORDINATOR_SERVICE_COORDINATOR_IMPL_H_
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -256,7 +257,8 @@ class CoordinatorImpl {
   std::map<std::string, Caller> callers_;  // workers
   WorkerTrust trust_;
   LongCalls watches_{500}, streams_{250};  // threads at most
-  std::thread ticker_;
+  std::atomic<bool> leaving_{false};       // this goes
+  std::thread ticker_, sweeper_;
 };
 
 }  // namespace tilemend

@@ -52,6 +52,7 @@ bool JobRunner::TryCancel() {
 }
 
 void JobRunner::Abandon() {
+  leaving_.store(true);
   std::lock_guard<std::mutex> lock(mutex_);
   abandoned_ = TryCancel();
 }
@@ -79,7 +80,7 @@ void JobRunner::Run() {
     if (abandoned_) return;
   }
   sink_.finished(std::move(outcome));  // before the blobs go, which takes time in which the job could be cancelled
-  blobs_->Remove();
+  blobs_->Remove([this] { return leaving_.load(); });  // what stays then is swept by the next process
   sink_.released();
   ended_.store(true);
 }

@@ -55,7 +55,8 @@ class JobRunner {
   // False if the pipeline has come to its end before: the job ends as it was about to.
   bool Cancel();
 
-  // Ends the thread soon and the job not at all: it tells nobody, and what is on the disk stays.
+  // Ends the thread soon, and the job not at all unless that has come to its end: it tells nobody, and what is on the
+  // disk stays.
   void Abandon();
 
   // Ends the job with this error, unless it has come to its end.
@@ -105,6 +106,7 @@ class JobRunner {
   std::deque<Delivery> deliveries_;
   bool cancelled_ = false;
   bool abandoned_ = false;
+  std::atomic<bool> leaving_{false};  // Abandon was called
   absl::Status failure_;
   bool too_late_ = false;            // to cancel
   JobPipeline* pipeline_ = nullptr;  // while it may be cancelled

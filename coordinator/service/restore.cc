@@ -1,4 +1,5 @@
 // What CoordinatorImpl gives to its journal, and how it goes on with what it finds there.
+#include <chrono>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -184,12 +185,21 @@ absl::Status CoordinatorImpl::SweepFolders() {
       if (entry == entries_.end() || entry->second.blobs == nullptr) old.push_back(at->path());
     }
   }
+  // Some disks take minutes for many files: what is not done soon is done while jobs run.
+  const SteadyTime deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  std::vector<fs::path> left;
   for (const fs::path& path : old) {
-    if (!error) fs::remove_all(path, error);
+    bool is_late = false;
+    BlobFolder(path.string()).Remove([&] { return is_late = std::chrono::steady_clock::now() > deadline; });
+    if (!fs::exists(path, error)) continue;
+    if (!is_late) return absl::PermissionDeniedError(absl::StrCat(path.string(), ": no job needs it, and it stays"));
+    left.push_back(path);
   }
-  if (!error) return absl::OkStatus();
-  return absl::PermissionDeniedError(
-      absl::StrCat(jobs.string(), ": cannot take away what no job needs: ", error.message()));
+  if (left.empty()) return absl::OkStatus();
+  sweeper_ = std::thread([this, left = std::move(left)] {
+    for (const fs::path& path : left) BlobFolder(path.string()).Remove([this] { return leaving_.load(); });
+  });
+  return absl::OkStatus();
 }
 
 }  // namespace tilemend

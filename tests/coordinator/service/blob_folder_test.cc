@@ -12,6 +12,13 @@
 namespace tilemend {
 namespace {
 
+namespace fs = std::filesystem;
+
+int64_t FilesIn(const std::string& folder) {
+  const fs::recursive_directory_iterator all(folder);
+  return std::count_if(begin(all), end(all), [](const fs::directory_entry& entry) { return entry.is_regular_file(); });
+}
+
 class BlobFolderTest : public ::testing::Test {
  protected:
   TempFolder folder_;
@@ -81,6 +88,31 @@ TEST_F(BlobFolderTest, IsGoneAfterRemove) {
   EXPECT_FALSE(blobs_->Put("more").ok());
   EXPECT_FALSE(blobs_->Read(digest).ok());
   EXPECT_FALSE(std::filesystem::exists(folder_ / "blobs"));
+}
+
+TEST_F(BlobFolderTest, RemoveStopsWhereItIsTold) {
+  for (const char* bytes : {"a", "b", "c", "d"}) ASSERT_TRUE(blobs_->Put(bytes).ok());
+  int asked = 0;
+  blobs_->Remove([&] { return ++asked > 2; });
+  EXPECT_EQ(FilesIn(folder_ / "blobs"), 2);
+  EXPECT_FALSE(blobs_->Put("more").ok());
+}
+
+TEST_F(BlobFolderTest, KeepsOnlyWhatIsStillNeeded) {
+  const std::string kept = *blobs_->Put("kept"), other = *blobs_->Put("other");
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "blobs/part-abcdef", "half").ok());
+  ASSERT_TRUE(blobs_->KeepOnly({kept, Sha256Hex("lost")}).ok());
+  EXPECT_EQ(*blobs_->Read(kept), "kept");
+  EXPECT_FALSE(blobs_->Read(other).ok());
+  EXPECT_EQ(FilesIn(folder_ / "blobs"), 1);
+  for (const auto& beside : fs::directory_iterator(folder_ / "")) {
+    if (beside.path().filename() == "blobs") continue;
+    EXPECT_TRUE(beside.path().filename().string().starts_with("blobs.")) << beside;
+    fs::remove_all(beside.path());  // as the sweep does
+  }
+  EXPECT_EQ(*blobs_->Read(kept), "kept");
+  EXPECT_EQ(*blobs_->Put("other"), other) << "may be put again";
+  EXPECT_EQ(*blobs_->Read(other), "other");
 }
 
 // The empty string, "abc": FIPS 180-4.
