@@ -60,7 +60,7 @@ class JobClient::Impl {
   const std::string trace = NewTrace();
 };
 
-JobClient::JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration patience)
+JobClient::JobClient(const std::shared_ptr<grpc::Channel>& channel, absl::Duration patience)
     : impl_(std::make_unique<Impl>(channel)), patience_(patience) {}
 
 JobClient::~JobClient() = default;

@@ -24,7 +24,7 @@ class JobClient {
  public:
   // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable); a watch that has been under way
   // waits ten minutes, in which the coordinator may start again, unless `patience` is 0.
-  JobClient(std::shared_ptr<grpc::Channel> channel, absl::Duration patience);
+  JobClient(const std::shared_ptr<grpc::Channel>& channel, absl::Duration patience);
   ~JobClient();
 
   // With a request_id, safe to repeat; it is repeated while the coordinator cannot be reached.
