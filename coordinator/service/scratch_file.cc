@@ -95,7 +95,7 @@ absl::StatusOr<ScratchFile::Place> ScratchFile::Put(std::string_view bytes) {
   return place;
 }
 
-absl::Status ScratchFile::WriteAt(int64_t at, std::string_view bytes) {
+absl::Status ScratchFile::WriteAt(int64_t at, std::string_view bytes) const {
   while (!bytes.empty()) {
     const ssize_t written = pwrite(fd_, bytes.data(), bytes.size(), at);
     if (written < 0 && errno == EINTR) continue;

@@ -43,7 +43,7 @@ class ScratchFile : public std::enable_shared_from_this<ScratchFile> {
   class StoredColumns;
 
   explicit ScratchFile(int fd) : fd_(fd) {}
-  absl::Status WriteAt(int64_t at, std::string_view bytes);
+  absl::Status WriteAt(int64_t at, std::string_view bytes) const;
   absl::Status ReadInto(int64_t at, void* data, size_t size) const;
 
   const int fd_;
