@@ -21,11 +21,12 @@ class ObjReader {
  public:
   // `vertex_tails`, if given, gets for each vertex the offset just after its third coordinate.
   ObjReader(std::string_view bytes, const std::string& name, std::vector<size_t>* vertex_tails,
-            ObjTextures* textures = nullptr)
+            ObjTextures* textures = nullptr, FaceVisitor visit = {})
       : bytes_(bytes),
         name_(name),
         vertex_tails_(vertex_tails),
         textures_(textures),
+        visit_(std::move(visit)),
         newline_(LineEndingOf(bytes) == "\r" ? '\r' : '\n'),
         p_(bytes.data()),
         end_(bytes.data() + bytes.size()) {
@@ -187,6 +188,7 @@ class ObjReader {
     ++p_;
     ++faces_;
     corners_.clear();
+    places_.clear();
     texture_corners_.clear();
     for (SkipBlanks(); !AtStatementEnd(); SkipBlanks()) {
       TILEMEND_RETURN_IF_ERROR(ReadCorner(statement));
@@ -196,7 +198,7 @@ class ObjReader {
       }
     }
     const size_t before = file_.mesh.triangles.size();
-    AddPolygon(corners_, file_);
+    AddPolygon(corners_, places_, visit_, file_);
     if (textures_ != nullptr) {
       for (size_t i = 0; i < file_.mesh.triangles.size() - before; ++i) {  // the fan that AddPolygon makes
         textures_->corners.push_back({texture_corners_[0], texture_corners_[i + 1], texture_corners_[i + 2]});
@@ -229,6 +231,7 @@ class ObjReader {
       largest_index_offset_ = statement;
     }
     corners_.push_back(static_cast<int32_t>(resolved));
+    if (visit_) places_.push_back({Offset(), static_cast<size_t>(index.stop - bytes_.data())});
     if (textures_ != nullptr) texture_corners_.push_back(TextureIndex(texture));
     p_ = stop;
     return absl::OkStatus();
@@ -246,6 +249,7 @@ class ObjReader {
   const std::string& name_;
   std::vector<size_t>* const vertex_tails_;
   ObjTextures* const textures_;
+  const FaceVisitor visit_;
   const char newline_;
   const char* p_;
   const char* const end_;
@@ -254,6 +258,7 @@ class ObjReader {
   int64_t largest_index_ = -1;
   size_t largest_index_offset_ = 0;
   std::vector<int32_t> corners_;
+  std::vector<TextRange> places_;  // of corners_: their vertex numbers
   std::vector<int32_t> texture_corners_;
   std::map<std::string_view, int32_t> materials_, libraries_;  // numbers in textures_
 };
@@ -277,8 +282,8 @@ void AppendFaces(const FilePatch& patch, std::string_view eol, std::string& out)
 
 }  // namespace
 
-absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name) {
-  return ObjReader(bytes, name, nullptr).Read();
+absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {
+  return ObjReader(bytes, name, nullptr, nullptr, visit).Read();
 }
 
 absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name) {

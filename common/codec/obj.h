@@ -10,6 +10,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
+#include "common/codec/polygons.h"
 #include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
@@ -36,7 +37,7 @@ struct ObjFile {
 
 // Reads `v` and `f` statements; texture and normal indices are checked for form only, further statements are skipped.
 // Positive indices may name vertices that come later in the file. Linear in `bytes`.
-absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name);
+absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {});
 
 // The same with materials and texture coordinates: 8 bytes for each `vt`, 12 for each triangle more.
 absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name);

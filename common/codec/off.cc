@@ -14,11 +14,6 @@
 namespace tilemend {
 namespace {
 
-struct TextRange {
-  size_t begin = 0;
-  size_t end = 0;
-};
-
 struct OffHeader {
   int64_t vertices = 0;
   int64_t faces = 0;
@@ -159,7 +154,8 @@ class OffCursor {
 
 class OffReader : private OffCursor {
  public:
-  OffReader(std::string_view bytes, const std::string& name) : OffCursor(bytes, name) {
+  OffReader(std::string_view bytes, const std::string& name, const FaceVisitor& visit)
+      : OffCursor(bytes, name), visit_(visit) {
     file_.format = MeshFormat::kOff;
     file_.file_bytes = static_cast<int64_t>(bytes.size());
   }
@@ -214,6 +210,7 @@ class OffReader : private OffCursor {
     }
     p_ = count.stop;
     corners_.clear();
+    places_.clear();
     const int64_t vertices = static_cast<int64_t>(file_.mesh.points.size());
     for (int64_t k = 0; k < count.value; ++k) {
       face_lines_ ? SkipBlanks() : SkipToToken();
@@ -222,17 +219,20 @@ class OffReader : private OffCursor {
         return Expected(absl::StrCat("a vertex index in 0 to ", vertices - 1));
       }
       corners_.push_back(static_cast<int32_t>(index.value));
+      if (visit_) places_.push_back({Offset(), static_cast<size_t>(index.stop - bytes_.data())});
       p_ = index.stop;
     }
-    AddPolygon(corners_, file_);
+    AddPolygon(corners_, places_, visit_, file_);
     if (face_lines_) SkipLine();
     return absl::OkStatus();
   }
 
+  const FaceVisitor& visit_;
   MeshFile file_;
   bool vertex_lines_ = true;
   bool face_lines_ = true;
   std::vector<int32_t> corners_;
+  std::vector<TextRange> places_;  // of corners_
 };
 
 // Where the parts of a file lie.
@@ -352,8 +352,8 @@ void AppendFaces(std::string_view eol, const FilePatch& patch, bool own_lines, s
 
 }  // namespace
 
-absl::StatusOr<MeshFile> ParseOff(std::string_view bytes, const std::string& name) {
-  return OffReader(bytes, name).Read();
+absl::StatusOr<MeshFile> ParseOff(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {
+  return OffReader(bytes, name, visit).Read();
 }
 
 absl::StatusOr<std::string> AppendToOff(std::string_view bytes, const FilePatch& patch, const std::string& name) {

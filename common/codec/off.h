@@ -7,13 +7,14 @@
 
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
+#include "common/codec/polygons.h"
 
 namespace tilemend {
 
 // Reads a file with a vertex and a face a line, as nearly all are, or one with several on a line, as the format allows
 // (then a vertex has as many columns as the header's keyword says, and faces have no colours). `#` starts a comment.
 // Linear in `bytes`.
-absl::StatusOr<MeshFile> ParseOff(std::string_view bytes, const std::string& name);
+absl::StatusOr<MeshFile> ParseOff(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {});
 
 // `bytes` with the counts updated, new vertices after the originals (with the further columns of the vertex that they
 // are like, or zeros) and new faces, without colour, after the last face. Precondition: ParseOff takes `bytes`; numbers

@@ -17,8 +17,8 @@ namespace {
 template <class Source>
 class RecordReader {
  public:
-  RecordReader(Source source, const PlyHeader& header, MeshFile& file)
-      : source_(source), header_(header), file_(file) {}
+  RecordReader(Source source, const PlyHeader& header, const FaceVisitor& visit, MeshFile& file)
+      : source_(source), header_(header), visit_(visit), file_(file) {}
 
   Source& source() { return source_; }
 
@@ -54,7 +54,7 @@ class RecordReader {
         TILEMEND_RETURN_IF_ERROR(SkipProperty(element.properties[i]));
       }
     }
-    AddPolygon(corners_, file_);
+    AddPolygon(corners_, places_, visit_, file_);
     return absl::OkStatus();
   }
 
@@ -80,20 +80,24 @@ class RecordReader {
     TILEMEND_ASSIGN_OR_RETURN(const int64_t count, ReadCount(property.count_type));
     const int64_t vertices = header_.elements[header_.vertex].count;
     corners_.clear();
+    places_.clear();
     for (int64_t i = 0; i < count; ++i) {
       const std::optional<int64_t> index = source_.Integer(property.type);
       if (!index.has_value() || *index < 0 || *index >= vertices) {
         return source_.Error(absl::StrCat("a vertex index in 0 to ", vertices - 1));
       }
       corners_.push_back(static_cast<int32_t>(*index));
+      if (visit_) places_.push_back(source_.LastRead());
     }
     return absl::OkStatus();
   }
 
   Source source_;
   const PlyHeader& header_;
+  const FaceVisitor& visit_;
   MeshFile& file_;
   std::vector<int32_t> corners_;
+  std::vector<TextRange> places_;  // of corners_, if somebody asks
 };
 
 struct Span {
@@ -154,12 +158,13 @@ template <class Source>
 class BodyReader {
  public:
   BodyReader(std::string_view bytes, const PlyHeader& header, const std::string& name, MeshFile& file,
-             PlyRecords* records)
+             PlyRecords* records, const FaceVisitor& visit)
       : bytes_(bytes),
         header_(header),
         file_(file),
         records_(records),
-        reader_(Source(bytes, header, name), header, file) {}
+        visits_(visit != nullptr),
+        reader_(Source(bytes, header, name), header, visit, file) {}
 
   absl::Status Read() {
     for (size_t i = 0; i < header_.elements.size(); ++i) {
@@ -229,7 +234,7 @@ class BodyReader {
     const std::optional<FixedFaces> fixed = FixedLayout(element);
     for (size_t k = 0; k < count; ++k) {
       if constexpr (kBinary) {
-        if (fixed.has_value()) k += ReadTriangleRun(*fixed, count - k);
+        if (fixed.has_value() && !visits_) k += ReadTriangleRun(*fixed, count - k);
         if (k == count) break;
       }
       TILEMEND_RETURN_IF_ERROR(reader_.ReadFace(element));
@@ -272,13 +277,14 @@ class BodyReader {
   const PlyHeader& header_;
   MeshFile& file_;
   PlyRecords* const records_;
+  const bool visits_;
   RecordReader<Source> reader_;
 };
 
 }  // namespace
 
 absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
-                                     PlyRecords* records) {
+                                     PlyRecords* records, const FaceVisitor& visit) {
   MeshFile file;
   file.format = MeshFormat::kPly;
   file.file_bytes = static_cast<int64_t>(bytes.size());
@@ -288,14 +294,14 @@ absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& he
   const bool ascii = header.encoding == PlyEncoding::kAscii;
   const bool narrow = !ascii && std::any_of(header.xyz.begin(), header.xyz.end(), is_float32);
   file.number_type = narrow ? NumberType::kFloat32 : NumberType::kFloat64;
-  TILEMEND_RETURN_IF_ERROR(ascii ? BodyReader<AsciiSource>(bytes, header, name, file, records).Read()
-                                 : BodyReader<BinarySource>(bytes, header, name, file, records).Read());
+  TILEMEND_RETURN_IF_ERROR(ascii ? BodyReader<AsciiSource>(bytes, header, name, file, records, visit).Read()
+                                 : BodyReader<BinarySource>(bytes, header, name, file, records, visit).Read());
   return file;
 }
 
-absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name) {
+absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {
   TILEMEND_ASSIGN_OR_RETURN(const PlyHeader header, ParsePlyHeader(bytes, name));
-  return ReadPlyBody(bytes, header, name, nullptr);
+  return ReadPlyBody(bytes, header, name, nullptr, visit);
 }
 
 }  // namespace tilemend

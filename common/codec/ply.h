@@ -9,6 +9,7 @@
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/ply_header.h"
+#include "common/codec/polygons.h"
 
 namespace tilemend {
 
@@ -21,11 +22,11 @@ struct PlyRecords {
 };
 
 // Reads the positions and faces; every further property and element may be anything that the header can say.
-absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name);
+absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {});
 
 // The same with a header that was read already, filling `records` if given.
 absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
-                                     PlyRecords* records);
+                                     PlyRecords* records, const FaceVisitor& visit = {});
 
 // `bytes` with the patch: see mesh_file.h. Indices that the file's type for them cannot hold (a ushort list, 70,000
 // vertices) widen that type to int in the output.

@@ -14,6 +14,7 @@
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "common/codec/ply_header.h"
+#include "common/codec/polygons.h"
 #include "common/codec/text.h"
 
 namespace tilemend {
@@ -74,6 +75,7 @@ class BinarySource {
       : bytes_(bytes), name_(name), position_(header.body_begin), swap_(NeedsSwap(header.encoding)) {}
 
   size_t position() const { return position_; }
+  TextRange LastRead() const { return {last_, position_}; }  // a value
   void Seek(size_t position) { position_ = position; }
 
   std::optional<double> Number(PlyType type) { return Read<double>(type); }
@@ -129,6 +131,7 @@ class AsciiSource {
       : bytes_(bytes), name_(name), position_(header.body_begin) {}
 
   size_t position() const { return position_; }  // just after the word read last
+  TextRange LastRead() const { return {last_, position_}; }
 
   std::optional<double> Number(PlyType) {
     SkipSpace();

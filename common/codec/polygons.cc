@@ -34,6 +34,13 @@ void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file) {
   }
 }
 
+void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> places, const FaceVisitor& visit,
+                MeshFile& file) {
+  const size_t first = file.mesh.triangles.size();
+  AddPolygon(corners, file);
+  if (visit && file.mesh.triangles.size() > first) visit(first, places);
+}
+
 absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::string& name) {
   const auto invalid = [&name](const auto&... text) {
     return absl::InvalidArgumentError(absl::StrCat(name, ": bad patch: ", text...));

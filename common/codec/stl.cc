@@ -1,5 +1,6 @@
 #include "common/codec/stl.h"
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -14,7 +15,7 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kCountAt = 80, kHeadBytes = 84, kFacetBytes = 50, kNormalBytes = 12;
+constexpr size_t kCountAt = 80, kHeadBytes = 84, kFacetBytes = 50, kNormalBytes = 12, kCornerBytes = 12;
 
 static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
 
@@ -51,7 +52,7 @@ void AddTriangle(TriMesh& mesh) {
   mesh.triangles.push_back({end - 3, end - 2, end - 1});
 }
 
-absl::StatusOr<MeshFile> ParseBinary(std::string_view bytes, const std::string& name) {
+absl::StatusOr<MeshFile> ParseBinary(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {
   MeshFile file = EmptyFile(bytes, NumberType::kFloat32);
   const size_t count = (bytes.size() - kHeadBytes) / kFacetBytes;
   if (count > std::numeric_limits<int32_t>::max() / 3) return ByteProblem(name, kCountAt, "too many facets");
@@ -69,6 +70,10 @@ absl::StatusOr<MeshFile> ParseBinary(std::string_view bytes, const std::string& 
       }
     }
     AddTriangle(file.mesh);
+    if (!visit) continue;
+    const size_t at = kHeadBytes + f * kFacetBytes + kNormalBytes, next = at + kCornerBytes;
+    const TextRange corners[] = {{at, next}, {next, next + kCornerBytes}, {next + kCornerBytes, at + 3 * kCornerBytes}};
+    visit(f, corners);
   }
   return file;
 }
@@ -76,7 +81,8 @@ absl::StatusOr<MeshFile> ParseBinary(std::string_view bytes, const std::string& 
 // Reads `facet normal x y z outer loop vertex x y z ... endloop endfacet` word by word, whatever the lines.
 class TextReader {
  public:
-  TextReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  TextReader(std::string_view text, const std::string& name, const FaceVisitor& visit)
+      : text_(text), name_(name), visit_(visit) {}
 
   absl::StatusOr<MeshFile> Read() {
     MeshFile file = EmptyFile(text_, NumberType::kFloat64);
@@ -119,8 +125,11 @@ class TextReader {
     for (int axis = 0; axis < 3; ++axis) Word();  // some writers put `nan` there
     TILEMEND_RETURN_IF_ERROR(Expect("outer"));
     TILEMEND_RETURN_IF_ERROR(Expect("loop"));
-    for (int corner = 0; corner < 3; ++corner) {
+    std::array<TextRange, 3> places;
+    for (TextRange& place : places) {
       TILEMEND_RETURN_IF_ERROR(Expect("vertex"));
+      AtEnd();
+      place.begin = at_;
       Point3& p = mesh.points.emplace_back();
       for (int axis = 0; axis < 3; ++axis) {
         AtEnd();
@@ -131,8 +140,10 @@ class TextReader {
         p[axis] = number.value;
         at_ = static_cast<size_t>(number.stop - text_.data());
       }
+      place.end = at_;
     }
     AddTriangle(mesh);
+    if (visit_) visit_(mesh.triangles.size() - 1, places);
     if (mesh.points.size() > std::numeric_limits<int32_t>::max() - 3) {
       return LineProblem(name_, text_, at_, "too many facets");
     }
@@ -142,6 +153,7 @@ class TextReader {
 
   std::string_view text_;
   const std::string& name_;
+  const FaceVisitor& visit_;
   size_t at_ = 0;
 };
 
@@ -173,12 +185,12 @@ void AppendTextFacet(const SpaceTriangle& t, const Eigen::Vector3d& normal, std:
 
 }  // namespace
 
-absl::StatusOr<MeshFile> ParseStl(std::string_view bytes, const std::string& name) {
+absl::StatusOr<MeshFile> ParseStl(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {
   absl::StatusOr<MeshFile> file = MeshFile();
   if (IsBinary(bytes)) {
-    file = ParseBinary(bytes, name);
+    file = ParseBinary(bytes, name, visit);
   } else if (bytes.starts_with("solid")) {
-    file = TextReader(bytes, name).Read();
+    file = TextReader(bytes, name, visit).Read();
   } else if (bytes.size() >= kHeadBytes) {
     return ByteProblem(name, kCountAt,
                        absl::StrCat("the header says ", ValueAt<uint32_t>(bytes, kCountAt), " facets, the file has ",
