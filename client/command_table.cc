@@ -62,6 +62,10 @@ std::vector<FlagSpec> FillFlags() {
   flags = Join(std::move(flags), WaterFlags("off"));
   flags.push_back(WaterColourFlag());
   flags.push_back({"allow-creases", "", "fill holes also where the surface has to fold back", ""});
+  flags.push_back({"weld", "TOLERANCE",
+                   "merge boundary vertices that are no further apart, in the mesh's units, before filling; the report "
+                   "lists each",
+                   ""});
   flags.push_back({"dislocation-width", "LENGTH",
                    "how wide dislocations are at most, in the mesh's units (default: a fifth of their edges)", ""});
   flags.push_back({"fill-outlines", "", "fill the outlines of sheets as well, not only holes", ""});

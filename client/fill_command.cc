@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -87,7 +88,21 @@ absl::Status CheckPaths(const std::string& in, const std::string& out, bool over
                                 : absl::OkStatus();
 }
 
+// How many vertices were welded to stdout, and what was not and why to stderr.
+void PrintWeld(const WeldRecord& weld) {
+  std::fputs(absl::StrFormat("%s welded onto others, %s split\n", Counted(weld.welded.size(), "boundary point"),
+                             Counted(weld.split.size(), "edge"))
+                 .c_str(),
+             stdout);
+  std::map<std::string, size_t> reasons;
+  for (const RefusedWeld& r : weld.refused) ++reasons[r.reason];
+  for (const auto& [reason, count] : reasons) {
+    std::fprintf(stderr, "not welded: %s: %s\n", Counted(count, "pair").c_str(), reason.c_str());
+  }
+}
+
 void PrintSummary(const SceneReportInput& report, const std::string& out) {
+  if (report.weld) PrintWeld(*report.weld);
   const Plan& plan = *report.plan;
   int64_t vertices = 0, triangles = 0;
   for (const auto& [hole, size] : report.outcome.sizes) {
@@ -204,6 +219,9 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
       return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected R,G,B or #rrggbb"));
   }
   options.allow_creases = args.Switch("allow-creases");
+  if (args.IsGiven("weld")) {
+    TILEMEND_ASSIGN_OR_RETURN(all.weld, args.Number("weld", 1e-12, 1e9));
+  }
   TILEMEND_RETURN_IF_ERROR(ReadHoleOptions(args, all.holes));
   all.library = LibraryFor(args.Text("out"));
   return all;
@@ -217,6 +235,8 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
   ReportedOption dislocation{"dislocation-width", std::string("auto")};
   if (all.holes.dislocation_width) dislocation.value = *all.holes.dislocation_width;
   if (all.holes.largest_hole) largest.value = static_cast<double>(*all.holes.largest_hole);
+  ReportedOption weld{"weld", std::string("off")};
+  if (all.weld) weld.value = *all.weld;
   return {{"surface", SurfaceName(options.surface)},
           {"filler", FillerName(options.filler)},
           tension,
@@ -225,6 +245,7 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
           {"uniform", options.refine.uniform},
           {"allow-creases", options.allow_creases},
           dislocation,
+          weld,
           {"fill-outlines", all.holes.fill_outlines},
           largest,
           {"water", args.Text("water")},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/inspection.h"
+#include "common/codec/face_edits.h"
 #include "common/codec/mesh_file.h"
 #include "common/util/files.h"
 #include "common/util/heap.h"
@@ -17,6 +18,7 @@
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
 #include "worker/materials/survey_look.h"
+#include "worker/weld/weld_rims.h"
 
 namespace tilemend {
 namespace {
@@ -25,7 +27,7 @@ namespace {
 class MeshFiller {
  public:
   MeshFiller(const std::string& path, const MeshFillOptions& options)
-      : path_(path), options_(options.fill), library_(options.library), show_(options.show) {
+      : path_(path), options_(options.fill), weld_(options.weld), library_(options.library), show_(options.show) {
     WaveOptions waves;
     waves.plan = {
         options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,
@@ -54,12 +56,38 @@ class MeshFiller {
     show_("read", 0, 0);
     TILEMEND_ASSIGN_OR_RETURN(format_, MeshFormatOf(path_));
     TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ReadFile(path_));
+    if (weld_) TILEMEND_RETURN_IF_ERROR(WeldRimsWithin(*weld_));
     const std::filesystem::path path(path_);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     TILEMEND_ASSIGN_OR_RETURN(survey_, SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_));
     filled_.files = std::move(survey_.files);
     EndStep("read");
     show_("find holes", 0, 0);
+    return absl::OkStatus();
+  }
+
+  // Has the file's faces name the vertices that stay. The new halves of faces come first: corners of STL are vertices,
+  // and lie where they lay only until they are changed.
+  absl::Status WeldRimsWithin(double tolerance) {
+    show_("weld", 0, 0);
+    TILEMEND_ASSIGN_OR_RETURN(const FileFaces faces, ParseFaces(format_, filled_.bytes, path_));
+    const std::vector<Triangle>& before = faces.file.mesh.triangles;
+    Weld weld = WeldRims(faces.file.mesh, faces.face_of, tolerance, !faces.has_textures);
+    const auto halves = weld.triangles.begin() + std::ssize(before);
+    if (halves != weld.triangles.end()) {
+      FilePatch patch;
+      patch.triangles.assign(halves, weld.triangles.end());
+      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, AppendPatch(format_, filled_.bytes, patch, path_));
+    }
+    std::vector<TriangleChange> changes;
+    for (size_t t = 0; t < before.size(); ++t) {
+      if (weld.triangles[t] != before[t]) changes.push_back({static_cast<int32_t>(t), before[t], weld.triangles[t]});
+    }
+    if (!changes.empty()) {
+      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ChangeTriangles(format_, filled_.bytes, changes, path_));
+    }
+    filled_.report.weld = std::move(weld.record);
+    EndStep("weld");
     return absl::OkStatus();
   }
 
@@ -125,6 +153,7 @@ class MeshFiller {
 
   const std::string path_;
   const FillOptions options_;
+  const std::optional<double> weld_;
   const std::string library_;
   const ShowStep show_;
   Stopwatch watch_;

@@ -27,6 +27,7 @@ struct MeshFillOptions {
   FillOptions fill;
   WaterOptions water;
   MeshHoleOptions holes;
+  std::optional<double> weld;       // tolerance, in the mesh's units (worker/weld/weld_rims.h)
   std::optional<Rgb> water_colour;  // none: as the rim has it
   std::string library;              // of an OBJ: the material file beside the output that its filled faces will have
   ShowStep show = [](std::string_view, size_t, size_t) {};
@@ -40,9 +41,9 @@ struct FilledMesh {
   std::vector<FillMaterial> materials;  // that `library` has to define; empty: there need be no such file
 };
 
-// Reads, surveys, plans and fills the mesh in the file `path`. Errors of ReadFile and ParseMesh. Holes that cannot be
-// filled are in the report. Holds the file, its survey and its patches; and the mesh once more, if some hole is no
-// height over the ground. Keeps the process's heap (KeepHeap).
+// Reads, welds if asked, surveys, plans and fills the mesh in the file `path`. Errors of ReadFile and ParseMesh. Holes
+// that cannot be filled are in the report. Holds the file, its survey and its patches; and the mesh once more, if some
+// hole is no height over the ground. Keeps the process's heap (KeepHeap).
 absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const MeshFillOptions& options);
 
 }  // namespace tilemend

@@ -111,6 +111,8 @@ RULES = {
 
     'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),
 
+    'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
+
     'worker/materials': rule(
         ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
 
@@ -184,7 +186,7 @@ RULES = {
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
         ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
-         'worker/fill', 'worker/check', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
+         'worker/fill', 'worker/check', 'worker/weld', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),
 }

@@ -266,6 +266,20 @@ Json NotHoles(const std::vector<LeftOpen>& left) {
   return rows;
 }
 
+Json WeldJson(const WeldRecord& weld) {
+  Json json = {{"welded", Json::array()}, {"split", Json::array()}, {"refused", Json::array()}};
+  for (const WeldedVertex& v : weld.welded) {
+    json["welded"].push_back({{"vertices", {v.vertex, v.into}}, {"distance", v.distance}});
+  }
+  for (const SplitEdge& s : weld.split) {
+    json["split"].push_back({{"vertex", s.vertex}, {"edge", s.edge}, {"distance", s.distance}});
+  }
+  for (const RefusedWeld& r : weld.refused) {
+    json["refused"].push_back({{"vertices", r.vertices}, {"distance", r.distance}, {"reason", r.reason}});
+  }
+  return json;
+}
+
 Json Options(const SceneReportInput& input) {
   Json options = Json::object();
   for (const ReportedOption& option : input.options) {
@@ -394,30 +408,31 @@ std::string SceneReport(const SceneReportInput& input) {
   const std::vector<LeftOpen> left = LeftOf(input);
   Json seconds;
   for (const auto& [stage, value] : input.seconds) seconds[stage] = Rounded(value, 6);
-  const Json report = {{"version", Version()},
-                       {"date", input.date},
-                       {"scene", input.scene},
-                       {"options", Options(input)},
-                       {"warnings", warnings},
-                       {"cells", input.cells},
-                       {"clusters", plan.clusters},
-                       {"layers", plan.layers},
-                       {"holes", tables.found},
-                       {"filled", tables.filled},
-                       {"single", tables.single},
-                       {"continuous", plan.continuous},
-                       {"outer_rims", plan.outer_rims},
-                       {"water", WaterRows(input)},
-                       {"water_areas", WaterAreaRows(plan)},
-                       {"left", LeftRows(left)},
-                       {"not_holes", NotHoles(left)},
-                       {"quality", QualityJson(input.outcome.quality)},
-                       {"borders", Borders(plan, input.outcome)},
-                       {"tension", Tensions(input)},
-                       {"tasks", {{"all", input.tasks}, {"taken_over", input.taken_over}}},
-                       {"seconds", seconds},
-                       {"peak_rss_bytes", PeakRssBytes()},
-                       {"per_hole", tables.rows}};
+  Json report = {{"version", Version()},
+                 {"date", input.date},
+                 {"scene", input.scene},
+                 {"options", Options(input)},
+                 {"warnings", warnings},
+                 {"cells", input.cells},
+                 {"clusters", plan.clusters},
+                 {"layers", plan.layers},
+                 {"holes", tables.found},
+                 {"filled", tables.filled},
+                 {"single", tables.single},
+                 {"continuous", plan.continuous},
+                 {"outer_rims", plan.outer_rims},
+                 {"water", WaterRows(input)},
+                 {"water_areas", WaterAreaRows(plan)},
+                 {"left", LeftRows(left)},
+                 {"not_holes", NotHoles(left)},
+                 {"quality", QualityJson(input.outcome.quality)},
+                 {"borders", Borders(plan, input.outcome)},
+                 {"tension", Tensions(input)},
+                 {"tasks", {{"all", input.tasks}, {"taken_over", input.taken_over}}},
+                 {"seconds", seconds},
+                 {"peak_rss_bytes", PeakRssBytes()},
+                 {"per_hole", tables.rows}};
+  if (input.weld) report["weld"] = WeldJson(*input.weld);
   return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

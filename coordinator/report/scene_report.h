@@ -3,11 +3,13 @@
 #define TILEMEND_COORDINATOR_REPORT_SCENE_REPORT_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "common/records/weld.h"
 #include "coordinator/plan/types/plan_types.h"
 #include "coordinator/waves/scene_outcome.h"
 
@@ -28,6 +30,7 @@ struct SceneReportInput {
   SceneOutcome outcome;
   std::vector<std::pair<std::string, double>> seconds;  // by step, in order
   std::vector<std::string> warnings;
+  std::optional<WeldRecord> weld;     // of a single mesh, if it was asked for
   int64_t tasks = 0, taken_over = 0;  // how many there were, and were taken over from an earlier job
 };
 

@@ -166,6 +166,45 @@ TEST_P(FillTest, JsonIsAReport) {
   EXPECT_EQ(json["filled"]["closed"], 1);
 }
 
+// A sheet in two halves, 0.01 apart; the right one has two vertices for one along the seam, and a hole.
+TriMesh SheetWithACrack() {
+  TriMesh mesh = SquaresMesh(0, 4, 0, 8, [](int32_t, int32_t) { return true; });
+  TriMesh right = SquaresMesh(0, 12, 0, 16, [](int32_t i, int32_t j) { return i < 5 || i > 8 || j < 5 || j > 8; });
+  for (Point3& p : right.points) p = Point3(4.01 + p.x() / 2, p.y() / 2, 0);
+  AddMesh(right, mesh);
+  return mesh;
+}
+
+TEST_P(FillTest, WeldsBoundariesIfAskedAndReportsEachMerge) {
+  const TriMesh mesh = SheetWithACrack();
+  const bool ply = GetParam().format == MeshFormat::kPly;
+  const std::string in =
+      folder_.Write(absl::StrCat("in", GetParam().extension), ply ? PlyBytes(mesh) : Text(mesh, GetParam().format));
+  const Ended ended = Tilemend({"fill", in, "--out", Out(), "--weld", "0.02", "-o", "json"});
+  const Json json = Json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ended.err;
+  EXPECT_EQ(json["options"]["weld"], 0.02);
+  EXPECT_EQ(json["filled"]["closed"], 1);
+  ASSERT_EQ(json["weld"]["welded"].size(), 9U);
+  EXPECT_EQ(json["weld"]["split"].size(), 8U);
+  EXPECT_EQ(json["weld"]["refused"].size(), 0U);
+  const auto a = ReadMeshFile(in), b = ReadMeshFile(Out());
+  ASSERT_TRUE(a.ok() && b.ok()) << a.status() << b.status();
+  for (const Json& row : json["weld"]["welded"]) {
+    const Point3 &from = a->mesh.points[row["vertices"][0]], &into = a->mesh.points[row["vertices"][1]];
+    EXPECT_NEAR(row["distance"], (from - into).norm(), 1e-12);
+    EXPECT_NEAR(row["distance"], 0.01, 1e-6);
+  }
+  if (GetParam().format != MeshFormat::kStl) {
+    EXPECT_TRUE(std::equal(a->mesh.points.begin(), a->mesh.points.end(), b->mesh.points.begin())) << "moved";
+  }
+  const Json found = Json::parse(Tilemend({"check", Out(), "-o", "json"}).out, nullptr, false);
+  EXPECT_EQ(found["loops"]["outlines"], 1);
+  for (const auto& [name, defect] : found["defects"].items()) EXPECT_EQ(defect["count"], 0) << name;
+  // Each is asked for with a number.
+  for (const char* bad : {"0", "-1", "wide"}) EXPECT_EQ(Tilemend({"fill", in, "--out", Out(), "--weld", bad}).code, 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, FillTest,
                          ::testing::Values(FormatCase{".ply", MeshFormat::kPly}, FormatCase{".obj", MeshFormat::kObj},
                                            FormatCase{".off", MeshFormat::kOff}, FormatCase{".stl", MeshFormat::kStl}),
