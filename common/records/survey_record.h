@@ -48,6 +48,10 @@ struct SurveyRecord : SurveySummary {
   // are told by it.
   std::vector<double> piece_areas;
 
+  // For each edge the one that leaves its end around the same fan of triangles; -1: none alone does. Not sent, as
+  // above.
+  std::vector<int32_t> edge_after;
+
   // The triangles within two rings of the boundary. The first vertices.size() points are the boundary vertices, in
   // order.
   TriMesh band;

@@ -17,6 +17,7 @@ struct MeshReading {
     input.has_grid = false;
     input.cells[CellId{0, 0}] = &record;
     rim = BuildRim(input, RimPoints::kOfEdges);
+    LinkLoops(rim, record.edge_after);
     loops = ReadMeshLoops(rim, record);
     outlines = FindOutlines(loops, record.piece_areas);
     groups = GroupLoops(rim, loops, outlines);

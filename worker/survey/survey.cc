@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
@@ -172,6 +173,57 @@ std::vector<int32_t> StoreBoundary(const TriMesh& mesh, const Weld& weld, const 
   return boundary;
 }
 
+// Of the triangles at one welded vertex: the fan that each is in. Those of a fan share edges at the vertex.
+std::map<int32_t, int32_t> FansAt(const TriMesh& mesh, const Weld& weld, int32_t vertex,
+                                  const std::vector<int32_t>& triangles) {
+  DisjointSets sets(static_cast<int32_t>(triangles.size()));
+  std::map<std::pair<bool, int32_t>, int32_t> last_with;  // by the edge's other end: welded or not
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    for (const int32_t v : mesh.triangles[triangles[i]]) {
+      const int32_t w = weld.weld[v];
+      if (w == vertex) continue;
+      const auto [it, fresh] = last_with.try_emplace({w != kNone, w != kNone ? w : v}, static_cast<int32_t>(i));
+      if (!fresh) sets.Join(it->second, static_cast<int32_t>(i));
+    }
+  }
+  const std::vector<int32_t> groups = sets.Groups();
+  std::map<int32_t, int32_t> fan_of;
+  for (size_t i = 0; i < triangles.size(); ++i) fan_of[triangles[i]] = groups[i];
+  return fan_of;
+}
+
+// For the boundary edges that end where several do: which leaves that vertex around the same fan.
+void StoreEdgesAfter(const TriMesh& mesh, const Weld& weld, const std::vector<int32_t>& at_weld,
+                     const std::vector<HalfEdge>& edges, SurveyRecord& record) {
+  struct Vertex {
+    std::vector<int32_t> arriving, leaving, triangles;
+  };
+  record.edge_after.assign(edges.size(), kNone);
+  std::vector<int32_t> leaving(weld.first.size(), 0);
+  for (const HalfEdge& e : edges) ++leaving[e.from];
+  std::map<int32_t, Vertex> shared;
+  for (size_t e = 0; e < edges.size(); ++e) {
+    if (leaving[edges[e].from] > 1) shared[edges[e].from].leaving.push_back(static_cast<int32_t>(e));
+    if (leaving[edges[e].to] > 1) shared[edges[e].to].arriving.push_back(static_cast<int32_t>(e));
+  }
+  if (shared.empty()) return;
+  for (const int32_t t : at_weld) {
+    for (const int32_t v : mesh.triangles[t]) {
+      const auto at = shared.find(weld.weld[v]);
+      if (at != shared.end()) at->second.triangles.push_back(t);
+    }
+  }
+  for (const auto& [w, vertex] : shared) {
+    const std::map<int32_t, int32_t> fan_of = FansAt(mesh, weld, w, vertex.triangles);
+    std::map<int32_t, std::pair<std::vector<int32_t>, std::vector<int32_t>>> fans;
+    for (const int32_t e : vertex.arriving) fans[fan_of.at(edges[e].triangle)].first.push_back(e);
+    for (const int32_t e : vertex.leaving) fans[fan_of.at(edges[e].triangle)].second.push_back(e);
+    for (const auto& [fan, ends] : fans) {
+      if (ends.first.size() == 1 && ends.second.size() == 1) record.edge_after[ends.first[0]] = ends.second[0];
+    }
+  }
+}
+
 // The triangles at the boundary vertices and one more ring.
 void StoreBand(const TriMesh& mesh, const std::vector<int32_t>& boundary, const std::vector<int32_t>& at_weld,
                SurveyRecord& record) {
@@ -309,6 +361,7 @@ SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
   StoreBand(mesh, boundary, at_weld, record);
   StoreVertexFigures(record);
   StorePieces(mesh, weld, at_weld, edges, areas, record);
+  if (areas == PieceAreas::kYes) StoreEdgesAfter(mesh, weld, at_weld, edges.single, record);
   return record;
 }
 

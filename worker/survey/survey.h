@@ -7,7 +7,7 @@
 
 namespace tilemend {
 
-// Whether SurveyRecord::piece_areas is wanted, for which every triangle is looked at once more.
+// Whether SurveyRecord::piece_areas is wanted, for which every triangle is looked at once more, and edge_after.
 enum class PieceAreas { kYes, kNo };
 
 // Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams,

@@ -46,6 +46,7 @@ class MeshPlanner {
   MeshPlanner(const PlanInput& input, const PlanOptions& options)
       : cell_(input.cells.begin()->first), record_(input.cells.begin()->second.Outline()), options_(options) {
     rim_ = BuildRim(input, RimPoints::kOfEdges);
+    LinkLoops(rim_, record_->edge_after);
     plan_.lattice_step = LatticeStep(*record_, rim_);
     plan_.upright = options.water.find || !options.water.areas.empty();
   }
@@ -53,6 +54,8 @@ class MeshPlanner {
   Plan Run() {
     loops_ = ReadMeshLoops(rim_, *record_);
     plan_.continuous = CountContinuous(loops_);
+    open_.assign(record_->piece_areas.size(), Eigen::Vector3d::Zero());
+    for (const MeshLoop& loop : loops_) open_[loop.piece] += loop.vector_area;
     std::vector<bool> outline(loops_.size(), false);
     if (!options_.mesh.fill_outlines) outline = FindOutlines(loops_, record_->piece_areas);
     StoreVertices();
@@ -98,9 +101,10 @@ class MeshPlanner {
     plan_.holes.push_back(std::move(hole));
   }
 
-  // Whether a loop runs around a piece of surface that is as large as what would close it.
+  // Whether a loop runs around a piece of surface that is flat: as large as the vector area of all its loops (Stokes).
   bool IsFlatOutline(const MeshLoop& loop) const {
-    return loop.Turn() < 0 && record_->piece_areas[loop.piece] <= (1 + kFlat) * loop.vector_area.norm();
+    if (loop.Turn() >= 0) return false;
+    return record_->piece_areas[loop.piece] <= (1 + kFlat) * open_[loop.piece].norm();
   }
 
   // Whether the surface along a hole faces up and the hole is one region seen from above.
@@ -119,7 +123,8 @@ class MeshPlanner {
   const PlanOptions& options_;
   Rim rim_;
   std::vector<MeshLoop> loops_;
-  std::vector<Point3> position_;  // of rim points
+  std::vector<Eigen::Vector3d> open_;  // by piece: the vector area of its loops
+  std::vector<Point3> position_;       // of rim points
   Plan plan_;
 };
 

@@ -166,14 +166,54 @@ class AngleAround {
   Eigen::Vector3d u_, v_;
 };
 
+// The triangles at a point between a boundary edge that leaves it and one that arrives.
+struct Fan {
+  int32_t arriving = 0, leaving = 0;
+  double begin = 0, width = 0;  // angles; turning counter-clockwise one crosses the surface
+  double middle() const { return begin + width / 2; }
+};
+
+// An angle as a turn of at least `least` and less than a full one more.
+double AsTurn(double angle, double least) {
+  const double full = 2 * std::numbers::pi;
+  return angle - full * std::floor((angle - least) / full);
+}
+
+// Links each fan to the next around the point. False if some fan is not known, or they lie over each other: parts of
+// surface that meet in no common plane.
+bool LinkFans(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving, std::span<const int32_t> after,
+              std::vector<int32_t>& next) {
+  const AngleAround angle(rim.points[point].normal);
+  const Point3& middle = rim.points[point].position;
+  std::vector<Fan> fans;
+  for (const int32_t a : arriving) {
+    if (after.empty() || after[a] < 0) return false;
+    Fan fan{a, after[a]};
+    fan.begin = angle(rim.points[rim.edges[fan.leaving].to].position - middle);
+    fan.width = AsTurn(angle(rim.points[rim.edges[a].from].position - middle) - fan.begin, 0);
+    fans.push_back(fan);
+  }
+  std::ranges::sort(fans, {}, [](const Fan& f) { return std::pair(AsTurn(f.middle(), 0), f.arriving); });
+  double turned = 0;
+  for (size_t i = 0; i < fans.size(); ++i) {
+    const Fan &fan = fans[i], &other = fans[(i + 1) % fans.size()];
+    const double overlap = std::min(fan.width, other.width) / 2;
+    turned += fan.width + AsTurn(other.begin - fan.begin - fan.width, -overlap);
+  }
+  if (turned > 3 * std::numbers::pi) return false;
+  for (size_t i = 0; i < fans.size(); ++i) next[fans[i].arriving] = fans[(i + 1) % fans.size()].leaving;
+  return true;
+}
+
 // For the edges that arrive at and leave one point: which leaves after which arrives. Turning counter-clockwise from
 // the way back along an arriving edge one crosses the hole; the first leaving edge met bounds the same hole.
 void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving, const std::vector<int32_t>& leaving,
-            std::vector<int32_t>& next) {
+            std::span<const int32_t> after, std::vector<int32_t>& next) {
   if (arriving.size() == 1 && leaving.size() == 1) {
     next[arriving[0]] = leaving[0];
     return;
   }
+  if (LinkFans(rim, point, arriving, after, next)) return;
   const AngleAround angle(rim.points[point].normal);
   std::vector<bool> taken(leaving.size(), false);
   for (const int32_t a : arriving) {
@@ -195,7 +235,7 @@ void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving,
   }
 }
 
-std::vector<int32_t> LinkAtPoints(const Rim& rim, std::vector<uint8_t>& touching) {
+std::vector<int32_t> LinkAtPoints(const Rim& rim, std::span<const int32_t> after, std::vector<uint8_t>& touching) {
   std::vector<std::vector<int32_t>> arriving(rim.points.size()), leaving(rim.points.size());
   for (size_t e = 0; e < rim.edges.size(); ++e) {
     leaving[rim.edges[e].from].push_back(static_cast<int32_t>(e));
@@ -204,7 +244,7 @@ std::vector<int32_t> LinkAtPoints(const Rim& rim, std::vector<uint8_t>& touching
   std::vector<int32_t> next(rim.edges.size(), -1);
   for (size_t p = 0; p < rim.points.size(); ++p) {
     if (arriving[p].empty()) continue;
-    LinkAt(rim, static_cast<int32_t>(p), arriving[p], leaving[p], next);
+    LinkAt(rim, static_cast<int32_t>(p), arriving[p], leaving[p], after, next);
     touching[p] = arriving[p].size() > 1;
   }
   return next;
@@ -268,11 +308,11 @@ Rim BuildRim(const PlanInput& input, RimPoints keep) {
   return rim;
 }
 
-void LinkLoops(Rim& rim) {
+void LinkLoops(Rim& rim, std::span<const int32_t> after) {
   rim.loops.clear();
   rim.unlinked.clear();
   std::vector<uint8_t> touching(rim.points.size(), 0);
-  const std::vector<int32_t> next = LinkAtPoints(rim, touching);
+  const std::vector<int32_t> next = LinkAtPoints(rim, after, touching);
   TraceLoops(next, rim);
   rim.continuous = CountTouchingGroups(rim, touching);
 }

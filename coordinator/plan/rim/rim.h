@@ -53,7 +53,10 @@ enum class RimPoints { kAll, kOfEdges };  // every boundary vertex of every tile
 Rim BuildRim(const PlanInput& input, RimPoints keep = RimPoints::kAll);
 
 // Links the edges to loops anew.
-void LinkLoops(Rim& rim);
+//   after  for each edge the one that leaves its end around the same fan of triangles, -1: unknown; empty: all are.
+//          Where all that end at a point are known, the fans lie one after the other around it, and holes between
+//          them, also where two fans lie edge on edge or overlap a little.
+void LinkLoops(Rim& rim, std::span<const int32_t> after = {});
 
 // Edges in a row as boundary segments of the hole, in the order of a walk that has it on the left (an edge has it on
 // the right).

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -159,6 +160,25 @@ TEST(SurveyTileTest, KeepsOneVertexWhereTwoHolesPinch) {
                                          true);
   EXPECT_EQ(record.edges.size(), 16u + 8u);
   EXPECT_EQ(record.vertices.size(), 16u + 7u) << "the pinch is one vertex of four edges";
+}
+
+TEST(SurveyTileTest, TellsWhichEdgeGoesOnAroundTheSameFanWhereSeveralDo) {
+  const SurveyRecord record = SurveyTile(PictureMesh({"####", "#.##", "##.#", "####"}), false);
+  ASSERT_EQ(record.edge_after.size(), record.edges.size());
+  int told = 0;
+  for (size_t e = 0; e < record.edges.size(); ++e) {
+    const int32_t after = record.edge_after[e];
+    const Point3& end = record.vertices[record.edges[e].to].position;
+    EXPECT_EQ(after >= 0, end == Point3(2, 2, 0)) << end.transpose();
+    if (after < 0) continue;
+    ++told;
+    EXPECT_EQ(record.edges[after].from, record.edges[e].to);
+    // A fan is a quarter here: from the edge that leaves, counter-clockwise to the one that arrives.
+    const Point3 &from = record.vertices[record.edges[e].from].position,
+                 &to = record.vertices[record.edges[after].to].position;
+    EXPECT_GT((to - end).cross(from - end).z(), 0);
+  }
+  EXPECT_EQ(told, 2);
 }
 
 TEST(SurveyTileTest, ParsPiecesThatMeetInAVertex) {

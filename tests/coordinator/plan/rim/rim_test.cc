@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "tests/support/rim_builders.h"
+#include "tests/support/space_meshes.h"
 #include "tests/support/surveyed_scene.h"
+#include "worker/survey/survey.h"
 
 namespace tilemend {
 namespace {
@@ -114,6 +117,33 @@ TEST(BuildRimTest, LeavesChainsThatDoNotCloseUnlinked) {
   const Rim rim = BuildRim(input);
   EXPECT_TRUE(rim.loops.empty());
   EXPECT_EQ(rim.unlinked.size(), 3U);
+}
+
+// Squares, and beside them squares of half the size: every second vertex lies on an edge, `off` beside it.
+TriMesh SheetWithASeam(double off) {
+  TriMesh mesh = SquaresMesh(0, 3, 0, 4, [](int32_t, int32_t) { return true; });
+  TriMesh fine = SquaresMesh(0, 6, 0, 8, [](int32_t, int32_t) { return true; });
+  for (Point3& p : fine.points) {
+    const bool is_beside = p.x() == 0 && std::fmod(p.y(), 2) == 1;
+    p = Point3(3 + p.x() / 2 + (is_beside ? off : 0), p.y() / 2, 0);
+  }
+  AddMesh(fine, mesh);
+  return mesh;
+}
+
+TEST(LinkLoopsTest, FindsTheHolesBetweenEdgesThatLieOnEachOther) {
+  for (const double off : {0.0, 0.01, -0.01}) {
+    const SurveyRecord record = SurveyTile(SheetWithASeam(off), false);
+    PlanInput input;
+    input.has_grid = false;
+    input.cells[CellId{0, 0}] = &record;
+    Rim rim = BuildRim(input);
+    LinkLoops(rim, record.edge_after);
+    const std::multiset<double> areas = Areas(rim);
+    ASSERT_EQ(areas.size(), 5U) << off;
+    EXPECT_NEAR(*areas.rbegin(), 24, 1e-9);
+    EXPECT_NEAR(*areas.begin(), off > 0 ? -off / 2 : std::abs(off / 2) * (off < 0 ? 1 : 0), 1e-9);
+  }
 }
 
 TEST(ReversedTest, WalksTheOtherWayAlongTheEdges) {
