@@ -118,6 +118,66 @@ TEST(MeshFillTest, FillsOutlinesAndLeavesLongHolesIfAsked) {
   EXPECT_EQ(Fill(sheet, Surface::kThinPlate, {false, 8}).plan.holes.size(), 1u);
 }
 
+// A sphere whose lower half has other vertices along the equator.
+TriMesh SphereWithASeam(int32_t above, int32_t below) {
+  TriMesh mesh = SphereBelt(0, 90, above), lower = SphereBelt(0, 90, below);
+  for (Point3& p : mesh.points) p.z() = std::abs(p.z()) < 1e-9 ? 0 : p.z();
+  for (Point3& p : lower.points) p = Point3(p.x(), -p.y(), std::abs(p.z()) < 1e-9 ? 0 : -p.z());
+  for (Point3& p : mesh.points) {
+    for (const Point3& q : lower.points) p = (p - q).norm() < 1e-9 ? q : p;
+  }
+  AddMesh(lower, mesh);
+  return mesh;
+}
+
+TEST(MeshFillTest, FillsTheHolesOfASeamWhereOneSideHasMoreVertices) {
+  for (const int32_t more : {2, 3, 4}) {
+    for (const int way : {0, 3, 4, 6}) {
+      const FilledMesh filled = Fill(Turned(SphereWithASeam(24, 24 * more), way));
+      EXPECT_EQ(filled.detached, 0);
+      EXPECT_EQ(filled.plan.holes.size(), 24u) << more << " turned " << way;
+      EXPECT_THAT(filled.failures, IsEmpty());
+      EXPECT_EQ(ExpectSound(filled), 0);
+    }
+  }
+}
+
+TEST(MeshFillTest, StitchesRimsThatNearlyCoincideAndCapsThemNotTwice) {
+  for (const int32_t below : {36, 31}) {
+    TriMesh mesh = SphereBelt(0, 90, 36), lower = SphereBelt(0, 90, below);
+    for (Point3& p : lower.points) p = Point3(p.x(), -p.y(), -p.z() - 1e-3);
+    AddMesh(lower, mesh);
+    const FilledMesh filled = Fill(mesh);
+    ASSERT_EQ(filled.plan.holes.size(), 1u);
+    EXPECT_EQ(filled.plan.holes[0].single, SingleType::kAnnular);
+    EXPECT_THAT(filled.failures, IsEmpty());
+    EXPECT_EQ(filled.patches[0].triangles.size(), static_cast<size_t>(36 + below));
+  }
+}
+
+// A bowl with an inner and an outer side, `thick` apart, cut at an angle from its pole.
+TriMesh Bowl(double thick, double degrees) {
+  TriMesh mesh = SphereBelt(0, degrees, 36), inner = mesh;
+  for (Point3& p : inner.points) p *= 1 - thick;
+  for (Triangle& t : inner.triangles) std::swap(t[0], t[1]);
+  AddMesh(inner, mesh);
+  return mesh;
+}
+
+TEST(MeshFillTest, JoinsTheTwoSidesOfAThinWall) {
+  for (const double thick : {0.02, 0.1, 0.3}) {
+    for (const double degrees : {50.0, 90.0, 125.0}) {
+      SCOPED_TRACE(testing::Message() << thick << " thick, " << degrees << " degrees");
+      const FilledMesh filled = Fill(Bowl(thick, degrees));
+      EXPECT_EQ(filled.detached, 0);
+      ASSERT_EQ(filled.plan.holes.size(), 1u);
+      EXPECT_EQ(filled.plan.holes[0].single, SingleType::kAnnular);
+      EXPECT_THAT(filled.failures, IsEmpty());
+      EXPECT_EQ(ExpectSound(filled), 0);
+    }
+  }
+}
+
 TEST(MeshFillTest, AccountsForEveryBoundaryEdge) {
   // A fin on a box with a hole: its free edges form no loop.
   TriMesh mesh = WithoutHole(BoxMesh(5), [](const Point3& p) { return p.norm() < 1.6; });

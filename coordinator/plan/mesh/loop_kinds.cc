@@ -17,15 +17,21 @@ constexpr double kCrackAngle_rad = 10.0 * std::numbers::pi / 180;  // Zhang 2022
 // Of FaceEachOther. Lengths over each other; the gap over the mean radius; the centres beside each other over the same;
 // cosines between the ways that the loops open and between the surfaces along them.
 constexpr double kLeastLikeness = 0.6;
-constexpr double kWidestGap = 2;
+constexpr double kWidestGap = 4;
 constexpr double kMostBeside = 0.5;
 constexpr double kOpposite = -0.5;
 constexpr double kGoesOn = 0.3;
 // Of the way from loop to loop: what leads along the axis. Loops in one plane, one within the other, do not face.
 constexpr double kAcross = 0.3;
 
-// Corners at which the width of a loop is measured, at most: of a longer one every second, third and so on.
-constexpr size_t kMostWidths = 1000;
+// Rims that nearly coincide: the gap over their mean edge.
+constexpr double kNarrowestGap = 0.2;
+// The two sides of a wall: its thickness over the mean radius; the cosine between the way through it and the normals.
+constexpr double kThickestWall = 0.5;
+constexpr double kThrough = -0.5;
+
+// Corners at which a loop is measured, at most: of a longer one every second, third and so on.
+constexpr size_t kMostPlaces = 1000;
 
 std::vector<Vector3d> SidesOf(const LoopLine& loop) {
   std::vector<Vector3d> sides;
@@ -65,24 +71,48 @@ Vector3d VectorAreaOf(const LoopLine& loop) {
   return sum / 2;
 }
 
-// From the corners of `a` to the nearest of `b`: the mean distance, and the mean cosine between the normals there.
+Point3 NearestOnSegment(const Point3& p, const Point3& a, const Point3& b) {
+  const Vector3d way = b - a;
+  const double squared = way.squaredNorm();
+  return squared > 0 ? Point3(a + std::clamp((p - a).dot(way) / squared, 0.0, 1.0) * way) : a;
+}
+
+// From corners of `a` to the nearest place of `b`: the mean distance, and mean cosines: between the normals there, and
+// between the way to it and the normal of `a`, and the way into the surface of `a`.
 struct Gap {
-  double distance = 0, cosine = 0;
+  double distance = 0, cosine = 0, along_normal = 0, into_surface = 0;
 };
 
 Gap GapBetween(const LoopLine& a, const LoopLine& b) {
+  const size_t n = a.corners.size(), m = b.corners.size(), step = 1 + n / kMostPlaces;
+  const auto places = static_cast<double>((n + step - 1) / step);
   Gap gap;
-  const auto n = static_cast<double>(a.corners.size());
-  for (size_t i = 0; i < a.corners.size(); ++i) {
+  for (size_t i = 0; i < n; i += step) {
+    const Point3& p = a.corners[i];
+    double least = std::numeric_limits<double>::infinity();
     size_t nearest = 0;
-    for (size_t k = 1; k < b.corners.size(); ++k) {
-      const Point3& p = a.corners[i];
-      if ((b.corners[k] - p).squaredNorm() < (b.corners[nearest] - p).squaredNorm()) nearest = k;
+    for (size_t k = 0; k < m; ++k) {
+      const double distance = DistanceToSegment(p, b.corners[k], b.corners[(k + 1) % m]);
+      if (distance < least) least = distance, nearest = k;
     }
-    gap.distance += (b.corners[nearest] - a.corners[i]).norm() / n;
-    gap.cosine += a.normals[i].dot(b.normals[nearest]) / n;
+    const Point3 there = NearestOnSegment(p, b.corners[nearest], b.corners[(nearest + 1) % m]);
+    const Vector3d way = (there - p).normalized(), ahead = a.corners[(i + 1) % n] - a.corners[(i + n - 1) % n];
+    gap.distance += least / places;
+    gap.cosine += a.normals[i].dot(b.normals[nearest]) / places;
+    gap.along_normal += way.dot(a.normals[i]) / places;
+    gap.into_surface += way.dot(ahead.cross(a.normals[i]).normalized()) / places;
   }
   return gap;
+}
+
+// Whether the loops are the ends of a tube that lacks a segment.
+bool AreEndsOfATube(const LoopLine& a, const LoopLine& b, const Gap& there, const Gap& back, double radius) {
+  const Vector3d axis = (VectorAreaOf(a).normalized() - VectorAreaOf(b).normalized()).normalized();
+  const Vector3d across = MiddleOf(b) - MiddleOf(a);
+  const double along = across.dot(axis), distance = std::max(there.distance, back.distance);
+  if (along < 0 || along > kWidestGap * radius || (across - along * axis).norm() > kMostBeside * radius) return false;
+  return along >= kAcross * distance && distance < kWidestGap * radius &&
+         std::max(there.into_surface, back.into_surface) < 0;
 }
 
 }  // namespace
@@ -106,7 +136,7 @@ bool IsCrack(const LoopLine& loop) {
 double MedianWidth(const LoopLine& loop) {
   const size_t n = loop.corners.size();
   std::vector<double> widths;
-  for (size_t i = 0; i < n; i += 1 + n / kMostWidths) {
+  for (size_t i = 0; i < n; i += 1 + n / kMostPlaces) {
     const Point3 &p = loop.corners[i], &before = loop.corners[(i + n - 1) % n], &after = loop.corners[(i + 1) % n];
     double nearest = std::numeric_limits<double>::infinity();
     for (size_t k = i + 1; k < i + n - 1; ++k) {
@@ -129,14 +159,16 @@ bool IsDislocation(const LoopLine& loop, const DislocationLimit& limit) {
 bool FaceEachOther(const LoopLine& a, const LoopLine& b) {
   const double length_a = LengthOf(a), length_b = LengthOf(b);
   if (std::min(length_a, length_b) < kLeastLikeness * std::max(length_a, length_b)) return false;
-  const Vector3d way = VectorAreaOf(a).normalized(), other_way = VectorAreaOf(b).normalized();
-  if (way.dot(other_way) > kOpposite) return false;
-  const Vector3d axis = (way - other_way).normalized(), across = MiddleOf(b) - MiddleOf(a);
-  const double radius = (length_a + length_b) / (4 * std::numbers::pi), along = across.dot(axis);
-  if (along < 0 || along > kWidestGap * radius || (across - along * axis).norm() > kMostBeside * radius) return false;
+  if (VectorAreaOf(a).normalized().dot(VectorAreaOf(b).normalized()) > kOpposite) return false;
   const Gap there = GapBetween(a, b), back = GapBetween(b, a);
-  if (along < kAcross * std::max(there.distance, back.distance)) return false;
-  return std::max(there.distance, back.distance) < kWidestGap * radius && std::min(there.cosine, back.cosine) > kGoesOn;
+  const double radius = (length_a + length_b) / (4 * std::numbers::pi);
+  const double distance = std::max(there.distance, back.distance);
+  const double edge = (length_a + length_b) / static_cast<double>(a.corners.size() + b.corners.size());
+  if (std::min(there.cosine, back.cosine) > kGoesOn) {
+    return distance < kNarrowestGap * edge || AreEndsOfATube(a, b, there, back, radius);
+  }
+  return std::max(there.cosine, back.cosine) < -kGoesOn && distance < kThickestWall * radius &&
+         std::max(there.along_normal, back.along_normal) < kThrough;
 }
 
 }  // namespace tilemend

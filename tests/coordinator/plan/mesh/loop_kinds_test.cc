@@ -78,10 +78,40 @@ TEST(FaceEachOtherTest, TakesTheEndsOfATubeThatLacksASegment) {
   EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, -1)));
   EXPECT_TRUE(FaceEachOther(lower, Ring(1.5, {0.3, 0, 1.5}, -1)));
   EXPECT_FALSE(FaceEachOther(lower, Ring(1, {0, 0, 1.5}, -1))) << "unlike";
-  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 6}, -1))) << "far away";
+  EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, 7.5}, -1)));
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 9}, -1))) << "far away";
   EXPECT_FALSE(FaceEachOther(lower, Ring(2, {1.5, 0, 1}, -1))) << "beside it";
   EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, -1.5}, -1))) << "the other end of a short tube";
   EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, 1))) << "opens the same way";
+}
+
+TEST(FaceEachOtherTest, TakesRimsThatNearlyCoincideWhateverTheirVertices) {
+  const LoopLine lower = Ring(2, {0, 0, 0}, 1, 36);
+  for (const double gap : {1e-6, 1e-3, -1e-3, 0.02}) {
+    EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, gap}, -1, 31))) << gap;
+  }
+}
+
+TEST(FaceEachOtherTest, TakesTheRimsOfAThinWall) {
+  // Of a bowl: the inner side faces the axis.
+  const auto inside = [](LoopLine ring) {
+    for (Eigen::Vector3d& n : ring.normals) n = -n;
+    return ring;
+  };
+  const LoopLine outer = Ring(2, {0, 0, 0}, 1);
+  EXPECT_TRUE(FaceEachOther(outer, inside(Ring(1.8, {0, 0, 0}, -1))));
+  EXPECT_TRUE(FaceEachOther(outer, inside(Ring(1.5, {0, 0, 0.1}, -1))));
+  EXPECT_FALSE(FaceEachOther(outer, inside(Ring(1.3, {0, 0, -1.5}, -1)))) << "too thick";
+  EXPECT_FALSE(FaceEachOther(Ring(1.8, {0, 0, 0}, -1), inside(outer))) << "they face each other";
+}
+
+TEST(FaceEachOtherTest, TakesNoTwoEndsOfOneShortTube) {
+  // The inside of a ring: its ends open towards each other, along its own surface.
+  const auto inside = [](LoopLine ring) {
+    for (Eigen::Vector3d& n : ring.normals) n = -n;
+    return ring;
+  };
+  EXPECT_FALSE(FaceEachOther(inside(Ring(2, {0, 0, 0}, 1)), inside(Ring(2, {0, 0, 1}, -1))));
 }
 
 }  // namespace
