@@ -67,6 +67,7 @@ class FairedFiller {
     patch_.points = hole_.positions;
     patch_.sizes = hole_.sizes;
     patch_.projects = false;
+    patch_.spreads = true;
     double area = 0, edges = 0;
     for (const Triangle& t : triangles) {
       area += TriangleArea(patch_.points[t[0]], patch_.points[t[1]], patch_.points[t[2]]);

@@ -20,6 +20,7 @@ struct NewPatch {
   std::vector<Triangle> triangles;
   std::vector<std::pair<int32_t, int32_t>> fixed_edges;  // inside; each with its lower end first, sorted
   bool projects = true;
+  bool spreads = false;  // points that refinement adds in one round keep their sizes apart
 
   int32_t size() const { return static_cast<int32_t>(points.size()); }
 };

@@ -9,6 +9,7 @@
 
 #include "common/mesh/exact_signs.h"
 #include "worker/fill/mesh/patch_mesh.h"
+#include "worker/fill/wang/spaced_points.h"
 
 namespace tilemend {
 namespace {
@@ -71,6 +72,7 @@ class Refiner {
   bool SplitTriangles() {
     const auto faces = static_cast<int>(mesh_.n_faces());
     bool any = false;
+    round_.Clear();
     for (int f = 0; f < faces && patch_.size() - patch_.rim_count < options_.max_new_points; ++f) {
       any |= Split(PatchMesh::FaceHandle(f));
     }
@@ -87,7 +89,9 @@ class Refiner {
       if (reach <= size || reach <= patch_.sizes[v]) return false;
     }
     if (patch_.projects && !HasPlace(c, corners)) return false;
+    if (patch_.spreads && round_.HasNear(c, size)) return true;  // the next round sees
     const PatchMesh::VertexHandle middle = AddPoint(c, size);
+    if (patch_.spreads) round_.Add(c, size);
     mesh_.split(face, middle);
     for (const auto part : mesh_.vf_range(middle)) MarkStale(part);
     return true;
@@ -158,6 +162,7 @@ class Refiner {
   const std::function<bool(int32_t, int32_t)>& may_join_;
   NewPatch& patch_;
   PatchMesh mesh_;
+  SpacedPoints round_;         // that this round has added
   std::vector<bool> settled_;  // by edge: not to be turned as its triangles are
   double largest_ = 0;
 };

@@ -18,6 +18,8 @@ namespace tilemend {
 // corners by `gradation` an edge, up to `size_limit` times the rim's mean.
 //   may_join  whether an edge may run between two points of the rim; one that is there all the same gets a point in its
 //             middle first
+// Points of one round see none of each other: between long triangles side by side they would come too close. Where the
+// patch spreads them, one that is too near another waits for the next round.
 // A patch that projects still does. Precondition: manifold. O(n log n) expected; deterministic.
 void RefinePatch(const RefineOptions& options, const std::function<bool(int32_t, int32_t)>& may_join, NewPatch& patch);
 
