@@ -17,11 +17,17 @@
 #include "worker/fill/space/least_area_fill.h"
 #include "worker/fill/space/patch_creases.h"
 #include "worker/fill/space/patch_soundness.h"
+#include "worker/fill/space/rim_junctions.h"
 #include "worker/fill/space/space_fill.h"
 #include "worker/fill/space/unrolled_fill.h"
 
 namespace tilemend {
 namespace {
+
+// No triangle closes what such a hole leaves.
+constexpr char kJunction[] =
+    "a vertex of its boundary lies on an edge of the other side (a T-junction); `tilemend fill --weld` splits such "
+    "edges";
 
 // What a patch is checked for beside FaultOf.
 enum class Check {
@@ -192,7 +198,7 @@ class HoleFiller {
 
   HolePatch Failed(FillFailure failure) const {
     HolePatch patch;
-    patch.failure = TextOf(failure, hole_.segments.size());
+    patch.failure = !hole_.open && HasJunction(hole_) ? kJunction : TextOf(failure, hole_.segments.size());
     return patch;
   }
 

@@ -30,7 +30,9 @@ std::string TextOfFault(FillFailure failure) {
     case FillFailure::kTooMuchWork:
       return "the advancing front needs more work than --filler-work allows";
     case FillFailure::kFoldsBack:
-      return "every patch that was tried folds back at its boundary; --allow-creases takes such patches";
+      return "every patch that was tried folds back at its boundary; --allow-creases takes such patches, --weld closes "
+             "cracks "
+             "whose sides overlap";
     default:
       return "";
   }

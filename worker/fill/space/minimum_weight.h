@@ -2,6 +2,9 @@
 #ifndef TILEMEND_WORKER_FILL_SPACE_MINIMUM_WEIGHT_H_
 #define TILEMEND_WORKER_FILL_SPACE_MINIMUM_WEIGHT_H_
 
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -22,6 +25,51 @@ namespace tilemend {
 std::vector<Triangle> TriangulateLoop(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
                                       const std::function<bool(int32_t, int32_t)>& allowed,
                                       const std::function<bool(int32_t, int32_t, int32_t)>& fits = {});
+
+// The same, to be done again with fewer triangles.
+class LoopTriangulation {
+ public:
+  // All must outlive it.
+  LoopTriangulation(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
+                    const std::function<bool(int32_t, int32_t)>& allowed,
+                    const std::function<bool(int32_t, int32_t, int32_t)>& fits);
+
+  // What TriangulateLoop gives. The first time O(n^3); then only spans are looked at whose triangulation depends on
+  // what was forbidden.
+  std::vector<Triangle> Run();
+  // Tells that a triangle, which has an answer, fits no longer.
+  void Forbid(const Triangle& t) { is_stale_[At(t[0], t[2])] = 1; }
+
+ private:
+  // Worst dihedral angle (as 1 - cosine, 0 flat, 2 folded back), then area.
+  struct Weight {
+    double angle = 0;
+    double area = 0;
+    bool operator<(const Weight& other) const { return angle != other.angle ? angle < other.angle : area < other.area; }
+  };
+
+  size_t At(int32_t i, int32_t k) const {
+    return static_cast<size_t>(i) * static_cast<size_t>(n_) + static_cast<size_t>(k);
+  }
+  Eigen::Vector3d AreaVector(int32_t i, int32_t j, int32_t k) const {
+    return (loop_[j] - loop_[i]).cross(loop_[k] - loop_[i]) / 2;
+  }
+  void Solve(int32_t i, int32_t k);
+  void Try(int32_t i, int32_t j, int32_t k, bool closing, Weight& best, int32_t& choice) const;
+
+  std::span<const Point3> loop_;
+  std::span<const Eigen::Vector3d> outside_;
+  const std::function<bool(int32_t, int32_t)>& allowed_;
+  const std::function<bool(int32_t, int32_t, int32_t)>& fits_;
+  int32_t n_;
+  // By span: its best triangulation, likewise with the end first, the vertex of the triangle that closes it, and the
+  // normal there, which for one edge is that of the surface outside.
+  std::vector<Weight> best_, best_by_end_;
+  std::vector<int32_t> choice_;
+  std::vector<Eigen::Vector3d> normal_;
+  std::vector<uint8_t> is_stale_;
+  std::vector<int32_t> changed_from_, changed_to_;  // in this run: the shortest that begins at, and that ends at
+};
 
 }  // namespace tilemend
 

@@ -71,7 +71,10 @@ const std::vector<SpaceTriangle>& CrossingCheck::Surroundings(const AlignedBox3d
   }
   for (const HolePatch& patch : earlier_) {
     const auto at = [&](int32_t v) { return v >= 0 ? cell.vertices[v].position : patch.new_points[-1 - v]; };
-    for (const Triangle& t : patch.triangles) surroundings_.push_back({at(t[0]), at(t[1]), at(t[2])});
+    for (const Triangle& t : patch.triangles) {
+      const SpaceTriangle triangle = {at(t[0]), at(t[1]), at(t[2])};
+      if (looked_at_.intersects(BoxOf(triangle))) surroundings_.push_back(triangle);
+    }
   }
   if (knows_crossed_) LeaveOutCrossed();
   return surroundings_;

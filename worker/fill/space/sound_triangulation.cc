@@ -33,12 +33,14 @@ class SoundTriangulator {
 
   std::vector<Triangle> Run(std::span<const Eigen::Vector3d> outside,
                             const std::function<bool(int32_t, int32_t)>& allowed) {
+    const std::function<bool(int32_t, int32_t, int32_t)> fits = [&](int32_t i, int32_t j, int32_t k) {
+      return Fits({i, j, k});
+    };
+    LoopTriangulation triangulation(loop_, outside, allowed, fits);
     std::vector<Triangle> triangles;
     for (int round = 0; round < kRounds; ++round) {
-      triangles = TriangulateLoop(loop_, outside, allowed, [&](int32_t i, int32_t j, int32_t k) {
-        return Fits({i, j, k});
-      });
-      if (triangles.empty() || !ForbidCrossing(triangles)) break;
+      triangles = triangulation.Run();
+      if (triangles.empty() || !ForbidCrossing(triangles, triangulation)) break;
     }
     return triangles;
   }
@@ -56,7 +58,7 @@ class SoundTriangulator {
 
   // Forbids the larger one of any two that cross, and the largest of those at an edge with more than two; false if
   // there are none.
-  bool ForbidCrossing(const std::vector<Triangle>& triangles) {
+  bool ForbidCrossing(const std::vector<Triangle>& triangles, LoopTriangulation& triangulation) {
     std::vector<SpaceTriangle> in_space;
     for (const Triangle& t : triangles) in_space.push_back(InSpace(t));
     const auto larger = [&](int32_t a, int32_t b) { return AreaOf(in_space[a]) >= AreaOf(in_space[b]) ? a : b; };
@@ -72,7 +74,10 @@ class SoundTriangulator {
     for (const auto& [edge, around] : at_edge) {
       if (around.size() > 2) forbidden.push_back(std::accumulate(around.begin(), around.end(), around[0], larger));
     }
-    for (const int32_t t : forbidden) fits_[KeyOf(triangles[t])] = Answer::kNo;
+    for (const int32_t t : forbidden) {
+      fits_[KeyOf(triangles[t])] = Answer::kNo;
+      triangulation.Forbid(triangles[t]);
+    }
     return !forbidden.empty();
   }
 

@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -138,6 +140,32 @@ TEST(TriangulateLoopTest, GivesTheSameAreaWhereverTheLoopStarts) {
   const double expected = area(loop);
   std::rotate(loop.begin(), loop.begin() + 7, loop.end());
   EXPECT_NEAR(area(loop), expected, 0.05 * expected);
+}
+
+TEST(LoopTriangulationTest, IsAfterEachForbiddenTriangleWhatItWouldBeFromTheStart) {
+  for (uint32_t seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    const auto off = [&] { return static_cast<double>(random()) / 0x1p32; };
+    Loop loop;
+    for (int i = 0; i < 24; ++i) {
+      const double turn = 2 * std::numbers::pi * i / 24, x = off(), y = off();
+      loop.emplace_back(3 * std::cos(turn) + x, 3 * std::sin(turn) + y, 2 * off());
+    }
+    const std::vector<Eigen::Vector3d> outside(loop.size(), Eigen::Vector3d(0.6, 0, 0.8));
+    const std::function<bool(int32_t, int32_t)> allowed = AllAllowed;
+    std::set<Triangle> forbidden;
+    const std::function<bool(int32_t, int32_t, int32_t)> fits = [&](int32_t i, int32_t j, int32_t k) {
+      return !forbidden.contains({i, j, k});
+    };
+    LoopTriangulation triangulation(loop, outside, allowed, fits);
+    for (int round = 0; round < 12; ++round) {
+      const std::vector<Triangle> triangles = triangulation.Run();
+      ASSERT_EQ(triangles, TriangulateLoop(loop, outside, allowed, fits)) << seed << ", " << round;
+      const Triangle& next = triangles[random() % triangles.size()];
+      forbidden.insert(next);
+      triangulation.Forbid(next);
+    }
+  }
 }
 
 }  // namespace
