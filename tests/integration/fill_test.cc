@@ -199,7 +199,7 @@ TEST_P(FillTest, WeldsBoundariesIfAskedAndReportsEachMerge) {
     EXPECT_TRUE(std::equal(a->mesh.points.begin(), a->mesh.points.end(), b->mesh.points.begin())) << "moved";
   }
   const Json found = Json::parse(Tilemend({"check", Out(), "-o", "json"}).out, nullptr, false);
-  EXPECT_EQ(found["loops"]["outlines"], 1);
+  EXPECT_EQ(found["outlines"], 1);
   for (const auto& [name, defect] : found["defects"].items()) EXPECT_EQ(defect["count"], 0) << name;
   // Each is asked for with a number.
   for (const char* bad : {"0", "-1", "wide"}) EXPECT_EQ(Tilemend({"fill", in, "--out", Out(), "--weld", bad}).code, 2);

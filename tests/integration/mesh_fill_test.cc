@@ -178,6 +178,16 @@ TEST(MeshFillTest, JoinsTheTwoSidesOfAThinWall) {
   }
 }
 
+TEST(MeshFillTest, MakesNoTunnelThroughAThinBody) {
+  TriMesh lens = SphereBelt(0, 180, 40, 20);
+  for (Point3& p : lens.points) p.z() *= 0.03;
+  lens = WithoutHole(Welded(lens), [](const Point3& p) { return p.head<2>().norm() < 0.3; });
+  const FilledMesh filled = Fill(lens);
+  EXPECT_EQ(filled.plan.holes.size(), 2u);
+  EXPECT_THAT(filled.failures, IsEmpty());
+  EXPECT_EQ(ExpectSound(filled), 0);
+}
+
 TEST(MeshFillTest, AccountsForEveryBoundaryEdge) {
   // A fin on a box with a hole: its free edges form no loop.
   TriMesh mesh = WithoutHole(BoxMesh(5), [](const Point3& p) { return p.norm() < 1.6; });

@@ -25,7 +25,8 @@ struct Weld {
 //
 // Refused, with a reason, is what would take the area of a face or turn it over, give an edge more than two faces, or
 // join the two sides of a wall.
-//   face_of    the face of the file that each triangle is a part of, rising (common/codec/face_edits.h)
+//   face_of    the face of the file that each triangle is a part of, rising (common/codec/face_edits.h); empty: each is
+//              one
 //   may_split  whether edges may be split: the new half of a face has no texture coordinates
 // Zhang 2022, 4.3, merges what is nearest as well, but moves both. O(n log n); deterministic. Precondition: tolerance
 // > 0.

@@ -93,9 +93,11 @@ bool WeldingMesh::FacesAgainst(const Vector3d& normal, const Vector3d& other) co
 }
 
 bool WeldingMesh::IsWhole(int32_t triangle) const {
-  const auto of = [&](int32_t t) { return t >= 0 && t < std::ssize(face_of_) ? face_of_[t] : -1; };
-  const int32_t t = original_[triangle], face = of(t);
-  return of(t - 1) != face && of(t + 1) != face;
+  const int32_t t = original_[triangle];
+  const auto is_of_its_face = [&](int32_t other) {
+    return other >= 0 && other < std::ssize(face_of_) && face_of_[other] == face_of_[t];
+  };
+  return !is_of_its_face(t - 1) && !is_of_its_face(t + 1);
 }
 
 bool WeldingMesh::SharesFace(int32_t triangle, int32_t place) const {

@@ -72,7 +72,7 @@ class Grouper {
     for (size_t i = 0; i < by_x.size(); ++i) {
       for (size_t k = i + 1; k < by_x.size() && west(by_x[k]) <= reach_[by_x[i]].max().x(); ++k) {
         const size_t a = by_x[i], b = by_x[k];
-        if (!MightFace(a, b) || !FaceEachOther(LineOf(a), LineOf(b))) continue;
+        if (!MightFace(a, b) || !Face(a, b)) continue;
         for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
           if (!nearest[one] || distance(one, other) < distance(one, *nearest[one])) nearest[one] = other;
         }
@@ -81,6 +81,10 @@ class Grouper {
     for (size_t l = 0; l < loops_.size(); ++l) {
       if (nearest[l] && nearest[*nearest[l]] == l) partner_[l] = nearest[l];
     }
+  }
+
+  bool Face(size_t a, size_t b) const {
+    return FaceEachOther(LineOf(a), LineOf(b), loops_[a].piece == loops_[b].piece);
   }
 
   // What is cheap to see.

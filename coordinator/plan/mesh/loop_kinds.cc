@@ -156,7 +156,7 @@ bool IsDislocation(const LoopLine& loop, const DislocationLimit& limit) {
   return loop.corners.size() > 3 && MedianWidth(loop) < in_edges;
 }
 
-bool FaceEachOther(const LoopLine& a, const LoopLine& b) {
+bool FaceEachOther(const LoopLine& a, const LoopLine& b, bool one_piece) {
   const double length_a = LengthOf(a), length_b = LengthOf(b);
   if (std::min(length_a, length_b) < kLeastLikeness * std::max(length_a, length_b)) return false;
   if (VectorAreaOf(a).normalized().dot(VectorAreaOf(b).normalized()) > kOpposite) return false;
@@ -167,7 +167,7 @@ bool FaceEachOther(const LoopLine& a, const LoopLine& b) {
   if (std::min(there.cosine, back.cosine) > kGoesOn) {
     return distance < kNarrowestGap * edge || AreEndsOfATube(a, b, there, back, radius);
   }
-  return std::max(there.cosine, back.cosine) < -kGoesOn && distance < kThickestWall * radius &&
+  return !one_piece && std::max(there.cosine, back.cosine) < -kGoesOn && distance < kThickestWall * radius &&
          std::max(there.along_normal, back.along_normal) < kThrough;
 }
 

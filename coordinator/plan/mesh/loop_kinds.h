@@ -35,8 +35,9 @@ bool IsDislocation(const LoopLine& loop, const DislocationLimit& limit);
 // 4.1 (3): two loops that face each other: one is about as long as the other, and opens the other way. They are the
 // ends of a tube that lacks a segment: the surfaces along them face the same way and go away from each other, and the
 // gap is no longer than twice the tube's width. Or they nearly coincide. Or they are the rims of a wall's two sides,
-// which face opposite ways, no further apart than half the rim's radius. O(n) times up to a thousand corners.
-bool FaceEachOther(const LoopLine& a, const LoopLine& b);
+// which face opposite ways, no further apart than half the rim's radius: of
+// two pieces of surface, since through one piece that would be a tunnel. O(n) times up to a thousand corners.
+bool FaceEachOther(const LoopLine& a, const LoopLine& b, bool one_piece);
 
 }  // namespace tilemend
 

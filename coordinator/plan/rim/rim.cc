@@ -213,7 +213,7 @@ void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving,
     next[arriving[0]] = leaving[0];
     return;
   }
-  if (LinkFans(rim, point, arriving, after, next)) return;
+  if (arriving.size() == leaving.size() && LinkFans(rim, point, arriving, after, next)) return;
   const AngleAround angle(rim.points[point].normal);
   std::vector<bool> taken(leaving.size(), false);
   for (const int32_t a : arriving) {

@@ -75,20 +75,20 @@ TEST(IsDislocationTest, MeasuresTheWidthInEdges) {
 TEST(FaceEachOtherTest, TakesTheEndsOfATubeThatLacksASegment) {
   // The lower end opens upwards, the upper one downwards.
   const LoopLine lower = Ring(2, {0, 0, 0}, 1);
-  EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, -1)));
-  EXPECT_TRUE(FaceEachOther(lower, Ring(1.5, {0.3, 0, 1.5}, -1)));
-  EXPECT_FALSE(FaceEachOther(lower, Ring(1, {0, 0, 1.5}, -1))) << "unlike";
-  EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, 7.5}, -1)));
-  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 9}, -1))) << "far away";
-  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {1.5, 0, 1}, -1))) << "beside it";
-  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, -1.5}, -1))) << "the other end of a short tube";
-  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, 1))) << "opens the same way";
+  EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, -1), false));
+  EXPECT_TRUE(FaceEachOther(lower, Ring(1.5, {0.3, 0, 1.5}, -1), false));
+  EXPECT_FALSE(FaceEachOther(lower, Ring(1, {0, 0, 1.5}, -1), false)) << "unlike";
+  EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, 7.5}, -1), false));
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 9}, -1), false)) << "far away";
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {1.5, 0, 1}, -1), false)) << "beside it";
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, -1.5}, -1), false)) << "the other end of a short tube";
+  EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, 1), false)) << "opens the same way";
 }
 
 TEST(FaceEachOtherTest, TakesRimsThatNearlyCoincideWhateverTheirVertices) {
   const LoopLine lower = Ring(2, {0, 0, 0}, 1, 36);
   for (const double gap : {1e-6, 1e-3, -1e-3, 0.02}) {
-    EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, gap}, -1, 31))) << gap;
+    EXPECT_TRUE(FaceEachOther(lower, Ring(2, {0, 0, gap}, -1, 31), false)) << gap;
   }
 }
 
@@ -99,10 +99,11 @@ TEST(FaceEachOtherTest, TakesTheRimsOfAThinWall) {
     return ring;
   };
   const LoopLine outer = Ring(2, {0, 0, 0}, 1);
-  EXPECT_TRUE(FaceEachOther(outer, inside(Ring(1.8, {0, 0, 0}, -1))));
-  EXPECT_TRUE(FaceEachOther(outer, inside(Ring(1.5, {0, 0, 0.1}, -1))));
-  EXPECT_FALSE(FaceEachOther(outer, inside(Ring(1.3, {0, 0, -1.5}, -1)))) << "too thick";
-  EXPECT_FALSE(FaceEachOther(Ring(1.8, {0, 0, 0}, -1), inside(outer))) << "they face each other";
+  EXPECT_TRUE(FaceEachOther(outer, inside(Ring(1.8, {0, 0, 0}, -1)), false));
+  EXPECT_TRUE(FaceEachOther(outer, inside(Ring(1.5, {0, 0, 0.1}, -1)), false));
+  EXPECT_FALSE(FaceEachOther(outer, inside(Ring(1.8, {0, 0, 0}, -1)), true)) << "a tunnel";
+  EXPECT_FALSE(FaceEachOther(outer, inside(Ring(1.3, {0, 0, -1.5}, -1)), false)) << "too thick";
+  EXPECT_FALSE(FaceEachOther(Ring(1.8, {0, 0, 0}, -1), inside(outer), false)) << "they face each other";
 }
 
 TEST(FaceEachOtherTest, TakesNoTwoEndsOfOneShortTube) {
@@ -111,7 +112,7 @@ TEST(FaceEachOtherTest, TakesNoTwoEndsOfOneShortTube) {
     for (Eigen::Vector3d& n : ring.normals) n = -n;
     return ring;
   };
-  EXPECT_FALSE(FaceEachOther(inside(Ring(2, {0, 0, 0}, 1)), inside(Ring(2, {0, 0, 1}, -1))));
+  EXPECT_FALSE(FaceEachOther(inside(Ring(2, {0, 0, 0}, 1)), inside(Ring(2, {0, 0, 1}, -1)), false));
 }
 
 }  // namespace
