@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/triangle_shape.h"
 #include "tests/support/filled_mesh.h"
 #include "tests/support/round_meshes.h"
 #include "tests/support/space_meshes.h"
@@ -151,7 +152,11 @@ TEST(MeshFillTest, StitchesRimsThatNearlyCoincideAndCapsThemNotTwice) {
     ASSERT_EQ(filled.plan.holes.size(), 1u);
     EXPECT_EQ(filled.plan.holes[0].single, SingleType::kAnnular);
     EXPECT_THAT(filled.failures, IsEmpty());
-    EXPECT_EQ(filled.patches[0].triangles.size(), static_cast<size_t>(36 + below));
+    double area = 0;
+    for (size_t t = filled.originals; t < filled.mesh.triangles.size(); ++t) {
+      area += TwiceVectorArea(filled.mesh.points, filled.mesh.triangles[t]).norm() / 2;
+    }
+    EXPECT_LT(area, 0.05) << "a cap has more than 3";
   }
 }
 
