@@ -5,11 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <ranges>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -85,8 +85,9 @@ void OutputLock::Release() {
     ::unlink(file_.c_str());
     ::close(std::exchange(fd_, -1));
   }
-  const std::vector<std::string> made = std::exchange(made_, {});
-  for (const auto& folder : std::ranges::reverse_view(made)) RemoveEmptyFolder(folder).IgnoreError();
+  std::vector<std::string> made = std::exchange(made_, {});
+  std::reverse(made.begin(), made.end());
+  for (const std::string& folder : made) RemoveEmptyFolder(folder).IgnoreError();
 }
 
 void CancelOnSignal(SignalWatcher& signals, const std::function<void()>& clean_up) {

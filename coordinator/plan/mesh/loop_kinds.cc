@@ -85,7 +85,8 @@ struct Gap {
 
 Gap GapBetween(const LoopLine& a, const LoopLine& b) {
   const size_t n = a.corners.size(), m = b.corners.size(), step = 1 + n / kMostPlaces;
-  const auto places = static_cast<double>((n + step - 1) / step);
+  const size_t looked_at = (n + step - 1) / step;
+  const auto places = static_cast<double>(looked_at);
   Gap gap;
   for (size_t i = 0; i < n; i += step) {
     const Point3& p = a.corners[i];
