@@ -315,7 +315,7 @@ void CoordinatorImpl::OnFinished(const std::string& id, absl::StatusOr<JobOutcom
   }
   Apply(JobFinished{id, state, entry.ended}).IgnoreError();
   events_.JobEnded(*job, entry.outcome, entry.error, entry.origin);
-  if (!outcome.ok()) PutJob(*job, true);
+  if (state == JobState::kFailed) PutJob(*job, true);
   ShowMetrics();
   Changed();
 }

@@ -138,9 +138,10 @@ absl::Status CheckFolder(const std::string& path) {
   return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a file, not a folder; choose another --out"));
 }
 
-// Those that are, the innermost first.
-void RemoveEmptyFolders(const std::vector<std::string>& folders) {
-  for (auto at = folders.rbegin(); at != folders.rend(); ++at) RemoveEmptyFolder(*at).IgnoreError();
+// Those that are, the innermost first; they come the outermost first.
+void RemoveEmptyFolders(std::vector<std::string> folders) {
+  std::reverse(folders.begin(), folders.end());
+  for (const std::string& folder : folders) RemoveEmptyFolder(folder).IgnoreError();
 }
 
 // Makes the folders of `path` that are missing; gives them, the outermost first.

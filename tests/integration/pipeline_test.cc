@@ -45,8 +45,8 @@ class PipelineTest : public testing::TestWithParam<std::tuple<Surface, Cut, Scen
  public:
   static std::string NameOf(const ParamType& param) {
     const auto& [surface, cut, kind, seed] = param;
-    return std::string(surface == Surface::kWang ? "Wang" : "ThinPlate") +
-           (cut == Cut::kClipped ? "Clipped" : "Ragged") + kind.name + std::to_string(seed);
+    return std::string(surface == Surface::kWang ? "Wang" : "ThinPlate") + NameOf(cut) + kind.name +
+           std::to_string(seed);
   }
 
  protected:
@@ -351,7 +351,7 @@ INSTANTIATE_TEST_SUITE_P(Lakes, WaterPipelineTest,
                          testing::Combine(testing::Values(Cut::kClipped, Cut::kRagged),
                                           testing::Values(Surface::kWang, Surface::kThinPlate)),
                          [](const auto& test) {
-                           return std::string(std::get<0>(test.param) == Cut::kClipped ? "Clipped" : "Ragged") +
+                           return NameOf(std::get<0>(test.param)) +
                                   (std::get<1>(test.param) == Surface::kWang ? "Wang" : "ThinPlate");
                          });
 

@@ -104,11 +104,10 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, SurfaceTest,
                                             ::testing::Values("wang", "thin-plate")),
                          [](const auto& made) {
                            const std::string surface = std::get<1>(made.param);
-                           return std::string(std::get<0>(made.param) == Cut::kClipped ? "Clipped" : "Ragged") +
-                                  (surface == "wang" ? "Wang" : "ThinPlate");
+                           return NameOf(std::get<0>(made.param)) + (surface == "wang" ? "Wang" : "ThinPlate");
                          });
 INSTANTIATE_TEST_SUITE_P(Cuts, CutTest, ::testing::Values(Cut::kClipped, Cut::kRagged),
-                         [](const auto& cut) { return cut.param == Cut::kClipped ? "Clipped" : "Ragged"; });
+                         [](const auto& cut) { return NameOf(cut.param); });
 
 TEST_F(SceneRunTest, ACellWithoutSurfaceGetsATile) {
   SceneMakerOptions options = SmallScene(Cut::kClipped);

@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, WaterSurfaceTest,
                          ::testing::Combine(::testing::Values(Cut::kClipped, Cut::kRagged),
                                             ::testing::Values("wang", "thin-plate")),
                          [](const auto& test) {
-                           return std::string(std::get<0>(test.param) == Cut::kClipped ? "Clipped" : "Ragged") +
+                           return NameOf(std::get<0>(test.param)) +
                                   (std::string(std::get<1>(test.param)) == "wang" ? "Wang" : "ThinPlate");
                          });
 

@@ -24,6 +24,11 @@ namespace tilemend {
 // Each tile is its cell grown by a margin, with vertices and noise of its own, and shares no vertex with another.
 enum class Cut { kClipped, kRagged, kOverlap };
 
+inline std::string NameOf(Cut cut) {
+  constexpr const char* kNames[] = {"Clipped", "Ragged", "Overlap"};
+  return kNames[static_cast<int>(cut)];
+}
+
 // Shapes, in metres. With `only_cell` a hole ends dead at the sides of that cell: its neighbours have surface there.
 struct EllipseHole {
   Point2 centre{0, 0};

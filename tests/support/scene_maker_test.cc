@@ -62,7 +62,7 @@ SceneMakerOptions AllHoles(Cut cut) {
 
 class SceneMakerTest : public testing::TestWithParam<Cut> {};
 INSTANTIATE_TEST_SUITE_P(Cuts, SceneMakerTest, testing::Values(Cut::kClipped, Cut::kRagged),
-                         [](const auto& test) { return test.param == Cut::kClipped ? "Clipped" : "Ragged"; });
+                         [](const auto& test) { return NameOf(test.param); });
 
 TEST_P(SceneMakerTest, CoversTheSceneOnceWithoutHoles) {
   SceneMakerOptions options;

@@ -71,8 +71,7 @@ class MadeSceneTest : public testing::TestWithParam<std::tuple<Cut, uint64_t>> {
 INSTANTIATE_TEST_SUITE_P(Cuts, MadeSceneTest,
                          testing::Combine(testing::Values(Cut::kClipped, Cut::kRagged), testing::Values(1, 2, 4)),
                          [](const auto& test) {
-                           return std::string(std::get<0>(test.param) == Cut::kClipped ? "Clipped" : "Ragged") +
-                                  std::to_string(std::get<1>(test.param));
+                           return NameOf(std::get<0>(test.param)) + std::to_string(std::get<1>(test.param));
                          });
 
 TEST_P(MadeSceneTest, BoundsEveryHoleByClosedWalks) {

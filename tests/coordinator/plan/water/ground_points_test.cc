@@ -69,11 +69,7 @@ TEST_P(GroundPointsTest, ThereAreNoneWhereFewObjectsStand) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cuts, GroundPointsTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
-                         [](const auto& cut) {
-                           return cut.param == Cut::kClipped  ? "Clipped"
-                                  : cut.param == Cut::kRagged ? "Ragged"
-                                                              : "Overlap";
-                         });
+                         [](const auto& cut) { return NameOf(cut.param); });
 
 }  // namespace
 }  // namespace tilemend

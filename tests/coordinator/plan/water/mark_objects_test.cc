@@ -73,11 +73,7 @@ TEST_P(MarkObjectsTest, OnRoughGroundNothingStands) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cuts, MarkObjectsTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
-                         [](const auto& cut) {
-                           return cut.param == Cut::kClipped  ? "Clipped"
-                                  : cut.param == Cut::kRagged ? "Ragged"
-                                                              : "Overlap";
-                         });
+                         [](const auto& cut) { return NameOf(cut.param); });
 
 }  // namespace
 }  // namespace tilemend

@@ -275,9 +275,8 @@ TEST_P(WaterTest, EachLakeHasItsOwnLevel) {
   EXPECT_NEAR(levels[1], 7, 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cuts, WaterTest, ::testing::Values(Cut::kClipped, Cut::kRagged), [](const auto& cut) {
-  return std::string(cut.param == Cut::kClipped ? "Clipped" : "Ragged");
-});
+INSTANTIATE_TEST_SUITE_P(Cuts, WaterTest, ::testing::Values(Cut::kClipped, Cut::kRagged),
+                         [](const auto& cut) { return NameOf(cut.param); });
 
 // Also where the vertex on the grid line beside it stands on a tree.
 TEST(WaterOfOverlapsTest, NewVerticesOnATilesOwnOutlineTakeTheLevel) {
