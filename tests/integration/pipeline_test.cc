@@ -45,7 +45,7 @@ class PipelineTest : public testing::TestWithParam<std::tuple<Surface, Cut, Scen
  public:
   static std::string NameOf(const ParamType& param) {
     const auto& [surface, cut, kind, seed] = param;
-    return std::string(surface == Surface::kWang ? "Wang" : "ThinPlate") + NameOf(cut) + kind.name +
+    return std::string(surface == Surface::kWang ? "Wang" : "ThinPlate") + tilemend::NameOf(cut) + kind.name +
            std::to_string(seed);
   }
 
