@@ -22,7 +22,8 @@ bool SpacedPoints::HasNear(const Point3& p, double size) const {
   const int level = std::ilogb(size);
   for (int l = level - 1; l <= level + 1; ++l) {
     for (int k = 0; k < 27; ++k) {
-      const auto found = cells_.find(KeyOf(p, l, {k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0}));
+      const int x = k % 3 - 1, y = k / 3 % 3 - 1, z = k / 9 - 1;
+      const auto found = cells_.find(KeyOf(p, l, Point3(x, y, z)));
       if (found == cells_.end()) continue;
       for (const auto& [other, other_size] : found->second) {
         if (std::numbers::sqrt2 * (other - p).norm() < std::min(size, other_size)) return true;
