@@ -51,10 +51,10 @@ absl::Status CallBlindly(const std::shared_ptr<grpc::Channel>& channel, const st
   const bool is_endless = rpc.ends_with("/StreamIsActive");
   context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(is_endless ? 1 : 10));
   grpc::CompletionQueue queue;
-  grpc::GenericStub stub(channel);
+  grpc::GenericStub calls(channel);
   const grpc::Slice nothing;
   const grpc::ByteBuffer request(&nothing, 1);
-  const auto reader = stub.PrepareUnaryCall(&context, "/" + rpc, request, &queue);
+  const auto reader = calls.PrepareUnaryCall(&context, "/" + rpc, request, &queue);
   reader->StartCall();
   grpc::ByteBuffer response;
   grpc::Status status;

@@ -20,8 +20,6 @@ using Eigen::AlignedBox3d;
 
 // A vertex lies beside an edge within this share of the shorter of the edge and the boundary edges at the vertex.
 constexpr double kBeside = 0.5;
-// Each round splits every edge once at most; the last ones find nothing.
-constexpr int kMostRounds = 64;
 
 std::vector<int32_t> VerticesOf(const SurveyRecord& record) {
   std::vector<int32_t> vertices;
@@ -132,8 +130,14 @@ class Welder {
 
   struct Junction {
     double distance = std::numeric_limits<double>::infinity();
+    double off_middle = 0;  // of the edge, in shares of its length
     int32_t place = -1;
     size_t edge = 0;
+
+    // Of places as near the one in the middle goes first: many on one edge halve it again and again.
+    bool operator<(const Junction& other) const {
+      return std::tie(distance, off_middle) < std::tie(other.distance, other.off_middle);
+    }
   };
 
   // The nearest edge that a place lies beside, of those that were not refused to it.
@@ -147,8 +151,9 @@ class Welder {
       const double along = (p - from).dot(way), squared = way.squaredNorm();
       const double distance = DistanceToSegment(p, from, mesh_.PositionOf(b));
       const double reach = std::min(tolerance_, kBeside * std::min(std::sqrt(squared), shortest_.at(place)));
-      const bool beside = along > 0 && along < squared && distance <= reach;
-      if (beside && distance < best.distance) best = {distance, place, static_cast<size_t>(i)};
+      if (!(along > 0 && along < squared && distance <= reach)) return false;
+      const Junction found{distance, std::abs(along / squared - 0.5), place, static_cast<size_t>(i)};
+      if (found < best) best = found;
       return false;
     });
     return best;
@@ -170,13 +175,15 @@ class Welder {
       const Junction found = NearestEdge(place, edges, tree);
       if (found.distance > tolerance_) continue;
       const auto [it, fresh] = junctions.try_emplace(found.edge, found);
-      if (!fresh && found.distance < it->second.distance) it->second = found;
+      if (!fresh && found < it->second) it->second = found;
     }
     return junctions;
   }
 
+  // Each round splits every edge once at most. They end: a place that has split an edge, or was refused there, lies
+  // beside none of its parts.
   void SplitEdges() {
-    for (int round = 0; round < kMostRounds; ++round) {
+    while (true) {
       const std::vector<WeldingMesh::Edge> edges = mesh_.OpenEdges();
       const std::map<size_t, Junction> junctions = FindJunctions(edges);
       if (junctions.empty()) return;

@@ -178,5 +178,16 @@ TEST(WeldRimsTest, KeepsItsPromisesOnShakenCracks) {
   }
 }
 
+// A triangle over a row of squares, whose corners all lie on its edge.
+TEST(WeldRimsTest, ManyVerticesBesideOneEdgeAllSplitIt) {
+  constexpr int32_t kMany = 200;
+  TriMesh mesh = SquaresMesh(0, kMany, -1, 0, [](int32_t, int32_t) { return true; });
+  AddMesh({{{0, 0, 0}, {kMany, 0, 0}, {kMany / 2.0, 90, 0}}, {{0, 1, 2}}}, mesh);
+  const Weld weld = WeldOf(mesh, 1e-3);
+  EXPECT_THAT(weld.record.split, SizeIs(kMany - 1));
+  EXPECT_THAT(weld.record.refused, IsEmpty());
+  EXPECT_EQ(OpenEdges(ExpectSound(mesh, weld)), kMany + 4U);
+}
+
 }  // namespace
 }  // namespace tilemend
