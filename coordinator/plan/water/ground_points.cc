@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/mesh/bin_grid.h"
+#include "common/mesh/box_tree.h"
 #include "common/mesh/triangulation/point_triangulation.h"
 #include "coordinator/plan/water/hole_groups.h"
 
@@ -56,35 +57,47 @@ std::vector<Point3> Lowered(const std::vector<Point3>& points, const Eigen::Alig
   return lowered;
 }
 
+// A box of the plane, for a tree.
+Eigen::AlignedBox3d Flat(const Eigen::AlignedBox2d& box) {
+  return {Point3(box.min().x(), box.min().y(), 0), Point3(box.max().x(), box.max().y(), 0)};
+}
+
+std::vector<Eigen::AlignedBox3d> BoxesOf(const PointTriangulation& triangulation) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Triangle& t : triangulation.mesh.triangles) {
+    Eigen::AlignedBox2d box;
+    for (const int32_t v : t) box.extend(triangulation.window.ToMetres(triangulation.points[v]));
+    boxes.push_back(Flat(box));
+  }
+  return boxes;
+}
+
 // The surface between the ground points of a group, to be asked for what it is made of in a box.
 class GroundSurface {
  public:
-  GroundSurface(std::vector<Point3> points, const Eigen::AlignedBox2d& places) : points_(std::move(points)) {
-    const PointTriangulation triangulation = TriangulatePoints(points_, places);
-    triangles_ = triangulation.mesh.triangles;
-    for (const Triangle& t : triangles_) {
-      Eigen::AlignedBox2d box;
-      for (const int32_t v : t) box.extend(triangulation.window.ToMetres(triangulation.points[v]));
-      boxes_.push_back(box);
-    }
-  }
+  GroundSurface(std::vector<Point3> points, const Eigen::AlignedBox2d& places)
+      : points_(std::move(points)),
+        triangulation_(TriangulatePoints(points_, places)),
+        tree_(BoxesOf(triangulation_)) {}
 
   std::vector<Point3> CornersIn(const Eigen::AlignedBox2d& box) const {
     std::set<int32_t> corners;
-    for (size_t t = 0; t < triangles_.size(); ++t) {
-      if (boxes_[t].intersects(box)) corners.insert(triangles_[t].begin(), triangles_[t].end());
-    }
+    tree_.AnyMeeting(Flat(box), [&](int32_t t) {
+      const Triangle& triangle = triangulation_.mesh.triangles[t];
+      corners.insert(triangle.begin(), triangle.end());
+      return false;
+    });
     std::vector<Point3> result;
     for (const int32_t v : corners) {
-      if (v < std::ssize(points_)) result.push_back(points_[v]);
+      if (v < std::ssize(points_)) result.push_back(points_[v]);  // else a corner of the frame
     }
     return result;
   }
 
  private:
   const std::vector<Point3> points_;
-  std::vector<Triangle> triangles_;  // corners of the frame too
-  std::vector<Eigen::AlignedBox2d> boxes_;
+  const PointTriangulation triangulation_;
+  const BoxTree tree_;
 };
 
 }  // namespace

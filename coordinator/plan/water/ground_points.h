@@ -10,7 +10,7 @@ namespace tilemend {
 // the original vertices of its rim that stand on no object, by their Delaunay triangulation; each counts as high as the
 // lowest of them within 2 m, since what is narrower than that is a car, a hedge, a kerb. A hole gets the corners of the
 // triangles that meet its extent: triangulated again, they give the same surface there, so that it does not depend on
-// where the grid cuts. Cost for each group O(n log n) in its rim, and the product of its triangles and holes.
+// where the grid cuts. Cost for each group O(n log n) in its rim, and the triangles that meet each hole.
 void FindGroundPoints(Plan& plan);
 
 }  // namespace tilemend
