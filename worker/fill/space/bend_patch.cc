@@ -23,7 +23,7 @@ std::optional<std::vector<Point3>> BendPatch(const LocalHole& hole, std::vector<
     fair.known.push_back(!is_new);
     fair.has_equation.push_back(v < rim ? static_cast<bool>(hole.has_equation[v]) : is_new);
   }
-  fair.solves = hole.cell->upright ? 2 : 1;
+  fair.evens_curvature = !hole.cell->upright;
   if (!FairSurface(shape, fair)) return std::nullopt;
   const auto first = fair.points.begin() + static_cast<ptrdiff_t>(rim);
   return std::vector<Point3>(first, first + static_cast<ptrdiff_t>(count));

@@ -3,23 +3,89 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "common/mesh/triangle_shape.h"
 
 namespace tilemend {
 namespace {
 
 // Needles are given the area of a triangle with this sine, so that they cannot outweigh everything else.
 constexpr double kLeastSine = 1e-3;
+// Of the area of the shapes that triangles should keep: a surface within so much of it has these shapes, and one of
+// less than so much has lost them.
+constexpr double kSameArea = 0.01, kLeastArea = 0.9;
 
 class BendingSystem {
  public:
-  explicit BendingSystem(const FairSurfaceProblem& problem)
-      : problem_(problem), row_(problem.points.size(), -1), column_(row_) {
+  //   shape  of the patch triangles
+  BendingSystem(const FairSurfaceProblem& problem, const std::vector<Point3>& shape)
+      : problem_(problem), column_(problem.points.size(), -1) {
+    row_ = column_;
     for (size_t v = 0; v < problem.points.size(); ++v) {
-      if (problem.has_equation[v]) row_[v] = rows_++;
-      if (!problem.known[v]) column_[v] = columns_++;
+      if (problem.has_equation[v]) row_[v] = Count(v, rows_);
+      if (!problem.known[v]) column_[v] = Count(v, columns_);
     }
-    mass_ = Eigen::VectorXd::Zero(rows_);
-    fixed_ = Eigen::MatrixXd::Zero(rows_, 3);
+    mass_ = Eigen::VectorXd::Zero(std::ssize(rows_));
+    fixed_ = Eigen::MatrixXd::Zero(std::ssize(rows_), 3);
+    for (const Triangle& t : problem.patch) Add(t, shape);
+    for (const Triangle& t : problem.band) Add(t, problem.points);
+  }
+
+  bool Factorize() {
+    laplacian_.resize(std::ssize(rows_), std::ssize(columns_));
+    laplacian_.setFromTriplets(entries_.begin(), entries_.end());
+    mass_ = mass_.cwiseInverse();
+    Eigen::SparseMatrix<double> scaled = mass_.asDiagonal() * laplacian_;
+    solver_.compute(laplacian_.transpose() * scaled);
+    right_side_ = -(scaled.transpose() * fixed_);
+    return solver_.info() == Eigen::Success;
+  }
+
+  // Fills in the unknown points.
+  bool Solve(std::vector<Point3>& points) const { return SolveFor(right_side_, points); }
+
+  // One step from points that are solved for towards a mean curvature whose own Laplacian is zero.
+  bool EvenCurvature(std::vector<Point3>& points) const {
+    const std::vector<Point3> normals = Normals(points);
+    Eigen::MatrixXd found(std::ssize(columns_), 3);
+    for (size_t k = 0; k < columns_.size(); ++k) found.row(static_cast<Eigen::Index>(k)) = points[columns_[k]];
+    const Eigen::MatrixXd bends = mass_.asDiagonal() * (laplacian_ * found + fixed_);
+    Eigen::MatrixXd right_side = right_side_;
+    for (int32_t k = 0; k < laplacian_.outerSize(); ++k) {
+      for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian_, k); it; ++it) {
+        const Point3& normal = normals[rows_[static_cast<size_t>(it.row())]];
+        const double curvature = bends.row(it.row()).dot(normal);
+        right_side.row(k) += it.value() * curvature * (normal - normals[columns_[static_cast<size_t>(k)]]).transpose();
+      }
+    }
+    return SolveFor(right_side, points);
+  }
+
+ private:
+  static int32_t Count(size_t v, std::vector<int32_t>& list) {
+    list.push_back(static_cast<int32_t>(v));
+    return static_cast<int32_t>(list.size()) - 1;
+  }
+
+  bool SolveFor(const Eigen::MatrixXd& right_side, std::vector<Point3>& points) const {
+    const Eigen::MatrixXd found = solver_.solve(right_side);
+    if (solver_.info() != Eigen::Success || !found.allFinite()) return false;
+    for (size_t k = 0; k < columns_.size(); ++k) points[columns_[k]] = found.row(static_cast<Eigen::Index>(k));
+    return true;
+  }
+
+  std::vector<Point3> Normals(const std::vector<Point3>& points) const {
+    std::vector<Point3> normals(points.size(), Point3::Zero());
+    for (const auto* triangles : {&problem_.patch, &problem_.band}) {
+      for (const Triangle& t : *triangles) {
+        const Point3 normal = TwiceVectorArea(points, t);
+        for (const int32_t v : t) normals[v] += normal;
+      }
+    }
+    for (Point3& normal : normals) normal.normalize();
+    return normals;
   }
 
   // Adds a triangle with the shape that its corners have in `shape`.
@@ -37,26 +103,6 @@ class BendingSystem {
     }
   }
 
-  bool Solve(std::vector<Point3>& points) const {
-    Eigen::SparseMatrix<double> laplacian(rows_, columns_);
-    laplacian.setFromTriplets(entries_.begin(), entries_.end());
-    Eigen::SparseMatrix<double> scaled = laplacian;
-    const Eigen::VectorXd inverse = mass_.cwiseInverse();
-    for (int32_t column = 0; column < columns_; ++column) {
-      for (Eigen::SparseMatrix<double>::InnerIterator it(scaled, column); it; ++it) it.valueRef() *= inverse[it.row()];
-    }
-    const Eigen::SparseMatrix<double> system = laplacian.transpose() * scaled;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
-    if (solver.info() != Eigen::Success) return false;
-    const Eigen::MatrixXd found = solver.solve(Eigen::MatrixXd(-(scaled.transpose() * fixed_)));
-    if (solver.info() != Eigen::Success || !found.allFinite()) return false;
-    for (size_t v = 0; v < column_.size(); ++v) {
-      if (column_[v] >= 0) points[v] = found.row(column_[v]);
-    }
-    return true;
-  }
-
- private:
   // The share of edge ab in the Laplacian at a.
   void AddEdge(int32_t a, int32_t b, double weight) {
     if (row_[a] < 0) return;
@@ -73,23 +119,42 @@ class BendingSystem {
   }
 
   const FairSurfaceProblem& problem_;
-  std::vector<int32_t> row_, column_;
-  int32_t rows_ = 0, columns_ = 0;
-  Eigen::VectorXd mass_;
-  Eigen::MatrixXd fixed_;
+  std::vector<int32_t> row_, column_;    // by point; -1: none
+  std::vector<int32_t> rows_, columns_;  // points
+  Eigen::VectorXd mass_;                 // its inverse, once factorised
+  Eigen::MatrixXd fixed_, right_side_;
   std::vector<Eigen::Triplet<double>> entries_;
+  Eigen::SparseMatrix<double> laplacian_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
 };
+
+bool SolveWith(const FairSurfaceProblem& problem, const std::vector<Point3>& shape, std::vector<Point3>& points) {
+  BendingSystem system(problem, shape);
+  if (!system.Factorize() || !system.Solve(points)) return false;
+  return !problem.evens_curvature || system.EvenCurvature(points);
+}
+
+// Whether a second solve, with the shapes of the surface found, is nearer.
+bool IsWorthASecond(const FairSurfaceProblem& problem, const std::vector<Point3>& shape,
+                    const std::vector<Point3>& points) {
+  if (!problem.evens_curvature) return true;
+  double meant = 0, found = 0;
+  for (const Triangle& t : problem.patch) {
+    meant += TwiceVectorArea(shape, t).norm();
+    found += TwiceVectorArea(points, t).norm();
+  }
+  return found > kLeastArea * meant && std::abs(found - meant) > kSameArea * meant;
+}
 
 }  // namespace
 
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem) {
   if (std::find(problem.known.begin(), problem.known.end(), false) == problem.known.end()) return true;
   std::vector<Point3> points = problem.points;
-  for (int solve = 0; solve < problem.solves; ++solve) {
-    BendingSystem system(problem);
-    for (const Triangle& t : problem.patch) system.Add(t, solve == 0 ? shape : points);
-    for (const Triangle& t : problem.band) system.Add(t, points);
-    if (!system.Solve(points)) return false;
+  if (!SolveWith(problem, shape, points)) return false;
+  if (IsWorthASecond(problem, shape, points)) {
+    const std::vector<Point3> first = points;
+    if (!SolveWith(problem, first, points)) return false;
   }
   problem.points = std::move(points);
   return true;

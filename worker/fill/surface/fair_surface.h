@@ -16,14 +16,21 @@ struct FairSurfaceProblem {
   std::vector<Triangle> band;  // original triangles at the rim, over known points: give the slope there
   // Points with an equation of their own: everything around them is in patch and band. Others bend freely.
   std::vector<bool> has_equation;
-  int solves = 1;  // > 0
+  // In a mesh of any shape: the mean curvature, not the bend of the position, changes evenly.
+  bool evens_curvature = false;
 };
 
 // Moves the unknown points so that the integral of |Laplacian of the position|^2 is least (Botsch and Kobbelt 2004,
 // "An intuitive framework for real-time freeform modeling"; cotangent weights after Pinkall and Polthier 1993, lumped
 // masses). The weights are those of `shape`: positions in which the patch triangles have the shapes that they should
-// keep; those of a second solve are of the surface found. On smooth bodies a second one makes round surfaces flatter,
-// and further off; beside the rough rims of tiles it is nearer (a dome of 6 m: .20 against .30 m in the mean).
+// keep; then, in a second solve, those of the surface found.
+//
+// Such a surface cuts off what is round. With `evens_curvature` a step follows towards the surface on which not the
+// Laplacian of the position, H n, but that of its length, the mean curvature H, is zero: spheres and cylinders go on as
+// they are (Schneider and Kobbelt 2001, "Geometric fairing of irregular meshes for free-form surface design"). The
+// difference of the two, div(H grad n) + grad H grad n at the surface found, becomes the right side of the same
+// equations. The second solve is left out where it would change little, and where the surface has shrunk from its
+// shapes: these say more then. Beside the rough rims of tiles curvature is mostly noise.
 //   shape  one position for each point; those of band triangles are taken from problem.points
 // False, with the points as they were, if the system cannot be factorised. Sparse Cholesky; about O(n^1.5).
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem);

@@ -12,20 +12,20 @@
 namespace tilemend {
 namespace {
 
-// A disc in five rings: the inner three unknown and displaced, the outer two known, of which the last is the band.
-FairSurfaceProblem DiscProblem(const std::function<Point3(const Point3&)>& shape, const Point3& off) {
-  const int32_t sectors = 12;
-  const TriMesh mesh = DiscMesh(5, sectors);
+// A disc in rings: the inner ones unknown and displaced, the outer two known, of which the last is the band.
+FairSurfaceProblem DiscProblem(const std::function<Point3(const Point3&)>& shape, const Point3& off, int32_t rings = 5,
+                               int32_t sectors = 12) {
+  const TriMesh mesh = DiscMesh(rings, sectors);
   FairSurfaceProblem problem;
   for (size_t v = 0; v < mesh.points.size(); ++v) {
     const int ring = v == 0 ? 0 : static_cast<int>((v - 1) / sectors) + 1;
-    problem.known.push_back(ring > 3);
-    problem.has_equation.push_back(ring <= 4);
-    problem.points.push_back(shape(mesh.points[v]) + (ring > 3 ? Point3(0, 0, 0) : off));
+    problem.known.push_back(ring > rings - 2);
+    problem.has_equation.push_back(ring < rings);
+    problem.points.push_back(shape(mesh.points[v]) + (ring > rings - 2 ? Point3(0, 0, 0) : off));
   }
   for (const Triangle& t : mesh.triangles) {
     const int32_t most = std::max({t[0], t[1], t[2]});
-    (most > 4 * sectors ? problem.band : problem.patch).push_back(t);
+    (most > (rings - 1) * sectors ? problem.band : problem.patch).push_back(t);
   }
   return problem;
 }
@@ -48,6 +48,29 @@ TEST(FairSurfaceTest, BulgesLikeTheSphereAroundIt) {
   FairSurfaceProblem problem = DiscProblem(sphere, {0, 0, -1});
   ASSERT_TRUE(FairSurface(truth, problem));
   for (size_t v = 0; v < truth.size(); ++v) EXPECT_NEAR(problem.points[v].norm(), 8, 0.05);
+}
+
+// The largest distance of a point from a cylinder of radius 8 about the y axis, over a disc that turns by so much.
+double OffACylinder(double turn, bool evens_curvature) {
+  const int32_t rings = 12, sectors = 48;
+  const auto cylinder = [&](const Point3& p) {
+    const double angle = p.x() / rings * turn / 2;
+    return Point3(8 * std::sin(angle), p.y() / rings * 8 * turn / 2, 8 * std::cos(angle));
+  };
+  const std::vector<Point3> truth = DiscProblem(cylinder, {0, 0, 0}, rings, sectors).points;
+  FairSurfaceProblem problem = DiscProblem(cylinder, {0, 0, -1}, rings, sectors);
+  problem.evens_curvature = evens_curvature;
+  EXPECT_TRUE(FairSurface(truth, problem));
+  double off = 0;
+  for (const Point3& p : problem.points) off = std::max(off, std::abs(std::hypot(p.x(), p.z()) - 8));
+  return off;
+}
+
+TEST(FairSurfaceTest, GoesOnRoundWithEvenCurvature) {
+  for (const double turn : {1.5, 2.0, 3.0}) {
+    EXPECT_LT(OffACylinder(turn, true), OffACylinder(turn, false) / 5) << turn;
+    EXPECT_LT(OffACylinder(turn, true), 0.04) << turn;
+  }
 }
 
 TEST(FairSurfaceTest, LeavesKnownPointsAlone) {
