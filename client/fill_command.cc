@@ -202,6 +202,8 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
   if (options.tension && options.surface != Surface::kThinPlate)
     return absl::InvalidArgumentError("--tension: only the surface thin-plate has a tension");
+  if (options.tension && options.filler != Filler::kAuto)
+    return absl::InvalidArgumentError(absl::StrCat("--tension: the filler ", FillerName(options.filler), " has none"));
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
   if ((longest_loop || fairing_steps) && options.surface != Surface::kWang && options.filler != Filler::kMinimumArea) {

@@ -38,6 +38,8 @@ std::vector<FlagSpec> JobFlags() {
                    absl::StrCat("of wang: how far around seams it smooths, 1 to 100; ", wang.seam_buffer), ""});
   flags.push_back({"seam-points", "projected|spaced",
                    absl::StrCat("of wang: where points lie on grid lines; ", SeamPointsName(wang.seam_points)), ""});
+  flags.push_back({"closure", "buffers|line",
+                   absl::StrCat("of wang: how holes are closed along grid lines; ", ClosureName(wang.closure)), ""});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
   flags.push_back(AreaFlag());
   flags.push_back({"cells", "CELLS", "fill and write these alone: \"3,4 0,0-5,9\", column,row (default: all)", ""});
@@ -132,6 +134,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(spec.longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(spec.fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
   spec.seam_points = args.Text("seam-points");
+  spec.closure = args.Text("closure");
   spec.water = args.Text("water");
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
   spec.area = AbsolutePath(args.Text("area"));

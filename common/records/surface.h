@@ -19,6 +19,12 @@ enum class SeamPoints {
   kSpaced,     // as far apart as the triangles there will be large
 };
 
+// How open holes become closed ones along grid lines.
+enum class Closure {
+  kBuffers,  // with buffer zones on both sides of the line (Wang 2021, 3.3, figure 7)
+  kLine,     // along the line alone
+};
+
 // What Wang 2021 leaves open.
 struct WangOptions {
   double seam_smoothing = 0.5;  // [0, 1]: gamma of eq. 5
@@ -27,6 +33,7 @@ struct WangOptions {
   int32_t fairing_steps = 10;   // [0, 1000]: of the fairing by eq. 4
   bool adjust = true;           // eq. 1; false: for tests alone
   SeamPoints seam_points = SeamPoints::kProjected;
+  Closure closure = Closure::kBuffers;
 };
 
 inline constexpr int32_t kShortestLongestLoop = 3, kLongestLongestLoop = 2000;
@@ -41,6 +48,17 @@ constexpr const char* SeamPointsName(SeamPoints points) {
 constexpr std::optional<SeamPoints> SeamPointsNamed(std::string_view name) {
   for (const SeamPoints points : {SeamPoints::kProjected, SeamPoints::kSpaced}) {
     if (name == SeamPointsName(points)) return points;
+  }
+  return std::nullopt;
+}
+
+// "buffers" or "line", as flags, jobs and reports say it.
+constexpr const char* ClosureName(Closure closure) { return closure == Closure::kBuffers ? "buffers" : "line"; }
+
+// That of that name; nothing for any other text.
+constexpr std::optional<Closure> ClosureNamed(std::string_view name) {
+  for (const Closure closure : {Closure::kBuffers, Closure::kLine}) {
+    if (name == ClosureName(closure)) return closure;
   }
   return std::nullopt;
 }

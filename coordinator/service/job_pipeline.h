@@ -50,6 +50,7 @@ struct JobSpec {
   std::optional<double> seam_smoothing, seam_buffer;
   std::optional<int32_t> longest_loop, fairing_steps;
   std::string seam_points;  // a name that SeamPointsNamed knows; empty: as WangOptions
+  std::string closure;      // a name that ClosureNamed knows; likewise
   bool link = false;        // tiles without a patch as hard links of the originals
   bool overwrite = false;   // replace an existing output
   bool dry_run = false;     // survey and plan only, write no tiles

@@ -80,6 +80,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (proto.has_longest_loop()) spec.longest_loop = proto.longest_loop();
   if (proto.has_fairing_steps()) spec.fairing_steps = proto.fairing_steps();
   spec.seam_points = proto.seam_points();
+  spec.closure = proto.closure();
   if (!proto.water().empty()) spec.water = proto.water();
   spec.area = proto.area();
   if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
@@ -108,6 +109,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   if (spec.longest_loop) proto.set_longest_loop(*spec.longest_loop);
   if (spec.fairing_steps) proto.set_fairing_steps(*spec.fairing_steps);
   proto.set_seam_points(spec.seam_points);
+  proto.set_closure(spec.closure);
   proto.set_water(spec.water);
   proto.set_area(spec.area);
   proto.set_water_tolerance(spec.water_tolerance);

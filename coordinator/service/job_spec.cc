@@ -46,11 +46,19 @@ absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
     if (surface != Surface::kWang) return InvalidSpec(option.name, "only the surface wang has this option");
     TILEMEND_RETURN_IF_ERROR(CheckRange(option.name, *option.value, option.low, option.high));
   }
-  if (spec.seam_points.empty()) return absl::OkStatus();
-  if (surface != Surface::kWang) return InvalidSpec("seam_points", "only the surface wang has this option");
-  if (!SeamPointsNamed(spec.seam_points)) {
-    return InvalidSpec("seam_points",
-                       absl::StrCat("'", Printable(spec.seam_points), "': expected projected or spaced"));
+  struct Choice {
+    const char* name;
+    const std::string& value;
+    bool is_known;
+    const char* expected;
+  };
+  for (const Choice& choice :
+       {Choice{"seam_points", spec.seam_points, SeamPointsNamed(spec.seam_points).has_value(), "projected or spaced"},
+        Choice{"closure", spec.closure, ClosureNamed(spec.closure).has_value(), "buffers or line"}}) {
+    if (choice.value.empty()) continue;
+    if (surface != Surface::kWang) return InvalidSpec(choice.name, "only the surface wang has this option");
+    if (choice.is_known) continue;
+    return InvalidSpec(choice.name, absl::StrCat("'", Printable(choice.value), "': expected ", choice.expected));
   }
   return absl::OkStatus();
 }

@@ -15,6 +15,7 @@ WangOptions WangOptionsOf(const JobSpec& spec) {
   options.longest_loop = spec.longest_loop.value_or(options.longest_loop);
   options.fairing_steps = spec.fairing_steps.value_or(options.fairing_steps);
   options.seam_points = SeamPointsNamed(spec.seam_points).value_or(options.seam_points);
+  options.closure = ClosureNamed(spec.closure).value_or(options.closure);
   return options;
 }
 
@@ -45,6 +46,7 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
   const WangOptions wang = WangOptionsOf(spec);
   options.set_longest_loop(wang.longest_loop);
   options.set_fairing_steps(wang.fairing_steps);
+  options.set_closure(ClosureName(wang.closure));
   return options;
 }
 
@@ -71,6 +73,7 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
     options.push_back({"longest-loop", double{1} * wang.longest_loop});
     options.push_back({"fairing-steps", double{1} * wang.fairing_steps});
     options.push_back({"seam-points", SeamPointsName(wang.seam_points)});
+    options.push_back({"closure", ClosureName(wang.closure)});
   }
   return options;
 }
@@ -79,13 +82,14 @@ std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::str
   const WangOptions wang = WangOptionsOf(spec);
   return absl::StrFormat(
       "scene %s\nsurface %s\nfiller %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d "
-      "%s\ntension "
+      "%s %s\ntension "
       "%s\n"
       "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\ncells %s\n",
       spec.scene, spec.surface, spec.filler, spec.uniform, spec.gradation, spec.size_limit, wang.seam_smoothing,
       wang.seam_buffer, wang.longest_loop, wang.fairing_steps, SeamPointsName(wang.seam_points),
-      spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water, water.digest, spec.water_tolerance,
-      spec.water_profile, spec.water_colour, spec.textures, area_digest, spec.cells);
+      ClosureName(wang.closure), spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water,
+      water.digest, spec.water_tolerance, spec.water_profile, spec.water_colour, spec.textures, area_digest,
+      spec.cells);
 }
 
 }  // namespace tilemend

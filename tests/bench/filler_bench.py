@@ -48,7 +48,17 @@ def tube(u, v, radius):
     return np.stack([u, around * np.sin(v / around), around * np.cos(v / around)], 1)
 
 
-KINDS = {'flat': flat, 'curved': curved, 'creased': creased, 'tube': tube}
+def over(height):
+    """A surface of that height, in radii of the hole, over u and v in radii."""
+    return lambda u, v, radius: np.stack([u, v, radius * height(u / radius, v / radius)], 1)
+
+
+FORTY = {'flat': flat, 'curved': curved, 'creased': creased, 'tube': tube}
+# Curved in other ways, from even to most of it inside the hole; not among the forty.
+CURVED = {'cylinder': over(lambda u, v: .15 * u ** 2), 'paraboloid': over(lambda u, v: .15 * (u ** 2 + v ** 2)),
+          'sphere': over(lambda u, v: np.sqrt(np.maximum(12 - u ** 2 - v ** 2, 0))), 'wave': over(lambda u, v: .25 * (np.sin(1.2 * u) + np.sin(.9 * v))),
+          'hills': over(lambda u, v: .25 * np.cos(1.2 * u + .5) * np.sin(.9 * v + .4)), 'bump': over(lambda u, v: .25 * np.exp(-(u ** 2 + v ** 2) / 1.5))}
+KINDS = FORTY | CURVED
 
 
 def sheet(reach, rng):
@@ -215,7 +225,7 @@ def words(text):
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--bin', default=measure.BIN)
-    parser.add_argument('--only', type=words, default=list(KINDS))
+    parser.add_argument('--only', type=words, default=list(FORTY), help='of ' + ', '.join(KINDS))
     parser.add_argument('--fillers', type=words, default=list(FILLERS))
     parser.add_argument('--rims', type=lambda t: [int(r) for r in words(t)], default=list(RIMS))
     parser.add_argument('--json', default='')

@@ -119,15 +119,31 @@ def ahead_of_default(results):
     return 'The default is not ahead of: ' + '; '.join(found) + '.' if found else 'The default is ahead of each on each kind.'
 
 
+def other_curved(a, folder):
+    """The default beside the one filler that is ahead of it on the curved sheet, on surfaces that are curved in other ways."""
+    two = argparse.Namespace(bin=a.bin, fillers=('auto', 'advancing-front-poisson'))
+    rows = []
+    for kind in ('curved', *filler_bench.CURVED):
+        results = []
+        for rim in (16, 36, 80, 120):
+            results += a.steps.get(f'curved-{kind}-{rim}', filler_bench.of_hole, two, kind, rim, folder)
+        errors = {(r['filler'], r['rim']): r['error'] for r in results if r['filled']}
+        both = [(errors[two.fillers[0], rim], errors[two.fillers[1], rim]) for rim in dict.fromkeys(r['rim'] for r in results)
+                if all((filler, rim) in errors for filler in two.fillers)]
+        rows.append([kind, len(both), *(f'{error:.5f}' for error in np.mean(both, 0))])
+    return measure.table(['', 'holes that both fill', *(f'`{filler}`' for filler in two.fillers)], rows)
+
+
 def part_fillers(a, folder):
     every = argparse.Namespace(bin=a.bin, fillers=filler_bench.FILLERS)
     results = []
-    for kind in filler_bench.KINDS:
+    for kind in filler_bench.FORTY:
         for rim in filler_bench.RIMS[:7] if a.quick else filler_bench.RIMS:
             results += a.steps.get(f'fillers-{kind}-{rim}', filler_bench.of_hole, every, kind, rim, folder)
     return ('`tests/bench/filler_bench.py`: the same 40 made holes, ten each on nearly flat ground, a curved surface, a folded sheet and the wall of a tube, with 10 to '
             '400 boundary vertices. An error is the mean distance from what was removed to the triangles of the patch, over the radius of the hole. '
             'A fill of more than 30 s counts as not filled.\n\n' + filler_bench.table(results) + '\n\n' + ahead_of_default(results) +
             ' The nearly flat ground is even but for 0.02 edges that no filler can know. The default sees at rims of 20 edges and more that their heights are nothing but noise, '
-            'and goes on with none of their slopes; smaller ones it takes at their word. The curved sheet turns evenly: harmonic normals carry that turning inward, '
-            'least bending only the slope.')
+            'and goes on with none of their slopes; smaller ones it takes at their word. The curved sheet turns most in the middle of its holes, which no boundary tells. The equation of Poisson raises every '
+            'surface that is curved, also one whose bending goes on evenly, which the default continues nearly as it is; on that sheet and on the bump below this falls the '
+            'right way. Four holes on each surface, of 16 to 120 edges, mean errors:\n\n' + other_curved(a, folder))

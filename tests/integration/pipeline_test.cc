@@ -297,9 +297,10 @@ INSTANTIATE_TEST_SUITE_P(Cuts, WangStepTest, testing::Values(Cut::kClipped, Cut:
 TEST_P(WangStepTest, EveryStepIsSeen) {
   const auto whole = Fill([](WangOptions&) {});
   const Change changes[] = {
-      [](WangOptions& w) { w.adjust = false; },     [](WangOptions& w) { w.fairing_steps = 0; },
-      [](WangOptions& w) { w.seam_smoothing = 0; }, [](WangOptions& w) { w.seam_buffer = 1; },
-      [](WangOptions& w) { w.longest_loop = 20; },  [](WangOptions& w) { w.seam_points = SeamPoints::kSpaced; }};
+      [](WangOptions& w) { w.adjust = false; },          [](WangOptions& w) { w.fairing_steps = 0; },
+      [](WangOptions& w) { w.seam_smoothing = 0; },      [](WangOptions& w) { w.seam_buffer = 1; },
+      [](WangOptions& w) { w.longest_loop = 20; },       [](WangOptions& w) { w.seam_points = SeamPoints::kSpaced; },
+      [](WangOptions& w) { w.closure = Closure::kLine; }};
   for (const Change& change : changes) {
     const auto other = Fill(change);
     const bool same = std::equal(whole.begin(), whole.end(), other.begin(),

@@ -103,6 +103,9 @@ absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const Cance
   if (options.surface != Surface::kWang) return options;
   options.wang.longest_loop = proto.longest_loop();
   options.wang.fairing_steps = proto.fairing_steps();
+  const auto closure = ClosureNamed(proto.closure());
+  if (!closure) return absl::InvalidArgumentError("an unknown closure");
+  options.wang.closure = *closure;
   const bool in_range = options.wang.longest_loop >= kShortestLongestLoop &&
                         options.wang.longest_loop <= kLongestLongestLoop && options.wang.fairing_steps >= 0 &&
                         options.wang.fairing_steps <= kMostFairingSteps;

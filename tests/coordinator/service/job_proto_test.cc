@@ -19,6 +19,7 @@ TEST(JobProtoTest, ASpecComesBackAsItWas) {
   spec.tension = 0;
   spec.seam_smoothing = 0;
   spec.seam_points = "spaced";
+  spec.closure = "line";
   spec.water = "/water.geojson";
   spec.area = "/area.gpkg";
   spec.cells = "3,4";

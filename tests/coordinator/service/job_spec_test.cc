@@ -103,6 +103,15 @@ TEST(JobSpecTest, OnlyWangProjectsSeamPoints) {
   EXPECT_EQ(fault("else", Surface::kWang), "seam_points");
 }
 
+TEST(JobSpecTest, OnlyWangHasClosures) {
+  const auto fault = [](const char* closure, Surface surface) {
+    return Fault([&](JobSpec& s) { s.closure = closure, s.surface = SurfaceName(surface); });
+  };
+  for (const char* closure : {"", "buffers", "line"}) EXPECT_EQ(fault(closure, Surface::kWang), "") << closure;
+  EXPECT_EQ(fault("line", Surface::kThinPlate), "closure");
+  EXPECT_EQ(fault("else", Surface::kWang), "closure");
+}
+
 struct Range {
   const char* field;
   double JobSpec::*value;

@@ -57,6 +57,7 @@ TEST(JobKeyTest, TellsApartWhatGivesOtherBytes) {
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.gradation = std::nextafter(spec.gradation, 2); });
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.tension = 0; });
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.seam_points = "spaced"; });
+  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.closure = "line"; });
   add([](JobSpec& spec, WaterChoice&, std::string&) { spec.cells = "1,1"; });
   add([](JobSpec&, WaterChoice& water, std::string&) { water.digest = "other content"; });
   add([](JobSpec&, WaterChoice&, std::string& area) { area = "other content"; });

@@ -210,6 +210,7 @@ TEST_F(SceneStagesTest, FillsAHoleSoundly) {
     v1::FillInput input = FillInputOf(work);
     input.mutable_options()->set_thin_plate(thin_plate);
     input.mutable_options()->set_longest_loop(400);
+    input.mutable_options()->set_closure("buffers");
     const auto output = RunWell<v1::FillOutput>(Stage::kFill, input);
     const auto patches = FromProto(output, work.vertices.size());
     ASSERT_TRUE(patches.ok()) << patches.status();
@@ -225,8 +226,20 @@ TEST_F(SceneStagesTest, RefusesOptionsOfWangOutOfRange) {
     input.mutable_options()->set_thin_plate(false);
     input.mutable_options()->set_longest_loop(loop);
     input.mutable_options()->set_fairing_steps(steps);
+    input.mutable_options()->set_closure("buffers");
     const auto ended = runner_(Stage::kFill, input.SerializeAsString(), cancel_);
     EXPECT_EQ(ended.status().code(), absl::StatusCode::kInvalidArgument) << loop << " " << steps;
+  }
+}
+
+TEST_F(SceneStagesTest, RefusesAClosureThatItDoesNotKnow) {
+  for (const char* closure : {"", "else"}) {
+    v1::FillInput input = FillInputOf(HoleOf(HoledRoof()));
+    input.mutable_options()->set_thin_plate(false);
+    input.mutable_options()->set_longest_loop(400);
+    input.mutable_options()->set_closure(closure);
+    EXPECT_EQ(runner_(Stage::kFill, input.SerializeAsString(), cancel_).status().code(),
+              absl::StatusCode::kInvalidArgument);
   }
 }
 

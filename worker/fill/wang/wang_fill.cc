@@ -9,6 +9,7 @@
 #include "common/mesh/rounding.h"
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/wang/adjust_patch.h"
+#include "worker/fill/wang/closure_buffers.h"
 #include "worker/fill/wang/cut_to_loops.h"
 #include "worker/fill/wang/fair_patch.h"
 #include "worker/fill/wang/minimum_area.h"
@@ -53,6 +54,10 @@ class WangFiller {
   WangFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, bool may_repeat)
       : hole_(hole), frame_(frame), options_(options), patch_(RimOf(hole, frame)) {
     may_join_ = [this, may_repeat](int32_t a, int32_t b) { return may_repeat || hole_.MayJoin(a, b); };
+    fixed_ = hole.segments;
+    fixed_.insert(fixed_.end(), hole.inner_edges.begin(), hole.inner_edges.end());
+    const bool shares_seams = hole.open && !hole.own_outline && frame.upright();
+    if (shares_seams && may_repeat && options.wang.closure == Closure::kBuffers) AddBuffers();
   }
 
   LocalPatch Run() {
@@ -67,13 +72,23 @@ class WangFiller {
   }
 
  private:
+  // Their points are new ones, which adjustment and fairing move.
+  void AddBuffers() {
+    const ClosureBuffers buffers = LayClosureBuffers(hole_);
+    for (const Point3& p : buffers.points) patch_.points.push_back(frame_.ToFrame(p));
+    patch_.sizes.insert(patch_.sizes.end(), buffers.sizes.begin(), buffers.sizes.end());
+    for (const RegionSegment& e : buffers.edges) {
+      fixed_.insert(fixed_.end(), {e, {e.to, e.from}});
+      patch_.fixed_edges.push_back(Undirected(e.from, e.to));
+    }
+    std::sort(patch_.fixed_edges.begin(), patch_.fixed_edges.end());
+  }
+
   FillFailure Triangulate(int32_t& cuts) {
     std::vector<Point2> flat;
     for (const Point3& p : patch_.points) flat.emplace_back(p.head<2>());
     const std::vector<LatticePoint> places = RoundToWindow(flat, patch_.sizes).points;
-    std::vector<RegionSegment> fixed = hole_.segments;
-    fixed.insert(fixed.end(), hole_.inner_edges.begin(), hole_.inner_edges.end());
-    const RegionTriangulation region = TriangulateRegion(places, fixed);
+    const RegionTriangulation region = TriangulateRegion(places, fixed_);
     if (!region.conflicts.empty()) {
       return hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane;
     }
@@ -131,6 +146,7 @@ class WangFiller {
   const ProjectionFrame& frame_;
   const FillOptions& options_;
   NewPatch patch_;
+  std::vector<RegionSegment> fixed_;  // segments and edges inside
   MayJoin may_join_;
 };
 
