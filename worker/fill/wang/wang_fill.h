@@ -12,8 +12,8 @@ namespace tilemend {
 
 // Wang 2021, 3.3, over the plane of `frame`, where the hole is closed along its seams already, with projected heights
 // (coordinator/plan/seam, worker/fill/seam): buffer zones along the seams of open holes (closure_buffers.h, figure 7),
-// triangulation of least area (minimum_area.h), refinement (refine_patch.h), adjustment (adjust_patch.h, eq. 1), fairing
-// (fair_patch.h, eq. 2 to 4).
+// triangulation of least area (minimum_area.h), refinement (refine_patch.h), adjustment (adjust_patch.h, eq. 1),
+// fairing (fair_patch.h, eq. 2 to 4).
 //
 // The paper's closed loops do not fold. Here no triangle turns over on the plane, from the triangulation to the last
 // rounding: so the patch covers no place twice. Islands are tied to the rest by bridges, and loops of more than
