@@ -21,6 +21,7 @@
 #include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/metrics/status_server.h"
+#include "common/rpc/credential_keeper.h"
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
@@ -149,15 +150,15 @@ absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path) {
 }
 
 // Whoever asks for certificates or gives a file of tokens wants to know who calls.
-absl::StatusOr<Access> AccessFromFlags(const Flags& flags) {
+absl::StatusOr<Access> AccessFromFlags(const Flags& flags, Log& log) {
   if (flags.Text("tokens").empty() && flags.Text("tls-ca").empty()) return Access::Open();
-  return Access::Closed(flags.Text("tokens"));
+  return Access::Closed(flags.Text("tokens"), log);
 }
 
 // Null without --metrics.
-absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, const std::string& work_folder,
-                                                           PrometheusRegistry& metrics, ProcessMetrics& process,
-                                                           Log& log) {
+absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, const CredentialFiles& credentials,
+                                                           const std::string& work_folder, PrometheusRegistry& metrics,
+                                                           ProcessMetrics& process, Log& log) {
   if (!flags.IsGiven("metrics")) return nullptr;
   Gauge* const journal_bytes =
       metrics.AddGauge("tilemend_coordinator_journal_bytes", "Size of the journal's files.", {});
@@ -166,8 +167,8 @@ absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, c
     journal_bytes->Set(SizeOf(journal) + SizeOf(journal + "-wal"));
     return metrics.Text();
   }};
-  TILEMEND_ASSIGN_OR_RETURN(auto server,
-                            StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
+  TILEMEND_ASSIGN_OR_RETURN(
+      auto server, StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags, credentials)));
   log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), server->port())}});
   return server;
 }
@@ -197,6 +198,8 @@ absl::StatusOr<OpenJournal> JournalFromFlags(const Flags& flags, const std::stri
   return opened;
 }
 
+std::string TextOf(const Demand& demand) { return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks"); }
+
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   std::binary_semaphore stop(0);
   std::atomic<bool> is_asked_to_end{false};
@@ -211,7 +214,10 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
   StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}});
   options.log = &log;
-  TILEMEND_ASSIGN_OR_RETURN(const auto status, ServeMetrics(flags, options.work_folder, metrics, process, log));
+  TILEMEND_ASSIGN_OR_RETURN(const auto credentials,
+                            CredentialKeeper::Start(CredentialFilesFromFlags(flags), log, metrics));
+  TILEMEND_ASSIGN_OR_RETURN(const auto status,
+                            ServeMetrics(flags, credentials->kept(), options.work_folder, metrics, process, log));
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));
   auto opened = JournalFromFlags(
       flags, options.work_folder, [&] { return is_asked_to_end.load(); }, log);
@@ -222,15 +228,12 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));
-  TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags));
+  TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags, log));
   const auto gate = std::make_shared<Gate>(std::move(access), metrics, audit == nullptr ? log : *audit->log);
-  TILEMEND_ASSIGN_OR_RETURN(
-      const auto server, CoordinatorServer::Start(flags.Text("listen"), *impl, {SecurityFromFlags(flags).tls, gate}));
+  TILEMEND_ASSIGN_OR_RETURN(const auto server,
+                            CoordinatorServer::Start(flags.Text("listen"), *impl, {credentials->kept().tls, gate}));
   log.Info("listening", {{"address", WithPort(flags.Text("listen"), server->rpc().port())}});
-  const ServiceNotifier notifier([&impl] {
-    const Demand demand = impl->DemandNow();
-    return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks");
-  });
+  const ServiceNotifier notifier([&impl] { return TextOf(impl->DemandNow()); });
   stop.acquire();
   signals.Stop();  // before `stop` goes
   log.Info("ending");

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Makes an authority and certificates for a trial, each for a month. For a real cluster ask your own authority.
+# Makes an authority for a trial, for a year, and certificates, each for a month. For a real cluster ask your own authority.
 #
 #   scripts/make_certificates.sh DIR [HOST...]     HOST: names and addresses of the coordinator (default: localhost)
 #
@@ -13,7 +13,7 @@ dir=$1; shift
 hosts=("$@"); [[ $# -gt 0 ]] || hosts=(localhost)
 mkdir -p "$dir"
 umask 077
-days=30
+days=30 authority_days=365
 
 names=DNS:localhost,IP:127.0.0.1
 for host in "${hosts[@]}"; do
@@ -24,7 +24,7 @@ new_key() { openssl ecparam -name prime256v1 -genkey -noout -out "$1"; }
 
 if [[ ! -e $dir/ca.key ]]; then
   new_key "$dir/ca.key"
-  openssl req -x509 -new -key "$dir/ca.key" -sha256 -days "$days" -subj "/CN=tilemend trial authority" \
+  openssl req -x509 -new -key "$dir/ca.key" -sha256 -days "$authority_days" -subj "/CN=tilemend trial authority" \
     -addext basicConstraints=critical,CA:TRUE -addext keyUsage=critical,keyCertSign,cRLSign -out "$dir/ca.pem"
 fi
 

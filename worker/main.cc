@@ -17,6 +17,7 @@
 #include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/metrics/status_server.h"
+#include "common/rpc/credential_keeper.h"
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
@@ -95,16 +96,17 @@ absl::Status KeepToRoots(const Flags& flags) {
 }
 
 // Null without --metrics.
-absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, PrometheusRegistry& metrics,
-                                                           ProcessMetrics& process, Worker& worker, Log& log) {
+absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, const CredentialFiles& credentials,
+                                                           PrometheusRegistry& metrics, ProcessMetrics& process,
+                                                           Worker& worker, Log& log) {
   if (!flags.IsGiven("metrics")) return nullptr;
   const StatusPages pages = {[&] {
                                process.Update();
                                return metrics.Text();
                              },
                              [&worker] { return worker.WhyNotReady(); }};
-  TILEMEND_ASSIGN_OR_RETURN(auto server,
-                            StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags)));
+  TILEMEND_ASSIGN_OR_RETURN(
+      auto server, StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags, credentials)));
   log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), server->port())}});
   return server;
 }
@@ -119,14 +121,17 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
   options.log = &log;
   KeepHeap(options.threads);
   log.Info("starting", {{"coordinator", flags.Text("coordinator")}, {"threads", options.threads}});
-  Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"), SecurityFromFlags(flags))),
+  TILEMEND_ASSIGN_OR_RETURN(const auto credentials,
+                            CredentialKeeper::Start(CredentialFilesFromFlags(flags), log, metrics));
+  const CredentialFiles& kept = credentials->kept();
+  Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"), {kept.tls, kept.token})),
                 SceneStageRunner(), metrics);
   std::unique_ptr<RpcServer> health;
   if (flags.IsGiven("health")) {
-    TILEMEND_ASSIGN_OR_RETURN(health, RpcServer::Start(flags.Text("health"), {}, SecurityFromFlags(flags).tls));
+    TILEMEND_ASSIGN_OR_RETURN(health, RpcServer::Start(flags.Text("health"), {}, kept.tls));
     log.Info("health served", {{"address", WithPort(flags.Text("health"), health->port())}});
   }
-  TILEMEND_ASSIGN_OR_RETURN(const auto status, ServeMetrics(flags, metrics, process, worker, log));
+  TILEMEND_ASSIGN_OR_RETURN(const auto status, ServeMetrics(flags, kept, metrics, process, worker, log));
   const ServiceNotifier notifier([&worker] {
     const std::string reason = worker.WhyNotReady();
     return reason.empty() ? "connected" : reason;

@@ -1,5 +1,6 @@
 #include "common/rpc/credentials.h"
 
+#include <arpa/inet.h>
 #include <grpc/grpc_security_constants.h>
 #include <grpcpp/security/auth_context.h>
 #include <grpcpp/security/tls_certificate_provider.h>
@@ -14,7 +15,6 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
-#include "absl/strings/strip.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 
@@ -41,27 +41,8 @@ absl::Status TlsError(const std::string& path, const std::string& what) {
       absl::StrCat(path, ": ", what, reason == nullptr ? "" : ": ", reason == nullptr ? "" : reason));
 }
 
-absl::Status CheckFiles(const TlsFiles& files) {
-  for (const std::string& path : {files.certificate, files.key, files.authority}) {
-    if (!path.empty()) TILEMEND_RETURN_IF_ERROR(ReadOwnFile(path).status());
-  }
-  const std::unique_ptr<SSL_CTX, void (*)(SSL_CTX*)> context(SSL_CTX_new(TLS_method()), SSL_CTX_free);
-  if (!files.authority.empty() && SSL_CTX_load_verify_locations(context.get(), files.authority.c_str(), nullptr) != 1) {
-    return TlsError(files.authority, "--tls-ca: no certificates of an authority");
-  }
-  if (files.certificate.empty() != files.key.empty()) {
-    return absl::InvalidArgumentError("--tls-cert and --tls-key go together");
-  }
-  if (files.certificate.empty()) return absl::OkStatus();
-  if (SSL_CTX_use_certificate_chain_file(context.get(), files.certificate.c_str()) != 1) {
-    return TlsError(files.certificate, "--tls-cert: no certificate");
-  }
-  if (SSL_CTX_use_PrivateKey_file(context.get(), files.key.c_str(), SSL_FILETYPE_PEM) != 1 ||
-      SSL_CTX_check_private_key(context.get()) != 1) {
-    return TlsError(files.key, "--tls-key: not the key of the certificate");
-  }
-  return absl::OkStatus();
-}
+// Nobody is asked for the key of a key: the program may have no terminal.
+int NoPassword(char*, int, int, void*) { return 0; }
 
 absl::Status CheckPlaintext(const Security& security, const std::string& address) {
   if (!security.tls.empty() || security.plaintext || IsLoopback(address)) return absl::OkStatus();
@@ -78,9 +59,34 @@ std::shared_ptr<tls::CertificateProviderInterface> Watch(const TlsFiles& files) 
 
 }  // namespace
 
+absl::Status CheckTlsFiles(const TlsFiles& files, const TlsFiles& names) {
+  for (const std::string& path : {files.certificate, files.key, files.authority}) {
+    if (!path.empty()) TILEMEND_RETURN_IF_ERROR(ReadOwnFile(path).status());
+  }
+  const std::unique_ptr<SSL_CTX, void (*)(SSL_CTX*)> context(SSL_CTX_new(TLS_method()), SSL_CTX_free);
+  SSL_CTX_set_default_passwd_cb(context.get(), NoPassword);
+  if (!files.authority.empty() && SSL_CTX_load_verify_locations(context.get(), files.authority.c_str(), nullptr) != 1) {
+    return TlsError(names.authority, "--tls-ca: no certificates of an authority");
+  }
+  if (files.certificate.empty() != files.key.empty()) {
+    return absl::InvalidArgumentError("--tls-cert and --tls-key go together");
+  }
+  if (files.certificate.empty()) return absl::OkStatus();
+  if (SSL_CTX_use_certificate_chain_file(context.get(), files.certificate.c_str()) != 1) {
+    return TlsError(names.certificate, "--tls-cert: no certificate");
+  }
+  if (SSL_CTX_use_PrivateKey_file(context.get(), files.key.c_str(), SSL_FILETYPE_PEM) != 1 ||
+      SSL_CTX_check_private_key(context.get()) != 1) {
+    return TlsError(names.key, "--tls-key: not the key of the certificate");
+  }
+  return absl::OkStatus();
+}
+
 bool IsLoopback(const std::string& address) {
   const std::string host = address.substr(0, address.rfind(':'));
-  return host == "localhost" || host == "[::1]" || absl::StartsWith(host, "127.");
+  in_addr number{};  // a name may begin with 127., too
+  return host == "localhost" || host == "[::1]" ||
+         (absl::StartsWith(host, "127.") && inet_pton(AF_INET, host.c_str(), &number) == 1);
 }
 
 std::vector<FlagSpec> ServerSecurityFlags() {
@@ -107,13 +113,13 @@ absl::Status CheckServerSecurity(const Security& security, const std::string& ad
   if (!security.tls.authority.empty() && security.tls.certificate.empty()) {
     return absl::InvalidArgumentError("--tls-ca needs --tls-cert and --tls-key");
   }
-  return CheckFiles(security.tls);
+  return CheckTlsFiles(security.tls, security.tls);
 }
 
 absl::Status CheckChannelSecurity(const Security& security, const std::string& address) {
   TILEMEND_RETURN_IF_ERROR(CheckPlaintext(security, address));
   if (!security.token_file.empty()) TILEMEND_RETURN_IF_ERROR(ReadToken(security.token_file).status());
-  return CheckFiles(security.tls);
+  return CheckTlsFiles(security.tls, security.tls);
 }
 
 absl::StatusOr<std::string> ReadToken(const std::string& file) {
@@ -146,6 +152,7 @@ std::shared_ptr<grpc::ChannelCredentials> MakeChannelCredentials(const TlsFiles&
 }
 
 PeerClaims ClaimsOf(const grpc::ServerContext& context) {
+  constexpr absl::string_view kScheme = "Bearer ";
   PeerClaims claims;
   claims.address = context.peer();
   if (const auto auth = context.auth_context(); auth != nullptr && auth->IsPeerAuthenticated()) {
@@ -159,7 +166,7 @@ PeerClaims ClaimsOf(const grpc::ServerContext& context) {
   const auto& metadata = context.client_metadata();
   if (const auto found = metadata.find("authorization"); found != metadata.end()) {
     absl::string_view value(found->second.data(), found->second.size());
-    if (absl::ConsumePrefix(&value, "Bearer ")) claims.token = std::string(value);
+    if (absl::StartsWithIgnoreCase(value, kScheme)) claims.token = std::string(value.substr(kScheme.size()));
   }
   return claims;
 }

@@ -45,6 +45,10 @@ std::vector<FlagSpec> ServerSecurityFlags();
 std::vector<FlagSpec> ChannelSecurityFlags();
 Security SecurityFromFlags(const Flags& flags);
 
+// kInvalidArgument if a file of these is not what it should be, or key and certificate do not belong together; errors
+// of ReadOwnFile. They speak of the files by the paths of `names`, and of nothing that stands in them.
+absl::Status CheckTlsFiles(const TlsFiles& files, const TlsFiles& names);
+
 // kInvalidArgument if a file is missing or is not what it should be, if key and certificate do not belong together, or
 // if plain text would leave this machine: `address` (HOST:PORT) is no loopback address, and there is neither TLS nor
 // --insecure.

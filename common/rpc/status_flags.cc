@@ -5,7 +5,6 @@
 #include "absl/strings/str_cat.h"
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
-#include "common/util/files.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -16,14 +15,9 @@ std::vector<FlagSpec> StatusFlags() {
           {"metrics-token", "FILE", "file with the token that readers of /metrics show (Bearer)", ""}};
 }
 
-StatusSecurity StatusSecurityFromFlags(const Flags& flags) {
-  StatusSecurity security;
-  security.token_file = flags.Text("metrics-token");
-  if (flags.Switch("metrics-tls")) {
-    security.certificate = flags.Text("tls-cert");
-    security.key = flags.Text("tls-key");
-  }
-  return security;
+StatusSecurity StatusSecurityFromFlags(const Flags& flags, const CredentialFiles& files) {
+  if (!flags.Switch("metrics-tls")) return {"", "", files.metrics_token};
+  return {files.tls.certificate, files.tls.key, files.metrics_token};
 }
 
 absl::Status CheckStatusFlags(const Flags& flags) {
@@ -40,7 +34,7 @@ absl::Status CheckStatusFlags(const Flags& flags) {
     return absl::InvalidArgumentError(
         absl::StrCat(address, ": the token would leave this machine in plain text; give --metrics-tls, or --insecure"));
   }
-  return ReadOwnFile(token).status();
+  return ReadToken(token).status();
 }
 
 }  // namespace tilemend

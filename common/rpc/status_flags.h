@@ -6,6 +6,7 @@
 
 #include "absl/status/status.h"
 #include "common/metrics/status_server.h"
+#include "common/rpc/credential_keeper.h"
 #include "common/util/flags.h"
 
 namespace tilemend {
@@ -13,7 +14,8 @@ namespace tilemend {
 // --metrics, --metrics-tls and --metrics-token, beside those of credentials.h.
 std::vector<FlagSpec> StatusFlags();
 
-StatusSecurity StatusSecurityFromFlags(const Flags& flags);
+// What is served how, with files of `files`.
+StatusSecurity StatusSecurityFromFlags(const Flags& flags, const CredentialFiles& files);
 
 // kInvalidArgument if the address is malformed, the certificate or the token is missing, or the token would be shown in
 // plain text beyond this machine.

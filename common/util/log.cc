@@ -26,6 +26,9 @@ std::string_view LevelName(LogLevel level) {
   }
 }
 
+// A value from elsewhere may be megabytes long.
+constexpr size_t kMostOfValue = 4000;
+
 // Within double quotes; of what is printable, only these two need it.
 std::string Quoted(std::string_view text) {
   std::string quoted = "\"";
@@ -46,7 +49,8 @@ std::string TextLine(absl::Time time, LogLevel level, std::string_view event, co
   std::string line = absl::StrCat(TimeText(time), " ", std::string(LevelName(level)), " ", Printable(event));
   for (const LogField& field : fields) {
     if (field.text.empty()) continue;
-    absl::StrAppend(&line, " ", field.key, "=", IsPlain(field.text) ? field.text : Quoted(field.text));
+    const std::string text = Shortened(field.text, kMostOfValue);
+    absl::StrAppend(&line, " ", field.key, "=", IsPlain(text) ? text : Quoted(text));
   }
   return line + "\n";
 }
@@ -56,7 +60,8 @@ std::string JsonLine(absl::Time time, LogLevel level, std::string_view event, co
                                   "\",\"event\":", Quoted(event));
   for (const LogField& field : fields) {
     if (field.text.empty()) continue;
-    absl::StrAppend(&line, ",", Quoted(field.key), ":", field.is_number ? field.text : Quoted(field.text));
+    absl::StrAppend(&line, ",", Quoted(field.key), ":",
+                    field.is_number ? field.text : Quoted(Shortened(field.text, kMostOfValue)));
   }
   return line + "}\n";
 }

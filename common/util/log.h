@@ -49,8 +49,8 @@ class Log {
   static Log* Null();
 };
 
-// One line of the log, with its end. Values are made printable, whatever bytes they have. Fields without text are left
-// out.
+// One line of the log, with its end. Values are made printable, whatever bytes they have; of long ones the ends are
+// shown. Fields without text are left out.
 std::string LogLine(LogFormat format, absl::Time time, LogLevel level, std::string_view event, const LogFields& fields);
 
 // Writes whole lines to a stream that outlives it. `always` goes with every line of JSON: the program and its release.

@@ -101,6 +101,24 @@ bool IsUtf8(std::string_view text) {
   return true;
 }
 
+std::string SqueezedTo(std::string_view text, size_t columns) {
+  constexpr std::string_view kBetween = "...";
+  const size_t all = ColumnsOf(text);
+  if (all <= columns) return std::string(text);
+  if (columns <= kBetween.size()) return CutToColumns(text, columns);
+  const size_t begin = (columns - kBetween.size()) / 3, end = columns - kBetween.size() - begin;
+  std::string_view tail = text.substr(CutToColumns(text, all - end).size());
+  while (ColumnsOf(tail) > end) tail.remove_prefix(std::max<size_t>(1, CharacterLength(tail)));
+  return CutToColumns(text, begin).append(kBetween).append(tail);
+}
+
+std::string Shortened(std::string_view text, size_t most) {
+  constexpr std::string_view kBetween = " ... ";
+  if (text.size() <= most) return std::string(text);
+  const size_t end = (most - kBetween.size()) / 2;
+  return std::string(text.substr(0, end)).append(kBetween).append(text.substr(text.size() - end));
+}
+
 std::string Printable(std::string_view text) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string result;

@@ -18,6 +18,13 @@ size_t ColumnsOf(std::string_view text);
 // The longest beginning of `text` with no more columns.
 std::string CutToColumns(std::string_view text, size_t columns);
 
+// `text` or, if it has more columns, its two ends with "..." between them; most of it is the second end, where paths
+// and names differ.
+std::string SqueezedTo(std::string_view text, size_t columns);
+
+// `text` or, if it has more than `most` bytes (at least 5), its two ends with " ... " between them.
+std::string Shortened(std::string_view text, size_t most);
+
 // `text` as one line of UTF-8: control characters (C1 and marks of direction too) and bytes that are no
 // UTF-8 become \xNN.
 std::string Printable(std::string_view text);

@@ -111,23 +111,34 @@ absl::StatusOr<std::map<std::string, KnownToken>> ParseTokens(const std::string&
   return tokens;
 }
 
-absl::StatusOr<Access> Access::Closed(const std::string& token_file) {
+absl::StatusOr<Access> Access::Closed(const std::string& token_file, Log& log) {
   Access access;
   access.closed_ = true;
   access.token_file_ = token_file;
+  access.log_ = &log;
   if (token_file.empty()) return access;
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadOwnFile(token_file));
-  TILEMEND_ASSIGN_OR_RETURN(access.tokens_, ParseTokens(text, token_file));
+  TILEMEND_ASSIGN_OR_RETURN(access.text_, ReadOwnFile(token_file));
+  TILEMEND_ASSIGN_OR_RETURN(access.tokens_, ParseTokens(access.text_, token_file));
   return access;
 }
 
-// A file that cannot be read, or is being written, changes nothing.
+absl::Status Access::ReadAgain() {
+  TILEMEND_ASSIGN_OR_RETURN(std::string text, ReadOwnFile(token_file_));
+  if (text == text_) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(tokens_, ParseTokens(text, token_file_));
+  text_ = std::move(text);
+  log_->Info("tokens read", {{"file", token_file_}, {"tokens", static_cast<int64_t>(tokens_.size())}});
+  return absl::OkStatus();
+}
+
 void Access::Reload(absl::Time now) {
   if (token_file_.empty() || now - read_ < kReadAgain) return;
   read_ = now;
-  const auto text = ReadOwnFile(token_file_);
-  if (!text.ok()) return;
-  if (auto tokens = ParseTokens(*text, token_file_); tokens.ok()) tokens_ = *std::move(tokens);
+  const std::string fault(ReadAgain().message());
+  if (!fault.empty() && fault != fault_) {
+    log_->Warn("tokens not read", {{"error", fault}, {"in_use", "what was read before"}});
+  }
+  fault_ = fault;
 }
 
 absl::StatusOr<Caller> Access::Identify(const Claims& claims, absl::Time now) {

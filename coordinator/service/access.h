@@ -13,6 +13,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "common/util/log.h"
 
 namespace tilemend {
 
@@ -65,23 +66,32 @@ class Access {
   static Access Open() { return Access(); }
   // A caller needs a certificate (its name is the common name, its roles are alternative names tilemend:role:ROLE) or
   // a token of the file, if there is one ("" if not). A call with a token has the token's name and roles alone.
-  // kNotFound, kInvalidArgument for the file.
-  static absl::StatusOr<Access> Closed(const std::string& token_file);
+  // kNotFound, kInvalidArgument for the file. It is read again when it changes; what is no such file then, or cannot be
+  // read, changes nothing. `log`, which outlives this, is told of both.
+  static absl::StatusOr<Access> Closed(const std::string& token_file, Log& log);
 
   // kUnauthenticated (UNAUTHENTICATED) for a caller without a name, or with a token that is unknown or has expired;
   // kPermissionDenied (ROLE_NEEDED) for one whose roles do not do.
   absl::StatusOr<Caller> Admit(std::string_view rpc, const Claims& claims, absl::Time now);
 
   Access(Access&& other) noexcept
-      : closed_(other.closed_), token_file_(std::move(other.token_file_)), tokens_(std::move(other.tokens_)) {}
+      : closed_(other.closed_),
+        token_file_(std::move(other.token_file_)),
+        text_(std::move(other.text_)),
+        log_(other.log_),
+        tokens_(std::move(other.tokens_)) {}
 
  private:
   Access() = default;
   absl::StatusOr<Caller> Identify(const Claims& claims, absl::Time now);
   void Reload(absl::Time now);
+  absl::Status ReadAgain();
 
   bool closed_ = false;
   std::string token_file_;
+  std::string text_;   // that the tokens were read from
+  std::string fault_;  // that was told last
+  Log* log_ = Log::Null();
   std::mutex mutex_;
   absl::Time read_ = absl::InfinitePast();
   std::map<std::string, KnownToken> tokens_;  // by digest

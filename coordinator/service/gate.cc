@@ -42,14 +42,13 @@ void Gate::Ended(std::string_view rpc, const absl::Status& status, absl::Duratio
   found->second.seconds->Observe(absl::ToDoubleSeconds(took));
 }
 
-void Gate::Audit(std::string_view rpc, const Caller& caller, const std::string& address, const std::string& what,
+void Gate::Audit(std::string_view rpc, const Caller& caller, const std::string& address, const LogFields& what,
                  const absl::Status& status) {
-  audit_.Info("audit", {{"rpc", rpc},
-                        {"who", caller.name},
-                        {"address", address},
-                        {"what", what},
-                        {"code", absl::StatusCodeToString(status.code())},
-                        {"reason", ErrorReason(status)}});
+  LogFields fields = {{"rpc", rpc}, {"who", caller.name}, {"address", address}};
+  fields.insert(fields.end(), what.begin(), what.end());
+  fields.emplace_back("code", absl::StatusCodeToString(status.code()));
+  fields.emplace_back("reason", ErrorReason(status));
+  audit_.Info("audit", fields);
 }
 
 }  // namespace tilemend

@@ -26,8 +26,8 @@ class Gate {
   absl::StatusOr<Caller> Admit(std::string_view rpc, const Claims& claims, const std::string& address);
   // A call came to its end.
   void Ended(std::string_view rpc, const absl::Status& status, absl::Duration took);
-  // A call that changes something did, or could not. `what` names it, as jobs/ID.
-  void Audit(std::string_view rpc, const Caller& caller, const std::string& address, const std::string& what,
+  // A call that changes something did, or could not. `what` says what it was to change, and how.
+  void Audit(std::string_view rpc, const Caller& caller, const std::string& address, const LogFields& what,
              const absl::Status& status);
 
  private:

@@ -48,12 +48,15 @@ class Entrance {
     return ToGrpcStatus(status);
   }
 
-  // Of a call that changes a job: `call` gives the job's message.
+  // Of a call that changes a job: `call` gives the job's message. `name` is the job's as far as it is known before, and
+  // `how` what else the call asks for.
   template <class Call>
-  grpc::Status Change(const ServerContext& context, std::string_view rpc, v1::Job* response, Call call) const {
+  grpc::Status Change(const ServerContext& context, std::string_view rpc, const std::string& name, LogFields how,
+                      v1::Job* response, Call call) const {
     return Run(context, rpc, [&](const Caller& caller) {
       const absl::Status status = Take(absl::StatusOr<v1::Job>(call(caller)), response);
-      gate_->Audit(rpc, caller, context.peer(), response->name(), status);
+      how.emplace(how.begin(), "what", status.ok() ? response->name() : name);
+      gate_->Audit(rpc, caller, context.peer(), how, status);
       return status;
     });
   }
@@ -67,9 +70,11 @@ class JobsService : public v1::Jobs::Service {
   JobsService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
 
   grpc::Status CreateJob(ServerContext* context, const v1::CreateJobRequest* request, v1::Job* response) override {
-    return entrance_.Change(*context, "tilemend.v1.Jobs/CreateJob", response, [&](const Caller& caller) {
-      return impl_.CreateJob(*request, OriginOf(*context, caller));
-    });
+    const v1::JobSpec& spec = request->spec();
+    LogFields how = {{"scene", spec.scene()}, {"out", spec.out()}, {"overwrite", spec.overwrite() ? "true" : ""}};
+    return entrance_.Change(
+        *context, "tilemend.v1.Jobs/CreateJob", "", std::move(how), response,
+        [&](const Caller& caller) { return impl_.CreateJob(*request, OriginOf(*context, caller)); });
   }
   grpc::Status GetJob(ServerContext* context, const v1::GetJobRequest* request, v1::Job* response) override {
     return entrance_.Run(*context, "tilemend.v1.Jobs/GetJob",
@@ -89,38 +94,41 @@ class JobsService : public v1::Jobs::Service {
     });
   }
   grpc::Status CancelJob(ServerContext* context, const v1::CancelJobRequest* request, v1::Job* response) override {
-    return entrance_.Change(*context, "tilemend.v1.Jobs/CancelJob", response,
+    return entrance_.Change(*context, "tilemend.v1.Jobs/CancelJob", request->name(), {}, response,
                             [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
                               TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request->name()));
                               return impl_.CancelJob(*request);
                             });
   }
   grpc::Status RetryJob(ServerContext* context, const v1::RetryJobRequest* request, v1::Job* response) override {
-    return entrance_.Change(*context, "tilemend.v1.Jobs/RetryJob", response,
+    return entrance_.Change(*context, "tilemend.v1.Jobs/RetryJob", request->name(),
+                            {{"overwrite", request->overwrite() ? "true" : ""}}, response,
                             [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
                               TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request->name()));
                               return impl_.RetryJob(*request, OriginOf(*context, caller));
                             });
   }
   grpc::Status PauseJob(ServerContext* context, const v1::PauseJobRequest* request, v1::Job* response) override {
-    return Steer(*context, "tilemend.v1.Jobs/PauseJob", *request, response, &CoordinatorImpl::PauseJob);
+    return Steer(*context, "tilemend.v1.Jobs/PauseJob", {}, *request, response, &CoordinatorImpl::PauseJob);
   }
   grpc::Status ResumeJob(ServerContext* context, const v1::ResumeJobRequest* request, v1::Job* response) override {
-    return Steer(*context, "tilemend.v1.Jobs/ResumeJob", *request, response, &CoordinatorImpl::ResumeJob);
+    return Steer(*context, "tilemend.v1.Jobs/ResumeJob", {}, *request, response, &CoordinatorImpl::ResumeJob);
   }
   grpc::Status PrioritizeJob(ServerContext* context, const v1::PrioritizeJobRequest* request,
                              v1::Job* response) override {
-    return Steer(*context, "tilemend.v1.Jobs/PrioritizeJob", *request, response, &CoordinatorImpl::PrioritizeJob);
+    return Steer(*context, "tilemend.v1.Jobs/PrioritizeJob", {{"priority", request->priority()}}, *request, response,
+                 &CoordinatorImpl::PrioritizeJob);
   }
 
  private:
   template <typename Request>
-  grpc::Status Steer(const ServerContext& context, std::string_view rpc, const Request& request, v1::Job* response,
-                     absl::StatusOr<v1::Job> (CoordinatorImpl::*steer)(const Request&)) {
-    return entrance_.Change(context, rpc, response, [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
-      TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request.name()));
-      return (impl_.*steer)(request);
-    });
+  grpc::Status Steer(const ServerContext& context, std::string_view rpc, LogFields how, const Request& request,
+                     v1::Job* response, absl::StatusOr<v1::Job> (CoordinatorImpl::*steer)(const Request&)) {
+    return entrance_.Change(context, rpc, request.name(), std::move(how), response,
+                            [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
+                              TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request.name()));
+                              return (impl_.*steer)(request);
+                            });
   }
 
   // Another's job is the administrators'.

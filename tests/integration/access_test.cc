@@ -20,6 +20,7 @@
 #include "common/store/digest.h"
 #include "common/util/files.h"
 #include "tests/support/certificates.h"
+#include "tests/support/list_log.h"
 #include "tests/support/test_cluster.h"
 #include "tilemend/v1/work.grpc.pb.h"
 
@@ -27,6 +28,11 @@ namespace tilemend {
 namespace {
 
 using Code = absl::StatusCode;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 using ::testing::UnorderedElementsAreArray;
 
 // Of the protocol, as protoc knows it.
@@ -72,11 +78,11 @@ class AccessTest : public ::testing::Test {
   void Start(const std::string& tokens, bool wants_certificates) {
     server_.reset();
     cluster_ = std::make_unique<TestCluster>();
-    auto access = Access::Closed(tokens);
+    auto access = Access::Closed(tokens, *Log::Null());
     ASSERT_TRUE(access.ok()) << access.status();
     TlsFiles tls = authority_.Issue("coordinator", {"coordinator"});
     if (!wants_certificates) tls.authority.clear();
-    const auto gate = std::make_shared<Gate>(*std::move(access), *MetricsRegistry::Null(), *Log::Null());
+    const auto gate = std::make_shared<Gate>(*std::move(access), *MetricsRegistry::Null(), audit_);
     auto server = CoordinatorServer::Start("127.0.0.1:0", cluster_->impl(), {tls, gate});
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
@@ -105,6 +111,7 @@ class AccessTest : public ::testing::Test {
 
   TempFolder folder_;
   TestAuthority authority_{folder_.path().string(), "authority"};
+  ListLog audit_;
   std::unique_ptr<TestCluster> cluster_;
   std::unique_ptr<CoordinatorServer> server_;
   std::string address_;
@@ -233,6 +240,7 @@ TEST_F(AccessTest, OnlyItsOwnerAndAdministratorsCancelAJob) {
   v1::CreateJobRequest create;
   create.mutable_spec()->set_scene("toy://2x1");
   create.mutable_spec()->set_out(folder_ / "out");
+  create.mutable_spec()->set_overwrite(true);
   v1::Job job;
   grpc::ClientContext first;
   ASSERT_TRUE(as("ann", "submit")->CreateJob(&first, create, &job).ok());
@@ -242,6 +250,14 @@ TEST_F(AccessTest, OnlyItsOwnerAndAdministratorsCancelAJob) {
   grpc::ClientContext second, third;
   EXPECT_EQ(as("bob", "submit")->CancelJob(&second, cancel, &job).error_code(), grpc::PERMISSION_DENIED);
   EXPECT_TRUE(as("eve", "admin")->CancelJob(&third, cancel, &job).ok());
+  const auto line = [&](const std::string& rpc, const std::string& who, const std::string& end) {
+    return AllOf(StartsWith(absl::StrCat("info audit rpc=tilemend.v1.Jobs/", rpc, " who=", who, " address=")),
+                 HasSubstr(" what=" + job.name() + " "), EndsWith(end + "\n"));
+  };
+  EXPECT_THAT(audit_.lines(),
+              ElementsAre(line("CreateJob", "ann", absl::StrCat("out=", folder_ / "out", " overwrite=true code=OK")),
+                          line("CancelJob", "bob", "code=PERMISSION_DENIED reason=ROLE_NEEDED"),
+                          line("CancelJob", "eve", "code=OK")));
 }
 
 // New connections get the new certificates; those that are there lose no call.

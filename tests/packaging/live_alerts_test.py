@@ -4,7 +4,7 @@
 The rules are those of deploy/prometheus, but for how long a condition must last (`for`), which is a second here, and for
 how large a journal must be and how long it is looked at. The
 names of all metrics are held to Prometheus' conventions (`promtool check metrics`), and to have no ids as labels. Exit
-code 77 (skipped, and says so) without prometheus and promtool.
+code 77 (skipped, and says so) without prometheus, promtool and openssl.
 """
 import json
 import os
@@ -244,6 +244,17 @@ def grow_journal(stage):
     print(f'TilemendJournalGrowing: {count} jobs one after the other')
 
 
+def let_a_certificate_end(stage):
+    """A worker has one for six days."""
+    key, certificate = (os.path.join(stage.folder, f'short.{kind}') for kind in ('key', 'pem'))
+    subprocess.run(['openssl', 'req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:P-256', '-nodes', '-subj',
+                    '/CN=worker', '-days', '6', '-keyout', key, '-out', certificate], check=True, stderr=subprocess.DEVNULL)
+    worker = stage.start_worker('--metrics', f'127.0.0.1:{stage.worker_metrics}', '--tls-cert', certificate, '--tls-key', key)
+    stage.await_alert('TilemendCertificateExpires', 'a certificate ends in six days')
+    worker.kill()
+    worker.wait()
+
+
 def play(stage):
     stage.start()
     probe = stage.start_worker('--metrics', f'127.0.0.1:{stage.worker_metrics}')
@@ -256,6 +267,7 @@ def play(stage):
     probe.terminate()
     probe.wait()
     await_('no worker', lambda: stage.ask('tilemend_coordinator_workers_connected == 0'))
+    let_a_certificate_end(stage)
     name = stage.submit('first')
     stage.await_alert('TilemendNoProgress', 'a job has no worker')
     elsewhere = os.path.join(stage.folder, 'elsewhere')
@@ -296,9 +308,9 @@ def play_with_workers(stage, worker):
 
 
 def main():
-    missing = [name for name in ('prometheus', 'promtool') if not shutil.which(name)]
+    missing = [name for name in ('prometheus', 'promtool', 'openssl') if not shutil.which(name)]
     if missing:
-        print(f'SKIPPED: there is no {", ".join(missing)} (apt-get install prometheus)')
+        print(f'SKIPPED: there is no {", ".join(missing)} (apt-get install prometheus openssl)')
         sys.exit(77)
     with tempfile.TemporaryDirectory(prefix='tilemend-alerts-') as folder:
         stage = Stage(os.path.abspath(sys.argv[1]), folder)

@@ -2,6 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <openssl/evp.h>
+#include <openssl/pem.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
 
 #include "common/util/files.h"
 #include "tests/support/certificates.h"
@@ -17,7 +23,8 @@ TEST(CheckServerSecurityTest, KeepsPlainTextOnThisMachine) {
   for (const char* here : {"127.0.0.1:7070", "127.8.8.8:1", "localhost:0", "[::1]:7070"}) {
     EXPECT_TRUE(CheckServerSecurity({}, here).ok()) << here;
   }
-  for (const char* beyond : {"0.0.0.0:7070", "10.1.2.3:7070", "[::]:7070", "example.org:7070", "localhost.example:1"}) {
+  for (const char* beyond : {"0.0.0.0:7070", "10.1.2.3:7070", "[::]:7070", "example.org:7070", "localhost.example:1",
+                             "127.0.0.1.example.org:1", "127.example.org:1", "127.:1"}) {
     const absl::Status status = CheckServerSecurity({}, beyond);
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << beyond;
     EXPECT_THAT(std::string(status.message()), HasSubstr("--insecure")) << beyond;
@@ -48,6 +55,19 @@ TEST(CheckServerSecurityTest, QuotesNothingOfAFile) {
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
     EXPECT_THAT(std::string(status.message()), Not(HasSubstr("secret")));
   }
+}
+
+TEST(CheckServerSecurityTest, AsksNobodyForTheKeyOfAKey) {
+  const TemporaryFolder folder;
+  const TlsFiles files = TestAuthority(folder.path(), "ca").Issue("a", {"a"});
+  const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key(EVP_EC_gen("P-256"), EVP_PKEY_free);
+  const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(files.key.c_str(), "w"), std::fclose);
+  std::string password = "secret";
+  ASSERT_EQ(PEM_write_PrivateKey(file.get(), key.get(), EVP_aes_128_cbc(),
+                                 reinterpret_cast<unsigned char*>(password.data()), 6, nullptr, nullptr),
+            1);
+  std::fflush(file.get());
+  EXPECT_TRUE(absl::IsInvalidArgument(CheckServerSecurity({files}, "0.0.0.0:1")));
 }
 
 TEST(ReadTokenTest, TakesOneWordThatACallMayCarry) {

@@ -38,12 +38,14 @@ TEST_F(StatusFlagsTest, TheAddressIsHostAndPort) {
 TEST_F(StatusFlagsTest, TlsTakesTheCertificateOfTheProgram) {
   EXPECT_THAT(Fault({"--metrics=0.0.0.0:9100", "--metrics-tls"}), HasSubstr("needs --tls-cert and --tls-key"));
   const std::vector<std::string> words = {"--metrics=0.0.0.0:9100", "--tls-cert=c", "--tls-key=k"};
-  EXPECT_EQ(StatusSecurityFromFlags(Parse(words)).certificate, "");
+  const CredentialFiles files = {{"kept.pem", "kept.pem", ""}, "", "kept token"};
+  EXPECT_EQ(StatusSecurityFromFlags(Parse(words), files).certificate, "");
+  EXPECT_EQ(StatusSecurityFromFlags(Parse(words), files).token_file, "kept token");
   std::vector<std::string> more = words;
   more.emplace_back("--metrics-tls");
   EXPECT_EQ(Fault(more), "");
-  EXPECT_EQ(StatusSecurityFromFlags(Parse(more)).certificate, "c");
-  EXPECT_EQ(StatusSecurityFromFlags(Parse(more)).key, "k");
+  EXPECT_EQ(StatusSecurityFromFlags(Parse(more), files).certificate, "kept.pem");
+  EXPECT_EQ(StatusSecurityFromFlags(Parse(more), files).key, "kept.pem");
 }
 
 TEST_F(StatusFlagsTest, ATokenDoesNotLeaveThisMachineInPlainText) {
@@ -52,6 +54,8 @@ TEST_F(StatusFlagsTest, ATokenDoesNotLeaveThisMachineInPlainText) {
   EXPECT_EQ(Fault({"--metrics=0.0.0.0:9100", Token(), "--insecure"}), "");
   EXPECT_EQ(Fault({"--metrics=0.0.0.0:9100", Token(), "--metrics-tls", "--tls-cert=c", "--tls-key=k"}), "");
   EXPECT_THAT(Fault({"--metrics=127.0.0.1:9100", "--metrics-token=/not/there"}), HasSubstr("/not/there"));
+  EXPECT_THAT(Fault({"--metrics=127.0.0.1:9100", "--metrics-token=" + folder_.Write("empty", "\n")}),
+              HasSubstr("expected a token"));
 }
 
 }  // namespace

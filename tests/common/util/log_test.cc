@@ -32,6 +32,17 @@ TEST(LogLineTest, NeverBreaksALineNorAQuote) {
             "\"k\":\"a\\\"b\\\\c\\\\x0ad\\\\x1b[31m\\\\xff\"}\n");
 }
 
+TEST(LogLineTest, ShowsTheEndsOfWhatIsLong) {
+  const std::string path = "/begin" + std::string(4 << 20, 'a') + "end";
+  for (const LogFormat format : {LogFormat::kText, LogFormat::kJson}) {
+    const std::string line = LogLine(format, kTime, LogLevel::kInfo, "e", {{"k", path}});
+    EXPECT_LT(line.size(), 4200U);
+    EXPECT_NE(line.find("\"/beginaaa"), std::string::npos);
+    EXPECT_NE(line.find("aaa ... aaa"), std::string::npos);
+    EXPECT_NE(line.find("aaaend\""), std::string::npos);
+  }
+}
+
 TEST(LogLineTest, LeavesOutNumbersThatJsonDoesNotHave) {
   EXPECT_EQ(LogLine(LogFormat::kText, kTime, LogLevel::kInfo, "e", {{"k", std::nan("")}}),
             "2023-11-14T22:13:20.123Z info e\n");

@@ -55,5 +55,21 @@ TEST(PrintableTest, LeavesNothingThatSteersATerminal) {
   EXPECT_EQ(Printable("\xc2\xa0\xe2\x82\xac"), "\xc2\xa0\xe2\x82\xac");  // a space that does not break, a euro
 }
 
+TEST(SqueezedToTest, ShowsBothEndsAndNeverMoreColumns) {
+  EXPECT_EQ(SqueezedTo("abc", 3), "abc");
+  EXPECT_EQ(SqueezedTo("abcdefghij", 9), "ab...ghij");
+  EXPECT_EQ(SqueezedTo("abcdefghij", 3), "abc");
+  const std::string wide = "\xe6\xbc\xa2\xe6\xbc\xa2\xe6\xbc\xa2\xe6\xbc\xa2\xe6\xbc\xa2\xe6\xbc\xa2";  // 12 columns
+  for (size_t columns = 0; columns < 14; ++columns) {
+    EXPECT_LE(ColumnsOf(SqueezedTo(wide, columns)), columns);
+    EXPECT_TRUE(IsUtf8(SqueezedTo(wide, columns)));
+  }
+}
+
+TEST(ShortenedTest, ShowsBothEndsOfWhatIsLong) {
+  EXPECT_EQ(Shortened("0123456789", 10), "0123456789");
+  EXPECT_EQ(Shortened("0123456789abc", 10), "01 ... bc");
+}
+
 }  // namespace
 }  // namespace tilemend

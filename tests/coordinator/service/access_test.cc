@@ -7,13 +7,18 @@
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "tests/support/list_log.h"
 #include "tests/support/test_cluster.h"
 
 namespace tilemend {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 const absl::Time kNow = absl::FromUnixSeconds(1'800'000'000);
 constexpr char kGet[] = "tilemend.v1.Jobs/GetJob";
@@ -60,7 +65,7 @@ TEST(AccessTest, IsOpenToAllWhereNobodyHasAName) {
 }
 
 TEST(AccessTest, TakesNameAndRolesFromTheCertificate) {
-  auto access = Access::Closed("");
+  auto access = Access::Closed("", *Log::Null());
   ASSERT_TRUE(access.ok());
   const auto caller = access->Admit(kGet, {"ann", {"localhost", "tilemend:role:watch"}, ""}, kNow);
   ASSERT_TRUE(caller.ok()) << caller.status();
@@ -72,7 +77,7 @@ TEST(AccessTest, TakesNameAndRolesFromTheCertificate) {
 TEST(AccessTest, ATokenCountsAndNotTheCertificateBesideIt) {
   TempFolder folder;
   ASSERT_TRUE(WriteFileAtomically(folder / "t", absl::StrCat("ann watch ", Sha256Hex("x"))).ok());
-  auto access = Access::Closed(folder / "t");
+  auto access = Access::Closed(folder / "t", *Log::Null());
   ASSERT_TRUE(access.ok());
   const std::vector<std::string> admin = {"tilemend:role:admin"};
   EXPECT_EQ(access->Admit(kGet, {"eve", admin, "x"}, kNow)->name, "ann");
@@ -84,17 +89,29 @@ TEST(AccessTest, SeesThatItsFileChangedAndThatTokensExpire) {
   TempFolder folder;
   const std::string line = absl::StrCat("ann watch ", Sha256Hex("x"));
   ASSERT_TRUE(WriteFileAtomically(folder / "t", line + " 2030-01-01T00:00:00Z\n").ok());
-  auto access = Access::Closed(folder / "t");
+  ListLog log;
+  auto access = Access::Closed(folder / "t", log);
   ASSERT_TRUE(access.ok());
   EXPECT_TRUE(access->Admit(kGet, {"", {}, "x"}, kNow).ok());
-  EXPECT_FALSE(Access::Closed(folder / "t")->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(1'893'456'000)).ok());
+  EXPECT_THAT(log.lines(), IsEmpty());
+  EXPECT_FALSE(Access::Closed(folder / "t", *Log::Null())
+                   ->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(1'893'456'000))
+                   .ok());
   ASSERT_TRUE(WriteFileAtomically(folder / "t", "half a li").ok());
-  EXPECT_TRUE(access->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(1'893'455'990)).ok());  // as it was
+  for (const int64_t now : {1'893'455'990, 1'893'455'993}) {
+    EXPECT_TRUE(access->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(now)).ok());  // as it was
+  }
+  EXPECT_THAT(log.lines(),
+              ElementsAre(AllOf(StartsWith("warning tokens not read error="), HasSubstr("/t:1: expected NAME"),
+                                HasSubstr("in_use=\"what was read before\""))));
   ASSERT_TRUE(WriteFileAtomically(folder / "t", "").ok());
   EXPECT_FALSE(access->Admit(kGet, {"", {}, "x"}, absl::FromUnixSeconds(1'893'455'999)).ok());
+  EXPECT_EQ(log.lines().back(), absl::StrCat("info tokens read file=", folder / "t", " tokens=0\n"));
 }
 
-TEST(AccessTest, NeedsAFileThatItCanRead) { EXPECT_TRUE(absl::IsNotFound(Access::Closed("/nowhere/tokens").status())); }
+TEST(AccessTest, NeedsAFileThatItCanRead) {
+  EXPECT_TRUE(absl::IsNotFound(Access::Closed("/nowhere/tokens", *Log::Null()).status()));
+}
 
 }  // namespace
 }  // namespace tilemend

@@ -8,6 +8,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/metrics/prometheus_registry.h"
+#include "tests/support/list_log.h"
 
 namespace tilemend {
 namespace {
@@ -17,14 +18,6 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 const absl::Time kStart = absl::FromUnixSeconds(1000);
-
-class ListLog : public Log {
- public:
-  void Write(LogLevel level, std::string_view event, const LogFields& fields) override {
-    lines.push_back(LogLine(LogFormat::kText, kStart, level, event, fields).substr(25));  // without the time
-  }
-  std::vector<std::string> lines;
-};
 
 class ClusterEventsTest : public ::testing::Test {
  protected:
@@ -50,7 +43,8 @@ TEST_F(ClusterEventsTest, SaysAndCountsHowAJobEnded) {
   ASSERT_TRUE(state_.Apply(JobProgressed{"j", {"assemble", 2, 2, 5, 4, 300}}).ok());
   ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kPartial, kStart + absl::Seconds(90)}).ok());
   events_.JobEnded(job, {true, "4 of 5 holes filled", ""}, absl::OkStatus(), {"ann", "t1"});
-  EXPECT_THAT(log_.lines, ElementsAre(StartsWith("info job ended job=j trace=t1 owner=ann state=partial seconds=90 ")));
+  EXPECT_THAT(log_.lines(),
+              ElementsAre(StartsWith("info job ended job=j trace=t1 owner=ann state=partial seconds=90 ")));
   ExpectLine("jobs_ended_total{state=\"partial\"} 1");
   ExpectLine("jobs_ended_total{state=\"done\"} 0");
   ExpectLine("job_seconds_sum{state=\"partial\"} 90");
@@ -63,7 +57,7 @@ TEST_F(ClusterEventsTest, CountsJobsOfEarlierProcessesWithoutSayingSo) {
   const Job& job = NewJob("j");
   ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kFailed, kStart + absl::Seconds(9)}).ok());
   events_.JobRemembered(job);
-  EXPECT_TRUE(log_.lines.empty());
+  EXPECT_TRUE(log_.lines().empty());
   ExpectLine("jobs_ended_total{state=\"failed\"} 1");
 }
 
@@ -72,7 +66,7 @@ TEST_F(ClusterEventsTest, MeasuresHowLongAJobWaitedForItsFirstTask) {
   job.started = kStart + absl::Seconds(7);
   events_.JobStarted(job, {});
   ExpectLine("job_queue_seconds_sum 7");
-  EXPECT_THAT(log_.lines, ElementsAre("info job started job=j queue_seconds=7\n"));
+  EXPECT_THAT(log_.lines(), ElementsAre("info job started job=j queue_seconds=7\n"));
 }
 
 TEST_F(ClusterEventsTest, ShowsNoJobBeforeItKnowsAny) {
@@ -121,7 +115,7 @@ TEST_F(ClusterEventsTest, TellsOfWorkers) {
   events_.WorkerSuspected("u", "its result was wrong");
   events_.WorkerCleared("t");
   events_.WorkerSetAside("u", "its result was wrong");
-  EXPECT_THAT(log_.lines,
+  EXPECT_THAT(log_.lines(),
               ElementsAre("info worker came worker=w threads=4 worker_release=0.1.0 identity=node7\n",
                           "warning worker lost worker=w silent_seconds=31 tasks=1\n", "info worker left worker=v\n",
                           "warning worker suspected worker=u reason=\"its result was wrong\"\n",
@@ -138,8 +132,8 @@ TEST_F(ClusterEventsTest, NamesTheTaskWhoseAttemptFailed) {
   task.stage = Stage::kFill;
   task.attempts = 2;
   events_.AttemptFailed(task, "j", "w", {"", "t1"}, absl::UnavailableError("disk\nfull"));
-  EXPECT_THAT(log_.lines, ElementsAre(HasSubstr("job=j trace=t1 task=3")));
-  EXPECT_THAT(log_.lines.front(),
+  EXPECT_THAT(log_.lines(), ElementsAre(HasSubstr("job=j trace=t1 task=3")));
+  EXPECT_THAT(log_.lines().front(),
               HasSubstr("stage=fill attempt=2 worker=w code=UNAVAILABLE error=\"disk\\\\x0afull\""));
 }
 
