@@ -1,4 +1,6 @@
 // Commands that talk to a coordinator.
+#include <unistd.h>
+
 #include <cstdio>
 #include <optional>
 #include <random>
@@ -17,6 +19,7 @@
 #include "common/rpc/endpoint.h"
 #include "common/util/error_info.h"
 #include "common/util/signals.h"
+#include "common/util/standard_streams.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -180,7 +183,7 @@ int WorkersCommand(const Args& args) {
     workers.insert(workers.end(), page->workers().begin(), page->workers().end());
     request.set_page_token(page->next_page_token());
   } while (!request.page_token().empty());
-  std::fputs(WorkersText(workers, session->format).c_str(), stdout);
+  std::fputs(WorkersText(workers, session->format, ColumnsOfTerminal(STDOUT_FILENO)).c_str(), stdout);
   return kExitDone;
 }
 
@@ -203,7 +206,7 @@ int ListCommand(const Args& args) {
     jobs.insert(jobs.end(), page->jobs().begin(), page->jobs().end());
     request.set_page_token(page->next_page_token());
   } while (!request.page_token().empty());
-  std::fputs(JobsText(jobs, session->format).c_str(), stdout);
+  std::fputs(JobsText(jobs, session->format, ColumnsOfTerminal(STDOUT_FILENO)).c_str(), stdout);
   return kExitDone;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
@@ -11,6 +12,7 @@
 #include "absl/strings/str_replace.h"
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
+#include "client/fitted_table.h"
 #include "client/json_access.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
@@ -26,6 +28,11 @@ std::string StateName(v1::JobState state) { return absl::AsciiStrToLower(v1::Job
 
 std::string TimeText(const google::protobuf::Timestamp& time) { return UtcText(absl::FromUnixSeconds(time.seconds())); }
 
+// Since then.
+std::string AgeText(const google::protobuf::Timestamp& time) {
+  return DurationText(absl::Now() - absl::FromUnixSeconds(time.seconds()));
+}
+
 struct Column {
   size_t width = 0;
   bool has_numbers = false, has_texts = false;
@@ -38,15 +45,10 @@ struct Column {
   }
 };
 
+constexpr size_t kMostOfError = 6000;  // what is longer is a path of a hundred thousand letters
+
 // Bytes of a path need not be UTF-8.
 std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-// A path of a hundred thousand letters says no more than its ends.
-std::string Shortened(const std::string& text) {
-  constexpr size_t kMost = 6000, kEnd = 1000;
-  if (text.size() <= kMost) return text;
-  return absl::StrCat(text.substr(0, kEnd), " ... ", text.substr(text.size() - kEnd));
-}
 
 }  // namespace
 
@@ -54,7 +56,8 @@ std::string DurationText(absl::Duration duration) {
   const int64_t seconds = std::max<int64_t>(0, absl::ToInt64Seconds(duration));
   if (seconds < 60) return absl::StrCat(seconds, " s");
   if (seconds < 3600) return absl::StrFormat("%d min %02d s", seconds / 60, seconds % 60);
-  return absl::StrFormat("%d h %02d min", seconds / 3600, seconds / 60 % 60);
+  if (seconds < 48 * 3600) return absl::StrFormat("%d h %02d min", seconds / 3600, seconds / 60 % 60);
+  return absl::StrFormat("%d d %02d h", seconds / 86400, seconds / 3600 % 24);
 }
 
 std::string Share(int64_t part, int64_t whole) { return whole == 0 ? "-" : absl::StrCat(part, "/", whole); }
@@ -156,7 +159,7 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
   return Table({"job", job.name()}, rows);
 }
 
-std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format) {
+std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format, size_t columns) {
   if (format == OutputFormat::kJson) {
     Json json = Json::array();
     for (const v1::Job& job : jobs) json.push_back(JobJson(job));
@@ -166,18 +169,19 @@ std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format) {
   for (const v1::Job& job : jobs) {
     rows.push_back({job.name(), StateName(job.state()) + (job.paused() ? ", paused" : ""),
                     Share(job.progress().cells_done(), job.progress().cells()),
-                    Share(job.progress().tasks_done(), job.progress().tasks()), TimeText(job.create_time()),
+                    Share(job.progress().tasks_done(), job.progress().tasks()), AgeText(job.create_time()),
                     job.spec().out()});
   }
-  return Table({"JOB", "STATE", "CELLS", "TASKS", "CREATED", "OUT"}, rows);
+  return FittedTable({{"JOB"}, {"STATE"}, {"CELLS", 3}, {"TASKS", 2}, {"AGE", 1}, {"OUT", 0, true}}, std::move(rows),
+                     columns);
 }
 
-std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat format) {
+std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat format, size_t columns) {
   std::vector<std::vector<std::string>> rows;
   Json json = Json::array();
   for (const v1::WorkerInfo& w : workers) {
     const std::string state = absl::StrReplaceAll(absl::AsciiStrToLower(v1::WorkerState_Name(w.state())), {{"_", " "}});
-    rows.push_back({w.id(), state, Share(w.tasks(), w.threads()), TimeText(w.first_seen()), TimeText(w.last_seen()),
+    rows.push_back({w.id(), state, Share(w.tasks(), w.threads()), AgeText(w.first_seen()), AgeText(w.last_seen()),
                     w.release(), w.identity(), w.message()});
     json.push_back({{"id", w.id()},
                     {"state", state},
@@ -190,7 +194,15 @@ std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat
                     {"message", w.message()}});
   }
   if (format == OutputFormat::kJson) return Dump(json);
-  return Table({"WORKER", "STATE", "TASKS", "SINCE", "LAST SEEN", "RELEASE", "IDENTITY", "MESSAGE"}, rows);
+  return FittedTable({{"WORKER", 0, true},
+                      {"STATE"},
+                      {"TASKS"},
+                      {"AGE", 1},
+                      {"SEEN", 2},
+                      {"RELEASE", 4},
+                      {"IDENTITY", 3},
+                      {"MESSAGE", 0, true}},
+                     std::move(rows), columns);
 }
 
 ExitCode ExitCodeOf(const v1::Job& job) {
@@ -207,7 +219,7 @@ ExitCode ExitCodeOf(const v1::Job& job) {
 }
 
 ExitCode PrintError(const absl::Status& status) {
-  std::fprintf(stderr, "tilemend: %s\n", Printable(Shortened(std::string(status.message()))).c_str());
+  std::fprintf(stderr, "tilemend: %s\n", Printable(Shortened(std::string(status.message()), kMostOfError)).c_str());
   return ExitCodeOf(status);
 }
 

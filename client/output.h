@@ -33,9 +33,9 @@ std::string Table(const std::vector<std::string>& headings, const std::vector<st
 std::string Counted(size_t count, const std::string& noun);
 
 std::string JobText(const v1::Job& job, OutputFormat format);
-std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format);
-
-std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat format);
+// Tables keep to `columns`, those of a terminal, if there are any (FittedTable); JSON has all.
+std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format, size_t columns = 0);
+std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat format, size_t columns = 0);
 
 // By the job's end; kExitDone for a job that still runs.
 ExitCode ExitCodeOf(const v1::Job& job);
@@ -46,7 +46,7 @@ ExitCode PrintError(const absl::Status& status);
 // On stderr, one line each.
 void PrintWarnings(const std::vector<std::string>& warnings);
 
-// "12 s", "2 min 05 s", "1 h 02 min".
+// "12 s", "2 min 05 s", "1 h 02 min", "3 d 04 h".
 std::string DurationText(absl::Duration duration);
 
 // "3/24", or "-" while the whole is not known.

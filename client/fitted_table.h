@@ -1,0 +1,23 @@
+// Tables that keep to the width of a terminal.
+#ifndef TILEMEND_CLIENT_FITTED_TABLE_H_
+#define TILEMEND_CLIENT_FITTED_TABLE_H_
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tilemend {
+
+struct FittedColumn {
+  std::string heading;
+  int spare = 0;            // columns with more go first where room is short; 0: stays
+  bool squeezable = false;  // of long cells the two ends do
+};
+
+// As Table (output.h). With `columns` > 0, those of a terminal, long cells are squeezed to 20 columns first, then
+// columns are left out, then cells are squeezed to 8, until no line is longer, or nothing is left to do.
+std::string FittedTable(std::vector<FittedColumn> table, std::vector<std::vector<std::string>> rows, size_t columns);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_FITTED_TABLE_H_

@@ -1,0 +1,75 @@
+#include "client/output.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "absl/strings/str_split.h"
+#include "absl/time/clock.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+v1::Job LongJob() {
+  v1::Job job;
+  job.set_name("jobs/0123456789ab");
+  job.set_state(v1::RUNNING);
+  job.set_paused(true);
+  job.mutable_progress()->set_cells(10000);
+  job.mutable_progress()->set_cells_done(9999);
+  job.mutable_progress()->set_tasks(50000);
+  job.mutable_progress()->set_tasks_done(49999);
+  job.mutable_create_time()->set_seconds(absl::ToUnixSeconds(absl::Now() - absl::Hours(76)));
+  job.mutable_spec()->set_out("/mnt/shared/projects/2026/city-of-somewhere/tiles-filled");
+  return job;
+}
+
+v1::WorkerInfo LongWorker() {
+  v1::WorkerInfo worker;
+  worker.set_id("tilemend-worker-6b7f8d9c4f-x7k2p-1-1d3964");
+  worker.set_state(v1::WORKING);
+  worker.set_threads(64);
+  worker.set_tasks(64);
+  worker.mutable_first_seen()->set_seconds(absl::ToUnixSeconds(absl::Now() - absl::Minutes(65)));
+  worker.mutable_last_seen()->set_seconds(absl::ToUnixSeconds(absl::Now()));
+  worker.set_release("0.1.0");
+  worker.set_identity("worker");
+  return worker;
+}
+
+void ExpectLinesWithin(const std::string& text, size_t columns) {
+  for (const absl::string_view line : absl::StrSplit(text, '\n')) {
+    EXPECT_LE(ColumnsOf({line.data(), line.size()}), columns) << text;
+  }
+}
+
+TEST(JobsTextTest, KeepsToEightyColumns) {
+  const std::string text = JobsText({LongJob()}, OutputFormat::kTable, 80);
+  ExpectLinesWithin(text, 80);
+  for (const char* shown : {"jobs/0123456789ab", "running, paused", "49999/50000", "3 d 04 h", "-filled"}) {
+    EXPECT_THAT(text, HasSubstr(shown));
+  }
+  EXPECT_THAT(text, Not(HasSubstr("CELLS")));
+  EXPECT_THAT(JobsText({LongJob()}, OutputFormat::kTable), HasSubstr(LongJob().spec().out()));
+}
+
+TEST(WorkersTextTest, KeepsToEightyColumns) {
+  const std::string text = WorkersText({LongWorker()}, OutputFormat::kTable, 80);
+  ExpectLinesWithin(text, 80);
+  EXPECT_THAT(text, HasSubstr("k2p-1-1d3964  working  64/64  1 h 05 min  0 s"));
+  EXPECT_THAT(WorkersText({LongWorker()}, OutputFormat::kTable), HasSubstr(LongWorker().id()));
+}
+
+TEST(DurationTextTest, HasTwoUnitsAtMost) {
+  EXPECT_EQ(DurationText(absl::Seconds(-3)), "0 s");
+  EXPECT_EQ(DurationText(absl::Seconds(59)), "59 s");
+  EXPECT_EQ(DurationText(absl::Seconds(125)), "2 min 05 s");
+  EXPECT_EQ(DurationText(absl::Minutes(47 * 60 + 5)), "47 h 05 min");
+  EXPECT_EQ(DurationText(absl::Hours(76)), "3 d 04 h");
+}
+
+}  // namespace
+}  // namespace tilemend
