@@ -27,6 +27,12 @@ absl::Status Take(const FlagSpec& spec, const std::string& value, const std::str
   return absl::OkStatus();
 }
 
+bool IsName(absl::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return absl::ascii_islower(c) || absl::ascii_isdigit(c) || c == '-';
+  });
+}
+
 // A setting of another program or command is none of ours, but what is nearly one of ours is a slip of the pen.
 absl::Status CheckForeign(const std::vector<FlagSpec>& specs, const std::string& name, const std::string& where) {
   std::vector<std::string> names;
@@ -41,14 +47,17 @@ absl::Status CheckForeign(const std::vector<FlagSpec>& specs, const std::string&
 absl::Status TakeFile(const std::vector<FlagSpec>& specs, const std::string& path, Settings& settings) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadOwnFile(path));
   int number = 0;
-  for (const absl::string_view line : absl::StrSplit(text, '\n')) {
+  // Some editors put the mark of UTF-8 in front.
+  for (const absl::string_view line : absl::StrSplit(absl::StripPrefix(text, "\xEF\xBB\xBF"), '\n')) {
     ++number;
     const absl::string_view content = absl::StripAsciiWhitespace(line);
     if (content.empty() || content.front() == '#') continue;
     const std::string where = absl::StrCat(path, ":", number);
     const size_t equals = content.find('=');
-    if (equals == absl::string_view::npos) return absl::InvalidArgumentError(where + ": expected NAME = VALUE");
     const absl::string_view name = absl::StripAsciiWhitespace(content.substr(0, equals));
+    if (equals == absl::string_view::npos || !IsName(name)) {
+      return absl::InvalidArgumentError(where + ": expected NAME = VALUE");
+    }
     const std::string value(absl::StripAsciiWhitespace(content.substr(equals + 1)));
     const auto spec =
         std::find_if(specs.begin(), specs.end(), [name](const auto& s) { return s.setting && s.name == name; });

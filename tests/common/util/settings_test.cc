@@ -44,12 +44,20 @@ TEST(ReadSettingsTest, NeedsOnlyTheFileThatIsNamed) {
 
 TEST(ReadSettingsTest, SaysWhichLineItCannotRead) {
   const TemporaryFolder folder;
-  for (const char* text : {"\ntls-ca\n", "\ninsecure = perhaps\n", "\ntls-cas = /file/ca\n"}) {
+  for (const char* text : {"\ntls-ca\n", "\ninsecure = perhaps\n", "\ntls-cas = /file/ca\n", "\n= /file/ca\n",
+                           "\n\x01\xff = x\n", "\n--tls-ca = /file/ca\n"}) {
     ASSERT_TRUE(WriteFileAtomically(folder / "c", text).ok());
     const absl::Status status = ReadSettings(kSpecs, folder / "c", With({})).status();
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << text;
     EXPECT_THAT(std::string(status.message()), HasSubstr("c:2: "));
   }
+}
+
+TEST(ReadSettingsTest, TakesFilesOfOtherSystems) {
+  const TemporaryFolder folder;
+  const std::string file = folder.Write("c", "\xEF\xBB\xBFtls-ca = /file/ca\r\ninsecure = true\r\n");
+  EXPECT_THAT(*ReadSettings(kSpecs, file, With({})),
+              UnorderedElementsAre(Pair("tls-ca", "/file/ca"), Pair("insecure", "")));
 }
 
 TEST(ReadSettingsTest, StandsBehindTheCommandLine) {
