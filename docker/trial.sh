@@ -2,6 +2,7 @@
 # A cluster with mutual TLS on this machine, for a trial. Needs a Docker engine, docker-compose and openssl.
 #
 #   docker/trial.sh up [WORKERS]        certificates, images and a cluster (default: 3 workers of one thread)
+#   docker/trial.sh build               the image anew, of other sources; then `up` again
 #   docker/trial.sh fill [SCENE]        fills a copy of the folder SCENE on it, or of a scene that it makes
 #   docker/trial.sh client COMMAND...   the client: `client submit /data/scene --out /data/out --wait`
 #   docker/trial.sh scale WORKERS       more or fewer workers
@@ -13,7 +14,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(dirname "$here")
-[[ $# -gt 0 ]] || { sed -n '2,12p' "$0" | cut -c3-; exit 2; }
+[[ $# -gt 0 ]] || { sed -n '2,13p' "$0" | cut -c3-; exit 2; }
 trial=$(mkdir -p "${TRIAL:-trial}" && cd "${TRIAL:-trial}" && pwd)
 
 export TILEMEND_DATA=$trial/data TILEMEND_TLS=$trial/tls TILEMEND_WORK=$trial/work
@@ -53,6 +54,8 @@ certificates() {
   install -d -m 755 "$TILEMEND_TLS/prometheus"  # it runs as a user of its own
   install -m 444 "$authority/ca.pem" "$authority/metrics.token" "$TILEMEND_TLS/prometheus"
 }
+
+build() { DOCKER_BUILDKIT=1 docker build -f "$here/Dockerfile" -t "$TILEMEND_IMAGE" "$root"; }
 
 own() { if [[ $(id -u) -eq 0 ]]; then chown -R "$TILEMEND_USER" "$@"; fi; }
 
@@ -96,15 +99,15 @@ case "$1" in
     mkdir -p "$TILEMEND_DATA" "$TILEMEND_WORK"
     own "$TILEMEND_DATA" "$TILEMEND_WORK"
     certificates
-    docker image inspect "$TILEMEND_IMAGE" >/dev/null 2>&1 ||
-      DOCKER_BUILDKIT=1 docker build -f "$here/Dockerfile" -t "$TILEMEND_IMAGE" "$root"
+    docker image inspect "$TILEMEND_IMAGE" >/dev/null 2>&1 || build
     "${compose[@]}" up -d --scale "worker=${2:-3}" ${TRIAL_SERVICES:-}
     ;;
+  build) build ;;
   fill) shift; fill "$@" ;;
   client) shift; run_client client "$@" ;;
   scale) "${compose[@]}" up -d --no-recreate --scale "worker=${2:?how many workers}" ${TRIAL_SERVICES:-} ;;
   renew) certificates ;;
   logs) shift; "${compose[@]}" logs --no-color "$@" ;;
   down) shift; "${compose[@]}" down "$@" ;;
-  *) sed -n '2,12p' "$0" | cut -c3-; exit 2 ;;
+  *) sed -n '2,13p' "$0" | cut -c3-; exit 2 ;;
 esac
