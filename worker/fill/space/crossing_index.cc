@@ -44,6 +44,7 @@ void CrossingIndex::Plant(int32_t first) {
 }
 
 bool CrossingIndex::IsCrossedBy(const SpaceTriangle& triangle) const {
+  if (triangles_.empty()) return false;
   const AlignedBox3d extent = BoxOf(triangle);
   const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
   const double slack = kSlack * (extent.min().cwiseAbs() + extent.max().cwiseAbs()).sum();

@@ -1,8 +1,6 @@
 #include "worker/fill/space/minimum_weight.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "worker/fill/mesh/span_triangulation.h"
@@ -10,13 +8,17 @@
 namespace tilemend {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 // Angles are compared in steps of this, so that area decides between triangulations that bend alike.
 constexpr double kAngleStep = 1.0 / 64;
 
-double Bend(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  if (a.isZero() || b.isZero()) return 0;
-  return std::floor((1 - a.dot(b)) / kAngleStep) * kAngleStep;
+// Of a unit normal and another one; 0 where that is unknown.
+double Bend(const Eigen::Vector3d& normal, const Eigen::Vector4d& other) {
+  return static_cast<int>((other.w() - normal.dot(other.head<3>())) / kAngleStep) * kAngleStep;
+}
+
+// A unit normal, or zero where unknown, with 1 or 0 behind.
+Eigen::Vector4d Marked(const Eigen::Vector3d& normal) {
+  return {normal.x(), normal.y(), normal.z(), normal.isZero() ? 0.0 : 1.0};
 }
 
 }  // namespace
@@ -29,9 +31,10 @@ LoopTriangulation::LoopTriangulation(std::span<const Point3> loop, std::span<con
   best_.resize(spans);
   best_by_end_.resize(spans);
   choice_.assign(spans, -1);
-  normal_.assign(spans, Eigen::Vector3d::Zero());
+  normal_.assign(spans, Eigen::Vector4d::Zero());
+  normal_by_end_ = normal_;
   is_stale_.assign(spans, 1);
-  for (int32_t i = 0; i + 1 < n_; ++i) normal_[At(i, i + 1)] = outside_[i];
+  for (int32_t i = 0; i + 1 < n_; ++i) normal_[At(i, i + 1)] = normal_by_end_[At(i + 1, i)] = Marked(outside_[i]);
 }
 
 std::vector<Triangle> LoopTriangulation::Run() {
@@ -47,35 +50,46 @@ void LoopTriangulation::Solve(int32_t i, int32_t k) {
   const size_t at = At(i, k);
   if (!is_stale_[at] && changed_from_[i] >= k && changed_to_[k] <= i) return;
   is_stale_[at] = 0;
-  Weight best{kNever, kNever};
-  int32_t choice = -1;
-  const bool closing = i == 0 && k == n_ - 1;
-  if (closing || allowed_(i, k)) {
-    for (int32_t j = i + 1; j < k; ++j) Try(i, j, k, closing, best, choice);
-  }
+  const auto [best, choice] = (i == 0 && k == n_ - 1) || allowed_(i, k) ? Choose(i, k) : Choice();
   if (choice == choice_[at] && best.angle == best_[at].angle && best.area == best_[at].area) return;
   best_[at] = best_by_end_[At(k, i)] = best;
   choice_[at] = choice;
-  normal_[at] = choice < 0 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(AreaVector(i, choice, k).normalized());
+  normal_[at] = normal_by_end_[At(k, i)] =
+      choice < 0 ? Eigen::Vector4d::Zero() : Marked(AreaVector(i, choice, k).normalized());
   changed_from_[i] = std::min(changed_from_[i], k);
   changed_to_[k] = std::max(changed_to_[k], i);
 }
 
-void LoopTriangulation::Try(int32_t i, int32_t j, int32_t k, bool closing, Weight& best, int32_t& choice) const {
+// Most often the best of all triangles fits, and is the only one that is asked for.
+LoopTriangulation::Choice LoopTriangulation::Choose(int32_t i, int32_t k) const {
+  Choice best;
+  for (int32_t j = i + 1; j < k; ++j) Try(i, j, k, best);
+  if (best.vertex < 0 || !fits_ || fits_(i, best.vertex, k)) return best;
+  std::vector<Choice> others;
+  for (int32_t j = i + 1; j < k; ++j) {
+    Choice other;
+    if (j != best.vertex) Try(i, j, k, other);
+    if (other.vertex >= 0) others.push_back(other);
+  }
+  std::sort(others.begin(), others.end());
+  const auto fitting = std::ranges::find_if(others, [&](const Choice& other) { return fits_(i, other.vertex, k); });
+  return fitting == others.end() ? Choice() : *fitting;
+}
+
+// Takes triangle i, j, k where that is better.
+void LoopTriangulation::Try(int32_t i, int32_t j, int32_t k, Choice& best) const {
   const Weight &left = best_[At(i, j)], &right = best_by_end_[At(k, j)];
-  if (left.angle == kNever || right.angle == kNever) return;
-  // The triangle itself only adds to these.
-  if (!(Weight{std::max(left.angle, right.angle), left.area + right.area} < best)) return;
+  double angle = std::max(left.angle, right.angle);
+  const double sides = left.area + right.area;
+  if (!(Weight{angle, sides} < best.weight)) return;  // the triangle itself only adds to these
   const Eigen::Vector3d area = AreaVector(i, j, k);
   const double size = area.norm();
   if (size <= 0) return;
   const Eigen::Vector3d normal = area / size;
-  double angle = std::max({left.angle, right.angle, Bend(normal, normal_[At(i, j)]), Bend(normal, normal_[At(j, k)])});
-  if (closing) angle = std::max(angle, Bend(normal, outside_[k]));
-  const Weight weight{angle, left.area + right.area + size};
-  if (!(weight < best) || (fits_ && !fits_(i, j, k))) return;
-  best = weight;
-  choice = j;
+  angle = std::max({angle, Bend(normal, normal_[At(i, j)]), Bend(normal, normal_by_end_[At(k, j)])});
+  if (i == 0 && k == n_ - 1) angle = std::max(angle, Bend(normal, Marked(outside_[static_cast<size_t>(k)])));
+  const Weight weight{angle, sides + size};
+  if (weight < best.weight) best = {weight, j};
 }
 
 std::vector<Triangle> TriangulateLoop(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,14 @@ class LoopTriangulation {
     double area = 0;
     bool operator<(const Weight& other) const { return angle != other.angle ? angle < other.angle : area < other.area; }
   };
+  // A triangulation of a span, by the vertex of the triangle that closes it; -1: none.
+  struct Choice {
+    Weight weight{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    int32_t vertex = -1;
+    bool operator<(const Choice& other) const {
+      return weight < other.weight || (!(other.weight < weight) && vertex < other.vertex);
+    }
+  };
 
   size_t At(int32_t i, int32_t k) const {
     return static_cast<size_t>(i) * static_cast<size_t>(n_) + static_cast<size_t>(k);
@@ -55,18 +64,20 @@ class LoopTriangulation {
     return (loop_[j] - loop_[i]).cross(loop_[k] - loop_[i]) / 2;
   }
   void Solve(int32_t i, int32_t k);
-  void Try(int32_t i, int32_t j, int32_t k, bool closing, Weight& best, int32_t& choice) const;
+  Choice Choose(int32_t i, int32_t k) const;
+  void Try(int32_t i, int32_t j, int32_t k, Choice& best) const;
 
   std::span<const Point3> loop_;
   std::span<const Eigen::Vector3d> outside_;
   const std::function<bool(int32_t, int32_t)>& allowed_;
   const std::function<bool(int32_t, int32_t, int32_t)>& fits_;
   int32_t n_;
-  // By span: its best triangulation, likewise with the end first, the vertex of the triangle that closes it, and the
-  // normal there, which for one edge is that of the surface outside.
+  // By span: its best triangulation, the vertex of the triangle that closes it, and the normal there, which for one
+  // edge is that of the surface outside (x, y, z, 1; 0 if unknown). What is looked up for all spans to one end is kept
+  // with the end first as well.
   std::vector<Weight> best_, best_by_end_;
   std::vector<int32_t> choice_;
-  std::vector<Eigen::Vector3d> normal_;
+  std::vector<Eigen::Vector4d> normal_, normal_by_end_;
   std::vector<uint8_t> is_stale_;
   std::vector<int32_t> changed_from_, changed_to_;  // in this run: the shortest that begins at, and that ends at
 };

@@ -1,5 +1,6 @@
 #include "worker/fill/surface/choose_tension.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -25,6 +26,7 @@ constexpr std::array<double, 2> kBlockSides = {0.5, 1.0};              // times 
 constexpr std::array<std::pair<double, double>, 4> kBlockOffsets = {
     {{0, 0}, {0.5, 0.5}, {0.5, 0}, {0, 0.5}}};  // times the side
 constexpr size_t kMostRimPoints = 100;
+constexpr double kFlat = 1e-9;  // of the width: rounding
 constexpr size_t kLeastBlocks = 4;
 constexpr double kThinning = 1.2;
 
@@ -94,6 +96,23 @@ std::vector<Point3> Samples(const ThinPlateProblem& problem, const std::vector<i
   const auto same_place = [](const Point3& a, const Point3& b) { return a.head<2>() == b.head<2>(); };
   samples.erase(std::unique(samples.begin(), samples.end(), same_place), samples.end());
   return samples;
+}
+
+// Whether every tension gives the plane that the samples lie in.
+bool LieInAPlane(const std::vector<Point3>& samples, double width) {
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+  const auto drift = [&](const Point3& p) {
+    return Eigen::Vector3d(1, (p.x() - samples[0].x()) / width, (p.y() - samples[0].y()) / width);
+  };
+  for (const Point3& p : samples) {
+    products += drift(p) * drift(p).transpose();
+    sums += drift(p) * (p.z() - samples[0].z());
+  }
+  const Eigen::Vector3d plane = products.ldlt().solve(sums);
+  return std::ranges::all_of(samples, [&](const Point3& p) {
+    return std::abs(p.z() - samples[0].z() - plane.dot(drift(p))) <= kFlat * width;
+  });
 }
 
 // A division of the samples into blocks.
@@ -192,6 +211,7 @@ HoldOut ChooseTension(const ThinPlateProblem& problem, double width) {
   if (rim.size() < kLeastRimForNoise || !(width > 0)) return choice;
   double step = width / static_cast<double>(kMostRimPoints);
   const std::vector<Point3> samples = Samples(problem, Thinned(problem, rim, step));
+  if (LieInAPlane(samples, width)) return choice;
   const std::vector<SampleBlocks> divisions = Divisions(samples, width, 2 * step);
   if (divisions.empty()) return choice;
   Candidates candidates(samples, width);

@@ -24,8 +24,8 @@ inline constexpr int kLeastRimForHoldOut = 64, kLeastRimForNoise = 20;
 //
 // The problem's known points with an equation are its rim, its band's other points lie beside it. A rim of fewer than
 // kLeastRimForHoldOut points (of kLeastRimForNoise where it is all noise), or too short for several blocks, gets
-// tension 0 untested. The choice does not depend on the order of points. Cost bounded: at most 100 rim points are
-// looked at.
+// tension 0 untested; so does one in a plane. The choice does not depend on the order of points. Cost bounded: at most
+// 100 rim points are looked at.
 //   width  of the hole, metres (hole_width.h); 0: not tested
 HoldOut ChooseTension(const ThinPlateProblem& problem, double width);
 
