@@ -358,10 +358,18 @@ int32_t SceneWaves::LastLayerOf(const std::vector<int32_t>& holes) const {
 }
 
 bool SceneWaves::IsFilled(CellId cell) const {
-  if (IsChosen(cell)) return true;
-  if (!is_wang() || options_.wang.seam_smoothing == 0) return false;
-  return IsChosen({cell.col - 1, cell.row}) || IsChosen({cell.col + 1, cell.row}) ||
-         IsChosen({cell.col, cell.row - 1}) || IsChosen({cell.col, cell.row + 1});
+  return IsChosen(cell) || (is_wang() && options_.wang.seam_smoothing > 0 && TouchesChosen(cell, cell));
+}
+
+bool SceneWaves::TouchesChosen(CellId a, CellId b) const {
+  const CellId low{std::max(a.col, b.col) - 1, std::max(a.row, b.row) - 1};
+  const CellId high{std::min(a.col, b.col) + 1, std::min(a.row, b.row) + 1};
+  for (int32_t col = low.col; col <= high.col; ++col) {
+    for (int32_t row = low.row; row <= high.row; ++row) {
+      if (IsChosen({col, row})) return true;
+    }
+  }
+  return false;
 }
 
 void SceneWaves::QueueSeams() {
@@ -373,7 +381,7 @@ void SceneWaves::QueueSeams() {
                  [&](int32_t h) { return !outcome_.failures.contains(h); });
   }
   for (auto& [cells, seam] : FindPairSeams(plan_, filled, heights_)) {
-    if (!IsChosen(cells.first) && !IsChosen(cells.second)) continue;
+    if (!TouchesChosen(cells.first, cells.second)) continue;
     ready_.push_back({Wave::kSmooth, cells.first, static_cast<int32_t>(seams_.size())});
     seams_.emplace_back(cells, std::move(seam));
   }

@@ -124,8 +124,10 @@ class SceneWaves {
   void QueueCellOfLayer(CellId cell, const std::vector<int32_t>& holes);
   void QueueSeams();
   bool is_wang() const { return options_.surface == Surface::kWang; }
-  // Whether the cell is filled: it is chosen, or its patch is smoothed with that of a chosen one.
+  // Whether the cell is filled: it is chosen, or the smoothing of one of its seams moves a vertex of a chosen one.
   bool IsFilled(CellId cell) const;
+  // Whether both have a corner in common with a chosen cell: so the seam between them has.
+  bool TouchesChosen(CellId a, CellId b) const;
   int32_t LastLayerOf(const std::vector<int32_t>& holes) const;
   void QueueFills();
   void QueueFill(CellId cell);

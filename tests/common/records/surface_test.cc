@@ -29,6 +29,14 @@ TEST(SeamPointsTest, ReadsBackItsNamesAndNoOthers) {
   EXPECT_EQ(SeamPointsNamed("even"), std::nullopt);
 }
 
+TEST(ClosureTest, ReadsBackItsNamesAndNoOthers) {
+  for (const Closure closure : {Closure::kBuffers, Closure::kLine})
+    EXPECT_EQ(ClosureNamed(ClosureName(closure)), closure);
+  EXPECT_STREQ(ClosureName(Closure::kBuffers), "buffers");
+  EXPECT_STREQ(ClosureName(Closure::kLine), "line");
+  EXPECT_EQ(ClosureNamed("lines"), std::nullopt);
+}
+
 TEST(SurfaceTest, NoOtherTextNamesOne) {
   for (const std::string_view text : {"", "flat", "Wang", "wang ", " wang", "thin", "thin-plate-2", "thin_plate"}) {
     EXPECT_EQ(SurfaceNamed(text), std::nullopt) << '"' << text << '"';

@@ -216,6 +216,31 @@ TEST(SceneWavesTest, WangFillsLayerByLayerAndSmoothsLast) {
   }
 }
 
+// Around the corner of four cells each seam moves the vertex that all have in common.
+TEST(SceneWavesTest, SmoothsForChosenCellsAllThatMovesTheirVertices) {
+  const SurveyedScene scene = PictureScene({"############", "############", "##....######", "##....######",  //
+                                            "##....######", "##....######", "############", "############"},
+                                           4);
+  const auto smoothed = [&](std::set<CellId> chosen) {
+    WaveOptions options = Dry(Surface::kWang);
+    options.chosen = std::move(chosen);
+    SceneWaves waves(scene.AsScene(), options);
+    Stages stages(waves, scene);
+    std::vector<std::string> names;
+    for (std::vector<SceneWork> work = AllNow(waves); !work.empty(); work = AllNow(waves)) {
+      for (const std::string& name : NamesOf(work)) {
+        if (name.starts_with("smooth ")) names.push_back(name);
+      }
+      DoAll(work, stages);
+    }
+    return std::pair(names, waves.heights().height);
+  };
+  const auto all = smoothed({});
+  EXPECT_THAT(all.first, SizeIs(4));
+  EXPECT_EQ(smoothed({{0, 0}}), all);
+  EXPECT_THAT(smoothed({{2, 0}}).first, IsEmpty());
+}
+
 TEST(SceneWavesTest, SmoothsNothingWithGammaZero) {
   const SurveyedScene scene = Lake();
   WaveOptions options = Dry(Surface::kWang);
