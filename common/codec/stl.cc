@@ -1,5 +1,6 @@
 #include "common/codec/stl.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -36,6 +37,23 @@ void AppendValue(T value, std::string& out) {
 bool IsBinary(std::string_view bytes) {
   return bytes.size() >= kHeadBytes &&
          bytes.size() == kHeadBytes + kFacetBytes * static_cast<size_t>(ValueAt<uint32_t>(bytes, kCountAt));
+}
+
+// Whether a word is a keyword, which some writers put in capitals.
+bool IsWord(std::string_view word, std::string_view keyword) {
+  return std::ranges::equal(word, keyword, [](char a, char b) { return a == b || a + ('a' - 'A') == b; });
+}
+
+// A text has no bytes that are 0; headers of binary files may begin with `solid` as well.
+bool IsText(std::string_view bytes) {
+  return IsWord(bytes.substr(0, 5), "solid") && bytes.substr(0, kHeadBytes + kFacetBytes).find('\0') == bytes.npos;
+}
+
+// Where the last `endsolid` begins, or the end.
+size_t EndOfFacets(std::string_view text) {
+  size_t end = text.rfind("endsolid");
+  if (end == std::string_view::npos) end = text.rfind("ENDSOLID");
+  return std::min(end, text.size());
 }
 
 MeshFile EmptyFile(std::string_view bytes, NumberType number_type) {
@@ -89,9 +107,9 @@ class TextReader {
     while (!AtEnd()) {
       const size_t start = at_;
       const std::string_view word = Word();
-      if (word == "solid" || word == "endsolid") {
-        at_ = std::min(text_.find('\n', start), text_.size());  // its name may be any text
-      } else if (word == "facet") {
+      if (IsWord(word, "solid") || IsWord(word, "endsolid")) {
+        at_ = std::min(text_.find_first_of("\r\n", start), text_.size());  // its name may be any text
+      } else if (IsWord(word, "facet")) {
         TILEMEND_RETURN_IF_ERROR(ReadFacet(file.mesh));
       } else {
         return LineError(name_, text_, start, "`facet` or `endsolid`");
@@ -116,7 +134,7 @@ class TextReader {
   absl::Status Expect(std::string_view wanted) {
     AtEnd();
     const size_t start = at_;
-    if (Word() == wanted) return absl::OkStatus();
+    if (IsWord(Word(), wanted)) return absl::OkStatus();
     return LineError(name_, text_, start, absl::StrCat("`", std::string(wanted), "`"));
   }
 
@@ -189,7 +207,7 @@ absl::StatusOr<MeshFile> ParseStl(std::string_view bytes, const std::string& nam
   absl::StatusOr<MeshFile> file = MeshFile();
   if (IsBinary(bytes)) {
     file = ParseBinary(bytes, name, visit);
-  } else if (bytes.starts_with("solid")) {
+  } else if (IsText(bytes)) {
     file = TextReader(bytes, name, visit).Read();
   } else if (bytes.size() >= kHeadBytes) {
     return ByteProblem(name, kCountAt,
@@ -206,7 +224,7 @@ absl::StatusOr<std::string> AppendToStl(std::string_view bytes, const FilePatch&
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseStl(bytes, name));
   const bool binary = file.number_type == NumberType::kFloat32;
   const size_t originals = file.mesh.points.size();
-  const size_t end = binary ? bytes.size() : std::min(bytes.rfind("endsolid"), bytes.size());
+  const size_t end = binary ? bytes.size() : EndOfFacets(bytes);
   const std::string_view eol = binary ? "" : LineEndingOf(bytes);
   std::string out(bytes.substr(0, end));
   if (!binary && !out.empty() && !IsSpace(out.back())) out += eol;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -42,6 +44,22 @@ TEST(StlTest, ReadsTextWhateverTheNameAndTheNormals) {
   EXPECT_EQ(file->mesh.points[2], Point3(0, 1e-3, 0));
 }
 
+TEST(StlTest, ReadsTextInCapitalsAndWithOldLineEndings) {
+  std::string capitals = kText, old = kText;
+  for (char& c : capitals) c = static_cast<char>(std::toupper(c));
+  old.erase(std::remove(old.begin(), old.end(), '\n'), old.end());
+  FilePatch patch;
+  patch.triangles = {{2, 1, 0}};
+  for (const std::string& bytes : {capitals, old}) {
+    const auto out = AppendToStl(bytes, patch, "a.stl");
+    ASSERT_TRUE(out.ok()) << out.status();
+    const auto file = ParseStl(*out, "out.stl");
+    ASSERT_TRUE(file.ok()) << file.status();
+    ASSERT_EQ(file->mesh.triangles.size(), 2u);
+    EXPECT_EQ(file->mesh.points[2], Point3(0, 1e-3, 0));
+  }
+}
+
 TEST(StlTest, ReadsBinaryEvenIfItBeginsWithSolid) {
   std::string bytes = Binary(kCorners);
   std::memcpy(bytes.data(), "solid", 5);
@@ -72,6 +90,10 @@ TEST(StlTest, AppendsFacetsAndKeepsTheRest) {
 }
 
 TEST(StlTest, SaysWhereAFileIsWrong) {
+  std::string short_of_facets = Binary(kCorners);
+  std::memcpy(short_of_facets.data(), "solid", 5);
+  short_of_facets[80] = 7;
+  EXPECT_THAT(ParseStl(short_of_facets, "a.stl").status().message(), HasSubstr("the header says 7 facets"));
   const auto message = [](const std::string& bytes) {
     return std::string(ParseStl(bytes, "a.stl").status().message());
   };
