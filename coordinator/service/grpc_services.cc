@@ -21,8 +21,9 @@ using grpc::ServerContext;
 // Moves a value into `response`, or gives the error.
 template <typename T>
 absl::Status Take(absl::StatusOr<T> result, T* response) {
-  if (result.ok()) *response = *std::move(result);
-  return result.status();
+  if (!result.ok()) return result.status();
+  *response = *std::move(result);
+  return absl::OkStatus();
 }
 
 JobOrigin OriginOf(const ServerContext& context, const Caller& caller) {
@@ -54,7 +55,7 @@ class Entrance {
   grpc::Status Change(const ServerContext& context, std::string_view rpc, const std::string& name, LogFields how,
                       v1::Job* response, Call call) const {
     return Run(context, rpc, [&](const Caller& caller) {
-      const absl::Status status = Take(absl::StatusOr<v1::Job>(call(caller)), response);
+      absl::Status status = Take(absl::StatusOr<v1::Job>(call(caller)), response);
       how.emplace(how.begin(), "what", status.ok() ? response->name() : name);
       gate_->Audit(rpc, caller, context.peer(), how, status);
       return status;

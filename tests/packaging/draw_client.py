@@ -23,7 +23,7 @@ import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt
 
-COLUMNS = 112
+COLUMNS = 80
 LINE = 0.155  # inches
 COLOURS = {'$': '#7ee787', '[': '#79c0ff'}  # of a line, by its first letter
 
@@ -138,7 +138,7 @@ def play(folder, programs, spacing):
 
 def submit_share(command):
     bar = re.match(r'\[(#*)(\.*)\]', shown(command)[-1])
-    return len(bar.group(1)) / 30 if bar else 0
+    return len(bar.group(1)) / (len(bar.group(1)) + len(bar.group(2))) if bar else 0
 
 
 def draw(panes, picture):
