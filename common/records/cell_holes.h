@@ -54,6 +54,7 @@ struct CellHole {
   bool open = false;  // reaches the cell's grid boundary: filled as heights over the plane
   std::vector<RimSegment> segments = {};
   std::vector<RimSegment> inner_edges = {};  // edges that the patch has inside its boundary; in any direction
+  Point2 slope{0, 0};                        // dz/dx, dz/dy of the ground that its cluster lies in
   std::optional<double> tension = {};        // that of its cluster, where it has been chosen
   std::optional<double> level = {};          // water: the height of every new vertex, metres, on the lattice
   WaterSurface river = {};                   // with stations: water whose heights are LevelAt these; level is set too

@@ -225,6 +225,8 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     v1::HoleBoundary* h = proto.add_holes();
     h->set_id(hole.id);
     h->set_open(hole.open);
+    h->set_slope_x(hole.slope.x());
+    h->set_slope_y(hole.slope.y());
     if (hole.tension) h->set_tension(*hole.tension);
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
@@ -281,14 +283,12 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
     CellHole hole;
     hole.id = h.id();
     hole.open = h.open();
-    if (h.has_tension()) {
-      if (!(h.tension() >= 0) || !std::isfinite(h.tension())) return Malformed("tension");
-      hole.tension = h.tension();
-    }
-    if (h.has_level()) {
-      hole.level = h.level();
-      if (!std::isfinite(*hole.level)) return Malformed("water level");
-    }
+    hole.slope = {h.slope_x(), h.slope_y()};
+    if (!hole.slope.allFinite()) return Malformed("slope");
+    if (h.has_tension()) hole.tension = h.tension();
+    if (!(h.tension() >= 0) || !std::isfinite(h.tension())) return Malformed("tension");
+    if (h.has_level()) hole.level = h.level();
+    if (!std::isfinite(h.level())) return Malformed("water level");
     if (h.station_size() % 3 != 0 || h.station_size() == 3) return Malformed("river stations");
     for (int i = 0; i < h.station_size() / 3; ++i) {
       hole.river.stations.push_back(PointAt(h.station(), i));

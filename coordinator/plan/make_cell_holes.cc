@@ -155,6 +155,7 @@ class CellHolesBuilder {
     hole.id = h;
     hole.open = planned.kind != HoleKind::kClosed || !planned.own_regions.empty();
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
+    hole.slope = planned.slope;
     hole.ground_points = planned.ground_points;
     if (planned.water >= 0) {
       hole.level = plan_.water[planned.water].level;

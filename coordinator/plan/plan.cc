@@ -10,6 +10,7 @@
 #include "coordinator/plan/division.h"
 #include "coordinator/plan/drop_vertices.h"
 #include "coordinator/plan/hole/layers.h"
+#include "coordinator/plan/hole/rim_slopes.h"
 #include "coordinator/plan/hole/touching_holes.h"
 #include "coordinator/plan/mesh/plan_mesh.h"
 #include "coordinator/plan/overlap/area_outside.h"
@@ -221,6 +222,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
+  FindRimSlopes(plan);
   if (!options.cancelled()) MarkObjects(input, plan);
   if (!options.cancelled()) FindWater(input, options.water, plan);
   if (!options.cancelled()) LayWallFeet(plan);

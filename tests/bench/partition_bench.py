@@ -3,12 +3,12 @@
 
     TILEMEND_SHARED_TOOLS=DIR partition_bench.py [--bin DIR] [--seeds 1,2] [--only NAME]
 
-Made scenes are ragged, so that their triangles do not depend on the grid: 600 m as 36 cells of 100 m and as one cell, both
-through `tilemend run`. Real scenes are whole when all their tiles are welded into one mesh for `tilemend fill`, which leaves holes
-open that reach the rim of the area: only points that both have filled are compared. DIR holds the scene tools, which are
-not part of this project. Needs numpy and scipy.
+Made scenes are ragged, so that their triangles do not depend on the grid: 600 m as 36 cells of 100 m and as one cell.
+Real scenes are one cell when all their tiles are welded into one. Both sides go through `tilemend run`; points that both
+have filled are compared. DIR holds the scene tools, which are not part of this project. Needs numpy and scipy.
 """
 import argparse
+import json
 import os
 import sys
 import tempfile
@@ -43,15 +43,16 @@ def fill_cells(bin_folder, scene, out):
     return surfaces.filled(out), report
 
 
-def fill_welded(bin_folder, scene, folder):
-    """The same of a scene that is welded into one mesh."""
-    mesh, out, report = (os.path.join(folder, name) for name in ('mesh.off', 'filled.off', 'report.json'))
-    points, triangles = surfaces.merged(scene)
-    surfaces.write_off(mesh, points, triangles)
-    measure.Run(['sh', '-c', 'exec "$0" fill "$1" --out "$2" -o json >"$3"', os.path.join(bin_folder, 'tilemend'), mesh, out,
-                 report], accept=(0, 100))
-    points, all_triangles = surfaces.read_off(out)
-    return points[all_triangles[len(triangles):]], scene_tools.read_json(report)
+def as_one_cell(scene, out):
+    """The scene with all its tiles welded into one, in one cell."""
+    os.makedirs(out)
+    description = scene_tools.read_json(os.path.join(scene, 'scene.json'))
+    cell = np.broadcast_to(description['cell_size'], 2) * [description['cols'], description['rows']]
+    description.update(cell_size=cell.tolist(), cols=1, rows=1, tiles=[{'col': 0, 'row': 0, 'path': 'tile.ply'}])
+    with open(os.path.join(out, 'scene.json'), 'w', encoding='utf-8') as file:
+        json.dump(description, file)
+    surfaces.write_ply(os.path.join(out, 'tile.ply'), *surfaces.merged(scene))
+    return out
 
 
 def made(bin_folder, name, seed, folder):
@@ -67,8 +68,9 @@ def made(bin_folder, name, seed, folder):
 
 def real(bin_folder, name, seed, folder):
     scene_tools.run('real_scenes.py', folder, '--cut', '--only', name, '--seed', seed)
-    scene = os.path.join(folder, name)
-    return fill_welded(bin_folder, scene, folder), fill_cells(bin_folder, scene, scene + '-filled'), surfaces.truth_of(scene)
+    scene, whole = os.path.join(folder, name), os.path.join(folder, 'whole')
+    as_one_cell(scene, whole)
+    return (*(fill_cells(bin_folder, side, side + '-filled') for side in (whole, scene)), surfaces.truth_of(scene))
 
 
 def percent(share):

@@ -62,6 +62,17 @@ def write_off(path, points, triangles):
         np.savetxt(file, np.column_stack([np.full(len(triangles), 3), triangles]), '%d')
 
 
+def write_ply(path, points, triangles):
+    """Binary, with float32 coordinates, as tiles are delivered."""
+    faces = np.empty(len(triangles), [('n', 'u1'), ('v', '<i4', 3)])
+    faces['n'], faces['v'] = 3, triangles
+    with open(path, 'wb') as file:
+        file.write(f'ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\nproperty float x\n'
+                   f'property float y\nproperty float z\nelement face {len(triangles)}\n'
+                   'property list uchar int vertex_indices\nend_header\n'.encode())
+        file.write(points.astype('<f4').tobytes() + faces.tobytes())
+
+
 def read_off(path):
     with open(path, encoding='ascii') as file:
         words = file.read().split()

@@ -380,31 +380,53 @@ std::optional<double> HeightOver(const std::vector<std::array<Point3, 3>>& trian
   return std::nullopt;
 }
 
-TEST(AmongHousesTest, TheSurfaceDoesNotDependOnWhereTheGridCuts) {
-  SceneMakerOptions options = HoleOverNineCells(Cut::kRagged, [](double, double x, double y) {
-    return 0.05 * x + 2 * std::sin(y / 15) + (std::fmod(y, 24) < 10 ? 9 : 0);
-  });
-  const auto fill = [&] {
-    const SurveyedScene scene = SurveyScene(MakeScene(options));
-    return FilledTriangles(scene, FillScene(scene));
-  };
-  const auto cut = fill();
-  options.cols = options.rows = 1;
-  options.cell_size *= 3;
-  const auto whole = fill();
+std::vector<std::array<Point3, 3>> Filled(const SceneMakerOptions& options) {
+  const SurveyedScene scene = SurveyScene(MakeScene(options));
+  return FilledTriangles(scene, FillScene(scene));
+}
+
+// The mean |difference| of a fill from a height, at places over all nine cells.
+double MeanApart(const std::vector<std::array<Point3, 3>>& fill,
+                 const std::function<std::optional<double>(Point2)>& height) {
   double apart = 0;
   int places = 0;
   for (double x = 21; x < 100; x += 4) {
     for (double y = 21; y < 100; y += 4) {
-      const auto a = HeightOver(cut, {x, y}), b = HeightOver(whole, {x, y});
+      const auto a = HeightOver(fill, {x, y}), b = height({x, y});
       if (!a || !b) continue;
       apart += std::abs(*a - *b);
       ++places;
     }
   }
-  ASSERT_GT(places, 100);
+  EXPECT_GT(places, 100);
+  return apart / places;
+}
+
+TEST(AmongHousesTest, TheSurfaceDoesNotDependOnWhereTheGridCuts) {
+  SceneMakerOptions options = HoleOverNineCells(Cut::kRagged, [](double, double x, double y) {
+    return 0.05 * x + 2 * std::sin(y / 15) + (std::fmod(y, 24) < 10 ? 9 : 0);
+  });
+  const auto cut = Filled(options);
+  options.cols = options.rows = 1;
+  options.cell_size *= 3;
+  const auto whole = Filled(options);
   const double relief = 0.05 * 100 + 2 * 2;
-  EXPECT_LT(apart / places, 0.01 * relief);
+  EXPECT_LT(MeanApart(cut, [&](const Point2& p) { return HeightOver(whole, p); }), 0.01 * relief);
+}
+
+// Hills over a plane of 45 degrees, seen from above.
+double HillsOnASlope(double x, double y) {
+  const auto over_plane = [&](double u) { return 10 * std::sin(u / 45) * std::cos(y / 45); };
+  double u = std::sqrt(2.0) * x;
+  for (int k = 0; k < 60; ++k) u = std::sqrt(2.0) * x + over_plane(u);
+  return (u + over_plane(u)) / std::sqrt(2.0);
+}
+
+TEST(SteepGroundTest, IsFilledAlongTheSlope) {
+  const auto fill =
+      Filled(HoleOverNineCells(Cut::kRagged, [](double, double x, double y) { return HillsOnASlope(x, y); }));
+  const double apart = MeanApart(fill, [](const Point2& p) { return HillsOnASlope(p.x(), p.y()); });
+  EXPECT_LT(apart, 0.2);  // over the ground 0.28
 }
 
 }  // namespace

@@ -96,6 +96,7 @@ struct PlannedHole {
   double perimeter = 0;        // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
+  Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)
   int32_t water = -1;                // into Plan::water; -1: no water
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices

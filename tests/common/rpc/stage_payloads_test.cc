@@ -69,7 +69,7 @@ CellHoles SomeHoles() {
     holes.vertices.push_back(v);
     holes.band.points.push_back(v.position);
   }
-  holes.holes = {{.id = 7, .open = true, .segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}}, .tension = 0.1},
+  holes.holes = {{.id = 7, .open = true, .segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}}, .slope = {0.7, -0.2}, .tension = 0.1},
                  {.id = 9, .segments = {{3, 2, false}}, .level = 12.25}};
   holes.holes[0].inner_edges = {{2, 3, true}, {3, 1, true}};
   holes.holes[0].ground_points = {{0.1, 1.0 / 3, 2}, {3, 4, 5}};
@@ -167,6 +167,8 @@ TEST(StagePayloadsTest, CellHolesComeBackBitForBit) {
   EXPECT_TRUE(back->holes[1].inner_edges.empty());
   EXPECT_EQ(back->holes[0].ground_points, holes.holes[0].ground_points);
   EXPECT_TRUE(back->holes[1].ground_points.empty());
+  EXPECT_EQ(back->holes[0].slope, Point2(0.7, -0.2));
+  EXPECT_EQ(back->holes[1].slope, Point2(0, 0));
   EXPECT_EQ(back->holes[0].tension, 0.1);
   EXPECT_EQ(back->holes[1].tension, std::nullopt);
   EXPECT_EQ(back->band.triangles, holes.band.triangles);
@@ -179,6 +181,12 @@ TEST(StagePayloadsTest, TensionsThatNoWorkerChoseAreMalformed) {
   for (const HoldOut& bad : {HoldOut{-1, 0, 0, 0}, HoldOut{0, std::nan(""), 0, 0}, HoldOut{0, 0, 0, -1}}) {
     EXPECT_EQ(FromProto(ToProto(bad)).status().code(), absl::StatusCode::kInvalidArgument);
   }
+}
+
+TEST(StagePayloadsTest, ASlopeThatIsNoNumberIsMalformed) {
+  v1::CellHolesBlob holes = ToProto(SomeHoles());
+  holes.mutable_holes(0)->set_slope_y(std::nan(""));
+  EXPECT_EQ(FromProto(holes).status().code(), absl::StatusCode::kInvalidArgument);
 }
 
 TEST(StagePayloadsTest, AQualityTallyComesBackTheSame) {

@@ -111,6 +111,7 @@ LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<
 LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellHole& hole) {
   LocalHole local = NumberVertices(cell, band, hole.segments, hole.inner_edges);
   local.open = hole.open;
+  local.slope = hole.slope;
   local.tension = hole.tension;
   local.level = hole.level;
   local.river = hole.river;

@@ -25,7 +25,8 @@ struct LocalHole {
   const CellHoles* cell = nullptr;
   const CellBand* band = nullptr;
   bool open = false;
-  std::optional<double> tension, level;  // as in CellHole
+  Point2 slope{0, 0};                    // as in CellHole
+  std::optional<double> tension, level;  // likewise
   WaterSurface river;                    // likewise
   bool own_outline = false;              // likewise
   std::vector<Point3> ground_points;     // likewise

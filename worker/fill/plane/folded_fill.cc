@@ -167,6 +167,7 @@ class FoldedFiller {
     like.cell = hole_.cell;
     like.band = hole_.band;
     like.open = hole_.open;
+    like.slope = hole_.slope;
     like.tension = hole_.tension;
     like.level = hole_.level;
     like.river = hole_.river;

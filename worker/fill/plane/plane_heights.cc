@@ -7,6 +7,7 @@
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/linear_surface.h"
+#include "worker/fill/surface/plate_over_slope.h"
 #include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {
@@ -65,13 +66,11 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
   if (frame.upright() && !FreeRim(hole.on_object, hole.ground, plate)) return false;
-  bool solved = false;
-  if (use == RimUse::kWhole) {
-    solved = SolveWhole(hole, options, plate, chosen);
-  } else {
+  const bool solved = SolveOverSlope(frame.upright() ? hole.slope : Point2(0, 0), plate, [&] {
+    if (use == RimUse::kWhole) return SolveWhole(hole, options, plate, chosen);
     plate.tension = options.tension.value_or(0);
-    solved = SolveThinPlate(plate).has_value();
-  }
+    return SolveThinPlate(plate).has_value();
+  });
   patch.points = std::move(plate.points);
   patch.points.resize(all);
   patch.triangles = std::move(plate.patch);

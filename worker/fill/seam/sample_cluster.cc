@@ -16,6 +16,7 @@
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/linear_surface.h"
+#include "worker/fill/surface/plate_over_slope.h"
 #include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {
@@ -68,23 +69,34 @@ class ClusterSampler {
       return surface;
     }
     if (!FreeRim(hole_.on_object, {}, problem)) return std::nullopt;
+    std::vector<double> laplacian;
+    const auto solve = [&] {
+      auto found = SolvePlate(problem, surface.hold_out);
+      if (found) laplacian = *std::move(found);
+      return found.has_value();
+    };
+    if (!SolveOverSlope(cluster_.holes[0].slope, problem, solve)) return std::nullopt;
+    surface.samples = Samples(problem, laplacian);
+    return surface;
+  }
+
+ private:
+  // Fills in the heights; returns the Laplacians. Chooses the tension where it is open.
+  std::optional<std::vector<double>> SolvePlate(ThinPlateProblem& problem, std::optional<HoldOut>& hold_out) const {
     FreeSteepRim(problem);
-    if (!options_.tension) surface.hold_out = ChooseTension(problem, HoleWidth(problem.points, OutlineSegments()));
-    problem.tension = options_.tension ? *options_.tension : surface.hold_out->tension;
+    if (!options_.tension) hold_out = ChooseTension(problem, HoleWidth(problem.points, OutlineSegments()));
+    problem.tension = options_.tension ? *options_.tension : hold_out->tension;
     if (!external_.empty()) {
       if (!SolveMembrane(problem)) return std::nullopt;
       for (size_t i = 0; i < hole_.vertices.size(); ++i) {
         if (external_.contains(hole_.vertices[i])) problem.known[i] = true;
       }
     }
-    const auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
-    if (!laplacian) return std::nullopt;
-    if (surface.hold_out) surface.hold_out->tension = problem.tension;
-    surface.samples = Samples(problem, *laplacian);
-    return surface;
+    auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
+    if (hold_out) hold_out->tension = problem.tension;
+    return laplacian;
   }
 
- private:
   std::vector<SurfaceSample> Samples(const ThinPlateProblem& problem, const std::vector<double>& laplacian) const {
     const std::vector<Point2> slope = Slopes(problem);
     std::map<int32_t, SurfaceSample> samples = AtSeams(problem, laplacian, slope);

@@ -11,7 +11,7 @@
 namespace tilemend {
 namespace {
 
-constexpr double kSteepest = 10;     // slope of the steepest ground, and of the flattest wall
+constexpr double kSteepest = 5;      // slope of the steepest ground, and of the flattest wall
 constexpr int kMostTightenings = 8;  // up to 10^8 / extent^2: as good as a membrane, which never leaves its rim's range
 
 // The slope of a triangle; infinite if it faces down or stands upright.

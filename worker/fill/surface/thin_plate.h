@@ -26,7 +26,7 @@ bool SolveMembrane(ThinPlateProblem& problem);
 // levels (two_level_solver.h), with curvatures right to 1 %. Cost near-linear in the points.
 std::optional<std::vector<double>> SolveThinPlate(ThinPlateProblem& problem);
 
-// Takes away the equation of rim points beside band triangles that are steeper than 10 in 1 or face down, walls: they
+// Takes away the equation of rim points beside band triangles that are steeper than 5 in 1 or face down, walls: they
 // have no slope to go on with, and the surface ends freely there.
 void FreeSteepRim(ThinPlateProblem& problem);
 
