@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/support/fill_pipeline.h"
+#include "tests/support/hillside.h"
 #include "tests/support/scene_maker.h"
 #include "tests/support/surveyed_scene.h"
 #include "tests/support/water_scenes.h"
@@ -414,18 +415,11 @@ TEST(AmongHousesTest, TheSurfaceDoesNotDependOnWhereTheGridCuts) {
   EXPECT_LT(MeanApart(cut, [&](const Point2& p) { return HeightOver(whole, p); }), 0.01 * relief);
 }
 
-// Hills over a plane of 45 degrees, seen from above.
-double HillsOnASlope(double x, double y) {
-  const auto over_plane = [&](double u) { return 10 * std::sin(u / 45) * std::cos(y / 45); };
-  double u = std::sqrt(2.0) * x;
-  for (int k = 0; k < 60; ++k) u = std::sqrt(2.0) * x + over_plane(u);
-  return (u + over_plane(u)) / std::sqrt(2.0);
-}
+double Hillside(double x, double y) { return HillsOnASlope(x, y, 10, 45); }
 
 TEST(SteepGroundTest, IsFilledAlongTheSlope) {
-  const auto fill =
-      Filled(HoleOverNineCells(Cut::kRagged, [](double, double x, double y) { return HillsOnASlope(x, y); }));
-  const double apart = MeanApart(fill, [](const Point2& p) { return HillsOnASlope(p.x(), p.y()); });
+  const auto fill = Filled(HoleOverNineCells(Cut::kRagged, [](double, double x, double y) { return Hillside(x, y); }));
+  const double apart = MeanApart(fill, [](const Point2& p) { return Hillside(p.x(), p.y()); });
   EXPECT_LT(apart, 0.2);  // over the ground 0.28
 }
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
+#include "tests/support/hillside.h"
 #include "tests/worker/fill/surface/plates.h"
 #include "worker/fill/surface/thin_plate.h"
 
@@ -41,19 +41,13 @@ TEST(PlateOverSlopeTest, GivesAPlaneOfAnySlope) {
   EXPECT_LT(LargestError(plate, plane), 1e-9);
 }
 
-// Hills over a plane of 45 degrees, seen from above.
-double HillsOnASlope(double x, double y) {
-  const auto over_plane = [&](double u) { return 1.5 * std::sin(0.16 * u + 0.4) * std::cos(0.14 * y); };
-  double u = std::sqrt(2.0) * x;
-  for (int k = 0; k < 60; ++k) u = std::sqrt(2.0) * x + over_plane(u);
-  return (u + over_plane(u)) / std::sqrt(2.0);
-}
+double Hillside(double x, double y) { return HillsOnASlope(x, y, 1.5, 7); }
 
 TEST(PlateOverSlopeTest, BendsAlongTheSlope) {
-  Plate over_slope = MakePlate(HillsOnASlope, Everywhere, Nowhere), over_ground = over_slope;
+  Plate over_slope = MakePlate(Hillside, Everywhere, Nowhere), over_ground = over_slope;
   ASSERT_TRUE(SolveOverSlope({1, 0}, over_slope.problem, [&] { return Solve(over_slope.problem); }));
   ASSERT_TRUE(Solve(over_ground.problem));
-  EXPECT_LT(LargestError(over_slope, HillsOnASlope), 0.6 * LargestError(over_ground, HillsOnASlope));
+  EXPECT_LT(LargestError(over_slope, Hillside), 0.6 * LargestError(over_ground, Hillside));
 }
 
 TEST(PlateOverSlopeTest, SaysWhatTheSolverSays) {
