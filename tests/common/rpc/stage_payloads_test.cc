@@ -69,7 +69,11 @@ CellHoles SomeHoles() {
     holes.vertices.push_back(v);
     holes.band.points.push_back(v.position);
   }
-  holes.holes = {{.id = 7, .open = true, .segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}}, .slope = {0.7, -0.2}, .tension = 0.1},
+  holes.holes = {{.id = 7,
+                  .open = true,
+                  .segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}},
+                  .slope = {0.7, -0.2},
+                  .tension = 0.1},
                  {.id = 9, .segments = {{3, 2, false}}, .level = 12.25}};
   holes.holes[0].inner_edges = {{2, 3, true}, {3, 1, true}};
   holes.holes[0].ground_points = {{0.1, 1.0 / 3, 2}, {3, 4, 5}};
