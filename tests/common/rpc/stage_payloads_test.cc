@@ -178,19 +178,17 @@ TEST(StagePayloadsTest, CellHolesComeBackBitForBit) {
   EXPECT_EQ(back->band.triangles, holes.band.triangles);
 }
 
-TEST(StagePayloadsTest, TensionsThatNoWorkerChoseAreMalformed) {
+TEST(StagePayloadsTest, TensionsAndSlopesThatNobodyChoseAreMalformed) {
   v1::CellHolesBlob holes = ToProto(SomeHoles());
   holes.mutable_holes(0)->set_tension(-1);
+  EXPECT_EQ(FromProto(holes).status().code(), absl::StatusCode::kInvalidArgument);
+  holes.mutable_holes(0)->set_tension(0);
+  EXPECT_TRUE(FromProto(holes).ok());
+  holes.mutable_holes(0)->set_slope_y(std::nan(""));
   EXPECT_EQ(FromProto(holes).status().code(), absl::StatusCode::kInvalidArgument);
   for (const HoldOut& bad : {HoldOut{-1, 0, 0, 0}, HoldOut{0, std::nan(""), 0, 0}, HoldOut{0, 0, 0, -1}}) {
     EXPECT_EQ(FromProto(ToProto(bad)).status().code(), absl::StatusCode::kInvalidArgument);
   }
-}
-
-TEST(StagePayloadsTest, ASlopeThatIsNoNumberIsMalformed) {
-  v1::CellHolesBlob holes = ToProto(SomeHoles());
-  holes.mutable_holes(0)->set_slope_y(std::nan(""));
-  EXPECT_EQ(FromProto(holes).status().code(), absl::StatusCode::kInvalidArgument);
 }
 
 TEST(StagePayloadsTest, AQualityTallyComesBackTheSame) {
