@@ -145,5 +145,4 @@ def part_fillers(a, folder):
             'A fill of more than 30 s counts as not filled.\n\n' + filler_bench.table(results) + '\n\n' + ahead_of_default(results) +
             ' The nearly flat ground is even but for 0.02 edges that no filler can know. The default sees at rims of 20 edges and more that their heights are nothing but noise, '
             'and goes on with none of their slopes; smaller ones it takes at their word. The curved sheet turns most in the middle of its holes, which no boundary tells. The equation of Poisson raises every '
-            'surface that is curved, also one whose bending goes on evenly, which the default continues nearly as it is; on that sheet and on the bump below this falls the '
-            'right way. Four holes on each surface, of 16 to 120 edges, mean errors:\n\n' + other_curved(a, folder))
+            'curved surface, also those that bend evenly: on that sheet and on the bump below this falls the right way, on the others the default is ahead. Four holes on each surface, of 16 to 120 edges, mean errors:\n\n' + other_curved(a, folder))

@@ -36,7 +36,7 @@ PARTS = {'tables': ('Wang 2021, tables 1 to 5: holes by type', papers_wang.part_
          'zhang': ('Zhang 2022, table 2: kinds of holes', papers_fillers.part_zhang, False),
          'fillers': ('All fillers on the same holes', papers_fillers.part_fillers, False)}
 HEAD = ('# The papers\' experiments again\n\n`scripts/reproduce.sh` runs them and writes this page, with the scene tools in `TILEMEND_SHARED_TOOLS`; '
-        'it goes on where it was interrupted, and `--quick` takes the small ones. '
+        'it goes on where it was interrupted, and `--quick` takes the small ones. A program is named by the start of its SHA-256. '
         '[Wang](decisions/2026-11-22-wang-as-printed.md) and [the fillers](decisions/2026-11-22-published-fillers.md) say what was chosen where the papers say nothing.\n')
 
 
@@ -87,7 +87,7 @@ def main():
         shutil.rmtree(folder)
         if text is None:
             continue
-        sections[name] = f'## {title}\n\n{text}\n\nMeasured on: {measure.machine()}.'
+        sections[name] = f'## {title}\n\n{text}\n\nMeasured on: {measure.machine()}; program {os.path.basename(a.steps.folder)}.'
         with open(a.page, 'w', encoding='utf-8') as file:
             file.write(HEAD + '\n' + '\n\n'.join(f'<!-- {n} -->\n{sections[n]}' for n in PARTS if n in sections) + '\n')
 
