@@ -101,7 +101,7 @@ def part_tables(a, folder):
 
 
 ZIGZAG = ('\n\nOn the ragged cut of tables 4 and 5 the surface ends in a zigzag where there are cells outside the area: the 700 open edges are gone with `--border-zone 8`; '
-          'the area covered twice is the same with both surfaces, presumably that zigzag\'s.')
+          'the area is not covered twice: the check takes that of the cells less that of the tiles, of which the zigzag lies outside the cells on balance, to the square centimetre as much with both surfaces.')
 
 
 def area_layout(cells):
