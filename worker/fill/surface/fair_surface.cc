@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastSine = 1e-3;
 // Of the area of the shapes that triangles should keep: a surface within so much of it has these shapes, and one of
 // less than so much has lost them.
-constexpr double kSameArea = 0.01, kLeastArea = 0.9;
+constexpr double kSameArea = 0.01, kLeastArea = 0.93;
 
 class BendingSystem {
  public:
