@@ -60,8 +60,10 @@ void DropUnusedVertices(Plan& plan) {
   for (PlanVertex& v : plan.vertices) v.follows = v.follows < 0 ? -1 : number[v.follows];
   for (auto& [cell, vertices] : plan.vertex_of_boundary) {
     for (int32_t& v : vertices) v = v < 0 ? -1 : number[v];
-    if (std::ranges::all_of(vertices, [](int32_t v) { return v < 0; })) std::vector<int32_t>().swap(vertices);
   }
+  std::erase_if(plan.vertex_of_boundary, [](const auto& of_tile) {
+    return std::ranges::all_of(of_tile.second, [](int32_t v) { return v < 0; });
+  });
 }
 
 }  // namespace tilemend

@@ -58,7 +58,7 @@ inline GridLines LinesOf(const std::set<CellId>& area, double side) {
   const PlanInput input = CellsOf(area, side);
   GridLines lines;
   for (const CellId cell : area) {
-    for (const Side s : kSides) lines.coordinate[{cell, s}] = NominalLine(input.grid, cell, s);
+    for (const Side s : kSides) lines.coordinate[cell][s] = NominalLine(input.grid, cell, s);
   }
   return lines;
 }

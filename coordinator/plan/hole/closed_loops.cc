@@ -44,8 +44,9 @@ bool BoundsHeights(const HoleSite& site, const ClosedLoop& loop) {
 std::optional<bool> ReachesBeyond(const HoleSite& site, const CellBoundary& boundary, const ClosedLoop& loop) {
   if (boundary.surface == nullptr) return std::nullopt;
   const StoredRecord::Pointer record = boundary.surface->Outline();
-  const std::vector<int32_t>& point = site.rim.point_of.at(boundary.cell);
-  if (point.empty()) return std::nullopt;
+  const auto points = site.rim.point_of.find(boundary.cell);
+  if (points == site.rim.point_of.end()) return std::nullopt;
+  const std::vector<int32_t>& point = points->second;
   const RimSegment& first = loop.segments.front();  // the other way round than its edge
   const auto edge = std::find_if(record->edges.begin(), record->edges.end(), [&](const BoundaryEdge& e) {
     return point[e.from] == first.to && point[e.to] == first.from;

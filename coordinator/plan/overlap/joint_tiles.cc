@@ -75,7 +75,7 @@ class Joiner {
         square.side[s] = RoundedToLattice(NominalLine(input_.grid, cell, s), lattice_step_);
         square.cut[s] =
             OutwardOf(s) > 0 ? std::min(square.side[s], own_.At(cell, s)) : std::max(square.side[s], own_.At(cell, s));
-        joint_.lines.coordinate[{cell, s}] = square.side[s];
+        joint_.lines.coordinate[cell][s] = square.side[s];
       }
     }
   }

@@ -116,9 +116,10 @@ class CellRegions {
     cut_ = joint.cut.at(cell);
     chain_ = joint.chain.at(cell);
     walk_ = WalkOutline(record_, chain_, outline_, own.piece_reach);
-    const std::vector<int32_t>& of = plan_.vertex_of_boundary.at(cell);
-    for (size_t v = 0; v < record_.vertices.size(); ++v) own_vertex_.emplace(of[v], static_cast<int32_t>(v));
     const auto& through = joint.edges_through.at(cell);
+    std::vector<int32_t>& of = plan_.vertex_of_boundary[cell];
+    of.resize(record_.vertices.size() + through.size(), -1);  // it may have none that bounds a hole
+    for (size_t v = 0; v < record_.vertices.size(); ++v) own_vertex_.emplace(of[v], static_cast<int32_t>(v));
     for (size_t k = 0; k < through.size(); ++k) {
       std::vector<int32_t>& edges = through_[of[record_.vertices.size() + k]];
       edges.insert(edges.end(), through[k].begin(), through[k].end());

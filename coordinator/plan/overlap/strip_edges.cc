@@ -60,10 +60,11 @@ class StripLayer {
   StripLayer(const GridLines& outlines, Plan& plan, PlannedHole& hole) : plan_(plan), hole_(hole) {
     for (const Side side : kSides) {
       own_[side] = outlines.At(hole.cell, side);
-      const auto it = outlines.coordinate.find({Across(hole.cell, side), Opposite(side)});
-      if (it == outlines.coordinate.end()) continue;
-      const double width = (own_[side] - it->second) * OutwardOf(side);
-      if (width > kLeastSteps * plan.lattice_step) strip_end_[side] = it->second;
+      const auto across = outlines.coordinate.find(Across(hole.cell, side));
+      if (across == outlines.coordinate.end()) continue;
+      const double theirs = across->second[Opposite(side)];
+      const double width = (own_[side] - theirs) * OutwardOf(side);
+      if (width > kLeastSteps * plan.lattice_step) strip_end_[side] = theirs;
     }
   }
 

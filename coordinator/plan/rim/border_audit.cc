@@ -139,6 +139,7 @@ BorderFindings AuditBorders(const PlanInput& input) {
   BorderFindings found;
   if (!input.has_grid) return found;
   found.offsets = FindOffsets(input);
+  found.borders.reserve(2 * input.cells.size());  // each cell has two of its own: growth would take as much again
   CutEvidence evidence;
   for (const auto& [cell, record] : input.cells) {
     const auto own = record == nullptr ? nullptr : record.Outline();
@@ -149,11 +150,11 @@ BorderFindings AuditBorders(const PlanInput& input) {
   }
   bool straight_on_line = false;
   std::vector<double> all;
+  all.reserve(found.offsets.size() + found.buffers.size());
   for (const auto& [side, offset] : found.offsets) {
     all.push_back(offset);
     straight_on_line |= std::abs(offset) <= kOnLine;
   }
-  found.borders.shrink_to_fit();
   for (const auto& [side, offset] : found.buffers) all.push_back(offset);
   if (!all.empty()) found.usual_offset = Median(all);
   const auto& [shared, on_line] = evidence.shared;

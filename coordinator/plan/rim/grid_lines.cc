@@ -68,7 +68,7 @@ GridLines WithoutGrid(const PlanInput& input) {
   lines.tolerance = -1;
   for (const auto& [cell, record] : input.cells) {
     for (const Side side : kSides) {
-      lines.coordinate[{cell, side}] = NominalLine(input.grid, cell, side);
+      lines.coordinate[cell][side] = NominalLine(input.grid, cell, side);
       lines.left_open.insert(std::minmax(cell, Across(cell, side)));
     }
   }
@@ -80,7 +80,7 @@ void PlaceOnLines(const PlanInput& input, const std::map<Line, double>& found, d
   for (const auto& [cell, record] : input.cells) {
     for (const Side side : kSides) {
       const auto line = found.find(LineOf(cell, side));
-      lines.coordinate[{cell, side}] =
+      lines.coordinate[cell][side] =
           line != found.end() ? line->second : RoundedToLattice(NominalLine(input.grid, cell, side), lattice_step);
     }
   }
@@ -96,7 +96,7 @@ void PlaceOnOutlines(const PlanInput& input, const BorderFindings& borders, doub
       const double offset = buffer != borders.buffers.end() ? buffer->second : usual;
       const double expected = NominalLine(input.grid, cell, side) + OutwardOf(side) * offset;
       const bool straight = buffer == borders.buffers.end() && borders.offsets.contains({cell, side});
-      lines.coordinate[{cell, side}] =
+      lines.coordinate[cell][side] =
           straight ? (side % 2 == 0 ? record->lo : record->hi)[AxisOf(side)] : RoundedToLattice(expected, lattice_step);
     }
   }

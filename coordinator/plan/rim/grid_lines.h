@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_RIM_GRID_LINES_H_
 #define TILEMEND_COORDINATOR_PLAN_RIM_GRID_LINES_H_
 
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -20,11 +21,11 @@ struct GridLines {
   // sliver without surface, in its own right.
   double tolerance = kOnLine;
   double piece_reach = 0;  // independent: pieces of one tile overlap, or part, by less than this
-  std::map<std::pair<CellId, int>, double> coordinate;  // of each side of each cell of the area
+  std::map<CellId, std::array<double, 4>> coordinate;  // of each cell of the area, by side
   std::set<std::pair<CellId, CellId>> left_open;  // borders at the rim of an area that is not known: no seams there
   std::set<std::pair<CellId, int>> zigzag;        // ragged: sides at the rim of the area that tiles end at in a zigzag
 
-  double At(CellId cell, Side side) const { return coordinate.at({cell, side}); }
+  double At(CellId cell, Side side) const { return coordinate.at(cell)[side]; }
 
   // Distance of a point to the inner side of a line of `cell`, metres; negative beyond it.
   double Inside(const Point3& p, CellId cell, Side side) const {

@@ -110,7 +110,7 @@ class RimCollector {
     std::erase_if(open_, [&](CellId cell) {
       std::vector<int32_t>& points = rim_.point_of.at(cell);
       const int32_t last = points.empty() ? -1 : *std::ranges::max_element(points);
-      if (last < 0) std::vector<int32_t>().swap(points);
+      if (last < 0) rim_.point_of.erase(cell);
       return last < settled;
     });
     index_ = PositionIndex();

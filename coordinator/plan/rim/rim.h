@@ -38,8 +38,8 @@ struct Rim {
   std::vector<std::vector<int32_t>> loops;  // edges in order; each edge is in one loop or in `unlinked`
   std::vector<int32_t> unlinked;            // edges of chains that do not close (non-manifold surface)
   int32_t continuous = 0;                   // groups of loops that touch
-  std::map<CellId, std::vector<int32_t>>
-      point_of;  // per tile: the point of each boundary vertex of its record, -1: none; empty: none at all
+  // Per tile: the point of each boundary vertex of its record, -1: none. Tiles without any are not there.
+  std::map<CellId, std::vector<int32_t>> point_of;
   bool surface_beyond = false;  // an area polygon bounds the holes: what lies beyond all edges counts as surface
 };
 

@@ -42,8 +42,9 @@ std::vector<std::vector<Point2>> OrientedRings(const PlanePolygon& area) {
 }
 
 RingSpacer::RingSpacer(const SeamSite& site) : site_(site) {
-  for (const auto& [side, line] : site.lines.coordinate)
-    grid_lines_.insert({AxisOf(static_cast<Side>(side.second)), line});
+  for (const auto& [cell, lines] : site.lines.coordinate) {
+    for (const Side side : kSides) grid_lines_.insert({AxisOf(side), lines[side]});
+  }
 }
 
 std::vector<RingVertex> RingSpacer::Along(const std::vector<Point2>& line) const {

@@ -1,19 +1,8 @@
 #include "coordinator/plan/seam/grid_borders.h"
 
 #include <algorithm>
-#include <array>
 
 namespace tilemend {
-
-std::vector<Border> BordersOf(const std::set<CellId>& area) {
-  std::vector<Border> borders;
-  for (const CellId cell : area) {
-    for (const Side side : kSides) borders.push_back(std::minmax(cell, Across(cell, side)));
-  }
-  std::sort(borders.begin(), borders.end());
-  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
-  return borders;
-}
 
 double LineOf(const Border& border, const std::set<CellId>& area, const GridLines& lines) {
   const bool vertical = IsVertical(border);
@@ -32,8 +21,7 @@ Point2 CornerPosition(Corner c, const std::set<CellId>& area, const GridLines& l
 }
 
 bool TouchesOutside(Corner c, const std::set<CellId>& area) {
-  const std::array<CellId, 4> around = {c, CellId{c.col - 1, c.row}, CellId{c.col, c.row - 1},
-                                        CellId{c.col - 1, c.row - 1}};
+  const auto around = CellsAround(c);
   return !std::all_of(around.begin(), around.end(), [&](CellId cell) { return area.contains(cell); });
 }
 

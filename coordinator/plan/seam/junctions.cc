@@ -41,11 +41,10 @@ bool LiesInHole(const SeamSite& site, const ClosingCells& closing, Corner corner
 void AddJunction(const SeamSite& site, CellId a, CellId b, int32_t point, Junctions& junctions) {
   const bool forward = a < b;
   const Border border = std::minmax(a, b);
-  const auto it = junctions.along.find(border);
-  if (it == junctions.along.end()) return;  // neither cell is in the area
+  if (!IsOfArea(border, site.area)) return;
   // Going east over a vertical line the hole is to the south; going north over a horizontal line it is to the east.
   const bool start = IsVertical(border) ? !forward : forward;
-  it->second.push_back({site.rim.points[point].position[AxisAlong(border)], point, start});
+  junctions.along[border].push_back({site.rim.points[point].position[AxisAlong(border)], point, start});
 }
 
 void Pass(const SeamSite& site, CellId a, CellId b, int32_t point, Junctions& junctions) {
@@ -115,7 +114,6 @@ void SortJunctions(const SeamSite& site, const ClosingCells& closing, const Bord
 
 Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing) {
   Junctions junctions;
-  for (const Border& border : BordersOf(site.area)) junctions.along[border];
   for (const std::vector<int32_t>& loop : site.rim.loops) {
     for (size_t k = 0; k < loop.size(); ++k) {
       const int32_t next = loop[(k + 1) % loop.size()];
@@ -126,8 +124,7 @@ Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing) {
   return junctions;
 }
 
-std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing,
-                                          const Junctions& junctions) {
+std::set<Corner> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing, const Junctions& junctions) {
   struct Votes {
     int hole = 0, surface = 0;
   };
@@ -135,14 +132,15 @@ std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const ClosingCel
   for (const auto& [border, of_border] : junctions.along) {
     Votes& low = votes[LowCorner(border)];
     Votes& high = votes[HighCorner(border)];
-    if (of_border.empty()) continue;
     ++(of_border.front().start ? low.surface : low.hole);
     ++(of_border.back().start ? high.hole : high.surface);
   }
-  std::map<Corner, bool> in_hole;
-  for (const auto& [corner, vote] : votes) {
-    in_hole[corner] = vote.hole != vote.surface ? vote.hole > vote.surface : LiesInHole(site, closing, corner);
-  }
+  std::set<Corner> in_hole;
+  ForCorners(site.area, [&](Corner corner) {
+    const auto vote = votes.find(corner);
+    const int lead = vote == votes.end() ? 0 : vote->second.hole - vote->second.surface;
+    if (lead > 0 || (lead == 0 && LiesInHole(site, closing, corner))) in_hole.insert(corner);
+  });
   return in_hole;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "coordinator/plan/rim/closing_cells.h"
@@ -20,7 +21,7 @@ struct Junction {
 };
 
 struct Junctions {
-  std::map<Border, std::vector<Junction>> along;  // every border of the area; in order along each
+  std::map<Border, std::vector<Junction>> along;  // of borders of the area that have any; in order along each
   std::vector<LeftOpen> failures;                 // where the rim passes between cells that are no neighbours
 };
 
@@ -32,8 +33,7 @@ Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing);
 // Which grid corners lie in a hole: the outermost junctions of the four borders there tell; where they do not agree, or
 // there are none, the winding number of the rim does. A corner that the outline of a ragged surface passes by lies in
 // no hole.
-std::map<Corner, bool> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing,
-                                          const Junctions& junctions);
+std::set<Corner> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing, const Junctions& junctions);
 
 }  // namespace tilemend
 

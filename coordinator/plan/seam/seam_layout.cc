@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -42,7 +43,12 @@ class SeamLayer {
   SeamLayout Run(const ClosingCells& closing) {
     Junctions junctions = FindJunctions(site_, closing);
     result_.failures = std::move(junctions.failures);
-    const std::map<Corner, bool> in_hole = FindCornersInHoles(site_, closing, junctions);
+    const std::set<Corner> in_hole = FindCornersInHoles(site_, closing, junctions);
+    for (const Corner corner : in_hole) {
+      for (const Border& border : BordersAt(corner)) {
+        if (IsOfArea(border, site_.area)) junctions.along[border];  // a border without junctions may lie in a hole
+      }
+    }
     for (const auto& [border, of_border] : junctions.along) {
       if (site_.options.cancelled()) break;
       if (!site_.lines.left_open.contains(border)) LayBorder(border, of_border, in_hole);
@@ -52,11 +58,11 @@ class SeamLayer {
   }
 
  private:
-  void LayBorder(const Border& border, const std::vector<Junction>& junctions, const std::map<Corner, bool>& in_hole) {
+  void LayBorder(const Border& border, const std::vector<Junction>& junctions, const std::set<Corner>& in_hole) {
     std::vector<End> ends;
-    if (in_hole.at(LowCorner(border))) ends.push_back({CornerVertex(LowCorner(border)), true});
+    if (in_hole.contains(LowCorner(border))) ends.push_back({CornerVertex(LowCorner(border)), true});
     for (const Junction& j : junctions) ends.push_back({j.point, j.start});
-    if (in_hole.at(HighCorner(border))) ends.push_back({CornerVertex(HighCorner(border)), false});
+    if (in_hole.contains(HighCorner(border))) ends.push_back({CornerVertex(HighCorner(border)), false});
     bool fits = ends.size() % 2 == 0;
     for (size_t i = 0; i < ends.size(); ++i) fits &= ends[i].start == (i % 2 == 0);
     if (!fits) {

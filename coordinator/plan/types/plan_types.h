@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -177,8 +178,14 @@ struct Plan {
   int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
   double lattice_step = 0;  // power of two, metres
   bool upright = true;      // as CellHoles
-  std::map<CellId, std::vector<int32_t>> vertex_of_boundary;  // per tile: the plan vertex of each boundary vertex of
-                                                              // its record; -1: it bounds no hole; empty: none does
+  // Per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole. Tiles of which none does
+  // are not there.
+  std::map<CellId, std::vector<int32_t>> vertex_of_boundary;
+
+  std::span<const int32_t> VerticesOf(CellId tile) const {
+    const auto found = vertex_of_boundary.find(tile);
+    return found == vertex_of_boundary.end() ? std::span<const int32_t>() : found->second;
+  }
 };
 
 }  // namespace tilemend

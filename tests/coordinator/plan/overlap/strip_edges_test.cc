@@ -39,7 +39,7 @@ class StripEdgesTest : public ::testing::Test {
   void AddCell(CellId cell) {
     for (const Side side : kSides) {
       const int number = (AxisOf(side) == 0 ? cell.col : cell.row) + (OutwardOf(side) > 0 ? 1 : 0);
-      outlines_.coordinate[{cell, side}] = 10 * number + OutwardOf(side) * kMargin;
+      outlines_.coordinate[cell][side] = 10 * number + OutwardOf(side) * kMargin;
     }
   }
 
@@ -120,7 +120,7 @@ TEST_F(StripEdgesTest, WaterHasNone) {
 }
 
 TEST_F(StripEdgesTest, TilesThatDoNotOverlapHaveNone) {
-  outlines_.coordinate[{{1, 0}, kWest}] = 10 + kMargin;
+  outlines_.coordinate[{1, 0}][kWest] = 10 + kMargin;
   LayStripEdges(outlines_, plan_);
   EXPECT_THAT(plan_.holes[0].inner_edges, IsEmpty());
 }

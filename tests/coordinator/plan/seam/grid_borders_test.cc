@@ -1,22 +1,35 @@
 #include "coordinator/plan/seam/grid_borders.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "tests/support/rim_builders.h"
 
 namespace tilemend {
 namespace {
 
-TEST(BordersOfTest, ListsEveryBorderOnce) {
-  const std::vector<Border> borders = BordersOf(AreaOf(3, 2));
-  EXPECT_EQ(borders.size(), 4U * 2 + 3U * 3);
-  EXPECT_TRUE(std::is_sorted(borders.begin(), borders.end()));
-  EXPECT_EQ(std::adjacent_find(borders.begin(), borders.end()), borders.end());
+using ::testing::ElementsAre;
+
+TEST(ForCornersTest, CallsForEveryCornerOnce) {
+  std::vector<Corner> corners;
+  ForCorners({{0, 0}, {1, 0}, {1, 1}}, [&](Corner c) { corners.push_back(c); });
+  std::sort(corners.begin(), corners.end());
+  EXPECT_THAT(corners, ElementsAre(Corner{0, 0}, Corner{0, 1}, Corner{1, 0}, Corner{1, 1}, Corner{1, 2}, Corner{2, 0},
+                                   Corner{2, 1}, Corner{2, 2}));
+}
+
+TEST(BordersAtTest, BeginOrEndAtTheCorner) {
+  const Corner corner{3, 2};
+  const auto borders = BordersAt(corner);
   for (const Border& b : borders) {
-    EXPECT_EQ(b.second.col - b.first.col + b.second.row - b.first.row, 1) << "the second lies east or north";
+    EXPECT_TRUE(LowCorner(b) == corner || HighCorner(b) == corner);
+    EXPECT_EQ(std::count(borders.begin(), borders.end(), b), 1);
   }
+  EXPECT_TRUE(IsOfArea(borders[0], {{3, 1}}));
+  EXPECT_FALSE(IsOfArea(borders[0], {{3, 2}}));
 }
 
 TEST(GridBordersTest, RunFromCornerToCorner) {
