@@ -10,6 +10,7 @@
 //  - A task that was with `quarantine_after` workers when they were lost is quarantined, with their names.
 //    Before its last chance it is given only to a worker that holds nothing, and alone, so that it takes no other task
 //    down with it and no other task takes the blame.
+//  - A task that a worker says cannot be done goes to another, if there is one. What that says settles it.
 //  - A task whose results were refused goes to another worker. It has failed when `max_refusals` workers gave a wrong
 //    result, when two gave the same, or when nobody is left who might do better (task_choice.h): then the fault is not
 //    theirs. If another does it well, the fault was theirs.
@@ -118,6 +119,8 @@ class CoordinatorState {
   using TaskLoss = void (CoordinatorState::*)(Job& job, Task& task, const std::string& worker, Effects& effects);
   // Ends the worker, and each of its attempts with `lose`.
   absl::StatusOr<Effects> TakeTasksFrom(const std::string& name, TaskLoss lose);
+  // Whether the task has failed by an error of its own: one worker's word is not enough where there is another.
+  static bool Fail(Task& task, const TaskFailed& event);
   // What a machine error means for the task and the worker; whether the task has failed by it.
   bool Return(Task& task, const TaskFailed& event);
   // Puts a refusal down; whether the task has failed by it.

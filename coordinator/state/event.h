@@ -190,11 +190,22 @@ struct Blamed {
   std::string reason;  // for people
 };
 
+// A worker that said a task cannot be done, which then was.
+struct Contradicted {
+  TaskKey key;
+  CellId cell;
+  Stage stage = Stage::kSurvey;
+  std::string worker;
+  std::string reason;  // what it said
+  std::string by;      // who did it
+};
+
 // What an event led to.
 struct Effects {
   std::vector<SettledTask> settled;
   std::vector<Stage> retried;  // one for each task that went back to pending
   std::vector<StruckTask> struck;
+  std::vector<Contradicted> contradicted;
   // Who is to get no task until it is cleared: the first worker whose result a job refuses.
   std::vector<Blamed> suspected;
   // Who is to get no task any more: another worker has done the same task well.

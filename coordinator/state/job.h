@@ -66,6 +66,7 @@ struct Task {
   std::set<std::string> returned_by;             // who gave it back so, or was lost with it
   int32_t losses = 0;                            // leases that ended because a worker was lost
   std::vector<std::string> lost_workers;         // workers that were lost while they held it, each once
+  std::string failed_by, failure;                // who said first that it cannot be done, and why
   std::map<std::string, Refusal> refused;        // by worker, until it is settled
   absl::Time refused_at = absl::InfinitePast();  // the last of them
   std::vector<Lease> leases;                     // one, or two if the first takes long

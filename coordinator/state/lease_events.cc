@@ -175,6 +175,10 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskCompleted& event) {
   ++time.tasks;
   time.total += std::max(event.time - LeaseOf(*task, event.worker)->since, absl::ZeroDuration());
   if (const auto worker = workers_.find(event.worker); worker != workers_.end()) worker->second.troubles = 0;
+  if (!task->failed_by.empty()) {
+    effects.contradicted.push_back(
+        {event.key, task->cell, task->stage, std::move(task->failed_by), std::move(task->failure), event.worker});
+  }
   Settle(job, *task, event.worker, {TaskState::kCommitted, event.output, absl::OkStatus()}, effects);
   return effects;
 }
@@ -185,7 +189,9 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   if (task == nullptr) return effects;
   Job& job = jobs_.at(event.key.job);
   const bool is_refused = !event.refused.empty();
-  const bool has_failed = is_refused ? Refuse(job, *task, event) : !event.machine || Return(*task, event);
+  const bool has_failed = is_refused      ? Refuse(job, *task, event)
+                          : event.machine ? Return(*task, event)
+                                          : Fail(*task, event);
   if (has_failed) {
     const absl::Status error = is_refused ? Refused(*task, "") : event.error;
     Settle(job, *task, event.worker, {TaskState::kFailed, "", error}, effects);
@@ -194,6 +200,14 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
     if (is_refused) Suspect(job, event, effects);
   }
   return effects;
+}
+
+bool CoordinatorState::Fail(Task& task, const TaskFailed& event) {
+  if (!task.failed_by.empty() || !event.another) return true;
+  task.failed_by = event.worker;
+  task.failure = std::string(event.error.message());
+  task.returned_by.insert(event.worker);
+  return false;
 }
 
 bool CoordinatorState::Return(Task& task, const TaskFailed& event) {

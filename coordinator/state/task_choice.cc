@@ -10,6 +10,10 @@ namespace {
 // Of each job, the oldest first: more cannot be worth it at once.
 constexpr int kMostStragglers = 16;
 
+// What a task of a stage is taken to need while none of the job's has been done: a worker that takes all of them and
+// does none is not waited for until its attempts are over.
+constexpr absl::Duration kUnknownTime = absl::Minutes(1);
+
 // Not whether it has a thread for it now.
 bool MayTry(const WorkerRecord& worker, const Job& job, const Task& task, const MayWork& may) {
   return !worker.draining && !task.refused.contains(worker.id) && may(worker.id, job.id);
@@ -97,14 +101,14 @@ class TaskChooser {
   }
 
   bool Straggles(const Job& job, const Task& task, absl::Time since) const {
-    const auto time = job.times.find(task.stage);
-    if (time == job.times.end() || LeaseOf(task, worker_.id) != nullptr) return false;
+    if (LeaseOf(task, worker_.id) != nullptr) return false;
     // A task that workers were lost with is not to take two at once.
     if (!task.lost_workers.empty() || task.refused.contains(worker_.id) || task.returned_by.contains(worker_.id)) {
       return false;
     }
     const StateOptions& options = state_.options();
-    const absl::Duration usual = time->second.total / time->second.tasks;
+    const auto time = job.times.find(task.stage);
+    const absl::Duration usual = time == job.times.end() ? kUnknownTime : time->second.total / time->second.tasks;
     return now_ - since > std::max(options.least_straggling, usual * options.straggler_factor);
   }
 

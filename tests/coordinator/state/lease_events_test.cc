@@ -112,6 +112,41 @@ TEST_F(LeaseEventsTest, TheTasksOwnErrorSettlesItAtOnce) {
   EXPECT_EQ(Counts("a").failed, 1);
 }
 
+TEST_F(LeaseEventsTest, TheTasksOwnErrorIsThatOfTwoWorkersWhereThereAreTwo) {
+  AddJob("a", 2);
+  See("w1");
+  See("w2");
+  const auto fail = [&](int64_t task, const std::string& worker) {
+    const uint64_t token = Lease(Key("a", task), worker);
+    const absl::Status error = absl::InvalidArgumentError(worker + " says so");
+    return Do(TaskFailed{Key("a", task), worker, token, false, worker == "w1", error, now_});
+  };
+  EXPECT_THAT(fail(1, "w1").settled, IsEmpty());
+  EXPECT_THAT(Choose("w1"), ElementsAre(Key("a", 2))) << "the first is for the other";
+  const Effects agreed = fail(1, "w2");
+  ASSERT_THAT(agreed.settled, SizeIs(1));
+  EXPECT_EQ(agreed.settled[0].error, absl::InvalidArgumentError("w2 says so"));
+  EXPECT_THAT(agreed.contradicted, IsEmpty());
+
+  EXPECT_THAT(fail(2, "w1").settled, IsEmpty());
+  const Effects done = Complete(Key("a", 2), "w2", Lease(Key("a", 2), "w2"));
+  ASSERT_THAT(done.contradicted, SizeIs(1));
+  EXPECT_EQ(done.contradicted[0].worker, "w1");
+  EXPECT_EQ(done.contradicted[0].reason, "w1 says so");
+  EXPECT_EQ(done.contradicted[0].by, "w2");
+  EXPECT_EQ(done.settled[0].state, TaskState::kCommitted);
+}
+
+TEST_F(LeaseEventsTest, OneWorkerThatFailsTwiceIsEnoughIfTheOtherLeaves) {
+  AddJob("a", 1);
+  See("w1");
+  for (const bool another : {true, true}) {
+    const uint64_t token = Lease(Key("a", 1), "w1");
+    Do(TaskFailed{Key("a", 1), "w1", token, false, another, absl::InternalError("no"), now_});
+  }
+  EXPECT_EQ(Counts("a").failed, 1);
+}
+
 MATCHER_P(WorkerIs, worker, "") { return arg.worker == worker; }
 
 class RefusedResultTest : public StateTest {

@@ -188,6 +188,17 @@ TEST_F(StragglerTest, GetsNoneAfterAWorkerWasLostWithIt) {
   EXPECT_THAT(Choose("more"), IsEmpty());
 }
 
+TEST_F(TaskChoiceTest, AWorkerThatTakesAllTasksAndDoesNoneIsNotWaitedFor) {
+  AddJob("a", 2);
+  See("greedy", 2048);
+  for (const int64_t task : {1, 2}) Lease(Key("a", task), "greedy");
+  See("idle", 4);
+  now_ += absl::Minutes(3);
+  EXPECT_THAT(Choose("idle"), IsEmpty());
+  now_ += absl::Seconds(1);
+  EXPECT_THAT(Choose("idle"), ElementsAre(TaskKey{"a", 1}, TaskKey{"a", 2}));
+}
+
 class LongestAttemptTest : public StateTest {
  protected:
   LongestAttemptTest() : StateTest({.longest_attempt = absl::Hours(1)}) {}
