@@ -1,6 +1,8 @@
 #include "coordinator/check/patch_check.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <numeric>
@@ -94,6 +96,28 @@ absl::Status CheckPoints(const CellHoles& asked, const CellHole& hole, const Hol
   return absl::OkStatus();
 }
 
+// Shares of its longest edge squared: where heights lie over the ground, no triangle faces down by more. Walls at the
+// outlines of overlapping tiles are upright and may.
+constexpr double kLeastDown = 0.01;
+
+bool IsOverGround(const CellHole& hole, const HolePatch& patch) {
+  return !hole.own_outline && (patch.way == FillWay::kGround || patch.way == FillWay::kWater);
+}
+
+absl::Status CheckTriangles(const CellHoles& asked, const CellHole& hole, const HolePatch& patch) {
+  for (const Triangle& t : patch.triangles) {
+    std::array<Point3, 3> p;
+    for (int k = 0; k < 3; ++k) p[k] = t[k] >= 0 ? asked.vertices[t[k]].position : patch.new_points[-1 - t[k]];
+    const Point3 a = p[1] - p[0], b = p[2] - p[0], normal = a.cross(b);
+    if (normal.isZero(0)) return Wrong(hole.id, "a triangle without area");
+    const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (p[2] - p[1]).squaredNorm()});
+    if (IsOverGround(hole, patch) && normal.z() < -kLeastDown * longest) {
+      return Wrong(hole.id, "a triangle that faces down");
+    }
+  }
+  return absl::OkStatus();
+}
+
 absl::Status CheckPatch(const CellHoles& asked, const CellHole& hole, const HolePatch& patch) {
   if (!patch.failure.empty()) {
     if (patch.failure.size() > kMostReasonBytes) return Wrong(hole.id, "a reason of many kilobytes");
@@ -101,8 +125,9 @@ absl::Status CheckPatch(const CellHoles& asked, const CellHole& hole, const Hole
     return bare ? absl::OkStatus() : Wrong(hole.id, "both a reason to leave it and a patch");
   }
   if (patch.way == FillWay::kNone) return Wrong(hole.id, "filled in no way");
-  const absl::Status status = CheckEdges(hole, patch, asked.vertices.size());
-  return status.ok() ? CheckPoints(asked, hole, patch) : status;
+  absl::Status status = CheckEdges(hole, patch, asked.vertices.size());
+  if (status.ok()) status = CheckPoints(asked, hole, patch);
+  return status.ok() ? CheckTriangles(asked, hole, patch) : status;
 }
 
 absl::Status CheckQuality(const std::vector<HolePatch>& patches, const QualityTally& quality) {

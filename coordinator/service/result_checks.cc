@@ -9,12 +9,15 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/codec/mtl.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
+#include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
+#include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "coordinator/check/mesh_outline.h"
@@ -86,7 +89,16 @@ absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutpu
   return absl::OkStatus();
 }
 
-absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes) {
+// That the digest is the tile's, unless that has changed since it was read.
+absl::Status CheckDigest(const std::string& path, const v1::SurveyOutput& output) {
+  const auto digest = Sha256OfFile(path);
+  if (!digest.ok()) return absl::UnavailableError(digest.status().message());
+  if (*digest == output.digest()) return absl::OkStatus();
+  if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
+  return absl::UnavailableError("the tile has just been changed");
+}
+
+absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes, TileCheck how) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(output_bytes));
   if (!IsDigest(output.digest())) return Wrong("a digest that is none");
@@ -97,6 +109,7 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   if (!record.ok()) return AsWrong(record.status());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
+  if (how == TileCheck::kDigest) TILEMEND_RETURN_IF_ERROR(CheckDigest(PathOf(input.tile()), output));
   return CheckUnusual(input, *record);
 }
 
@@ -200,17 +213,62 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
   return *digest == tile.digest() ? absl::OkStatus() : Wrong("a tile that is not as it was written");
 }
 
+// The material file of a tile with patches.
+absl::StatusOr<std::string> LibraryOf(const v1::AssembleInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const FillColours colours, ColoursOf(input));
+  std::string original;
+  if (!input.new_library()) {
+    const auto read = ReadFile(absl::StrCat(input.tile().root(), "/", input.library()));
+    if (!read.ok()) return absl::UnavailableError(read.status().message());
+    original = *read;
+  }
+  std::vector<FillMaterial> materials;
+  std::set<std::string> names;
+  for (const v1::PatchExtent& patch : input.patches().patches()) {
+    const auto colour = colours.of_holes.find(patch.hole());
+    if (!patch.failure().empty() || colour == colours.of_holes.end()) continue;
+    const std::string name = MaterialName(colour->second);
+    if (names.insert(name).second) materials.push_back({name, colour->second.colour});
+  }
+  return AppendToMtl(original, materials);
+}
+
+absl::Status CheckLibrary(const v1::AssembleInput& input, const v1::WrittenFile& file) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string expected, LibraryOf(input));
+  const auto written = ReadFile(absl::StrCat(input.attempts(), "/", file.attempt()));
+  if (!written.ok()) return absl::UnavailableError(written.status().message());
+  return *written == expected ? absl::OkStatus() : Wrong("a material file that is not that of the patches");
+}
+
+absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile& file, TileCheck how) {
+  const std::string original = absl::StrCat(input.tile().root(), "/", file.path());
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(original));
+  bool same = file.bytes() == bytes;
+  if (same && how == TileCheck::kDigest) {
+    const auto theirs = Sha256OfFile(absl::StrCat(input.attempts(), "/", file.attempt())), own = Sha256OfFile(original);
+    if (!theirs.ok() || !own.ok()) return absl::UnavailableError("a file beside the tile cannot be read");
+    same = *theirs == *own;
+  }
+  return same ? absl::OkStatus() : Wrong("a file that is not the original");
+}
+
 // The files beside the tile: each is expected, once; what is left out has a warning.
-absl::Status CheckBeside(const v1::AssembleInput& input, const v1::AssembleOutput& output) {
+absl::Status CheckBeside(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileCheck how) {
   std::set<std::string> carried(input.carried().begin(), input.carried().end());
-  bool library = false;
+  const auto format = MeshFormatOf(input.output());
+  bool has_library = HasPatch(input) && format.ok() && *format == MeshFormat::kObj;
+  if (!has_library && !input.new_library() && !input.library().empty()) carried.insert(input.library());
   for (int i = 1; i < output.files_size(); ++i) {
     const v1::WrittenFile& file = output.files(i);
-    if (file.path() == input.library() && !std::exchange(library, true)) continue;
+    if (has_library && file.path() == input.library()) {
+      has_library = false;
+      TILEMEND_RETURN_IF_ERROR(CheckLibrary(input, file));
+      continue;
+    }
     if (carried.erase(file.path()) == 0) return Wrong("a file that is not asked for");
-    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(absl::StrCat(input.tile().root(), "/", file.path())));
-    if (file.bytes() != original) return Wrong("a file that is not the original");
+    TILEMEND_RETURN_IF_ERROR(CheckCarried(input, file, how));
   }
+  if (has_library) return Wrong("the material file of the patches is missing");
   return static_cast<int>(carried.size()) <= output.warnings_size() ? absl::OkStatus() : Wrong("a file is missing");
 }
 
@@ -245,7 +303,7 @@ absl::Status CheckAssembleResult(const std::string& input_bytes, const std::stri
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
   }
   TILEMEND_RETURN_IF_ERROR(CheckTile(input, output.files(0), how));
-  return CheckBeside(input, output);
+  return CheckBeside(input, output, how);
 }
 
 }  // namespace
@@ -254,7 +312,7 @@ ResultCheck SceneResultCheck(TileCheck tiles) {
   return [tiles](Stage stage, const std::string& input, const std::string& output) {
     switch (stage) {
       case Stage::kSurvey:
-        return CheckSurveyResult(input, output);
+        return CheckSurveyResult(input, output, tiles);
       case Stage::kSampleCluster:
         return CheckClusterResult(input, output);
       case Stage::kSampleLayer:

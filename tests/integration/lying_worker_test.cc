@@ -7,11 +7,14 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "absl/time/clock.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
+#include "common/store/file_stamp.h"
 #include "common/util/files.h"
 #include "tests/support/untrusted_workers.h"
 #include "tilemend/v1/stages.pb.h"
@@ -104,9 +107,20 @@ std::vector<Lie> SurveyLies() {
           [](Survey& s) { return s.set_bounds(0, s.bounds(0) - 1e6), s.set_bounds(3, s.bounds(3) + 1e6), true; }),
       lie("HasBoundsThatAreNone", [](Survey& s) { return s.set_bounds(0, s.bounds(3) + 1), true; }),
       lie("HasNoDigest", [](Survey& s) { return s.set_digest("none"), true; }),
-      lie("LeadsOutOfTheScene", [](Survey& s) { return s.mutable_files()->add_images("../../etc/passwd"), true; }),
       {"IsGarbage", Stage::kSurvey, [](const std::string&, std::string& bytes) { return bytes = "\xff\xff", true; }},
       {"IsEmpty", Stage::kSurvey, [](const std::string&, std::string& bytes) { return bytes.clear(), true; }},
+  };
+}
+
+std::vector<Lie> FileLies() {
+  return {
+      LieIn<Survey>("LeadsOutOfTheScene", Stage::kSurvey,
+                    [](Survey& s) { return s.mutable_files()->add_images("../../etc/passwd"), true; }),
+      LieIn<Survey>("NamesAMillionImages", Stage::kSurvey,
+                    [](Survey& s) {
+                      for (int i = 0; i < 1000000; ++i) s.mutable_files()->add_images("images/" + std::to_string(i));
+                      return true;
+                    }),
   };
 }
 
@@ -147,11 +161,6 @@ std::vector<Lie> FillLies() {
       LieInPatches("OneTurnedOver",
                    [](Patches& p) { return std::swap(p[0].triangles[0][0], p[0].triangles[0][1]), true; }),
       LieInPatches("AFlatTriangle", [](Patches& p) { return p[0].triangles[0][1] = p[0].triangles[0][0], true; }),
-      LieInPatches("AVertexFarAway",
-                   [](Patches& p) {
-                     if (p[0].new_points.empty()) return false;
-                     return p[0].new_points[0] = Point3(1e9, 0, 0), true;
-                   }),
       LieInPatches("TheHoleTwice", [](Patches& p) { return p.push_back(p[0]), true; }),
       LieInPatches("AnotherHole", [](Patches& p) { return p[0].hole += 1000, true; }),
       LieInPatches("BothFilledAndNot", [](Patches& p) { return p[0].failure = "no", true; }),
@@ -169,6 +178,26 @@ std::vector<Lie> FillLies() {
                               return o.mutable_patches(0)->set_new_points(0x7fffffff), true;
                             }),
       {"GarbagePatches", Stage::kFill, [](const std::string&, std::string& bytes) { return bytes = "\xff\xff", true; }},
+  };
+}
+
+std::vector<Lie> ShapeLies() {
+  return {
+      LieInPatches("AVertexFarAway",
+                   [](Patches& p) {
+                     if (p[0].new_points.empty()) return false;
+                     return p[0].new_points[0] = Point3(1e9, 0, 0), true;
+                   }),
+      LieInPatches("TwoVerticesInOne",
+                   [](Patches& p) {
+                     if (p[0].new_points.size() < 2) return false;
+                     return p[0].new_points[1] = p[0].new_points[0], true;
+                   }),
+      LieInPatches("FoldedOver",
+                   [](Patches& p) {
+                     if (p[0].new_points.size() < 6) return false;
+                     return std::swap(p[0].new_points[0], p[0].new_points[5]), true;
+                   }),
   };
 }
 
@@ -218,7 +247,7 @@ std::vector<Lie> TileLies() {
 
 std::vector<Lie> AllLies() {
   std::vector<Lie> all;
-  for (const auto& lies : {SurveyLies(), SampleLies(), FillLies(), TileLies()}) {
+  for (const auto& lies : {SurveyLies(), FileLies(), SampleLies(), FillLies(), ShapeLies(), TileLies()}) {
     all.insert(all.end(), lies.begin(), lies.end());
   }
   return all;
@@ -281,6 +310,62 @@ TEST_F(UntrustedResultTest, AResultThatTwoWorkersGiveIsLeftAndNobodyIsSetAside) 
   EXPECT_EQ(job.state(), v1::PARTIAL) << job.error().message();
   EXPECT_EQ(cluster_.Metric("tilemend_coordinator_workers_set_aside"), 0);
   for (const auto& left : ReportOf(Out(job))["left"]) EXPECT_EQ(left["cell"], nlohmann::json({1, 0}));
+}
+
+// Of one worker, where there is another: its word alone fails no cell and no job.
+class FalseErrorTest : public UntrustedWorkerTest, public ::testing::WithParamInterface<Stage> {};
+
+TEST_P(FalseErrorTest, IsTriedByAnotherAndItsWorkerNamed) {
+  const auto undisturbed = Undisturbed();
+  std::atomic<bool> failed{false};
+  cluster_.AddWorker("good", 1,
+                     [&, run = SceneStageRunner()](Stage stage, const std::string& input, const auto& cancel) {
+                       if (stage == GetParam()) failed.wait(false);
+                       return run(stage, input, cancel);
+                     });
+  cluster_.AddWorker("broken", 1,
+                     [&, run = SceneStageRunner()](Stage stage, const std::string& input,
+                                                   const auto& cancel) -> absl::StatusOr<std::string> {
+                       if (stage != GetParam()) return run(stage, input, cancel);
+                       failed = true;
+                       failed.notify_all();
+                       return absl::InvalidArgumentError("line 1: expected 'ply'");
+                     });
+  const v1::Job job = cluster_.WaitFor(cluster_.Submit(scene_).name());
+  ASSERT_EQ(job.state(), v1::DONE) << job.error().message();
+  EXPECT_EQ(TilesBelow(Out(job)), undisturbed);
+  ASSERT_GE(job.warnings_size(), 1);
+  EXPECT_THAT(job.warnings(0), HasSubstr("worker broken could not do cell"));
+  EXPECT_THAT(job.warnings(0), HasSubstr("which worker good did: line 1: expected 'ply'"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, FalseErrorTest, ::testing::Values(Stage::kSurvey, Stage::kFill, Stage::kAssemble),
+                         [](const auto& stage) { return std::string(StageName(stage.param)); });
+
+// A tile that was not changed since it was read has the digest that is told of it.
+TEST_F(UntrustedResultTest, ADigestOfAnotherTileIsALie) {
+  const std::string tile = scene_ + "/tiles/Tile_+000_+000.ply";
+  while (StampOf(tile, absl::Now()).empty()) std::this_thread::yield();  // it was just written
+  std::atomic<bool> lied{false};
+  cluster_.AddWorker("liar", 1,
+                     [&, run = SceneStageRunner()](Stage stage, const std::string& input, const auto& cancel) {
+                       auto result = run(stage, input, cancel);
+                       Survey survey;
+                       if (stage != Stage::kSurvey || lied || !survey.ParseFromString(*result)) return result;
+                       survey.set_digest(Sha256Hex("another"));
+                       survey.mutable_witness()->set_digest(survey.digest());
+                       *result = survey.SerializeAsString();
+                       lied = true;
+                       lied.notify_all();
+                       return result;
+                     });
+  const v1::Job submitted = cluster_.Submit(scene_);
+  lied.wait(false);
+  cluster_.AddWorker("good", 2, SceneStageRunner());
+  const v1::Job job = cluster_.WaitFor(submitted.name());
+  EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
+  ASSERT_EQ(job.warnings_size(), 1);
+  EXPECT_THAT(job.warnings(0), HasSubstr("a digest that is not the tile's"));
 }
 
 // Nobody does a stage of the first job right, and each is wrong in a way of its own.

@@ -101,6 +101,15 @@ TEST(PatchCheckTest, RefusesVerticesFarFromTheHole) {
   EXPECT_TRUE(CheckPatches(asked, patches, TallyOf(patches)).ok()) << "ground lies under the object at the rim";
 }
 
+TEST(PatchCheckTest, RefusesTrianglesThatAreFlatOrFaceDown) {
+  EXPECT_THAT(Fault([](HolePatch& p) { p.new_points[0] = {0, 0, 5}; }), HasSubstr("without area"));
+  EXPECT_THAT(Fault([](HolePatch& p) { p.new_points[0] = {2, 0, 5}; }), HasSubstr("without area"));
+  const auto fold = [](HolePatch& p) { p.new_points[0] = {2, -2, 5}; };
+  EXPECT_THAT(Fault(fold), HasSubstr("faces down"));
+  EXPECT_EQ(Fault([&](HolePatch& p) { fold(p), p.way = FillWay::kSpace; }), "") << "no heights over the ground";
+  EXPECT_EQ(Fault([](HolePatch& p) { p.new_points[0] = {2, -0.001, 5}; }), "") << "the rim is rounded";
+}
+
 TEST(PatchCheckTest, AnswersDoNotContradictThemselves) {
   EXPECT_NE(Fault([](HolePatch& p) { p.failure = "no"; }), "");
   EXPECT_NE(Fault([](HolePatch& p) { p.way = FillWay::kNone; }), "");
