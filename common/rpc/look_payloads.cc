@@ -19,14 +19,20 @@ absl::Status Malformed(const char* what) {
   return absl::InvalidArgumentError(std::string("malformed payload: ") + what);
 }
 
+// Of one tile. Names stay in memory while a job runs, and each costs a file.
+constexpr int kMostFiles = 10'000;
+constexpr size_t kMostPathBytes = 4096;
+
 bool StaysInside(const std::string& name) {
+  if (name.empty() || name.size() > kMostPathBytes) return false;
   const std::filesystem::path path(name);
-  return !name.empty() && !path.is_absolute() && name.find('\0') == std::string::npos &&
+  return !path.is_absolute() && name.find('\0') == std::string::npos &&
          std::none_of(path.begin(), path.end(), [](const std::filesystem::path& part) { return part == ".."; });
 }
 
 template <class Repeated>
 absl::StatusOr<std::vector<std::string>> Paths(const Repeated& proto) {
+  if (proto.size() > kMostFiles) return Malformed("more files than a tile may name");
   std::vector<std::string> paths(proto.begin(), proto.end());
   if (!std::all_of(paths.begin(), paths.end(), StaysInside)) return Malformed("path of a file of a tile");
   return paths;

@@ -4,6 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 absl::Status ErrorOf(sqlite3* database, const std::string& path) {
   const int code = sqlite3_extended_errcode(database);
   const int error = sqlite3_system_errno(database);
-  std::string text = absl::StrCat(path, ": ", sqlite3_errmsg(database), " (SQLite error ", code);
+  std::string text = absl::StrCat(path, ": ", Printable(sqlite3_errmsg(database)), " (SQLite error ", code);
   if (error != 0) absl::StrAppend(&text, ", system error ", error);
   text += ")";
   switch (code & 0xff) {

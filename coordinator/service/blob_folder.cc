@@ -139,7 +139,9 @@ absl::StatusOr<std::string> BlobFolder::Read(const std::string& digest) const {
     bytes.append(chunk);
     return true;
   }));
-  return bytes;
+  if (Sha256Hex(bytes) == digest) return bytes;
+  return WithErrorInfo(absl::UnavailableError(absl::StrCat("blob ", digest, ": damaged in ", path_)),
+                       {"BLOB_DAMAGED", {{"digest", digest}}});
 }
 
 absl::Status BlobFolder::ReadChunks(const std::string& digest,

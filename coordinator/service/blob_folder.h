@@ -55,6 +55,7 @@ class BlobFolder {
 
   // kNotFound (BLOB_NOT_FOUND), kInvalidArgument for a malformed digest, here and below.
   absl::StatusOr<int64_t> Size(const std::string& digest) const;
+  // kUnavailable (BLOB_DAMAGED) if the bytes are not those of the digest.
   absl::StatusOr<std::string> Read(const std::string& digest) const;
   // Gives the blob's bytes to `take` in order, at most kMaxChunkBytes at a time, until it returns false.
   absl::Status ReadChunks(const std::string& digest, const std::function<bool(std::string_view)>& take) const;

@@ -143,6 +143,11 @@ absl::StatusOr<Effects> CoordinatorImpl::Apply(const Event& event, Contents cont
       runner->Deliver(task, std::move(content));
     }
   }
+  for (const Contradicted& c : effects.contradicted) {
+    Warn(c.key.job,
+         absl::StrCat("worker ", Printable(c.worker), " could not do cell ", ToString(c.cell), ", stage ",
+                      std::string(StageName(c.stage)), ", which worker ", Printable(c.by), " did: ", c.reason));
+  }
   if (!effects.retried.empty() || !effects.settled.empty()) Changed();
   TakeVerdicts(effects);
   return effects;

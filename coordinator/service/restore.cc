@@ -71,7 +71,7 @@ absl::StatusOr<CoordinatorImpl::Contents> CoordinatorImpl::Recall(const std::str
       continue;
     }
     const bool is_blob = found->state == TaskState::kCommitted && !found->content;
-    if (is_blob && !blobs->Size(found->output).ok()) continue;  // it was lost: the task is done again
+    if (is_blob && !blobs->Read(found->output).ok()) continue;  // it was lost or damaged: the task is done again
     task.known = KnownResult{found->state, found->output, absl::OkStatus()};
     if (found->state != TaskState::kCommitted) task.known->error = ErrorOf(found->error);
     if (found->content) bytes += found->content->size();

@@ -1,6 +1,7 @@
 #include "coordinator/service/scene_files.h"
 
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 #include "absl/strings/str_cat.h"
@@ -34,9 +35,20 @@ void SceneFiles::Take(CellId cell, const TileFiles& files, bool is_written) {
 }
 
 void SceneFiles::Warn(CellId cell, const std::vector<std::string>& warnings) {
-  if (warnings.empty()) return;
-  std::vector<std::string>& all = warnings_[cell];
-  all.insert(all.end(), warnings.begin(), warnings.end());
+  for (const std::string& warning : warnings) {
+    std::vector<std::string>& of_cell = warnings_[cell];
+    if (of_cell.size() >= kMostWarnings) {
+      ++more_warnings_;
+      continue;
+    }
+    of_cell.push_back(Printable(warning.substr(0, kMostWarningBytes)));
+    if (++kept_warnings_ <= kMostWarnings) continue;
+    const auto last = std::prev(warnings_.end());
+    last->second.pop_back();
+    if (last->second.empty()) warnings_.erase(last);
+    --kept_warnings_;
+    ++more_warnings_;
+  }
 }
 
 std::string SceneFiles::LibraryOf(CellId cell) const {
@@ -76,7 +88,7 @@ std::set<std::string> SceneFiles::Carried() const {
 
 std::vector<std::string> SceneFiles::Warnings() const {
   std::vector<std::string> warnings;
-  int64_t more = 0;
+  int64_t more = more_warnings_;
   const auto add = [&](std::string warning) {
     if (warnings.size() < kMostWarnings) {
       warnings.push_back(std::move(warning));

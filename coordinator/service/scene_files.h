@@ -40,10 +40,12 @@ class SceneFiles {
   std::vector<std::string> CarriedBy(CellId cell) const;
   // All that are carried.
   std::set<std::string> Carried() const;
-  // In the order of the cells; those beyond the first kMostWarnings are counted in the last line.
+  // In the order of the cells, each cut to kMostWarningBytes; those beyond the first kMostWarnings are counted in the
+  // last line.
   std::vector<std::string> Warnings() const;
 
   static constexpr size_t kMostWarnings = 20;
+  static constexpr size_t kMostWarningBytes = 2048;
 
  private:
   struct File {
@@ -56,7 +58,9 @@ class SceneFiles {
   std::map<std::string, File> files_;
   std::map<CellId, std::set<std::string>> of_cells_;  // what each is the first to name
   std::map<CellId, std::vector<std::string>> libraries_;
-  std::map<CellId, std::vector<std::string>> warnings_;
+  std::map<CellId, std::vector<std::string>> warnings_;  // of a cell the first kMostWarnings, of all as many or fewer
+  size_t kept_warnings_ = 0;
+  int64_t more_warnings_ = 0;
 };
 
 }  // namespace tilemend

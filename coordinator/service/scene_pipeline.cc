@@ -156,7 +156,7 @@ class ScenePipeline : public JobPipeline {
       if (std::optional<std::string> known = reuse_->Recall(task, tasks_.NumberOf(task))) {
         TILEMEND_RETURN_IF_ERROR(tasks_.Take({task.cell, task.stage, *std::move(known)}));
       } else {
-        tasks_.AddHelp(task);
+        TILEMEND_RETURN_IF_ERROR(tasks_.AddHelp(task));
         bytes += task.input.size();
         tasks.push_back(std::move(task));
       }

@@ -78,20 +78,23 @@ int32_t SceneTasks::NumberOf(const TaskResult& result) {
   return output.ok() ? output->cluster() : 0;
 }
 
-void SceneTasks::AddHelp(NewTask& task) const {
-  const auto stamp = stamps_.find(task.cell);
-  if (task.stage != Stage::kAssemble || stamp == stamps_.end()) return;
+absl::Status SceneTasks::AddHelp(NewTask& task) const {
+  const auto place = surveyed_.find(task.cell);
+  if (task.stage != Stage::kAssemble || place == surveyed_.end()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));
+  if (surveyed.stamp().empty()) return absl::OkStatus();
   v1::AssembleInput help;
-  help.set_stamp(stamp->second);
+  help.set_stamp(surveyed.stamp());
   help.set_link_tile(spec_.link);
   help.AppendToString(&task.input);  // as one message: its other fields stay as they are
+  return absl::OkStatus();
 }
 
 void SceneTasks::Forget(CellId cell) { rims_.erase(cell); }
 
 absl::StatusOr<NewTask> SceneTasks::Encode(const SurveyWork& work) const {
   v1::SurveyInput input;
-  *input.mutable_tile() = Ref(*work.tile);
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
   input.set_look(!spec_.dry_run);
   const Box2 reach = ReachOfCell(waves_.scene(), work.tile->cell);
   for (const double x : {reach.lo.x(), reach.lo.y(), reach.hi.x(), reach.hi.y()}) input.add_reach(x);
@@ -126,7 +129,9 @@ absl::StatusOr<NewTask> SceneTasks::Encode(FillWork& work) {
   }
   *input.mutable_holes() = ToProto(work.holes);
   *input.mutable_options() = shape_;
-  for (const SceneTile* tile : work.surface) *input.add_surface() = Ref(*tile);
+  for (const SceneTile* tile : work.surface) {
+    TILEMEND_ASSIGN_OR_RETURN(*input.add_surface(), Ref(*tile));
+  }
   TILEMEND_ASSIGN_OR_RETURN(rims_[work.holes.cell], PutAside(ToProto(work.holes.vertices)));
   return NewTask{work.holes.cell, Stage::kFill, input.SerializeAsString()};
 }
@@ -162,7 +167,7 @@ absl::StatusOr<v1::SeamSide> SceneTasks::SideOf(const CellHoles& cell, const std
 absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   const CellId cell = work.tile->cell;
   v1::AssembleInput input;
-  *input.mutable_tile() = Ref(*work.tile);
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
   input.set_output(OutputPath(*work.tile));
   input.set_attempts(output_->attempts().path());
   input.set_float32(work.float32);
@@ -209,12 +214,7 @@ FillColours SceneTasks::LocalColours(const AssembleWork& work) const {
 }
 
 void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
-  std::string library = files_.LibraryOf(tile.cell);
-  input.set_new_library(library.empty());
-  if (!library.empty()) input.set_library_digest(library_digests_[library]);
-  if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
-  output_->Adopt({library});
-  input.set_library(std::move(library));
+  if (HasMaterials(tile)) SetLibrary(tile, input);
   const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
   output_->Adopt({carried.begin(), carried.end()});
   input.mutable_carried()->Add(carried.begin(), carried.end());
@@ -222,13 +222,25 @@ void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   input.set_output_root(spec_.out);
 }
 
-v1::TileRef SceneTasks::Ref(const SceneTile& tile) const {
+void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
+  std::string library = files_.LibraryOf(tile.cell);
+  input.set_new_library(library.empty());
+  if (!library.empty()) input.set_library_digest(library_digests_[library]);
+  if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
+  output_->Adopt({library});
+  input.set_library(std::move(library));
+}
+
+absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
   v1::TileRef ref;
   ref.set_root(waves_.scene().root);
   ref.set_path(tile.path);
   ref.set_col(tile.cell.col);
   ref.set_row(tile.cell.row);
-  if (const auto it = digests_.find(tile.cell); it != digests_.end()) ref.set_digest(it->second);
+  if (const auto place = surveyed_.find(tile.cell); place != surveyed_.end()) {
+    TILEMEND_ASSIGN_OR_RETURN(auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));
+    ref.set_digest(std::move(*surveyed.mutable_digest()));
+  }
   return ref;
 }
 
@@ -243,8 +255,10 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   if (!tile.ok()) return Unreadable(result.cell, tile.status());
   TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(result.cell)));
   if (spec_.textures != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
-  digests_[result.cell] = std::move(tile->digest);
-  if (!tile->stamp.empty() && tile->stamp.size() <= kMostStampBytes) stamps_[result.cell] = std::move(tile->stamp);
+  v1::SurveyOutput surveyed;
+  surveyed.set_digest(std::move(tile->digest));
+  if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
+  TILEMEND_ASSIGN_OR_RETURN(surveyed_[result.cell], PutAside(surveyed));
   for (const FileWitness::Read& read : tile->reads) {
     const auto& libraries = tile->files.libraries;
     const bool is_library = std::find(libraries.begin(), libraries.end(), read.path) != libraries.end();

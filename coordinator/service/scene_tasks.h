@@ -36,7 +36,7 @@ class SceneTasks {
   static int32_t NumberOf(const TaskResult& result);
 
   // Adds to a task's input what may help to do it, and tells it from no other.
-  void AddHelp(NewTask& task) const;
+  absl::Status AddHelp(NewTask& task) const;
 
   // kInternal for a result that cannot be read; of an assemble task also the errors of placing its files. For a survey,
   // kInvalidArgument if the tile does not lie in its cell.
@@ -57,7 +57,8 @@ class SceneTasks {
   absl::StatusOr<v1::SeamSide> SideOf(const CellHoles& cell, const std::vector<int32_t>& holes);
   FillColours LocalColours(const AssembleWork& work) const;
   void SetFiles(const SceneTile& tile, v1::AssembleInput& input);
-  v1::TileRef Ref(const SceneTile& tile) const;
+  void SetLibrary(const SceneTile& tile, v1::AssembleInput& input);
+  absl::StatusOr<v1::TileRef> Ref(const SceneTile& tile) const;
 
   absl::Status Decode(const TaskResult& result);
   absl::Status TakeSurvey(const TaskResult& result);
@@ -75,7 +76,7 @@ class SceneTasks {
   OutputFolder* const output_;
   const std::shared_ptr<ScratchFile> scratch_;
   SceneFiles files_;
-  std::map<CellId, std::string> digests_, stamps_;               // of the tiles
+  std::map<CellId, ScratchFile::Place> surveyed_;                // digest and stamp of each tile
   std::map<std::string, std::string> library_digests_;           // by path
   std::map<CellId, int32_t> clusters_of_;                        // how many were given out, by the first cell of each
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there

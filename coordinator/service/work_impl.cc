@@ -32,8 +32,9 @@ absl::Status CheckSync(const v1::SyncRequest& request) {
                                                    ", this coordinator ", kProtocolVersion, "; use the same release")),
         {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
   }
-  if (request.worker().size() > kMostNameBytes || request.secret().size() > kMostNameBytes) {
-    return absl::InvalidArgumentError(absl::StrCat("a worker's id and secret have at most ", kMostNameBytes, " bytes"));
+  if (std::max({request.worker().size(), request.secret().size(), request.release().size()}) > kMostNameBytes) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("a worker's id, secret and release have at most ", kMostNameBytes, " bytes"));
   }
   if (request.worker().empty() || request.threads() < 0 || request.threads() > kMaxThreads) {
     return absl::InvalidArgumentError(absl::StrCat("a worker needs an id and 0 to ", kMaxThreads, " threads"));
@@ -53,19 +54,25 @@ v1::TaskRef RefOf(const TaskKey& key, uint64_t token) {
 
 bool IsInline(const v1::BlobRef& blob) { return blob.size() == static_cast<int64_t>(blob.content().size()); }
 
-std::string DigestOf(const v1::BlobRef& blob) { return IsInline(blob) ? Sha256Hex(blob.content()) : blob.digest(); }
+// As long as a digest, whatever the worker says.
+std::string DigestOf(const v1::BlobRef& blob) {
+  if (IsInline(blob)) return Sha256Hex(blob.content());
+  return IsDigest(blob.digest()) ? blob.digest() : Sha256Hex(blob.digest());
+}
 
 bool IsMachineError(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsResourceExhausted(status);
 }
 
-// What a stranger says goes wrong is kept for as long as the job is.
+// What a stranger says goes wrong is kept for as long as the job is, and shown on terminals.
 absl::Status Bounded(const absl::Status& error) {
-  const ErrorInfo info = GetErrorInfo(error).value_or(ErrorInfo());
-  size_t bytes = error.message().size() + info.reason.size();
-  for (const auto& [key, value] : info.metadata) bytes += key.size() + value.size();
-  if (bytes <= kMostErrorBytes) return error;
-  return absl::Status(error.code(), Printable(std::string(error.message().substr(0, kMostErrorBytes))));
+  const std::optional<ErrorInfo> info = GetErrorInfo(error);
+  size_t bytes = info ? info->reason.size() : 0;
+  if (info) {
+    for (const auto& [key, value] : info->metadata) bytes += key.size() + value.size();
+  }
+  const absl::Status bounded(error.code(), Printable(std::string(error.message().substr(0, kMostErrorBytes))));
+  return info && bytes <= kMostErrorBytes ? WithErrorInfo(bounded, *info) : bounded;
 }
 
 bool IsAboutFiles(const absl::Status& status) { return absl::IsNotFound(status) || absl::IsPermissionDenied(status); }
@@ -136,7 +143,9 @@ absl::Status CoordinatorImpl::CheckSecret(const v1::SyncRequest& request, const 
 
 std::vector<std::string> CoordinatorImpl::TakeSeen(const v1::SyncRequest& request) {
   std::vector<std::string> unseen;
+  std::set<std::string> told;
   for (const v1::FoldersSeen& seen : request.seen()) {
+    if (!told.insert(seen.job()).second) continue;  // a worker says it once
     const auto warning = trust_.TakeSeen(request.worker(), seen, options_.clock());
     if (!warning) continue;
     Warn(seen.job(), *warning);
@@ -210,7 +219,7 @@ void CoordinatorImpl::PrepareOutput(const std::string& worker, const Holding& le
                                     Report& report) {
   const TaskKey key = KeyOf(report.ref);
   const uint64_t token = report.ref.attempt_token();
-  if (const absl::Status status = CheckOutput(lease, output); absl::IsDataLoss(status)) {
+  if (const absl::Status status = Bounded(CheckOutput(lease, output)); absl::IsDataLoss(status)) {
     report.refusal =
         absl::StrCat("the result of worker ", Printable(worker), " for cell ", ToString(lease.cell), ", stage ",
                      std::string(StageName(lease.stage)), ", is wrong: ", std::string(status.message()));
@@ -224,8 +233,9 @@ void CoordinatorImpl::PrepareOutput(const std::string& worker, const Holding& le
 }
 
 absl::Status CoordinatorImpl::CheckOutput(const Holding& lease, const v1::BlobRef& output) const {
+  if (!IsInline(output) && !IsDigest(output.digest())) return absl::DataLossError("a blob without a digest");
   if (!IsInline(output) && !lease.blobs->Size(output.digest()).ok()) {
-    return absl::UnavailableError(absl::StrCat("blob ", Printable(output.digest()), " did not arrive"));
+    return absl::UnavailableError(absl::StrCat("blob ", output.digest(), " did not arrive"));
   }
   if (!options_.check_result) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const std::string input, lease.blobs->Read(lease.input));
@@ -412,7 +422,8 @@ void CoordinatorImpl::InlineInputs(const std::map<std::string, std::shared_ptr<B
     if (folder == nullptr) continue;
     v1::BlobRef& input = *task.mutable_input();
     const auto size = folder->Size(input.digest());
-    if (!size.ok()) continue;  // the job has just ended: the worker is told so next time
+    input.set_size(size.value_or(-1));  // no size: not inside, so that nobody takes it for empty
+    if (!size.ok()) continue;           // the job has just ended, and the worker is told so next time; or it was lost
     input.set_size(*size);
     if (static_cast<size_t>(*size) > std::min(left, kInlineBlobBytes)) continue;
     auto content = folder->Read(input.digest());

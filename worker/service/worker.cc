@@ -330,7 +330,10 @@ absl::StatusOr<std::string> Worker::Compute(const Held& held) {
   std::string input = task.input().content();
   const bool is_inline = task.input().size() == static_cast<int64_t>(input.size());
   if (!is_inline) {
-    TILEMEND_ASSIGN_OR_RETURN(input, link_->ReadBlob(task.ref().job(), task.input().digest()));
+    auto read = link_->ReadBlob(task.ref().job(), task.input().digest());
+    // What the coordinator has lost is no fault of the task.
+    if (absl::IsNotFound(read.status())) return absl::UnavailableError(read.status().message());
+    TILEMEND_ASSIGN_OR_RETURN(input, std::move(read));
   }
   metrics_.Of(stage).bytes_in->Increment(static_cast<double>(input.size()));
   if (held.cancel.cancelled()) return absl::CancelledError("the task was cancelled");

@@ -7,6 +7,7 @@
 
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
+#include "common/util/files.h"
 #include "tests/support/test_cluster.h"
 
 namespace tilemend {
@@ -33,6 +34,15 @@ TEST_F(BlobFolderTest, GivesBackWhatWasPut) {
     EXPECT_EQ(*digest, Sha256Hex(bytes));
     EXPECT_EQ(*blobs_->Size(*digest), static_cast<int64_t>(size));
     EXPECT_TRUE(*blobs_->Read(*digest) == bytes);
+  }
+}
+
+TEST_F(BlobFolderTest, GivesNoDamagedBytes) {
+  const std::string digest = *blobs_->Put("hello");
+  const std::string path = folder_ / ("blobs/" + digest.substr(0, 2) + "/" + digest.substr(2));
+  for (const char* damaged : {"hell", "Hello", ""}) {
+    ASSERT_TRUE(WriteFileAtomically(path, damaged).ok());
+    EXPECT_EQ(ErrorReason(blobs_->Read(digest).status()), "BLOB_DAMAGED");
   }
 }
 

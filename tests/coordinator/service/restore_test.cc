@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "absl/strings/str_cat.h"
@@ -169,18 +170,22 @@ TEST(RestoreJobsTest, BlobsThatNoJobNeedsGo) {
   EXPECT_EQ(FilesBelow(cluster.folder() / "work/jobs"), 0);
 }
 
-TEST(RestoreJobsTest, ABlobThatWasLostIsMadeAgain) {
-  TestCluster cluster(Durable());
-  Budget budget(5);
-  cluster.AddWorker("w", 1, budget.Runner());
-  const std::string name = cluster.Submit("toy://3x3?bytes=100000").name();
-  budget.AwaitEnd();
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(cluster.folder() / "work/" + name)) {
-    if (entry.is_regular_file() && entry.file_size() > 50'000) std::filesystem::remove(entry.path());
+TEST(RestoreJobsTest, ABlobThatWasLostOrDamagedIsMadeAgain) {
+  const auto lose = [](const std::filesystem::path& path) { std::filesystem::remove(path); };
+  const auto cut = [](const std::filesystem::path& path) { std::filesystem::resize_file(path, 50'000); };
+  for (const std::function<void(const std::filesystem::path&)>& spoil : {std::function(lose), std::function(cut)}) {
+    TestCluster cluster(Durable());
+    Budget budget(5);
+    cluster.AddWorker("w", 1, budget.Runner());
+    const std::string name = cluster.Submit("toy://3x3?bytes=100000").name();
+    budget.AwaitEnd();
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(cluster.folder() / "work/" + name)) {
+      if (entry.is_regular_file() && entry.file_size() > 50'000) spoil(entry.path());
+    }
+    cluster.Restart();
+    cluster.AddWorker("w");
+    EXPECT_EQ(cluster.WaitFor(name).message(), Undisturbed("toy://3x3?bytes=100000").message());
   }
-  cluster.Restart();
-  cluster.AddWorker("w");
-  EXPECT_EQ(cluster.WaitFor(name).message(), Undisturbed("toy://3x3?bytes=100000").message());
 }
 
 TEST(RestoreJobsTest, LostWorkersAreRemembered) {

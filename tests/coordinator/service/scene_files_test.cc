@@ -64,6 +64,21 @@ TEST(SceneFilesTest, WarningsComeByCellAndAreCountedBeyondALimit) {
   EXPECT_EQ(files.Warnings().back(), "2 more warnings on material files and images");
 }
 
+TEST(SceneFilesTest, KeepsNoMoreWarningsThanItShows) {
+  SceneFiles files("");
+  files.Warn(kC, std::vector<std::string>(1000, std::string(100'000, 'x')));
+  files.Warn(kA, {"\x1b[2J"});
+  files.Warn(kB, std::vector<std::string>(SceneFiles::kMostWarnings, "b"));
+  const std::vector<std::string> warnings = files.Warnings();
+  ASSERT_THAT(warnings, SizeIs(SceneFiles::kMostWarnings + 1));
+  EXPECT_EQ(warnings[0], "\\x1b[2J");
+  EXPECT_EQ(warnings[SceneFiles::kMostWarnings - 1], "b") << "by cell, whatever came first";
+  EXPECT_EQ(warnings.back(), "1001 more warnings on material files and images");
+  SceneFiles others("");
+  others.Warn(kA, {std::string(100'000, 'x')});
+  EXPECT_EQ(others.Warnings()[0].size(), SceneFiles::kMostWarningBytes);
+}
+
 TEST(FolderInSceneTest, IsEmptyOutside) {
   EXPECT_EQ(FolderInScene("/a/scene/deep/out", "/a/scene"), "deep/out");
   EXPECT_EQ(FolderInScene("/a/out", "/a/scene"), "");

@@ -1,6 +1,7 @@
 // The worker's calls, without workers and without gRPC.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "absl/strings/str_cat.h"
@@ -71,6 +72,18 @@ TEST_F(WorkImplTest, RetriesAResultWhoseBlobNeverCame) {
   EXPECT_EQ(AwaitTask().ref().task(), 2) << "the first is to wait a little";
   cluster_.clock().Advance(absl::Seconds(1));
   EXPECT_EQ(AwaitTask("other").attempt(), 2);
+}
+
+TEST_F(WorkImplTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::Task task = AwaitTask();
+  ASSERT_EQ(task.input().size(), static_cast<int64_t>(task.input().content().size()));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(cluster_.folder() / "work/jobs")) {
+    if (entry.is_regular_file()) std::filesystem::remove(entry.path());
+  }
+  const v1::Task again = AwaitTask();
+  EXPECT_EQ(again.ref().task(), task.ref().task());
+  EXPECT_EQ(again.input().size(), -1);
 }
 
 TEST_F(WorkImplTest, LeasesNothingToAWorkerThatIsGone) {
@@ -167,6 +180,49 @@ TEST_F(WorkImplTest, RefusesNamesWithoutEnd) {
   talker = NewSync();
   talker.set_secret(std::string(257, 's'));
   EXPECT_TRUE(absl::IsInvalidArgument(impl_.Sync(talker, [] { return true; }).status()));
+  talker = NewSync();
+  talker.set_release(std::string(257, 'r'));
+  EXPECT_TRUE(absl::IsInvalidArgument(impl_.Sync(talker, [] { return true; }).status()));
+}
+
+TEST_F(WorkImplTest, KeepsNoEndlessTextOfAWorker) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const v1::Task task = AwaitTask();
+  v1::SyncRequest report = NewSync("w", 0);
+  auto* finished = report.add_finished();
+  *finished->mutable_ref() = task.ref();
+  finished->set_stage(task.stage());
+  finished->mutable_output()->set_digest(std::string(1 << 20, 'x'));
+  finished->mutable_output()->set_size(1);
+  Sync(report);
+  const v1::Job told = cluster_.Get(job->name());
+  ASSERT_EQ(told.warnings_size(), 1) << "no digest: the result is refused";
+  EXPECT_LT(told.ByteSizeLong(), 10'000U);
+}
+
+TEST_F(WorkImplTest, AnErrorThatAnotherWorkerDoesNotHaveIsToldInFewPrintableWords) {
+  const auto job = impl_.CreateJob(NewRequest());
+  const v1::Task task = AwaitTask("broken"), second = AwaitTask("other");
+  v1::SyncRequest report = NewSync("broken", 0);
+  auto* finished = report.add_finished();
+  *finished->mutable_ref() = task.ref();
+  finished->set_stage(task.stage());
+  finished->mutable_error()->set_code(static_cast<int>(absl::StatusCode::kInvalidArgument));
+  finished->mutable_error()->set_message("\x1b[2J" + std::string(1 << 20, 'x'));
+  Sync(report);
+  v1::SyncRequest done = NewSync("other");
+  Finish(second, done);
+  const v1::SyncResponse next = Sync(done);
+  ASSERT_EQ(next.start_size(), 1);
+  EXPECT_EQ(next.start(0).ref().task(), task.ref().task());
+  done = NewSync("other", 0);
+  Finish(next.start(0), done);
+  Sync(done);
+  const v1::Job told = cluster_.Get(job->name());
+  ASSERT_EQ(told.warnings_size(), 1);
+  EXPECT_EQ(told.warnings(0).find('\x1b'), std::string::npos);
+  EXPECT_LT(told.warnings(0).size(), 4000U);
+  EXPECT_NE(told.warnings(0).find("worker broken could not do cell"), std::string::npos);
 }
 
 }  // namespace

@@ -204,7 +204,7 @@ TEST_F(WorkerTest, ReadsALargeInputAsABlob) {
   v1::Task task = TaskOf(1, "");
   task.mutable_input()->set_size(static_cast<int64_t>(input.size()));
   task.mutable_input()->set_digest(Sha256Hex(input));
-  EXPECT_EQ(StatusFromProto(Run(Echo, task).error()).code(), absl::StatusCode::kNotFound);
+  EXPECT_EQ(StatusFromProto(Run(Echo, task).error()).code(), absl::StatusCode::kUnavailable) << "it is lost";
   coordinator_.PutBlob(Sha256Hex(input), input);
   const auto size = [](Stage, const std::string& bytes, const CancelToken&) -> absl::StatusOr<std::string> {
     return std::to_string(bytes.size());
