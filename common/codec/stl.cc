@@ -46,7 +46,8 @@ bool IsWord(std::string_view word, std::string_view keyword) {
 
 // A text has no bytes that are 0; headers of binary files may begin with `solid` as well.
 bool IsText(std::string_view bytes) {
-  return IsWord(bytes.substr(0, 5), "solid") && bytes.substr(0, kHeadBytes + kFacetBytes).find('\0') == bytes.npos;
+  return IsWord(bytes.substr(0, 5), "solid") &&
+         bytes.substr(0, kHeadBytes + kFacetBytes).find('\0') == std::string_view::npos;
 }
 
 // Where the last `endsolid` begins, or the end.
