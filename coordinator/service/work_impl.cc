@@ -424,7 +424,6 @@ void CoordinatorImpl::InlineInputs(const std::map<std::string, std::shared_ptr<B
     const auto size = folder->Size(input.digest());
     input.set_size(size.value_or(-1));  // no size: not inside, so that nobody takes it for empty
     if (!size.ok()) continue;           // the job has just ended, and the worker is told so next time; or it was lost
-    input.set_size(*size);
     if (static_cast<size_t>(*size) > std::min(left, kInlineBlobBytes)) continue;
     auto content = folder->Read(input.digest());
     if (!content.ok()) continue;
