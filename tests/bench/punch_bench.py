@@ -27,7 +27,8 @@ import surfaces
 RADII = (2, 3.5, 6, 10)  # mean edges
 TRIES = 1000             # places tried on a body for discs of one size
 MOST = 12                # discs of one size on a body
-SAMPLES = 8              # along an edge of what was removed
+SAMPLES = 8              # along an edge of the body
+NEAREST = 12             # samples of the body that are looked at for a distance
 
 
 def sphere(level):
@@ -164,6 +165,27 @@ def samples(corners):
     return np.einsum('sk,tkd->tsd', weights, corners).reshape(-1, 3)
 
 
+def distances(probes, corners):
+    """Of each point from the nearest of the triangles, of which the twelve with samples nearest to it are looked at."""
+    spread = samples(corners)
+    near = cKDTree(spread).query(probes, k=NEAREST)[1] // (len(spread) // len(corners))
+    a, b, c = (corners[near][:, :, k] for k in range(3))
+    p = probes[:, None]
+
+    def dot(u, v):
+        return (u * v).sum(-1)
+
+    def from_edge(q, r):
+        along = np.clip(dot(p - q, r - q) / np.maximum(dot(r - q, r - q), 1e-300), 0, 1)
+        return np.linalg.norm(p - q - along[..., None] * (r - q), axis=-1)
+
+    normal = np.cross(b - a, c - a)
+    square = np.maximum(dot(normal, normal), 1e-300)
+    inside = np.logical_and.reduce([dot(np.cross(r - q, p - q), normal) >= 0 for q, r in ((a, b), (b, c), (c, a))])
+    beside = np.minimum(np.minimum(from_edge(a, b), from_edge(b, c)), from_edge(c, a))
+    return np.where(inside, np.minimum(beside, np.abs(dot(p - a, normal)) / np.sqrt(square)), beside).min(1)
+
+
 def judge(points, triangles, of, discs, out):
     """For each disc the error of its patch; NaN where there is none."""
     new_points, new_triangles = surfaces.read_off(out)
@@ -176,9 +198,8 @@ def judge(points, triangles, of, discs, out):
     patch, disc = surfaces.patches(corners), np.empty(len(corners), int)
     for p in np.unique(patch):
         disc[patch == p] = np.argmin(np.linalg.norm(centres - corners[patch == p].mean((0, 1)), axis=1) / radii)
-    tree = cKDTree(samples(points[triangles]))
     probes = np.concatenate([corners, corners.mean(1, keepdims=True)], 1)
-    off = tree.query(probes.reshape(-1, 3))[0].reshape(-1, 4).mean(1)
+    off = distances(probes.reshape(-1, 3), points[triangles]).reshape(-1, 4).mean(1)
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     for d in range(len(discs)):
         if (disc == d).any():
