@@ -1,5 +1,6 @@
 #include "coordinator/service/scene_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <system_error>
@@ -54,10 +55,11 @@ void SceneFiles::Warn(CellId cell, const std::vector<std::string>& warnings) {
 std::string SceneFiles::LibraryOf(CellId cell) const {
   const auto libraries = libraries_.find(cell);
   if (libraries == libraries_.end()) return "";
-  for (auto path = libraries->second.rbegin(); path != libraries->second.rend(); ++path) {
-    if (files_.at(*path).tiles == 1 && !HidesAnother(*path)) return *path;
-  }
-  return "";
+  const auto& paths = libraries->second;
+  const auto own = std::find_if(paths.rbegin(), paths.rend(), [&](const std::string& path) {
+    return files_.at(path).tiles == 1 && !HidesAnother(path);
+  });
+  return own == paths.rend() ? "" : *own;
 }
 
 std::string SceneFiles::NewLibraryFor(const std::string& path) const {

@@ -144,13 +144,13 @@ std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::
   std::vector<Event> events;
   for (const auto& [id, worker] : state.workers()) {
     if (worker.last_seen + silence < now) {
-      events.push_back(WorkerLost{id});
+      events.emplace_back(WorkerLost{id});
       continue;
     }
     for (const TaskKey& key : worker.held) {
       const Lease& lease = *LeaseOf(*state.FindTask(key), id);
       const bool too_long = lease.since + state.options().longest_attempt < now;
-      if (lease.deadline < now || too_long) events.push_back(LeaseExpired{key, id, lease.token});
+      if (lease.deadline < now || too_long) events.emplace_back(LeaseExpired{key, id, lease.token});
     }
   }
   return events;
@@ -166,7 +166,7 @@ std::vector<Event> Abandoned(const CoordinatorState& state, absl::Time now, cons
       if (task.state != TaskState::kPending || waits) continue;
       const bool has_taker = std::any_of(state.workers().begin(), state.workers().end(),
                                          [&](const auto& entry) { return MayTry(entry.second, job, task, may); });
-      if (!has_taker) events.push_back(TaskAbandoned{{id, task_id}});
+      if (!has_taker) events.emplace_back(TaskAbandoned{{id, task_id}});
     }
   }
   return events;

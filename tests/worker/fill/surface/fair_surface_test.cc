@@ -21,7 +21,7 @@ FairSurfaceProblem DiscProblem(const std::function<Point3(const Point3&)>& shape
     const int ring = v == 0 ? 0 : static_cast<int>((v - 1) / sectors) + 1;
     problem.known.push_back(ring > rings - 2);
     problem.has_equation.push_back(ring < rings);
-    problem.points.push_back(shape(mesh.points[v]) + (ring > rings - 2 ? Point3(0, 0, 0) : off));
+    problem.points.emplace_back(shape(mesh.points[v]) + (ring > rings - 2 ? Point3(0, 0, 0) : off));
   }
   for (const Triangle& t : mesh.triangles) {
     const int32_t most = std::max({t[0], t[1], t[2]});
