@@ -72,8 +72,9 @@ class ClusterSampler {
     std::vector<double> laplacian;
     const auto solve = [&] {
       auto found = SolvePlate(problem, surface.hold_out);
-      if (found) laplacian = *std::move(found);
-      return found.has_value();
+      if (!found) return false;
+      laplacian = *std::move(found);
+      return true;
     };
     if (!SolveOverSlope(cluster_.holes[0].slope, problem, solve)) return std::nullopt;
     surface.samples = Samples(problem, laplacian);
