@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "tests/support/fill_pipeline.h"
-#include "tests/support/hillside.h"
 #include "tests/support/scene_maker.h"
 #include "tests/support/surveyed_scene.h"
 #include "tests/support/water_scenes.h"
@@ -415,7 +414,13 @@ TEST(AmongHousesTest, TheSurfaceDoesNotDependOnWhereTheGridCuts) {
   EXPECT_LT(MeanApart(cut, [&](const Point2& p) { return HeightOver(whole, p); }), 0.01 * relief);
 }
 
-double Hillside(double x, double y) { return HillsOnASlope(x, y, 10, 45); }
+// Hills on a plane of 45 degrees, along its normal.
+double Hillside(double x, double y) {
+  const auto over_plane = [&](double u) { return 10 * std::sin(u / 45) * std::cos(y / 45); };
+  double u = std::sqrt(2.0) * x;
+  for (int k = 0; k < 60; ++k) u = std::sqrt(2.0) * x + over_plane(u);
+  return (u + over_plane(u)) / std::sqrt(2.0);
+}
 
 TEST(SteepGroundTest, IsFilledAlongTheSlope) {
   const auto fill = Filled(HoleOverNineCells(Cut::kRagged, [](double, double x, double y) { return Hillside(x, y); }));

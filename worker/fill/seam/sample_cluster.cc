@@ -69,15 +69,13 @@ class ClusterSampler {
       return surface;
     }
     if (!FreeRim(hole_.on_object, {}, problem)) return std::nullopt;
-    std::vector<double> laplacian;
+    std::optional<std::vector<double>> laplacian;
     const auto solve = [&] {
-      auto found = SolvePlate(problem, surface.hold_out);
-      if (!found) return false;
-      laplacian = *std::move(found);
-      return true;
+      laplacian = SolvePlate(problem, surface.hold_out);
+      return laplacian.has_value();
     };
     if (!SolveOverSlope(cluster_.holes[0].slope, problem, solve)) return std::nullopt;
-    surface.samples = Samples(problem, laplacian);
+    surface.samples = Samples(problem, *laplacian);
     return surface;
   }
 

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
-#include "tests/support/hillside.h"
 #include "tests/worker/fill/surface/plates.h"
 #include "worker/fill/surface/thin_plate.h"
 
@@ -41,13 +42,26 @@ TEST(PlateOverSlopeTest, GivesAPlaneOfAnySlope) {
   EXPECT_LT(LargestError(plate, plane), 1e-9);
 }
 
-double Hillside(double x, double y) { return HillsOnASlope(x, y, 1.5, 7); }
-
-TEST(PlateOverSlopeTest, BendsAlongTheSlope) {
-  Plate over_slope = MakePlate(Hillside, Everywhere, Nowhere), over_ground = over_slope;
-  ASSERT_TRUE(SolveOverSlope({1, 0}, over_slope.problem, [&] { return Solve(over_slope.problem); }));
+// Hills on a slope of 45 degrees: as far apart as they are on the plane, and as high above it.
+TEST(PlateOverSlopeTest, IsThePlateOverThePlane) {
+  const double length = std::sqrt(2.0);
+  const auto hills = [](double u, double v) { return 1.5 * std::sin(0.16 * u + 0.4) * std::cos(0.14 * v); };
+  const auto tilted = [&](double x, double y) { return x + length * hills(length * x, y); };
+  Plate plate = MakePlate(tilted, Everywhere, Nowhere), over_plane = plate, over_ground = plate;
+  for (size_t v = 0; v < plate.problem.points.size(); ++v) {
+    Point3& p = over_plane.problem.points[v];
+    p = {length * p.x(), p.y(), plate.problem.known[v] ? hills(length * p.x(), p.y()) : 0};
+  }
+  ASSERT_TRUE(SolveOverSlope({1, 0}, plate.problem, [&] { return Solve(plate.problem); }));
+  ASSERT_TRUE(Solve(over_plane.problem));
   ASSERT_TRUE(Solve(over_ground.problem));
-  EXPECT_LT(LargestError(over_slope, Hillside), 0.6 * LargestError(over_ground, Hillside));
+  double apart = 0;
+  for (size_t v = 0; v < plate.problem.points.size(); ++v) {
+    const Point3& p = plate.problem.points[v];
+    EXPECT_NEAR(p.z(), p.x() + length * over_plane.problem.points[v].z(), 1e-8);
+    apart = std::max(apart, std::abs(p.z() - over_ground.problem.points[v].z()));
+  }
+  EXPECT_GT(apart, 0.05);
 }
 
 TEST(PlateOverSlopeTest, SaysWhatTheSolverSays) {
