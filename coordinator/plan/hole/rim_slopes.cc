@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace tilemend {
 namespace {
@@ -14,7 +13,7 @@ namespace {
 constexpr double kGentle = 0.25;  // a plate over the ground is that over the plane to within 3 %
 constexpr double kSteepest = 2;
 
-// The boundary of one cluster: its rim, and seams with the cluster on one side only.
+// The rim of one cluster, and its seams with the cluster on one side only: at the edge of the area.
 class ClusterRim {
  public:
   explicit ClusterRim(const Plan& plan) : plan_(plan) {}
@@ -29,26 +28,14 @@ class ClusterRim {
     }
   }
 
-  Point2 Slope() {
-    std::map<int32_t, int32_t> next(seams_.begin(), seams_.end());
-    for (const auto& [from, to] : next) {
-      if (!IsKnown(from)) continue;
-      int32_t end = to;
-      for (auto it = next.find(end); !IsKnown(end) && it != next.end(); it = next.find(end)) end = it->second;
-      if (IsKnown(end)) AddWay(from, end);
-    }
-    if (!(area_.z() > 0)) return Point2(0, 0);
+  Point2 Slope() const {
+    if (!seams_.empty() || !(area_.z() > 0)) return Point2(0, 0);
     const Point2 slope = -area_.head<2>() / area_.z();
     if (slope.norm() < kGentle) return Point2(0, 0);
     return slope * (kSteepest / std::max(slope.norm(), kSteepest));
   }
 
  private:
-  bool IsKnown(int32_t v) const {
-    const PlanVertex& vertex = plan_.vertices[v];
-    return vertex.index >= 0 || vertex.height_given || vertex.height_known;
-  }
-
   void AddWay(int32_t from, int32_t to) {
     if (!origin_) origin_ = plan_.vertices[from].position;
     area_ += (plan_.vertices[from].position - *origin_).cross(plan_.vertices[to].position - *origin_);

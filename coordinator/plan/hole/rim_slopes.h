@@ -7,9 +7,10 @@
 namespace tilemend {
 
 // Sets PlannedHole::slope: the mean slope inside the rim of its cluster, or of a closed hole's own, which the rim alone
-// tells (that of the plane across its vector area). All holes of a cluster have the same, wherever the grid cuts. Where
-// a cluster reaches the edge of the area, its rim goes on straight from one end to the other. At most 2 (63 degrees);
-// zero where it is less than 0.25 (14 degrees) or the rim faces down. Cost O(n log n) in the segments.
+// tells (that of the plane across its vector area). All holes of a cluster have the same, wherever the grid cuts. At
+// most 2 (63 degrees). Zero where it is less than 0.25 (14 degrees), where the rim faces down, and where the cluster
+// reaches the edge of the area: a surface that ends freely there would go on along the slope, however far. Cost O(n log
+// n) in the segments.
 void FindRimSlopes(Plan& plan);
 
 }  // namespace tilemend
