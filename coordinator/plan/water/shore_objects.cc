@@ -167,7 +167,7 @@ bool AreWalls(std::span<const double> steps, const ObjectRule& rule) {
   const auto steeper = [&](double least) {
     return std::count_if(steps.begin(), steps.end(), [least](double s) { return s > least; });
   };
-  return 2 * steeper(rule.wall) >= std::max<ptrdiff_t>(1, steeper(rule.slope));
+  return 3 * steeper(rule.wall) >= std::max<ptrdiff_t>(1, steeper(rule.rough));
 }
 
 }  // namespace tilemend

@@ -15,6 +15,7 @@ struct ObjectRule {
   double least_height = 0.5;  // metres, above what is left when the heights are opened
   double step_noise = 0.3;    // metres: steps lower than this tell nothing
   double slope = 0.6;         // less is ground
+  double rough = 0.3;         // steps of rough ground are steeper; as those of things are
   double wall = 2;            // more is a wall
 };
 
@@ -28,9 +29,9 @@ struct ObjectRule {
 std::vector<double> StepsDown(std::span<const Point3> rim, std::span<const Point3> surroundings,
                               const ObjectRule& rule = {});
 
-// Whether the steps are those of things that stand there, and not of rough ground: at least half of those steeper than
-// `slope` are steeper than `wall`. Things have a wall or nothing; slopes of rough ground have all steepnesses. A point
-// whose step is steeper than `slope` then stands on an object.
+// Whether the steps are those of things that stand there, and not of rough ground: at least a third of those steeper
+// than `rough` are steeper than `wall`. Things have a wall or nothing; slopes of rough ground have all steepnesses. A
+// point whose step is steeper than `slope` then stands on an object.
 bool AreWalls(std::span<const double> steps, const ObjectRule& rule = {});
 
 }  // namespace tilemend

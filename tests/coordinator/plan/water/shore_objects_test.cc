@@ -92,6 +92,18 @@ TEST(AreWallsTest, RoughGroundHasSlopesOfAllKinds) {
   EXPECT_FALSE(AreWalls(steps));
 }
 
+// As many steps of each steepness.
+std::vector<double> Steps(int gentle, int steep, int walls) {
+  std::vector<double> steps(gentle, 0.4);
+  steps.insert(steps.end(), steep, 0.7);
+  steps.insert(steps.end(), walls, 2.5);
+  return steps;
+}
+
+TEST(AreWallsTest, GentleSlopesSpeakForRoughGroundToo) { EXPECT_FALSE(AreWalls(Steps(25, 10, 10))); }
+
+TEST(AreWallsTest, LowThingsBesideThemDoNotHideWalls) { EXPECT_TRUE(AreWalls(Steps(0, 15, 10))); }
+
 TEST(AreWallsTest, WhereNothingIsSteepThereAreNone) { EXPECT_FALSE(AreWalls(std::vector<double>{0, 0.1, 0.2})); }
 
 }  // namespace
