@@ -1,5 +1,6 @@
 #include "coordinator/service/grpc_services.h"
 
+#include <functional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -128,7 +129,7 @@ class JobsService : public v1::Jobs::Service {
     return entrance_.Change(context, rpc, request.name(), std::move(how), response,
                             [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
                               TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request.name()));
-                              return (impl_.*steer)(request);
+                              return std::invoke(steer, impl_, request);
                             });
   }
 

@@ -309,7 +309,8 @@ TEST_F(UntrustedResultTest, AResultThatTwoWorkersGiveIsLeftAndNobodyIsSetAside) 
   const v1::Job job = cluster_.WaitFor(cluster_.Submit(scene_).name());
   EXPECT_EQ(job.state(), v1::PARTIAL) << job.error().message();
   EXPECT_EQ(cluster_.Metric("tilemend_coordinator_workers_set_aside"), 0);
-  for (const auto& left : ReportOf(Out(job))["left"]) EXPECT_EQ(left["cell"], nlohmann::json({1, 0}));
+  const auto report = ReportOf(Out(job));
+  for (const auto& left : report["left"]) EXPECT_EQ(left["cell"], nlohmann::json({1, 0}));
 }
 
 // Of one worker, where there is another: its word alone fails no cell and no job.

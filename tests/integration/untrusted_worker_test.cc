@@ -90,6 +90,7 @@ TEST_F(UntrustedWorkerTest, AnOutputFolderThatIsDeletedWhileTilesAreWrittenEndsT
                        return run(stage, input, cancel);
                      });
   const v1::Job job = cluster_.WaitFor(cluster_.Submit(scene_).name());
+  cluster_.KillWorker("worker");  // it may still be at a tile
   EXPECT_EQ(job.state(), v1::FAILED);
   EXPECT_EQ(ExitCodeOf(StatusFromProto(job.error())), kExitRetryable) << job.error().message();
   EXPECT_FALSE(std::filesystem::exists(out + "/report.json"));
@@ -107,6 +108,7 @@ TEST_F(UntrustedWorkerTest, TilesThatAreDeletedBeforeTheEndAreMissed) {
                        return run(stage, input, cancel);
                      });
   const v1::Job job = cluster_.WaitFor(cluster_.Submit(scene_).name());
+  cluster_.KillWorker("worker");  // it may still be at a tile
   EXPECT_EQ(job.state(), v1::FAILED);
   EXPECT_EQ(ExitCodeOf(StatusFromProto(job.error())), kExitRetryable);
   EXPECT_THAT(job.error().message(), HasSubstr("not there as it was written"));

@@ -12,7 +12,10 @@ using ::testing::HasSubstr;
 
 LatticeMesh Mesh(int32_t points, int32_t triangles) {
   LatticeMesh mesh;
-  for (int32_t i = 0; i < points; ++i) mesh.points.push_back({(i * 7919) % 1000, (i * 104729) % 1000, i % 17});
+  for (int64_t i = 0; i < points; ++i) {
+    mesh.points.push_back(
+        {static_cast<int32_t>(i * 7919 % 1000), static_cast<int32_t>(i * 104729 % 1000), static_cast<int32_t>(i % 17)});
+  }
   for (int32_t i = 0; i < triangles; ++i) {
     mesh.triangles.push_back({i % points, (i * 31 + 1) % points, (i * 17 + 2) % points});
   }
