@@ -4,6 +4,7 @@
 #include <grpcpp/client_context.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <utility>
 
@@ -48,7 +49,10 @@ class JobClient::Impl {
       context.AddMetadata("traceparent", TraceParent(trace));
       Response response;
       const absl::Status status = FromGrpcStatus((to.*method)(&context, request, &response));
-      if (status.ok()) return response;
+      if (status.ok()) {
+        reached = true;
+        return response;
+      }
       if (!absl::IsUnavailable(status)) return status;
       if (absl::Now() + kPause > give_up) return Unreachable(status);
       absl::SleepFor(kPause);
@@ -58,6 +62,7 @@ class JobClient::Impl {
   const std::unique_ptr<v1::Jobs::Stub> stub;
   const std::unique_ptr<v1::Workers::Stub> workers;
   const std::string trace = NewTrace();
+  std::atomic<bool> reached{false};  // by a call
 };
 
 JobClient::JobClient(const std::shared_ptr<grpc::Channel>& channel, absl::Duration patience)
@@ -141,7 +146,7 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
   v1::Job last;
   const absl::Duration reconnect_patience =
       patience_ > absl::ZeroDuration() ? kReconnectPatience : absl::ZeroDuration();
-  absl::Time give_up = absl::Now() + patience_;
+  absl::Time give_up = absl::Now() + (impl_->reached ? reconnect_patience : patience_);
   absl::Duration pause = kPause;
   while (true) {
     const uint64_t cursor = request.cursor();

@@ -22,8 +22,8 @@ namespace tilemend {
 // Thread-safe, except that one Watch goes at a time.
 class JobClient {
  public:
-  // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable); a watch that has been under way
-  // waits ten minutes, in which the coordinator may start again, unless `patience` is 0.
+  // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable); a watch waits ten minutes, in which
+  // the coordinator may start again, where it has been under way or a call has succeeded, unless `patience` is 0.
   JobClient(const std::shared_ptr<grpc::Channel>& channel, absl::Duration patience);
   ~JobClient();
 

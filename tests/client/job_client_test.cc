@@ -1,0 +1,83 @@
+#include "client/job_client.h"
+
+#include <grpcpp/create_channel.h>
+#include <grpcpp/security/credentials.h>
+#include <grpcpp/security/server_credentials.h>
+#include <grpcpp/server_builder.h>
+#include <gtest/gtest.h>
+
+#include <future>
+#include <memory>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "tests/support/test_cluster.h"
+#include "tilemend/v1/jobs.grpc.pb.h"
+
+namespace tilemend {
+namespace {
+
+// Takes every job and says of each that it is done.
+class Jobs : public v1::Jobs::Service {
+  grpc::Status CreateJob(grpc::ServerContext*, const v1::CreateJobRequest*, v1::Job* job) override {
+    job->set_name("jobs/1");
+    return grpc::Status::OK;
+  }
+  grpc::Status WatchJob(grpc::ServerContext*, const v1::WatchJobRequest*,
+                        grpc::ServerWriter<v1::Job>* writer) override {
+    v1::Job job;
+    job.set_name("jobs/1");
+    job.set_state(v1::DONE);
+    writer->Write(job);
+    return grpc::Status::OK;
+  }
+};
+
+std::unique_ptr<grpc::Server> Serve(Jobs& jobs, int& port) {
+  grpc::ServerBuilder builder;
+  builder.AddListeningPort(absl::StrCat("127.0.0.1:", port), grpc::InsecureServerCredentials(), &port);
+  builder.RegisterService(&jobs);
+  return builder.BuildAndStart();
+}
+
+class JobClientTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
+    server_ = Serve(jobs_, port_);
+  }
+  JobClient Client() {
+    return {grpc::CreateChannel(absl::StrCat("127.0.0.1:", port_), grpc::InsecureChannelCredentials()),
+            absl::Milliseconds(200)};
+  }
+
+  Jobs jobs_;
+  int port_ = 0;
+  std::unique_ptr<grpc::Server> server_;
+};
+
+TEST_F(JobClientTest, WatchesAJobItHasStartedThoughTheCoordinatorEndsAtOnce) {
+  JobClient client = Client();
+  ASSERT_TRUE(client.Create({}).ok());
+  server_->Shutdown();
+  auto watched = std::async(std::launch::async, [&] { return client.Watch("jobs/1", [](const v1::Job&) {}); });
+  absl::SleepFor(absl::Seconds(1));  // longer than its patience
+  server_ = Serve(jobs_, port_);
+  ASSERT_NE(server_, nullptr);
+  const absl::StatusOr<v1::Job> job = watched.get();
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->state(), v1::DONE);
+}
+
+TEST_F(JobClientTest, GivesUpSoonOnACoordinatorThatItNeverReached) {
+  server_->Shutdown();
+  JobClient client = Client();
+  const absl::Time begin = absl::Now();
+  const absl::Status status = client.Watch("jobs/1", [](const v1::Job&) {}).status();
+  EXPECT_TRUE(absl::IsUnavailable(status)) << status;
+  EXPECT_LT(absl::Now() - begin, absl::Minutes(1));
+}
+
+}  // namespace
+}  // namespace tilemend
