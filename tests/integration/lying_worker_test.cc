@@ -116,9 +116,9 @@ std::vector<Lie> FileLies() {
   return {
       LieIn<Survey>("LeadsOutOfTheScene", Stage::kSurvey,
                     [](Survey& s) { return s.mutable_files()->add_images("../../etc/passwd"), true; }),
-      LieIn<Survey>("NamesAMillionImages", Stage::kSurvey,
+      LieIn<Survey>("NamesManyImages", Stage::kSurvey,
                     [](Survey& s) {
-                      for (int i = 0; i < 1000000; ++i) s.mutable_files()->add_images("images/" + std::to_string(i));
+                      for (int i = 0; i < 50000; ++i) s.mutable_files()->add_images("images/" + std::to_string(i));
                       return true;
                     }),
   };
