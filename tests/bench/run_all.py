@@ -3,7 +3,7 @@
 
     run_all.py [--bin DIR] [--runs 5] [--only survey,scene,partition,...] [--peers DIR] [--build DIR] [--dry-run]
 
-TILEMEND_SHARED_TOOLS names the folder of the scene tools for partition, surface, map and figure14; --peers that of the peer's
+TILEMEND_SHARED_TOOLS names the folder of the scene tools for partition, surface, street, map and figure14; --peers that of the peer's
 drivers and of hole_bench.py's meshes, for peer and hole; figure14 prints the peer beside the rest when it is there. The page's
 pictures go to docs/images. A benchmark without what it needs is skipped with a message and its table stays as it is. --dry-run
 prints, and writes no page.
@@ -83,6 +83,11 @@ def surface(a):
     return surface_bench.tables(a.bin, [1, 2, 3])
 
 
+def street(a):
+    import street_bench
+    return street_bench.tables(a.bin, [91, 92, 93, 94, 95, 96])
+
+
 def error_map(a):
     import plots
     return plots.error_map(a.bin)
@@ -123,10 +128,10 @@ def growth(table):
 
 
 BENCHES = {'survey': survey, 'tile': tile, 'scene': scene, 'partition': with_truth(partition),
-           'surface': with_truth(surface), 'map': with_truth(error_map, 'matplotlib'), 'figure14': with_truth(figure14),
+           'surface': with_truth(surface), 'street': with_truth(street), 'map': with_truth(error_map, 'matplotlib'), 'figure14': with_truth(figure14),
            'peer': peer, 'hole': hole}
 PICTURES = {'hole': growth}
-ROUNDS = {'partition': 'one run a row', 'surface': 'one run a row', 'map': 'one run', 'figure14': 'one run a row'}
+ROUNDS = {'partition': 'one run a row', 'surface': 'one run a row', 'street': 'one run a row', 'map': 'one run', 'figure14': 'one run a row'}
 
 
 def runs(name, a):
