@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/exact_signs.h"
 #include "common/mesh/rounding.h"
 #include "common/mesh/segment_distance.h"
 
@@ -24,13 +25,9 @@ struct Way {
   Point2 from, to;
 };
 
-// Twice the area of a triangle, positive if it is counterclockwise.
-double Turn(const Point2& a, const Point2& b, const Point2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
 bool Cross(const Way& way, const Point2& a, const Point2& b) {
-  return Turn(way.from, way.to, a) * Turn(way.from, way.to, b) < 0 && Turn(a, b, way.from) * Turn(a, b, way.to) <= 0;
+  return TurnOf(way.from, way.to, a) * TurnOf(way.from, way.to, b) < 0 &&
+         TurnOf(a, b, way.from) * TurnOf(a, b, way.to) <= 0;
 }
 
 // The segments of a cell's holes on its tile's outline, by Side.

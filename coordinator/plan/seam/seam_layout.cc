@@ -82,7 +82,7 @@ class SeamLayer {
   }
 
   bool TakesProjections(const Border& border) const {
-    return site_.options.seam_points == SeamPoints::kProjected && !site_.lines.joined && IsInner(border);
+    return site_.options.seam_points == SeamPoints::kProjected && IsInner(border);
   }
 
   bool IsInner(const Border& border) const {
@@ -106,7 +106,13 @@ class SeamLayer {
         }
       }
       projected_ = std::move(rest);
-      for (const auto& [stretch, places] : found) Lay(stretch, places);
+      for (const auto& [stretch, places] : found) {
+        if (site_.lines.joined) {
+          LayCompleted(stretch, places);
+        } else {
+          Lay(stretch, places);
+        }
+      }
       if (found.empty() && !from_rim) break;
       from_rim = false;
     }
@@ -126,16 +132,27 @@ class SeamLayer {
     return places;
   }
 
-  void LaySpaced(const Stretch& stretch) {
-    const Border& border = stretch.border;
-    const auto places = PlaceSeamVertices(site_, border, PositionOf(stretch.from), PositionOf(stretch.to), EdgesLeft());
-    if (!places) {
-      Fail(border, absl::StrFormat("the mesh is too fine for cells of this size: more than %d edges on one grid line, "
-                                   "or %d in the scene",
-                                   kMostSeamEdges, most_vertices_));
-      return;
+  void LaySpaced(const Stretch& stretch) { LayCompleted(stretch, {}); }
+
+  // With spaced places between given ones, where these are further apart than the triangles there will be large. Tiles
+  // that overlap so have one surface in the strip that both fill, up to the last vertex before the rim (SeamSizeAt).
+  void LayCompleted(const Stretch& stretch, const std::vector<SeamPlace>& given) {
+    std::vector<SeamPlace> places;
+    for (size_t i = 0; i <= given.size(); ++i) {
+      const Point2 from = i == 0 ? PositionOf(stretch.from) : given[i - 1].position;
+      const Point2 to = i == given.size() ? PositionOf(stretch.to) : given[i].position;
+      const auto spaced = PlaceSeamVertices(site_, stretch.border, from, to, EdgesLeft() - std::ssize(places));
+      if (!spaced) return FailForFineness(stretch.border);
+      places.insert(places.end(), spaced->begin(), spaced->end());
+      if (i < given.size()) places.push_back(given[i]);
     }
-    Lay(stretch, *places);
+    Lay(stretch, places);
+  }
+
+  void FailForFineness(const Border& border) {
+    Fail(border, absl::StrFormat("the mesh is too fine for cells of this size: more than %d edges on one grid line, "
+                                 "or %d in the scene",
+                                 kMostSeamEdges, most_vertices_));
   }
 
   void Lay(const Stretch& stretch, const std::vector<SeamPlace>& places) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/mesh/exact_signs.h"
 #include "common/mesh/segment_distance.h"
 #include "common/mesh/triangle_shape.h"
 
@@ -16,10 +17,6 @@ using Eigen::Vector3d;
 constexpr double kLeastFacing = 0.2;
 // The least quality of a triangle; thinner ones have no direction.
 constexpr double kLeastQuality = 0.02;
-
-double Turn(const Point2& a, const Point2& b, const Point2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 // A triangle seen along its normal.
 class Seen {
@@ -43,8 +40,8 @@ class Seen {
       const int l = (k + 1) % 3;
       if (vertices_[k] >= 0 && (vertices_[k] == from || vertices_[k] == to)) continue;
       if (vertices_[l] >= 0 && (vertices_[l] == from || vertices_[l] == to)) continue;
-      if (Turn(corners_[k], corners_[l], p) * Turn(corners_[k], corners_[l], q) < 0 &&
-          Turn(p, q, corners_[k]) * Turn(p, q, corners_[l]) < 0) {
+      if (TurnOf(corners_[k], corners_[l], p) * TurnOf(corners_[k], corners_[l], q) < 0 &&
+          TurnOf(p, q, corners_[k]) * TurnOf(p, q, corners_[l]) < 0) {
         return true;
       }
     }
@@ -67,8 +64,8 @@ class Seen {
     return true;
   }
   bool Covers(const Point2& p) const {
-    return Turn(corners_[0], corners_[1], p) >= 0 && Turn(corners_[1], corners_[2], p) >= 0 &&
-           Turn(corners_[2], corners_[0], p) >= 0;
+    return TurnOf(corners_[0], corners_[1], p) >= 0 && TurnOf(corners_[1], corners_[2], p) >= 0 &&
+           TurnOf(corners_[2], corners_[0], p) >= 0;
   }
 
   Point3 origin_;

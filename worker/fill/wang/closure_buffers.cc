@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "common/mesh/bin_grid.h"
+#include "common/mesh/exact_signs.h"
 #include "common/mesh/rounding.h"
 #include "common/mesh/segment_distance.h"
+#include "worker/fill/wang/grid_stretches.h"
 
 namespace tilemend {
 namespace {
@@ -20,31 +22,16 @@ constexpr double kLeastWidth = 0.5;      // of the boundary's edges
 constexpr double kPointClearance = 0.4;  // of the width
 constexpr double kEdgeClearance = 0.2;   // likewise
 constexpr double kLongestEdge = 4;       // likewise
-constexpr uint8_t kVerticalLine = 1, kHorizontalLine = 2;
 
 using Segment2 = std::pair<Point2, Point2>;
 
-double Turn(const Point2& a, const Point2& b, const Point2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
 double Distance(const Segment2& a, const Segment2& b) {
-  const bool cross = Turn(a.first, a.second, b.first) * Turn(a.first, a.second, b.second) < 0 &&
-                     Turn(b.first, b.second, a.first) * Turn(b.first, b.second, a.second) < 0;
+  const bool cross = TurnOf(a.first, a.second, b.first) * TurnOf(a.first, a.second, b.second) < 0 &&
+                     TurnOf(b.first, b.second, a.first) * TurnOf(b.first, b.second, a.second) < 0;
   if (cross) return 0;
   return std::min({DistanceToSegment(a.first, b.first, b.second), DistanceToSegment(a.second, b.first, b.second),
                    DistanceToSegment(b.first, a.first, a.second), DistanceToSegment(b.second, a.first, a.second)});
 }
-
-// A stretch of grid boundary along one line, with the hole on its left.
-struct Stretch {
-  std::vector<int32_t> vertices;
-  int32_t before = -1, after = -1;  // on the boundary
-  int axis = 0;                     // constant along it
-  double line = 0;
-  double way = 1;  // sign along the line, from the first vertex to the last
-  double own = 1;  // sign of the axis on this side of the line
-};
 
 // What a joint says: how wide the buffer is there, and from which boundary point on.
 struct Joint {
@@ -84,28 +71,34 @@ class Widths {
 
 class BufferLayer {
  public:
-  explicit BufferLayer(const LocalHole& hole) : hole_(hole), boundary_(IndexBoundary()) {}
+  explicit BufferLayer(const LocalHole& hole) : hole_(hole), walls_(WallsOf(hole)), near_(IndexWalls()) {}
 
   ClosureBuffers Run() {
-    for (const std::vector<int32_t>& loop : LoopsOf(hole_.segments)) {
-      for (const Stretch& stretch : StretchesOf(loop)) Lay(stretch);
-    }
+    std::vector<GridStretch> stretches = StretchesAround(hole_);
+    MoveToNeighbours(hole_, stretches);
+    for (const GridStretch& stretch : stretches) Lay(stretch);
     return std::move(result_);
   }
 
  private:
-  BinGrid IndexBoundary() const {
+  static std::vector<RegionSegment> WallsOf(const LocalHole& hole) {
+    std::vector<RegionSegment> walls = hole.segments;
+    walls.insert(walls.end(), hole.inner_edges.begin(), hole.inner_edges.end());
+    return walls;
+  }
+
+  BinGrid IndexWalls() const {
     Eigen::AlignedBox2d extent;
     double length = 0;
-    for (const RegionSegment& s : hole_.segments) {
+    for (const RegionSegment& s : walls_) {
       extent.extend(PlaceOf(s.from));
       length += (PlaceOf(s.to) - PlaceOf(s.from)).norm();
     }
-    const auto count = static_cast<int32_t>(hole_.segments.size());
+    const auto count = static_cast<int32_t>(walls_.size());
     // No more bins than a few for each segment, however long and thin the hole is.
     const double least = extent.sizes().maxCoeff() / (4 * std::sqrt(static_cast<double>(count)) + 1);
     return BinGrid(extent, std::max({length / count, least, kOnLine}), count, [&](int32_t i) {
-      return BoxOf({PlaceOf(hole_.segments[i].from), PlaceOf(hole_.segments[i].to)}, 0);
+      return BoxOf({PlaceOf(walls_[i].from), PlaceOf(walls_[i].to)}, 0);
     });
   }
 
@@ -116,67 +109,29 @@ class BufferLayer {
     return box;
   }
 
-  // Of a new vertex on a grid line which one it is, as RimVertex::lines; of any other 0.
-  uint8_t LineAt(int32_t v) const {
-    const int32_t k = hole_.vertices[v];
-    if (k < 0 || hole_.cell->vertices[k].index >= 0) return 0;
-    const uint8_t lines = hole_.cell->vertices[k].lines;
-    return lines == kVerticalLine || lines == kHorizontalLine ? lines : 0;
-  }
   bool IsOriginal(int32_t v) const {
     const int32_t k = hole_.vertices[v];
     return k >= 0 && hole_.cell->vertices[k].index >= 0;
   }
 
-  std::vector<Stretch> StretchesOf(const std::vector<int32_t>& loop) const {
-    const auto n = static_cast<int>(loop.size());
-    const auto at = [&](int i) { return loop[(i % n + n) % n]; };
-    const auto line_of = [&](int i) { return std::max(LineAt(at(i)), LineAt(at(i + 1))); };  // of the segment from i on
-    int start = 0;
-    while (start < n && line_of(start) == line_of(start - 1)) ++start;
-    std::vector<Stretch> stretches;
-    for (int i = start; start < n && i < start + n;) {
-      const uint8_t line = line_of(i);
-      int end = i + 1;
-      while (end < start + n && line_of(end) == line) ++end;
-      if (line != 0) stretches.push_back(StretchAlong(loop, i, end));
-      i = end;
-    }
-    return stretches;
-  }
-
-  Stretch StretchAlong(const std::vector<int32_t>& loop, int begin, int end) const {
-    const auto n = static_cast<int>(loop.size());
-    Stretch s;
-    for (int i = begin; i <= end; ++i) s.vertices.push_back(loop[i % n]);
-    s.before = loop[(begin + n - 1) % n];
-    s.after = loop[(end + 1) % n];
-    const auto on_line = *std::find_if(s.vertices.begin(), s.vertices.end(), [&](int32_t v) { return LineAt(v) != 0; });
-    s.axis = LineAt(on_line) == kVerticalLine ? 0 : 1;
-    s.line = PlaceOf(on_line)[s.axis];
-    const double length = PlaceOf(s.vertices.back())[1 - s.axis] - PlaceOf(s.vertices.front())[1 - s.axis];
-    s.way = length > 0 ? 1 : -1;
-    s.own = (s.way > 0) == (s.axis == 0) ? -1 : 1;
-    return s;
-  }
-
-  // Cases 1 and 2: at the end of a stretch, where `beside` is next to it on the surface boundary.
-  std::optional<Joint> JointAt(const Stretch& s, int32_t end, int32_t beside) const {
-    if (!IsOriginal(end)) return std::nullopt;
-    const double off = OffLine(s, PlaceOf(end)), off_beside = OffLine(s, PlaceOf(beside));
+  // Cases 1 and 2: at the end of a stretch, where `boundary` goes on from it.
+  std::optional<Joint> JointAt(const GridStretch& s, int32_t end, const std::vector<int32_t>& boundary) const {
+    if (!IsOriginal(end) || boundary.empty()) return std::nullopt;
+    const int32_t beside = boundary.front();
+    const double off = s.OffLine(PlaceOf(end)), off_beside = s.OffLine(PlaceOf(beside));
     if (off > kOnLine) return Joint{ClosureCase::kAcross, Wide(off, end), end};
     if (!IsOriginal(beside) || off_beside <= kOnLine) return std::nullopt;
     return Joint{off < -kOnLine ? ClosureCase::kAcross : ClosureCase::kOnLine, Wide(off_beside, end), beside};
   }
 
   // Case 3: where the stretch passes a point of the other cell's surface boundary.
-  std::optional<Joint> TouchAt(const Stretch& s, int32_t v) const {
+  std::optional<Joint> TouchAt(const GridStretch& s, int32_t v) const {
     if (!IsOriginal(v)) return std::nullopt;
     double sum = 0;
     const std::vector<Point2> beside = BoundaryNeighbors(v);
     for (const Point2& p : beside) {
-      if (OffLine(s, p) >= -kOnLine) return std::nullopt;
-      sum -= OffLine(s, p);
+      if (s.OffLine(p) >= -kOnLine) return std::nullopt;
+      sum -= s.OffLine(p);
     }
     if (beside.empty()) return std::nullopt;
     return Joint{ClosureCase::kTouching, Wide(sum / static_cast<double>(beside.size()), v), -1};
@@ -214,7 +169,7 @@ class BufferLayer {
     return count == 0 ? 0 : sum / count;
   }
 
-  void Lay(const Stretch& s) {
+  void Lay(const GridStretch& s) {
     const auto first = JointAt(s, s.vertices.front(), s.before), last = JointAt(s, s.vertices.back(), s.after);
     Widths widths;
     const auto add = [&](int32_t v, const std::optional<Joint>& joint) {
@@ -229,7 +184,7 @@ class BufferLayer {
   }
 
   // The points opposite those of the stretch, the edges between those that follow one another, and those to its joints.
-  void LayPoints(const Stretch& s, const Widths& widths, int32_t first_anchor, int32_t last_anchor) {
+  void LayPoints(const GridStretch& s, const Widths& widths, int32_t first_anchor, int32_t last_anchor) {
     std::vector<BufferPoint> points;
     for (int i = 1; i + 1 < std::ssize(s.vertices); ++i) {
       const double width = widths.At(PlaceOf(s.vertices[i])[1 - s.axis]);
@@ -253,13 +208,13 @@ class BufferLayer {
 
   // Closes the buffer to the point of the surface boundary that it begins or ends at, which lies this way along the
   // line.
-  void Tie(const Stretch& s, int32_t anchor, BufferPoint& p, double way) {
+  void Tie(const GridStretch& s, int32_t anchor, BufferPoint& p, double way) {
     if (anchor < 0 || (PlaceOf(anchor)[1 - s.axis] - p.place()[1 - s.axis]) * way <= 0) return;
     if (IsClear({PlaceOf(anchor), p.place()}, anchor, p.width)) AddEdge(anchor, Number(s, p));
   }
 
   // Its number in the patch; it gets one now if it has none.
-  int32_t Number(const Stretch& s, BufferPoint& p) {
+  int32_t Number(const GridStretch& s, BufferPoint& p) {
     if (p.number >= 0) return p.number;
     result_.points.push_back(p.position);
     result_.sizes.push_back(hole_.sizes[s.vertices[p.at]]);
@@ -270,7 +225,7 @@ class BufferLayer {
     return v < hole_.size() ? PlaceOf(v) : Point2(result_.points[v - hole_.size()].head<2>());
   }
 
-  std::optional<Point3> PointOpposite(const Stretch& s, int32_t v, double width) const {
+  std::optional<Point3> PointOpposite(const GridStretch& s, int32_t v, double width) const {
     Point3 p = hole_.positions[v];
     p[s.axis] = s.line + s.own * width;
     p.head<2>() = RoundedToLattice(Point2(p.head<2>()), hole_.cell->lattice_step);
@@ -286,11 +241,11 @@ class BufferLayer {
            NearestOther(edge, anchor, kEdgeClearance * width) >= kEdgeClearance * width;
   }
 
-  // The distance to what was laid before and to the boundary; at a vertex of it, of its own segments the other ends.
+  // The distance to what was laid before and to the walls; at a vertex of one, of its own walls the other ends.
   double NearestOther(const Segment2& edge, int32_t at, double reach) const {
     double nearest = reach;
-    for (const int32_t i : boundary_.In(BoxOf(edge, reach))) {
-      const RegionSegment& s = hole_.segments[i];
+    for (const int32_t i : near_.In(BoxOf(edge, reach))) {
+      const RegionSegment& s = walls_[i];
       if (s.from == at || s.to == at) {
         const Point2 other = PlaceOf(s.from == at ? s.to : s.from);
         nearest = std::min(nearest, DistanceToSegment(other, edge.first, edge.second));
@@ -304,13 +259,13 @@ class BufferLayer {
 
   void AddEdge(int32_t a, int32_t b) { result_.edges.push_back({a, b}); }
 
-  double OffLine(const Stretch& s, const Point2& p) const { return s.own * (p[s.axis] - s.line); }
   Point2 PlaceOf(int32_t v) const { return hole_.positions[v].head<2>(); }
 
   const LocalHole& hole_;
   ClosureBuffers result_;
-  std::vector<Segment2> laid_;  // of the stretches before
-  const BinGrid boundary_;
+  std::vector<Segment2> laid_;              // of the stretches before
+  const std::vector<RegionSegment> walls_;  // the boundary, and edges inside
+  const BinGrid near_;                      // of the walls
 };
 
 }  // namespace

@@ -35,7 +35,11 @@ struct ClosureBuffers {
 // widths. The zone is closed to the point of the surface boundary where it begins. A stretch of grid boundary without
 // joints has none. O(n log n) in the hole's segments, and for each point the edges laid before; deterministic.
 //
-// Precondition: an open hole of a cell whose tiles share vertices, upright.
+// Where tiles overlap, the strip between two outlines is a zone already, with the width that the tiles give it. What
+// lies beyond it on this side runs along the neighbour's outline (MoveToNeighbours): as far off as the first point of
+// the surface boundary beyond it, as in case 1.
+//
+// Precondition: an open hole, upright.
 ClosureBuffers LayClosureBuffers(const LocalHole& hole);
 
 }  // namespace tilemend

@@ -21,6 +21,15 @@ struct NewPatch {
   std::vector<std::pair<int32_t, int32_t>> fixed_edges;  // inside; each with its lower end first, sorted
   bool projects = true;
   bool spreads = false;  // points that refinement adds in one round keep their sizes apart
+  // Of points of the rim: StripsBeside. A triangle whose corners have one in common is left as it is, so that two tiles
+  // have the same in the strip that both fill. Empty: no strips.
+  std::vector<uint8_t> strips;
+
+  bool LiesInStrip(const Triangle& t) const {
+    const auto size = static_cast<int32_t>(strips.size());
+    if (t[0] >= size || t[1] >= size || t[2] >= size) return false;
+    return (strips[t[0]] & strips[t[1]] & strips[t[2]]) != 0;
+  }
 
   int32_t size() const { return static_cast<int32_t>(points.size()); }
 };

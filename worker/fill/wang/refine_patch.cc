@@ -81,6 +81,7 @@ class Refiner {
 
   bool Split(PatchMesh::FaceHandle face) {
     const Triangle corners = mesh_.Corners(face);
+    if (patch_.LiesInStrip(corners)) return false;
     const auto at = [&](int32_t v) { return patch_.points[v]; };
     const Point3 c = (at(corners[0]) + at(corners[1]) + at(corners[2])) / 3;
     const double size = SizeAt(c, corners);

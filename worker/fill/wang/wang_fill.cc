@@ -12,6 +12,7 @@
 #include "worker/fill/wang/closure_buffers.h"
 #include "worker/fill/wang/cut_to_loops.h"
 #include "worker/fill/wang/fair_patch.h"
+#include "worker/fill/wang/grid_stretches.h"
 #include "worker/fill/wang/minimum_area.h"
 #include "worker/fill/wang/new_patch.h"
 #include "worker/fill/wang/refine_patch.h"
@@ -56,8 +57,9 @@ class WangFiller {
     may_join_ = [this, may_repeat](int32_t a, int32_t b) { return may_repeat || hole_.MayJoin(a, b); };
     fixed_ = hole.segments;
     fixed_.insert(fixed_.end(), hole.inner_edges.begin(), hole.inner_edges.end());
-    const bool shares_seams = hole.open && !hole.own_outline && frame.upright();
-    if (shares_seams && may_repeat && options.wang.closure == Closure::kBuffers) AddBuffers();
+    if (!hole.open || !frame.upright()) return;
+    if (hole.own_outline) patch_.strips = StripsBeside(hole);
+    if (may_repeat && options.wang.closure == Closure::kBuffers) AddBuffers();
   }
 
   LocalPatch Run() {

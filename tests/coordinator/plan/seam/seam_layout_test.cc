@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "tests/support/rim_builders.h"
 #include "tests/support/seam_scene.h"
 
@@ -89,6 +92,28 @@ TEST(LaySeamsTest, HandsProjectedPlacesOnFromLayerToLayer) {
   };
   EXPECT_EQ(heights_on({0, 1}, {1, 1}), (std::set<double>{3, 4, 5, 6}));  // opposite the western rim
   EXPECT_EQ(heights_on({1, 1}, {2, 1}), (std::set<double>{3, 4, 5, 6}));  // opposite those
+}
+
+// Two banks run straight across the line; what is opposite the line lies far from both.
+TEST(LaySeamsTest, WhereTilesOverlapSpacedPlacesLieBetweenProjectedOnesThatAreFarApart) {
+  const std::string shore(12, '#'), lake = "#...........|...........#";
+  std::vector<std::string> picture(12, lake);
+  for (const int row : {0, 11}) picture[row] = absl::StrCat(shore, "|", shore);
+  SeamScene s(picture, 12);
+  s.options.seam_points = SeamPoints::kProjected;
+  const auto heights = [&] {
+    const SeamLayout layout = Lay(s);
+    std::set<double> at;
+    for (const int32_t v : layout.seams.at(0).vertices) at.insert(PositionOf(s, layout, v).y());
+    return at;
+  };
+  const std::set<double> shared = heights();
+  EXPECT_EQ(shared, (std::set<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
+  s.lines.joined = true;
+  const std::set<double> overlapping = heights();
+  EXPECT_TRUE(std::ranges::includes(overlapping, shared));
+  EXPECT_LT(*std::next(overlapping.begin()), 1.2) << "close to the rim";
+  EXPECT_GT(*std::prev(overlapping.end(), 2), 10.8);
 }
 
 TEST(LaySeamsTest, TakesRimPointsBesideItsWayOnlyWhereAskedTo) {

@@ -31,7 +31,8 @@ struct Corner {
 // A hole west of the grid line x = 10, with these vertices around it counterclockwise. Heights tell them apart.
 class ClosureBuffersTest : public testing::Test {
  protected:
-  const LocalHole& Hole(const std::vector<Corner>& corners) {
+  // inner: the neighbour's outline within the hole.
+  const LocalHole& Hole(const std::vector<Corner>& corners, const std::vector<Point2>& inner = {}) {
     work_.lattice_step = kStep;
     CellHole hole{0, true};
     const auto count = static_cast<int32_t>(corners.size());
@@ -44,6 +45,16 @@ class ClosureBuffersTest : public testing::Test {
       work_.vertices.push_back(v);
       const int32_t next = (k + 1) % count;
       hole.segments.push_back({k, next, corners[k].lines != kOriginal || corners[next].lines != kOriginal});
+    }
+    for (const Point2& p : inner) {
+      RimVertex v;
+      v.position = Point3(p.x(), p.y(), 50);
+      v.lines = kOnEasternSide;
+      v.size = 1;
+      work_.vertices.push_back(v);
+      if (work_.vertices.size() == corners.size() + 1) continue;
+      const auto last = static_cast<int32_t>(work_.vertices.size()) - 1;
+      hole.inner_edges.push_back({last - 1, last, true});
     }
     work_.holes.push_back(std::move(hole));
     std::vector<Point3> points;  // the band's other points come after these
@@ -114,6 +125,21 @@ TEST_F(ClosureBuffersTest, APointOfTheOtherCellThatTouchesTheLineGivesTheMeanDis
   EXPECT_THAT(buffers.edges, SizeIs(4)) << "none to the corners: no joint is there";
 }
 
+// The tile ends at x = 10; its neighbour's outline is at x = 9.6.
+TEST_F(ClosureBuffersTest, WhereTilesOverlapTheyBeginAtTheNeighboursOutline) {
+  std::vector<Corner> corners = kOnTheLine;
+  corners[4].x = 9.8;  // between the outlines, and the next is a vertex beyond both
+  corners[5].x = 8;
+  const LocalHole& hole = Hole(corners, {{9.6, 4}, {9.6, 6}});
+  const ClosureBuffers buffers = LayClosureBuffers(hole);
+  EXPECT_THAT(buffers.joints, ElementsAre(ClosureCase::kAcross, ClosureCase::kAcross));
+  ASSERT_THAT(buffers.points, SizeIs(2));
+  EXPECT_NEAR(buffers.points[0].x(), 9.6 - 1.6, kStep) << "as far off as vertices 5 and 8";
+  EXPECT_NEAR(buffers.points[1].x(), 9.6 - 1.6, kStep);
+  EXPECT_EQ(buffers.points[0].y(), 4);
+  EXPECT_THAT(Edges(buffers), ElementsAre(std::pair(5, 12), std::pair(8, 11), std::pair(11, 12)));
+}
+
 TEST_F(ClosureBuffersTest, AStretchBetweenGridCornersHasNone) {
   std::vector<Corner> corners = kOnTheLine;
   corners[0].lines = corners[3].lines = kCorner;
@@ -151,10 +177,6 @@ TEST_F(ClosureBuffersTest, ThePatchHasThemUnlessHolesAreClosedAlongTheLine) {
   options.wang.closure = Closure::kLine;
   const LocalPatch without = FillAsWang(hole, ProjectionFrame::Upright(), options, true);
   EXPECT_NE(without.new_points, with.new_points);
-  hole_->own_outline = true;
-  options.wang.closure = Closure::kBuffers;
-  EXPECT_EQ(FillAsWang(*hole_, ProjectionFrame::Upright(), options, true).new_points, without.new_points)
-      << "at outlines of their own no other tile shares the seam";
 }
 
 }  // namespace

@@ -77,6 +77,23 @@ TEST(RefinePatchTest, KeepsAFixedEdge) {
   EXPECT_NE(fixed.triangles, patch.triangles);
 }
 
+TEST(RefinePatchTest, LeavesTrianglesInAStripAsTheyAre) {
+  NewPatch patch;
+  patch.points = {{0, 0, 0}, {9, 0, 0}, {18, 0, 0}, {18, 9, 0}, {9, 9, 0}, {0, 9, 0}};
+  patch.sizes.assign(6, 1);
+  patch.rim_count = 6;
+  patch.triangles = {{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}};
+  patch.fixed_edges = {{1, 4}};
+  patch.strips = {1, 3, 2, 2, 3, 1};
+  NewPatch part = patch;
+  part.strips[2] = 0;  // this corner of the eastern half bounds no strip
+  RefinePatch(Uniform(), kAnyEdge, patch);
+  EXPECT_EQ(patch.size(), 6);
+  RefinePatch(Uniform(), kAnyEdge, part);
+  ASSERT_GT(part.size(), 6);
+  for (int32_t v = 6; v < part.size(); ++v) EXPECT_GT(part.points[v].x(), 9);
+}
+
 TEST(RefinePatchTest, SplitsAForbiddenEdge) {
   NewPatch patch = Fan(5, 1);
   RefinePatch(
