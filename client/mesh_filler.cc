@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "client/inspection.h"
+#include "common/assemble/assemble.h"
 #include "common/codec/face_edits.h"
 #include "common/codec/mesh_file.h"
 #include "common/util/files.h"
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
-#include "worker/assemble/assemble.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
 #include "worker/materials/survey_look.h"

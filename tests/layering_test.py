@@ -48,6 +48,8 @@ RULES = {
 
     'common/codec': rule(['common/util', 'common/mesh'], ['absl', 'draco', 'fast_float']),
 
+    'common/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
+
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
 
     'common/store': rule(['common/util'], ['absl', 'openssl']),
@@ -56,7 +58,7 @@ RULES = {
 
     'common/service': rule([], ['systemd']),
 
-    'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec'], ['absl', 'grpc', 'openssl', 'protobuf']),
+    'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec', 'common/assemble'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
     'worker/survey': rule(['common/mesh', 'common/records'], []),
 
@@ -107,8 +109,6 @@ RULES = {
          'worker/fill/crease'],
         []),
 
-    'worker/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
-
     'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),
 
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
@@ -118,8 +118,7 @@ RULES = {
 
     'worker/service': rule(
         ['common/util', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/assemble',
-         'worker/materials'],
+         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
     'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/service', 'worker/service'], ['absl']),
@@ -185,8 +184,8 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/rpc', 'worker/survey', 'worker/fill/shape', 'worker/fill/space',
-         'worker/fill', 'worker/check', 'worker/weld', 'worker/assemble', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
+        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/fill/shape',
+         'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),
 }
@@ -291,7 +290,7 @@ FORBIDDEN = [
     ('common/mesh/a.h', 'draco/mesh/mesh.h'), ('common/grid/a.cc', 'common/codec/mesh_file.h'),
     ('common/codec/a.cc', 'common/grid/scene.h'), ('worker/fill/a.cc', 'grpcpp/grpcpp.h'),
     ('worker/survey/a.cc', 'OpenMesh/Core/Mesh/PolyConnectivity.hh'), ('worker/survey/a.cc', 'worker/fill/a.h'),
-    ('worker/survey/a.cc', 'prometheus/counter.h'), ('worker/assemble/a.cc', 'worker/service/a.h'),
+    ('worker/survey/a.cc', 'prometheus/counter.h'), ('common/assemble/a.cc', 'worker/service/a.h'),
     ('worker/fill/a.cc', 'common/rpc/a.h'), ('worker/fill/a.cc', 'common/metrics/a.h'),
     ('worker/service/a.cc', 'coordinator/state/a.h'), ('coordinator/service/a.cc', 'worker/fill/a.h'),
     ('coordinator/plan/a.cc', 'filesystem'), ('coordinator/plan/a.cc', 'common/codec/mesh_file.h'),

@@ -113,7 +113,7 @@ size_t OffsetOf(const PlyElement& element, size_t index) {
 }
 
 // The fast way for vertices whose records all have the same size: one pass with fixed offsets. Returns the number of
-// records before the first bad coordinate.
+// records before the first bad coordinate. `out` may be null.
 template <class Float, bool kSwap>
 size_t ReadFixedVertices(const char* p, size_t stride, const std::array<size_t, 3>& offsets, size_t count,
                          Point3* out) {
@@ -124,21 +124,21 @@ size_t ReadFixedVertices(const char* p, size_t stride, const std::array<size_t, 
     const double largest = std::max({std::abs(point[0]), std::abs(point[1]), std::abs(point[2])});
     const double sum = point[0] + point[1] + point[2];
     if (!(largest <= kMaxCoordinate) || sum != sum) return k;
-    out[k] = point;
+    if (out != nullptr) out[k] = point;
   }
   return count;
 }
 
 // Triangles among faces whose one list is the corners, counted in a byte, with 4-byte indices, and whose other
 // properties have fixed sizes. Stops at the first face that is not a plain triangle with valid indices, or at the end
-// of the bytes; returns where.
+// of the bytes; returns where. `mesh` may be null.
 struct FixedFaces {
   size_t before;  // bytes of a record before the list
   size_t after;
   uint32_t vertices;
 };
 template <bool kSwap>
-const char* ReadTriangles(const char* p, const char* end, const FixedFaces& layout, size_t limit, TriMesh& mesh) {
+const char* ReadTriangles(const char* p, const char* end, const FixedFaces& layout, size_t limit, TriMesh* mesh) {
   constexpr size_t kListBytes = 13;
   const size_t stride = layout.before + kListBytes + layout.after;
   for (size_t k = 0; k < limit && static_cast<size_t>(end - p) >= stride; ++k, p += stride) {
@@ -148,7 +148,8 @@ const char* ReadTriangles(const char* p, const char* end, const FixedFaces& layo
     const uint32_t b = LoadValue<uint32_t>(list + 5, kSwap);
     const uint32_t c = LoadValue<uint32_t>(list + 9, kSwap);
     if (std::max({a, b, c}) >= layout.vertices || a == b || b == c || a == c) return p;
-    mesh.triangles.push_back({static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
+    if (mesh != nullptr)
+      mesh->triangles.push_back({static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
   }
   return p;
 }
@@ -184,6 +185,8 @@ class BodyReader {
  private:
   static constexpr bool kBinary = std::is_same_v<Source, BinarySource>;
 
+  bool KeepsMesh() const { return records_ == nullptr; }
+
   absl::Status ReadVertices(const PlyElement& element) {
     const size_t count = static_cast<size_t>(element.count);
     if constexpr (kBinary) {
@@ -208,17 +211,18 @@ class BodyReader {
     std::vector<Point3>& points = file_.mesh.points;
     size_t good = 0;
     if (type(0) == type(1) && type(1) == type(2)) {
-      points.resize(present);
+      if (KeepsMesh()) points.resize(present);
+      Point3* const out = KeepsMesh() ? points.data() : nullptr;
       const bool swap = NeedsSwap(header_.encoding);
       const char* p = bytes_.data() + begin;
       if (type(0) == PlyType::kFloat32) {
-        good = swap ? ReadFixedVertices<float, true>(p, stride, offsets, present, points.data())
-                    : ReadFixedVertices<float, false>(p, stride, offsets, present, points.data());
+        good = swap ? ReadFixedVertices<float, true>(p, stride, offsets, present, out)
+                    : ReadFixedVertices<float, false>(p, stride, offsets, present, out);
       } else {
-        good = swap ? ReadFixedVertices<double, true>(p, stride, offsets, present, points.data())
-                    : ReadFixedVertices<double, false>(p, stride, offsets, present, points.data());
+        good = swap ? ReadFixedVertices<double, true>(p, stride, offsets, present, out)
+                    : ReadFixedVertices<double, false>(p, stride, offsets, present, out);
       }
-      points.resize(good);
+      if (KeepsMesh()) points.resize(good);
     }
     // The general way reads a mixed layout, and finds the words for what stopped the fast one.
     reader_.source().Seek(begin + good * stride);
@@ -230,7 +234,7 @@ class BodyReader {
     const size_t count = static_cast<size_t>(element.count);
     constexpr size_t kLeastTriangleBytes = 4;  // a count and three indices of a byte each, in either encoding
     const size_t room = (bytes_.size() - reader_.source().position()) / kLeastTriangleBytes;
-    file_.mesh.triangles.reserve(std::min(count, room));
+    if (KeepsMesh()) file_.mesh.triangles.reserve(std::min(count, room));
     const std::optional<FixedFaces> fixed = FixedLayout(element);
     for (size_t k = 0; k < count; ++k) {
       if constexpr (kBinary) {
@@ -259,8 +263,9 @@ class BodyReader {
     const size_t begin = source.position();
     const char* p = bytes_.data() + begin;
     const char* end = bytes_.data() + bytes_.size();
-    const char* stop = NeedsSwap(header_.encoding) ? ReadTriangles<true>(p, end, layout, limit, file_.mesh)
-                                                   : ReadTriangles<false>(p, end, layout, limit, file_.mesh);
+    TriMesh* const mesh = KeepsMesh() ? &file_.mesh : nullptr;
+    const char* stop = NeedsSwap(header_.encoding) ? ReadTriangles<true>(p, end, layout, limit, mesh)
+                                                   : ReadTriangles<false>(p, end, layout, limit, mesh);
     constexpr size_t kListBytes = 13;
     const size_t stride = layout.before + kListBytes + layout.after;
     const size_t faces = static_cast<size_t>(stop - p) / stride;

@@ -24,7 +24,8 @@ struct PlyRecords {
 // Reads the positions and faces; every further property and element may be anything that the header can say.
 absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {});
 
-// The same with a header that was read already, filling `records` if given.
+// The same with a header that was read already. With `records` these are filled, and everything is checked, but the
+// mesh is not kept: it comes back empty or in part.
 absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
                                      PlyRecords* records, const FaceVisitor& visit = {});
 

@@ -322,7 +322,8 @@ absl::StatusOr<std::string> AppendToPly(std::string_view bytes, const FilePatch&
   TILEMEND_ASSIGN_OR_RETURN(const PlyHeader header, ParsePlyHeader(bytes, name));
   PlyRecords records;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadPlyBody(bytes, header, name, &records));
-  TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, file.mesh.points.size(), name));
+  const auto vertices = static_cast<size_t>(header.elements[header.vertex].count);
+  TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, vertices, name));
   return PlyAppender(bytes, header, records, patch, file.number_type).Write();
 }
 

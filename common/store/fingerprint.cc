@@ -19,7 +19,7 @@ absl::StatusOr<std::string> FingerprintOf(const std::string& path) {
 
 absl::StatusOr<std::string> Sha256OfFile(const std::string& path) {
   Sha256 sha;
-  TILEMEND_RETURN_IF_ERROR(ReadInPieces(path, 1 << 20, [&](std::string_view piece) { sha.Update(piece); }));
+  TILEMEND_RETURN_IF_ERROR(ReadInPieces(path, 1 << 18, [&](std::string_view piece) { sha.Update(piece); }));
   return sha.FinishHex();
 }
 

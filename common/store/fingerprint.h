@@ -12,7 +12,7 @@ namespace tilemend {
 // same, and copies of it as well. Errors as ReadFile.
 absl::StatusOr<std::string> FingerprintOf(const std::string& path);
 
-// The SHA-256 of a whole file, as Sha256Hex of its bytes; holds a MiB of it at a time. Errors as ReadFile.
+// The SHA-256 of a whole file, as Sha256Hex of its bytes; holds a quarter of a MiB of it at a time. Errors as ReadFile.
 absl::StatusOr<std::string> Sha256OfFile(const std::string& path);
 
 // Whether two regular files are there and have the same bytes. Two names of one file do without reading it.

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <random>
+#include <span>
 #include <system_error>
 
 #include "absl/strings/str_cat.h"
@@ -176,12 +177,11 @@ absl::Status CheckSource(int file, const std::string& path, struct stat& info) {
   return absl::InvalidArgumentError(absl::StrCat(path, ": not a regular file"));
 }
 
-// Up to `length` bytes from `offset` on: fewer if the file has shrunk.
-absl::StatusOr<std::string> ReadRange(int file, int64_t offset, int64_t length, const std::string& path) {
-  std::string content(static_cast<size_t>(length), '\0');
+// Fills `room` from `offset` on; returns how many bytes there were: fewer if the file has shrunk.
+absl::StatusOr<size_t> ReadInto(int file, int64_t offset, std::span<char> room, const std::string& path) {
   size_t have = 0;
-  while (have < content.size()) {
-    const ssize_t n = ::pread(file, content.data() + have, content.size() - have, offset + static_cast<int64_t>(have));
+  while (have < room.size()) {
+    const ssize_t n = ::pread(file, room.data() + have, room.size() - have, offset + static_cast<int64_t>(have));
     if (n < 0) {
       if (errno == EINTR) continue;
       return ErrnoStatus(errno, "cannot read", path);
@@ -189,6 +189,13 @@ absl::StatusOr<std::string> ReadRange(int file, int64_t offset, int64_t length, 
     if (n == 0) break;
     have += static_cast<size_t>(n);
   }
+  return have;
+}
+
+// Up to `length` bytes from `offset` on.
+absl::StatusOr<std::string> ReadRange(int file, int64_t offset, int64_t length, const std::string& path) {
+  std::string content(static_cast<size_t>(length), '\0');
+  TILEMEND_ASSIGN_OR_RETURN(const size_t have, ReadInto(file, offset, content, path));
   content.resize(have);
   return content;
 }
@@ -224,10 +231,12 @@ absl::Status ReadInPieces(const std::string& path, int64_t most, const std::func
   struct stat info {};
   const Descriptor file(OpenToRead(path));
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
+  // One room for all pieces: new memory for each costs more than to read it.
+  std::string room(static_cast<size_t>(std::min<int64_t>(most, info.st_size)), '\0');
   for (int64_t at = 0; at < info.st_size; at += most) {
-    TILEMEND_ASSIGN_OR_RETURN(const std::string piece,
-                              ReadRange(file.get(), at, std::min<int64_t>(most, info.st_size - at), path));
-    take(piece);
+    const size_t length = static_cast<size_t>(std::min<int64_t>(most, info.st_size - at));
+    TILEMEND_ASSIGN_OR_RETURN(const size_t have, ReadInto(file.get(), at, std::span(room).first(length), path));
+    take(std::string_view(room).substr(0, have));
   }
   return absl::OkStatus();
 }

@@ -1,14 +1,31 @@
-// Whether a mesh is closed.
+// The outline of a mesh on welded positions.
 #ifndef TILEMEND_COORDINATOR_CHECK_MESH_OUTLINE_H_
 #define TILEMEND_COORDINATOR_CHECK_MESH_OUTLINE_H_
+
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
 
-// Whether some edge, on welded positions, has exactly one triangle with three corners. O(n log n) in the triangles,
-// some 100 bytes each: for the rare tile that is said to have no boundary at all.
-bool HasBoundary(const TriMesh& mesh);
+// An edge by the lowest vertices at its ends' positions, the lower one first.
+using OutlineEdge = std::pair<int32_t, int32_t>;
+
+// The edges that exactly one triangle with corners at three positions has, sorted. O(n log n) in the triangles, some
+// 100 bytes each: for the rare tile of which something seems to be wrong.
+std::vector<OutlineEdge> OutlineOf(const TriMesh& mesh);
+
+// A sum over all edges that have an odd number of triangles, which OutlineSum gives of these edges alone as well: if
+// the sums of a mesh and of what is said to be its outline differ, the latter is not; if they are equal, it is (when no
+// edge has three triangles) but for one in 2^64, as long as nobody knows `key`. Linear, without memory to speak of.
+struct OutlineSum {
+  uint64_t sum = 0;
+  int64_t flat_triangles = 0;  // with two corners at one position; left out
+};
+OutlineSum OutlineSumOf(const TriMesh& mesh, uint64_t key);
+uint64_t OutlineSumOfEdge(const Point3& a, const Point3& b, uint64_t key);
 
 }  // namespace tilemend
 

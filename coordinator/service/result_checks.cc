@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <random>
 #include <set>
 #include <span>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
 #include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
@@ -24,12 +27,28 @@
 #include "coordinator/check/patch_check.h"
 #include "coordinator/check/sample_check.h"
 #include "coordinator/check/survey_check.h"
+#include "coordinator/check/tile_check.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/service/attempt_folder.h"
+#include "coordinator/service/memory_budget.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 namespace {
+
+// What is read of tiles, at once for all who report results.
+struct TileReading {
+  explicit TileReading(TileCheck tiles) : how(tiles) {}
+
+  const TileCheck how;
+  MemoryBudget memory{int64_t{48} << 20};
+  const uint64_t key = uint64_t{std::random_device()()} << 32 | std::random_device()();
+};
+
+// Times the size of a tile's file: its bytes, and as a mesh or with its patches.
+constexpr int64_t kMemoryOfFile = 2;
+
+constexpr int64_t kPieceBytes = int64_t{1} << 18;
 
 absl::Status Wrong(const std::string& what) { return absl::DataLossError(what); }
 
@@ -63,7 +82,7 @@ absl::StatusOr<int64_t> SizeOf(const std::string& path) {
   return look->size;
 }
 
-// What only few tiles are said to be, and a look at the tile settles.
+// Without reading each tile: what only few tiles are said to be, and a look at the tile settles.
 absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& record) {
   const bool closed = record.triangle_count > 0 && record.edges.empty();
   const auto& reach = input.reach();
@@ -73,7 +92,7 @@ absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& reco
   if (!closed && !outside) return absl::OkStatus();
   const auto file = ReadMeshFile(PathOf(input.tile()));
   if (!file.ok()) return absl::UnavailableError(file.status().message());
-  if (closed && HasBoundary(file->mesh)) return Wrong("no boundary, where the tile has one");
+  if (closed && !OutlineOf(file->mesh).empty()) return Wrong("no boundary, where the tile has one");
   if (!outside) return absl::OkStatus();
   Eigen::AlignedBox3d bounds;
   for (const Point3& p : file->mesh.points) bounds.extend(p);
@@ -82,35 +101,48 @@ absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& reco
 }
 
 // That a survey need not be made again.
-absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutput& output) {
+absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutput& output, TileCheck how) {
+  auto changed = absl::UnavailableError("the tile has just been changed");
   if (!input.has_known() || output.digest() != input.known().digest()) return Wrong("another tile than is known");
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
-  if (bytes != input.known().bytes()) return absl::UnavailableError("the tile has just been changed");
-  return absl::OkStatus();
-}
-
-// That the digest is the tile's, unless that has changed since it was read.
-absl::Status CheckDigest(const std::string& path, const v1::SurveyOutput& output) {
-  const auto digest = Sha256OfFile(path);
+  if (bytes != input.known().bytes()) return changed;
+  if (how == TileCheck::kSize) return absl::OkStatus();
+  const auto digest = Sha256OfFile(PathOf(input.tile()));
   if (!digest.ok()) return absl::UnavailableError(digest.status().message());
-  if (*digest == output.digest()) return absl::OkStatus();
-  if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
-  return absl::UnavailableError("the tile has just been changed");
+  return *digest == output.digest() ? absl::OkStatus() : changed;
 }
 
-absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes, TileCheck how) {
+// That the digest and the record are the tile's, unless that has changed since it was read.
+absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOutput& output, const SurveyRecord& record,
+                               TileReading& reading) {
+  const std::string path = PathOf(input.tile());
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
+  const auto bytes = ReadFile(path);
+  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
+  if (Sha256Hex(*bytes) != output.digest()) {
+    if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
+    return absl::UnavailableError("the tile has just been changed");
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  const auto file = ParseMesh(format, *bytes, path);
+  if (!file.ok()) return Wrong("a survey of a tile that cannot be read");
+  return AsWrong(CheckAgainstTile(record, file->mesh, file->number_type == NumberType::kFloat32, reading.key));
+}
+
+absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(output_bytes));
   if (!IsDigest(output.digest())) return Wrong("a digest that is none");
-  if (output.unchanged()) return CheckSameSurvey(input, output);
+  if (output.unchanged()) return CheckSameSurvey(input, output, reading.how);
   if (output.witness().digest() != output.digest()) return Wrong("a witness of another tile");
   TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
   const auto record = FromProto(output);
   if (!record.ok()) return AsWrong(record.status());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
-  if (how == TileCheck::kDigest) TILEMEND_RETURN_IF_ERROR(CheckDigest(PathOf(input.tile()), output));
-  return CheckUnusual(input, *record);
+  return reading.how == TileCheck::kDigest ? CheckSurveyedTile(input, output, *record, reading)
+                                           : CheckUnusual(input, *record);
 }
 
 absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
@@ -197,17 +229,49 @@ bool HasPatch(const v1::AssembleInput& input) {
                      [](const v1::PatchExtent& patch) { return patch.triangles() > 0; });
 }
 
-absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileCheck how) {
+// Whether a file of the attempt has these bytes.
+absl::Status CheckBytes(const std::string& path, std::string_view expected) {
+  bool same = true;
+  const absl::Status read = ReadInPieces(path, kPieceBytes, [&](std::string_view piece) {
+    same = same && expected.substr(0, piece.size()) == piece;
+    expected.remove_prefix(std::min(piece.size(), expected.size()));
+  });
+  if (!read.ok()) return absl::UnavailableError(read.message());
+  return same && expected.empty() ? absl::OkStatus() : Wrong("a tile that is not the original with its patches");
+}
+
+// That the tile is the original with its patches, which are put into it here once more.
+absl::Status CheckPatchedTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
+  const auto not_here = [](const absl::Status& status) { return absl::UnavailableError(status.message()); };
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
+  const auto added = TilePatchOf(input);
+  if (!added.ok()) return not_here(added.status());
+  std::string original;
+  if (const std::string path = PathOf(input.tile()); !input.tile().path().empty()) {
+    auto bytes = ReadFile(path);
+    if (!bytes.ok()) return not_here(bytes.status());
+    original = *std::move(bytes);
+    if (!HasStamp(path, input.stamp()) && Sha256Hex(original) != input.tile().digest()) {
+      return absl::UnavailableError("the tile has just been changed");
+    }
+  }
+  const auto expected = PatchedTile(input, added->patch, original);
+  if (!expected.ok()) return not_here(expected.status());
+  return CheckBytes(absl::StrCat(input.attempts(), "/", tile.attempt()), *expected);
+}
+
+absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
   if (tile.path() != input.output()) return Wrong("another tile");
   if (!IsDigest(tile.digest())) return Wrong("a digest that is none");
-  if (!input.tile().path().empty()) {
-    const bool patched = HasPatch(input);
+  const bool is_new = input.tile().path().empty(), patched = is_new || HasPatch(input);
+  if (!is_new) {
     TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(PathOf(input.tile())));
     if (patched ? tile.bytes() <= original : tile.bytes() != original)
       return Wrong("a tile that is not the original with its patches");
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
-  if (how == TileCheck::kSize) return absl::OkStatus();
+  if (reading.how == TileCheck::kSize) return absl::OkStatus();
+  if (patched) return CheckPatchedTile(input, tile, reading);
   const auto digest = Sha256OfFile(absl::StrCat(input.attempts(), "/", tile.attempt()));
   if (!digest.ok()) return absl::UnavailableError(digest.status().message());
   return *digest == tile.digest() ? absl::OkStatus() : Wrong("a tile that is not as it was written");
@@ -293,26 +357,28 @@ absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOu
   return absl::OkStatus();
 }
 
-absl::Status CheckAssembleResult(const std::string& input_bytes, const std::string& output_bytes, TileCheck how) {
+absl::Status CheckAssembleResult(const std::string& input_bytes, const std::string& output_bytes,
+                                 TileReading& reading) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(output_bytes));
   if (output.files().empty()) return Wrong("no tile");
-  if (output.unchanged()) return CheckSameFiles(input, output, how);
+  if (output.unchanged()) return CheckSameFiles(input, output, reading.how);
   for (const v1::WrittenFile& file : output.files()) {
     const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
   }
-  TILEMEND_RETURN_IF_ERROR(CheckTile(input, output.files(0), how));
-  return CheckBeside(input, output, how);
+  TILEMEND_RETURN_IF_ERROR(CheckTile(input, output.files(0), reading));
+  return CheckBeside(input, output, reading.how);
 }
 
 }  // namespace
 
 ResultCheck SceneResultCheck(TileCheck tiles) {
-  return [tiles](Stage stage, const std::string& input, const std::string& output) {
+  return [reading = std::make_shared<TileReading>(tiles)](Stage stage, const std::string& input,
+                                                          const std::string& output) {
     switch (stage) {
       case Stage::kSurvey:
-        return CheckSurveyResult(input, output, tiles);
+        return CheckSurveyResult(input, output, *reading);
       case Stage::kSampleCluster:
         return CheckClusterResult(input, output);
       case Stage::kSampleLayer:
@@ -322,7 +388,7 @@ ResultCheck SceneResultCheck(TileCheck tiles) {
       case Stage::kSmoothSeam:
         return CheckSmoothResult(input, output);
       case Stage::kAssemble:
-        return CheckAssembleResult(input, output, tiles);
+        return CheckAssembleResult(input, output, *reading);
     }
     return absl::InternalError("unknown stage");
   };

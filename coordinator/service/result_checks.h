@@ -14,14 +14,19 @@ namespace tilemend {
 // gives that; any other error if this machine cannot tell. Called by several threads at once, without locks.
 using ResultCheck = std::function<absl::Status(Stage stage, const std::string& input, const std::string& output)>;
 
-// How closely the written tiles are looked at: their sizes, or every byte against the digest that the worker told.
+// How closely tiles are looked at: their sizes, or every byte.
 enum class TileCheck { kSize, kDigest };
 
 // For the stages of real scenes: coordinator/check on what was decoded, and
-//  - survey: the tile's own size; a tile that is said to be closed, or to lie outside its cell, is read here;
+//  - survey: the tile's own size. With kDigest the tile is read: it has the digest that is told, and the counts,
+//  bounds,
+//    boundary vertices and boundary edges of the record. Else it is read if it is said to be closed, or to lie outside
+//    its cell;
 //  - assemble: each file is there under the attempt's name, with its size. A tile without patches has the digest of the
-//    original, and a carried file the size of the original. With kDigest every tile is read.
-// What it cannot tell: a surface or a patched tile that is sound, but not the one that a sound worker makes.
+//    original, and a carried file the size of the original. With kDigest every tile is read, and one with patches is
+//    made here again and compared byte by byte.
+// Tiles of some 24 MB in all are in memory at once, with what is made of them; one that is larger, alone. What it
+// cannot tell: a surface that is sound, but not the one that a sound worker makes.
 ResultCheck SceneResultCheck(TileCheck tiles);
 
 }  // namespace tilemend

@@ -16,6 +16,7 @@
 #include "common/store/digest.h"
 #include "common/store/file_stamp.h"
 #include "common/util/files.h"
+#include "tests/integration/worker_lies.h"
 #include "tests/support/untrusted_workers.h"
 #include "tilemend/v1/stages.pb.h"
 
@@ -23,36 +24,6 @@ namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
-
-// A way to lie in the result of a stage; the runner may look at the input. False: there is nothing to lie about in it.
-struct Lie {
-  const char* name;
-  Stage stage;
-  std::function<bool(const std::string& input, std::string& output)> tell;
-};
-
-template <typename Output>
-Lie LieIn(const char* name, Stage stage, std::function<bool(Output&)> change) {
-  return {name, stage, [=](const std::string&, std::string& bytes) {
-            Output output;
-            EXPECT_TRUE(output.ParseFromString(bytes));
-            if (!change(output)) return false;
-            bytes = output.SerializeAsString();
-            return true;
-          }};
-}
-
-template <typename Input, typename Output>
-Lie LieOf(const char* name, Stage stage, std::function<bool(const Input&, Output&)> change) {
-  return {name, stage, [=](const std::string& asked, std::string& bytes) {
-            Input input;
-            Output output;
-            EXPECT_TRUE(input.ParseFromString(asked) && output.ParseFromString(bytes));
-            if (!change(input, output)) return false;
-            bytes = output.SerializeAsString();
-            return true;
-          }};
-}
 
 // The patches of a fill, decoded, changed and encoded.
 Lie LieInPatches(const char* name, std::function<bool(std::vector<HolePatch>&)> change) {
@@ -70,8 +41,6 @@ Lie LieInPatches(const char* name, std::function<bool(std::vector<HolePatch>&)> 
 }
 
 using Patches = std::vector<HolePatch>;
-using Survey = v1::SurveyOutput;
-using Tile = v1::AssembleOutput;
 
 std::vector<Lie> SurveyLies() {
   const auto lie = [](const char* name, std::function<bool(Survey&)> change) {
@@ -201,11 +170,6 @@ std::vector<Lie> ShapeLies() {
   };
 }
 
-// What was written, so that a lie can spoil it.
-std::string WrittenPath(const v1::AssembleInput& input, const Tile& tile) {
-  return input.attempts() + "/" + tile.files(0).attempt();
-}
-
 std::vector<Lie> TileLies() {
   const auto lie = [](const char* name, std::function<bool(const v1::AssembleInput&, Tile&)> change) {
     return LieOf<v1::AssembleInput, Tile>(name, Stage::kAssemble, std::move(change));
@@ -247,7 +211,8 @@ std::vector<Lie> TileLies() {
 
 std::vector<Lie> AllLies() {
   std::vector<Lie> all;
-  for (const auto& lies : {SurveyLies(), FileLies(), SampleLies(), FillLies(), ShapeLies(), TileLies()}) {
+  for (const auto& lies :
+       {SurveyLies(), LiesOnTiles(), FileLies(), SampleLies(), FillLies(), ShapeLies(), TileLies()}) {
     all.insert(all.end(), lies.begin(), lies.end());
   }
   return all;

@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
+#include "common/assemble/assemble.h"
 #include "common/mesh/position_index.h"
 #include "common/records/patch_heights.h"
 #include "coordinator/waves/scene_waves.h"
-#include "worker/assemble/assemble.h"
 #include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
 #include "worker/fill/seam/smooth_seam.h"

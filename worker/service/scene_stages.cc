@@ -1,7 +1,6 @@
 #include "worker/service/scene_stages.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,13 +16,13 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
 #include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/stages.pb.h"
-#include "worker/assemble/assemble.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
@@ -253,51 +252,18 @@ struct Assembled {
   std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
 };
 
-absl::StatusOr<std::vector<HolePatch>> PatchesOf(const v1::AssembleInput& input, const FillColours& colours) {
-  TILEMEND_ASSIGN_OR_RETURN(std::vector<HolePatch> patches,
-                            FromProto(input.patches(), static_cast<size_t>(input.vertices().col_size())));
-  for (const HolePatch& patch : patches) {
-    if (patch.failure.empty() && !colours.of_holes.contains(patch.hole)) {
-      return absl::InvalidArgumentError("malformed payload: a patch without a colour");
-    }
-  }
-  int64_t points = 0;
-  for (const HolePatch& patch : patches) points += static_cast<int64_t>(patch.new_points.size());
-  std::vector<std::vector<SmoothedPoint>> moves;
-  for (const v1::SmoothedPoints& of_seam : input.smoothed()) {
-    TILEMEND_ASSIGN_OR_RETURN(moves.emplace_back(), FromProto(of_seam, points));
-  }
-  if (!moves.empty()) MoveSmoothedPoints(moves, input.lattice_step(), patches);
-  return patches;
-}
-
 // The tile with its patches.
 absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(input.vertices()));
-  TILEMEND_ASSIGN_OR_RETURN(const FillColours colours, ColoursOf(input));
-  std::vector<HolePatch> patches;
-  if (input.has_patches()) {
-    TILEMEND_ASSIGN_OR_RETURN(patches, PatchesOf(input, colours));
-  }
-  const CellId cell{input.tile().col(), input.tile().row()};
+  TILEMEND_ASSIGN_OR_RETURN(TilePatch added, TilePatchOf(input));
   const bool has_tile = !input.tile().path().empty();
-  for (const RimVertex& v : vertices) {
-    if (has_tile && v.tile == cell && v.index >= input.tile_vertices())
-      return absl::InvalidArgumentError("malformed payload: a rim vertex that the tile does not have");
+  if (has_tile && added.patch.triangles.empty()) return Assembled{true, {}, {}};
+  std::string original;
+  if (has_tile) {
+    TILEMEND_ASSIGN_OR_RETURN(original, ReadSurveyed(input.tile(), input.stamp()));
   }
-  const int32_t tile_vertices = has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0;
-  FilePatch patch = MergePatches(vertices, patches, cell, tile_vertices, colours);
-  if (!has_tile) {
-    return Assembled{false, NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64), {}};
-  }
-  if (patch.triangles.empty()) return Assembled{true, {}, {}};
-  const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const std::string original, ReadSurveyed(input.tile(), input.stamp()));
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   Assembled result;
-  if (format == MeshFormat::kObj) result.materials = MaterialsOf(patches, colours);
-  if (input.new_library()) patch.library = std::filesystem::path(input.library()).filename().string();
-  TILEMEND_ASSIGN_OR_RETURN(result.bytes, AppendPatch(format, original, patch, path));
+  TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added.patch, original));
+  result.materials = std::move(added.materials);
   return result;
 }
 

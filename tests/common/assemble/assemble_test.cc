@@ -1,4 +1,4 @@
-#include "worker/assemble/assemble.h"
+#include "common/assemble/assemble.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

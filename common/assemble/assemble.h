@@ -1,6 +1,6 @@
 // Puts patches into a tile.
-#ifndef TILEMEND_WORKER_ASSEMBLE_ASSEMBLE_H_
-#define TILEMEND_WORKER_ASSEMBLE_ASSEMBLE_H_
+#ifndef TILEMEND_COMMON_ASSEMBLE_ASSEMBLE_H_
+#define TILEMEND_COMMON_ASSEMBLE_ASSEMBLE_H_
 
 #include <cstdint>
 #include <span>
@@ -26,4 +26,4 @@ std::vector<FillMaterial> MaterialsOf(std::span<const HolePatch> patches, const 
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_WORKER_ASSEMBLE_ASSEMBLE_H_
+#endif  // TILEMEND_COMMON_ASSEMBLE_ASSEMBLE_H_

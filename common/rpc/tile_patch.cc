@@ -1,0 +1,74 @@
+#include "common/rpc/tile_patch.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/assemble/assemble.h"
+#include "common/records/patch_heights.h"
+#include "common/rpc/look_payloads.h"
+#include "common/rpc/smoothed_payloads.h"
+#include "common/rpc/stage_payloads.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+absl::Status Malformed(const char* what) {
+  return absl::InvalidArgumentError(absl::StrCat("malformed payload: ", what));
+}
+
+absl::StatusOr<std::vector<HolePatch>> PatchesOf(const v1::AssembleInput& input, const FillColours& colours) {
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<HolePatch> patches,
+                            FromProto(input.patches(), static_cast<size_t>(input.vertices().col_size())));
+  int64_t points = 0;
+  for (const HolePatch& patch : patches) {
+    if (patch.failure.empty() && !colours.of_holes.contains(patch.hole)) return Malformed("a patch without a colour");
+    points += static_cast<int64_t>(patch.new_points.size());
+  }
+  std::vector<std::vector<SmoothedPoint>> moves;
+  for (const v1::SmoothedPoints& of_seam : input.smoothed()) {
+    TILEMEND_ASSIGN_OR_RETURN(moves.emplace_back(), FromProto(of_seam, points));
+  }
+  if (!moves.empty()) MoveSmoothedPoints(moves, input.lattice_step(), patches);
+  return patches;
+}
+
+}  // namespace
+
+absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(input.vertices()));
+  TILEMEND_ASSIGN_OR_RETURN(const FillColours colours, ColoursOf(input));
+  std::vector<HolePatch> patches;
+  if (input.has_patches()) {
+    TILEMEND_ASSIGN_OR_RETURN(patches, PatchesOf(input, colours));
+  }
+  const CellId cell{input.tile().col(), input.tile().row()};
+  const bool has_tile = !input.tile().path().empty();
+  for (const RimVertex& v : vertices) {
+    if (has_tile && v.tile == cell && v.index >= input.tile_vertices()) {
+      return Malformed("a rim vertex that the tile does not have");
+    }
+  }
+  const int32_t tile_vertices = has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0;
+  TilePatch result;
+  result.patch = MergePatches(vertices, patches, cell, tile_vertices, colours);
+  if (!has_tile || result.patch.triangles.empty()) return result;
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(input.tile().path()));
+  if (format == MeshFormat::kObj) result.materials = MaterialsOf(patches, colours);
+  if (input.new_library()) result.patch.library = std::filesystem::path(input.library()).filename().string();
+  return result;
+}
+
+absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const FilePatch& patch,
+                                        std::string_view original) {
+  const v1::TileRef& tile = input.tile();
+  if (tile.path().empty()) {
+    return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
+  return AppendPatch(format, original, patch, absl::StrCat(tile.root(), "/", tile.path()));
+}
+
+}  // namespace tilemend

@@ -1,0 +1,32 @@
+// What the assembly of a tile adds to it: computed by the worker that writes the tile, and again by who checks it.
+#ifndef TILEMEND_COMMON_RPC_TILE_PATCH_H_
+#define TILEMEND_COMMON_RPC_TILE_PATCH_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/codec/mesh_file.h"
+#include "common/codec/mtl.h"
+#include "tilemend/v1/stages.pb.h"
+
+namespace tilemend {
+
+struct TilePatch {
+  FilePatch patch;
+  std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
+};
+
+// The patches of the input, moved where seams were smoothed, as an addition to its tile. kInvalidArgument if the input
+// does not fit together. Linear.
+absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input);
+
+// The bytes of the tile with the patch: of a new file if the cell has no tile, else of `original`, which has the
+// format that its path says. Errors as AppendPatch.
+absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const FilePatch& patch,
+                                        std::string_view original);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_RPC_TILE_PATCH_H_
