@@ -9,7 +9,7 @@
 
 namespace tilemend {
 
-inline constexpr int32_t kProtocolVersion = 2;
+inline constexpr int32_t kProtocolVersion = 3;
 
 // Bytes of a blob in one message of a stream.
 inline constexpr size_t kMaxChunkBytes = size_t{1} << 20;
@@ -23,7 +23,7 @@ inline constexpr int kMaxMessageBytes = 4 << 20;
 // Inlined bytes in one Sync request or response; blobs beyond that are streamed.
 inline constexpr size_t kMaxInlineBytesPerSync = size_t{2} << 20;
 
-// One blob. Larger than any band or patch of a cell by far.
+// One blob, and all that an attempt sends. Larger than any band or patch of a cell by far.
 inline constexpr int64_t kMaxBlobBytes = int64_t{1} << 30;
 
 // A call waits no longer in the coordinator when there is nothing to tell.

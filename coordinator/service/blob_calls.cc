@@ -35,20 +35,48 @@ absl::Status CoordinatorImpl::ReadBlob(const v1::ReadBlobRequest& request,
   });
 }
 
+// Only who holds a task may write, and no more than its output can have: else strangers could fill the disk.
+absl::Status CoordinatorImpl::CountSent(const v1::TaskRef& attempt, const std::string& worker, size_t bytes) {
+  Lock lock(mutex_);
+  const TaskKey key{attempt.job(), attempt.task()};
+  const Task* task = state_.FindTask(key);
+  if (task == nullptr || FindLease(*task, worker, attempt.attempt_token()) == nullptr) {
+    return WithErrorInfo(absl::FailedPreconditionError("the worker does not hold the task that the blob is of"),
+                         {"LATE_RESULT", {{"job", key.job}, {"task", absl::StrCat(key.task)}}});
+  }
+  Sent& sent = sent_.try_emplace(attempt.attempt_token(), Sent{key, worker}).first->second;
+  sent.bytes += static_cast<int64_t>(bytes);
+  if (sent.bytes <= options_.most_sent) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::ResourceExhaustedError(absl::StrCat("an attempt may send ", options_.most_sent, " bytes at most")),
+      {"BLOB_TOO_LARGE", {{"limit", absl::StrCat(options_.most_sent)}}});
+}
+
+void CoordinatorImpl::ForgetSent() {
+  std::erase_if(sent_, [this](const auto& entry) {
+    const auto& [token, sent] = entry;
+    const Task* task = state_.FindTask(sent.task);
+    return task == nullptr || FindLease(*task, sent.worker, token) == nullptr;
+  });
+}
+
 absl::StatusOr<v1::WriteBlobResponse> CoordinatorImpl::WriteBlob(const std::function<bool(v1::WriteBlobRequest&)>& next,
                                                                  const std::function<void()>& stop) {
   TILEMEND_ASSIGN_OR_RETURN(const auto call, streams_.Enter("", options_.clock(), stop));
   v1::WriteBlobRequest message;
-  if (!next(message)) return absl::InvalidArgumentError("a blob needs a first message with its job and its digest");
+  if (!next(message)) return absl::InvalidArgumentError("a blob needs a first message with its attempt and its digest");
+  const v1::TaskRef attempt = message.attempt();
+  const std::string worker = message.worker();
   const std::string digest = message.digest();
   if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
-  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(message.job()));
-  call->Name(message.job());
+  TILEMEND_ASSIGN_OR_RETURN(const auto blobs, FindBlobs(attempt.job()));
+  call->Name(attempt.job());
   TILEMEND_ASSIGN_OR_RETURN(const auto writer, blobs->NewWriter(OutputSync()));
   do {
     if (message.data().size() > kMaxChunkBytes) {
       return absl::InvalidArgumentError(absl::StrCat("a chunk may have ", kMaxChunkBytes, " bytes at most"));
     }
+    TILEMEND_RETURN_IF_ERROR(CountSent(attempt, worker, message.data().size()));
     metrics_.BlobReceived(static_cast<int64_t>(message.data().size()));
     TILEMEND_RETURN_IF_ERROR(writer->Append(message.data()));
     call->Touch(options_.clock());

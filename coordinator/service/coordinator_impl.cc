@@ -404,6 +404,7 @@ void CoordinatorImpl::Tick() {
     entry.blobs.reset();
   }
   ForgetOldJobs(now);
+  ForgetSent();
   StopIdleStreams(now);
   ShowMetrics();
   lock.unlock();  // before the runners are joined

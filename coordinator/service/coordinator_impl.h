@@ -24,6 +24,7 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "common/metrics/metrics.h"
+#include "common/rpc/limits.h"
 #include "common/util/log.h"
 #include "common/util/roots.h"
 #include "coordinator/journal/journal.h"
@@ -56,6 +57,7 @@ struct CoordinatorOptions {
   std::function<absl::Time()> clock;
   // Looks at every result before it is taken; none: all are.
   ResultCheck check_result = {};
+  int64_t most_sent = kMaxBlobBytes;  // bytes of blobs by one attempt
   // Looks for overdue leases in the background; without it only Tick does (tests).
   bool background_ticks = true;
   std::shared_ptr<const Roots> roots;  // that jobs may name files below; null: anywhere
@@ -230,7 +232,9 @@ class CoordinatorImpl {
   void InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs, v1::SyncResponse& response);
   absl::StatusOr<std::shared_ptr<BlobFolder>> FindBlobs(const std::string& job);  // takes the lock
 
-  void StopIdleStreams(absl::Time now);  // with the lock held
+  absl::Status CountSent(const v1::TaskRef& attempt, const std::string& worker, size_t bytes);  // takes the lock
+  void ForgetSent();                                                                            // with the lock held
+  void StopIdleStreams(absl::Time now);                                                         // likewise
   void TickLoop();
 
   const CoordinatorOptions options_;
@@ -255,6 +259,12 @@ class CoordinatorImpl {
     absl::Time first_seen;
   };
   std::map<std::string, Caller> callers_;  // workers
+  struct Sent {
+    TaskKey task;
+    std::string worker;
+    int64_t bytes = 0;
+  };
+  std::map<uint64_t, Sent> sent_;  // in blobs of attempts, by their tokens
   WorkerTrust trust_;
   LongCalls watches_{500}, streams_{250};  // threads at most
   std::atomic<bool> leaving_{false};       // this goes

@@ -88,13 +88,15 @@ class DirectLink : public WorkLink {
     return bytes;
   }
 
-  absl::Status WriteBlob(const std::string& job, const std::string& digest, const std::string& bytes) override {
+  absl::Status WriteBlob(const v1::TaskRef& attempt, const std::string& worker, const std::string& digest,
+                         const std::string& bytes) override {
     size_t position = 0;
     bool first = true;
     const auto next = [&](v1::WriteBlobRequest& message) {
       if (!first && position >= bytes.size()) return false;
       first = false;
-      message.set_job(job);
+      *message.mutable_attempt() = attempt;
+      message.set_worker(worker);
       message.set_digest(digest);
       message.set_data(bytes.substr(position, kMaxChunkBytes));
       position += kMaxChunkBytes;

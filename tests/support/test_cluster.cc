@@ -41,6 +41,7 @@ void TestCluster::StartCoordinator() {
   coordinator.state = options_.state;
   coordinator.check_result = options_.check_result;
   coordinator.max_running_jobs = options_.max_running_jobs;
+  coordinator.most_sent = options_.most_sent;
   if (options_.durable) {
     auto journal = OpenSqliteJournal(folder_ / "journal.sqlite");
     EXPECT_TRUE(journal.ok()) << journal.status();

@@ -61,6 +61,7 @@ struct ClusterOptions {
   StateOptions state;
   size_t max_running_jobs = 64;
   ResultCheck check_result;
+  int64_t most_sent = CoordinatorOptions().most_sent;
   bool fake_clock = false;  // leases then run out only through clock() and Tick()
   bool durable = false;     // for Restart
 };

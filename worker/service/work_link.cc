@@ -61,13 +61,15 @@ class GrpcWorkLink : public WorkLink {
     return absl::UnavailableError(absl::StrCat("blob ", digest, ": came damaged (", bytes.size(), " bytes)"));
   }
 
-  absl::Status WriteBlob(const std::string& job, const std::string& digest, const std::string& bytes) override {
+  absl::Status WriteBlob(const v1::TaskRef& attempt, const std::string& worker, const std::string& digest,
+                         const std::string& bytes) override {
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() + kBlobTimeout);
     v1::WriteBlobResponse response;
     const auto writer = stub_->WriteBlob(&context, &response);
     v1::WriteBlobRequest message;
-    message.set_job(job);
+    *message.mutable_attempt() = attempt;
+    message.set_worker(worker);
     message.set_digest(digest);
     std::string_view left = bytes;
     do {
@@ -75,8 +77,7 @@ class GrpcWorkLink : public WorkLink {
       message.set_data(chunk.data(), chunk.size());
       if (!writer->Write(message)) break;  // the coordinator has ended the call: Finish says why
       left.remove_prefix(chunk.size());
-      message.clear_job();
-      message.clear_digest();
+      message.Clear();
     } while (!left.empty());
     writer->WritesDone();
     return FromGrpcStatus(writer->Finish());

@@ -31,7 +31,9 @@ class WorkLink {
   virtual std::unique_ptr<SyncCall> NewSync() = 0;
   // The whole blob, checked against its digest: kUnavailable if it came damaged.
   virtual absl::StatusOr<std::string> ReadBlob(const std::string& job, const std::string& digest) = 0;
-  virtual absl::Status WriteBlob(const std::string& job, const std::string& digest, const std::string& bytes) = 0;
+  // The output of an attempt that this worker holds.
+  virtual absl::Status WriteBlob(const v1::TaskRef& attempt, const std::string& worker, const std::string& digest,
+                                 const std::string& bytes) = 0;
 };
 
 std::unique_ptr<WorkLink> NewGrpcWorkLink(const std::shared_ptr<grpc::Channel>& channel);

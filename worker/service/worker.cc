@@ -360,7 +360,7 @@ v1::FinishedTask Worker::Report(const v1::Task& task, absl::StatusOr<std::string
       return report;
     }
     blob.set_digest(Sha256Hex(*output));
-    const absl::Status written = link_->WriteBlob(task.ref().job(), blob.digest(), *output);
+    const absl::Status written = link_->WriteBlob(task.ref(), options_.id, blob.digest(), *output);
     if (written.ok()) {
       *report.mutable_output() = std::move(blob);
       return report;

@@ -14,33 +14,65 @@ namespace {
 using BlobCallsTest = CoordinatorImplTest;
 
 TEST_F(BlobCallsTest, RefusesBadBlobs) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const auto write = [&](const std::string& name, const std::string& digest, std::vector<std::string> chunks) {
-    size_t next = 0;
-    return impl_.WriteBlob([&](v1::WriteBlobRequest& message) {
-      if (next >= chunks.size()) return false;
-      message.set_job(name);
-      message.set_digest(digest);
-      message.set_data(chunks[next++]);
-      return true;
-    });
-  };
-  const std::string id = job->name().substr(5);
-  EXPECT_EQ(write(id, Sha256Hex("ab"), {"a", "b"})->size(), 2);
-  EXPECT_EQ(ErrorReason(write(id, Sha256Hex("ab"), {"a"}).status()), "BLOB_CORRUPT");
-  EXPECT_TRUE(absl::IsInvalidArgument(write(id, "../x", {"a"}).status()));
-  EXPECT_EQ(ErrorReason(write("none", Sha256Hex("a"), {"a"}).status()), "JOB_NOT_FOUND");
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::TaskRef attempt = AwaitTask().ref();
+  EXPECT_EQ(Write(attempt, "w", Sha256Hex("ab"), {"a", "b"})->size(), 2);
+  EXPECT_EQ(ErrorReason(Write(attempt, "w", Sha256Hex("ab"), {"a"}).status()), "BLOB_CORRUPT");
+  EXPECT_TRUE(absl::IsInvalidArgument(Write(attempt, "w", "../x", {"a"}).status()));
   const std::string big(kMaxChunkBytes + 1, 'x');
-  EXPECT_TRUE(absl::IsInvalidArgument(write(id, Sha256Hex(big), {big}).status()));
-  EXPECT_FALSE(write(id, Sha256Hex("a"), {}).ok());
+  EXPECT_TRUE(absl::IsInvalidArgument(Write(attempt, "w", Sha256Hex(big), {big}).status()));
+  EXPECT_FALSE(Write(attempt, "w", Sha256Hex("a"), {}).ok());
+  v1::TaskRef of_none = attempt;
+  of_none.set_job("none");
+  EXPECT_EQ(ErrorReason(Write(of_none, "w", Sha256Hex("a"), {"a"}).status()), "JOB_NOT_FOUND");
+}
+
+TEST_F(BlobCallsTest, TakesBlobsOfThoseAloneWhoHoldTheTask) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::Task task = AwaitTask();
+  const auto reason = [&](const v1::TaskRef& attempt, const std::string& worker) {
+    return ErrorReason(Write(attempt, worker, Sha256Hex("a"), {"a"}).status());
+  };
+  v1::TaskRef none, guessed = task.ref(), other = task.ref();
+  none.set_job(task.ref().job());
+  guessed.set_attempt_token(task.ref().attempt_token() + 1);
+  other.set_task(task.ref().task() + 1);
+  EXPECT_EQ(reason(none, "w"), "LATE_RESULT");
+  EXPECT_EQ(reason(guessed, "w"), "LATE_RESULT");
+  EXPECT_EQ(reason(other, "w"), "LATE_RESULT");
+  EXPECT_EQ(reason(task.ref(), "stranger"), "LATE_RESULT");
+  EXPECT_EQ(reason(task.ref(), "w"), "");
+  cluster_.ExpireLeases();
+  EXPECT_EQ(reason(task.ref(), "w"), "LATE_RESULT");
+}
+
+TEST_F(BlobCallsTest, AnAttemptSendsNoMoreThanItsShare) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::TaskRef attempt = AwaitTask().ref();
+  const std::string chunk(kMaxChunkBytes, 'x');
+  const auto write = [&](size_t chunks) {
+    std::string bytes;
+    for (size_t i = 0; i < chunks; ++i) bytes += chunk;
+    return Write(attempt, "w", Sha256Hex(bytes), std::vector(chunks, chunk)).status();
+  };
+  EXPECT_EQ(ErrorReason(write(5)), "BLOB_TOO_LARGE");
+  EXPECT_EQ(ErrorReason(write(1)), "BLOB_TOO_LARGE") << "what came of it before counts";
+}
+
+TEST_F(BlobCallsTest, AnAttemptMaySendItsOutputAgain) {
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::TaskRef attempt = AwaitTask().ref();
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(Write(attempt, "w", Sha256Hex("ab"), {"a", "b"}).ok());
 }
 
 TEST_F(BlobCallsTest, StopsAStreamThatStandsStill) {
-  const auto job = impl_.CreateJob(NewRequest());
+  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  const v1::TaskRef attempt = AwaitTask().ref();
   bool stopped = false;
   int chunks = 0;
   const auto next = [&](v1::WriteBlobRequest& message) {
-    message.set_job(job->name().substr(5));
+    *message.mutable_attempt() = attempt;
+    message.set_worker("w");
     message.set_digest(Sha256Hex("ab"));
     message.set_data("a");
     if (++chunks == 1) return true;
@@ -55,7 +87,6 @@ TEST_F(BlobCallsTest, StopsAStreamThatStandsStill) {
 }
 
 TEST_F(BlobCallsTest, RefusesMoreStreamsThanThereAreThreadsFor) {
-  const auto job = impl_.CreateJob(NewRequest());
   int depth = 0;
   absl::Status last;
   // Each stream opens the next one while it waits for its own first message.

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/rpc/limits.h"
 #include "tests/support/test_cluster.h"
@@ -44,9 +45,27 @@ class CoordinatorImplTest : public ::testing::Test {
     return {};
   }
 
+  // The output of an attempt, or what the worker says it is, in chunks.
+  absl::StatusOr<v1::WriteBlobResponse> Write(const v1::TaskRef& attempt, const std::string& worker,
+                                              const std::string& digest, const std::vector<std::string>& chunks) {
+    size_t next = 0;
+    return impl_.WriteBlob([&](v1::WriteBlobRequest& message) {
+      if (next >= chunks.size()) return false;
+      message.Clear();
+      if (next == 0) {
+        *message.mutable_attempt() = attempt;
+        message.set_worker(worker);
+        message.set_digest(digest);
+      }
+      message.set_data(chunks[next++]);
+      return true;
+    });
+  }
+
   static ClusterOptions Options() {
     ClusterOptions options;
     options.max_running_jobs = 3;
+    options.most_sent = 4 << 20;
     options.fake_clock = true;
     return options;
   }

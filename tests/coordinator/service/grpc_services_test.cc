@@ -24,6 +24,21 @@ class GrpcServicesTest : public ::testing::Test {
     jobs_ = cluster_.NewJobsStub();
     work_ = v1::Work::NewStub(cluster_.rpc().InProcessChannel());
   }
+  // Of the first task that comes, for worker w.
+  v1::TaskRef HoldTask() {
+    v1::SyncRequest sync;
+    sync.set_protocol(kProtocolVersion);
+    sync.set_worker("w");
+    sync.set_threads(1);
+    sync.set_wait_ms(1000);
+    v1::SyncResponse told;
+    while (told.start_size() == 0) {
+      grpc::ClientContext context;
+      sync.set_sequence(sync.sequence() + 1);
+      EXPECT_TRUE(work_->Sync(&context, sync, &told).ok());
+    }
+    return told.start(0).ref();
+  }
   v1::Job Create(const std::string& scene) {
     v1::CreateJobRequest request;
     request.mutable_spec()->set_scene(scene);
@@ -103,7 +118,8 @@ TEST_F(GrpcServicesTest, ABlobIsWrittenInChunksAndReadAgain) {
   v1::WriteBlobResponse written;
   const auto writer = work_->WriteBlob(&context_, &written);
   v1::WriteBlobRequest chunk;
-  chunk.set_job(id);
+  *chunk.mutable_attempt() = HoldTask();
+  chunk.set_worker("w");
   chunk.set_digest(digest);
   chunk.set_data(first);
   EXPECT_TRUE(writer->Write(chunk));

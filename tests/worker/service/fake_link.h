@@ -79,7 +79,8 @@ class FakeCoordinator {
       if (blob == owner_.blobs_.end()) return absl::NotFoundError("no such blob");
       return blob->second;
     }
-    absl::Status WriteBlob(const std::string& /*job*/, const std::string& digest, const std::string& bytes) override {
+    absl::Status WriteBlob(const v1::TaskRef& /*attempt*/, const std::string& /*worker*/, const std::string& digest,
+                           const std::string& bytes) override {
       std::lock_guard<std::mutex> lock(owner_.mutex_);
       if (owner_.write_status_.ok()) owner_.blobs_[digest] = bytes;
       return owner_.write_status_;

@@ -61,8 +61,9 @@ class FakeService : public v1::Work::Service {
     v1::WriteBlobRequest message;
     std::string key, bytes;
     for (chunks_ = 0; reader->Read(&message); ++chunks_) {
-      if (chunks_ == 0) key = message.job() + "/" + message.digest();
-      if (chunks_ == 0 && message.job() == "over") return ToGrpcStatus(absl::FailedPreconditionError("job over"));
+      if (chunks_ == 0) key = message.attempt().job() + "/" + message.worker() + "/" + message.digest();
+      if (chunks_ == 0 && message.attempt().job() == "over")
+        return ToGrpcStatus(absl::FailedPreconditionError("job over"));
       bytes += message.data();
     }
     blobs_[key] = bytes;
@@ -98,6 +99,11 @@ class GrpcWorkLinkTest : public testing::Test {
  protected:
   GrpcWorkLinkTest() : server_(RpcServer::Start("", {&service_}).value()) {
     link_ = NewGrpcWorkLink(server_->InProcessChannel());
+  }
+  static v1::TaskRef AttemptOf(const std::string& job) {
+    v1::TaskRef attempt;
+    attempt.set_job(job);
+    return attempt;
   }
   static v1::SyncRequest RequestOf(const std::string& worker) {
     v1::SyncRequest request;
@@ -144,10 +150,10 @@ TEST_F(GrpcWorkLinkTest, WritesAndReadsBlobsInChunks) {
     std::string bytes(size, 'a');
     for (size_t i = 0; i < size; i += 997) bytes[i] = static_cast<char>(i);
     const std::string digest = Sha256Hex(bytes);
-    ASSERT_TRUE(link_->WriteBlob("job", digest, bytes).ok());
+    ASSERT_TRUE(link_->WriteBlob(AttemptOf("job"), "w", digest, bytes).ok());
     EXPECT_EQ(service_.chunks(), static_cast<int>(std::max<size_t>(1, (size + kMaxChunkBytes - 1) / kMaxChunkBytes)));
-    EXPECT_TRUE(service_.Blob("job/" + digest) == bytes);
-    const auto back = link_->ReadBlob("job", digest);
+    EXPECT_TRUE(service_.Blob("job/w/" + digest) == bytes);
+    const auto back = link_->ReadBlob("job/w", digest);
     ASSERT_TRUE(back.ok()) << back.status();
     EXPECT_TRUE(*back == bytes);
   }
@@ -163,7 +169,7 @@ TEST_F(GrpcWorkLinkTest, NoticesABlobThatCameDamaged) {
 
 TEST_F(GrpcWorkLinkTest, PassesOnWhyABlobCannotBeReadOrWritten) {
   EXPECT_EQ(link_->ReadBlob("job", "none").status(), absl::NotFoundError("no such blob"));
-  EXPECT_EQ(link_->WriteBlob("over", "digest", std::string(5 * kMaxChunkBytes, 'x')),
+  EXPECT_EQ(link_->WriteBlob(AttemptOf("over"), "w", "digest", std::string(5 * kMaxChunkBytes, 'x')),
             absl::FailedPreconditionError("job over"));
 }
 
