@@ -268,7 +268,7 @@ class StripLayer {
     return std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
       if (AxisOf(side) != axis) return true;
       const double end = strip_end_[side].value_or(own_[side]), room = (end - p[axis]) * OutwardOf(side);
-      return room >= Least() || (strip_end_[side] && room == 0);
+      return room >= Least() || (strip_end_[side] && std::abs(room) < kOnLine);
     });
   }
 

@@ -188,6 +188,34 @@ TEST_F(StripEdgesTest, OutlinesCrossAtCorners) {
   EXPECT_EQ(around, (std::set<Place>{{9.75, 10.25}, {10.25, 9.75}, {10.25, 10.25}}));
 }
 
+// The western outlines of both eastern tiles are a hair apart: the crossing lies on both.
+TEST_F(StripEdgesTest, EdgesReachACrossingThatIsAHairOff) {
+  AddCell({0, 1});
+  AddCell({1, 1});
+  outlines_.coordinate[{1, 1}][kWest] += 1e-5;
+  const int32_t source = AddVertex({10, 10, 0}, -1, -1);
+  plan_.vertices[source].lines = 3;
+  const auto region = [&](double tip, const std::vector<Point2>& along) {
+    std::vector<int32_t> ring = {AddVertex({5, tip, 0}, 0, -1)};
+    for (const Point2& p : along) {
+      const bool corner = &p == &along[1];
+      ring.push_back(AddVertex({p.x(), p.y(), 0}, -1, corner ? source : on_line_[3]));
+      plan_.vertices.back().lines = corner ? 3 : 1;
+    }
+    std::vector<RimSegment> segments;
+    for (size_t i = 0; i < 4; ++i) segments.push_back({ring[i], ring[(i + 1) % 4], i == 1 || i == 2});
+    return segments;
+  };
+  plan_.holes[0].own_regions = {region(5, {{10.25, 7}, {10.25, 10.25}, {8, 10.25}})};
+  PlannedHole north;
+  north.cell = {0, 1};
+  north.own_regions = {region(15, {{7, 9.75}, {10.25, 9.75}, {10.25, 13}})};
+  plan_.holes.push_back(north);
+  LayStripEdges(outlines_, plan_);
+  const std::set<Place> to_crossing = {{8, 10.25}, {9.75, 10.25}};
+  EXPECT_THAT(EdgesOf(plan_.holes[2]), Contains(to_crossing));
+}
+
 // Beside a corner the outline of the eastern tile has no vertex where that of the northern one crosses it.
 TEST_F(StripEdgesTest, EdgesEndWhereAnotherNeighboursVertexLiesOnThem) {
   AddCell({0, 1});
