@@ -68,7 +68,10 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"longest-task", "HOURS", "an attempt that takes longer is given up, 0.01 to 1000", "6"},
       {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
       {"keep-jobs", "DAYS", "a job that is over is forgotten after so long, 0.01 to 10000", "30"},
-      {"check-tiles", "digest|size", "what of tiles workers are held to; digest: every byte", "digest"},
+      {"check-tiles", "size|digest|content",
+       "what of tiles workers are held to: the sizes of files, their digests, or "
+       "every byte of what they must be",
+       "digest"},
       DescribeFlag(),
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
@@ -78,6 +81,13 @@ std::vector<FlagSpec> CoordinatorFlags() {
   const std::vector<FlagSpec> status = StatusFlags();
   flags.insert(flags.end() - 3, status.begin(), status.end());
   return AllAsSettings(std::move(flags));
+}
+
+absl::StatusOr<TileCheck> TileCheckOf(const std::string& name) {
+  if (name == "size") return TileCheck::kSize;
+  if (name == "digest") return TileCheck::kDigest;
+  if (name == "content") return TileCheck::kContent;
+  return absl::InvalidArgumentError(absl::StrCat("--check-tiles '", name, "': expected size, digest or content"));
 }
 
 absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
@@ -95,11 +105,8 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.max_running_jobs = static_cast<size_t>(max_jobs);
   TILEMEND_ASSIGN_OR_RETURN(const double keep_jobs, flags.Number("keep-jobs", 0.01, 10000));
   options.keep_jobs = absl::Hours(24 * keep_jobs);
-  const std::string tiles = flags.Text("check-tiles");
-  if (tiles != "digest" && tiles != "size") {
-    return absl::InvalidArgumentError(absl::StrCat("--check-tiles '", tiles, "': expected digest or size"));
-  }
-  options.check_result = SceneResultCheck(tiles == "size" ? TileCheck::kSize : TileCheck::kDigest);
+  TILEMEND_ASSIGN_OR_RETURN(const TileCheck tiles, TileCheckOf(flags.Text("check-tiles")));
+  options.check_result = SceneResultCheck(tiles);
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(SecurityFromFlags(flags), flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckStatusFlags(flags));

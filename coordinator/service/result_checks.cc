@@ -112,6 +112,18 @@ absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutpu
   return *digest == output.digest() ? absl::OkStatus() : changed;
 }
 
+// Of a tile with another digest than the survey tells.
+absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) {
+  if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
+  return absl::UnavailableError("the tile has just been changed");
+}
+
+absl::Status CheckDigest(const std::string& path, const v1::SurveyOutput& output) {
+  const auto digest = Sha256OfFile(path);
+  if (!digest.ok()) return absl::UnavailableError(digest.status().message());
+  return *digest == output.digest() ? absl::OkStatus() : OtherTile(path, output);
+}
+
 // That the digest and the record are the tile's, unless that has changed since it was read.
 absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOutput& output, const SurveyRecord& record,
                                TileReading& reading) {
@@ -120,10 +132,7 @@ absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOut
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
   const auto bytes = ReadFile(path);
   if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
-  if (Sha256Hex(*bytes) != output.digest()) {
-    if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
-    return absl::UnavailableError("the tile has just been changed");
-  }
+  if (Sha256Hex(*bytes) != output.digest()) return OtherTile(path, output);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   const auto file = ParseMesh(format, *bytes, path);
   if (!file.ok()) return Wrong("a survey of a tile that cannot be read");
@@ -141,8 +150,9 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   if (!record.ok()) return AsWrong(record.status());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
-  return reading.how == TileCheck::kDigest ? CheckSurveyedTile(input, output, *record, reading)
-                                           : CheckUnusual(input, *record);
+  if (reading.how == TileCheck::kContent) return CheckSurveyedTile(input, output, *record, reading);
+  if (reading.how == TileCheck::kDigest) TILEMEND_RETURN_IF_ERROR(CheckDigest(PathOf(input.tile()), output));
+  return CheckUnusual(input, *record);
 }
 
 absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
@@ -271,7 +281,7 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
   if (reading.how == TileCheck::kSize) return absl::OkStatus();
-  if (patched) return CheckPatchedTile(input, tile, reading);
+  if (reading.how == TileCheck::kContent && patched) return CheckPatchedTile(input, tile, reading);
   const auto digest = Sha256OfFile(absl::StrCat(input.attempts(), "/", tile.attempt()));
   if (!digest.ok()) return absl::UnavailableError(digest.status().message());
   return *digest == tile.digest() ? absl::OkStatus() : Wrong("a tile that is not as it was written");
@@ -308,7 +318,7 @@ absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile&
   const std::string original = absl::StrCat(input.tile().root(), "/", file.path());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(original));
   bool same = file.bytes() == bytes;
-  if (same && how == TileCheck::kDigest) {
+  if (same && how != TileCheck::kSize) {
     const auto theirs = Sha256OfFile(absl::StrCat(input.attempts(), "/", file.attempt())), own = Sha256OfFile(original);
     if (!theirs.ok() || !own.ok()) return absl::UnavailableError("a file beside the tile cannot be read");
     same = *theirs == *own;

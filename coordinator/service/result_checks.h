@@ -14,19 +14,18 @@ namespace tilemend {
 // gives that; any other error if this machine cannot tell. Called by several threads at once, without locks.
 using ResultCheck = std::function<absl::Status(Stage stage, const std::string& input, const std::string& output)>;
 
-// How closely tiles are looked at: their sizes, or every byte.
-enum class TileCheck { kSize, kDigest };
+// How closely tiles are looked at: their sizes, their digests, or what is in them.
+enum class TileCheck { kSize, kDigest, kContent };
 
 // For the stages of real scenes: coordinator/check on what was decoded, and
-//  - survey: the tile's own size. With kDigest the tile is read: it has the digest that is told, and the counts,
-//  bounds,
-//    boundary vertices and boundary edges of the record. Else it is read if it is said to be closed, or to lie outside
-//    its cell;
+//  - survey: the tile's own size; from kDigest on its digest. With kContent the counts, bounds, boundary vertices and
+//    boundary edges of the record are those of the tile. Else the tile is read if it is said to be closed, or to lie
+//    outside its cell;
 //  - assemble: each file is there under the attempt's name, with its size. A tile without patches has the digest of the
-//    original, and a carried file the size of the original. With kDigest every tile is read, and one with patches is
-//    made here again and compared byte by byte.
-// Tiles of some 24 MB in all are in memory at once, with what is made of them; one that is larger, alone. What it
-// cannot tell: a surface that is sound, but not the one that a sound worker makes.
+//    original, and a carried file the size of the original. From kDigest on every file has the digest that is told.
+//    With kContent a tile with patches is made here again and compared byte by byte.
+// With kContent alone the coordinator holds tiles: some 24 MB of them at once, with what is made of them; a larger one
+// by itself. What is not told then: a surface that is sound, but not the one that a sound worker makes.
 ResultCheck SceneResultCheck(TileCheck tiles);
 
 }  // namespace tilemend

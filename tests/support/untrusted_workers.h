@@ -24,7 +24,7 @@ class UntrustedWorkerTest : public ::testing::Test {
   static ClusterOptions Options() {
     ClusterOptions options;
     options.factory = ScenePipelineFactory();
-    options.check_result = SceneResultCheck(TileCheck::kDigest);
+    options.check_result = SceneResultCheck(TileCheck::kContent);
     return options;
   }
   static std::string Out(const v1::Job& job) { return job.spec().out(); }

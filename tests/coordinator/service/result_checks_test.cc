@@ -8,6 +8,8 @@
 #include <map>
 #include <random>
 
+#include "common/store/digest.h"
+#include "common/util/files.h"
 #include "coordinator/service/scene_pipeline.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/temporary_folder.h"
@@ -50,21 +52,61 @@ class ResultChecksTest : public testing::Test {
   }
 
   const TemporaryFolder folder_;
-  const ResultCheck check_ = SceneResultCheck(TileCheck::kDigest);
+  const ResultCheck check_ = SceneResultCheck(TileCheck::kContent);
 };
 
 TEST_F(ResultChecksTest, TakesWhatASoundWorkerGives) {
   std::map<Stage, int> seen;
   const auto see = [&](const Exchange& e) {
     ++seen[e.stage];
-    const absl::Status status = check_(e.stage, e.input, e.output);
-    EXPECT_TRUE(status.ok()) << StageName(e.stage) << ": " << status;
+    for (const TileCheck how : {TileCheck::kSize, TileCheck::kDigest, TileCheck::kContent}) {
+      const absl::Status status = SceneResultCheck(how)(e.stage, e.input, e.output);
+      EXPECT_TRUE(status.ok()) << StageName(e.stage) << ": " << status;
+    }
   };
   Run(see);
   Run(see, Surface::kWang);
   // Layers are sampled alone only where cells have holes in several, or a cluster has no surface.
   EXPECT_EQ(seen.count(Stage::kSampleLayer), 0U);
   EXPECT_EQ(seen.size(), kAllStages.size() - 1);
+}
+
+TEST_F(ResultChecksTest, ReadsTilesAsCloselyAsItIsTold) {
+  const auto taken = [](TileCheck how, const Exchange& e) {
+    return SceneResultCheck(how)(e.stage, e.input, e.output).ok();
+  };
+  int surveys = 0, patched = 0;
+  const auto see = [&](const Exchange& e) {
+    v1::SurveyOutput survey;
+    if (e.stage == Stage::kSurvey && survey.ParseFromString(e.output)) {
+      ++surveys;
+      survey.set_digest(Sha256Hex("another tile"));
+      survey.mutable_witness()->set_digest(survey.digest());
+      const Exchange lie{e.stage, e.input, survey.SerializeAsString()};
+      EXPECT_TRUE(taken(TileCheck::kSize, lie));
+      EXPECT_FALSE(taken(TileCheck::kDigest, lie));
+      EXPECT_FALSE(taken(TileCheck::kContent, lie));
+    }
+    v1::AssembleInput input;
+    v1::AssembleOutput tile;
+    if (e.stage != Stage::kAssemble || !input.ParseFromString(e.input) || !tile.ParseFromString(e.output)) return;
+    if (!input.has_patches()) return;
+    ++patched;
+    v1::WrittenFile& file = *tile.mutable_files(0);
+    const std::string path = input.attempts() + "/" + file.attempt(), sound = ReadFile(path).value();
+    const std::string other = sound.substr(0, sound.size() - 1) + static_cast<char>(sound.back() ^ 1);
+    ASSERT_TRUE(WriteFileAtomically(path, other).ok());
+    file.set_digest(Sha256Hex(other));
+    const Exchange lie{e.stage, e.input, tile.SerializeAsString()};
+    EXPECT_TRUE(taken(TileCheck::kSize, lie));
+    EXPECT_TRUE(taken(TileCheck::kDigest, lie));
+    EXPECT_FALSE(taken(TileCheck::kContent, lie));
+    EXPECT_FALSE(taken(TileCheck::kDigest, e));
+    ASSERT_TRUE(WriteFileAtomically(path, sound).ok());
+  };
+  Run(see);
+  EXPECT_GT(surveys, 0);
+  EXPECT_GT(patched, 0);
 }
 
 TEST_F(ResultChecksTest, RefusesHeightsOfASeamBeyondThePatches) {
