@@ -263,8 +263,9 @@ bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
   auto* failed = std::get_if<TaskFailed>(&report.event);
   if (failed != nullptr) {
     failed->time = options_.clock();
-    failed->another =
-        task != nullptr && HasAnother(state_, worker, *state_.FindJob(report.ref.job()), *task, MayWorkNow());
+    // One that has yet to look at the folders counts: it may be the only one that can.
+    const MayWork may = [this](const std::string& id, const std::string& job) { return !trust_.IsBarred(id, job); };
+    failed->another = task != nullptr && HasAnother(state_, worker, *state_.FindJob(report.ref.job()), *task, may);
     // A file that one machine cannot read another may.
     failed->machine = failed->machine || (failed->another && IsAboutFiles(failed->error));
   } else {

@@ -11,6 +11,7 @@
 //    Before its last chance it is given only to a worker that holds nothing, and alone, so that it takes no other task
 //    down with it and no other task takes the blame.
 //  - A task that a worker says cannot be done goes to another, if there is one. What that says settles it.
+//    It gets it again only after `wait_for_another`.
 //  - A task whose results were refused goes to another worker. It has failed when `max_refusals` workers gave a wrong
 //    result, when two gave the same, or when nobody is left who might do better (task_choice.h): then the fault is not
 //    theirs. If another does it well, the fault was theirs.
@@ -42,7 +43,7 @@ struct StateOptions {
   int32_t quarantine_after = 3;  // >= 1, lost workers; or three times as many losses with fewer
   absl::Duration longest_attempt = absl::InfiniteDuration();  // then the lease ends, however often it is renewed
   int32_t max_refusals = 3;                                   // >= 1, workers whose results were refused
-  // So long a task waits for a worker when the results of all that there are were refused.
+  // So long a task waits for a worker when all that there are failed with it, or their results were refused.
   absl::Duration wait_for_another = absl::Seconds(10);
   // >= 1, machine errors reported by living workers before one counts as the task's own, unless there is a worker left
   // that has not given it back; or three times as many.
@@ -120,7 +121,7 @@ class CoordinatorState {
   // Ends the worker, and each of its attempts with `lose`.
   absl::StatusOr<Effects> TakeTasksFrom(const std::string& name, TaskLoss lose);
   // Whether the task has failed by an error of its own: one worker's word is not enough where there is another.
-  static bool Fail(Task& task, const TaskFailed& event);
+  bool Fail(Task& task, const TaskFailed& event) const;
   // What a machine error means for the task and the worker; whether the task has failed by it.
   bool Return(Task& task, const TaskFailed& event);
   // Puts a refusal down; whether the task has failed by it.

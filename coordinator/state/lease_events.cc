@@ -202,11 +202,12 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   return effects;
 }
 
-bool CoordinatorState::Fail(Task& task, const TaskFailed& event) {
+bool CoordinatorState::Fail(Task& task, const TaskFailed& event) const {
   if (!task.failed_by.empty() || !event.another) return true;
   task.failed_by = event.worker;
   task.failure = std::string(event.error.message());
   task.returned_by.insert(event.worker);
+  task.not_before = event.time + options_.wait_for_another;
   return false;
 }
 

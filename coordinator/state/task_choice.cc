@@ -64,8 +64,13 @@ class TaskChooser {
                        [this](const TaskKey& key) { return IsLastChance(*state_.FindTask(key)); });
   }
 
+  // One that failed waits for the others alone.
+  bool MustWait(const Task& task) const {
+    return now_ < task.not_before && (task.failed_by.empty() || task.returned_by.contains(worker_.id));
+  }
+
   bool MayHave(const Job& job, const Task& task) const {
-    return task.not_before <= now_ && !task.refused.contains(worker_.id) &&
+    return !MustWait(task) && !task.refused.contains(worker_.id) &&
            !(task.returned_by.contains(worker_.id) && HasAnother(state_, worker_.id, job, task, may_));
   }
 

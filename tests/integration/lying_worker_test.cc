@@ -19,6 +19,7 @@
 #include "tests/integration/worker_lies.h"
 #include "tests/support/untrusted_workers.h"
 #include "tilemend/v1/stages.pb.h"
+#include "worker/service/look_at_folders.h"
 
 namespace tilemend {
 namespace {
@@ -303,6 +304,28 @@ TEST_P(FalseErrorTest, IsTriedByAnotherAndItsWorkerNamed) {
   ASSERT_GE(job.warnings_size(), 1);
   EXPECT_THAT(job.warnings(0), HasSubstr("worker broken could not do cell"));
   EXPECT_THAT(job.warnings(0), HasSubstr("which worker good did: line 1: expected 'ply'"));
+}
+
+// It was quicker than the good one had looked at the folders.
+TEST_F(UntrustedWorkerTest, AnErrorOfTheFirstWorkerThatLookedIsTriedByAnother) {
+  std::atomic<bool> looks{false}, failed{false};
+  WorkerOptions good;
+  good.id = "good";
+  good.look = [&](const v1::JobFolders& folders) {
+    looks = true;
+    looks.notify_all();
+    failed.wait(false);
+    return LookAtFolders(folders);
+  };
+  cluster_.AddWorker(good, SceneStageRunner());
+  cluster_.AddWorker("broken", 1, [&](Stage, const std::string&, const auto&) -> absl::StatusOr<std::string> {
+    looks.wait(false);
+    failed = true;
+    failed.notify_all();
+    return absl::InvalidArgumentError("line 1: expected 'ply'");
+  });
+  const v1::Job job = cluster_.WaitFor(cluster_.Submit(scene_).name());
+  EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, FalseErrorTest, ::testing::Values(Stage::kSurvey, Stage::kFill, Stage::kAssemble),

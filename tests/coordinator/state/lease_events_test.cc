@@ -137,6 +137,16 @@ TEST_F(LeaseEventsTest, TheTasksOwnErrorIsThatOfTwoWorkersWhereThereAreTwo) {
   EXPECT_EQ(done.settled[0].state, TaskState::kCommitted);
 }
 
+TEST_F(LeaseEventsTest, ATaskThatFailedWaitsForAnotherWorkerButNotForEver) {
+  AddJob("a", 1);
+  See("w1");
+  const uint64_t token = Lease(Key("a", 1), "w1");
+  Do(TaskFailed{Key("a", 1), "w1", token, false, true, absl::InternalError("no"), now_});
+  EXPECT_THAT(Choose("w1"), IsEmpty()) << "another may still be looking at the folders";
+  now_ += state_.options().wait_for_another;
+  EXPECT_THAT(Choose("w1"), ElementsAre(Key("a", 1)));
+}
+
 TEST_F(LeaseEventsTest, OneWorkerThatFailsTwiceIsEnoughIfTheOtherLeaves) {
   AddJob("a", 1);
   See("w1");
