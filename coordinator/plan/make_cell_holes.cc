@@ -205,7 +205,7 @@ class CellHolesBuilder {
     const auto record = stored.WithBand();
     for (const Triangle& t : record->band.triangles) {
       const int32_t rim[3] = {rim_vertex(t[0]), rim_vertex(t[1]), rim_vertex(t[2])};
-      if (rim[0] < 0 && rim[1] < 0 && rim[2] < 0) continue;
+      if (plan_.upright && rim[0] < 0 && rim[1] < 0 && rim[2] < 0) continue;
       if (!IsFirst(tile, record->band, t)) continue;
       Triangle out;
       for (int k = 0; k < 3; ++k) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -117,6 +118,23 @@ TEST(MeshFillTest, FillsOutlinesAndLeavesLongHolesIfAsked) {
   EXPECT_EQ(none.plan.left[0].reason, "longer than --largest-hole");
   EXPECT_FALSE(none.plan.left[0].is_hole);
   EXPECT_EQ(Fill(sheet, Surface::kThinPlate, {false, 8}).plan.holes.size(), 1u);
+}
+
+TEST(MeshFillTest, GoesOnAsASaddleOnTheInsideOfABentTube) {
+  const Point3 middle = 1.6 * Point3(std::cos(0.8 * std::numbers::pi), std::sin(0.8 * std::numbers::pi), 0);
+  const TriMesh tube = TorusPart(32, 80, 2.6, 1, 0.8);
+  const FilledMesh filled = Fill(WithoutHole(tube, [&](const Point3& p) { return (p - middle).norm() < 0.9; }));
+  double off = 0;
+  int32_t points = 0;
+  for (const HolePatch& patch : filled.patches) {
+    for (const Point3& p : patch.new_points) {
+      if ((p - middle).norm() > 0.95) continue;
+      ++points;
+      off = std::max(off, std::abs(std::hypot(p.head<2>().norm() - 2.6, p.z()) - 1));
+    }
+  }
+  EXPECT_GT(points, 20);
+  EXPECT_LT(off, 0.011);
 }
 
 // A sphere whose lower half has other vertices along the equator.

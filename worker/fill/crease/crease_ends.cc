@@ -29,6 +29,8 @@ constexpr double kSmoothCosine = 0.966;
 // At a crease all normals are near one of two. Their mean angle to the nearer of the two, as a share of the angle
 // between the two: 0 between planes, 1/4 where the bend is spread evenly (a round wall).
 constexpr double kMostSpread = 0.125;
+// Of that angle: how much of it is between two neighbouring edges of the rim, where it must be at one edge.
+constexpr double kLeastStep = 0.5;
 // How well a place parts the normals of the two: 1 if they change there once for all, less where the rim weaves about
 // the crease, 0 if they are mixed alike on both sides.
 constexpr double kLeastSharpness = 0.4;
@@ -46,7 +48,8 @@ struct Bend {
 
 class EndFinder {
  public:
-  EndFinder(const RimLoop& loop, int32_t number) : loop_(loop), number_(number), n_(loop.size()) {}
+  EndFinder(const RimLoop& loop, int32_t number, Bends bends)
+      : loop_(loop), number_(number), n_(loop.size()), bends_(bends) {}
 
   std::vector<CreaseEnd> Run() {
     std::vector<Bend> bends = SharpBends();
@@ -87,6 +90,13 @@ class EndFinder {
     return true;
   }
 
+  // The largest angle between neighbours of the edges [begin, end).
+  double LargestStep(int32_t begin, int32_t end) const {
+    double largest = 0;
+    for (int32_t e = begin; e + 1 < end; ++e) largest = std::max(largest, AngleBetween(Normal(e), Normal(e + 1)));
+    return largest;
+  }
+
   Bend BendAt(int32_t place, int32_t reach) const {
     const auto before = Middle(place - reach, place), after = Middle(place, place + reach);
     Bend bend{place, reach, AngleBetween(before.first, after.first), 0, before.first, after.first};
@@ -96,6 +106,7 @@ class EndFinder {
       off += std::min(AngleBetween(Normal(e), bend.before), AngleBetween(Normal(e), bend.after));
     }
     if (off > kMostSpread * 2 * reach * bend.angle) return bend;
+    if (bends_ == Bends::kAtOneEdge && LargestStep(place - reach, place + reach) < kLeastStep * bend.angle) return bend;
     const double together = Middle(place - reach, place + reach).second;
     bend.sharpness = (together - before.second - after.second) / (reach * bend.angle);
     return bend;
@@ -228,14 +239,15 @@ class EndFinder {
 
   const RimLoop& loop_;
   const int32_t number_, n_;
+  const Bends bends_;
 };
 
 }  // namespace
 
-std::vector<CreaseEnd> FindCreaseEnds(std::span<const RimLoop> loops) {
+std::vector<CreaseEnd> FindCreaseEnds(std::span<const RimLoop> loops, Bends bends) {
   std::vector<CreaseEnd> ends;
   for (size_t l = 0; l < loops.size(); ++l) {
-    const std::vector<CreaseEnd> found = EndFinder(loops[l], static_cast<int32_t>(l)).Run();
+    const std::vector<CreaseEnd> found = EndFinder(loops[l], static_cast<int32_t>(l), bends).Run();
     ends.insert(ends.end(), found.begin(), found.end());
   }
   return ends;

@@ -23,10 +23,18 @@ struct CreaseEnd {
   Eigen::Vector3d tangent;  // unit, along the crease into the hole
 };
 
+// What counts as a crease.
+enum class Bends {
+  kOverSeveralEdges,  // the surface may turn over several edges of the rim: those of buildings are often worn
+  // Half of the turn at least is between two neighbouring edges. In a mesh of any shape what turns step by step is as
+  // likely the side of a small hole in something round.
+  kAtOneEdge,
+};
+
 // Where creases end at the rim of a hole, in order of loop and place. A crease is a place where the normals beside the
 // rim change by at least 30 degrees, are alike before it and alike after it: rough ground and round walls have none.
 // O(rim * bends).
-std::vector<CreaseEnd> FindCreaseEnds(std::span<const RimLoop> loops);
+std::vector<CreaseEnd> FindCreaseEnds(std::span<const RimLoop> loops, Bends bends);
 
 }  // namespace tilemend
 

@@ -39,7 +39,8 @@ std::vector<std::vector<int32_t>> AddPoints(const CreaseNetwork& network, const 
 }  // namespace
 
 LocalPatch FillAlongCreases(const LocalHole& hole, const FillOptions& options) {
-  const CreaseNetwork network = FindCreases(hole.loops);
+  const Bends bends = hole.cell->upright ? Bends::kOverSeveralEdges : Bends::kAtOneEdge;
+  const CreaseNetwork network = FindCreases(hole.loops, bends);
   if (network.curves.empty()) return {FillFailure::kNotApplicable};
   LocalPatch patch;
   const std::vector<std::vector<int32_t>> curve_points = AddPoints(network, hole, options.refine, patch.new_points);

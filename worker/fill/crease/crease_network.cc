@@ -66,8 +66,8 @@ bool Between(int32_t p, int32_t a, int32_t b, int32_t n) { return p != a && p !=
 
 class NetworkBuilder {
  public:
-  explicit NetworkBuilder(std::span<const RimLoop> loops) : loops_(loops) {
-    network_.ends = FindCreaseEnds(loops);
+  NetworkBuilder(std::span<const RimLoop> loops, Bends bends) : loops_(loops) {
+    network_.ends = FindCreaseEnds(loops, bends);
     used_.assign(network_.ends.size(), false);
   }
 
@@ -360,6 +360,6 @@ Vector3d CreaseCurve::SlopeAt(double t) const {
   return 6 * s * t * (finish - start) + s * (s - 2 * t) * start_slope + t * (t - 2 * s) * finish_slope;
 }
 
-CreaseNetwork FindCreases(std::span<const RimLoop> loops) { return NetworkBuilder(loops).Run(); }
+CreaseNetwork FindCreases(std::span<const RimLoop> loops, Bends bends) { return NetworkBuilder(loops, bends).Run(); }
 
 }  // namespace tilemend

@@ -45,7 +45,7 @@ struct CreaseNetwork {
 // over, three neighbours along a loop with flat parts between them are joined in a corner, four in two corners with a
 // crease between these (the edge of a box from its roof to the ground). An end that fits none is left alone. A curve
 // that the rim touches is parted there. O(rim * (ends + curves) + ends^2 log ends). Deterministic.
-CreaseNetwork FindCreases(std::span<const RimLoop> loops);
+CreaseNetwork FindCreases(std::span<const RimLoop> loops, Bends bends);
 
 }  // namespace tilemend
 

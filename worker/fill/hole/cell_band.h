@@ -13,14 +13,12 @@
 
 namespace tilemend {
 
-// Looks up band triangles by rim vertex, and edges between rim vertices. The CellHoles must outlive it.
+// Looks up band triangles by their vertices, and edges between rim vertices. The CellHoles must outlive it.
 class CellBand {
  public:
-  explicit CellBand(const CellHoles& cell) : cell_(cell), at_(cell.vertices.size()) {
+  explicit CellBand(const CellHoles& cell) : cell_(cell), at_(std::max(cell.vertices.size(), cell.band.points.size())) {
     for (size_t t = 0; t < cell.band.triangles.size(); ++t) {
-      for (const int32_t v : cell.band.triangles[t]) {
-        if (v < static_cast<int32_t>(at_.size())) at_[v].push_back(static_cast<int32_t>(t));
-      }
+      for (const int32_t v : cell.band.triangles[t]) at_[v].push_back(static_cast<int32_t>(t));
     }
   }
 
@@ -38,6 +36,7 @@ class CellBand {
     }
   }
 
+  // In CellHoles::band.points.
   const std::vector<int32_t>& At(int32_t vertex) const { return at_[vertex]; }
 
   Eigen::Vector3d Normal(int32_t triangle) const {

@@ -3,8 +3,12 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "common/mesh/triangle_shape.h"
 
@@ -16,6 +20,54 @@ constexpr double kLeastSine = 1e-3;
 // Of the area of the shapes that triangles should keep: a surface within so much of it has these shapes, and one of
 // less than so much has lost them.
 constexpr double kSameArea = 0.01, kLeastArea = 0.93;
+
+// Of a triangle: twice its area, and at each corner half the cotangent.
+struct Weights {
+  double area2 = 0;
+  std::array<double, 3> half_cotangents{};
+};
+
+Weights WeightsOf(const Triangle& t, const std::vector<Point3>& shape) {
+  double longest2 = 0;
+  for (int k = 0; k < 3; ++k) longest2 = std::max(longest2, (shape[t[(k + 1) % 3]] - shape[t[k]]).squaredNorm());
+  Weights weights;
+  weights.area2 = std::max((shape[t[1]] - shape[t[0]]).cross(shape[t[2]] - shape[t[0]]).norm(), kLeastSine * longest2);
+  for (int k = 0; k < 3; ++k) {
+    const Point3& o = shape[t[k]];
+    weights.half_cotangents[k] = (shape[t[(k + 1) % 3]] - o).dot(shape[t[(k + 2) % 3]] - o) / weights.area2 / 2;
+  }
+  return weights;
+}
+
+// Twice the mean curvature of the original surface at the outer points of the band; none where it ends there.
+std::vector<std::optional<double>> CurvatureBeside(const FairSurfaceProblem& problem) {
+  const size_t n = problem.points.size();
+  std::vector<Point3> bends(n, Point3::Zero()), normals = bends;
+  std::vector<double> mass(n, 0);
+  std::vector<int64_t> open(n, 0);  // sums of the ends of edges: zero if they close around the point
+  for (const auto* triangles : {&problem.band, &problem.beyond}) {
+    for (const Triangle& t : *triangles) {
+      const Weights weights = WeightsOf(t, problem.points);
+      const Point3 normal = TwiceVectorArea(problem.points, t);
+      for (int k = 0; k < 3; ++k) {
+        const int32_t o = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
+        const Point3 edge = weights.half_cotangents[k] * (problem.points[b] - problem.points[a]);
+        bends[a] += edge;
+        bends[b] -= edge;
+        normals[o] += normal;
+        mass[o] += weights.area2 / 6;
+        open[o] += a - b;
+      }
+    }
+  }
+  std::vector<std::optional<double>> curvature(n);
+  for (const Triangle& t : problem.beyond) {
+    for (const int32_t v : t) {
+      if (open[v] == 0) curvature[v] = bends[v].dot(normals[v].normalized()) / mass[v];
+    }
+  }
+  return curvature;
+}
 
 class BendingSystem {
  public:
@@ -46,21 +98,25 @@ class BendingSystem {
   // Fills in the unknown points.
   bool Solve(std::vector<Point3>& points) const { return SolveFor(right_side_, points); }
 
-  // One step from points that are solved for towards a mean curvature whose own Laplacian is zero.
-  bool EvenCurvature(std::vector<Point3>& points) const {
+  // One step from points that are solved for towards a mean curvature with no other Laplacian than that of the surface
+  // around.
+  bool EvenCurvature(const std::vector<std::optional<double>>& beside, std::vector<Point3>& points) const {
     const std::vector<Point3> normals = Normals(points);
-    Eigen::MatrixXd found(std::ssize(columns_), 3);
-    for (size_t k = 0; k < columns_.size(); ++k) found.row(static_cast<Eigen::Index>(k)) = points[columns_[k]];
-    const Eigen::MatrixXd bends = mass_.asDiagonal() * (laplacian_ * found + fixed_);
-    Eigen::MatrixXd right_side = right_side_;
+    const Eigen::VectorXd curvature = CurvatureOf(points, normals);
+    Eigen::MatrixXd step = Eigen::MatrixXd::Zero(std::ssize(columns_), 3);
+    double bent = 0;  // the Laplacian of the curvature, all over the patch, as it is now
     for (int32_t k = 0; k < laplacian_.outerSize(); ++k) {
+      const Point3& normal = normals[columns_[static_cast<size_t>(k)]];
       for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian_, k); it; ++it) {
-        const Point3& normal = normals[rows_[static_cast<size_t>(it.row())]];
-        const double curvature = bends.row(it.row()).dot(normal);
-        right_side.row(k) += it.value() * curvature * (normal - normals[columns_[static_cast<size_t>(k)]]).transpose();
+        const Point3& other = normals[rows_[static_cast<size_t>(it.row())]];
+        step.row(k) += it.value() * curvature[it.row()] * (other - normal).transpose();
       }
+      bent -= step.row(k).dot(normal);
     }
-    return SolveFor(right_side, points);
+    if (!SolveFor(right_side_ + step, points)) return false;
+    const double inflow = InflowOf(CurvatureOf(points, Normals(points)), beside);
+    const double right = bent == 0 ? 0 : std::clamp(inflow / bent, 0.0, 1.0);
+    return right == 0 || SolveFor(right_side_ + (1 - right) * step, points);
   }
 
  private:
@@ -74,6 +130,39 @@ class BendingSystem {
     if (solver_.info() != Eigen::Success || !found.allFinite()) return false;
     for (size_t k = 0; k < columns_.size(); ++k) points[columns_[k]] = found.row(static_cast<Eigen::Index>(k));
     return true;
+  }
+
+  // Twice the mean curvature by row.
+  Eigen::VectorXd CurvatureOf(const std::vector<Point3>& points, const std::vector<Point3>& normals) const {
+    Eigen::MatrixXd found(std::ssize(columns_), 3);
+    for (size_t k = 0; k < columns_.size(); ++k) found.row(static_cast<Eigen::Index>(k)) = points[columns_[k]];
+    const Eigen::MatrixXd bends = mass_.asDiagonal() * (laplacian_ * found + fixed_);
+    Eigen::VectorXd curvature(std::ssize(rows_));
+    for (size_t r = 0; r < rows_.size(); ++r) {
+      const auto row = static_cast<Eigen::Index>(r);
+      curvature[row] = bends.row(row).dot(normals[rows_[r]]);
+    }
+    return curvature;
+  }
+
+  // How much curvature flows in across the rim, as far as it does so evenly.
+  double InflowOf(const Eigen::VectorXd& curvature, const std::vector<std::optional<double>>& beside) const {
+    std::vector<double> flows(rows_.size(), 0);
+    for (const Triangle& t : problem_.band) {
+      const Weights weights = WeightsOf(t, problem_.points);
+      for (int k = 0; k < 3; ++k) {
+        for (const auto& [at, other] : {std::pair(t[(k + 1) % 3], t[(k + 2) % 3]), {t[(k + 2) % 3], t[(k + 1) % 3]}}) {
+          if (row_[at] < 0 || !beside[other]) continue;
+          flows[row_[at]] += weights.half_cotangents[k] * (*beside[other] - curvature[row_[at]]);
+        }
+      }
+    }
+    std::erase(flows, 0.0);
+    if (flows.empty()) return 0;
+    const double sum = std::accumulate(flows.begin(), flows.end(), 0.0);
+    double variance = 0;  // of the sum, if each is off by as much as they differ
+    for (const double flow : flows) variance += std::pow(flow - sum / static_cast<double>(flows.size()), 2);
+    return sum == 0 ? 0 : sum * (sum * sum / (sum * sum + variance));
   }
 
   std::vector<Point3> Normals(const std::vector<Point3>& points) const {
@@ -90,16 +179,12 @@ class BendingSystem {
 
   // Adds a triangle with the shape that its corners have in `shape`.
   void Add(const Triangle& t, const std::vector<Point3>& shape) {
-    double longest2 = 0;
-    for (int k = 0; k < 3; ++k) longest2 = std::max(longest2, (shape[t[(k + 1) % 3]] - shape[t[k]]).squaredNorm());
-    const double area2 =
-        std::max((shape[t[1]] - shape[t[0]]).cross(shape[t[2]] - shape[t[0]]).norm(), kLeastSine * longest2);
+    const Weights weights = WeightsOf(t, shape);
     for (int k = 0; k < 3; ++k) {
       const int32_t o = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
-      if (row_[o] >= 0) mass_[row_[o]] += area2 / 6;
-      const double weight = (shape[a] - shape[o]).dot(shape[b] - shape[o]) / area2 / 2;  // half the cotangent at o
-      AddEdge(a, b, weight);
-      AddEdge(b, a, weight);
+      if (row_[o] >= 0) mass_[row_[o]] += weights.area2 / 6;
+      AddEdge(a, b, weights.half_cotangents[k]);
+      AddEdge(b, a, weights.half_cotangents[k]);
     }
   }
 
@@ -131,7 +216,7 @@ class BendingSystem {
 bool SolveWith(const FairSurfaceProblem& problem, const std::vector<Point3>& shape, std::vector<Point3>& points) {
   BendingSystem system(problem, shape);
   if (!system.Factorize() || !system.Solve(points)) return false;
-  return !problem.evens_curvature || system.EvenCurvature(points);
+  return !problem.evens_curvature || system.EvenCurvature(CurvatureBeside(problem), points);
 }
 
 // Whether a second solve, with the shapes of the surface found, is nearer.

@@ -14,6 +14,8 @@ struct FairSurfaceProblem {
   std::vector<bool> known;  // positions that stay
   std::vector<Triangle> patch;
   std::vector<Triangle> band;  // original triangles at the rim, over known points: give the slope there
+  // Those beyond, at the outer points of the band: tell how the curvature changes towards the rim. May be none.
+  std::vector<Triangle> beyond;
   // Points with an equation of their own: everything around them is in patch and band. Others bend freely.
   std::vector<bool> has_equation;
   // In a mesh of any shape: the mean curvature, not the bend of the position, changes evenly.
@@ -29,8 +31,12 @@ struct FairSurfaceProblem {
 // Laplacian of the position, H n, but that of its length, the mean curvature H, is zero: spheres and cylinders go on as
 // they are (Schneider and Kobbelt 2001, "Geometric fairing of irregular meshes for free-form surface design"). The
 // difference of the two, div(H grad n) + grad H grad n at the surface found, becomes the right side of the same
-// equations. The second solve is left out where it would change little, and where the surface has shrunk from its
-// shapes: these say more then. Beside the rough rims of tiles curvature is mostly noise.
+// equations. On the inside of a bend, where a surface is saddle-shaped, H has a Laplacian: as much of it, over the
+// whole patch, as H flows in across the rim from `beyond`. That much of the step is not made; how much that is, is only
+// believed as far as it is alike all along the rim.
+//
+// The second solve is left out where it would change little, and where the surface has shrunk from its shapes: these
+// say more then. Beside the rough rims of tiles curvature is mostly noise.
 //   shape  one position for each point; those of band triangles are taken from problem.points
 // False, with the points as they were, if the system cannot be factorised. Sparse Cholesky; about O(n^1.5).
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem);

@@ -13,7 +13,7 @@
 namespace tilemend {
 namespace {
 
-CreaseNetwork CreasesOf(const CellHoles& work) { return FindCreases(LoopsOf(work)); }
+CreaseNetwork CreasesOf(const CellHoles& work) { return FindCreases(LoopsOf(work), Bends::kOverSeveralEdges); }
 
 TEST(CreaseNetworkTest, CarriesARoofsEdgeThroughAHole) {
   const CreaseNetwork network = CreasesOf(WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, kNoise));
@@ -62,7 +62,7 @@ TEST(CreaseNetworkTest, FollowsARimThatWeavesAboutTheCrease) {
   };
   const CellHoles work = WorkOfSheet(hole, FoldToBuilding, kNoise);
   const std::vector<RimLoop> loops = LoopsOf(work);
-  const CreaseNetwork network = FindCreases(loops);
+  const CreaseNetwork network = FindCreases(loops, Bends::kOverSeveralEdges);
   ASSERT_FALSE(network.curves.empty());
   double length = 0;
   for (const CreaseCurve& c : network.curves) {
@@ -90,7 +90,7 @@ TEST(CreaseNetworkTest, FollowsACurvedCrease) {
   };
   const std::vector<RimLoop> rim = LoopsOf(WorkOfSheet(Disc(0, 0, 6), tower, 0));
   ASSERT_EQ(rim.size(), 1u);
-  const CreaseNetwork network = FindCreases(rim);
+  const CreaseNetwork network = FindCreases(rim, Bends::kOverSeveralEdges);
   ASSERT_EQ(network.curves.size(), 1u);
   for (const double t : {0.25, 0.5, 0.75}) {
     const Point3 p = network.curves[0].At(t);

@@ -21,7 +21,7 @@ struct Cut {
 Cut CutHole(const CellHoles& work) {
   const CellBand band(work);
   const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  const CreaseNetwork network = FindCreases(hole.loops);
+  const CreaseNetwork network = FindCreases(hole.loops, Bends::kOverSeveralEdges);
   std::vector<Point3> new_points;
   std::vector<std::vector<int32_t>> curve_points;
   for (const CreaseCorner& corner : network.corners) new_points.push_back(corner.position);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include "tests/support/mesh_builders.h"
@@ -71,6 +73,40 @@ TEST(FairSurfaceTest, GoesOnRoundWithEvenCurvature) {
     EXPECT_LT(OffACylinder(turn, true), OffACylinder(turn, false) / 5) << turn;
     EXPECT_LT(OffACylinder(turn, true), 0.04) << turn;
   }
+}
+
+// The largest distance of a point from a torus, over a disc on its inner side that turns by about 100 degrees.
+double OffATorus(bool tells_beyond) {
+  constexpr int32_t kRings = 11, kSectors = 48;
+  const auto torus = [](const Point3& p) {
+    const double along = p.x() / 10 * 0.9 / 2, around = std::numbers::pi + p.y() / 10 * 0.9;
+    const double out = 3 + std::cos(around);
+    return Point3(out * std::cos(along), out * std::sin(along), std::sin(around));
+  };
+  FairSurfaceProblem problem = DiscProblem(torus, {0, 0, 0}, kRings, kSectors);
+  problem.beyond = std::exchange(problem.band, {});
+  std::vector<Triangle> patch;
+  for (const Triangle& t : problem.patch) {
+    (std::ranges::max(t) > (kRings - 2) * kSectors ? problem.band : patch).push_back(t);
+  }
+  problem.patch = std::move(patch);
+  for (size_t v = 0; v < problem.points.size(); ++v) {
+    problem.known[v] = static_cast<int32_t>(v) > (kRings - 3) * kSectors;
+    problem.has_equation[v] = static_cast<int32_t>(v) <= (kRings - 2) * kSectors;
+  }
+  if (!tells_beyond) problem.beyond.clear();
+  problem.evens_curvature = true;
+  const std::vector<Point3> truth = problem.points;
+  EXPECT_TRUE(FairSurface(truth, problem));
+  double off = 0;
+  for (const Point3& p : problem.points) {
+    off = std::max(off, std::abs(std::hypot(p.head<2>().norm() - 3, p.z()) - 1));
+  }
+  return off;
+}
+
+TEST(FairSurfaceTest, GoesOnAsASaddleWhereTheCurvatureChangesAcrossTheRim) {
+  EXPECT_LT(OffATorus(true), OffATorus(false) / 5);
 }
 
 TEST(FairSurfaceTest, LeavesKnownPointsAlone) {
