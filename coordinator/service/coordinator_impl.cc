@@ -12,6 +12,7 @@
 #include "common/rpc/limits.h"
 #include "common/rpc/trace.h"
 #include "common/util/error_info.h"
+#include "common/util/heap.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -408,6 +409,9 @@ void CoordinatorImpl::Tick() {
   StopIdleStreams(now);
   ShowMetrics();
   lock.unlock();  // before the runners are joined
+  if (ended.empty()) return;
+  ended.clear();
+  ReturnHeap();  // what a large job took stays with the process otherwise
 }
 
 void CoordinatorImpl::TickLoop() {

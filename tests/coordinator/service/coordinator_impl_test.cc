@@ -3,11 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
+#include "common/util/heap.h"
 #include "tests/coordinator/service/coordinator_impl_fixture.h"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace tilemend {
 namespace {
@@ -167,6 +175,27 @@ TEST_F(CoordinatorImplTest, RefusesPathsThatAreNotBelowItsRoots) {
     EXPECT_EQ(info->metadata.at("field"), field) << path;
   }
 }
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_F(CoordinatorImplTest, GivesMemoryBackWhenAJobIsOver) {
+  KeepHeap(1);  // or what is at the heap's end goes back by itself
+  const auto job = impl_.CreateJob(NewRequest());
+  ASSERT_TRUE(job.ok()) << job.status();
+  constexpr size_t kBytes = size_t{16} << 20;
+  void* volatile block = std::malloc(kBytes);
+  std::free(block);
+  impl_.Tick();
+  ASSERT_GE(mallinfo2().keepcost, kBytes / 2) << "while it runs, memory is kept for it";
+  v1::CancelJobRequest request;
+  request.set_name(job->name());
+  ASSERT_TRUE(impl_.CancelJob(request).ok());
+  for (int i = 0; i < 10'000 && mallinfo2().keepcost >= kBytes / 2; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // its thread ends
+    impl_.Tick();
+  }
+  EXPECT_LT(mallinfo2().keepcost, kBytes / 2);
+}
+#endif
 
 }  // namespace
 }  // namespace tilemend
