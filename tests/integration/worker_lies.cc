@@ -104,7 +104,8 @@ bool WriteInstead(const v1::AssembleInput& input, Tile& t, const std::string& by
 }
 
 std::vector<Lie> LiesInPatchedTiles() {
-  const auto lie = [](const char* name, std::function<void(const std::string& original, std::string& bytes)> change) {
+  const auto lie = [](const char* name,
+                      const std::function<void(const std::string& original, std::string& bytes)>& change) {
     return LieOf<v1::AssembleInput, Tile>(name, Stage::kAssemble, [=](const v1::AssembleInput& input, Tile& t) {
       if (!input.has_patches() || input.tile().path().empty()) return false;
       const std::string original = ReadFile(input.tile().root() + "/" + input.tile().path()).value();
