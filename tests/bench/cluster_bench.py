@@ -4,8 +4,8 @@
     cluster_bench.py [--bin DIR] [--scene FOLDER] [--cols 4] [--rows 4] [--spacing 0.36] [--rounds 3] [--folder DIR]
                      [--variant WORKERS:CHECK] ...
 
-A variant is a number of workers of one thread, and what the coordinator does with --check-tiles (digest or size). Each is
-run once a round, in turn, in a cluster of its own; the default is 1:digest 1:size 2:digest. Without --scene a scene of
+A variant is a number of workers of one thread, and what the coordinator does with --check-tiles (size, digest or
+content). Each is run once a round, in turn, in a cluster of its own; the default is 1:digest 1:size 2:digest. Without --scene a scene of
 250 m cells is made. The table has the least of each figure, and the ratio of the wall seconds of the first variant to
 each.
 """
