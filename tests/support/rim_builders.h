@@ -22,7 +22,7 @@ inline Rim RimOf(const std::vector<Loop3>& loops, CellId tile = {}) {
     const auto first = static_cast<int32_t>(rim.points.size()), n = static_cast<int32_t>(loop.size());
     rim.loops.emplace_back();
     for (int32_t i = 0; i < n; ++i) {
-      const Point3 before = loop[(i + n - 1) % n], after = loop[(i + 1) % n];
+      const Point3 &before = loop[(i + n - 1) % n], &after = loop[(i + 1) % n];
       RimPoint p;
       p.tile = tile;
       p.index = first + i;
