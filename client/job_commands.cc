@@ -26,6 +26,7 @@ namespace tilemend {
 namespace {
 
 constexpr absl::Duration kPatience = absl::Milliseconds(1500);
+constexpr absl::Duration kRestartPatience = absl::Seconds(15);  // of a script, that has named its request
 
 std::string NewRequestId() {
   std::random_device random;
@@ -47,7 +48,8 @@ absl::StatusOr<Session> OpenSession(const Args& args, bool watches) {
   TILEMEND_RETURN_IF_ERROR(CheckAddress(address));
   const Security security = SecurityFromFlags(args);
   TILEMEND_RETURN_IF_ERROR(CheckChannelSecurity(security, address));
-  session.client = std::make_unique<JobClient>(Connect(address, security), kPatience);
+  session.client = std::make_unique<JobClient>(Connect(address, security),
+                                               args.IsGiven("request-id") ? kRestartPatience : kPatience);
   return session;
 }
 

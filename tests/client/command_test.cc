@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
 #include "common/util/files.h"
 #include "tests/support/process.h"
 #include "tests/support/test_cluster.h"
@@ -242,6 +243,18 @@ TEST_F(ClusterCommandTest, ARepeatedRequestIdGivesTheSameJob) {
                                           "--request-id", "r",         "-o",    "json"};
   const auto first = nlohmann::json::parse(RunWith(words).out);
   EXPECT_EQ(nlohmann::json::parse(RunWith(words).out)["name"], first["name"]);
+}
+
+TEST_F(ClusterCommandTest, ARequestThatHasANameWaitsForACoordinatorThatStartsAgain) {
+  cluster_.reset();
+  Process submit(folder_.path().string(), TOY_CLIENT,
+                 {"submit", "toy://2x2", "--out", folder_ / "out", "--request-id", "r", "--coordinator", address_});
+  absl::SleepFor(absl::Seconds(3));  // without a name it has given up by now
+  ClusterOptions options;
+  options.listen = address_;
+  cluster_ = std::make_unique<TestCluster>(options);
+  const Ended submitted = submit.Wait();
+  EXPECT_EQ(submitted.code, 0) << submitted.err;
 }
 
 TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {

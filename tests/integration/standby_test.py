@@ -142,10 +142,6 @@ def run_all(bench, postgres, arguments):
                 if client.poll() is None:
                     pair.disturb((pair.kills + pair.stops) % 4 == 3)
             stdout, stderr = client.communicate(timeout=LIMIT)
-            if client.returncode == 5 and 'cannot reach the coordinator' in stderr:
-                # It was killed before it had the request, which may be sent again.
-                client = bench.submit(scene, out, f'request {jobs}')
-                stdout, stderr = client.communicate(timeout=LIMIT)
             require(client.returncode == bench.code, f'exit code {client.returncode}: {stdout}{stderr}{pair.at_work.said()}')
             check_output(reference, out)
             shutil.rmtree(out)
