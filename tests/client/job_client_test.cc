@@ -47,7 +47,7 @@ class JobClientTest : public ::testing::Test {
     if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
     server_ = Serve(jobs_, port_);
   }
-  JobClient Client() {
+  JobClient Client() const {
     return {grpc::CreateChannel(absl::StrCat("127.0.0.1:", port_), grpc::InsecureChannelCredentials()),
             absl::Milliseconds(200)};
   }
