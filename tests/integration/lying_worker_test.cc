@@ -27,7 +27,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // The patches of a fill, decoded, changed and encoded.
-Lie LieInPatches(const char* name, std::function<bool(std::vector<HolePatch>&)> change) {
+Lie LieInPatches(const char* name, const std::function<bool(std::vector<HolePatch>&)>& change) {
   return LieOf<v1::FillInput, v1::FillOutput>(
       name, Stage::kFill, [=](const v1::FillInput& input, v1::FillOutput& output) {
         const auto holes = FromProto(input.holes());
@@ -95,7 +95,7 @@ std::vector<Lie> FileLies() {
 }
 
 std::vector<Lie> SampleLies() {
-  const auto lie = [](const char* name, std::function<bool(v1::SampleClusterOutput&)> change) {
+  const auto lie = [](const char* name, const std::function<bool(v1::SampleClusterOutput&)>& change) {
     return LieIn<v1::SampleClusterOutput>(name, Stage::kSampleCluster,
                                           [=](v1::SampleClusterOutput& s) { return s.height_size() > 0 && change(s); });
   };
@@ -375,7 +375,7 @@ class BadJobTest : public UntrustedWorkerTest {
   }
   // The first job and, when it is over, another that has nothing wrong.
   v1::Job RunBadThenGood() {
-    const v1::Job bad = cluster_.WaitFor(cluster_.Submit(scene_).name());
+    v1::Job bad = cluster_.WaitFor(cluster_.Submit(scene_).name());
     is_bad_ = false;
     const v1::Job good = cluster_.WaitFor(cluster_.Submit(scene_).name());
     EXPECT_EQ(good.state(), v1::DONE) << good.error().message();

@@ -96,7 +96,7 @@ inline int ExpectSound(const FilledMesh& filled) {
     const auto back = at_edge.find({edge.second, edge.first});
     if (back == at_edge.end()) ++open;
     if (back == at_edge.end() || std::max(one_way[0], back->second[0]) < filled.originals) continue;
-    const auto across = [&](size_t t) {
+    const auto across = [&, &edge = edge](size_t t) {
       const Triangle& tri = triangles[t];
       const Eigen::Vector3d along = (p[edge.second] - p[edge.first]).normalized();
       Eigen::Vector3d out = p[tri[0]] + p[tri[1]] + p[tri[2]] - 2 * p[edge.first] - p[edge.second];

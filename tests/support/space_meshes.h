@@ -81,7 +81,7 @@ inline TriMesh Turned(TriMesh mesh, int way) {
 inline TriMesh Tetrahedron(const Point3& middle, double size) {
   TriMesh mesh;
   for (const Point3& p : {Point3(1, 1, 1), Point3(-1, -1, 1), Point3(-1, 1, -1), Point3(1, -1, -1)}) {
-    mesh.points.push_back(middle + size * p);
+    mesh.points.emplace_back(middle + size * p);
   }
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   return mesh;
