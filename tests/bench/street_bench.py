@@ -9,7 +9,6 @@ surface of its own: a cut takes triangles away by their middles, and a long one 
 the points over which the tile of their cell has neither. Needs numpy and scipy.
 """
 import argparse
-import json
 import os
 import sys
 import tempfile
@@ -19,9 +18,6 @@ import numpy as np
 import measure
 import scene_tools
 import surfaces
-
-sys.path.insert(0, os.path.join(measure.ROOT, 'scripts'))
-import render
 
 LEVELS = (17, 18)
 HEADS = ['level', 'seed', 'points', 'covered', 'no surface', 'overlap', 'step 99 %, m', 'two fills', 'error mean, m', 'error 95 %, m',
@@ -37,7 +33,7 @@ def bare(scene, out):
     for tile in layout['tiles']:
         here = points[(cells == (tile['col'], tile['row'])).all(1)]
         if len(here):
-            corners, _ = render.read_folder(os.path.join(out, tile['path']))
+            corners, _ = surfaces.render.read_folder(os.path.join(out, tile['path']))
             without += int((surfaces.over(corners, here)[0] < 0).sum())
     return without
 
@@ -49,8 +45,7 @@ def row(bin_folder, folder, level, seed):
     # Exit code 1 tells of a missed bar; it is in the result as well.
     measure.Run([sys.executable, os.path.join(scene_tools.folder(), 'check_city.py'), scene, out, '--json', found],
                 accept=(0, 1))
-    with open(found, encoding='utf-8') as file:
-        r = json.load(file)
+    r = scene_tools.read_json(found)
     points = len(np.load(os.path.join(scene, 'ground.npz'))['points'])
     return [level, seed, f'{points:,}', measure.down(r['covered'], 4), bare(scene, out), measure.down(r['overlap'], 4),
             measure.up(r['step 99 %, m'], 3), measure.up(r['double'], 4), measure.up(r['error mean, m'], 2),
