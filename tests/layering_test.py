@@ -18,7 +18,7 @@ LIBRARIES = {
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
-    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
+    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -52,7 +52,7 @@ RULES = {
 
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
 
-    'common/store': rule(['common/util'], ['absl', 'openssl']),
+    'common/store': rule(['common/util'], ['absl', 'openssl', 'xxhash']),
 
     'common/metrics': rule(['common/util'], ['absl', 'httplib', 'openssl', 'prometheus']),
 

@@ -20,7 +20,7 @@ struct FileWitness {
   struct Lookup {
     std::string folder, name, path, problem;
   };
-  // A file that was read for what it says, and its SHA-256; empty: it could not be read.
+  // A file that was read for what it says, and its FileDigest; empty: it could not be read.
   struct Read {
     std::string path, digest;
   };

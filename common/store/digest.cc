@@ -2,6 +2,10 @@
 
 #include <openssl/evp.h>
 
+// Its functions as part of this file: nothing to load, and better code.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -15,6 +19,17 @@ namespace {
 // The library fails only for want of memory or of the algorithm itself; a wrong digest would be worse than an end.
 void Require(bool success) {
   if (!success) std::abort();
+}
+
+bool IsHex(std::string_view text, size_t digits) {
+  const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  return text.size() == digits && std::all_of(text.begin(), text.end(), is_hex);
+}
+
+std::string Hex(const XXH128_hash_t& hash) {
+  XXH128_canonical_t bytes;
+  XXH128_canonicalFromHash(&bytes, hash);
+  return absl::BytesToHexString(absl::string_view(reinterpret_cast<const char*>(bytes.digest), sizeof bytes.digest));
 }
 
 }  // namespace
@@ -59,9 +74,26 @@ std::string Sha256Hex(std::string_view bytes) {
   return absl::BytesToHexString(absl::string_view(digest.data(), digest.size()));
 }
 
-bool IsDigest(std::string_view text) {
-  const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-  return text.size() == 64 && std::all_of(text.begin(), text.end(), is_hex);
+bool IsDigest(std::string_view text) { return IsHex(text, 64); }
+
+std::string FileDigest(std::string_view bytes) { return Hex(XXH3_128bits(bytes.data(), bytes.size())); }
+
+bool IsFileDigest(std::string_view text) { return IsHex(text, 32) || IsDigest(text); }
+
+bool HasFileDigest(std::string_view bytes, std::string_view digest) {
+  return digest == (IsDigest(digest) ? Sha256Hex(bytes) : FileDigest(bytes));
 }
+
+struct FileHash::State {
+  XXH3_state_t state;
+};
+
+FileHash::FileHash() : state_(std::make_unique<State>()) { XXH3_128bits_reset(&state_->state); }
+
+FileHash::~FileHash() = default;
+
+void FileHash::Update(std::string_view bytes) { XXH3_128bits_update(&state_->state, bytes.data(), bytes.size()); }
+
+std::string FileHash::FinishHex() const { return Hex(XXH3_128bits_digest(&state_->state)); }
 
 }  // namespace tilemend

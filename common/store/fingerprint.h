@@ -3,6 +3,7 @@
 #define TILEMEND_COMMON_STORE_FINGERPRINT_H_
 
 #include <string>
+#include <string_view>
 
 #include "absl/status/statusor.h"
 
@@ -12,8 +13,11 @@ namespace tilemend {
 // same, and copies of it as well. Errors as ReadFile.
 absl::StatusOr<std::string> FingerprintOf(const std::string& path);
 
-// The SHA-256 of a whole file, as Sha256Hex of its bytes; holds a quarter of a MiB of it at a time. Errors as ReadFile.
-absl::StatusOr<std::string> Sha256OfFile(const std::string& path);
+// FileDigest of a whole file; holds a quarter of a MiB of it at a time. Errors as ReadFile.
+absl::StatusOr<std::string> DigestOfFile(const std::string& path);
+
+// HasFileDigest of a whole file, as DigestOfFile.
+absl::StatusOr<bool> FileHasDigest(const std::string& path, std::string_view digest);
 
 // Whether two regular files are there and have the same bytes. Two names of one file do without reading it.
 bool HaveSameContent(const std::string& a, const std::string& b);

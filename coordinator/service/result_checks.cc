@@ -82,17 +82,32 @@ absl::StatusOr<int64_t> SizeOf(const std::string& path) {
   return look->size;
 }
 
+// That the file has the digest; else `otherwise`.
+absl::Status CheckFile(const std::string& path, const std::string& digest, const absl::Status& otherwise) {
+  const auto same = FileHasDigest(path, digest);
+  if (!same.ok()) return absl::UnavailableError(same.status().message());
+  return *same ? absl::OkStatus() : otherwise;
+}
+
+// Sorts the edges only where some have three triangles, or there is an outline.
+bool HasOutline(const TriMesh& mesh, uint64_t key) {
+  return OutlineSumOf(mesh, key).sum != 0 && !OutlineOf(mesh).empty();
+}
+
 // Without reading each tile: what only few tiles are said to be, and a look at the tile settles.
-absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& record) {
+absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& record, TileReading& reading) {
   const bool closed = record.triangle_count > 0 && record.edges.empty();
   const auto& reach = input.reach();
   const bool outside =
       record.vertex_count > 0 && reach.size() == 4 &&
       (record.lo.x() < reach[0] || record.lo.y() < reach[1] || record.hi.x() > reach[2] || record.hi.y() > reach[3]);
   if (!closed && !outside) return absl::OkStatus();
-  const auto file = ReadMeshFile(PathOf(input.tile()));
+  const std::string path = PathOf(input.tile());
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
+  const auto file = ReadMeshFile(path);
   if (!file.ok()) return absl::UnavailableError(file.status().message());
-  if (closed && !OutlineOf(file->mesh).empty()) return Wrong("no boundary, where the tile has one");
+  if (closed && HasOutline(file->mesh, reading.key)) return Wrong("no boundary, where the tile has one");
   if (!outside) return absl::OkStatus();
   Eigen::AlignedBox3d bounds;
   for (const Point3& p : file->mesh.points) bounds.extend(p);
@@ -107,21 +122,13 @@ absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutpu
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
   if (bytes != input.known().bytes()) return changed;
   if (how == TileCheck::kSize) return absl::OkStatus();
-  const auto digest = Sha256OfFile(PathOf(input.tile()));
-  if (!digest.ok()) return absl::UnavailableError(digest.status().message());
-  return *digest == output.digest() ? absl::OkStatus() : changed;
+  return CheckFile(PathOf(input.tile()), output.digest(), changed);
 }
 
 // Of a tile with another digest than the survey tells.
 absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) {
   if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
   return absl::UnavailableError("the tile has just been changed");
-}
-
-absl::Status CheckDigest(const std::string& path, const v1::SurveyOutput& output) {
-  const auto digest = Sha256OfFile(path);
-  if (!digest.ok()) return absl::UnavailableError(digest.status().message());
-  return *digest == output.digest() ? absl::OkStatus() : OtherTile(path, output);
 }
 
 // That the digest and the record are the tile's, unless that has changed since it was read.
@@ -132,7 +139,7 @@ absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOut
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
   const auto bytes = ReadFile(path);
   if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
-  if (Sha256Hex(*bytes) != output.digest()) return OtherTile(path, output);
+  if (!HasFileDigest(*bytes, output.digest())) return OtherTile(path, output);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   const auto file = ParseMesh(format, *bytes, path);
   if (!file.ok()) return Wrong("a survey of a tile that cannot be read");
@@ -142,7 +149,7 @@ absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOut
 absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(output_bytes));
-  if (!IsDigest(output.digest())) return Wrong("a digest that is none");
+  if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
   if (output.unchanged()) return CheckSameSurvey(input, output, reading.how);
   if (output.witness().digest() != output.digest()) return Wrong("a witness of another tile");
   TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
@@ -151,8 +158,11 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
   if (reading.how == TileCheck::kContent) return CheckSurveyedTile(input, output, *record, reading);
-  if (reading.how == TileCheck::kDigest) TILEMEND_RETURN_IF_ERROR(CheckDigest(PathOf(input.tile()), output));
-  return CheckUnusual(input, *record);
+  if (reading.how == TileCheck::kDigest) {
+    const std::string path = PathOf(input.tile());
+    TILEMEND_RETURN_IF_ERROR(CheckFile(path, output.digest(), OtherTile(path, output)));
+  }
+  return CheckUnusual(input, *record, reading);
 }
 
 absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
@@ -239,6 +249,9 @@ bool HasPatch(const v1::AssembleInput& input) {
                      [](const v1::PatchExtent& patch) { return patch.triangles() > 0; });
 }
 
+// Whether the tile is to be another than the original.
+bool IsPatched(const v1::AssembleInput& input) { return input.tile().path().empty() || HasPatch(input); }
+
 // Whether a file of the attempt has these bytes.
 absl::Status CheckBytes(const std::string& path, std::string_view expected) {
   bool same = true;
@@ -250,41 +263,43 @@ absl::Status CheckBytes(const std::string& path, std::string_view expected) {
   return same && expected.empty() ? absl::OkStatus() : Wrong("a tile that is not the original with its patches");
 }
 
-// That the tile is the original with its patches, which are put into it here once more.
-absl::Status CheckPatchedTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
+// That the tile is the original with its patches, if it has any, which are put into it here once more.
+absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
   const auto not_here = [](const absl::Status& status) { return absl::UnavailableError(status.message()); };
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
-  const auto added = TilePatchOf(input);
-  if (!added.ok()) return not_here(added.status());
   std::string original;
   if (const std::string path = PathOf(input.tile()); !input.tile().path().empty()) {
     auto bytes = ReadFile(path);
     if (!bytes.ok()) return not_here(bytes.status());
     original = *std::move(bytes);
-    if (!HasStamp(path, input.stamp()) && Sha256Hex(original) != input.tile().digest()) {
+    if (!HasStamp(path, input.stamp()) && !HasFileDigest(original, input.tile().digest())) {
       return absl::UnavailableError("the tile has just been changed");
     }
   }
+  const std::string written = absl::StrCat(input.attempts(), "/", tile.attempt());
+  if (!IsPatched(input)) return CheckBytes(written, original);
+  const auto added = TilePatchOf(input);
+  if (!added.ok()) return not_here(added.status());
   const auto expected = PatchedTile(input, added->patch, original);
   if (!expected.ok()) return not_here(expected.status());
-  return CheckBytes(absl::StrCat(input.attempts(), "/", tile.attempt()), *expected);
+  if (!HasFileDigest(*expected, tile.digest())) return Wrong("a digest that is not the tile's");
+  return CheckBytes(written, *expected);
 }
 
 absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
   if (tile.path() != input.output()) return Wrong("another tile");
-  if (!IsDigest(tile.digest())) return Wrong("a digest that is none");
-  const bool is_new = input.tile().path().empty(), patched = is_new || HasPatch(input);
-  if (!is_new) {
+  if (!IsFileDigest(tile.digest())) return Wrong("a digest that is none");
+  const bool patched = IsPatched(input);
+  if (!input.tile().path().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(PathOf(input.tile())));
     if (patched ? tile.bytes() <= original : tile.bytes() != original)
       return Wrong("a tile that is not the original with its patches");
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
   if (reading.how == TileCheck::kSize) return absl::OkStatus();
-  if (reading.how == TileCheck::kContent && patched) return CheckPatchedTile(input, tile, reading);
-  const auto digest = Sha256OfFile(absl::StrCat(input.attempts(), "/", tile.attempt()));
-  if (!digest.ok()) return absl::UnavailableError(digest.status().message());
-  return *digest == tile.digest() ? absl::OkStatus() : Wrong("a tile that is not as it was written");
+  if (reading.how == TileCheck::kContent) return CheckContent(input, tile, reading);
+  return CheckFile(absl::StrCat(input.attempts(), "/", tile.attempt()), tile.digest(),
+                   Wrong("a tile that is not as it was written"));
 }
 
 // The material file of a tile with patches.
@@ -319,7 +334,7 @@ absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile&
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(original));
   bool same = file.bytes() == bytes;
   if (same && how != TileCheck::kSize) {
-    const auto theirs = Sha256OfFile(absl::StrCat(input.attempts(), "/", file.attempt())), own = Sha256OfFile(original);
+    const auto theirs = DigestOfFile(absl::StrCat(input.attempts(), "/", file.attempt())), own = DigestOfFile(original);
     if (!theirs.ok() || !own.ok()) return absl::UnavailableError("a file beside the tile cannot be read");
     same = *theirs == *own;
   }
@@ -360,9 +375,7 @@ absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOu
     TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(path));
     if (bytes != file.bytes()) return Wrong("a file that is not as it was written");
     if (how == TileCheck::kSize || file.digest().empty()) continue;
-    const auto digest = Sha256OfFile(path);
-    if (!digest.ok()) return absl::UnavailableError(digest.status().message());
-    if (*digest != file.digest()) return Wrong("a file that is not as it was written");
+    TILEMEND_RETURN_IF_ERROR(CheckFile(path, file.digest(), Wrong("a file that is not as it was written")));
   }
   return absl::OkStatus();
 }

@@ -204,7 +204,7 @@ std::vector<Lie> TileLies() {
           [](const auto& input, Tile& t) {
             if (input.has_patches()) return false;
             const std::string other(static_cast<size_t>(t.files(0).bytes()), 'x');
-            t.mutable_files(0)->set_digest(Sha256Hex(other));
+            t.mutable_files(0)->set_digest(FileDigest(other));
             return WriteFileAtomically(WrittenPath(input, t), other).ok();
           }),
   };
@@ -341,7 +341,7 @@ TEST_F(UntrustedResultTest, ADigestOfAnotherTileIsALie) {
                        auto result = run(stage, input, cancel);
                        Survey survey;
                        if (stage != Stage::kSurvey || lied || !survey.ParseFromString(*result)) return result;
-                       survey.set_digest(Sha256Hex("another"));
+                       survey.set_digest(FileDigest("another"));
                        survey.mutable_witness()->set_digest(survey.digest());
                        *result = survey.SerializeAsString();
                        lied = true;

@@ -99,7 +99,7 @@ std::vector<Lie> LiesInSurveys() {
 // A file that the worker writes in place of the tile that it was asked for, and says so.
 bool WriteInstead(const v1::AssembleInput& input, Tile& t, const std::string& bytes) {
   t.mutable_files(0)->set_bytes(static_cast<int64_t>(bytes.size()));
-  t.mutable_files(0)->set_digest(Sha256Hex(bytes));
+  t.mutable_files(0)->set_digest(FileDigest(bytes));
   return WriteFileAtomically(WrittenPath(input, t), bytes).ok();
 }
 

@@ -15,7 +15,8 @@ bool Holds(const std::string& root, const FileWitness& witness) {
   };
   const auto is_same = [&](const FileWitness::Read& read) {
     if (FindSceneFile(root, "", read.path).path != read.path) return read.digest.empty();
-    return Sha256OfFile(absl::StrCat(root, "/", read.path)).value_or("") == read.digest;
+    const auto same = FileHasDigest(absl::StrCat(root, "/", read.path), read.digest);
+    return same.ok() ? *same : read.digest.empty();
   };
   return std::all_of(witness.lookups.begin(), witness.lookups.end(), leads_there) &&
          std::all_of(witness.reads.begin(), witness.reads.end(), is_same);

@@ -46,7 +46,7 @@ absl::Status SampleImage(const std::string& root, const std::string& path, const
                          RimColours& result) {
   FileWitness::Read& read = result.reads.emplace_back(FileWitness::Read{path, ""});
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(absl::StrCat(root, "/", path)));
-  read.digest = Sha256Hex(bytes);
+  read.digest = FileDigest(bytes);
   TILEMEND_ASSIGN_OR_RETURN(const Image image, DecodeImage(bytes, path));
   for (const Texel& t : texels) result.colours[static_cast<size_t>(t.vertex)] = TexelAt(image, t.u, t.v);
   return absl::OkStatus();

@@ -66,7 +66,7 @@ class LookReader {
     if (std::find(look_.files.libraries.begin(), look_.files.libraries.end(), path) != look_.files.libraries.end())
       return;
     const auto text = ReadFile(absl::StrCat(root_, "/", path));
-    look_.witness.reads.push_back({path, text.ok() ? Sha256Hex(*text) : ""});
+    look_.witness.reads.push_back({path, text.ok() ? FileDigest(*text) : ""});
     if (!text.ok()) return Warn(tile_, path, "cannot be read");
     look_.files.libraries.push_back(path);
     const MtlFile file = ParseMtl(*text);

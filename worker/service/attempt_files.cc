@@ -51,7 +51,7 @@ absl::Status AttemptFiles::Write(const std::string& path, std::string_view bytes
   v1::WrittenFile file = NewFile(path);
   TILEMEND_RETURN_IF_ERROR(OfThisMachine(WriteNewFile(PathOf(file), bytes)));
   file.set_bytes(static_cast<int64_t>(bytes.size()));
-  file.set_digest(Sha256Hex(bytes));
+  file.set_digest(FileDigest(bytes));
   files_.push_back(std::move(file));
   return absl::OkStatus();
 }

@@ -29,8 +29,8 @@ class AttemptFiles {
 
   // A file with these bytes, that is to go to `path` of the output.
   absl::Status Write(const std::string& path, std::string_view bytes);
-  // A file as `from`. kInvalidArgument if `path` of the output is that file itself. `digest` is its SHA-256 if that is
-  // known.
+  // A file as `from`. kInvalidArgument if `path` of the output is that file itself. `digest` is its FileDigest if that
+  // is known.
   absl::Status Carry(const std::string& from, const std::string& path, ::tilemend::Carry how,
                      const std::string& digest = "");
 

@@ -58,7 +58,7 @@ absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
   const std::string stamp = StampOf(path, absl::Now());
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
-  const std::string digest = Sha256Hex(bytes);
+  const std::string digest = FileDigest(bytes);
   v1::SurveyOutput output;
   if (input.known().digest() == digest && Holds(input.tile().root(), WitnessOf(input.known()))) {
     output.set_digest(digest);
@@ -159,8 +159,8 @@ absl::Status Changed(const std::string& path) {
 absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp = "") {
   const std::string path = PathOf(tile);
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));
-  return HasStamp(path, stamp) || Sha256Hex(bytes) == tile.digest() ? absl::StatusOr<std::string>(std::move(bytes))
-                                                                    : Changed(path);
+  return HasStamp(path, stamp) || HasFileDigest(bytes, tile.digest()) ? absl::StatusOr<std::string>(std::move(bytes))
+                                                                      : Changed(path);
 }
 
 // The surface of tiles, read when it is first asked for.
@@ -302,7 +302,7 @@ absl::Status CarryTile(const v1::AssembleInput& input, AttemptFiles& files) {
 bool IsThere(const v1::AssembleInput& input, const v1::WrittenFile& file) {
   const std::string path = absl::StrCat(input.output_root(), "/", file.path());
   if (file.digest().empty()) return HaveSameContent(absl::StrCat(input.tile().root(), "/", file.path()), path);
-  return Sha256OfFile(path).value_or("") == file.digest();
+  return FileHasDigest(path, file.digest()).value_or(false);
 }
 
 bool AreThere(const v1::AssembleInput& input) {

@@ -33,5 +33,33 @@ TEST(DigestTest, KnowsItsForm) {
   EXPECT_FALSE(IsDigest(std::string(64, '/')));
 }
 
+TEST(FileDigestTest, IsXxh3) {
+  EXPECT_EQ(FileDigest(""), "99aa06d3014798d86001c324468d497f");
+  EXPECT_EQ(FileDigest("abc"), "06b05ab6733a618578af5f94892f3950");
+}
+
+TEST(FileDigestTest, DoesNotDependOnThePieces) {
+  std::string bytes;
+  for (int i = 0; i < 3000; ++i) bytes += static_cast<char>(i * 37);
+  for (const size_t piece : {size_t{1}, size_t{7}, size_t{256}, size_t{2999}}) {
+    FileHash hash;
+    hash.Update("");
+    for (size_t at = 0; at < bytes.size(); at += piece) hash.Update(bytes.substr(at, piece));
+    EXPECT_EQ(hash.FinishHex(), FileDigest(bytes)) << piece;
+  }
+}
+
+TEST(FileDigestTest, KnowsItsFormAndTheOneBefore) {
+  EXPECT_TRUE(IsFileDigest(FileDigest("x")));
+  EXPECT_TRUE(IsFileDigest(Sha256Hex("x")));
+  for (const size_t digits : {0, 31, 33, 63, 65}) EXPECT_FALSE(IsFileDigest(std::string(digits, 'a'))) << digits;
+  EXPECT_FALSE(IsFileDigest(std::string(32, 'A')));
+  EXPECT_TRUE(HasFileDigest("x", FileDigest("x")));
+  EXPECT_TRUE(HasFileDigest("x", Sha256Hex("x")));
+  EXPECT_FALSE(HasFileDigest("x", FileDigest("y")));
+  EXPECT_FALSE(HasFileDigest("x", Sha256Hex("y")));
+  EXPECT_FALSE(HasFileDigest("x", ""));
+}
+
 }  // namespace
 }  // namespace tilemend

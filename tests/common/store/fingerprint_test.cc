@@ -39,14 +39,21 @@ TEST(HaveSameContentTest, LooksAtEveryByte) {
   EXPECT_FALSE(HaveSameContent(folder / "none", folder / "none"));
 }
 
-TEST(Sha256OfFileTest, IsThatOfTheBytes) {
+TEST(DigestOfFileTest, IsThatOfTheBytes) {
   const TemporaryFolder folder;
   for (const size_t size : {size_t{0}, size_t{1} << 20, (size_t{3} << 20) + 7}) {
     std::string content(size, 'a');
     if (size > 0) content.back() = 'b';
-    EXPECT_EQ(Sha256OfFile(folder.Write("a", content)).value(), Sha256Hex(content));
+    const std::string path = folder.Write("a", content);
+    EXPECT_EQ(DigestOfFile(path).value(), FileDigest(content));
+    EXPECT_TRUE(FileHasDigest(path, FileDigest(content)).value());
+    EXPECT_TRUE(FileHasDigest(path, Sha256Hex(content)).value());
+    EXPECT_FALSE(FileHasDigest(path, FileDigest("b")).value());
+    EXPECT_FALSE(FileHasDigest(path, Sha256Hex("b")).value());
+    EXPECT_FALSE(FileHasDigest(path, "").value());
   }
-  EXPECT_TRUE(absl::IsNotFound(Sha256OfFile(folder / "none").status()));
+  EXPECT_TRUE(absl::IsNotFound(DigestOfFile(folder / "none").status()));
+  EXPECT_TRUE(absl::IsNotFound(FileHasDigest(folder / "none", Sha256Hex("")).status()));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class TaskReuseTest : public ::testing::Test {
   }
   static v1::SurveyOutput Surveyed() {
     v1::SurveyOutput output;
-    output.set_digest(Sha256Hex("a"));
+    output.set_digest(FileDigest("a"));
     output.mutable_witness()->set_digest(output.digest());
     output.set_vertex_count(5);
     return output;

@@ -16,7 +16,7 @@ class FileWitnessTest : public ::testing::Test {
     folder_.Write("Data/a.mtl", "newmtl a");
     witness_.lookups.push_back({"Data", "A.mtl", "Data/a.mtl", ""});
     witness_.lookups.push_back({"Data", "b.jpg", "", "is not there"});
-    witness_.reads.push_back({"Data/a.mtl", Sha256Hex("newmtl a")});
+    witness_.reads.push_back({"Data/a.mtl", FileDigest("newmtl a")});
     witness_.reads.push_back({"Data/b.jpg", ""});
   }
 
@@ -52,8 +52,8 @@ TEST_F(FileWitnessTest, SeesAFileThatIsGone) {
 
 TEST_F(FileWitnessTest, ReadsNothingOutsideOfTheScene) {
   const std::string other = folder_.Write("other", "x");
-  EXPECT_FALSE(Holds(folder_ / "Data", {{}, {{"../other", Sha256Hex("x")}}}));
-  EXPECT_FALSE(Holds(folder_ / "Data", {{}, {{other, Sha256Hex("x")}}}));
+  EXPECT_FALSE(Holds(folder_ / "Data", {{}, {{"../other", FileDigest("x")}}}));
+  EXPECT_FALSE(Holds(folder_ / "Data", {{}, {{other, FileDigest("x")}}}));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST_F(AttemptFilesTest, SaysWhatItWroteTheLastFirst) {
   ASSERT_EQ(written.size(), 2U);
   EXPECT_EQ(written[0].path(), "tiles/a.ply");
   EXPECT_EQ(written[0].bytes(), 4);
-  EXPECT_EQ(written[0].digest(), Sha256Hex("tile"));
+  EXPECT_EQ(written[0].digest(), FileDigest("tile"));
   EXPECT_EQ(Content(written[0]), "tile");
   EXPECT_EQ(written[1].path(), "a.png");
   EXPECT_EQ(written[1].bytes(), 5);

@@ -140,7 +140,7 @@ class SceneStagesTest : public testing::Test {
     v1::TileRef tile;
     tile.set_root(folder_.path());
     tile.set_path(name);
-    tile.set_digest(Sha256Hex(bytes));
+    tile.set_digest(FileDigest(bytes));
     return tile;
   }
 
@@ -313,7 +313,7 @@ TEST_F(SceneStagesTest, AssemblesTheTileWithItsPatches) {
   const std::string written = TileOf(output);
   EXPECT_EQ(output.files(0).path(), "out/a.ply");
   EXPECT_EQ(output.files(0).bytes(), static_cast<int64_t>(written.size()));
-  EXPECT_EQ(output.files(0).digest(), Sha256Hex(written));
+  EXPECT_EQ(output.files(0).digest(), FileDigest(written));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/a.ply")) << "only the coordinator gives it its name";
   const auto file = ParseMesh(MeshFormat::kPly, written, "a.ply");
   ASSERT_TRUE(file.ok()) << file.status();
@@ -370,7 +370,7 @@ TEST_F(KnownTileTest, IsPatchedWithoutBeingHashed) {
   v1::AssembleInput input = AssembleInputOf(mesh, input_.tile());
   const std::string tile = TileOf(RunWell<v1::AssembleOutput>(Stage::kAssemble, input));
   input.set_stamp(input_.stamp());
-  input.mutable_tile()->set_digest(Sha256Hex("never looked at"));
+  input.mutable_tile()->set_digest(FileDigest("never looked at"));
   EXPECT_EQ(TileOf(RunWell<v1::AssembleOutput>(Stage::kAssemble, input)), tile);
 }
 
@@ -387,7 +387,7 @@ TEST_F(SceneStagesTest, WritesNothingWhenTheTileHasChangedOrTheTaskIsCancelled) 
   v1::AssembleInput input = AssembleInputOf(mesh, WriteTile(mesh, "a.ply"));
   cancel_.Cancel();
   EXPECT_EQ(Run(Stage::kAssemble, input).status().code(), absl::StatusCode::kCancelled);
-  input.mutable_tile()->set_digest(Sha256Hex("another"));
+  input.mutable_tile()->set_digest(FileDigest("another"));
   const absl::Status changed = Run(Stage::kAssemble, input).status();
   EXPECT_EQ(changed.code(), absl::StatusCode::kAborted);
   EXPECT_THAT(std::string(changed.message()), HasSubstr("changed while the job ran"));
