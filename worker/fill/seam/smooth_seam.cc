@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "common/mesh/bin_grid.h"
@@ -113,7 +115,8 @@ class Smoother {
   void AddRimVertex(const RimVertex& v) {
     const auto place = v.index < 0 ? place_of_.find(v.follows >= 0 ? v.follows : v.seam_vertex) : place_of_.end();
     if (place == place_of_.end()) {
-      points_.push_back({v.position});
+      const bool fresh = rim_places_.insert({v.position.x(), v.position.y(), v.position.z()}).second;
+      if (fresh) points_.push_back({v.position});
       return;
     }
     const int32_t i = place->second;
@@ -139,9 +142,10 @@ class Smoother {
   const SeamSmoothing options_;
   std::map<int32_t, int32_t> place_of_;  // of seam vertices
   std::vector<SmoothPoint> points_;      // the seam's first
-  std::vector<bool> found_;              // of the seam's: a patch has it
-  std::vector<Reach> reaches_;           // of the seam's
-  std::optional<BinGrid> near_, bins_;   // of reaches_, of points_
+  std::set<std::array<double, 3>> rim_places_;
+  std::vector<bool> found_;             // of the seam's: a patch has it
+  std::vector<Reach> reaches_;          // of the seam's
+  std::optional<BinGrid> near_, bins_;  // of reaches_, of points_
 };
 
 }  // namespace

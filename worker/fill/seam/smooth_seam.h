@@ -40,9 +40,10 @@ struct SmoothedPatches {
 // the mean of s_i - p over the points s_i of both patches in the neighbourhood (eq. 6).
 //
 // The buffer is as wide as `buffer` times the wanted edge length at the nearest vertex of the seam, seen from above,
-// and so is a neighbourhood around each point. All points of both patches count in it, those of the rim too; a vertex
-// of the seam is one point, with its mean height. All heights are taken before any is changed. Heights alone move, so
-// that no triangle turns over seen from above. O(n log n + pairs within reach); deterministic.
+// and so is a neighbourhood around each point. All points of both patches count in it once, those of the rim too,
+// also where both patches have one: at a seam's end. A vertex of the seam is one point, with its mean height. All
+// heights are taken before any is changed. Heights alone move, so that no triangle turns over seen from above. O(n log
+// n + pairs within reach); deterministic.
 SmoothedPatches SmoothSeam(const SeamSide& a, const SeamSide& b, const SeamHeightColumns& seam,
                            const SeamSmoothing& options);
 

@@ -96,6 +96,21 @@ TEST(SmoothSeamTest, VerticesThatFollowOneAreOne) {
   EXPECT_EQ(following.heights, apart.heights);
 }
 
+// An original vertex at which the seam ends bounds both patches.
+TEST(SmoothSeamTest, TakesARimVertexOfBothPatchesOnce) {
+  Side a = MakeSide(-1, {1}, 4, 4), b = MakeSide(1, {1}, 8, 8);
+  for (Side* const side : {&a, &b}) {
+    RimVertex end;
+    end.index = side == &a ? 3 : 4;
+    end.position = Point3(0, 3, 6);
+    side->vertices.push_back(end);
+    side->patches[0].triangles.push_back({3, 2, -1});
+  }
+  const SmoothedPatches smoothed = Smooth(a, b, 0.5);
+  ASSERT_THAT(smoothed.a, SizeIs(1));
+  EXPECT_NEAR(smoothed.a[0].height, 4 + 0.5 * (1 + 1 + 1 + 4 + 2) / 5, kStep);
+}
+
 TEST(SmoothSeamTest, ChangesNothingWithoutPatches) {
   const Side none;
   const std::vector<double> heights = {1, 2, 3};
