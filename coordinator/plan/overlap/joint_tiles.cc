@@ -69,6 +69,7 @@ class Joiner {
     joint_.lines.joined = true;
     joint_.lines.tolerance = 0;
     joint_.lines.left_open = own_.left_open;
+    joint_.lines.outline = own_.coordinate;
     for (const auto& [cell, record] : input_.cells) {
       ClipSquare& square = joint_.squares[cell];
       for (const Side s : kSides) {

@@ -22,6 +22,7 @@ struct GridLines {
   double tolerance = kOnLine;
   double piece_reach = 0;  // independent: pieces of one tile overlap, or part, by less than this
   std::map<CellId, std::array<double, 4>> coordinate;  // of each cell of the area, by side
+  std::map<CellId, std::array<double, 4>> outline;     // joined: where each cell's tile itself ends
   std::set<std::pair<CellId, CellId>> left_open;  // borders at the rim of an area that is not known: no seams there
   std::set<std::pair<CellId, int>> zigzag;        // ragged: sides at the rim of the area that tiles end at in a zigzag
 

@@ -20,6 +20,18 @@ Point2 CornerPosition(Corner c, const std::set<CellId>& area, const GridLines& l
   return {line({west, c}, {south_west, south}), line({south, c}, {south_west, west})};
 }
 
+double OverlapAt(Corner c, int axis, const GridLines& lines) {
+  double overlap = 0;
+  for (const CellId cell : CellsAround(c)) {
+    const auto outline = lines.outline.find(cell);
+    if (outline == lines.outline.end()) continue;
+    const bool before = axis == 0 ? cell.col < c.col : cell.row < c.row;
+    const Side side = axis == 0 ? (before ? kEast : kWest) : (before ? kNorth : kSouth);
+    overlap = std::max(overlap, (outline->second[side] - lines.At(cell, side)) * OutwardOf(side));
+  }
+  return overlap;
+}
+
 bool TouchesOutside(Corner c, const std::set<CellId>& area) {
   const auto around = CellsAround(c);
   return !std::all_of(around.begin(), around.end(), [&](CellId cell) { return area.contains(cell); });

@@ -54,6 +54,10 @@ double LineOf(const Border& border, const std::set<CellId>& area, const GridLine
 // Where the lines meet at a corner of a cell of the area.
 Point2 CornerPosition(Corner corner, const std::set<CellId>& area, const GridLines& lines);
 
+// How far tiles around a corner reach over the line on which `axis` is constant there, at most, metres; 0 unless they
+// overlap.
+double OverlapAt(Corner corner, int axis, const GridLines& lines);
+
 // Whether a cell around the corner lies outside the area.
 bool TouchesOutside(Corner corner, const std::set<CellId>& area);
 

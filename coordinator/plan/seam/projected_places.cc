@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "common/mesh/rounding.h"
 
@@ -17,6 +18,14 @@ bool IsClear(const std::map<double, SeamPlace>& places, double t, double clearan
   const auto next = places.lower_bound(t);
   if (next != places.end() && next->first - t < clearance) return false;
   return next == places.begin() || t - std::prev(next)->first >= clearance;
+}
+
+// The part of a border's line that no tile reaches over the lines across it.
+std::pair<double, double> BetweenStrips(const SeamSite& site, const Border& border) {
+  const int along = AxisAlong(border);
+  const Corner low = LowCorner(border), high = HighCorner(border);
+  return {CornerPosition(low, site.area, site.lines)[along] + OverlapAt(low, along, site.lines),
+          CornerPosition(high, site.area, site.lines)[along] - OverlapAt(high, along, site.lines)};
 }
 
 }  // namespace
@@ -49,10 +58,12 @@ std::vector<SeamPlace> ProjectedPlaces(const SeamSite& site, const Border& borde
   const auto off = [&](const BoundaryPlace* b) { return std::abs(b->position[across] - line); };
   std::stable_sort(nearest_first.begin(), nearest_first.end(),
                    [&](const BoundaryPlace* a, const BoundaryPlace* b) { return off(a) < off(b); });
+  const auto [begin, end] = BetweenStrips(site, border);
   std::map<double, SeamPlace> places;
   for (const BoundaryPlace* b : nearest_first) {
     const double t = RoundedToLattice(b->position[along], site.lattice_step), clearance = kPlaceClearance * b->size;
-    if (t - from[along] < clearance || to[along] - t < clearance || !IsClear(places, t, clearance)) continue;
+    if (t - std::max(begin, from[along]) < clearance || std::min(end, to[along]) - t < clearance) continue;
+    if (!IsClear(places, t, clearance)) continue;
     Point2 p;
     p[along] = t;
     p[across] = line;

@@ -27,7 +27,9 @@ std::vector<BoundaryPlace> RimPlacesBeside(const SeamSite& site, const Border& b
 //
 // A point gives a place if the way to it straight across lies in the hole, and if no point nearer to the line gives one
 // within half the distance of boundary points: where a boundary runs up to the line its points would crowd there. No
-// place is nearer to the rim than PlaceSeamVertices would allow. Cost: the points times the edges near their ways.
+// place is nearer to the rim than PlaceSeamVertices would allow. Where tiles overlap none lies before a grid corner as
+// far as a tile reaches over the line across, nor within half the distance of boundary points of that: the strip there
+// has points on its two sides alone. Cost: the points times the edges near their ways.
 std::vector<SeamPlace> ProjectedPlaces(const SeamSite& site, const Border& border, const Point2& from, const Point2& to,
                                        std::span<const BoundaryPlace> boundary);
 

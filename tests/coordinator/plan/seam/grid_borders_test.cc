@@ -64,6 +64,20 @@ TEST(CornerPositionTest, HoldsForAllCornersOfAnArea) {
   }
 }
 
+TEST(OverlapAtTest, IsThatOfTheTileWhichReachesFarthest) {
+  const std::set<CellId> area = AreaOf(2, 2);
+  GridLines lines = LinesOf(area, 10);
+  EXPECT_EQ(OverlapAt({1, 1}, 0, lines), 0);
+  lines.outline = lines.coordinate;
+  lines.outline.at({0, 1})[kEast] = 10.5;   // over x = 10
+  lines.outline.at({1, 0})[kWest] = 9;      // over x = 10, from the other side
+  lines.outline.at({1, 1})[kSouth] = 10.7;  // ends before y = 10
+  EXPECT_EQ(OverlapAt({1, 1}, 0, lines), 1);
+  EXPECT_EQ(OverlapAt({1, 1}, 1, lines), 0);
+  EXPECT_EQ(OverlapAt({1, 2}, 0, lines), 0.5);
+  EXPECT_EQ(OverlapAt({0, 1}, 0, lines), 0);
+}
+
 TEST(TouchesOutsideTest, HoldsAtTheRimOfTheArea) {
   const std::set<CellId> area = AreaOf(2, 2);
   EXPECT_FALSE(TouchesOutside({1, 1}, area));
