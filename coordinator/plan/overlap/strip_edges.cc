@@ -88,6 +88,7 @@ class StripLayer {
           LaySide(region, side, neighbour->second[Opposite(side)]);
         }
       }
+      for (const Side side : kSides) LayLastEdges(region, side);
     }
     SplitEdges();
   }
@@ -138,8 +139,51 @@ class StripLayer {
     }
     for (const RimSegment& s : own) {
       const std::optional<int32_t> from = CopyBeside(s.from, side), to = CopyBeside(s.to, side);
-      if (from && to && edges_.contains(std::minmax(*from, *to))) AddDiagonal({s.from, s.to, *from, *to}, rim);
+      if (!from || !to || !edges_.contains(std::minmax(*from, *to))) continue;
+      const auto [a, b] = DiagonalOf({s.from, s.to, *from, *to});
+      if (IsClear({PlaceOf(a), PlaceOf(b)}, rim, 0)) AddEdge(a, b);
     }
+  }
+
+  // Beside the rim an outline may go on from the last way straight across to a vertex that the other has nothing level
+  // with. The strip has a diagonal up to there and a last edge across, in both tiles.
+  void LayLastEdges(const std::vector<RimSegment>& region, Side side) {
+    if (!strip_end_[side]) return;
+    const std::vector<RimSegment> rim = RimAlong(region, side);
+    for (const RimSegment& s : region) {
+      if (!s.seam || !RunsAlong(s, side)) continue;
+      for (const auto& [level, last] : {std::pair(s.from, s.to), std::pair(s.to, s.from)}) {
+        const std::optional<int32_t> across = CopyBeside(level, side);
+        if (!across || CopyBeside(last, side)) continue;
+        const std::optional<int32_t> other_last = NextAcross(*across, side, last);
+        if (!other_last) continue;
+        const auto [from, to] = DiagonalOf({level, last, *across, *other_last});
+        if (IsFree(from, to, rim)) AddEdge(from, to);
+        if (IsFree(last, *other_last, rim)) AddEdge(last, *other_last);
+      }
+    }
+  }
+
+  // Where the neighbour's outline goes on from one of its vertices, as one goes from there to `end`.
+  std::optional<int32_t> NextAcross(int32_t from, Side side, int32_t end) const {
+    const int along = 1 - AxisOf(side);
+    const double way = At(end, along) - At(from, along);
+    for (const auto& [a, b] : edges_) {
+      if (a != from && b != from) continue;
+      const int32_t to = a == from ? b : a;
+      const bool on_outline = std::abs(At(to, 1 - along) - *strip_end_[side]) < kOnLine;
+      if (on_outline && (At(to, along) - At(from, along)) * way > 0) return to;
+    }
+    return std::nullopt;
+  }
+
+  // Whether an edge meets neither the rim nor an edge that is there, but at its ends.
+  bool IsFree(int32_t a, int32_t b, const std::vector<RimSegment>& rim) const {
+    const Way way{PlaceOf(a), PlaceOf(b)};
+    return IsClear(way, rim, 0) && std::none_of(edges_.begin(), edges_.end(), [&](const auto& e) {
+             return Cross(way, PlaceOf(e.first), PlaceOf(e.second)) ||
+                    Cross({PlaceOf(e.first), PlaceOf(e.second)}, way.from, way.to);
+           });
   }
 
   static void SetKnown(PlanVertex& vertex) {
@@ -150,11 +194,11 @@ class StripLayer {
   }
 
   // From the south-western corner of the strip between two ways across it to the north-eastern one: in both tiles.
-  void AddDiagonal(const std::array<int32_t, 4>& corners, const std::vector<RimSegment>& rim) {
+  std::pair<int32_t, int32_t> DiagonalOf(const std::array<int32_t, 4>& corners) const {
     const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), [&](int32_t a, int32_t b) {
       return At(a, 0) + At(a, 1) < At(b, 0) + At(b, 1);
     });
-    if (IsClear({PlaceOf(*low), PlaceOf(*high)}, rim, 0)) AddEdge(*low, *high);
+    return {*low, *high};
   }
 
   void AddEdge(int32_t a, int32_t b) {

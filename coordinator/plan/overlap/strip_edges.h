@@ -9,8 +9,10 @@ namespace tilemend {
 
 // Where two tiles overlap, gives the hole of each the other's outline too (PlannedHole::inner_edges), as far as it is
 // clear of the hole's own rim. The new vertices are those of the other's outline, with the heights that they have
-// there. Before a corner, where four tiles overlap, the outlines get vertices where they cross. So in the strip that
-// both fill, both have one surface, up to the last vertices before a rim. Water has so anyway, and gets nothing.
+// there. Before a corner, where four tiles overlap, the outlines get vertices where they cross. Between the outlines
+// both get the same diagonals, and before a rim, where the last vertices of the two are not level, an edge between
+// these. So in the strip that both fill, both have one surface, up to the last vertices before a rim. Water has so
+// anyway, and gets nothing.
 //   outlines  those of the tiles
 // O(n log n) in the segments of the holes, and for each vertex on an outline those near the outline.
 void LayStripEdges(const GridLines& outlines, Plan& plan);

@@ -153,6 +153,28 @@ TEST_F(StripEdgesTest, TheyReachBehindATipOfTheRim) {
 }
 
 // Two holes of the eastern tile run along the same outline, one with a vertex where the other has none.
+// The outline of one ends at y = 8, that of the other at a vertex of its rim at y = 7.5.
+TEST_F(StripEdgesTest, TheLastTrianglesBeforeTheRimAreTheSame) {
+  std::vector<RimSegment>&west = plan_.holes[0].own_regions[0], &east = plan_.holes[1].own_regions[0];
+  plan_.vertices[west.front().from].position = Point3(8, 20, 0);
+  plan_.vertices[east.front().from].position = Point3(12, 20, 0);
+  PlanVertex& rim = plan_.vertices[east.front().to];
+  ASSERT_EQ(rim.position, Point3(9.75, 8, 0));
+  rim.position = Point3(9.75, 7.5, 30);
+  rim.index = 7;
+  const int32_t low_west = AddVertex({5, 1, 0}, 1, -1), low_east = AddVertex({15, 1, 0}, 1, -1);
+  west.push_back({low_west, west.front().to, false});
+  west.front().to = low_west;
+  east.push_back({low_east, east.back().to, false});
+  east[east.size() - 2].to = low_east;
+
+  LayStripEdges(outlines_, plan_);
+  const std::set<std::set<Place>> of_both = {
+      {{9.75, 6}, {9.75, 7.5}}, {{10.25, 6}, {10.25, 8}}, {{9.75, 6}, {10.25, 8}}, {{9.75, 7.5}, {10.25, 8}}};
+  EXPECT_THAT(of_both, IsSubsetOf(EdgesOf(plan_.holes[0])));
+  EXPECT_THAT(of_both, IsSubsetOf(EdgesOf(plan_.holes[1])));
+}
+
 TEST_F(StripEdgesTest, NoEdgeIsGivenTwice) {
   PlannedHole other;
   other.cell = {1, 0};
