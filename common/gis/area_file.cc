@@ -3,7 +3,11 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -18,6 +22,7 @@ namespace {
 
 constexpr char kModule[] = "tilemend-gdal.so";
 constexpr std::string_view kSqlite("SQLite format 3\0", 16);
+constexpr int kUtmCodes[][2] = {{32601, 32660}, {32701, 32760}, {25828, 25838}};  // EPSG, first and last
 
 struct Module {
   void (*read_vectors)(const VectorRequest&, VectorFile&) = nullptr;
@@ -138,8 +143,21 @@ absl::StatusOr<std::string> ReadAreaFile(const std::string& path) {
   return ReadFile(path);
 }
 
+bool IsInMetres(const std::string& crs) {
+  constexpr std::string_view epsg = "EPSG:";
+  const char* const end = crs.data() + crs.size();
+  int code = 0, read = 0;
+  if (crs.starts_with(epsg) && std::from_chars(crs.data() + epsg.size(), end, code).ptr == end) {
+    return std::any_of(std::begin(kUtmCodes), std::end(kUtmCodes),
+                       [&](const auto& codes) { return code >= codes[0] && code <= codes[1]; });
+  }
+  double latitude = 0, longitude = 0;
+  return std::sscanf(crs.c_str(), "ENU:%lf,%lf%n", &latitude, &longitude, &read) == 2 && read == std::ssize(crs) &&
+         std::abs(latitude) <= 90 && std::abs(longitude) <= 180;
+}
+
 absl::StatusOr<std::string> CrsFaultOf(const Scene& scene) {
-  if (scene.crs.empty()) return std::string();
+  if (scene.crs.empty() || IsInMetres(scene.crs)) return std::string();
   TILEMEND_RETURN_IF_ERROR(TheModule().status());
   std::string fault;
   TheModule()->fault_of_crs(scene.crs, fault);

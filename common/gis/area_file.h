@@ -19,7 +19,12 @@ SceneFrame FrameOf(const Scene& scene);
 // log (`path`-wal), because another program has it open.
 absl::StatusOr<std::string> ReadAreaFile(const std::string& path);
 
-// What is wrong with the CRS of a scene, for people; "" if nothing is. PROJ is asked. kInternal as below.
+// Whether a CRS is in metres by its very name: a zone of UTM by its code (WGS 84: EPSG:32601 to 32660, 32701 to 32760;
+// ETRS89: EPSG:25828 to 25838), or a place on Earth ("ENU:48.1,11.5").
+bool IsInMetres(const std::string& crs);
+
+// What is wrong with the CRS of a scene, for people; "" if nothing is. PROJ is asked unless the name tells: to load it
+// takes 35 MB. kInternal as below.
 absl::StatusOr<std::string> CrsFaultOf(const Scene& scene);
 
 struct WaterFile {

@@ -1,8 +1,13 @@
 #include "common/gis/area_file.h"
 
+#include <cpl_error.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogr_spatialref.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "tests/common/gis/geojson_text.h"
@@ -29,6 +34,45 @@ TEST(FrameOfTest, AGridHasAnExtentAndAMeshHasNone) {
   EXPECT_EQ(frame.hi, Point2(290, 120));
   EXPECT_EQ(frame.crs, "EPSG:25832");
   EXPECT_EQ(frame.origin, scene.origin);
+}
+
+TEST(IsInMetresTest, ProjAgrees) {
+  const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
+  int in_metres = 0;
+  for (int code = 0; code <= 40000; ++code) {
+    const std::string name = "EPSG:" + std::to_string(code);
+    if (!IsInMetres(name)) continue;
+    ++in_metres;
+    OGRSpatialReference crs;
+    EXPECT_EQ(crs.SetFromUserInput(name.c_str()), OGRERR_NONE) << name;
+    EXPECT_TRUE(crs.IsProjected()) << name;
+    EXPECT_EQ(crs.GetLinearUnits(), 1) << name;
+  }
+  EXPECT_EQ(in_metres, 60 + 60 + 11);
+}
+
+TEST(IsInMetresTest, HoldsForPlacesOnEarth) {
+  for (const char* crs : {"ENU:48.1,11.5", "ENU:-90,180", "ENU:0,-0.5"}) EXPECT_TRUE(IsInMetres(crs)) << crs;
+  for (const char* crs : {"", "ENU:91,0", "ENU:0,181", "ENU:nan,0", "ENU:48.1", "ENU:48.1,11.5 ", "EPSG:4326",
+                          "EPSG:", "EPSG:32632 ", "EPSG:32632+5773", "EPSG:-32632", "rubbish"}) {
+    EXPECT_FALSE(IsInMetres(crs)) << crs;
+  }
+}
+
+TEST(CrsFaultOfTest, ANameThatTellsTakesNoProj) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto load = [](const char* crs) {
+    Scene scene;
+    scene.crs = crs;
+    const auto fault = CrsFaultOf(scene);
+    std::ifstream maps("/proc/self/maps");
+    const std::string all{std::istreambuf_iterator<char>(maps), std::istreambuf_iterator<char>()};
+    const bool loaded = all.find("tilemend-gdal.so") != std::string::npos;
+    std::exit(!fault.ok() || !fault->empty() ? 2 : loaded ? 1 : 0);
+  };
+  EXPECT_EXIT(load("EPSG:32650"), ::testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(load("ENU:48.1,11.5"), ::testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(load("EPSG:31467"), ::testing::ExitedWithCode(1), "") << "the test sees a module";
 }
 
 TEST(ReadAreaFileTest, AFileWithALogIsRefused) {
