@@ -157,7 +157,8 @@ class StripLayer {
         if (!across || CopyBeside(last, side)) continue;
         const std::optional<int32_t> other_last = NextAcross(*across, side, last);
         if (!other_last) continue;
-        const auto [from, to] = DiagonalOf({level, last, *across, *other_last});
+        const bool own_first = SumAt(level) < SumAt(*across);  // so that both tiles choose the same
+        const int32_t from = own_first ? level : *across, to = own_first ? *other_last : last;
         if (IsFree(from, to, rim)) AddEdge(from, to);
         if (IsFree(last, *other_last, rim)) AddEdge(last, *other_last);
       }
@@ -195,9 +196,8 @@ class StripLayer {
 
   // From the south-western corner of the strip between two ways across it to the north-eastern one: in both tiles.
   std::pair<int32_t, int32_t> DiagonalOf(const std::array<int32_t, 4>& corners) const {
-    const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), [&](int32_t a, int32_t b) {
-      return At(a, 0) + At(a, 1) < At(b, 0) + At(b, 1);
-    });
+    const auto [low, high] =
+        std::minmax_element(corners.begin(), corners.end(), [&](int32_t a, int32_t b) { return SumAt(a) < SumAt(b); });
     return {*low, *high};
   }
 
@@ -326,6 +326,7 @@ class StripLayer {
   }
 
   double At(int32_t v, int axis) const { return plan_.vertices[v].position[axis]; }
+  double SumAt(int32_t v) const { return At(v, 0) + At(v, 1); }
   Point2 PlaceOf(int32_t v) const { return plan_.vertices[v].position.head<2>(); }
   double ClearanceAt(int32_t v) const { return kClearance * plan_.vertices[v].size; }
   double Least() const { return kLeastSteps * plan_.lattice_step; }

@@ -21,21 +21,26 @@ double RelativeHeight(const Point3& a, const Point3& b, const Point3& c) {
 
 }  // namespace
 
-PointMover::PointMover(NewPatch& patch) : patch_(patch), corners_(CornersAt(patch.triangles, patch.points.size())) {}
+PointMover::PointMover(NewPatch& patch) : patch_(patch), corners_(CornersAt(patch.triangles, patch.points.size())) {
+  for (int32_t v = 0; v < patch.rim_count; ++v) reach_.extend(patch.points[v]);
+  const Point3 more = Point3::Constant(reach_.diagonal().norm() / 2);
+  reach_ = {reach_.min() - more, reach_.max() + more};
+}
 
 void PointMover::Move(int32_t v, const Point3& to) {
+  const Point3 target = to.cwiseMax(reach_.min()).cwiseMin(reach_.max());
   Point3& p = patch_.points[v];
   const Point3 from = p;
   if (!patch_.projects) {
-    p = to;
+    p = target;
     return;
   }
   const double enough = std::min(LeastHeightAround(v), kLeastHeight);
   for (const double share : kShares) {
-    p = from + share * (to - from);
+    p = from + share * (target - from);
     if (LeastHeightAround(v) >= enough) return;
   }
-  p = Point3(from.x(), from.y(), to.z());
+  p = Point3(from.x(), from.y(), target.z());
 }
 
 double PointMover::LeastHeightAround(int32_t v) const {

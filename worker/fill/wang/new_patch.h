@@ -2,6 +2,7 @@
 #ifndef TILEMEND_WORKER_FILL_WANG_NEW_PATCH_H_
 #define TILEMEND_WORKER_FILL_WANG_NEW_PATCH_H_
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -41,14 +42,15 @@ struct PatchSurroundings {
   std::vector<bool> has_equation;  // of the rim: patch and surroundings surround the point
 };
 
-// Moves new points of a patch whose triangles stay. Holds lists of the triangles around each: O(triangles).
+// Moves new points of a patch whose triangles stay, within the extent of the rim grown by half its diagonal: at walls
+// beside the rim the fairing may throw points far off. Holds lists of the triangles around each: O(triangles).
 class PointMover {
  public:
   // The patch must outlive it.
   explicit PointMover(NewPatch& patch);
 
-  // Moves a new point. Where the hole projects and a triangle would turn over on the plane, or get closer to it than it
-  // was, it moves by half the way, a quarter, then only in height. O(degree).
+  // Moves a new point, as far as the reach goes. Where the hole projects and a triangle would turn over on the plane,
+  // or get closer to it than it was, it moves by half the way, a quarter, then only in height. O(degree).
   void Move(int32_t v, const Point3& to);
   // Whether all triangles at a point turn left on the plane; exact.
   bool TurnsLeftAround(int32_t v) const;
@@ -58,6 +60,7 @@ class PointMover {
 
   NewPatch& patch_;
   const VertexLists corners_;
+  Eigen::AlignedBox3d reach_;
 };
 
 }  // namespace tilemend

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/worker/fill/wang/wang_patches.h"
 
 namespace tilemend {
@@ -13,30 +15,41 @@ NewPatch OnePoint() {
 
 TEST(PointMoverTest, MovesAPointWhereNothingTurnsOver) {
   NewPatch patch = OnePoint();
-  PointMover(patch).Move(8, Point3(1.2, 0.9, 5));
-  EXPECT_EQ(patch.points[8], Point3(1.2, 0.9, 5));
+  PointMover(patch).Move(8, Point3(1.2, 0.9, 1.25));
+  EXPECT_EQ(patch.points[8], Point3(1.2, 0.9, 1.25));
 }
 
 TEST(PointMoverTest, MovesAPointHalfTheWayWhereThatTurnsNothingOver) {
   NewPatch patch = OnePoint();
-  PointMover(patch).Move(8, Point3(2.5, 1, 4));
-  EXPECT_EQ(patch.points[8], Point3(1.75, 1, 2));
+  PointMover(patch).Move(8, Point3(2.5, 1, 1));
+  EXPECT_EQ(patch.points[8], Point3(1.75, 1, 0.5));
 }
 
 TEST(PointMoverTest, MovesAPointInHeightWhereAllElseTurnsSomethingOver) {
   NewPatch patch = OnePoint();
   PointMover mover(patch);
-  mover.Move(8, Point3(9, 1, 3));
-  EXPECT_EQ(patch.points[8], Point3(1, 1, 3));
+  mover.Move(8, Point3(1.9, 1, 0));
+  mover.Move(8, Point3(3, 1, 1.25));
+  EXPECT_EQ(patch.points[8], Point3(1.9, 1, 1.25));
   EXPECT_TRUE(mover.TurnsLeftAround(8));
+}
+
+// The square has a diagonal of 2.83.
+TEST(PointMoverTest, MovesAPointNoFartherThanItsReach) {
+  for (const bool projects : {true, false}) {
+    NewPatch patch = OnePoint();
+    patch.projects = projects;
+    PointMover(patch).Move(8, Point3(1, 1, -50));
+    EXPECT_EQ(patch.points[8], Point3(1, 1, -std::sqrt(2)));
+  }
 }
 
 TEST(PointMoverTest, MovesAPointAnywhereInSpace) {
   NewPatch patch = OnePoint();
   patch.projects = false;
   PointMover mover(patch);
-  mover.Move(8, Point3(9, 1, 3));
-  EXPECT_EQ(patch.points[8], Point3(9, 1, 3));
+  mover.Move(8, Point3(3, 1, 1.25));
+  EXPECT_EQ(patch.points[8], Point3(3, 1, 1.25));
   EXPECT_FALSE(mover.TurnsLeftAround(8));
 }
 
