@@ -201,7 +201,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   TILEMEND_RETURN_IF_ERROR(ReadFillerOptions(args, options));
   TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
   if (options.tension && options.surface != Surface::kThinPlate)
-    return absl::InvalidArgumentError("--tension: only the surface thin-plate has a tension");
+    return absl::InvalidArgumentError("--tension: the surface wang has none; leave it out, or choose thin-plate");
   if (options.tension && options.filler != Filler::kAuto)
     return absl::InvalidArgumentError(absl::StrCat("--tension: the filler ", FillerName(options.filler), " has none"));
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));

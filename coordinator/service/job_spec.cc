@@ -31,6 +31,8 @@ absl::Status CheckAbsolute(const std::string& field, const std::string& path) {
   return InvalidSpec(field, absl::StrCat("'", Printable(path), "': a relative path; give one that begins with /"));
 }
 
+constexpr char kOnlyOfWang[] = "only the surface wang has this option; leave it out, or choose that surface";
+
 // Options of Wang's surface are for no other.
 absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
   struct Option {
@@ -43,7 +45,7 @@ absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
         Option{"longest_loop", spec.longest_loop, kShortestLongestLoop, kLongestLongestLoop},
         Option{"fairing_steps", spec.fairing_steps, 0, kMostFairingSteps}}) {
     if (!option.value) continue;
-    if (surface != Surface::kWang) return InvalidSpec(option.name, "only the surface wang has this option");
+    if (surface != Surface::kWang) return InvalidSpec(option.name, kOnlyOfWang);
     TILEMEND_RETURN_IF_ERROR(CheckRange(option.name, *option.value, option.low, option.high));
   }
   struct Choice {
@@ -56,7 +58,7 @@ absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
        {Choice{"seam_points", spec.seam_points, SeamPointsNamed(spec.seam_points).has_value(), "projected or spaced"},
         Choice{"closure", spec.closure, ClosureNamed(spec.closure).has_value(), "buffers or line"}}) {
     if (choice.value.empty()) continue;
-    if (surface != Surface::kWang) return InvalidSpec(choice.name, "only the surface wang has this option");
+    if (surface != Surface::kWang) return InvalidSpec(choice.name, kOnlyOfWang);
     if (choice.is_known) continue;
     return InvalidSpec(choice.name, absl::StrCat("'", Printable(choice.value), "': expected ", choice.expected));
   }
@@ -100,7 +102,7 @@ absl::Status JobSpec::Check() const {
   }
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
   if (tension && named != Surface::kThinPlate)
-    return InvalidSpec("tension", "only the surface thin-plate has a tension");
+    return InvalidSpec("tension", "only the surface thin-plate has a tension; leave it out, or choose that surface");
   TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
   TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
   return CheckOfWang(*this, *named);

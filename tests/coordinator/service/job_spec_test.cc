@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,6 +92,17 @@ TEST(JobSpecTest, OnlyWangSmoothsSeams) {
   EXPECT_EQ(fault(0.5, Surface::kThinPlate), "seam_smoothing");
   EXPECT_EQ(fault(-0.01, Surface::kWang), "seam_smoothing");
   EXPECT_EQ(fault(1.01, Surface::kWang), "seam_smoothing");
+}
+
+TEST(JobSpecTest, SaysWhatToDoWithAnOptionOfTheOtherSurface) {
+  JobSpec tense = Valid(), smooth = Valid();
+  tense.tension = 1;
+  tense.surface = SurfaceName(Surface::kWang);
+  smooth.seam_smoothing = 0.5;
+  smooth.surface = SurfaceName(Surface::kThinPlate);
+  for (const JobSpec& spec : {tense, smooth}) {
+    EXPECT_THAT(std::string(spec.Check().message()), ::testing::HasSubstr("; leave it out, or choose that surface"));
+  }
 }
 
 TEST(JobSpecTest, OnlyWangProjectsSeamPoints) {
