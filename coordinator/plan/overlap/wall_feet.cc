@@ -21,7 +21,7 @@ class FootLayer {
     for (const RimSegment& s : region) {
       const bool down = s.seam && IsWall(s.from) && IsOnOutline(s.to);
       const bool up = s.seam && IsWall(s.to) && IsOnOutline(s.from);
-      if ((!down && !up) || IsUpright(s)) {
+      if ((!down && !up) || !HasRoom(s)) {
         result.push_back(s);
         continue;
       }
@@ -36,9 +36,10 @@ class FootLayer {
   bool IsWall(int32_t v) const { return plan_.vertices[v].index >= 0 && plan_.vertices[v].on_object; }
   bool IsOnOutline(int32_t v) const { return plan_.vertices[v].index < 0 && plan_.vertices[v].follows >= 0; }
 
-  bool IsUpright(const RimSegment& s) const {
+  // For a foot between the ends. Where one is a hair beside the other or above it there is none.
+  bool HasRoom(const RimSegment& s) const {
     const Point3 way = plan_.vertices[s.to].position - plan_.vertices[s.from].position;
-    return way.head<2>().isZero();
+    return kMostOfWay * way.head<2>().cwiseAbs().maxCoeff() >= plan_.lattice_step;
   }
 
   int32_t FootBetween(int32_t wall, int32_t next) {

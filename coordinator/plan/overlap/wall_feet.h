@@ -8,7 +8,8 @@ namespace tilemend {
 
 // Puts a new vertex on the tile's outline close to every rim vertex on an object from which a hole's own region goes on
 // along the outline: the foot of a wall. It has the height of the surface, so that the surfaces of two tiles meet up to
-// there, however far apart the heights are at which the object ends in each. O(segments).
+// there, however far apart the heights are at which the object ends in each. None where the next vertex is a hair off.
+// O(segments).
 void LayWallFeet(Plan& plan);
 
 }  // namespace tilemend

@@ -56,6 +56,21 @@ TEST(WallFeetTest, HaveTheHeightWhereTheWallIs) {
   EXPECT_EQ(plan.vertices.back().follows, 7);
 }
 
+// A foot rounded to the lattice would lie on the next vertex.
+TEST(WallFeetTest, AreNoneWhereTheNextVertexIsAHairOff) {
+  for (const double x : {1.9998, 2.0, 2 - 3 * 0x1p-10}) {
+    Plan plan = PlanOfGap(true);
+    plan.vertices[0].position.x() = x;
+    LayWallFeet(plan);
+    EXPECT_THAT(plan.vertices, SizeIs(5)) << x;
+  }
+  Plan plan = PlanOfGap(true);
+  plan.vertices[0].position.x() = 2 - 4 * 0x1p-10;
+  LayWallFeet(plan);
+  ASSERT_THAT(plan.vertices, SizeIs(6));
+  EXPECT_EQ(plan.vertices[5].position.x(), 2 - 3 * 0x1p-10);
+}
+
 TEST(WallFeetTest, AreOfObjectsOnly) {
   Plan plan = PlanOfGap(false);
   LayWallFeet(plan);
