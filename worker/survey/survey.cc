@@ -26,16 +26,19 @@ uint64_t Mix(uint64_t x) {  // splitmix64's finaliser: a bijection
 // one triangle each way is marked: a vertex with one unmatched edge cannot cancel, as Mix is a bijection, and one with
 // several cancels with probability 2^-64.
 std::vector<uint8_t> MarkUnbalancedVertices(const TriMesh& mesh) {
-  std::vector<uint64_t> balance(mesh.points.size(), 0);
+  struct Vertex {
+    uint64_t key, balance;
+  };
+  std::vector<Vertex> vertices(mesh.points.size());
+  for (size_t v = 0; v < vertices.size(); ++v) vertices[v] = {Mix(v + 1), 0};
   for (const Triangle& t : mesh.triangles) {
-    const uint64_t a = Mix(static_cast<uint64_t>(t[0]) + 1), b = Mix(static_cast<uint64_t>(t[1]) + 1),
-                   c = Mix(static_cast<uint64_t>(t[2]) + 1);
-    balance[t[0]] += b - c;
-    balance[t[1]] += c - a;
-    balance[t[2]] += a - b;
+    Vertex &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
+    a.balance += b.key - c.key;
+    b.balance += c.key - a.key;
+    c.balance += a.key - b.key;
   }
-  std::vector<uint8_t> marked(mesh.points.size());
-  for (size_t i = 0; i < balance.size(); ++i) marked[i] = balance[i] != 0;
+  std::vector<uint8_t> marked(vertices.size());
+  for (size_t v = 0; v < marked.size(); ++v) marked[v] = vertices[v].balance != 0;
   return marked;
 }
 
