@@ -26,6 +26,10 @@ namespace {
 // Threads of calls. Each worker has a call waiting; watches and blobs are bounded below that by the services.
 constexpr int kMostCalls = 1500;
 
+// Of what callers send and nobody has looked at yet. gRPC reads a message that is too long to its end before it refuses
+// it.
+constexpr size_t kMostReceivedBytes = size_t{64} << 20;
+
 grpc::ChannelArguments ChannelArguments() {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(kMaxMessageBytes);
@@ -103,6 +107,7 @@ absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& l
   builder.AddChannelArgument(GRPC_ARG_MAX_CONNECTION_IDLE_MS, 60'000);
   grpc::ResourceQuota quota("tilemend");
   quota.SetMaxThreads(kMostCalls);
+  quota.Resize(kMostReceivedBytes);
   builder.SetResourceQuota(quota);
   std::unique_ptr<Acceptor> acceptor;
   std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> taker;

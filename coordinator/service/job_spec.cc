@@ -23,6 +23,7 @@ absl::Status CheckRange(const std::string& field, double value, double low, doub
 }
 
 constexpr size_t kMostPathBytes = 4096;
+constexpr size_t kMostCellsBytes = size_t{64} << 10;  // kept with the job, and shown with it
 
 // Another process has another working directory.
 absl::Status CheckAbsolute(const std::string& field, const std::string& path) {
@@ -97,6 +98,7 @@ absl::Status JobSpec::Check() const {
   if (textures != "copy" && textures != "link" && textures != "off") {
     return InvalidSpec("textures", absl::StrCat("'", Printable(textures), "': expected copy, link or off"));
   }
+  if (cells.size() > kMostCellsBytes) return InvalidSpec("cells", "more than 64 KiB");
   if (const absl::Status status = ParseCells(cells).status(); !status.ok()) {
     return InvalidSpec("cells", std::string(status.message()));
   }

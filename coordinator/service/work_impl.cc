@@ -264,7 +264,9 @@ bool CoordinatorImpl::TakeReport(const std::string& worker, Report& report) {
   if (failed != nullptr) {
     failed->time = options_.clock();
     // One that has yet to look at the folders counts: it may be the only one that can.
-    const MayWork may = [this](const std::string& id, const std::string& job) { return !trust_.IsBarred(id, job); };
+    const MayWork may = [this, now = failed->time](const std::string& id, const std::string& job) {
+      return !trust_.IsBarred(id, job) && !trust_.SeemsStuck(id, job, now);
+    };
     failed->another = task != nullptr && HasAnother(state_, worker, *state_.FindJob(report.ref.job()), *task, may);
     // A file that one machine cannot read another may.
     failed->machine = failed->machine || (failed->another && IsAboutFiles(failed->error));

@@ -10,6 +10,7 @@ namespace tilemend {
 namespace {
 
 constexpr absl::Duration kLookAgain = absl::Seconds(30);
+constexpr absl::Duration kLongLook = absl::Seconds(5);  // a look takes milliseconds, over a slow network a second
 constexpr size_t kMostSetAside = 10'000;
 constexpr size_t kMostErrorBytes = 500;  // of a stranger's text
 
@@ -55,7 +56,12 @@ std::vector<v1::JobFolders> WorkerTrust::ToLookAt(const std::string& worker, con
 std::optional<std::string> WorkerTrust::TakeSeen(const std::string& worker, const v1::FoldersSeen& seen,
                                                  absl::Time now) {
   const auto view = jobs_.find(seen.job());
-  if (view == jobs_.end() || seen.looking()) return std::nullopt;
+  if (view == jobs_.end()) return std::nullopt;
+  if (seen.looking()) {
+    view->second.looks_since.try_emplace(worker, now);
+    return std::nullopt;
+  }
+  view->second.looks_since.erase(worker);
   const std::string fault = FaultOf(view->second.folders, seen);
   view->second.seen_by[worker] = fault.empty() ? absl::InfiniteFuture() : now + kLookAgain;
   if (fault.empty()) return std::nullopt;
@@ -68,7 +74,10 @@ void WorkerTrust::Doubt(const std::string& worker, const std::string& job) {
 }
 
 void WorkerTrust::RemoveWorker(const std::string& worker) {
-  for (auto& [job, view] : jobs_) view.seen_by.erase(worker);
+  for (auto& [job, view] : jobs_) {
+    view.seen_by.erase(worker);
+    view.looks_since.erase(worker);
+  }
 }
 
 void WorkerTrust::Put(const std::string& worker, Aside aside) {
@@ -100,6 +109,13 @@ bool WorkerTrust::IsBarred(const std::string& worker, const std::string& job) co
   if (set_aside_.contains(worker)) return true;
   const auto view = jobs_.find(job);
   return view != jobs_.end() && view->second.seen_by.contains(worker) && !MayWorkOn(worker, job);
+}
+
+bool WorkerTrust::SeemsStuck(const std::string& worker, const std::string& job, absl::Time now) const {
+  const auto view = jobs_.find(job);
+  if (view == jobs_.end()) return false;
+  const auto since = view->second.looks_since.find(worker);
+  return since != view->second.looks_since.end() && now - since->second > kLongLook;
 }
 
 std::vector<std::string> WorkerTrust::BlindTo(const std::string& worker) const {

@@ -50,6 +50,10 @@ class WorkerTrust {
   // Whether it gets no task of the job until something changes: not one that has yet to look.
   bool IsBarred(const std::string& worker, const std::string& job) const;
 
+  // Whether it has been looking at the job's folders for so long that it does not seem to come back from it: a mount
+  // that hangs.
+  bool SeemsStuck(const std::string& worker, const std::string& job, absl::Time now) const;
+
   // Jobs whose folders it does not see.
   std::vector<std::string> BlindTo(const std::string& worker) const;
 
@@ -61,6 +65,7 @@ class WorkerTrust {
   struct JobView {
     JobFolders folders;
     std::map<std::string, absl::Time> seen_by;  // workers; when they are to look again: InfiniteFuture if they see them
+    std::map<std::string, absl::Time> looks_since;  // workers that are looking; when they first said so
   };
   struct Aside {
     std::string reason;

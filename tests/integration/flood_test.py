@@ -5,7 +5,7 @@
 
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. With a descriptor limit of 64: 500 idle
 connections; with one of 1,024: `connections` at once. After each the coordinator must serve again within `most-seconds`,
-also while they stay open and say nothing. Then `watches` of one job, whose threads are counted, and ten times more submissions than
+also while they stay open and say nothing. Then messages that are too long, which must not be kept in memory. Then `watches` of one job, whose threads are counted, and ten times more submissions than
 capacity, while `get` is timed: `gets` times, a process each, with submissions going on, and 99 of 100 may take `most-ms`
 at most. Prints its figures. Exit code 1 if anything was not so.
 """
@@ -21,6 +21,7 @@ import threading
 import time
 
 from coordinator_kill_test import Bench, Failure, await_, require
+from long_message import LongCall
 
 MAX_JOBS = 8
 SUBMITTERS = 4
@@ -69,6 +70,24 @@ def flood(bench, descriptors, count, most):
 def status_of(bench, key):
     with open(f'/proc/{bench.coordinator.pid}/status') as status:
         return int(next(line for line in status if line.startswith(key)).split()[1])
+
+
+def send_too_much(bench, callers, megabytes, most):
+    """The most memory of the coordinator, in MB, while callers without any right send messages of that length."""
+    start(bench, 1024)
+
+    def send():
+        LongCall(bench.port, '/tilemend.v1.Jobs/CreateJob').send(megabytes << 20)
+
+    threads = [threading.Thread(target=send) for _ in range(callers)]
+    for thread in threads:
+        thread.start()
+    while any(thread.is_alive() for thread in threads):
+        served_after(bench)
+    memory = status_of(bench, 'VmHWM:') // 1024
+    require(memory <= most, f'{memory} MB for messages that are refused')
+    bench.kill()
+    return memory
 
 
 def watch_often(bench, scene, count, most):
@@ -156,6 +175,8 @@ def run_all(bench, arguments):
         while_open, closed = flood(bench, descriptors, count, arguments.most_seconds)
         print(f'{count} idle connections, descriptor limit {descriptors}: a client was answered after {while_open:.1f} s '
               f'while they were open, {closed:.1f} s after they were closed')
+    memory = send_too_much(bench, 4, 300, 200)
+    print(f'4 messages of 300 MB at once: refused, at most {memory} MB in all')
     threads, memory = watch_often(bench, scene, arguments.watches, arguments.most_seconds)
     print(f'{arguments.watches} watches: {threads} threads more, {memory} MB in all')
     taken, shed, median, most, memory = submit_often(bench, scene)

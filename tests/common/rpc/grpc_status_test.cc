@@ -18,6 +18,18 @@ TEST(GrpcStatusTest, ComesBackWithItsErrorInfo) {
   EXPECT_EQ(GetErrorInfo(back), GetErrorInfo(Example()));
 }
 
+TEST(GrpcStatusTest, FitsIntoTheTrailersOfACall) {
+  std::string text, facts;
+  for (int i = 0; i < 100'000; ++i) text += "\u00e9", facts += '\x01';
+  const absl::Status status = WithErrorInfo(absl::InvalidArgumentError(text), {"INVALID_SPEC", {{"field", facts}}});
+  const grpc::Status sent = ToGrpcStatus(status);
+  EXPECT_LT(3 * sent.error_message().size() + 4 * sent.error_details().size() / 3, 7000U);
+  const absl::Status back = FromGrpcStatus(sent);
+  EXPECT_EQ(back.code(), status.code());
+  EXPECT_EQ(ErrorReason(back), "INVALID_SPEC");
+  EXPECT_THAT(std::string(back.message()), testing::HasSubstr(" ... "));
+}
+
 TEST(GrpcStatusTest, OkStaysOk) {
   EXPECT_TRUE(ToGrpcStatus(absl::OkStatus()).ok());
   EXPECT_TRUE(FromGrpcStatus(grpc::Status::OK).ok());

@@ -62,6 +62,8 @@ class CoordinatorImplTest : public ::testing::Test {
     });
   }
 
+  explicit CoordinatorImplTest(const ClusterOptions& options = Options()) : cluster_(options) {}
+
   static ClusterOptions Options() {
     ClusterOptions options;
     options.max_running_jobs = 3;
@@ -70,7 +72,7 @@ class CoordinatorImplTest : public ::testing::Test {
     return options;
   }
 
-  TestCluster cluster_{Options()};
+  TestCluster cluster_;
   CoordinatorImpl& impl_ = cluster_.impl();
   uint64_t sequence_ = 0;
 };

@@ -73,8 +73,10 @@ TEST_F(CoordinatorImplTest, ListsNewestFirstInPages) {
   ASSERT_EQ(second->jobs_size(), 1);
   EXPECT_EQ(second->jobs(0).name(), names[0]);
   EXPECT_EQ(second->next_page_token(), "");
-  request.set_page_token("nonsense");
-  EXPECT_EQ(ErrorReason(impl_.ListJobs(request).status()), "INVALID_PAGE");
+  for (const char* token : {"nonsense", "-1"}) {
+    request.set_page_token(token);
+    EXPECT_EQ(ErrorReason(impl_.ListJobs(request).status()), "INVALID_PAGE") << token;
+  }
 }
 
 TEST_F(CoordinatorImplTest, CancelIsIdempotentAndFinal) {

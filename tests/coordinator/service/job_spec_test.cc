@@ -42,6 +42,13 @@ TEST(JobSpecTest, TheDefaultsNeedOnlyPaths) {
 TEST(JobSpecTest, RefusesCellsThatAreNone) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.cells = "3,4 0,0-5,9"; }), "");
   EXPECT_EQ(Fault([](JobSpec& s) { s.cells = "3;4"; }), "cells");
+  const auto many = [](size_t bytes) {
+    std::string cells;
+    while (cells.size() + 4 <= bytes) cells += "3,4 ";
+    return cells;
+  };
+  EXPECT_EQ(Fault([&](JobSpec& s) { s.cells = many(64 << 10); }), "");
+  EXPECT_EQ(Fault([&](JobSpec& s) { s.cells = many((64 << 10) + 4); }), "cells");
 }
 
 TEST(JobSpecTest, RefusesPathsThatAreNotUtf8) {

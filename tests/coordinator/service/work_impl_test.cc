@@ -225,5 +225,77 @@ TEST_F(WorkImplTest, AnErrorThatAnotherWorkerDoesNotHaveIsToldInFewPrintableWord
   EXPECT_NE(told.warnings(0).find("worker broken could not do cell"), std::string::npos);
 }
 
+// The pipeline of toys, with a file that workers must see.
+class SeenPipeline : public JobPipeline {
+ public:
+  explicit SeenPipeline(std::unique_ptr<JobPipeline> toy) : toy_(std::move(toy)) {}
+
+  absl::StatusOr<JobFolders> Folders() const override { return JobFolders{{{"/scene.json", "print"}}, ""}; }
+  absl::StatusOr<std::vector<NewTask>> Start() override { return toy_->Start(); }
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+    return toy_->OnTaskDone(std::move(result));
+  }
+  bool Done() const override { return toy_->Done(); }
+  Progress GetProgress() const override { return toy_->GetProgress(); }
+  absl::StatusOr<JobOutcome> Finish() override { return toy_->Finish(); }
+
+ private:
+  const std::unique_ptr<JobPipeline> toy_;
+};
+
+class LookingWorkerTest : public CoordinatorImplTest {
+ protected:
+  static ClusterOptions Seen() {
+    ClusterOptions options = Options();
+    options.factory = [](const JobSpec& spec) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+      auto toy = ToyPipelineFactory()(spec);
+      if (!toy.ok()) return toy.status();
+      return std::make_unique<SeenPipeline>(*std::move(toy));
+    };
+    return options;
+  }
+
+  LookingWorkerTest() : CoordinatorImplTest(Seen()) {}
+
+  void Look(const std::string& job) {
+    v1::SyncRequest request = NewSync("stuck");
+    request.set_wait_ms(0);
+    v1::FoldersSeen& seen = *request.add_seen();
+    seen.set_job(job);
+    seen.set_looking(true);
+    Sync(request);
+  }
+
+  // A worker that sees the file takes a task, another one looks for `looks`, and the first says that it cannot be done.
+  v1::Job AfterAFailure(absl::Duration looks) {
+    v1::CreateJobRequest asked = NewRequest(absl::StrCat("o", absl::ToInt64Seconds(looks)));
+    const std::string name = impl_.CreateJob(asked)->name(), job = name.substr(name.find('/') + 1);
+    v1::SyncResponse told;
+    for (int i = 0; i < 20 && told.look_size() == 0; ++i) told = Sync(NewSync("sound"));
+    v1::SyncRequest request = NewSync("sound");
+    v1::FoldersSeen& seen = *request.add_seen();
+    seen.set_job(job);
+    seen.add_files()->set_fingerprint("print");
+    told = Sync(request);
+    EXPECT_EQ(told.start_size(), 1);
+    Look(job);
+    cluster_.clock().Advance(looks);
+    Look(job);
+    request = NewSync("sound", 0);
+    auto* finished = request.add_finished();
+    *finished->mutable_ref() = told.start(0).ref();
+    finished->set_stage(told.start(0).stage());
+    finished->mutable_error()->set_code(static_cast<int>(absl::StatusCode::kInvalidArgument));
+    finished->mutable_error()->set_message("cannot be read");
+    Sync(request);
+    return cluster_.Get(name);
+  }
+};
+
+TEST_F(LookingWorkerTest, ATaskThatFailedWaitsForItUnlessItSeemsStuck) {
+  EXPECT_EQ(AfterAFailure(absl::Seconds(1)).progress().tasks_retried(), 1);
+  EXPECT_EQ(AfterAFailure(absl::Seconds(6)).progress().tasks_retried(), 0);
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -73,6 +73,23 @@ TEST_F(WorkerTrustTest, IsForgottenWithTheWorkerTheJobOrADoubt) {
   EXPECT_EQ(Looks(), 0U);
 }
 
+TEST_F(WorkerTrustTest, OneThatLooksForLongSeemsStuckUntilItHasSeen) {
+  v1::FoldersSeen looking;
+  looking.set_job("j");
+  looking.set_looking(true);
+  EXPECT_FALSE(trust_.SeemsStuck("w", "j", now_));
+  for (int second = 0; second < 6; ++second) trust_.TakeSeen("w", looking, now_ + absl::Seconds(second));
+  EXPECT_FALSE(trust_.SeemsStuck("w", "j", now_ + absl::Seconds(5)));
+  EXPECT_TRUE(trust_.SeemsStuck("w", "j", now_ + absl::Seconds(6)));
+  EXPECT_FALSE(trust_.SeemsStuck("other", "j", now_ + absl::Seconds(6)));
+  EXPECT_FALSE(trust_.IsBarred("w", "j")) << "it may come back";
+  trust_.TakeSeen("w", Seen("print"), now_ + absl::Seconds(7));
+  EXPECT_FALSE(trust_.SeemsStuck("w", "j", now_ + absl::Seconds(20)));
+  trust_.TakeSeen("w", looking, now_);
+  trust_.RemoveWorker("w");
+  EXPECT_FALSE(trust_.SeemsStuck("w", "j", now_ + absl::Seconds(20)));
+}
+
 TEST_F(WorkerTrustTest, OneThatIsSetAsideGetsNothing) {
   trust_.TakeSeen("w", Seen("print"), now_);
   trust_.SetAside("w", "it lied");
