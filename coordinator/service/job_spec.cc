@@ -25,6 +25,12 @@ absl::Status CheckRange(const std::string& field, double value, double low, doub
 constexpr size_t kMostPathBytes = 4096;
 constexpr size_t kMostCellsBytes = size_t{64} << 10;  // kept with the job, and shown with it
 
+absl::Status CheckCells(const std::string& cells) {
+  if (cells.size() > kMostCellsBytes) return InvalidSpec("cells", "more than 64 KiB");
+  const absl::Status status = ParseCells(cells).status();
+  return status.ok() ? status : InvalidSpec("cells", std::string(status.message()));
+}
+
 // Another process has another working directory.
 absl::Status CheckAbsolute(const std::string& field, const std::string& path) {
   if (path.size() > kMostPathBytes) return InvalidSpec(field, "a path of more than 4096 bytes");
@@ -98,10 +104,7 @@ absl::Status JobSpec::Check() const {
   if (textures != "copy" && textures != "link" && textures != "off") {
     return InvalidSpec("textures", absl::StrCat("'", Printable(textures), "': expected copy, link or off"));
   }
-  if (cells.size() > kMostCellsBytes) return InvalidSpec("cells", "more than 64 KiB");
-  if (const absl::Status status = ParseCells(cells).status(); !status.ok()) {
-    return InvalidSpec("cells", std::string(status.message()));
-  }
+  TILEMEND_RETURN_IF_ERROR(CheckCells(cells));
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
   if (tension && named != Surface::kThinPlate)
     return InvalidSpec("tension", "only the surface thin-plate has a tension; leave it out, or choose that surface");
