@@ -84,8 +84,7 @@ void ForEachLine(std::string_view text, Use use) {
 }  // namespace
 
 MtlFile ParseMtl(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text.remove_prefix(TextStart(text));
   MtlFile file;
   std::set<std::string_view> images;
   ForEachLine(text, [&](std::string_view line) {

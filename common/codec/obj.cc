@@ -55,8 +55,7 @@ class ObjReader {
   absl::Status Expected(std::string_view what) const { return LineError(name_, bytes_, Offset(), what); }
 
   absl::Status CheckKind() {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (bytes_.substr(0, 3) == kByteOrderMark) p_ += 3;
+    p_ += TextStart(bytes_);
     for (const std::string_view other : {"ply", "OFF", "COFF", "NOFF", "STOFF", "solid ", "glTF"}) {
       if (bytes_.substr(0, other.size()) == other) return Expected("an OBJ statement");
     }

@@ -107,7 +107,7 @@ class OffCursor {
   }
 
   absl::Status ReadKeyword() {
-    if (bytes_.substr(0, 3) == "\xef\xbb\xbf") p_ += 3;  // a byte order mark
+    p_ += TextStart(bytes_);
     SkipToToken();
     const std::string_view rest = bytes_.substr(Offset());
     size_t length = 0;

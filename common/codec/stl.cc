@@ -46,7 +46,7 @@ bool IsWord(std::string_view word, std::string_view keyword) {
 
 // A text has no bytes that are 0; headers of binary files may begin with `solid` as well.
 bool IsText(std::string_view bytes) {
-  return IsWord(bytes.substr(0, 5), "solid") &&
+  return IsWord(bytes.substr(TextStart(bytes), 5), "solid") &&
          bytes.substr(0, kHeadBytes + kFacetBytes).find('\0') == std::string_view::npos;
 }
 
@@ -101,7 +101,7 @@ absl::StatusOr<MeshFile> ParseBinary(std::string_view bytes, const std::string& 
 class TextReader {
  public:
   TextReader(std::string_view text, const std::string& name, const FaceVisitor& visit)
-      : text_(text), name_(name), visit_(visit) {}
+      : text_(text), name_(name), visit_(visit), at_(TextStart(text)) {}
 
   absl::StatusOr<MeshFile> Read() {
     MeshFile file = EmptyFile(text_, NumberType::kFloat64);
@@ -173,7 +173,7 @@ class TextReader {
   std::string_view text_;
   const std::string& name_;
   const FaceVisitor& visit_;
-  size_t at_ = 0;
+  size_t at_;
 };
 
 void AppendBinaryFacet(const SpaceTriangle& t, const Eigen::Vector3d& normal, std::string& out) {

@@ -26,6 +26,9 @@ inline constexpr char kNoVertices[] = "the file has no vertices";
 inline constexpr char kCoordinate[] = "a coordinate that is finite and at most 1e9 m";
 inline bool IsValidCoordinate(double x) { return std::abs(x) <= kMaxCoordinate; }  // false for NaN
 
+// Where a text begins: behind the byte order mark that some editors put in front.
+inline size_t TextStart(std::string_view text) { return text.starts_with("\xef\xbb\xbf") ? 3 : 0; }
+
 inline bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 // A number at the start of [begin, end) and where it ends; `stop` is null if there is none. Independent of the locale;

@@ -56,6 +56,10 @@ struct SurveyRecord : SurveySummary {
   // order.
   TriMesh band;
 
+  // Edges that would be boundary if each of several triangles with the same corners, copies of one or its back, were
+  // there once. Not sent, as above.
+  int64_t repeated_edges = 0;
+
   // What the surface looks like at the boundary vertices; empty: the tile has no colours.
   std::vector<std::optional<Rgb>> colours;
 };

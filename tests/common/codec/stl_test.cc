@@ -60,6 +60,18 @@ TEST(StlTest, ReadsTextInCapitalsAndWithOldLineEndings) {
   }
 }
 
+TEST(StlTest, ReadsAndKeepsAByteOrderMark) {
+  const std::string marked = std::string("\xef\xbb\xbf") + kText;
+  FilePatch patch;
+  patch.triangles = {{2, 1, 0}};
+  const auto out = AppendToStl(marked, patch, "a.stl");
+  ASSERT_TRUE(out.ok()) << out.status();
+  EXPECT_TRUE(out->starts_with("\xef\xbb\xbfsolid"));
+  const auto file = ParseStl(*out, "out.stl");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->mesh.triangles.size(), 2u);
+}
+
 TEST(StlTest, ReadsBinaryEvenIfItBeginsWithSolid) {
   std::string bytes = Binary(kCorners);
   std::memcpy(bytes.data(), "solid", 5);
