@@ -116,6 +116,12 @@ struct WeldedEdges {
   std::vector<std::pair<int32_t, int32_t>> across;  // triangles that share one
 };
 
+bool AreAtTheSameCorners(const TriMesh& mesh, int32_t a, int32_t b) {
+  return std::ranges::all_of(mesh.triangles[a], [&](int32_t v) {
+    return std::ranges::any_of(mesh.triangles[b], [&](int32_t w) { return mesh.points[v] == mesh.points[w]; });
+  });
+}
+
 WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, const std::vector<int32_t>& at_weld,
                             SurveyRecord& record) {
   struct Entry {
@@ -135,10 +141,17 @@ WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& wel
   std::vector<int32_t> single;
   for (size_t i = 0; i < entries.size();) {
     size_t j = i + 1;
+    bool repeats = true;
     for (; j < entries.size() && entries[j].key == entries[i].key; ++j) {
-      result.across.emplace_back(edges[entries[i].order].triangle, edges[entries[j].order].triangle);
+      const int32_t first = edges[entries[i].order].triangle, other = edges[entries[j].order].triangle;
+      result.across.emplace_back(first, other);
+      repeats = repeats && AreAtTheSameCorners(mesh, first, other);
     }
-    if (j - i == 1) single.push_back(entries[i].order);
+    if (j - i == 1) {
+      single.push_back(entries[i].order);
+    } else {
+      record.repeated_edges += repeats;
+    }
     if (j - i > 2) ++record.nonmanifold_edges;
     i = j;
   }
@@ -342,6 +355,14 @@ void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_
   if (areas == PieceAreas::kYes) record.piece_areas = AreasOfPieces(mesh, at_weld, number, pieces, sets);
 }
 
+// A surface that is there twice, front and back, balances everywhere.
+void CountRepeatedEdges(const TriMesh& mesh, SurveyRecord& record) {
+  SurveyRecord again;
+  const Weld weld = WeldMarked(mesh, std::vector<uint8_t>(mesh.points.size(), 1));
+  FindWeldedEdges(mesh, weld.weld, TrianglesAtWelds(mesh, weld.weld), again);
+  record.repeated_edges = again.repeated_edges;
+}
+
 }  // namespace
 
 SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
@@ -364,7 +385,10 @@ SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
   StoreBand(mesh, boundary, at_weld, record);
   StoreVertexFigures(record);
   StorePieces(mesh, weld, at_weld, edges, areas, record);
-  if (areas == PieceAreas::kYes) StoreEdgesAfter(mesh, weld, at_weld, edges.single, record);
+  if (areas == PieceAreas::kYes) {
+    StoreEdgesAfter(mesh, weld, at_weld, edges.single, record);
+    if (edges.single.empty()) CountRepeatedEdges(mesh, record);
+  }
   return record;
 }
 

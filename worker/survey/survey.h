@@ -7,7 +7,8 @@
 
 namespace tilemend {
 
-// Whether SurveyRecord::piece_areas is wanted, for which every triangle is looked at once more, and edge_after.
+// Whether SurveyRecord::piece_areas is wanted, for which every triangle is looked at once more, edge_after and
+// repeated_edges (of a mesh without boundary the cost of a sort).
 enum class PieceAreas { kYes, kNo };
 
 // Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams,

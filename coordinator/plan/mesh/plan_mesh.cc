@@ -66,6 +66,10 @@ class MeshPlanner {
     if (!rim_.unlinked.empty()) {
       Leave("boundary edges that form no loop: the surface is not manifold there", rim_.unlinked.size(), true);
     }
+    if (record_->repeated_edges > 0) {
+      Leave("edges of faces that occur more than once, as copies or as front and back: remove all but one of each",
+            static_cast<size_t>(record_->repeated_edges), true);
+    }
     return std::move(plan_);
   }
 

@@ -181,6 +181,32 @@ TEST(SurveyTileTest, TellsWhichEdgeGoesOnAroundTheSameFanWhereSeveralDo) {
   EXPECT_EQ(told, 2);
 }
 
+// Copies, with vertices of their own or not, and backs: none has boundary edges, all would.
+TEST(SurveyTileTest, CountsTheEdgesThatRepeatedTrianglesCover) {
+  const TriMesh once = PictureMesh({"####", "#..#", "####"});
+  const auto boundary = std::ssize(SurveyTile(once, false).edges);
+  EXPECT_EQ(SurveyTile(once, false).repeated_edges, 0);
+  for (const bool back : {false, true}) {
+    for (const bool own_vertices : {false, true}) {
+      TriMesh twice = once;
+      const auto first = static_cast<int32_t>(own_vertices ? once.points.size() : 0);
+      if (own_vertices) twice.points.insert(twice.points.end(), once.points.begin(), once.points.end());
+      for (Triangle t : once.triangles) {
+        if (back) std::swap(t[0], t[1]);
+        twice.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+      }
+      const SurveyRecord record = SurveyTile(twice, false);
+      EXPECT_THAT(record.edges, IsEmpty());
+      EXPECT_EQ(record.repeated_edges, boundary) << back << own_vertices;
+    }
+  }
+  TriMesh one_twice = once;
+  one_twice.triangles.push_back(once.triangles[0]);
+  const SurveyRecord record = SurveyTile(one_twice, false);
+  EXPECT_EQ(record.repeated_edges, boundary - std::ssize(record.edges));
+  EXPECT_GT(record.repeated_edges, 0);
+}
+
 TEST(SurveyTileTest, ParsPiecesThatMeetInAVertex) {
   TriMesh mesh = SquaresMesh(0, 4, 0, 4, [](int32_t x, int32_t y) { return (x < 2) == (y < 2); });
   const SurveyRecord record = SurveyTile(mesh, true);
