@@ -211,6 +211,40 @@ TEST(MeshFillTest, MakesNoTunnelThroughAThinBody) {
   EXPECT_EQ(ExpectSound(filled), 0);
 }
 
+// A flat ellipsoid without what is near a place, filled: the mean distance of new points from it, in directions across
+// or along its plane.
+double ErrorOnLens(int32_t around, double thickness, const Point3& place, double radius) {
+  TriMesh lens = SphereBelt(0, 180, around, around / 3);
+  for (Point3& p : lens.points) p.z() *= thickness;
+  const auto in_hole = [&](const Point3& p) { return (p - place).norm() < radius; };
+  const FilledMesh filled = Fill(WithoutHole(Welded(lens), in_hole));
+  EXPECT_THAT(filled.failures, IsEmpty());
+  double off = 0;
+  size_t points = 0;
+  for (const HolePatch& patch : filled.patches) {
+    points += patch.new_points.size();
+    for (const Point3& p : patch.new_points) {
+      const double out = p.head<2>().norm();
+      const double height = thickness * std::sqrt(std::max(0.0, 1 - out * out));
+      off += std::min(std::abs(std::abs(p.z()) - height), std::hypot(std::max(0.0, out - 1), p.z()));
+    }
+  }
+  return off / static_cast<double>(points);
+}
+
+// A boundary of 180 vertices: cut down to fewer it is spanned from one side to the other.
+TEST(MeshFillTest, GoesAroundTheEdgeOfAThinBody) { EXPECT_LT(ErrorOnLens(300, 0.05, {1, 0, 0}, 0.3), 0.002); }
+
+TEST(MeshFillTest, SaysThatFacesOccurTwice) {
+  TriMesh belt = SphereBelt(30, 150);
+  belt.triangles.insert(belt.triangles.end(), belt.triangles.begin(), belt.triangles.end());
+  const FilledMesh filled = Fill(belt);
+  ASSERT_EQ(filled.plan.left.size(), 1u);
+  EXPECT_THAT(filled.plan.left[0].reason, testing::HasSubstr("more than once"));
+  EXPECT_EQ(filled.plan.left[0].edges, 48);
+  EXPECT_TRUE(filled.plan.left[0].is_hole);
+}
+
 TEST(MeshFillTest, AccountsForEveryBoundaryEdge) {
   // A fin on a box with a hole: its free edges form no loop.
   TriMesh mesh = WithoutHole(BoxMesh(5), [](const Point3& p) { return p.norm() < 1.6; });

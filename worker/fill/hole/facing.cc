@@ -17,7 +17,7 @@ constexpr int kViewSteps = 200;
 // of the rim. Bending over a plane is that in space only where it is nearly level: in a mesh that may lie in any way
 // there is no other reason to keep to the plane.
 constexpr double kSteepCosine = 0.5;
-constexpr double kSteepCosineAnyWay = 0.97;
+constexpr double kSteepCosineAnyWay = 0.99;
 constexpr double kSteepShare = 0.1;
 
 }  // namespace

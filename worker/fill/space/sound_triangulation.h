@@ -12,8 +12,9 @@
 
 namespace tilemend {
 
-// Longer loops are cut down first (clip_ears.h).
-inline constexpr int32_t kLongestSoundLoop = 160;
+// Longer loops are cut down first (clip_ears.h). What is clipped has a shape of its own: over the edge of a thin body
+// the triangles of a clipped loop cut it off where the best of all triangulations goes around it.
+inline constexpr int32_t kLongestSoundLoop = 400;
 
 // As TriangulateLoop, without triangles that cross one of `surface`. Triangulations that cross themselves are avoided
 // by search: of two triangles that cross, the larger one is forbidden, and the loop is triangulated again; likewise

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "tests/support/folded_meshes.h"
 
@@ -45,6 +48,18 @@ TEST(FacingTest, TellsGroundFromWalls) {
     EXPECT_FALSE(LiesInHeightField(hole, ProjectionFrame::Upright()));
     EXPECT_FALSE(IsSteep(hole)) << "over its own plane it is flat";
   });
+}
+
+// A roof of two sides, each 10 degrees off level, in a mesh that may lie in any way.
+TEST(FacingTest, IsSteepFromEightDegreesInAMeshThatMayLieInAnyWay) {
+  for (const auto& [degrees, steep] : {std::pair(6.0, false), std::pair(10.0, true)}) {
+    const double slope = std::tan(degrees * std::numbers::pi / 180);
+    const auto roof = [&](const Point3& p) { return Point3(p.x(), p.y(), -slope * std::abs(p.y())); };
+    CellHoles work = WorkOfSheet(Disc(0, 0, 4), roof, 0);
+    With(work, [](const LocalHole& hole) { EXPECT_FALSE(IsSteep(hole)) << "over the ground"; });
+    work.upright = false;
+    With(work, [steep = steep](const LocalHole& hole) { EXPECT_EQ(IsSteep(hole), steep); });
+  }
 }
 
 // Most of the way round a tube some of the surface is steep over any plane.

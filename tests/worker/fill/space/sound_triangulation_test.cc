@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "worker/fill/space/minimum_weight.h"
@@ -61,6 +62,18 @@ TEST(SoundTriangulationTest, DoesNotPassThroughItself) {
     EXPECT_THAT(SelfCrossings(InSpace(loop, triangles)), IsEmpty()) << seed;
   }
   EXPECT_GT(crossed, 0) << "the loops put nothing to the test";
+}
+
+// Up to 400 vertices no triangle is cut off before all triangulations are looked at.
+TEST(SoundTriangulationTest, TakesTheBestOfALongLoop) {
+  std::vector<Point3> loop;
+  std::vector<Eigen::Vector3d> outside;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 200;
+    loop.emplace_back(9 * std::cos(angle), 6 * std::sin(angle), std::sin(2 * angle));
+    outside.emplace_back(0, 0, 1);
+  }
+  EXPECT_EQ(TriangulateSoundly(loop, outside, kAnyChord, CrossingIndex({})), TriangulateLoop(loop, outside, kAnyChord));
 }
 
 }  // namespace
