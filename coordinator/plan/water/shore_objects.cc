@@ -167,7 +167,9 @@ bool AreWalls(std::span<const double> steps, const ObjectRule& rule) {
   const auto steeper = [&](double least) {
     return std::count_if(steps.begin(), steps.end(), [least](double s) { return s > least; });
   };
-  return 3 * steeper(rule.wall) >= std::max<ptrdiff_t>(1, steeper(rule.rough));
+  const auto rough = steeper(rule.rough), walls = steeper(rule.wall);
+  if (3 * walls < std::max<ptrdiff_t>(1, rough)) return false;
+  return 2 * rough <= std::ssize(steps) || 5 * walls >= 4 * steeper(rule.slope);
 }
 
 }  // namespace tilemend

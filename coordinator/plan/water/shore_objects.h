@@ -30,8 +30,9 @@ std::vector<double> StepsDown(std::span<const Point3> rim, std::span<const Point
                               const ObjectRule& rule = {});
 
 // Whether the steps are those of things that stand there, and not of rough ground: at least a third of those steeper
-// than `rough` are steeper than `wall`. Things have a wall or nothing; slopes of rough ground have all steepnesses. A
-// point whose step is steeper than `slope` then stands on an object.
+// than `rough` are steeper than `wall`. Things have a wall or nothing; slopes of rough ground have all steepnesses.
+// Mountains have steep ones all over: where more than half of all steps are steeper than `rough`, four in five of
+// those steeper than `slope` must be walls. A point whose step is steeper than `slope` then stands on an object.
 bool AreWalls(std::span<const double> steps, const ObjectRule& rule = {});
 
 }  // namespace tilemend

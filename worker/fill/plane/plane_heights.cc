@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/free_rim.h"
@@ -32,18 +33,18 @@ void AddLaplacians(const LocalHole& hole, const std::vector<bool>& has_equation,
   }
 }
 
-bool SolveWhole(const LocalHole& hole, const FillOptions& options, ThinPlateProblem& plate,
-                std::optional<HoldOut>& chosen) {
+std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillOptions& options,
+                                              ThinPlateProblem& plate, std::optional<HoldOut>& chosen) {
   FreeSteepRim(plate);
   if (options.tension || hole.tension) {
     plate.tension = options.tension ? *options.tension : *hole.tension;
-    return SolveThinPlate(plate).has_value();
+    return SolveThinPlate(plate);
   }
   chosen = ChooseTension(plate, hole.size() < kLeastRimForNoise ? 0 : HoleWidth(plate.points, hole.segments));
   plate.tension = chosen->tension;
-  const bool solved = SolveWithinReach(plate).has_value();
+  auto laplacian = SolveWithinReach(plate);
   chosen->tension = plate.tension;
-  return solved;
+  return laplacian;
 }
 
 bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
@@ -66,15 +67,15 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
   if (frame.upright() && !FreeRim(hole.on_object, hole.ground, plate)) return false;
-  const bool solved = SolveOverSlope(frame.upright() ? hole.slope : Point2(0, 0), plate, [&] {
+  const auto laplacian = SolveOverSlope(frame.upright() ? hole.slope : Point2(0, 0), plate, [&] {
     if (use == RimUse::kWhole) return SolveWhole(hole, options, plate, chosen);
     plate.tension = options.tension.value_or(0);
-    return SolveThinPlate(plate).has_value();
+    return SolveThinPlate(plate);
   });
   patch.points = std::move(plate.points);
   patch.points.resize(all);
   patch.triangles = std::move(plate.patch);
-  return solved;
+  return laplacian.has_value();
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/seam/seam_chains.h"
 #include "worker/fill/surface/choose_tension.h"
+#include "worker/fill/surface/edge_heights.h"
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/linear_surface.h"
@@ -69,12 +70,9 @@ class ClusterSampler {
       return surface;
     }
     if (!FreeRim(hole_.on_object, {}, problem)) return std::nullopt;
-    std::optional<std::vector<double>> laplacian;
-    const auto solve = [&] {
-      laplacian = SolvePlate(problem, surface.hold_out);
-      return laplacian.has_value();
-    };
-    if (!SolveOverSlope(cluster_.holes[0].slope, problem, solve)) return std::nullopt;
+    const std::optional<std::vector<double>> laplacian =
+        SolveOverSlope(cluster_.holes[0].slope, problem, [&] { return SolvePlate(problem, surface.hold_out); });
+    if (!laplacian) return std::nullopt;
     surface.samples = Samples(problem, *laplacian);
     return surface;
   }
@@ -83,17 +81,23 @@ class ClusterSampler {
   // Fills in the heights; returns the Laplacians. Chooses the tension where it is open.
   std::optional<std::vector<double>> SolvePlate(ThinPlateProblem& problem, std::optional<HoldOut>& hold_out) const {
     FreeSteepRim(problem);
-    if (!options_.tension) hold_out = ChooseTension(problem, HoleWidth(problem.points, OutlineSegments()));
+    const double width = HoleWidth(problem.points, OutlineSegments());
+    if (!options_.tension) hold_out = ChooseTension(problem, width);
     problem.tension = options_.tension ? *options_.tension : hold_out->tension;
-    if (!external_.empty()) {
-      if (!SolveMembrane(problem)) return std::nullopt;
-      for (size_t i = 0; i < hole_.vertices.size(); ++i) {
-        if (external_.contains(hole_.vertices[i])) problem.known[i] = true;
-      }
-    }
+    const std::vector<int32_t> edge = UnknownAtTheEdge(problem);
+    if (!edge.empty() && !SolveEdge(width, edge, problem)) return std::nullopt;
+    for (const int32_t v : edge) problem.known[v] = true;
     auto laplacian = options_.tension ? SolveThinPlate(problem) : SolveWithinReach(problem);
     if (hold_out) hold_out->tension = problem.tension;
     return laplacian;
+  }
+
+  std::vector<int32_t> UnknownAtTheEdge(const ThinPlateProblem& problem) const {
+    std::vector<int32_t> edge;
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      if (external_.contains(hole_.vertices[v]) && !problem.known[v]) edge.push_back(v);
+    }
+    return edge;
   }
 
   std::vector<SurfaceSample> Samples(const ThinPlateProblem& problem, const std::vector<double>& laplacian) const {

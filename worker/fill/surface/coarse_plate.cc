@@ -156,6 +156,7 @@ class PlateCoarsener {
     ThinPlateProblem& problem = coarse_.problem;
     number_[v] = static_cast<int32_t>(problem.points.size());
     problem.points.push_back(fine_.points[v]);
+    if (!fine_.along.empty()) problem.along.push_back(fine_.along[v]);
     problem.known.push_back(fine_.known[v]);
     problem.has_equation.push_back(fine_.has_equation[v]);
     if (!fine_.laplacian.empty()) problem.laplacian.push_back(fine_.laplacian[v]);

@@ -14,6 +14,7 @@ namespace {
 // Variance of a sample, over the largest of the kernel: the matrix stays positive definite where points all but
 // coincide.
 constexpr double kNugget = 1e-12;
+constexpr double kLeastNoise = 1e-7, kNoiseStep = 10;
 
 // The kernel at distances above 0, in units of the hole's width, tension in units of 1 / width^2. ln r + K0(x) tends to
 // ln(2 / scale) - Euler's constant.
@@ -48,30 +49,35 @@ Eigen::MatrixXd InverseOfPositive(const Eigen::MatrixXd& matrix) {
 
 }  // namespace
 
-Kriging::Kriging(const std::vector<Point3>& samples, double width, double tension)
-    : matrix_(samples.size(), samples.size()), heights_(samples.size()) {
+Kriging::Kriging(const std::vector<Point3>& samples, double width, double tension, Drift drift)
+    : samples_(samples),
+      width_(width),
+      tension_(tension),
+      drift_terms_(static_cast<Eigen::Index>(drift)),
+      matrix_(samples.size(), samples.size()),
+      heights_(samples.size()) {
   const Eigen::Index n = matrix_.rows();
-  Eigen::MatrixXd drift(n, kDrift);
+  Eigen::MatrixXd terms(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Point3 p = samples[i] - samples[0];
-    drift.row(i) << 1, p.x() / width, p.y() / width;
+    terms.row(i) << 1, p.x() / width, p.y() / width;
     heights_[i] = p.z();
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index below = n - i - 1;
-    const Eigen::MatrixXd way = drift.bottomRows(below).rowwise() - drift.row(i);
+    const Eigen::MatrixXd way = terms.bottomRows(below).rowwise() - terms.row(i);
     matrix_.col(i).tail(below) = Kernel(way.rowwise().norm().array(), tension).matrix();
     matrix_.row(i).tail(below) = matrix_.col(i).tail(below).transpose();
   }
   matrix_.diagonal().setConstant(KernelAtZero(tension));
   matrix_.diagonal().array() += kNugget * matrix_.cwiseAbs().maxCoeff();
-  reflections_.compute(drift);
+  reflections_.compute(terms.leftCols(drift_terms_));
   matrix_.applyOnTheLeft(reflections_.householderQ().adjoint());
   matrix_.applyOnTheRight(reflections_.householderQ());
 }
 
 double Kriging::LogLikelihood(double noise) const {
-  const Eigen::Index free = matrix_.rows() - kDrift;
+  const Eigen::Index free = matrix_.rows() - drift_terms_;
   Eigen::MatrixXd covariance = matrix_.bottomRightCorner(free, free);
   covariance.diagonal().array() += noise;
   const Eigen::LLT<Eigen::MatrixXd> factors(covariance);
@@ -79,6 +85,48 @@ double Kriging::LogLikelihood(double noise) const {
   const Eigen::VectorXd whitened = factors.matrixL().solve(reflected.tail(free));
   const auto n = static_cast<double>(free);
   return -n / 2 * std::log(whitened.squaredNorm() / n) - factors.matrixLLT().diagonal().array().log().sum();
+}
+
+double Kriging::LikeliestNoise() const {
+  double best = 0, likelihood = LogLikelihood(0);
+  for (double noise = kLeastNoise; noise <= kMostNoise; noise *= kNoiseStep) {
+    const double next = LogLikelihood(noise);
+    if (next <= likelihood) break;
+    best = noise;
+    likelihood = next;
+  }
+  return best;
+}
+
+HeightTrend Kriging::Trend(double noise) const {
+  const Eigen::Index n = matrix_.rows(), free = n - drift_terms_;
+  Eigen::MatrixXd covariance = matrix_.bottomRightCorner(free, free);
+  covariance.diagonal().array() += noise;
+  const Eigen::VectorXd reflected = reflections_.householderQ().adjoint() * heights_;
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
+  weights.tail(free) = covariance.llt().solve(reflected.tail(free));
+  const Eigen::VectorXd unexplained =
+      reflected.head(drift_terms_) - matrix_.topRightCorner(drift_terms_, free) * weights.tail(free);
+  HeightTrend trend;
+  trend.origin_ = samples_[0];
+  trend.width_ = width_;
+  trend.tension_ = tension_;
+  for (const Point3& p : samples_) trend.places_.emplace_back(p.head<2>());
+  trend.drift_.head(drift_terms_) = reflections_.matrixQR()
+                                        .topLeftCorner(drift_terms_, drift_terms_)
+                                        .triangularView<Eigen::Upper>()
+                                        .solve(unexplained);
+  trend.weights_ = reflections_.householderQ() * weights;
+  return trend;
+}
+
+double HeightTrend::At(const Point2& place) const {
+  const Point2 way = (place - origin_.head<2>()) / width_;
+  Eigen::ArrayXd distance(weights_.size());
+  for (Eigen::Index i = 0; i < distance.size(); ++i) distance[i] = (place - places_[static_cast<size_t>(i)]).norm();
+  const Eigen::ArrayXd kernel =
+      (distance > 0).select(Kernel(distance.max(1e-300) / width_, tension_), KernelAtZero(tension_));
+  return origin_.z() + drift_[0] + drift_.tail<2>().dot(way) + weights_.dot(kernel.matrix());
 }
 
 std::vector<Eigen::VectorXd> Kriging::BlockErrors(const std::vector<SampleBlocks>& divisions) const {
@@ -99,7 +147,7 @@ std::vector<Eigen::VectorXd> Kriging::BlockErrors(const std::vector<SampleBlocks
 
 // The inverse of the kriging matrix, without the rows and columns of the drift.
 Eigen::MatrixXd Kriging::Inverse() const {
-  const Eigen::Index n = matrix_.rows(), free = n - kDrift;
+  const Eigen::Index n = matrix_.rows(), free = n - drift_terms_;
   Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
   inverse.bottomRightCorner(free, free) = InverseOfPositive(matrix_.bottomRightCorner(free, free));
   inverse.applyOnTheLeft(reflections_.householderQ());

@@ -13,6 +13,22 @@ namespace tilemend {
 // The samples of a division, in blocks.
 using SampleBlocks = std::vector<std::vector<int>>;
 
+// Heights foretold at other places.
+class HeightTrend {
+ public:
+  // In metres; at a sample whose height has no variance of its own, that height. O(n).
+  double At(const Point2& place) const;
+
+ private:
+  friend class Kriging;
+  Point3 origin_;
+  double width_ = 1;                                 // metres
+  double tension_ = 0;                               // 1 / width^2
+  std::vector<Point2> places_;                       // of the samples
+  Eigen::VectorXd weights_;                          // of the samples
+  Eigen::Vector3d drift_ = Eigen::Vector3d::Zero();  // constant, and slopes times width
+};
+
 // Kriging of heights with a linear drift and, as covariance, the fundamental solution of Laplacian^2 - t Laplacian on
 // an unbounded plane:
 //   r^2 ln r / (8 pi)                             for t = 0,
@@ -23,22 +39,32 @@ class Kriging {
   //   samples  no two above each other; more than three
   //   width    the unit of length, metres
   //   tension  t, in 1 / width^2
-  Kriging(const std::vector<Point3>& samples, double width, double tension);
+  //   drift    what all heights have in common: a plane, or (tension > 0) only a constant
+  enum class Drift { kConstant = 1, kLinear = 3 };
+  Kriging(const std::vector<Point3>& samples, double width, double tension, Drift drift = Drift::kLinear);
 
   // The restricted log-likelihood (Patterson and Thompson 1971): of the heights but for what the drift explains, and
   // but for a constant; with the scale of heights that suits them best.
   //   noise  variance of each height by itself, over that scale
   double LogLikelihood(double noise) const;
 
+  // The first noise of a ladder of tens from 1e-7 to kMostNoise that the next one does not better; 0 if that is none.
+  static constexpr double kMostNoise = 1;
+  double LikeliestNoise() const;
+
+  // The likeliest heights elsewhere. A noise draws them away from those of the samples, towards the drift.
+  HeightTrend Trend(double noise) const;
+
   // The mean |error| of each block of each division, when it is left out: (C_BB)^-1 (C z)_B with C the inverse of the
   // kriging matrix, without a further solve (Dubrule 1983).
   std::vector<Eigen::VectorXd> BlockErrors(const std::vector<SampleBlocks>& divisions) const;
 
  private:
-  static constexpr Eigen::Index kDrift = 3;  // linear
-
   Eigen::MatrixXd Inverse() const;
 
+  const std::vector<Point3> samples_;
+  const double width_, tension_;
+  const Eigen::Index drift_terms_;
   // The covariances after reflections that take the drift to the first coordinates: positive definite in the others
   // (Wahba 1990, 2.4).
   Eigen::MatrixXd matrix_;

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <utility>
-#include <vector>
+
+#include "worker/fill/surface/thin_plate.h"
 
 namespace tilemend {
 namespace {
@@ -32,18 +33,28 @@ class SlopingPlane {
 
 }  // namespace
 
-bool SolveOverSlope(const Point2& slope, ThinPlateProblem& problem, const std::function<bool()>& solve) {
+std::optional<std::vector<double>> SolveOverSlope(const Point2& slope, ThinPlateProblem& problem,
+                                                  const PlateSolver& solve) {
   if (slope.isZero(0)) return solve();
   const SlopingPlane plane(slope);
   const std::vector<bool> known = problem.known;
   std::vector<Point3> over_ground = problem.points;
   for (Point3& p : problem.points) p = plane.ToPlane(p);
-  const bool solved = solve();
-  for (size_t v = 0; v < over_ground.size(); ++v) {
-    if (!known[v]) over_ground[v].z() = plane.HeightOf(over_ground[v], problem.points[v].z());
+  const auto take_heights = [&] {
+    for (size_t v = 0; v < over_ground.size(); ++v) {
+      if (!known[v]) over_ground[v].z() = plane.HeightOf(over_ground[v], problem.points[v].z());
+    }
+  };
+  std::optional<std::vector<double>> laplacian = solve();
+  if (laplacian) {
+    take_heights();
+    problem.along = over_ground;
+    laplacian = SolveThinPlate(problem);
+    problem.along.clear();
   }
+  take_heights();
   problem.points = std::move(over_ground);
-  return solved;
+  return laplacian;
 }
 
 }  // namespace tilemend

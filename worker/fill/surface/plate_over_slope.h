@@ -3,20 +3,27 @@
 #define TILEMEND_WORKER_FILL_SURFACE_PLATE_OVER_SLOPE_H_
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "worker/fill/surface/thin_plate_problem.h"
 
 namespace tilemend {
 
-// Solves for the heights of a plate that bends along a plane of that slope (dz/dx, dz/dy), where one over the ground
-// would bend along the ground. Calls `solve` once, with the problem in coordinates of the plane: each point's place on
-// it along its vertical line, which is a stretch of the ground, and its distance from the plane. `solve` fills in
-// heights at the unknown points and says whether it could. Points stay on their vertical lines, so that seams stay
-// where they are.
+// Heights at the unknown points of the problem, and the Laplacian at each point with an equation; nothing if the system
+// cannot be factorised. May choose the problem's tension, make points known and take equations away.
+using PlateSolver = std::function<std::optional<std::vector<double>>()>;
+
+// Solves for the heights of a plate that bends along sloping ground, where one over the ground would bend along the
+// plane of x and y. Twice: calls `solve` with the problem in coordinates of a plane of that slope (dz/dx, dz/dy), each
+// point's place on it along its vertical line, which is a stretch of the ground, and its distance from the plane. Then
+// solves along the surface that came of it, with the same tension: where the ground falls to one side and rises to the
+// other, no plane lies along all of it. Points stay on their vertical lines, so that seams stay where they are.
 //
-// Laplacians and the tension are those over the plane. A slope of zero changes nothing, not to the last bit. Returns
-// what `solve` does; where that is false the heights of unknown points mean nothing.
-bool SolveOverSlope(const Point2& slope, ThinPlateProblem& problem, const std::function<bool()>& solve);
+// Laplacians and the tension are those along the surface. A slope of zero calls `solve` alone, and changes nothing, not
+// to the last bit. Where nothing is returned the heights of unknown points mean nothing. Costs a solve more.
+std::optional<std::vector<double>> SolveOverSlope(const Point2& slope, ThinPlateProblem& problem,
+                                                  const PlateSolver& solve);
 
 }  // namespace tilemend
 

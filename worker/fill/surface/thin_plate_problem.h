@@ -20,6 +20,9 @@ struct ThinPlateProblem {
   // The Laplacian at points (1 / metre) where it is known from a larger solve: seam vertices. One entry for each point
   // or none.
   std::vector<std::optional<double>> laplacian;
+  // A surface near the one that is looked for, above or below the points: it bends along this one. One entry for each
+  // point or none: it bends along the plane of x and y.
+  std::vector<Point3> along = {};
   // Weight of |gradient|^2 against |Laplacian|^2, 1 / metre^2: the square of an inverse length beyond which the surface
   // is taut.
   double tension = 0;

@@ -93,16 +93,21 @@ TEST(AreWallsTest, RoughGroundHasSlopesOfAllKinds) {
 }
 
 // As many steps of each steepness.
-std::vector<double> Steps(int gentle, int steep, int walls) {
-  std::vector<double> steps(gentle, 0.4);
+std::vector<double> Steps(int level, int gentle, int steep, int walls) {
+  std::vector<double> steps(level, 0);
+  steps.insert(steps.end(), gentle, 0.4);
   steps.insert(steps.end(), steep, 0.7);
   steps.insert(steps.end(), walls, 2.5);
   return steps;
 }
 
-TEST(AreWallsTest, GentleSlopesSpeakForRoughGroundToo) { EXPECT_FALSE(AreWalls(Steps(25, 10, 10))); }
+TEST(AreWallsTest, GentleSlopesSpeakForRoughGroundToo) { EXPECT_FALSE(AreWalls(Steps(200, 25, 10, 10))); }
 
-TEST(AreWallsTest, LowThingsBesideThemDoNotHideWalls) { EXPECT_TRUE(AreWalls(Steps(0, 15, 10))); }
+TEST(AreWallsTest, LowThingsBesideThemDoNotHideWalls) { EXPECT_TRUE(AreWalls(Steps(50, 0, 15, 10))); }
+
+TEST(AreWallsTest, MountainsAreSteepAllOver) { EXPECT_FALSE(AreWalls(Steps(30, 10, 15, 35))); }
+
+TEST(AreWallsTest, DenseTownsHaveWallsAlone) { EXPECT_TRUE(AreWalls(Steps(30, 10, 8, 40))); }
 
 TEST(AreWallsTest, WhereNothingIsSteepThereAreNone) { EXPECT_FALSE(AreWalls(std::vector<double>{0, 0.1, 0.2})); }
 

@@ -71,6 +71,38 @@ TEST(KrigingTest, ForetellsAPlaneExactly) {
   }
 }
 
+TEST(KrigingTest, ItsTrendIsTheSplineThroughTheSamples) {
+  const std::vector<Point3> samples = Samples(Hill);
+  const HeightTrend trend = Kriging(samples, kWidth, 0).Trend(0);
+  for (const Point2& place : {Point2(3, 4), Point2(-6, 2), Point2(25, 30)}) {
+    EXPECT_NEAR(trend.At(place), Spline(samples, place), 1e-6);
+  }
+  for (const Point3& p : samples) EXPECT_NEAR(trend.At(p.head<2>()), p.z(), 1e-6);
+}
+
+TEST(KrigingTest, NoiseDrawsTheTrendTowardsThePlane) {
+  const auto plane = [](const Point2& p) { return 2 + 0.3 * p.x() - 0.1 * p.y(); };
+  std::vector<Point3> samples = Samples(plane);
+  samples[0].z() += 1;
+  const Point2 place = samples[0].head<2>();
+  const double with = Kriging(samples, kWidth, 0).Trend(1).At(place);
+  EXPECT_NEAR(Kriging(samples, kWidth, 0).Trend(0).At(place), plane(place) + 1, 1e-6);
+  EXPECT_GT(with, plane(place));
+  EXPECT_LT(with, plane(place) + 0.2);
+}
+
+// Far away a plane goes on, and what has but a mean in common is level.
+TEST(KrigingTest, WithoutALinearDriftNothingRisesForEver) {
+  const std::vector<Point3> samples = Samples([](const Point2& p) { return 0.3 * p.x(); });
+  const auto rise = [&](Kriging::Drift drift) {
+    const HeightTrend trend = Kriging(samples, kWidth, 10, drift).Trend(0);
+    EXPECT_NEAR(trend.At(samples[3].head<2>()), samples[3].z(), 1e-6);
+    return trend.At({200, 5}) - trend.At({100, 5});
+  };
+  EXPECT_NEAR(rise(Kriging::Drift::kLinear), 30, 1e-6);
+  EXPECT_NEAR(rise(Kriging::Drift::kConstant), 0, 0.1);
+}
+
 TEST(KrigingTest, TheLikelihoodCountsWhatTheDriftDoesNotExplain) {
   const auto tilted = [](const Point2& p) { return Hill(p) + 20 + 0.7 * p.x() - 0.2 * p.y(); };
   for (const double tension : {0.0, 30.0}) {

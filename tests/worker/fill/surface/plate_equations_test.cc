@@ -45,6 +45,16 @@ TEST(PlateEquationsTest, KnowTheLaplacianOfAParaboloid) {
   }
 }
 
+// Along a plane of any slope they are those over the plane, seen from above.
+TEST(PlateEquationsTest, AlongAPlaneAreThoseOfThePlane) {
+  Plate tilted = MakePlate(Hills, Everywhere, Nowhere), flat = tilted;
+  for (Point3& p : tilted.problem.points) tilted.problem.along.emplace_back(p.x(), p.y(), 0.75 * p.x());
+  for (Point3& p : flat.problem.points) p.x() *= 1.25;
+  const PlateEquations along(tilted.problem, true, 0.1), over(flat.problem, true, 0.1);
+  const PointValues x = Noise(flat.problem, false);
+  EXPECT_LT((along.Apply(x) - over.Apply(x)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 TEST(PlateEquationsTest, GiveTheLaplaciansThatAreKnownWhereThereIsNoEquation) {
   const auto middle = [](double x, double y) { return x == 0 && y == 0; };
   Plate plate = MakePlate(Hills, Everywhere, middle);

@@ -50,6 +50,18 @@ TEST(SolveInTwoLevelsTest, KeepsAPlane) {
   }
 }
 
+TEST(SolveInTwoLevelsTest, AgreesAlongASurfaceToo) {
+  Plate plate = MakePlate(RoughHills, Everywhere, Nowhere, kLarge);
+  for (const Point3& p : plate.problem.points) plate.problem.along.emplace_back(p.x(), p.y(), 0.02 * p.x() * p.x());
+  const PlateEquations equations(plate.problem, true, 0);
+  const auto heights = SolveInTwoLevels(plate.problem, equations), direct = SolveDirectly(plate.problem, equations);
+  ASSERT_TRUE(heights.has_value() && direct.has_value());
+  EXPECT_LT((*heights - *direct).cwiseAbs().maxCoeff(), 0.02);
+  plate.problem.along.clear();
+  const auto over_plane = SolveDirectly(plate.problem, PlateEquations(plate.problem, true, 0));
+  EXPECT_GT((*over_plane - *direct).cwiseAbs().maxCoeff(), 0.05);
+}
+
 // An island of one point in the middle, 5 m up.
 TEST(SolveInTwoLevelsTest, KeepsKnownPointsInside) {
   const auto middle = [](double x, double y) { return x == 0 && y == 0; };

@@ -1,0 +1,26 @@
+// Between which heights a surface is to stay.
+#ifndef TILEMEND_WORKER_FILL_SURFACE_HEIGHT_REACH_H_
+#define TILEMEND_WORKER_FILL_SURFACE_HEIGHT_REACH_H_
+
+#include "worker/fill/surface/thin_plate_problem.h"
+
+namespace tilemend {
+
+struct HeightReach {
+  double lo = 0, hi = 0;  // metres
+  double extent = 0;      // of the patch, metres
+
+  bool Holds(double height) const { return height >= lo && height <= hi; }
+  bool HoldsUnknown(const ThinPlateProblem& problem) const;
+};
+
+// Half the range of the rim's heights, and a quarter of the extent times the median slope beside it but for walls,
+// above and below the rim. O(n).
+HeightReach ReachOfRim(const ThinPlateProblem& problem);
+
+// Whether a triangle is ground and no wall: no steeper than 5 in 1, and faces up.
+bool IsGround(const ThinPlateProblem& problem, const Triangle& t);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_SURFACE_HEIGHT_REACH_H_
