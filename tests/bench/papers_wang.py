@@ -145,10 +145,12 @@ def joined_run(a, scene, *flags):
     return figures_of(measure.Run([program(a), 'aggregate', scene, '--out', f'{scene}.ply', '--overwrite', *flags], accept=(0, 5, 6, 100)))
 
 
+def triangle_count(cells, spacing):
+    return 2 * (250 / spacing) ** 2 * cells
+
+
 def peer_run(a, scene, folder):
     points, originals = surfaces.close_rim(*surfaces.merged(scene))
-    if len(originals) > LARGEST_PEER_MESH:
-        return None
     mesh, out = f'{scene}.off', f'{scene}-peer.off'
     surfaces.write_off(mesh, points, originals)
     return figures_of(peer.fill(driver(a, folder), 'cdt', mesh, out)[0])
@@ -167,7 +169,7 @@ def efficiency_row(a, cells, spacing, folder):
     scene = made(folder, f'area{cells}-{spacing}', area_layout(cells), '--spacing', spacing)
     result = {s: surface_run(a, scene, s) for s in SURFACES} | {'aggregate': joined_run(a, scene)}
     if has_peer(a):
-        result['peer'] = peer_run(a, scene, folder)
+        result['peer'] = peer_run(a, scene, folder) if triangle_count(cells, spacing) <= LARGEST_PEER_MESH else None
     subprocess.run(['rm', '-rf', scene, *(f'{scene}{end}' for end in ('-wang', '-thin-plate', '.ply', '.off', '-peer.off'))], check=True)
     return result
 
@@ -185,7 +187,7 @@ def part_efficiency(a, folder):
             printed = han_minutes / minutes, han_memory / memory
             points.setdefault(spacing, []).append((area, ratio(r, 'wall'), ratio(r, 'peak'), *printed))
             runs = [r['wang'], r['thin-plate'], r['aggregate'], r.get('peer')]
-            rows.append([f'{area} km², {spacing:g} m', f'{2 * (250 / spacing) ** 2 * cells / 1e6:.2f}',
+            rows.append([f'{area} km², {spacing:g} m', f'{triangle_count(cells, spacing) / 1e6:.2f}',
                          *('–' if k is None else f"{measure.up(k['wall'], 1)} ({measure.up(k['cpu'], 1)})" for k in runs), f"{ratio(r, 'wall'):.1f} ({ratio(r, 'cpu'):.1f})",
                          f'{printed[0]:.1f}', *('–' if k is None else measure.megabytes(k['peak']) for k in runs), f"{ratio(r, 'peak'):.1f}", f'{printed[1]:.1f}'])
     plot_ratios(points)
@@ -232,7 +234,7 @@ def part_large(a, folder):
     if a.quick:
         return None
     rows = [['printed: the method', '', '230 min', '', '3,200'], ['printed: the Han method', '', 'fails', '', '']]
-    million = 2 * (250 / a.large_spacing) ** 2 * 449 / 1e6
+    million = triangle_count(449, a.large_spacing) / 1e6
     for way in (*SURFACES, 'aggregate'):
         r = a.steps.get(f'large-{a.large_spacing:g}-{way}', large_row, a, way, folder)
         rows.append([f'`{way}`', f'{million:.0f}', f"{measure.up(r['wall'], 0)} s" if r['code'] in (0, 100) else f'out of {MOST_MEMORY} MB', f"{measure.up(r['cpu'], 0)} s", f"{r['peak'] / 1e6:,.0f}"])
