@@ -1,7 +1,6 @@
 #include "worker/fill/surface/edge_heights.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "worker/fill/surface/height_reach.h"
 #include "worker/fill/surface/kriging.h"
