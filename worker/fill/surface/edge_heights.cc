@@ -18,12 +18,24 @@ constexpr double kLeastTension = 3;
 constexpr double kNoise = 1e-4;
 constexpr double kTaut = 1e4;  // 1 / width^2: from here on a membrane
 
+// Known points that a membrane hangs on: those with an unknown one in a triangle of the patch.
+std::vector<int32_t> KnownBesideUnknown(const ThinPlateProblem& problem) {
+  std::vector<bool> is_beside(problem.points.size(), false);
+  for (const Triangle& t : problem.patch) {
+    const bool has_unknown = std::ranges::any_of(t, [&](int32_t v) { return !problem.known[v]; });
+    for (const int32_t v : t) is_beside[v] = is_beside[v] || (has_unknown && problem.known[v]);
+  }
+  std::vector<int32_t> beside;
+  for (size_t v = 0; v < is_beside.size(); ++v) {
+    if (is_beside[v]) beside.push_back(static_cast<int32_t>(v));
+  }
+  return beside;
+}
+
 // A membrane over what the known heights are away from the trend, and the trend again.
 bool SolveAbout(const HeightTrend& trend, const std::vector<int32_t>& edge, ThinPlateProblem& problem) {
   ThinPlateProblem away = problem;
-  for (size_t v = 0; v < away.points.size(); ++v) {
-    if (away.known[v]) away.points[v].z() -= trend.At(away.points[v].head<2>());
-  }
+  for (const int32_t v : KnownBesideUnknown(away)) away.points[v].z() -= trend.At(away.points[v].head<2>());
   if (!SolveMembrane(away)) return false;
   for (const int32_t v : edge) problem.points[v].z() = away.points[v].z() + trend.At(away.points[v].head<2>());
   return true;

@@ -4,8 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <unsupported/Eigen/SpecialFunctions>
 #include <utility>
 
 namespace tilemend {
@@ -15,20 +13,6 @@ namespace {
 // coincide.
 constexpr double kNugget = 1e-12;
 constexpr double kLeastNoise = 1e-7, kNoiseStep = 10;
-
-// The kernel at distances above 0, in units of the hole's width, tension in units of 1 / width^2. ln r + K0(x) tends to
-// ln(2 / scale) - Euler's constant.
-Eigen::ArrayXd Kernel(const Eigen::ArrayXd& r, double tension) {
-  if (tension == 0) return r.square() * r.log() / (8 * std::numbers::pi);
-  constexpr double kFar = 30;  // K0 is below 1e-13 there
-  const Eigen::ArrayXd x = (std::sqrt(tension) * r).min(kFar);
-  return (r.log() + Eigen::bessel_k0(x)) / (-2 * std::numbers::pi * tension);
-}
-
-double KernelAtZero(double tension) {
-  if (tension == 0) return 0;
-  return (std::log(2 / std::sqrt(tension)) - std::numbers::egamma) / (-2 * std::numbers::pi * tension);
-}
 
 // The inverse of a positive definite matrix. Both halves of the work, L^-1 and L^-T L^-1, leave out what is zero.
 Eigen::MatrixXd InverseOfPositive(const Eigen::MatrixXd& matrix) {
@@ -66,10 +50,10 @@ Kriging::Kriging(const std::vector<Point3>& samples, double width, double tensio
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index below = n - i - 1;
     const Eigen::MatrixXd way = terms.bottomRows(below).rowwise() - terms.row(i);
-    matrix_.col(i).tail(below) = Kernel(way.rowwise().norm().array(), tension).matrix();
+    matrix_.col(i).tail(below) = TensionKernel(way.rowwise().norm().array(), tension).matrix();
     matrix_.row(i).tail(below) = matrix_.col(i).tail(below).transpose();
   }
-  matrix_.diagonal().setConstant(KernelAtZero(tension));
+  matrix_.diagonal().setConstant(TensionKernelAtZero(tension));
   matrix_.diagonal().array() += kNugget * matrix_.cwiseAbs().maxCoeff();
   reflections_.compute(terms.leftCols(drift_terms_));
   matrix_.applyOnTheLeft(reflections_.householderQ().adjoint());
@@ -107,10 +91,9 @@ HeightTrend Kriging::Trend(double noise) const {
   weights.tail(free) = covariance.llt().solve(reflected.tail(free));
   const Eigen::VectorXd unexplained =
       reflected.head(drift_terms_) - matrix_.topRightCorner(drift_terms_, free) * weights.tail(free);
-  HeightTrend trend;
+  HeightTrend trend(tension_);
   trend.origin_ = samples_[0];
   trend.width_ = width_;
-  trend.tension_ = tension_;
   for (const Point3& p : samples_) trend.places_.emplace_back(p.head<2>());
   trend.drift_.head(drift_terms_) = reflections_.matrixQR()
                                         .topLeftCorner(drift_terms_, drift_terms_)
@@ -122,11 +105,11 @@ HeightTrend Kriging::Trend(double noise) const {
 
 double HeightTrend::At(const Point2& place) const {
   const Point2 way = (place - origin_.head<2>()) / width_;
-  Eigen::ArrayXd distance(weights_.size());
-  for (Eigen::Index i = 0; i < distance.size(); ++i) distance[i] = (place - places_[static_cast<size_t>(i)]).norm();
-  const Eigen::ArrayXd kernel =
-      (distance > 0).select(Kernel(distance.max(1e-300) / width_, tension_), KernelAtZero(tension_));
-  return origin_.z() + drift_[0] + drift_.tail<2>().dot(way) + weights_.dot(kernel.matrix());
+  double height = origin_.z() + drift_[0] + drift_.tail<2>().dot(way);
+  for (size_t i = 0; i < places_.size(); ++i) {
+    height += weights_[static_cast<Eigen::Index>(i)] * kernel_.At((place - places_[i]).norm() / width_);
+  }
+  return height;
 }
 
 std::vector<Eigen::VectorXd> Kriging::BlockErrors(const std::vector<SampleBlocks>& divisions) const {

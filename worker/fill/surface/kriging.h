@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "worker/fill/surface/tension_kernel.h"
 
 namespace tilemend {
 
@@ -21,19 +22,18 @@ class HeightTrend {
 
  private:
   friend class Kriging;
+  explicit HeightTrend(double tension) : kernel_(tension) {}
+
   Point3 origin_;
-  double width_ = 1;                                 // metres
-  double tension_ = 0;                               // 1 / width^2
+  double width_ = 1;  // metres
+  TensionKernelTable kernel_;
   std::vector<Point2> places_;                       // of the samples
   Eigen::VectorXd weights_;                          // of the samples
   Eigen::Vector3d drift_ = Eigen::Vector3d::Zero();  // constant, and slopes times width
 };
 
-// Kriging of heights with a linear drift and, as covariance, the fundamental solution of Laplacian^2 - t Laplacian on
-// an unbounded plane:
-//   r^2 ln r / (8 pi)                             for t = 0,
-//   -(ln r + K0(sqrt(t) r)) / (2 pi t)            for t > 0
-// (Wahba 1990; Mitas and Mitasova 1988). O(n^3) for n samples, O(n^2) memory.
+// Kriging of heights with a linear drift and, as covariance, the kernel of a plate under tension (tension_kernel.h).
+// O(n^3) for n samples, O(n^2) memory.
 class Kriging {
  public:
   //   samples  no two above each other; more than three
