@@ -175,7 +175,7 @@ def run_all(bench, arguments):
         while_open, closed = flood(bench, descriptors, count, arguments.most_seconds)
         print(f'{count} idle connections, descriptor limit {descriptors}: a client was answered after {while_open:.1f} s '
               f'while they were open, {closed:.1f} s after they were closed')
-    memory = send_too_much(bench, 4, 300, 200)
+    memory = send_too_much(bench, 4, 300, arguments.most_megabytes)
     print(f'4 messages of 300 MB at once: refused, at most {memory} MB in all')
     threads, memory = watch_often(bench, scene, arguments.watches, arguments.most_seconds)
     print(f'{arguments.watches} watches: {threads} threads more, {memory} MB in all')
@@ -199,6 +199,7 @@ def main():
     parser.add_argument('--gets', type=int, default=1000)
     parser.add_argument('--most-ms', type=float, default=250)
     parser.add_argument('--most-seconds', type=float, default=5)
+    parser.add_argument('--most-megabytes', type=int, default=200, help='of memory while messages are refused')
     arguments = parser.parse_args()
     limit = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (limit[1], limit[1]))
