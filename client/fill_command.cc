@@ -12,6 +12,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "absl/strings/str_join.h"
 #include "absl/time/clock.h"
 #include "client/commands.h"
 #include "client/job_flags.h"
@@ -160,14 +161,20 @@ std::vector<FillerFlag> FillerFlagsRead() {
            }}};
 }
 
+std::string NamesOf(const std::vector<Filler>& fillers) {
+  return absl::StrJoin(fillers, ", ", [](std::string* out, Filler f) { absl::StrAppend(out, FillerName(f)); });
+}
+
 absl::Status ReadFillerOptions(const Args& args, FillOptions& options) {
   if (options.surface == Surface::kWang && options.filler != Filler::kAuto)
-    return absl::InvalidArgumentError("--filler: with the surface wang closed holes are filled as wang fills them");
+    return absl::InvalidArgumentError(
+        "--filler: the surface wang fills closed holes in its own way; leave one of the two out");
   for (const FillerFlag& flag : FillerFlagsRead()) {
     if (!args.IsGiven(flag.name)) continue;
     if (std::ranges::count(flag.fillers, options.filler) == 0) {
-      return absl::InvalidArgumentError(
-          absl::StrCat("--", flag.name, ": the filler ", FillerName(options.filler), " has no such option"));
+      return absl::InvalidArgumentError(absl::StrCat("--", flag.name, ": the filler ", FillerName(options.filler),
+                                                     " has no such option; leave it out, or choose ",
+                                                     NamesOf(flag.fillers)));
     }
     TILEMEND_ASSIGN_OR_RETURN(const double value, args.Number(flag.name, flag.low, flag.high));
     flag.set(options.filling, value);
@@ -203,12 +210,14 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   if (options.tension && options.surface != Surface::kThinPlate)
     return absl::InvalidArgumentError("--tension: the surface wang has none; leave it out, or choose thin-plate");
   if (options.tension && options.filler != Filler::kAuto)
-    return absl::InvalidArgumentError(absl::StrCat("--tension: the filler ", FillerName(options.filler), " has none"));
+    return absl::InvalidArgumentError(
+        absl::StrCat("--tension: the filler ", FillerName(options.filler), " has none; leave it out, or choose auto"));
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
   if ((longest_loop || fairing_steps) && options.surface != Surface::kWang && options.filler != Filler::kMinimumArea) {
     return absl::InvalidArgumentError(
-        "--longest-loop, --fairing-steps: only the surface wang and the filler minimum-area have these options");
+        "--longest-loop, --fairing-steps: only the surface wang and the filler minimum-area have these options; leave "
+        "them out, or choose one of these");
   }
   options.wang.longest_loop = longest_loop.value_or(options.wang.longest_loop);
   options.wang.fairing_steps = fairing_steps.value_or(options.wang.fairing_steps);

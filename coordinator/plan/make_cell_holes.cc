@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kBandStep = 0x1p-10;  // metres: bands are coded so
 
+bool HasSeam(const std::vector<RimSegment>& segments) {
+  return std::any_of(segments.begin(), segments.end(), [](const RimSegment& s) { return s.seam; });
+}
+
 class CellHolesBuilder {
  public:
   CellHolesBuilder(const Plan& plan, const PlanInput& input, const SeamHeights& heights)
@@ -153,7 +157,7 @@ class CellHolesBuilder {
     const PlannedHole& planned = plan_.holes[h];
     CellHole hole;
     hole.id = h;
-    hole.open = planned.kind != HoleKind::kClosed || !planned.own_regions.empty();
+    hole.open = planned.kind != HoleKind::kClosed || (!planned.own_regions.empty() && HasSeam(segments));
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
     hole.slope = planned.slope;
     hole.ground_points = planned.ground_points;

@@ -18,6 +18,8 @@ class LeastArea {
       : loop_(loop), joins_(joins), fits_(fits), is_cancelled_(is_cancelled), n_(static_cast<int32_t>(loop.size())) {
     area_.assign(static_cast<size_t>(n_) * n_, 0);
     apex_.assign(static_cast<size_t>(n_) * n_, -1);
+    closed_.resize(n_);
+    for (int32_t i = 0; i + 1 < n_; ++i) closed_[i] = {i + 1};
   }
 
   std::vector<Triangle> Run() {
@@ -32,8 +34,8 @@ class LeastArea {
     double best = kNever;
     const bool closes = i == 0 && k == n_ - 1, cancelled = is_cancelled_ && is_cancelled_();
     if (!cancelled && (closes || joins_(i, k))) {
-      for (int32_t j = i + 1; j < k; ++j) {
-        const double parts = area_[At(i, j)] + area_[At(j, k)];
+      for (const int32_t j : closed_[i]) {
+        const double parts = area_[At(i, j)] + area_[At(k, j)];
         if (!(parts < best)) continue;
         const double own = TriangleArea(loop_[i], loop_[j], loop_[k]);
         if (!(own > 0) || !(parts + own < best) || !fits_(i, j, k)) continue;
@@ -41,7 +43,8 @@ class LeastArea {
         apex_[At(i, k)] = j;
       }
     }
-    area_[At(i, k)] = best;
+    area_[At(i, k)] = area_[At(k, i)] = best;
+    if (best < kNever) closed_[i].push_back(k);
   }
 
   std::span<const Point3> loop_;
@@ -49,7 +52,9 @@ class LeastArea {
   const std::function<bool(int32_t, int32_t, int32_t)>& fits_;
   const std::function<bool()>& is_cancelled_;
   const int32_t n_;
-  std::vector<double> area_;  // least, of what lies between loop[i] and loop[k]
+  std::vector<double> area_;  // least, of what lies between loop[i] and loop[k]; the same at (k, i), for rows
+  // For each i the places after it, in order, up to which what lies between can be closed: mostly few.
+  std::vector<std::vector<int32_t>> closed_;
   std::vector<int32_t> apex_;
 };
 

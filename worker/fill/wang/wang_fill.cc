@@ -50,6 +50,27 @@ bool Shape(const LocalHole& hole, const ProjectionFrame& frame, const FillOption
   return FairPatch(around, options.wang.fairing_steps, patch);
 }
 
+// A loop on the plane, with what it bounds on the left.
+class LoopCorners {
+ public:
+  LoopCorners(std::span<const int32_t> loop, std::span<const LatticePoint> places) {
+    for (const int32_t v : loop) places_.push_back(places[v]);
+  }
+
+  // False if an edge from place i to place k begins outside: no triangulation whose triangles all turn left has it. It
+  // may yet run outside farther on.
+  bool Face(int32_t i, int32_t k) const {
+    const auto n = static_cast<int32_t>(places_.size());
+    const LatticePoint &before = places_[(i + n - 1) % n], &at = places_[i], &after = places_[(i + 1) % n];
+    const auto into = Orientation(before, at, places_[k]), on = Orientation(at, after, places_[k]);
+    if (Orientation(before, at, after) > 0) return into > 0 && on > 0;
+    return into > 0 || on > 0 || (into == 0 && on == 0);
+  }
+
+ private:
+  std::vector<LatticePoint> places_;
+};
+
 class WangFiller {
  public:
   WangFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, bool may_repeat)
@@ -109,13 +130,14 @@ class WangFiller {
     const auto turns_left = [&](int32_t i, int32_t j, int32_t k) {
       return Orientation(places[loop[i]], places[loop[j]], places[loop[k]]) > 0;
     };
+    const LoopCorners corners(loop, places);
+    const auto runs_inside = [&](int32_t i, int32_t k) { return corners.Face(i, k) && corners.Face(k, i); };
     std::vector<Triangle> triangles = TriangulateLeastArea(
-        positions, [&](int32_t i, int32_t k) { return may_join_(loop[i], loop[k]); }, turns_left,
+        positions, [&](int32_t i, int32_t k) { return runs_inside(i, k) && may_join_(loop[i], loop[k]); }, turns_left,
         options_.refine.is_cancelled);
     // Edges that the surface has already are split by the refinement.
     if (triangles.empty()) {
-      triangles = TriangulateLeastArea(
-          positions, [](int32_t, int32_t) { return true; }, turns_left, options_.refine.is_cancelled);
+      triangles = TriangulateLeastArea(positions, runs_inside, turns_left, options_.refine.is_cancelled);
     }
     for (const Triangle& t : triangles) patch_.triangles.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
     return !triangles.empty();
