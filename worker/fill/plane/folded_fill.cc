@@ -202,13 +202,28 @@ class FoldedFiller {
       local.segments.push_back({from, to});
       local.boundary.push_back(Undirected(from, to));
     }
-    std::sort(local.boundary.begin(), local.boundary.end());
+    AddRestOfBoundary(number, local);
     for (const RegionSegment& s : hole_.inner_edges) {
       if (!IsInRegion(s)) continue;
       const int32_t from = take(s.from), to = take(s.to);
       local.inner_edges.push_back({from, to});
     }
     return part;
+  }
+
+  // The hole's boundary that is none of the region's: the loops are closed on it, so that no edge of the part may lie
+  // there.
+  //   number  of each vertex, in the part; -1: none
+  void AddRestOfBoundary(const std::vector<int32_t>& number, LocalHole& part) const {
+    std::sort(part.boundary.begin(), part.boundary.end());
+    std::vector<VertexPair> rest;
+    for (const RegionSegment& s : hole_.segments) {
+      if (number[s.from] < 0 || number[s.to] < 0) continue;
+      const VertexPair edge = Undirected(number[s.from], number[s.to]);
+      if (!std::binary_search(part.boundary.begin(), part.boundary.end(), edge)) rest.push_back(edge);
+    }
+    part.boundary.insert(part.boundary.end(), rest.begin(), rest.end());
+    std::sort(part.boundary.begin(), part.boundary.end());
   }
 
   // Whether a way from the edge to the far east leaves the region an odd number of times. The edge may end on its

@@ -8,6 +8,7 @@
 
 #include "tests/support/folded_meshes.h"
 #include "worker/fill/plane/plane_fill.h"
+#include "worker/fill/space/patch_soundness.h"
 
 namespace tilemend {
 namespace {
@@ -86,6 +87,29 @@ TEST_P(FoldedFillTest, ClosesWhateverFoldsTheBoundaryHas) {
       LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
       ASSERT_TRUE(patch.ok()) << along << ", " << radius;
       ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
+    }
+  }
+}
+
+// Of seams and feet of walls no surface tells that the edges are there: the region's part knows the boundary's edges that
+// it goes around, and has none of them again.
+TEST_P(FoldedFillTest, HasNoEdgeOfTheBoundaryTwice) {
+  for (const double along : {-1.0, 0.0, 1.0, 2.5, 4.0}) {
+    for (const double radius : {3.0, 3.5, 4.5, 5.0, 6.0, 7.0}) {
+      for (const double step : {0.02, 0.05, 0.1, 0.2}) {
+        const auto uneven = [=](const Point3& p) {
+          const double off = step * std::sin(17 * p.x() + 29 * p.y());
+          return Point3(FoldToBuilding(p) + Point3(off, -off, 0.7 * off));
+        };
+        CellHoles work = WorkOfSheet(Disc(along, kWallHeight / 3, radius), uneven, 0);
+        work.band.triangles.clear();
+        const CellBand band(work);
+        LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+        hole.open = true;
+        LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+        ASSERT_TRUE(patch.ok()) << along << ", " << radius;
+        EXPECT_EQ(FaultOf(hole, patch), FillFailure::kNone) << along << ", " << radius << ", " << step;
+      }
     }
   }
 }
