@@ -68,6 +68,21 @@ TEST_F(CommandTest, ExitCodes) {
   EXPECT_EQ(Run({"run", "toy://2x2?fail=1,1", "--out", out}).code, 100);
 }
 
+TEST_F(CommandTest, SaysOfOptionsThatExcludeEachOtherWhichToLeaveOut) {
+  const std::string out = folder_ / "out.off";
+  const auto refusal = [&](std::vector<std::string> flags) {
+    std::vector<std::string> args = {"fill", "mesh.off", "--out", out};
+    args.insert(args.end(), flags.begin(), flags.end());
+    const Ended ended = Run(args);
+    EXPECT_EQ(ended.code, 2);
+    return ended.err;
+  };
+  EXPECT_THAT(refusal({"--surface", "wang", "--filler", "svm-laplacian"}), HasSubstr("leave one of the two out"));
+  EXPECT_THAT(refusal({"--front-bend", "1"}), HasSubstr("leave it out, or choose advancing-front-normal"));
+  EXPECT_THAT(refusal({"--filler", "minimum-area", "--tension", "1"}), HasSubstr("leave it out, or choose auto"));
+  EXPECT_THAT(refusal({"--fairing-steps", "3"}), HasSubstr("leave them out"));
+}
+
 TEST_F(CommandTest, AggregateLeavesTheSceneAndFilesBesideItsOutputAsTheyAre) {
   const std::string tile =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"

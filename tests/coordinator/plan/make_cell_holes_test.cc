@@ -142,6 +142,16 @@ TEST(MakeCellHolesTest, PutsSeveralHolesIntoOneNumbering) {
   EXPECT_EQ(made.vertices.size(), p.Make({both[0]}).vertices.size() + p.Make({both[1]}).vertices.size());
 }
 
+// Where tiles overlap a closed hole may have a region of its own too.
+TEST(MakeCellHolesTest, AClosedHoleIsOpenOnlyWhereItsRegionHasASeam) {
+  Planned p;
+  const int32_t h = FirstClosed(p.plan);
+  p.plan.holes[h].own_regions = {p.plan.holes[h].segments};
+  EXPECT_FALSE(MakeFillHoles(p.plan, p.input, p.heights, {h}, false).holes[0].open);
+  p.plan.holes[h].own_regions[0][0].seam = true;
+  EXPECT_TRUE(MakeFillHoles(p.plan, p.input, p.heights, {h}, false).holes[0].open);
+}
+
 TEST(MakeCellHolesTest, GivesACellWithoutATileTheNumberTypeOfTheScene) {
   SurveyedScene scene = PictureScene({"##|..|##", "##|..|##"}, 2);
   for (const bool float32 : {true, false}) {
