@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "tests/worker/fill/wang/wang_patches.h"
 
@@ -56,6 +60,46 @@ TEST(FairPatchTest, GoesOnWithTheSlopeAround) {
   ASSERT_TRUE(FairPatch(NothingAround(freely), 3, freely));
   EXPECT_NEAR(Roughness(freely), 0, 1e-9);
   EXPECT_GT(patch.points[patch.rim_count + 1].z(), 0.1) << "it rises beyond an edge that the ground rises to";
+}
+
+// The cotangent of the angle at `apex`.
+double Cotangent(const Point3& apex, const Point3& a, const Point3& b) {
+  const Eigen::Vector3d u = a - apex, v = b - apex;
+  return u.dot(v) / u.cross(v).norm();
+}
+
+// Eq. 2 and 3 as printed, of what lies at each point; no weight is less than 0.001.
+Point3 Umbrella(const NewPatch& patch, const std::vector<Point3>& at, int32_t v) {
+  std::map<int32_t, double> weight;
+  for (const Triangle& t : patch.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int32_t apex = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
+      if (a != v && b != v) continue;
+      weight[a == v ? b : a] += Cotangent(patch.points[apex], patch.points[a], patch.points[b]) / 2;
+    }
+  }
+  Point3 sum = Point3::Zero();
+  double weights = 0;
+  for (const auto& [neighbour, w] : weight) {
+    sum += std::max(w, 1e-3) * at[neighbour];
+    weights += std::max(w, 1e-3);
+  }
+  return sum / weights - at[v];
+}
+
+// A point of the rim that is not surrounded has no first operator.
+TEST(FairPatchTest, GoesAStepAgainstEquation4) {
+  NewPatch patch = SquarePatch(6, [](double x, double y) { return 0.2 * std::sin(x) + 0.02 * x * y; });
+  for (int32_t v = patch.rim_count; v < patch.size(); ++v) patch.points[v].z() += 0.3 * std::sin(9.0 * v);
+  patch.projects = false;
+  const NewPatch before = patch;  // whose weights count
+  ASSERT_TRUE(FairPatch(NothingAround(patch), 1, patch));
+  std::vector<Point3> first(patch.points.size(), Point3::Zero());
+  for (int32_t v = patch.rim_count; v < patch.size(); ++v) first[v] = Umbrella(before, patch.points, v);
+  for (int32_t v = patch.rim_count; v < patch.size(); ++v) {
+    const Point3 from = patch.points[v] + kFairingStep * Umbrella(before, first, v);
+    EXPECT_NEAR((from - before.points[v]).norm(), 0, 1e-6) << v;
+  }
 }
 
 }  // namespace
