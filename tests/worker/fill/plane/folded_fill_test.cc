@@ -91,8 +91,8 @@ TEST_P(FoldedFillTest, ClosesWhateverFoldsTheBoundaryHas) {
   }
 }
 
-// Of seams and feet of walls no surface tells that the edges are there: the region's part knows the boundary's edges that
-// it goes around, and has none of them again.
+// Of seams and feet of walls no surface tells that the edges are there: the region's part knows the boundary's edges
+// that it goes around, and has none of them again.
 TEST_P(FoldedFillTest, HasNoEdgeOfTheBoundaryTwice) {
   for (const double along : {-1.0, 0.0, 1.0, 2.5, 4.0}) {
     for (const double radius : {3.0, 3.5, 4.5, 5.0, 6.0, 7.0}) {
