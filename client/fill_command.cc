@@ -194,6 +194,16 @@ absl::Status ReadHoleOptions(const Args& args, MeshHoleOptions& holes) {
   return absl::OkStatus();
 }
 
+absl::Status ReadTension(const Args& args, FillOptions& options) {
+  TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
+  if (options.tension && options.surface != Surface::kThinPlate)
+    return absl::InvalidArgumentError("--tension: the surface wang has none; leave it out, or choose thin-plate");
+  if (options.tension && options.filler != Filler::kAuto)
+    return absl::InvalidArgumentError(
+        absl::StrCat("--tension: the filler ", FillerName(options.filler), " has none; leave it out, or choose auto"));
+  return absl::OkStatus();
+}
+
 // Flags that are out of their range are kInvalidArgument.
 absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   MeshFillOptions all;
@@ -206,12 +216,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   options.surface = *surface;
   TILEMEND_ASSIGN_OR_RETURN(options.filler, FillerFromFlags(args));
   TILEMEND_RETURN_IF_ERROR(ReadFillerOptions(args, options));
-  TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
-  if (options.tension && options.surface != Surface::kThinPlate)
-    return absl::InvalidArgumentError("--tension: the surface wang has none; leave it out, or choose thin-plate");
-  if (options.tension && options.filler != Filler::kAuto)
-    return absl::InvalidArgumentError(
-        absl::StrCat("--tension: the filler ", FillerName(options.filler), " has none; leave it out, or choose auto"));
+  TILEMEND_RETURN_IF_ERROR(ReadTension(args, options));
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
   if ((longest_loop || fairing_steps) && options.surface != Surface::kWang && options.filler != Filler::kMinimumArea) {
