@@ -20,7 +20,9 @@ constexpr int64_t kLeastAtStation = 8;    // heights
 constexpr int64_t kLeastAtSide = 4;       // heights
 constexpr double kLeastReach = 1;         // times as long as wide: a reach
 constexpr double kLeastRiver = 3;         // likewise: a river
-constexpr double kSteepest = 0.005;       // metre a metre
+constexpr double kSteep = 0.005;          // metre a metre
+constexpr double kSteepest = 0.02;        // likewise
+constexpr int64_t kLeastWhereSteep = 8;   // stations
 constexpr size_t kStationsAtEnd = 3;      // that tell where a reach runs at its end
 constexpr double kWidestBridge = 40;      // metres
 constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
@@ -52,10 +54,10 @@ bool Faces(const End& a, const End& b) {
   const double far = gap.norm(), width = (a.width + b.width) / 2, turn = a.outward.dot(b.outward);
   // Nearer than that the last bits of two centrelines, which may end in corners, tell nothing.
   if (far < width && turn < kOpposite) return true;
-  if (far > kWidestBridge || turn > -kOpposite) return false;
+  if (turn > -kOpposite) return false;
   // A centreline may end anywhere across the water, in a corner too, and the river may bend under the bridge.
   const double ahead = (a.outward - b.outward).normalized().dot(gap), across = kMostAside * width;
-  return far * far - ahead * ahead <= across * across;
+  return std::abs(ahead) <= kWidestBridge && far * far - ahead * ahead <= across * across;
 }
 
 bool HasGivenLine(const Reach& reach) { return reach.centreline.size() > 1; }
@@ -149,7 +151,7 @@ class RiverTest {
     if (course_.given) return true;
     if (profile_.fall > kSteepest * course_.length) return false;
     if (course_.forced) return Falls();
-    return StationsAgree() && SidesAgree() &&
+    return StationsAgree() && SidesAgree() && (profile_.fall <= kSteep * course_.length || IsSurelySteep()) &&
            FitLowLevel(above_, course_.noise).spread <= tolerance_ + 2 * course_.noise && BanksRise();
   }
 
@@ -158,6 +160,13 @@ class RiverTest {
 
   double Noise(double factor, int64_t count) const {
     return std::min(tolerance_, kSure * factor * course_.noise / std::sqrt(static_cast<double>(count)));
+  }
+
+  // Ground may fall like that by chance, but seldom far, and evenly.
+  bool IsSurelySteep() const {
+    const auto known = std::ranges::count_if(
+        profile_.stations, [](const RiverStation& s) { return !s.on_banks && s.count >= kLeastAtStation; });
+    return profile_.straight && known >= kLeastWhereSteep;
   }
 
   bool StationsAgree() const {

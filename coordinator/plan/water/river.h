@@ -29,10 +29,10 @@ struct River {
   bool given = false;           // along a centreline that was given
 };
 
-// Finds rivers. Reaches whose centrelines end opposite each other, at most 40 m apart and in line, are one: something
-// crosses the water between them. It is a river if
+// Finds rivers. Reaches whose centrelines end opposite each other, at most 40 m apart ahead and in line, are one:
+// something crosses the water between them. It is a river if
 //   - it is at least `least_width` metres wide in the mean and three times as long as wide;
-//   - it falls no more than 0.5 %;
+//   - it falls no more than 0.5 %, or 2 % if it does so evenly: at least eight stations lie on a line;
 //   - in at least seven of eight stations (25 m) the level is the profile's, and the shores' heights gather about the
 //     profile as closely;
 //   - at least a third of the stations with heights on both shores has the same level on both, within the tolerance and

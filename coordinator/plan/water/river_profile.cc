@@ -40,14 +40,17 @@ std::vector<Point3> StationsOn(const std::vector<Point2>& line, double spacing) 
   return stations;
 }
 
-std::vector<Heights> SortToStations(const std::vector<Point3>& stations, std::span<const Point3> shore) {
+// The heights at the shore, each as it would be at its station: `slope` metres higher for each station further on.
+std::vector<Heights> SortToStations(const std::vector<Point3>& stations, std::span<const Point3> shore, double slope) {
   std::vector<Heights> heights(stations.size());
   for (const Point3& p : shore) {
     const PlaceOnLine place = NearestOnLine(stations, p.head<2>());
     const Point2 a = stations[place.piece].head<2>(), b = stations[place.piece + 1].head<2>();
-    Heights& at = heights[place.piece + (place.along > 0.5 ? 1 : 0)];
-    at.all.push_back(p.z());
-    (Cross(b - a, p.head<2>() - a) > 0 ? at.left : at.right).push_back(p.z());
+    const bool is_next = place.along > 0.5;
+    const double height = p.z() - slope * (place.along - (is_next ? 1 : 0));
+    Heights& at = heights[place.piece + (is_next ? 1 : 0)];
+    at.all.push_back(height);
+    (Cross(b - a, p.head<2>() - a) > 0 ? at.left : at.right).push_back(height);
   }
   return heights;
 }
@@ -98,13 +101,18 @@ void Reverse(RiverProfile& profile) {
   }
 }
 
-// The line through places and values that the fewest outliers move: Theil 1950, Sen 1968, the median of all slopes.
-std::vector<double> OffTheLine(const std::vector<double>& places, const std::vector<double>& values) {
-  std::vector<double> slopes, offsets;
+// Of the line through places and values that the fewest outliers move: Theil 1950, Sen 1968, the median of all slopes.
+double MedianSlope(const std::vector<double>& places, const std::vector<double>& values) {
+  std::vector<double> slopes;
   for (size_t i = 0; i < places.size(); ++i) {
     for (size_t k = 0; k < i; ++k) slopes.push_back((values[i] - values[k]) / (places[i] - places[k]));
   }
-  const double slope = slopes.empty() ? 0 : Quantile(std::move(slopes), 0.5);
+  return slopes.empty() ? 0 : Quantile(std::move(slopes), 0.5);
+}
+
+std::vector<double> OffTheLine(const std::vector<double>& places, const std::vector<double>& values) {
+  std::vector<double> offsets;
+  const double slope = MedianSlope(places, values);
   for (size_t i = 0; i < places.size(); ++i) offsets.push_back(values[i] - slope * places[i]);
   const double middle = Quantile(offsets, 0.5);
   for (double& offset : offsets) offset -= middle;
@@ -161,6 +169,28 @@ void MeasureAlong(RiverProfile& profile) {
   }
 }
 
+// Fills in the stations, but for what the whole line tells of them; returns those that have a level.
+std::vector<size_t> MeasureStations(std::span<const Point3> shore, double slope, double noise, const StationRule& rule,
+                                    RiverProfile& profile) {
+  profile.stations.clear();
+  std::vector<size_t> known;
+  for (const Heights& h : SortToStations(profile.water.stations, shore, slope)) {
+    profile.stations.push_back(StationOf(h, noise, rule));
+    if (profile.stations.back().count >= (rule.least + 1) / 2) known.push_back(profile.stations.size() - 1);
+  }
+  return known;
+}
+
+// By how much the levels of the stations rise from one to the next, on the whole.
+double RiseByStation(const std::vector<size_t>& known, const RiverProfile& profile) {
+  std::vector<double> places, levels;
+  for (const size_t k : known) {
+    places.push_back(static_cast<double>(k));
+    levels.push_back(profile.stations[k].level);
+  }
+  return MedianSlope(places, levels);
+}
+
 // Stations on banks are known no longer: what they rise by is removed.
 void LeaveOutBanks(double tolerance, std::vector<size_t>& known, RiverProfile& profile) {
   std::vector<double> places, levels;
@@ -209,13 +239,9 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> s
                       const StationRule& rule) {
   RiverProfile profile;
   profile.water.stations = StationsOn(line, rule.spacing);
-  for (const Heights& h : SortToStations(profile.water.stations, shore)) {
-    profile.stations.push_back(StationOf(h, noise, rule));
-  }
-  std::vector<size_t> known;
-  for (size_t k = 0; k < profile.stations.size(); ++k) {
-    if (profile.stations[k].count >= (rule.least + 1) / 2) known.push_back(k);
-  }
+  std::vector<size_t> known = MeasureStations(shore, 0, noise, rule, profile);
+  const double slope = RiseByStation(known, profile);
+  if (std::abs(slope) > noise) known = MeasureStations(shore, slope, noise, rule, profile);
   const auto collect = [&](auto&& value) {
     std::vector<double> values;
     for (const size_t k : known) values.push_back(value(k));
@@ -233,8 +259,9 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> s
   }
   MeasureAlong(profile);
   const std::vector<double> levels = collect(level), weights = collect(weight);
-  const std::vector<double> falling =
-      StraightLevels(collect(number), levels, weights, noise, rule.tolerance).value_or(NotRising(levels, weights));
+  const auto straight = StraightLevels(collect(number), levels, weights, noise, rule.tolerance);
+  const std::vector<double> falling = straight ? *straight : NotRising(levels, weights);
+  profile.straight = straight.has_value();
   Interpolate(known, falling, profile.water.stations);
   profile.fall = falling.front() - falling.back();
   for (size_t i = 1; i < levels.size(); ++i) {

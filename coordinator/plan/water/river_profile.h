@@ -24,6 +24,7 @@ struct RiverProfile {
   WaterSurface water;                  // downstream; no stations: too few shore heights
   std::vector<RiverStation> stations;  // likewise
   double fall = 0;                     // metres from the first station with shore heights to the last one
+  bool straight = false;               // the stations' levels lie on one line
   std::vector<RemovedRise> removed;    // rises of more than three standard errors
 };
 
@@ -34,7 +35,8 @@ struct StationRule {
 };
 
 // Stations lie `spacing` metres apart along the line. The level of a station is FitRimLevel's of the shore heights
-// beside it, of both shores; where the two shores' own levels differ by more than the tolerance and what noise
+// beside it, of both shores; where the whole (Theil, Sen) falls by more than noise from one to the next, each moved to
+// the station along that slope; where the two shores' own levels differ by more than the tolerance and what noise
 // explains, that of the lower one, as banks and quays only rise above the water. Stations with less than `least`
 // heights have none of their own, nor have those that lie above a line through all (Theil 1950, Sen 1968) by three
 // times the tolerance and three deviations: both shores have banks alone there. The profile is the straight one that

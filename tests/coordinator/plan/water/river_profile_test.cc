@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace tilemend {
@@ -48,6 +49,22 @@ TEST(FitRiverTest, FallsAsTheShoresDo) {
   EXPECT_LT(WorstLevel(profile), 0.07);
   EXPECT_TRUE(NeverRises(profile));
   EXPECT_NEAR(profile.fall, 0.4, 0.1);
+}
+
+// All heights lie upstream of their station, in a river that falls 1.6 %.
+TEST(FitRiverTest, HeightsAreMovedToTheirStationsAlongTheSlope) {
+  std::vector<Point3> shore;
+  for (Point3 p : Shores(NoBank)) {
+    const double beyond = std::fmod(p.x() + 12.5, 25);
+    if (beyond < 1 || beyond > 8) continue;
+    p.z() -= 0.015 * p.x();
+    shore.push_back(p);
+  }
+  const RiverProfile profile = FitRiver(kLine, shore, kNoise, {});
+  for (const Point3& s : std::span(profile.water.stations).subspan(1)) {  // the first one has no heights
+    EXPECT_NEAR(s.z(), 10 - 0.016 * s.x(), 0.04) << s.x();
+  }
+  EXPECT_TRUE(profile.straight);
 }
 
 TEST(FitRiverTest, TheLineMayRunUpstream) {

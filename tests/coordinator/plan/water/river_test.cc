@@ -69,6 +69,19 @@ TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesAslant) {
   EXPECT_EQ(rivers[0].reaches.size(), 2u);
 }
 
+// Wide water: the corners that the centrelines end in are farther apart than any bridge is wide.
+TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesWideWaterAslant) {
+  std::vector<Reach> reaches = {ReachBetween(0, 240, 25, Falling), ReachBetween(250, 500, 25, Falling)};
+  const auto slant = [](auto& p) { p.x() += 0.8 * p.y(); };
+  for (Reach& reach : reaches) {
+    for (auto& [a, b] : reach.boundary) slant(a), slant(b);
+    for (Point3& p : reach.shore) slant(p);
+  }
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_EQ(rivers[0].reaches.size(), 2u);
+}
+
 void Turn(double angle, const Point2& centre, Reach& reach) {
   const Eigen::Rotation2Dd turn(angle);
   for (auto& [a, b] : reach.boundary) a = centre + turn * (a - centre), b = centre + turn * (b - centre);
@@ -139,7 +152,7 @@ TEST(FindRiversTest, ALongLakeDoesNotFall) {
 }
 
 TEST(FindRiversTest, NoRiverIsSteepShortNarrowOrAslant) {
-  const auto steep = [](double x, double) { return 10 - 0.02 * x; };
+  const auto steep = [](double x, double) { return 10 - 0.03 * x; };
   const auto aslant = [](double x, double y) { return 10 - 0.001 * x + 0.05 * y; };
   const auto hilly = [](double x, double) { return 10 + 2 * std::sin(x / 40); };
   EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, steep)}, kTolerance, kWidth).empty());
@@ -147,6 +160,16 @@ TEST(FindRiversTest, NoRiverIsSteepShortNarrowOrAslant) {
   EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, hilly)}, kTolerance, kWidth).empty());
   EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 60, 15, Falling)}, kTolerance, kWidth).empty());
   EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 2, Falling)}, kTolerance, kWidth).empty());
+}
+
+TEST(FindRiversTest, ASteepOneFallsFarAndEvenly) {
+  const auto steep = [](double x, double) { return 10 - 0.012 * x; };
+  const auto uneven = [](double x, double) { return 10 - 0.012 * x - 2 * std::max(0.0, std::sin(x / 50)); };
+  const std::vector<River> rivers = FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, steep)}, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_NEAR(rivers[0].profile.fall, 6, 0.5);
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 150, 15, steep)}, kTolerance, kWidth).empty());
+  EXPECT_TRUE(FindRivers(std::vector<Reach>{ReachBetween(0, 500, 15, uneven)}, kTolerance, kWidth).empty());
 }
 
 TEST(FindRiversTest, NoRiverHasGroundBelowItBesideIt) {
