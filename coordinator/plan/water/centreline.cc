@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kMostSquares = 1000;   // a side of the raster
 constexpr double kSquaresPerWidth = 6;  // at least, where the side allows
+constexpr size_t kSmallParts = 8;       // of the largest
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Eigen::AlignedBox2d BoundsOf(std::span<const PlaneSegment> segments) {
@@ -39,7 +41,8 @@ class Raster {
   }
 
   size_t size() const { return inside_.size(); }
-  double area() const { return step_ * step_ * static_cast<double>(std::count(inside_.begin(), inside_.end(), true)); }
+  double area() const { return AreaOf(static_cast<size_t>(std::count(inside_.begin(), inside_.end(), true))); }
+  double AreaOf(size_t squares) const { return step_ * step_ * static_cast<double>(squares); }
   bool inside(size_t square) const { return inside_[square]; }
   Point2 Middle(size_t square) const {
     return lo_ +
@@ -128,16 +131,21 @@ size_t FarthestOf(const std::vector<double>& ways) {
   return best;
 }
 
-// A square of the largest connected part; the raster's size if there is none.
-size_t SquareOfLargestPart(const Raster& raster) {
+// Squares that hang together: how many, and the first one.
+struct RasterPart {
+  size_t count, first;
+};
+
+// The largest first, without those that are much smaller.
+std::vector<RasterPart> LargePartsOf(const Raster& raster) {
   std::vector<bool> seen(raster.size(), false);
-  size_t best = raster.size(), most = 0;
+  std::vector<RasterPart> parts;
   for (size_t i = 0; i < raster.size(); ++i) {
-    if (!raster.inside(i) || seen[i]) continue;
-    const size_t count = raster.MarkPart(i, seen);
-    if (count > most) most = count, best = i;
+    if (raster.inside(i) && !seen[i]) parts.push_back({raster.MarkPart(i, seen), i});
   }
-  return best;
+  std::ranges::stable_sort(parts, std::greater<>(), &RasterPart::count);
+  std::erase_if(parts, [&](const RasterPart& part) { return part.count * kSmallParts < parts.front().count; });
+  return parts;
 }
 
 double LengthOf(const std::vector<Point2>& line) {
@@ -171,27 +179,32 @@ std::vector<Point2> MiddlesAlong(const Raster& raster, const std::vector<double>
   return line;
 }
 
-}  // namespace
-
-Centreline FindCentreline(std::span<const PlaneSegment> boundary, double station) {
+Centreline LineAlong(const Raster& raster, const RasterPart& part, double station) {
   Centreline line;
-  const Eigen::AlignedBox2d box = BoundsOf(boundary);
-  if (boundary.empty() || !(box.sizes().minCoeff() > 0)) return line;
-  const double coarse = box.sizes().maxCoeff() / kMostSquares;
-  // A first look tells the width: a long region's area over half of its outline.
-  const double area = Raster(boundary, box, 4 * coarse).area();
-  const double step = std::max(coarse, area / box.diagonal().norm() / kSquaresPerWidth / 2);
-  const Raster raster(boundary, box, step);
-  const size_t start = SquareOfLargestPart(raster);
-  if (start == raster.size()) return line;
-  const size_t a = FarthestOf(raster.WaysFrom(start));
+  const size_t a = FarthestOf(raster.WaysFrom(part.first));
   const std::vector<double> from_a = raster.WaysFrom(a);
   const size_t b = FarthestOf(from_a);
   if (!(from_a[b] > 0)) return line;
   line.points = MiddlesAlong(raster, from_a, raster.WaysFrom(b), from_a[b], station);
   line.length = LengthOf(line.points);
-  if (line.length > 0) line.width = raster.area() / line.length;
+  if (line.length > 0) line.width = raster.AreaOf(part.count) / line.length;
   return line;
+}
+
+}  // namespace
+
+std::vector<Centreline> FindCentrelines(std::span<const PlaneSegment> boundary, double station) {
+  const Eigen::AlignedBox2d box = BoundsOf(boundary);
+  if (boundary.empty() || !(box.sizes().minCoeff() > 0)) return {};
+  const double coarse = box.sizes().maxCoeff() / kMostSquares;
+  // A first look tells the width: a long region's area over half of its outline.
+  const double area = Raster(boundary, box, 4 * coarse).area();
+  const double step = std::max(coarse, area / box.diagonal().norm() / kSquaresPerWidth / 2);
+  const Raster raster(boundary, box, step);
+  std::vector<Centreline> lines;
+  for (const RasterPart& part : LargePartsOf(raster)) lines.push_back(LineAlong(raster, part, station));
+  std::erase_if(lines, [](const Centreline& line) { return line.points.size() < 2; });
+  return lines;
 }
 
 }  // namespace tilemend

@@ -1,4 +1,4 @@
-// The line that runs along the middle of a long hole.
+// The lines that run along the middle of long holes.
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_CENTRELINE_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_CENTRELINE_H_
 
@@ -17,11 +17,12 @@ struct Centreline {
 
 // The middle of the region that `boundary` bounds (even-odd rule, any order; segments that occur twice bound nothing),
 // a point every `station` metres or less. On a raster: the two places farthest apart on the way through the region, and
-// between them the middles of what is as far along. Islands do not split it; of several parts the largest counts.
+// between them the middles of what is as far along. Islands do not split it; parts that do not hang together have a
+// line each, the largest first, those smaller than an eighth of it none.
 //
 // Precondition: station > 0, finite positions. Cost: the raster has at most 1000 squares a side, Dijkstra's way over
 // those inside; three times. Deterministic.
-Centreline FindCentreline(std::span<const PlaneSegment> boundary, double station);
+std::vector<Centreline> FindCentrelines(std::span<const PlaneSegment> boundary, double station);
 
 }  // namespace tilemend
 

@@ -34,19 +34,19 @@ constexpr double kSure = 3;               // standard errors
 constexpr double kErrorOfLevel = 1.2533;  // of normal noise, times its deviation over the root of the count
 constexpr double kErrorOfRise = 1.4472;   // of the difference to the mean of three, likewise
 
-// An end of a reach's centreline.
+// An end of a centreline.
 struct End {
-  size_t reach;
+  size_t line;
   bool last;  // of the centreline's points
   double width;
   Point2 at, outward;
 };
 
-End EndOf(const Centreline& line, size_t reach, bool last) {
+End EndOf(const Centreline& line, size_t number, bool last) {
   const std::vector<Point2>& p = line.points;
   const size_t back = std::min<size_t>(kStationsAtEnd, p.size() - 1);
   const Point2 at = last ? p.back() : p.front(), before = last ? p[p.size() - 1 - back] : p[back];
-  return {reach, last, line.width, at, (at - before).normalized()};
+  return {number, last, line.width, at, (at - before).normalized()};
 }
 
 bool Faces(const End& a, const End& b) {
@@ -62,19 +62,25 @@ bool Faces(const End& a, const End& b) {
 
 bool HasGivenLine(const Reach& reach) { return reach.centreline.size() > 1; }
 
-// Reaches in order along a river; reversed: from the last point of its centreline to the first.
+// A centreline of a reach, which has several where it is in parts.
+struct ReachLine {
+  size_t reach;
+  Centreline line;
+};
+
+// Lines in order along a river; reversed: from the last of its points to the first.
 using Chain = std::vector<std::pair<size_t, bool>>;
 
-std::vector<Chain> LinkReaches(const std::vector<Centreline>& lines) {
+std::vector<Chain> LinkLines(const std::vector<ReachLine>& lines, const std::vector<bool>& is_free) {
   std::vector<End> ends;
-  for (size_t r = 0; r < lines.size(); ++r) {
-    if (lines[r].points.size() < 2) continue;
-    for (const bool last : {false, true}) ends.push_back(EndOf(lines[r], r, last));
+  for (size_t i = 0; i < lines.size(); ++i) {
+    if (!is_free[i]) continue;
+    for (const bool last : {false, true}) ends.push_back(EndOf(lines[i].line, i, last));
   }
   std::vector<std::tuple<double, size_t, size_t>> gaps;
   for (size_t i = 0; i < ends.size(); ++i) {
     for (size_t k = i + 1; k < ends.size(); ++k) {
-      if (ends[i].reach != ends[k].reach && Faces(ends[i], ends[k])) {
+      if (ends[i].line != ends[k].line && Faces(ends[i], ends[k])) {
         gaps.emplace_back((ends[i].at - ends[k].at).norm(), i, k);
       }
     }
@@ -89,9 +95,9 @@ std::vector<Chain> LinkReaches(const std::vector<Centreline>& lines) {
   std::vector<bool> used(lines.size(), false);
   const auto follow = [&](size_t end) {  // in through this end, out through the other
     Chain chain;
-    while (end != kNone && !used[ends[end].reach]) {
-      used[ends[end].reach] = true;
-      chain.emplace_back(ends[end].reach, ends[end].last);
+    while (end != kNone && !used[ends[end].line]) {
+      used[ends[end].line] = true;
+      chain.emplace_back(ends[end].line, ends[end].last);
       end = linked[end ^ 1];
     }
     if (!chain.empty()) chains.push_back(std::move(chain));
@@ -99,7 +105,7 @@ std::vector<Chain> LinkReaches(const std::vector<Centreline>& lines) {
   for (size_t e = 0; e < ends.size(); ++e) {
     if (linked[e] == kNone) follow(e);
   }
-  for (size_t e = 0; e < ends.size(); ++e) follow(e);  // rings of reaches
+  for (size_t e = 0; e < ends.size(); ++e) follow(e);  // rings
   return chains;
 }
 
@@ -114,23 +120,36 @@ struct Course {
   double width() const { return length > 0 ? area / length : 0; }
 };
 
-Course CourseOf(const Chain& chain, std::span<const Reach> reaches, const std::vector<Centreline>& lines) {
+// Ascending.
+std::vector<size_t> ReachesOf(const Chain& chain, const std::vector<ReachLine>& lines) {
+  std::vector<size_t> reaches;
+  for (const auto& [i, reversed] : chain) reaches.push_back(lines[i].reach);
+  std::ranges::sort(reaches);
+  reaches.erase(std::unique(reaches.begin(), reaches.end()), reaches.end());
+  return reaches;
+}
+
+Course CourseOf(const Chain& chain, std::span<const Reach> reaches, const std::vector<ReachLine>& lines) {
   Course course;
-  std::vector<double> noises;
-  for (const auto& [r, reversed] : chain) {
-    std::vector<Point2> points = lines[r].points;
+  for (const auto& [i, reversed] : chain) {
+    const Centreline& line = lines[i].line;
+    std::vector<Point2> points = line.points;
     if (reversed) std::reverse(points.begin(), points.end());
     course.line.insert(course.line.end(), points.begin(), points.end());
+    course.length += line.length;
+    course.area += line.length * line.width;
+  }
+  std::vector<double> noises;
+  for (const size_t r : ReachesOf(chain, lines)) {
     course.shore.insert(course.shore.end(), reaches[r].shore.begin(), reaches[r].shore.end());
     course.bank.insert(course.bank.end(), reaches[r].bank.begin(), reaches[r].bank.end());
-    course.length += lines[r].length;
-    course.area += lines[r].length * lines[r].width;
     noises.push_back(reaches[r].noise);
-    course.forced = course.forced || (chain.size() == 1 && reaches[r].forced);
   }
-  if (HasGivenLine(reaches[chain[0].first])) {
+  const Reach& first = reaches[lines[chain[0].first].reach];
+  course.forced = noises.size() == 1 && first.forced;
+  if (HasGivenLine(first)) {
     course.given = true;
-    course.line = reaches[chain[0].first].centreline;
+    course.line = first.centreline;
   }
   course.noise = Quantile(noises, 0.5);
   return course;
@@ -229,37 +248,40 @@ Centreline GivenLine(const std::vector<Point2>& points) {
   return line;
 }
 
-Centreline LineOf(const Reach& reach, double least_width) {
-  if (HasGivenLine(reach)) return GivenLine(reach.centreline);
+std::vector<Centreline> LinesOf(const Reach& reach, double least_width) {
+  if (HasGivenLine(reach)) return {GivenLine(reach.centreline)};
   if (reach.shore.size() < kLeastShore) return {};
   Eigen::AlignedBox2d box;
   for (const auto& [a, b] : reach.boundary) box.extend(a).extend(b);
   if (box.diagonal().norm() < kStation) return {};
-  Centreline line = FindCentreline(reach.boundary, kStation);
-  if ((line.width < least_width && !reach.forced) || line.length < kLeastReach * line.width) line.points.clear();
-  return line;
+  std::vector<Centreline> lines = FindCentrelines(reach.boundary, kStation);
+  std::erase_if(lines, [&](const Centreline& line) {
+    return (line.width < least_width && !reach.forced) || line.length < kLeastReach * line.width;
+  });
+  return lines;
 }
 
 // Reaches along one line that was given are one river, whatever lies between them; others are linked by their ends.
-std::vector<Chain> ChainsOf(std::span<const Reach> reaches, const std::vector<Centreline>& lines) {
+std::vector<Chain> ChainsOf(std::span<const Reach> reaches, const std::vector<ReachLine>& lines) {
   std::vector<Chain> given;
-  std::vector<Centreline> found = lines;
-  for (size_t r = 0; r < reaches.size(); ++r) {
-    if (!HasGivenLine(reaches[r])) continue;
-    found[r].points.clear();
+  std::vector<bool> is_free(lines.size(), true);
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const Reach& reach = reaches[lines[i].reach];
+    if (!HasGivenLine(reach)) continue;
+    is_free[i] = false;
     const auto same = std::find_if(given.begin(), given.end(), [&](const Chain& chain) {
-      return reaches[chain[0].first].centreline == reaches[r].centreline;
+      return reaches[lines[chain[0].first].reach].centreline == reach.centreline;
     });
     Chain& chain = same == given.end() ? given.emplace_back() : *same;
-    chain.emplace_back(r, false);
+    chain.emplace_back(i, false);
   }
-  std::vector<Chain> chains = LinkReaches(found);
+  std::vector<Chain> chains = LinkLines(lines, is_free);
   chains.insert(chains.end(), given.begin(), given.end());
   return chains;
 }
 
-std::optional<River> RiverAlong(const Chain& chain, std::span<const Reach> reaches,
-                                const std::vector<Centreline>& lines, double tolerance) {
+std::optional<River> RiverAlong(const Chain& chain, std::span<const Reach> reaches, const std::vector<ReachLine>& lines,
+                                double tolerance) {
   const Course course = CourseOf(chain, reaches, lines);
   if (course.length < kLeastRiver * course.width()) return std::nullopt;
   River river;
@@ -270,22 +292,27 @@ std::optional<River> RiverAlong(const Chain& chain, std::span<const Reach> reach
   if (!test.Holds()) return std::nullopt;
   river.given = course.given;
   river.falls = chain.size() > 1 || test.Falls();
-  for (const auto& [r, reversed] : chain) river.reaches.push_back(r);
-  std::sort(river.reaches.begin(), river.reaches.end());
+  river.reaches = ReachesOf(chain, lines);
   return river;
 }
 
 }  // namespace
 
 std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, double least_width) {
-  std::vector<Centreline> lines;
-  for (const Reach& reach : reaches) lines.push_back(LineOf(reach, least_width));
+  std::vector<ReachLine> lines;
+  for (size_t r = 0; r < reaches.size(); ++r) {
+    for (Centreline& line : LinesOf(reaches[r], least_width)) lines.push_back({r, std::move(line)});
+  }
   std::vector<River> rivers;
+  std::vector<bool> taken(reaches.size(), false);
   const auto add = [&](const Chain& chain) {
+    const std::vector<size_t> own = ReachesOf(chain, lines);
+    if (std::ranges::any_of(own, [&](size_t r) { return taken[r]; })) return false;
     std::optional<River> river = RiverAlong(chain, reaches, lines, tolerance);
-    const bool found = river.has_value();
-    if (found) rivers.push_back(*std::move(river));
-    return found;
+    if (!river) return false;
+    for (const size_t r : own) taken[r] = true;
+    rivers.push_back(*std::move(river));
+    return true;
   };
   for (const Chain& chain : ChainsOf(reaches, lines)) {
     if (add(chain) || chain.size() == 1) continue;

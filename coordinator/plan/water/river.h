@@ -43,7 +43,7 @@ struct River {
 // be long and to fall more than the tolerance and three standard errors of a station; the rest is not asked. A reach is
 // in one river at most. A lake that is long is a river to this test.
 //
-// Cost: FindCentreline's for each reach that is long enough. Deterministic.
+// Cost: FindCentrelines' for each reach that is long enough. Deterministic.
 std::vector<River> FindRivers(std::span<const Reach> reaches, double tolerance, double least_width);
 
 }  // namespace tilemend

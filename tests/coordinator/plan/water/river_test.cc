@@ -56,6 +56,19 @@ TEST(FindRiversTest, GoesOnUnderABridge) {
   EXPECT_EQ(rivers[0].reaches, (std::vector<size_t>{0, 1}));
 }
 
+// Both sides of the bridge are one hole where something beside it hangs together.
+TEST(FindRiversTest, AReachMayBeInParts) {
+  Reach whole = ReachBetween(0, 300, 15, Falling);
+  const Reach beyond = ReachBetween(310, 500, 15, Falling);
+  whole.boundary.insert(whole.boundary.end(), beyond.boundary.begin(), beyond.boundary.end());
+  whole.shore.insert(whole.shore.end(), beyond.shore.begin(), beyond.shore.end());
+  whole.bank.insert(whole.bank.end(), beyond.bank.begin(), beyond.bank.end());
+  const std::vector<River> rivers = FindRivers(std::vector<Reach>{whole}, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  EXPECT_EQ(rivers[0].reaches, std::vector<size_t>{0});
+  EXPECT_GT(rivers[0].profile.stations.back().along, 450);
+}
+
 // The ends of the water at the bridge are aslant: the centrelines end in corners on opposite shores.
 TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesAslant) {
   std::vector<Reach> reaches = {ReachBetween(0, 240, 12, Falling), ReachBetween(252, 500, 12, Falling)};
