@@ -13,18 +13,20 @@ namespace {
 
 constexpr double kCrackAngle_rad = 10.0 * std::numbers::pi / 180;  // Zhang 2022, 4.1 (1): 5 to 10 degrees
 constexpr double kDislocation = 5e-4;                              // metres; Zhang 2022, 4.1 (2): 0.1 to 0.5 mm
-constexpr double kAnnularLength = 0.5;  // an inner loop at least this share of the outer one's length makes a ring
-
-double Length(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
-  double sum = 0;
-  for (const RimSegment& s : loop) sum += (position[s.to] - position[s.from]).norm();
-  return sum;
-}
+constexpr double kAnnularReach = 0.5;  // an inner loop that reaches this share of the outer one's way makes a ring
 
 Point3 Centre(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
   Point3 sum = Point3::Zero();
   for (const RimSegment& s : loop) sum += position[s.from];
   return sum / static_cast<double>(loop.size());
+}
+
+// From the middle to the farthest vertex. A length would count how jagged the loop is.
+double Reach(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
+  const Point3 centre = Centre(loop, position);
+  double reach = 0;
+  for (const RimSegment& s : loop) reach = std::max(reach, (position[s.from] - centre).norm());
+  return reach;
 }
 
 // Every edge within the threshold of the direction of the first, either way round.
@@ -107,10 +109,9 @@ int SidesTouched(double a, double b, double tolerance) {
 SingleType ClassifySingle(std::span<const RimSegment> outer, const std::vector<std::vector<RimSegment>>& islands,
                           const std::vector<Point3>& position) {
   if (islands.size() == 1) {
-    const bool inner_is_long = Length(islands[0], position) >= kAnnularLength * Length(outer, position);
-    const double reach = Length(outer, position) / (2 * std::numbers::pi);
-    const bool centred = (Centre(islands[0], position) - Centre(outer, position)).norm() < reach;
-    if (inner_is_long && centred) return SingleType::kAnnular;
+    const double reach = Reach(outer, position);
+    const bool is_wide = Reach(islands[0], position) >= kAnnularReach * reach;
+    if (is_wide && (Centre(islands[0], position) - Centre(outer, position)).norm() < reach) return SingleType::kAnnular;
   }
   if (!islands.empty()) return SingleType::kIsland;
   if (IsCrack(outer, position)) return SingleType::kCrack;

@@ -23,6 +23,8 @@ constexpr double kCovered = 0.85;
 constexpr double kReach = 1.4;
 // Added to the squares of the second-order terms, in units of the size: fits with fewer than five neighbours.
 constexpr double kDamping = 1e-3;
+// Points nearer than this, in units of the size, tell of no slope: the foot of a wall lies below its top.
+constexpr double kNearest = 1e-3;
 
 // The edges of a patch that one triangle has, with the patch on the left.
 std::vector<RegionSegment> BoundaryOf(const std::vector<Triangle>& patch, const VertexLists& edges) {
@@ -200,12 +202,14 @@ class PlateCoarsener {
       Eigen::Matrix<double, 5, Eigen::Dynamic> right(5, edges.Of(static_cast<int32_t>(i)).size());
       for (const int32_t to : edges.Of(static_cast<int32_t>(i))) {
         const Point2 d = (coarse_.problem.points[to].head<2>() - patch.centre) * patch.inverse_size;
+        if (d.squaredNorm() < kNearest * kNearest) continue;
         const auto terms = QuadraticTerms(d);
         auto column = right.col(static_cast<int32_t>(result.neighbor_.size()) - patch.first_neighbor);
         column = terms / d.squaredNorm();
         normal += column * terms.transpose();
         result.neighbor_.push_back(to);
       }
+      right.conservativeResize(Eigen::NoChange, std::ssize(result.neighbor_) - patch.first_neighbor);
       right = normal.ldlt().solve(right).eval();
       for (const auto& column : right.colwise()) result.fit_.emplace_back(column.cast<float>());
     }

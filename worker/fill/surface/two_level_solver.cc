@@ -10,10 +10,16 @@ namespace tilemend {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr double kHeightError = 1e-6;  // metres: a thousandth of the finest lattice step
+constexpr double kHeightError = 1e-6;  // of the mean edge: what rounding leaves of coordinates is no less
 constexpr int kPowerIterations = 8;
 // Of two over the largest eigenvalue, which is where Jacobi's iteration begins to diverge; the estimate is from below.
 constexpr double kJacobiShare = 0.6;
+
+double MeanEdge(const ThinPlateProblem& problem) {
+  double sum = 0;
+  for (const Triangle& t : problem.patch) sum += (problem.points[t[1]] - problem.points[t[0]]).head<2>().norm();
+  return sum / static_cast<double>(problem.patch.size());
+}
 
 class TwoLevelPreconditioner {
  public:
@@ -65,8 +71,9 @@ std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, con
   heights = GivenHeights(problem) + coarse->interpolation.ToFine(heights);
 
   const TwoLevelPreconditioner preconditioner(equations, coarse->interpolation, factorization);
+  const double least = kHeightError * MeanEdge(problem);
   const double enough = kLeastError * kLeastError * equations.Energy(heights) +
-                        kHeightError * kHeightError * equations.Gather(equations.Diagonal()).sum();
+                        least * least * equations.Gather(equations.Diagonal()).sum();
   PointValues residual = equations.Residual(heights), z = preconditioner.Apply(residual), direction = z;
   double error = residual.dot(z);
   for (int i = 0; i < kMostIterations && error > enough; ++i) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/hole_scene.h"
 
@@ -39,6 +40,15 @@ TEST(ClassifySingleTest, FindsRingsAndIslands) {
   EXPECT_EQ(TypeOf({hole, PieceLoop(2, 2, 8, 8)}), SingleType::kAnnular);
   EXPECT_EQ(TypeOf({hole, PieceLoop(4, 4, 5, 5)}), SingleType::kIsland);
   EXPECT_EQ(TypeOf({hole, PieceLoop(2, 2, 4, 4), PieceLoop(6, 6, 8, 8)}), SingleType::kIsland);
+}
+
+TEST(ClassifySingleTest, AJaggedIslandMakesNoRingHoweverLongItsOutlineIs) {
+  Loop3 star;
+  for (int i = 0; i < 32; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 32, reach = i % 2 == 0 ? 1.8 : 0.6;
+    star.emplace_back(5 + reach * std::cos(angle), 5 + reach * std::sin(angle), 0);
+  }
+  EXPECT_EQ(TypeOf({HoleLoop(1, 1, 9, 9), star}), SingleType::kIsland);
 }
 
 // What a hole takes up of the outline of a cell of 10 m: places in metres along it, counter-clockwise from the

@@ -74,6 +74,29 @@ TEST(SolveInTwoLevelsTest, KeepsKnownPointsInside) {
   EXPECT_LT((*heights - *direct).cwiseAbs().maxCoeff(), 0.02);
 }
 
+TEST(SolveInTwoLevelsTest, IsAsExactInEveryUnit) {
+  Plate plate = MakePlate(RoughHills, Everywhere, Nowhere, kLarge);
+  for (Point3& p : plate.problem.points) p *= 1e-4;
+  const PlateEquations equations(plate.problem, true, 0);
+  const auto heights = SolveInTwoLevels(plate.problem, equations), direct = SolveDirectly(plate.problem, equations);
+  ASSERT_TRUE(heights.has_value() && direct.has_value());
+  const PointValues error = *heights - *direct;
+  EXPECT_LT(std::sqrt(error.dot(equations.Apply(error)) / equations.Energy(*direct)), 2 * kLeastError);
+}
+
+TEST(SolveInTwoLevelsTest, GoesPastUprightWallsAlongTheRim) {
+  Plate plate = MakePlate(RoughHills, Everywhere, Nowhere, kLarge);
+  for (Point3& p : plate.problem.points) {
+    if (p.head<2>().cwiseAbs().maxCoeff() <= kLarge) continue;
+    p = {std::clamp<double>(p.x(), -kLarge, kLarge), std::clamp<double>(p.y(), -kLarge, kLarge), p.z() - 5};
+  }
+  FreeSteepRim(plate.problem);
+  const PlateEquations equations(plate.problem, true, 0);
+  const auto heights = SolveInTwoLevels(plate.problem, equations), direct = SolveDirectly(plate.problem, equations);
+  ASSERT_TRUE(heights.has_value() && direct.has_value());
+  EXPECT_LT((*heights - *direct).cwiseAbs().maxCoeff(), 0.02);
+}
+
 TEST(SolveInTwoLevelsTest, GivesTheSameHeightsEveryTime) {
   const Plate plate = MakePlate(RoughHills, Everywhere, Nowhere, kLarge);
   const PlateEquations equations(plate.problem, true, 0);
