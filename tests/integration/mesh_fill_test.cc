@@ -260,5 +260,30 @@ TEST(MeshFillTest, AccountsForEveryBoundaryEdge) {
   EXPECT_TRUE(filled.plan.left[0].is_hole);
 }
 
+TEST(MeshFillTest, SaysThatTheBoundaryOfAMoebiusStripChangesItsDirection) {
+  constexpr int32_t kSteps = 24;
+  TriMesh strip;
+  for (int32_t i = 0; i < kSteps; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kSteps;
+    for (const double side : {-0.5, 0.5}) {
+      const double out = 2 + side * std::cos(turn / 2);
+      strip.points.emplace_back(out * std::cos(turn), out * std::sin(turn), side * std::sin(turn / 2));
+    }
+  }
+  for (int32_t i = 0; i < kSteps; ++i) {
+    const bool last = i + 1 == kSteps;
+    const int32_t a = 2 * i, b = a + 1, c = last ? 1 : a + 2, d = last ? 0 : a + 3;
+    strip.triangles.push_back({a, c, b});
+    strip.triangles.push_back({b, c, d});
+  }
+  const FilledMesh filled = Fill(strip);
+  int64_t edges = 0;
+  for (const LeftOpen& left : filled.plan.left) {
+    EXPECT_THAT(left.reason, testing::HasSubstr("opposite ways"));
+    edges += left.edges;
+  }
+  EXPECT_EQ(edges, 2 * kSteps);
+}
+
 }  // namespace
 }  // namespace tilemend

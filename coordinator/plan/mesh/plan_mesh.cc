@@ -19,6 +19,10 @@ namespace {
 constexpr double kStepsAnEdge = 0x1p20;
 // Of the area of a flat piece: rounding.
 constexpr double kFlat = 1e-9;
+// Where surface meets that is turned over, as on a Moebius strip, the boundary changes its direction.
+constexpr char kNoLoop[] =
+    "boundary edges that form no loop: the surface is not manifold there, or faces beside each other are turned "
+    "opposite ways";
 constexpr int kFloat32Digits = 24, kFloat64Digits = 53;
 
 // The finest useful power of two whose multiples the mesh's number type holds out to its farthest coordinate.
@@ -64,7 +68,7 @@ class MeshPlanner {
     plan_.outer_rims = std::ssize(groups.outlines);
     for (const size_t l : groups.outlines) Leave("outline of a piece of surface", loops_[l].segments.size(), false);
     if (!rim_.unlinked.empty()) {
-      Leave("boundary edges that form no loop: the surface is not manifold there", rim_.unlinked.size(), true);
+      Leave(kNoLoop, rim_.unlinked.size(), true);
     }
     if (record_->repeated_edges > 0) {
       Leave("edges of faces that occur more than once, as copies or as front and back: remove all but one of each",

@@ -23,8 +23,6 @@ constexpr double kCovered = 0.85;
 constexpr double kReach = 1.4;
 // Added to the squares of the second-order terms, in units of the size: fits with fewer than five neighbours.
 constexpr double kDamping = 1e-3;
-// Points nearer than this, in units of the size, tell of no slope: the foot of a wall lies below its top.
-constexpr double kNearest = 1e-3;
 
 // The edges of a patch that one triangle has, with the patch on the left.
 std::vector<RegionSegment> BoundaryOf(const std::vector<Triangle>& patch, const VertexLists& edges) {
@@ -195,14 +193,18 @@ class PlateCoarsener {
     std::vector<Triangle> triangles = coarse_.problem.patch;
     triangles.insert(triangles.end(), coarse_.problem.band.begin(), coarse_.problem.band.end());
     const VertexLists edges = EdgeEndsFrom(triangles, coarse_.problem.points.size());
+    // The surface does not go on from a rim point without an equation to the band: that may be a wall.
+    const auto goes_on = [&](size_t from, int32_t to) {
+      return to < std::ssize(chosen_) || coarse_.problem.has_equation[from];
+    };
     for (size_t i = 0; i < chosen_.size(); ++i) {
       auto& patch = result.patches_[i];
       patch.first_neighbor = static_cast<int32_t>(result.neighbor_.size());
       Eigen::Matrix<double, 5, 5> normal = Eigen::Vector<double, 5>(0, 0, 1, 1, 1).asDiagonal() * kDamping;
       Eigen::Matrix<double, 5, Eigen::Dynamic> right(5, edges.Of(static_cast<int32_t>(i)).size());
       for (const int32_t to : edges.Of(static_cast<int32_t>(i))) {
+        if (!goes_on(i, to)) continue;
         const Point2 d = (coarse_.problem.points[to].head<2>() - patch.centre) * patch.inverse_size;
-        if (d.squaredNorm() < kNearest * kNearest) continue;
         const auto terms = QuadraticTerms(d);
         auto column = right.col(static_cast<int32_t>(result.neighbor_.size()) - patch.first_neighbor);
         column = terms / d.squaredNorm();

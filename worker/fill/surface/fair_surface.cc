@@ -20,6 +20,8 @@ constexpr double kLeastSine = 1e-3;
 // Of the area of the shapes that triangles should keep: a surface within so much of it has these shapes, and one of
 // less than so much has lost them.
 constexpr double kSameArea = 0.01, kLeastArea = 0.93;
+// Solves at most.
+constexpr int kRounds = 3;
 
 // Of a triangle: twice its area, and at each corner half the cotangent.
 struct Weights {
@@ -39,34 +41,78 @@ Weights WeightsOf(const Triangle& t, const std::vector<Point3>& shape) {
   return weights;
 }
 
-// Twice the mean curvature of the original surface at the outer points of the band; none where it ends there.
-std::vector<std::optional<double>> CurvatureBeside(const FairSurfaceProblem& problem) {
-  const size_t n = problem.points.size();
-  std::vector<Point3> bends(n, Point3::Zero()), normals = bends;
-  std::vector<double> mass(n, 0);
-  std::vector<int64_t> open(n, 0);  // sums of the ends of edges: zero if they close around the point
-  for (const auto* triangles : {&problem.band, &problem.beyond}) {
-    for (const Triangle& t : *triangles) {
-      const Weights weights = WeightsOf(t, problem.points);
-      const Point3 normal = TwiceVectorArea(problem.points, t);
+// Twice the mean curvature at the points of triangles, below zero where the surface bends away from its normal.
+class CurvatureSums {
+ public:
+  explicit CurvatureSums(const std::vector<Point3>& points)
+      : points_(points),
+        bends_(points.size(), Point3::Zero()),
+        normals_(bends_),
+        mass_(points.size(), 0),
+        open_(points.size(), 0) {}
+
+  void Add(const std::vector<Triangle>& triangles) {
+    for (const Triangle& t : triangles) {
+      const Weights weights = WeightsOf(t, points_);
+      const Point3 normal = TwiceVectorArea(points_, t);
       for (int k = 0; k < 3; ++k) {
         const int32_t o = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
-        const Point3 edge = weights.half_cotangents[k] * (problem.points[b] - problem.points[a]);
-        bends[a] += edge;
-        bends[b] -= edge;
-        normals[o] += normal;
-        mass[o] += weights.area2 / 6;
-        open[o] += a - b;
+        const Point3 edge = weights.half_cotangents[k] * (points_[b] - points_[a]);
+        bends_[a] += edge;
+        bends_[b] -= edge;
+        normals_[o] += normal;
+        mass_[o] += weights.area2 / 6;
+        open_[o] += a - b;
       }
     }
   }
-  std::vector<std::optional<double>> curvature(n);
+
+  bool IsSurrounded(int32_t v) const { return open_[v] == 0; }
+  double MassAt(int32_t v) const { return mass_[v]; }
+  double At(int32_t v) const { return bends_[v].dot(normals_[v].normalized()) / mass_[v]; }
+
+ private:
+  const std::vector<Point3>& points_;
+  std::vector<Point3> bends_, normals_;
+  std::vector<double> mass_;
+  std::vector<int64_t> open_;  // sums of the ends of edges: zero if they close around the point
+};
+
+using CurvatureBeside = std::vector<std::optional<double>>;
+
+// Of the original surface at the outer points of the band; none where it ends there.
+CurvatureBeside FindCurvatureBeside(const FairSurfaceProblem& problem) {
+  CurvatureSums sums(problem.points);
+  sums.Add(problem.band);
+  sums.Add(problem.beyond);
+  CurvatureBeside curvature(problem.points.size());
   for (const Triangle& t : problem.beyond) {
     for (const int32_t v : t) {
-      if (open[v] == 0) curvature[v] = bends[v].dot(normals[v].normalized()) / mass[v];
+      if (sums.IsSurrounded(v)) curvature[v] = sums.At(v);
     }
   }
   return curvature;
+}
+
+// By how much the curvature at the rim differs from that at the next points outward, in the mean over the edges between
+// them. 0 if none is known there.
+double JumpAtRim(const FairSurfaceProblem& problem, const std::vector<Point3>& points, const CurvatureBeside& beside) {
+  CurvatureSums sums(points);
+  sums.Add(problem.patch);
+  sums.Add(problem.band);
+  double jumps = 0, mass = 0;
+  const auto add = [&](int32_t rim, int32_t outer) {
+    if (!problem.has_equation[rim] || !beside[outer]) return;
+    jumps += sums.MassAt(rim) * std::abs(sums.At(rim) - *beside[outer]);
+    mass += sums.MassAt(rim);
+  };
+  for (const Triangle& t : problem.band) {
+    for (int k = 0; k < 3; ++k) {
+      add(t[k], t[(k + 1) % 3]);
+      add(t[(k + 1) % 3], t[k]);
+    }
+  }
+  return mass > 0 ? jumps / mass : 0;
 }
 
 class BendingSystem {
@@ -100,7 +146,7 @@ class BendingSystem {
 
   // One step from points that are solved for towards a mean curvature with no other Laplacian than that of the surface
   // around.
-  bool EvenCurvature(const std::vector<std::optional<double>>& beside, std::vector<Point3>& points) const {
+  bool EvenCurvature(const CurvatureBeside& beside, std::vector<Point3>& points) const {
     const std::vector<Point3> normals = Normals(points);
     const Eigen::VectorXd curvature = CurvatureOf(points, normals);
     Eigen::MatrixXd step = Eigen::MatrixXd::Zero(std::ssize(columns_), 3);
@@ -146,7 +192,7 @@ class BendingSystem {
   }
 
   // How much curvature flows in across the rim, as far as it does so evenly.
-  double InflowOf(const Eigen::VectorXd& curvature, const std::vector<std::optional<double>>& beside) const {
+  double InflowOf(const Eigen::VectorXd& curvature, const CurvatureBeside& beside) const {
     std::vector<double> flows(rows_.size(), 0);
     for (const Triangle& t : problem_.band) {
       const Weights weights = WeightsOf(t, problem_.points);
@@ -213,16 +259,9 @@ class BendingSystem {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
 };
 
-bool SolveWith(const FairSurfaceProblem& problem, const std::vector<Point3>& shape, std::vector<Point3>& points) {
-  BendingSystem system(problem, shape);
-  if (!system.Factorize() || !system.Solve(points)) return false;
-  return !problem.evens_curvature || system.EvenCurvature(CurvatureBeside(problem), points);
-}
-
-// Whether a second solve, with the shapes of the surface found, is nearer.
+// Whether a second solve, with the shapes of the surface found, may be nearer.
 bool IsWorthASecond(const FairSurfaceProblem& problem, const std::vector<Point3>& shape,
                     const std::vector<Point3>& points) {
-  if (!problem.evens_curvature) return true;
   double meant = 0, found = 0;
   for (const Triangle& t : problem.patch) {
     meant += TwiceVectorArea(shape, t).norm();
@@ -231,18 +270,47 @@ bool IsWorthASecond(const FairSurfaceProblem& problem, const std::vector<Point3>
   return found > kLeastArea * meant && std::abs(found - meant) > kSameArea * meant;
 }
 
+bool SolveTwice(const std::vector<Point3>& shape, FairSurfaceProblem& problem) {
+  std::vector<Point3> points = problem.points;
+  for (const bool again : {false, true}) {
+    const std::vector<Point3> first = points;
+    BendingSystem system(problem, again ? first : shape);
+    if (!system.Factorize() || !system.Solve(points)) return false;
+  }
+  problem.points = std::move(points);
+  return true;
+}
+
+// Of the surfaces of least bending and of even curvature, each with the shapes of the one before, that whose curvature
+// goes on best at the rim.
+bool SolveEvenly(const std::vector<Point3>& shape, FairSurfaceProblem& problem) {
+  const CurvatureBeside beside = FindCurvatureBeside(problem);
+  std::vector<Point3> points = problem.points, best;
+  double least = 0;
+  const auto consider = [&] {
+    const double jump = JumpAtRim(problem, points, beside);
+    if (!best.empty() && jump > least) return;
+    best = points;
+    least = jump;
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Point3> before = points;
+    BendingSystem system(problem, round == 0 ? shape : before);
+    if (!system.Factorize() || !system.Solve(points)) return false;
+    consider();
+    if (!system.EvenCurvature(beside, points)) return false;
+    consider();
+    if (round == 0 && !IsWorthASecond(problem, shape, points)) break;
+  }
+  problem.points = std::move(best);
+  return true;
+}
+
 }  // namespace
 
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem) {
   if (std::find(problem.known.begin(), problem.known.end(), false) == problem.known.end()) return true;
-  std::vector<Point3> points = problem.points;
-  if (!SolveWith(problem, shape, points)) return false;
-  if (IsWorthASecond(problem, shape, points)) {
-    const std::vector<Point3> first = points;
-    if (!SolveWith(problem, first, points)) return false;
-  }
-  problem.points = std::move(points);
-  return true;
+  return problem.evens_curvature ? SolveEvenly(shape, problem) : SolveTwice(shape, problem);
 }
 
 }  // namespace tilemend

@@ -35,8 +35,10 @@ struct FairSurfaceProblem {
 // whole patch, as H flows in across the rim from `beyond`. That much of the step is not made; how much that is, is only
 // believed as far as it is alike all along the rim.
 //
-// The second solve is left out where it would change little, and where the surface has shrunk from its shapes: these
-// say more then. Beside the rough rims of tiles curvature is mostly noise.
+// Then the surface of least bending, that of even curvature, and those of up to two more solves are held against each
+// other: that one is taken whose curvature at the rim is nearest to that of the surface beside it. Further solves are
+// left out where the first would change little by them, or has lost much of the area of its shapes. Beside the rough
+// rims of tiles curvature is mostly noise.
 //   shape  one position for each point; those of band triangles are taken from problem.points
 // False, with the points as they were, if the system cannot be factorised. Sparse Cholesky; about O(n^1.5).
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem);
