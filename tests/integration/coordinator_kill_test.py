@@ -2,196 +2,70 @@
 """Kills a coordinator at random moments and at every durable write, and holds what comes of it to an undisturbed run.
 
     coordinator_kill_test.py BIN [--kills 300] [--each 5] [--seed 1] [--failpoints NAME,NAME]
-                            [--scene SCENE] [--options "of the job"]
+                            [--scene SCENE] [--options "of the job"] [--seconds LONGEST]
 
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. A job runs on a made scene with two
 workers. The coordinator is killed (SIGKILL), a new one is started on the same folder, and so on until the job is over.
 Then every file of the output must be that of the undisturbed run (report.json but for dates and seconds), no task may
 have been committed twice or forgotten, no more tasks may have run than were in flight at the kills, and nothing may be
-left in the output or in the work folder. Prints its figures. Exit code 1 if anything was not so.
+left in the output or in the work folder. Prints what was reached every 20 seconds and its figures at the end. Exit code
+1 if anything was not so; 3, with the figures of what was reached, after --seconds, SIGTERM or SIGINT.
 """
 import argparse
-import glob
 import json
 import os
 import random
-import re
-import resource
 import shutil
 import signal
-import sqlite3
 import subprocess
 import sys
 import tempfile
 import time
-import urllib.request
 
-from free_port import free_port
+from cluster_harness import LIMIT, THREADS, Bench, Failure, await_, check_output, content, files, require
 
 FAILPOINTS = ['journal.make', 'journal.commit', 'journal.committed', 'journal.checkpointed', 'journal.tidy', 'blob.sync',
               'blob.renamed', 'restore.swept', 'output.claimed', 'file.written', 'file.renamed', 'file.moved',
               'job.finished', 'job.released']
 # What is reached only by a coordinator that starts again.
 ONLY_AGAIN = {'restore.swept'}
-THREADS = [1, 1]  # of the workers
 LARGEST_FILE = 900000  # bytes: less than the journal's log of 64 small cells, more than any other file of theirs
-LIMIT = 120  # seconds for anything to happen
+STOPPED = 3  # exit code
 
 
-class Failure(Exception):
-    pass
-
-
-def require(condition, text):
-    if not condition:
-        raise Failure(text)
-
-
-def await_(what, condition):
-    end = time.time() + LIMIT
-    while time.time() < end:
-        value = condition()
-        if value:
-            return value
-        time.sleep(0.005)
-    raise Failure(f'waited in vain for {what}')
-
-
-def metrics_port(log):
-    found = re.search(r'"metrics served".*"address":"[^"]*:(\d+)"', log)
-    return int(found.group(1)) if found else 0
-
-
-class Bench:
-    """A work folder, its coordinators and workers."""
-
-    def __init__(self, bin_folder, folder, options=()):
-        self.bin, self.folder, self.options = bin_folder, folder, options
-        self.code = 0  # of the undisturbed run
-        self.work = os.path.join(folder, 'work')
-        self.port = free_port()
-        self.address = f'127.0.0.1:{self.port}'
-        self.coordinator = None
-        self.log = None
-        self.workers, self.worker_ports = [], []
-
-    def program(self, name):
-        return os.path.join(self.bin, name)
-
-    def start(self, failpoint='', largest_file=resource.RLIM_INFINITY):
-        def limit():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file, largest_file))
-
-        self.log = open(os.path.join(self.folder, 'coordinator.log'), 'w+')
-        self.coordinator = subprocess.Popen(
-            [self.program('tilemend-coordinator'), '--work', self.work, '--listen', self.address, '--lease', '30'],
-            stderr=self.log, env=dict(os.environ, TILEMEND_FAILPOINT=failpoint), preexec_fn=limit, restore_signals=False)
-
-    def said(self):
-        with open(self.log.name) as log:
-            return log.read()
-
-    def await_serving(self):
-        await_('the coordinator to serve', lambda: 'listening' in self.said() or self.coordinator.poll() is not None)
-        return self.coordinator.poll() is None
-
-    def kill(self):
-        self.coordinator.send_signal(signal.SIGKILL)
-        self.coordinator.wait()
-
-    def add_workers(self):
-        for number, threads in enumerate(THREADS):
-            path = os.path.join(self.folder, f'worker{number}.log')
-            self.workers.append(subprocess.Popen(
-                [self.program('tilemend-worker'), '--coordinator', self.address, '--threads', str(threads),
-                 '--metrics', '127.0.0.1:0'], stderr=open(path, 'w')))
-            self.worker_ports.append(await_('a worker', lambda path=path: metrics_port(open(path).read())))
-
-    def tasks_run(self):
-        total = 0
-        for port in self.worker_ports:
-            with urllib.request.urlopen(f'http://127.0.0.1:{port}/metrics') as answer:
-                for line in answer.read().decode().splitlines():
-                    if line.startswith('tilemend_worker_tasks_started_total'):
-                        total += int(float(line.split()[-1]))
-        return total
-
-    def client(self, *words):
-        return subprocess.run([self.program('tilemend'), *words, '--coordinator', self.address], capture_output=True,
-                              text=True, timeout=LIMIT)
-
-    def told(self, *words):
-        said = self.client(*words, '-o', 'json')
-        require(said.returncode == 0, f'{words}: exit code {said.returncode}: {said.stderr}')
-        return json.loads(said.stdout)
-
-    def get(self, name):
-        got = self.client('get', name, '-o', 'json')
-        return json.loads(got.stdout) if got.returncode == 0 else None
-
-    def run_undisturbed(self, scene, out):
-        run = subprocess.run([self.program('tilemend'), 'run', scene, '--out', out, '--workers', '2', *self.options],
-                             capture_output=True, text=True)
-        self.code = run.returncode
-        require(self.code in (0, 100), f'tilemend run: exit code {self.code}: {run.stderr}')
-
-    def submit(self, scene, out, request):
-        return subprocess.Popen([self.program('tilemend'), 'submit', scene, '--out', out, '--coordinator', self.address,
-                                 '--request-id', request, '--wait', '-o', 'json', *self.options], stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, text=True)
-
-    def check_committed_once(self):
-        """In a copy of what the dead coordinator left."""
-        copy = os.path.join(self.folder, 'copy')
-        shutil.rmtree(copy, ignore_errors=True)
-        os.makedirs(copy)
-        for path in glob.glob(os.path.join(self.work, 'journal.sqlite*')):
-            shutil.copy(path, copy)
-        path = os.path.join(copy, 'journal.sqlite')
-        if not os.path.exists(path):
-            return
-        with sqlite3.connect(path) as journal:
-            twice = journal.execute('SELECT count(*) FROM (SELECT 1 FROM result WHERE state > 1 GROUP BY job, name'
-                                    ' HAVING count(*) > 1)').fetchone()[0]
-        require(twice == 0, f'{twice} tasks were committed twice')
-
-    def close(self):
-        for process in [*self.workers, self.coordinator]:
-            if process is not None and process.poll() is None:
-                process.kill()
-                process.wait()
-
-
-def content(path):
-    with open(path, 'rb') as file:
-        data = file.read()
-    if os.path.basename(path) != 'report.json':
-        return data
-    report = json.loads(data)
-    for key in ('seconds', 'date', 'peak_rss_bytes', 'tasks'):
-        report.pop(key, None)
-    return json.dumps(report, sort_keys=True)
-
-
-def files(folder):
-    return {os.path.relpath(os.path.join(where, name), folder)
-            for where, _, names in os.walk(folder) for name in names if name != '.tilemend-results'}
-
-
-def check_output(reference, out):
-    wanted, found = files(reference), files(out)
-    require(wanted == found, f'missing {sorted(wanted - found)}, too many {sorted(found - wanted)}')
-    wrong = [name for name in sorted(wanted) if content(os.path.join(reference, name)) != content(os.path.join(out, name))]
-    require(not wrong, f'other bytes: {wrong}')
+class Stopped(Exception):
+    """By whoever started the harness, or by --seconds."""
 
 
 class Figures:
     def __init__(self):
-        self.kills, self.jobs, self.again, self.most_again, self.in_flight = 0, 0, 0, 0, 0
-        self.at_random, self.told = 0, 0
+        self.kills, self.jobs, self.again, self.in_flight = 0, 0, 0, 0
+        self.told, self.failed_commits, self.full_disks = 0, 0, 0
+        self.at_random = None  # until they are over
         self.serving, self.back = [], []  # seconds from the start of a coordinator
         self.reached = {}
+        self.start = self.shown = time.time()
+
+    def job_is_over(self, kills, again):
+        """As it should be; shows where things are from time to time."""
+        self.jobs += 1
+        self.kills += kills
+        self.again += again
+        self.in_flight += kills * sum(THREADS)
+        if time.time() > self.shown + 20:
+            self.shown = time.time()
+            print(f'{self.shown - self.start:.0f} s: {self}', flush=True)
+
+    def __str__(self):
+        at_random = self.kills if self.at_random is None else self.at_random
+        text = (f'{at_random} kills at random, {self.told} just after an answer, {sum(self.reached.values())} at '
+                f'{len(self.reached)} durable writes, {self.failed_commits} failed commits, {self.full_disks} full disks, '
+                f'{self.jobs} jobs: every byte as undisturbed, 0 tasks lost, 0 committed twice, {self.again} done again '
+                f'(at most {self.in_flight} were in flight)')
+        for what, seconds in (('serving', sorted(self.serving)), ('at work', sorted(self.back))):
+            if seconds:
+                text += f', {what} again after {seconds[len(seconds) // 2]:.2f} s (median), {seconds[-1]:.2f} s (most)'
+        return text
 
 
 class JobRun:
@@ -242,12 +116,7 @@ class JobRun:
         most = self.kills * sum(THREADS) + int(progress['tasks_retried'])
         require(0 <= again <= most, f'{again} tasks were done again at {self.kills} kills')
         await_('the work folder to be empty', lambda: not files(os.path.join(self.bench.work, 'jobs')))
-        figures = self.figures
-        figures.jobs += 1
-        figures.kills += self.kills
-        figures.again += again
-        figures.most_again = max(figures.most_again, again)
-        figures.in_flight += self.kills * sum(THREADS)
+        self.figures.job_is_over(self.kills, again)
         shutil.rmtree(self.out)
 
 
@@ -263,6 +132,7 @@ def kill_at_random(bench, scene, reference, figures, kills, seconds, dice):
             bench.kill()
             run.killed()
         run.finish()
+    figures.at_random = figures.kills
 
 
 def pass_failpoint(bench, scene, reference, figures, name, times, number):
@@ -325,6 +195,7 @@ def fail_commits(bench, scene, reference, figures, each):
         require('the journal cannot be written' in bench.said(), bench.said())
         run.killed()
         run.finish()
+        figures.failed_commits += 1
 
 
 def fill_the_disk(bench, figures, each):
@@ -342,6 +213,7 @@ def fill_the_disk(bench, figures, each):
         require('the journal cannot be written' in bench.said(), bench.said())
         run.killed()
         run.finish()
+        figures.full_disks += 1
 
 
 def check_told_stays(bench, scene, figures, each):
@@ -387,19 +259,10 @@ def check_refusals(bench):
     require(foreign.returncode == 4 and path in foreign.stderr and content(path) == before, f'a foreign journal: {foreign}')
 
 
-def print_figures(figures, each):
-    back, serving = sorted(figures.back), sorted(figures.serving)
-    print(f'{figures.at_random} kills at random, {figures.told} just after an answer, {sum(figures.reached.values())} at {len(figures.reached)} durable writes, '
-          f'{each} failed commits, {each} full disks, {figures.jobs} jobs: every byte as undisturbed, 0 tasks lost, 0 committed twice')
-    print(f'{figures.again} tasks done again (at most {figures.in_flight} were in flight), serving again after '
-          f'{serving[len(serving) // 2]:.2f} s (median), {serving[-1]:.2f} s (most), at work again after '
-          f'{back[len(back) // 2]:.2f} s (median), {back[-1]:.2f} s (most)')
-
-
 def parse_arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument('bin')
-    for name, number in (('kills', 300), ('each', 5), ('seed', 1)):
+    for name, number in (('kills', 300), ('each', 5), ('seed', 1), ('seconds', 0)):
         parser.add_argument('--' + name, type=int, default=number)
     for name, text in (('scene', ''), ('options', ''), ('failpoints', ','.join(FAILPOINTS))):
         parser.add_argument('--' + name, default=text)
@@ -425,25 +288,36 @@ def run_all(bench, arguments, figures):
     check_refusals(bench)
     check_told_stays(bench, scene, figures, arguments.each)
     kill_at_random(bench, scene, reference, figures, arguments.kills, seconds, random.Random(arguments.seed))
-    figures.at_random = figures.kills
     kill_at_failpoints(bench, scene, reference, figures, arguments.each, [n for n in arguments.failpoints.split(',') if n])
     fail_commits(bench, scene, reference, figures, arguments.each)
     fill_the_disk(bench, figures, arguments.each)
 
 
+def stop(number, _):
+    raise Stopped(signal.Signals(number).name)
+
+
 def main():
     arguments = parse_arguments()
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGALRM):
+        signal.signal(number, stop)
+    signal.alarm(arguments.seconds)
     figures = Figures()
+    code = 0
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(arguments.bin, folder, arguments.options.split())
         try:
             run_all(bench, arguments, figures)
         except Failure as failure:
-            print(f'FAILED after {figures.kills} kills in {figures.jobs} jobs: {failure}')
-            sys.exit(1)
+            print(f'FAILED: {failure}')
+            code = 1
+        except Stopped as stopped:
+            print(f'STOPPED by {stopped} before the end')
+            code = STOPPED
         finally:
             bench.close()
-    print_figures(figures, arguments.each)
+    print(figures)
+    sys.exit(code)
 
 
 if __name__ == '__main__':

@@ -20,7 +20,7 @@ import tempfile
 import threading
 import time
 
-from coordinator_kill_test import Bench, Failure, await_, require
+from cluster_harness import Bench, Failure, await_, require
 
 TENTH = 0.01  # seconds that a slow worker runs, of ten such
 

@@ -20,7 +20,7 @@ import tempfile
 import time
 import urllib.request
 
-from coordinator_kill_test import LIMIT, Bench, Failure, await_, check_output, metrics_port, require
+from cluster_harness import LIMIT, Bench, Failure, await_, check_output, metrics_port, require
 
 WAYS = {'to the coordinator': ['INPUT'], 'to the worker': ['OUTPUT'], 'both ways': ['INPUT', 'OUTPUT']}
 

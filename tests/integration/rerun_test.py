@@ -22,7 +22,7 @@ import sys
 import tempfile
 import time
 
-from coordinator_kill_test import LIMIT, Failure, check_output, require
+from cluster_harness import LIMIT, Failure, check_output, require
 
 
 class Tile:

@@ -22,7 +22,7 @@ import sys
 import tempfile
 import time
 
-from coordinator_kill_test import LIMIT, Bench, Failure, await_, check_output, require
+from cluster_harness import LIMIT, Bench, Failure, await_, check_output, require
 
 SILENCE = 3  # seconds
 

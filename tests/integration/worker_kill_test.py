@@ -21,7 +21,7 @@ import sys
 import tempfile
 import time
 
-from coordinator_kill_test import LIMIT, Bench, Failure, await_, metrics_port, require
+from cluster_harness import LIMIT, Bench, Failure, await_, metrics_port, require
 from partition_test import Jobs, metric
 
 LEASE = 3  # seconds
