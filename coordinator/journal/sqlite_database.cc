@@ -90,6 +90,14 @@ absl::Status SqliteDatabase::Run(const std::string& sql) {
   return ErrorOf(database_.get(), path_);
 }
 
+absl::Status SqliteDatabase::CheckInPlace() {
+  int moved = 0;
+  if (sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved) != SQLITE_OK) {
+    return ErrorOf(database_.get(), path_);
+  }
+  return moved == 0 ? absl::OkStatus() : absl::NotFoundError(absl::StrCat(path_, ": the file was taken away"));
+}
+
 absl::StatusOr<SqliteStatement> SqliteDatabase::Prepare(const std::string& sql) {
   sqlite3_stmt* statement = nullptr;
   if (sqlite3_prepare_v2(database_.get(), sql.c_str(), -1, &statement, nullptr) != SQLITE_OK) {

@@ -50,6 +50,9 @@ class SqliteDatabase {
 
   // Statements separated by semicolons, rows dropped.
   absl::Status Run(const std::string& sql);
+  // kNotFound if there is no file of this name any more, or another than was opened: who opens it next finds nothing of
+  // what is written here. One look at the file's name.
+  absl::Status CheckInPlace();
   // Must not outlive the database.
   absl::StatusOr<SqliteStatement> Prepare(const std::string& sql);
 

@@ -261,6 +261,7 @@ void SqliteJournal::Commit(const std::vector<JournalPut>& puts) {
   if (FailPoint("journal.commit"))
     EndForJournal(absl::InternalError(absl::StrCat(path_, ": a sync failed (injected)")));
   RequireOfJournal(database_.Run("COMMIT"));
+  RequireOfJournal(database_.CheckInPlace());
   FailPoint("journal.committed");
   is_log_empty_ = false;
 }

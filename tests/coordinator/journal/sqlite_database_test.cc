@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -44,6 +46,17 @@ TEST_F(SqliteDatabaseTest, ErrorsNameTheFile) {
   EXPECT_TRUE(absl::IsPermissionDenied(SqliteDatabase::Open(folder_ / "no/folder").status()));
   auto other = SqliteDatabase::Open(folder_ / "b");
   EXPECT_TRUE(absl::IsInternal(other->Prepare("SELEKT 1").status()));
+}
+
+TEST_F(SqliteDatabaseTest, MissesItsFile) {
+  const std::string path = folder_ / "a", away = folder_ / "b";
+  auto database = SqliteDatabase::Open(path);
+  ASSERT_TRUE(database->Run("CREATE TABLE t(a)").ok());
+  EXPECT_TRUE(database->CheckInPlace().ok());
+  std::filesystem::rename(path, away);
+  EXPECT_TRUE(absl::IsNotFound(database->CheckInPlace()));
+  std::filesystem::rename(away, path);
+  EXPECT_TRUE(database->CheckInPlace().ok());
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <random>
 #include <thread>
 
@@ -261,6 +263,33 @@ TEST_F(SqliteJournalTest, ACommitThatFailsEndsTheProcess) {
   };
   EXPECT_EXIT(fail(), ::testing::ExitedWithCode(kExitRetryable), "cannot be written: .*journal.sqlite: a sync failed");
   EXPECT_TRUE(Open()->TakeJobs().empty());
+}
+
+// Whoever deletes the work folder under a coordinator, or moves it away: no restart finds what would go on there.
+TEST_F(SqliteJournalTest, ACommitToAFileThatWasTakenAwayEndsTheProcess) {
+  const auto put_after = [](const std::string& folder, const std::function<void()>& taken_away) {
+    std::filesystem::create_directories(folder);
+    const auto journal = OpenSqliteJournal(folder + "/journal.sqlite");
+    if (!journal.ok()) return;
+    (*journal)->PutJob(NewJob(1));
+    (*journal)->Await();
+    taken_away();
+    (*journal)->PutJob(NewJob(2));
+    (*journal)->Await();
+    std::fprintf(stderr, "went on\n");
+    ::_exit(0);
+  };
+  const auto ends = ::testing::ExitedWithCode(kExitRetryable);
+  const char* const reason = "cannot be written: .*journal.sqlite: the file was taken away";
+  const std::string moved = folder_ / "moved", deleted = folder_ / "deleted", replaced = folder_ / "replaced";
+  EXPECT_EXIT(put_after(moved, [&] { std::filesystem::rename(moved, moved + ".away"); }), ends, reason);
+  EXPECT_EXIT(put_after(deleted, [&] { std::filesystem::remove_all(deleted); }), ends, reason);
+  const auto replace = [&] {
+    std::filesystem::rename(replaced, replaced + ".away");
+    std::filesystem::create_directories(replaced);
+    std::ofstream(replaced + "/journal.sqlite") << "another";
+  };
+  EXPECT_EXIT(put_after(replaced, replace), ends, reason);
 }
 
 TEST_F(SqliteJournalTest, ManyThreadsShareCommits) {
