@@ -9,6 +9,8 @@
 namespace tilemend {
 namespace {
 
+constexpr absl::Duration kBetweenRefusals = absl::Seconds(10);
+
 // From 1 s to 6 days; from 0.1 s to 14 h.
 std::vector<double> JobBounds() { return Histogram::ScaledBounds(1, 2, 20); }
 std::vector<double> QueueBounds() { return Histogram::ScaledBounds(0.1, 2, 20); }
@@ -154,6 +156,14 @@ void ClusterEvents::WorkerCame(const WorkerRecord& worker, const std::string& re
   workers_came_->Increment();
   log_.Info("worker came",
             {{"worker", worker.id}, {"threads", worker.threads}, {"worker_release", release}, {"identity", identity}});
+}
+
+void ClusterEvents::WorkerRefused(const std::string& worker, const std::string& release, const absl::Status& reason,
+                                  absl::Time now) {
+  if (now - last_refusal_ < kBetweenRefusals) return;
+  last_refusal_ = now;
+  log_.Warn("worker refused",
+            {{"worker", worker}, {"worker_release", release}, {"reason", std::string(reason.message())}});
 }
 
 void ClusterEvents::WorkerLeft(const std::string& worker) { log_.Info("worker left", {{"worker", worker}}); }

@@ -44,6 +44,8 @@ class ClusterEvents {
   void AttemptLost(const StruckTask& task, const JobOrigin& origin);
 
   void WorkerCame(const WorkerRecord& worker, const std::string& release, const std::string& identity);
+  // It speaks another protocol. A line for one of them every ten seconds: they may ask again and again.
+  void WorkerRefused(const std::string& worker, const std::string& release, const absl::Status& reason, absl::Time now);
   void WorkerLeft(const std::string& worker);
   void WorkerLost(const WorkerRecord& worker, absl::Time now);
   // It gets no task until it is known whose fault its wrong result is; nobody's; its own.
@@ -78,7 +80,8 @@ class ClusterEvents {
   Counter* output_mismatches_;
   Counter* workers_came_;
   Counter* workers_lost_;
-  std::map<std::string, Progress> counted_;  // what is in the counters of the jobs that run
+  absl::Time last_refusal_ = absl::InfinitePast();  // that has a line
+  std::map<std::string, Progress> counted_;         // what is in the counters of the jobs that run
 };
 
 }  // namespace tilemend

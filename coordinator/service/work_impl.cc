@@ -25,13 +25,19 @@ constexpr size_t kMostErrorBytes = 2048;
 // Small outputs that wait for a slow pipeline go to disk beyond this.
 constexpr size_t kMaxQueuedBytes = size_t{64} << 20;
 
+// Of another protocol anything may be said.
+std::string Shown(const std::string& text) { return Printable(text.substr(0, kMostNameBytes)); }
+
+absl::Status CheckProtocol(const v1::SyncRequest& request) {
+  if (request.protocol() == kProtocolVersion) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::FailedPreconditionError(absl::StrCat("worker ", Shown(request.worker()), " speaks protocol ",
+                                                 request.protocol(), ", this coordinator ", kProtocolVersion,
+                                                 "; use the same release")),
+      {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
+}
+
 absl::Status CheckSync(const v1::SyncRequest& request) {
-  if (request.protocol() != kProtocolVersion) {
-    return WithErrorInfo(
-        absl::FailedPreconditionError(absl::StrCat("worker ", request.worker(), " speaks protocol ", request.protocol(),
-                                                   ", this coordinator ", kProtocolVersion, "; use the same release")),
-        {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
-  }
   if (std::max({request.worker().size(), request.secret().size(), request.release().size()}) > kMostNameBytes) {
     return absl::InvalidArgumentError(
         absl::StrCat("a worker's id, secret and release have at most ", kMostNameBytes, " bytes"));
@@ -100,6 +106,11 @@ v1::Task TaskMessage(const TaskKey& key, const Task& task, const Lease& lease) {
 absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& request,
                                                        const std::function<bool()>& alive,
                                                        const std::string& identity) {
+  if (const absl::Status other = CheckProtocol(request); !other.ok()) {
+    Lock lock(mutex_);
+    events_.WorkerRefused(Shown(request.worker()), Shown(request.release()), other, options_.clock());
+    return other;
+  }
   TILEMEND_RETURN_IF_ERROR(CheckSync(request));
   std::vector<Report> reports = PrepareReports(request);
   v1::SyncResponse response;

@@ -42,6 +42,7 @@ void TestCluster::StartCoordinator() {
   coordinator.check_result = options_.check_result;
   coordinator.max_running_jobs = options_.max_running_jobs;
   coordinator.most_sent = options_.most_sent;
+  coordinator.log = options_.log;
   if (options_.durable) {
     auto journal = OpenSqliteJournal(folder_ / "journal.sqlite");
     EXPECT_TRUE(journal.ok()) << journal.status();

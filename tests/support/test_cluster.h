@@ -62,6 +62,7 @@ struct ClusterOptions {
   size_t max_running_jobs = 64;
   ResultCheck check_result;
   int64_t most_sent = CoordinatorOptions().most_sent;
+  Log* log = Log::Null();   // of the coordinator; outlives the cluster
   bool fake_clock = false;  // leases then run out only through clock() and Tick()
   bool durable = false;     // for Restart
 };

@@ -125,6 +125,17 @@ TEST_F(ClusterEventsTest, TellsOfWorkers) {
   ExpectLine("workers_lost_total 1");
 }
 
+TEST_F(ClusterEventsTest, OneOfManyRefusedWorkersHasALine) {
+  const absl::Status reason = absl::FailedPreconditionError("worker w speaks protocol 1");
+  for (const int seconds : {0, 2, 9, 10}) {
+    events_.WorkerRefused(absl::StrCat("w", seconds), "0.0.9", reason, kStart + absl::Seconds(seconds));
+  }
+  EXPECT_THAT(
+      log_.lines(),
+      ElementsAre("warning worker refused worker=w0 worker_release=0.0.9 reason=\"worker w speaks protocol 1\"\n",
+                  "warning worker refused worker=w10 worker_release=0.0.9 reason=\"worker w speaks protocol 1\"\n"));
+}
+
 TEST_F(ClusterEventsTest, NamesTheTaskWhoseAttemptFailed) {
   Task task;
   task.id = 3;

@@ -1,4 +1,5 @@
 // The worker's calls, without workers and without gRPC.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,10 +9,12 @@
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
 #include "tests/coordinator/service/coordinator_impl_fixture.h"
+#include "tests/support/list_log.h"
 
 namespace tilemend {
 namespace {
 
+using ::testing::StartsWith;
 using WorkImplTest = CoordinatorImplTest;
 
 TEST_F(WorkImplTest, TellsALostAnswerAgain) {
@@ -97,6 +100,23 @@ TEST_F(WorkImplTest, RefusesAnotherProtocol) {
   v1::SyncRequest request = NewSync();
   request.set_protocol(kProtocolVersion + 1);
   EXPECT_EQ(ErrorReason(impl_.Sync(request, [] { return true; }).status()), "PROTOCOL_VERSION");
+}
+
+TEST(WorkLogTest, NamesAWorkerOfAnotherProtocolWhateverItSays) {
+  ListLog log;
+  ClusterOptions options;
+  options.log = &log;
+  TestCluster cluster(options);
+  v1::SyncRequest request;
+  request.set_protocol(kProtocolVersion - 1);
+  request.set_worker("old-" + std::string(5000, 'w'));
+  request.set_threads(-1);
+  const absl::Status refused = cluster.impl().Sync(request, [] { return true; }).status();
+  EXPECT_EQ(ErrorReason(refused), "PROTOCOL_VERSION");
+  EXPECT_LT(refused.message().size(), 500U);
+  ASSERT_EQ(log.lines().size(), 1U);
+  EXPECT_THAT(log.lines().front(), StartsWith("warning worker refused worker=old-www"));
+  EXPECT_LT(log.lines().front().size(), 1000U);
 }
 
 TEST_F(WorkImplTest, ReleasesADrainingWorker) {
