@@ -19,7 +19,8 @@ void KeepHeap([[maybe_unused]] int threads) {
 
 void ShareHeap() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 256 << 10);  // or it grows with what is freed
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);   // or it grows with what is freed
+  mallopt(M_TRIM_THRESHOLD, 16 << 20);  // or each large step takes its memory from the system anew, page by page
   mallopt(M_ARENA_MAX, 2);
 #endif
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -21,6 +22,16 @@ TEST(HeapTest, GivesLargeBlocksBackWhereItIsShared) {
     std::free(block);
     EXPECT_EQ(mallinfo2().hblkhd, before);
   }
+}
+
+// Else each step takes its memory from the system anew.
+TEST(HeapTest, KeepsSomeOfTheSmallBlocksWhereItIsShared) {
+  ShareHeap();
+  std::array<void*, 64> blocks{};
+  for (void*& block : blocks) block = std::malloc(size_t{128} << 10);
+  const size_t before = mallinfo2().arena;
+  for (void* const block : blocks) std::free(block);
+  EXPECT_EQ(mallinfo2().arena, before);
 }
 
 TEST(HeapTest, KeepsWhatIsFreed) {
