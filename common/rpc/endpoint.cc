@@ -26,6 +26,9 @@ namespace {
 // Threads of calls. Each worker has a call waiting; watches and blobs are bounded below that by the services.
 constexpr int kMostCalls = 1500;
 
+// Of one connection at once; a caller's further calls wait on its side.
+constexpr int kMostCallsOfConnection = 512;
+
 // Of what callers send and nobody has looked at yet. gRPC reads a message that is too long to its end before it refuses
 // it.
 constexpr size_t kMostReceivedBytes = size_t{64} << 20;
@@ -87,14 +90,16 @@ class TokenSenders : public grpc::experimental::ClientInterceptorFactoryInterfac
 
 }  // namespace
 
-RpcServer::RpcServer(std::unique_ptr<grpc::Server> server, std::unique_ptr<Acceptor> acceptor)
-    : server_(std::move(server)), acceptor_(std::move(acceptor)) {}
+RpcServer::RpcServer(std::unique_ptr<AnswerWatch> watch, std::unique_ptr<grpc::Server> server,
+                     std::unique_ptr<Acceptor> acceptor)
+    : watch_(std::move(watch)), server_(std::move(server)), acceptor_(std::move(acceptor)) {}
 
 RpcServer::~RpcServer() { Shutdown(absl::Seconds(2)); }
 
 absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& listen,
                                                             const std::vector<grpc::Service*>& services,
                                                             const TlsFiles& tls) {
+  auto watch = std::make_unique<AnswerWatch>();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;
@@ -105,6 +110,7 @@ absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& l
   // A connection that says nothing, or has nothing to say any more, makes room for others.
   builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, 4'000);
   builder.AddChannelArgument(GRPC_ARG_MAX_CONNECTION_IDLE_MS, 60'000);
+  builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMostCallsOfConnection);
   grpc::ResourceQuota quota("tilemend");
   quota.SetMaxThreads(kMostCalls);
   quota.Resize(kMostReceivedBytes);
@@ -127,7 +133,7 @@ absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& l
       taker->HandleNewConnection(&connection);
     });
   }
-  return std::unique_ptr<RpcServer>(new RpcServer(std::move(server), std::move(acceptor)));
+  return std::unique_ptr<RpcServer>(new RpcServer(std::move(watch), std::move(server), std::move(acceptor)));
 }
 
 std::shared_ptr<grpc::Channel> RpcServer::InProcessChannel() { return server_->InProcessChannel(ChannelArguments()); }

@@ -13,6 +13,7 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "common/rpc/acceptor.h"
+#include "common/rpc/answer_limit.h"
 #include "common/rpc/credentials.h"
 
 namespace tilemend {
@@ -22,8 +23,8 @@ class RpcServer {
  public:
   // Listens on `listen` ("HOST:PORT", port 0 takes a free one) or, if it is empty, only in process. Answers the
   // standard health check and reflection. kInvalidArgument for a malformed address, kUnavailable if the address cannot
-  // be had. Connections, calls at once and what a connection may keep the server waiting for are bounded; beyond that
-  // connections are closed and calls fail with kResourceExhausted.
+  // be had. Connections, calls at once, what a connection may keep the server waiting for and how long an answer may
+  // wait to be taken are bounded; beyond that connections are closed and calls fail with kResourceExhausted.
   static absl::StatusOr<std::unique_ptr<RpcServer>> Start(const std::string& listen,
                                                           const std::vector<grpc::Service*>& services,
                                                           const TlsFiles& tls = {});
@@ -35,8 +36,10 @@ class RpcServer {
   void Shutdown(absl::Duration grace);
 
  private:
-  RpcServer(std::unique_ptr<grpc::Server> server, std::unique_ptr<Acceptor> acceptor);
+  RpcServer(std::unique_ptr<AnswerWatch> watch, std::unique_ptr<grpc::Server> server,
+            std::unique_ptr<Acceptor> acceptor);
 
+  std::unique_ptr<AnswerWatch> watch_;
   std::unique_ptr<grpc::Server> server_;
   std::unique_ptr<Acceptor> acceptor_;  // ends first; null: only in process
 };

@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
+#include "common/rpc/answer_limit.h"
 #include "common/rpc/grpc_status.h"
 #include "common/rpc/trace.h"
 #include "common/util/error_info.h"
@@ -42,6 +43,7 @@ class Entrance {
   // `call` takes the caller and gives an absl::Status.
   template <class Call>
   grpc::Status Run(const ServerContext& context, std::string_view rpc, Call call) const {
+    const Handling handling(context);
     const absl::Time start = absl::Now();
     const PeerClaims claims = ClaimsOf(context);
     const auto caller = gate_->Admit(rpc, {claims.certificate_name, claims.alternatives, claims.token}, claims.address);

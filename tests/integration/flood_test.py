@@ -5,9 +5,10 @@
 
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. With a descriptor limit of 64: 500 idle
 connections; with one of 1,024: `connections` at once. After each the coordinator must serve again within `most-seconds`,
-also while they stay open and say nothing. Then messages that are too long, which must not be kept in memory. Then `watches` of one job, whose threads are counted, and ten times more submissions than
-capacity, while `get` is timed: `gets` times, a process each, with submissions going on, and 99 of 100 may take `most-ms`
-at most. Prints its figures. Exit code 1 if anything was not so.
+also while they stay open and say nothing. Then messages that are too long and calls that are only begun, which must
+not be kept in memory, and calls whose answers nobody reads, which must end. Then `watches` of one job, whose threads are
+counted, and ten times more submissions than capacity, while `get` is timed: `gets` times, a process each, with
+submissions going on, and 99 of 100 may take `most-ms` at most. Prints its figures. Exit code 1 if anything was not so.
 """
 import argparse
 import os
@@ -21,7 +22,7 @@ import threading
 import time
 
 from cluster_harness import Bench, Failure, await_, require
-from long_message import LongCall
+from raw_calls import LongCall, begun_calls, unread_calls
 
 MAX_JOBS = 8
 SUBMITTERS = 4
@@ -88,6 +89,32 @@ def send_too_much(bench, callers, megabytes, most):
     require(memory <= most, f'{memory} MB for messages that are refused')
     bench.kill()
     return memory
+
+
+def begin_often(bench, connections, calls, most):
+    """The most memory of the coordinator, in MB, while callers begin calls and send no message."""
+    start(bench, 1024)
+    begun = [begun_calls(bench.port, '/tilemend.v1.Jobs/CreateJob', calls) for _ in range(connections)]
+    served_after(bench)
+    memory = status_of(bench, 'VmHWM:') // 1024
+    require(memory <= most, f'{memory} MB for {connections} connections with {calls} calls that were only begun')
+    for connection in begun:
+        connection.close()
+    bench.kill()
+    return memory
+
+
+def leave_unread(bench, most):
+    """Seconds until a client is answered, while callers hold more calls than there can be at once and read nothing."""
+    start(bench, 1024)
+    connections = [unread_calls(bench.port, '/tilemend.v1.Jobs/ListJobs', 20) for _ in range(100)]
+    time.sleep(2)  # they are there
+    took = served_after(bench)
+    require(took <= most, f'calls whose answer nobody reads: served after {took:.1f} s')
+    for connection in connections:
+        connection.close()
+    bench.kill()
+    return took
 
 
 def watch_often(bench, scene, count, most):
@@ -177,6 +204,10 @@ def run_all(bench, arguments):
               f'while they were open, {closed:.1f} s after they were closed')
     memory = send_too_much(bench, 4, 300, arguments.most_megabytes)
     print(f'4 messages of 300 MB at once: refused, at most {memory} MB in all')
+    memory = begin_often(bench, 20, 2000, 200)
+    print(f'20 connections with 2000 calls each that are only begun: at most {memory} MB')
+    took = leave_unread(bench, 40 + arguments.most_seconds)
+    print(f'2000 calls whose answer nobody reads: a client was answered after {took:.1f} s')
     threads, memory = watch_often(bench, scene, arguments.watches, arguments.most_seconds)
     print(f'{arguments.watches} watches: {threads} threads more, {memory} MB in all')
     taken, shed, median, most, memory = submit_often(bench, scene)

@@ -1,4 +1,4 @@
-"""A call with a message of any length, over HTTP/2 by hand: client libraries would not send it, or hold it in memory."""
+"""Calls over HTTP/2 by hand, as no client library makes them: with a message of any length, or left with their answer."""
 import select
 import socket
 import struct
@@ -7,6 +7,7 @@ DATA, HEADERS, RST_STREAM, SETTINGS, PING, GOAWAY, WINDOW_UPDATE = 0, 1, 3, 4, 6
 END_STREAM, ACK, END_HEADERS = 1, 1, 4
 INITIAL_WINDOW_SIZE = 4
 STREAM = 1
+PREFACE = b'PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n'
 PIECE = bytes(16384)  # of a message; no frame may be longer
 
 
@@ -19,15 +20,43 @@ def header_block(pairs):
     return b''.join(bytes([0, len(name)]) + name.encode() + bytes([len(value)]) + value.encode() for name, value in pairs)
 
 
+def call_headers(method):
+    return header_block([(':method', 'POST'), (':scheme', 'http'), (':path', method), (':authority', 'coordinator'),
+                         ('content-type', 'application/grpc'), ('te', 'trailers')])
+
+
+def unread_calls(port, method, count):
+    """A connection with so many calls of an empty message whose answers have no room."""
+    connection = socket.create_connection(('127.0.0.1', port))
+    connection.sendall(PREFACE + frame(SETTINGS, 0, 0, struct.pack('>HI', INITIAL_WINDOW_SIZE, 0)))
+    for number in range(count):
+        stream = 2 * number + 1
+        connection.sendall(frame(HEADERS, END_HEADERS, stream, call_headers(method)) +
+                           frame(DATA, END_STREAM, stream, bytes(5)))
+    return connection
+
+
+def begun_calls(port, method, count):
+    """A connection with calls whose message is never complete: so many, or as many as the peer takes."""
+    connection = socket.create_connection(('127.0.0.1', port))
+    connection.sendall(PREFACE + frame(SETTINGS, 0, 0))
+    connection.recv(9)  # its settings, which count once we say that we have them
+    connection.sendall(frame(SETTINGS, ACK, 0))
+    try:
+        for number in range(count):
+            connection.sendall(frame(HEADERS, END_HEADERS, 2 * number + 1, call_headers(method)) +
+                               frame(DATA, 0, 2 * number + 1, struct.pack('>BI', 0, 100)))
+    except ConnectionError:
+        pass
+    return connection
+
+
 class LongCall:
     def __init__(self, port, method):
         self.socket = socket.create_connection(('127.0.0.1', port))
         self.windows = {0: 65535, STREAM: 65535}
         self.is_over = False
-        block = header_block([(':method', 'POST'), (':scheme', 'http'), (':path', method), (':authority', 'coordinator'),
-                              ('content-type', 'application/grpc'), ('te', 'trailers')])
-        self.socket.sendall(b'PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n' + frame(SETTINGS, 0, 0) +
-                            frame(HEADERS, END_HEADERS, STREAM, block))
+        self.socket.sendall(PREFACE + frame(SETTINGS, 0, 0) + frame(HEADERS, END_HEADERS, STREAM, call_headers(method)))
 
     def read(self, count):
         data = b''
