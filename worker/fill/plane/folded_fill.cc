@@ -27,6 +27,30 @@ constexpr double kFacesDown = 0.5;
 // A chord leaves each side at least this share of the loop.
 constexpr size_t kLeastShare = 4;
 
+// Leaves out inner edges that the region's boundary crosses or touches: it was simple without them.
+void DropCutInnerEdges(const ProjectionFrame& frame, LocalHole& part) {
+  std::vector<Point2> flat;
+  for (const Point3& p : part.positions) flat.emplace_back(frame.ToFrame(p).head<2>());
+  const std::vector<LatticePoint> points = RoundToWindow(flat, part.sizes).points;
+  while (!part.inner_edges.empty()) {
+    std::vector<RegionSegment> fixed = part.segments;
+    fixed.insert(fixed.end(), part.inner_edges.begin(), part.inner_edges.end());
+    std::set<VertexPair> edges;
+    std::set<int32_t> ends;
+    for (const RegionConflict& c : TriangulateRegion(points, fixed).conflicts) {
+      const bool of_points = c.kind == RegionConflict::Kind::kCoincidentPoints;
+      if (of_points) ends.insert(c.first);
+      if (of_points || c.kind == RegionConflict::Kind::kPointOnSegment) ends.insert(c.second);
+      if (!of_points) edges.insert(Undirected(fixed[c.first].from, fixed[c.first].to));
+      if (c.kind == RegionConflict::Kind::kCrossing) edges.insert(Undirected(fixed[c.second].from, fixed[c.second].to));
+    }
+    const auto is_cut = [&](const RegionSegment& s) {
+      return edges.contains(Undirected(s.from, s.to)) || ends.contains(s.from) || ends.contains(s.to);
+    };
+    if (std::erase_if(part.inner_edges, is_cut) == 0) return;
+  }
+}
+
 class FoldedFiller {
  public:
   FoldedFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options)
@@ -208,6 +232,7 @@ class FoldedFiller {
       const int32_t from = take(s.from), to = take(s.to);
       local.inner_edges.push_back({from, to});
     }
+    DropCutInnerEdges(frame_, local);
     return part;
   }
 

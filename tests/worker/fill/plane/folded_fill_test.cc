@@ -72,6 +72,26 @@ TEST_P(FoldedFillTest, PassesThroughEdgesInsideTheRegion) {
   ExpectClosesHole(work, work.holes[0], filled);
 }
 
+// From the region, over its boundary, into the fold that is cut off.
+TEST_P(FoldedFillTest, LeavesOutEdgesThatTheFoldCuts) {
+  const auto lean = [](const Point3& p) {
+    const bool step = p.x() > 1 && p.y() == 2;
+    return step ? Point3(p.x(), 3.2, 1) : p;
+  };
+  CellHoles work = WorkOfSheet(Disc(2, 5, 3), lean, 0);
+  AddInnerEdge({1.25, 5.25, 0.5}, {2.5, 5.25, 0.5}, work);
+  AddInnerEdge({2.25, 4.5, 0.5}, {2.25, 2.25, 0.5}, work);
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  ASSERT_TRUE(patch.ok());
+  const HolePatch filled = ToHolePatch(hole, std::move(patch));
+  const RimSegment in = work.holes[0].inner_edges[0], cut = work.holes[0].inner_edges[1];
+  EXPECT_EQ(TrianglesAt(in.from, in.to, filled.triangles), 2);
+  EXPECT_EQ(TrianglesAt(cut.from, cut.to, filled.triangles), 0);
+  ExpectClosesHole(work, work.holes[0], filled);
+}
+
 // A hole over the foot of a wall, the wall and its roof, as lakes beside houses have them: from any place and size.
 TEST_P(FoldedFillTest, ClosesWhateverFoldsTheBoundaryHas) {
   const auto uneven = [](const Point3& p) {
