@@ -62,7 +62,7 @@ class SqliteJournal : public CommittedJournal {
 
   void Commit(const std::vector<JournalPut>& puts);  // here and below with database_mutex_ held
   absl::Status Insert(const JobRecord& job);
-  absl::Status Insert(const NewResult& result);
+  absl::Status Insert(const NewResult& put);
   absl::Status Insert(const OldJob& job);
   absl::Status Insert(const SetAsideRecord& aside);
   bool TidyUp();  // a little of it; false if there is nothing left to do
