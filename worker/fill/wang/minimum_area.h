@@ -18,7 +18,7 @@ namespace tilemend {
 //   fits  whether triangle loop[i], loop[j], loop[k], i < j < k, may be made; asked last, only where it matters
 //   is_cancelled  asked n^2 times; once true there is soon no result. None: never
 // Returns triangles over loop indices, oriented like the loop; empty if there is no triangulation of such triangles
-// with area. O(n^3) time, 12 n^2 bytes.
+// with area. O(n^3) time, at most 14 n^2 bytes.
 std::vector<Triangle> TriangulateLeastArea(std::span<const Point3> loop,
                                            const std::function<bool(int32_t, int32_t)>& joins,
                                            const std::function<bool(int32_t, int32_t, int32_t)>& fits,
