@@ -46,6 +46,7 @@ class Walker {
     CloseAtPieces();
     SortEvents();
     CountLayers();
+    OrderWherePiecesOverlap();
     if (events_.empty()) {
       walk_.all_open = stretches_.front().layers <= 0;
     } else {
@@ -206,6 +207,19 @@ class Walker {
       walk_.gaps.push_back({end.vertex, begin.vertex, 0, 0, false});
       events_.erase(events_.begin() + static_cast<ptrdiff_t>(i), events_.begin() + static_cast<ptrdiff_t>(i) + 2);
       i -= i > 0;
+    }
+  }
+
+  // Where two pieces overlap, the surface of one may end a hair before that of the other begins, though there was none
+  // between the end of the last one and there: the other one comes first.
+  void OrderWherePiecesOverlap() {
+    for (size_t i = 1; i + 1 < events_.size(); ++i) {
+      const Event& last = events_[i - 1];
+      Event &end = events_[i], &begin = events_[i + 1];
+      const bool is_of_pieces = !end.on_outline || !begin.on_outline;
+      const bool is_near = begin.place - end.place <= kPieceEnds * piece_reach_;
+      if (last.ends && end.ends && !begin.ends && is_of_pieces && is_near && IsUncovered(last, end))
+        std::swap(end, begin);
     }
   }
 

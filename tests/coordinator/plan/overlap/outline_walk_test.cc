@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "tests/support/overlapping_scene.h"
 
@@ -105,6 +107,30 @@ TEST(OutlineWalkTest, LinksChainsThatEndInside) {
     ends.erase(gap.from), ends.erase(gap.to);
   }
   EXPECT_THAT(ends, IsEmpty());
+}
+
+// Of two pieces that overlap by 0.04 m the western one ends to the north of y = 4; a corner of the eastern one is
+// missing, up to its own outline.
+TEST(OutlineWalkTest, ChainsOfOverlappingPiecesAreNotTakenCrosswise) {
+  SurveyRecord record;
+  for (const Point2& p : std::vector<Point2>{{0, 4}, {0, 0}, {3.02, 0}, {3.02, 4}})
+    record.vertices.push_back({-1, {p.x(), p.y(), 0}});
+  for (const Point2& p : std::vector<Point2>{{2.98, 0}, {6, 0}, {6, 6}, {3.6, 6}, {4, 5}, {2.98, 6}})
+    record.vertices.push_back({-1, {p.x(), p.y(), 0}});
+  std::vector<bool> taken;
+  const auto add = [&](int32_t from, int32_t to, int32_t piece, bool is_taken) {
+    record.edges.push_back({from, to, piece});
+    taken.push_back(is_taken);
+  };
+  for (const int32_t v : {0, 1, 2, 3}) add(v, (v + 1) % 4, 0, v != 2);
+  for (const int32_t v : {4, 5, 6, 7, 8, 9}) add(v, v < 9 ? v + 1 : 4, 1, v != 9);
+  const OutlineWalk walk = WalkOutline(record, taken, kSquare, 0.04);
+  std::set<std::pair<int32_t, int32_t>> ends;
+  for (const OutlineGap& gap : walk.gaps) {
+    EXPECT_TRUE(gap.open);
+    ends.insert({gap.from, gap.to});
+  }
+  EXPECT_EQ(ends, (std::set<std::pair<int32_t, int32_t>>{{7, 9}, {3, 0}}));
 }
 
 }  // namespace
