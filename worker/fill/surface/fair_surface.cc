@@ -19,7 +19,7 @@ namespace {
 constexpr double kLeastSine = 1e-3;
 // Of the area of the shapes that triangles should keep: a surface within so much of it has these shapes, and one of
 // less than so much has lost them.
-constexpr double kSameArea = 0.01, kLeastArea = 0.93;
+constexpr double kSameArea = 0.01, kLeastArea = 0.85;
 // Solves at most.
 constexpr int kRounds = 3;
 
