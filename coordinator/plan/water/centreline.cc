@@ -45,8 +45,8 @@ class Raster {
   double AreaOf(size_t squares) const { return step_ * step_ * static_cast<double>(squares); }
   bool inside(size_t square) const { return inside_[square]; }
   Point2 Middle(size_t square) const {
-    return lo_ +
-           step_ * Point2(static_cast<double>(square % columns_) + 0.5, static_cast<double>(square / columns_) + 0.5);
+    const size_t column = square % columns_, row = square / columns_;
+    return lo_ + step_ * Point2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
   }
 
   // The way to each square within the region from the first one, in metres; kFar where none leads.
@@ -57,7 +57,8 @@ class Raster {
     way[first] = 0;
     next.emplace(0, first);
     while (!next.empty()) {
-      const auto [far, square] = next.top();
+      const double far = next.top().first;
+      const size_t square = next.top().second;
       next.pop();
       if (far > way[square]) continue;
       ForNeighbours(square, [&](size_t other, double step) {
@@ -169,7 +170,7 @@ std::vector<Point2> MiddlesAlong(const Raster& raster, const std::vector<double>
   }
   std::vector<Point2> line;
   for (size_t k = 0; k < bins; ++k) {
-    if (count[k] > 0) line.push_back(sum[k] / count[k]);
+    if (count[k] > 0) line.emplace_back(sum[k] / count[k]);
   }
   if (line.size() < 2) return {};
   const Point2 first = line[0] + (line[0] - line[1]) / 2,
