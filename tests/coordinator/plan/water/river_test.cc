@@ -69,30 +69,21 @@ TEST(FindRiversTest, AReachMayBeInParts) {
   EXPECT_GT(rivers[0].profile.stations.back().along, 450);
 }
 
-// The ends of the water at the bridge are aslant: the centrelines end in corners on opposite shores.
+// The ends of the water at the bridge are aslant: the centrelines end in corners on opposite shores. Of wide water
+// these are farther apart than any bridge is wide.
 TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesAslant) {
-  std::vector<Reach> reaches = {ReachBetween(0, 240, 12, Falling), ReachBetween(252, 500, 12, Falling)};
-  const auto slant = [](auto& p) { p.x() += 0.8 * p.y(); };
-  for (Reach& reach : reaches) {
-    for (auto& [a, b] : reach.boundary) slant(a), slant(b);
-    for (Point3& p : reach.shore) slant(p);
+  for (const double half_width : {12, 25}) {
+    std::vector<Reach> reaches = {ReachBetween(0, 240, half_width, Falling),
+                                  ReachBetween(252, 500, half_width, Falling)};
+    const auto slant = [](auto& p) { p.x() += 0.8 * p.y(); };
+    for (Reach& reach : reaches) {
+      for (auto& [a, b] : reach.boundary) slant(a), slant(b);
+      for (Point3& p : reach.shore) slant(p);
+    }
+    const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+    ASSERT_EQ(rivers.size(), 1u) << half_width;
+    EXPECT_EQ(rivers[0].reaches.size(), 2u);
   }
-  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
-  ASSERT_EQ(rivers.size(), 1u);
-  EXPECT_EQ(rivers[0].reaches.size(), 2u);
-}
-
-// Wide water: the corners that the centrelines end in are farther apart than any bridge is wide.
-TEST(FindRiversTest, GoesOnUnderABridgeThatCrossesWideWaterAslant) {
-  std::vector<Reach> reaches = {ReachBetween(0, 240, 25, Falling), ReachBetween(250, 500, 25, Falling)};
-  const auto slant = [](auto& p) { p.x() += 0.8 * p.y(); };
-  for (Reach& reach : reaches) {
-    for (auto& [a, b] : reach.boundary) slant(a), slant(b);
-    for (Point3& p : reach.shore) slant(p);
-  }
-  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
-  ASSERT_EQ(rivers.size(), 1u);
-  EXPECT_EQ(rivers[0].reaches.size(), 2u);
 }
 
 void Turn(double angle, const Point2& centre, Reach& reach) {
