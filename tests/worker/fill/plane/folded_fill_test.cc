@@ -37,12 +37,13 @@ TEST_P(FoldedFillTest, ClosesAWallThatHasNoRegionOnTheGround) {
 }
 
 // A step of a wall in the rim: seen from above two of its vertices are nearly one.
+Point3 LeanAtStep(const Point3& p) {
+  const bool step = p.x() > 1 && p.y() == 2;
+  return step ? Point3(p.x(), 3.2, 1) : p;
+}
+
 TEST_P(FoldedFillTest, TakesSmallFoldsForWhatTheyAre) {
-  const auto lean = [](const Point3& p) {
-    const bool step = p.x() > 1 && p.y() == 2;
-    return step ? Point3(p.x(), 3.2, 1) : p;
-  };
-  const CellHoles work = WorkOfSheet(Disc(2, 5, 3), lean, 0);
+  const CellHoles work = WorkOfSheet(Disc(2, 5, 3), LeanAtStep, 0);
   const CellBand band(work);
   const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
   const bool goes_around_edges = GetParam() == Surface::kWang;
@@ -54,11 +55,7 @@ TEST_P(FoldedFillTest, TakesSmallFoldsForWhatTheyAre) {
 
 // One edge in the region, one in the fold that is cut off.
 TEST_P(FoldedFillTest, PassesThroughEdgesInsideTheRegion) {
-  const auto lean = [](const Point3& p) {
-    const bool step = p.x() > 1 && p.y() == 2;
-    return step ? Point3(p.x(), 3.2, 1) : p;
-  };
-  CellHoles work = WorkOfSheet(Disc(2, 5, 3), lean, 0);
+  CellHoles work = WorkOfSheet(Disc(2, 5, 3), LeanAtStep, 0);
   AddInnerEdge({1.25, 5.25, 0.5}, {2.5, 5.25, 0.5}, work);
   AddInnerEdge({2.25, 2.25, 0.5}, {2.75, 2.25, 0.5}, work);
   const CellBand band(work);
@@ -74,11 +71,7 @@ TEST_P(FoldedFillTest, PassesThroughEdgesInsideTheRegion) {
 
 // From the region, over its boundary, into the fold that is cut off.
 TEST_P(FoldedFillTest, LeavesOutEdgesThatTheFoldCuts) {
-  const auto lean = [](const Point3& p) {
-    const bool step = p.x() > 1 && p.y() == 2;
-    return step ? Point3(p.x(), 3.2, 1) : p;
-  };
-  CellHoles work = WorkOfSheet(Disc(2, 5, 3), lean, 0);
+  CellHoles work = WorkOfSheet(Disc(2, 5, 3), LeanAtStep, 0);
   AddInnerEdge({1.25, 5.25, 0.5}, {2.5, 5.25, 0.5}, work);
   AddInnerEdge({2.25, 4.5, 0.5}, {2.25, 2.25, 0.5}, work);
   const CellBand band(work);
