@@ -119,6 +119,30 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherProtocolWhateverItSays) {
   EXPECT_LT(log.lines().front().size(), 1000U);
 }
 
+TEST(WorkLogTest, NamesAWorkerOfAnotherBuild) {
+  ListLog log;
+  ClusterOptions options;
+  options.log = &log;
+  options.build = "aaaa";
+  TestCluster cluster(options);
+  v1::SyncRequest request;
+  request.set_protocol(kProtocolVersion);
+  request.set_worker("w");
+  request.set_release("0.0.9");
+  request.set_threads(1);
+  request.set_build("bbbb");
+  const auto alive = [] { return true; };
+  const absl::Status refused = cluster.impl().Sync(request, alive).status();
+  EXPECT_EQ(ErrorReason(refused), "OTHER_BUILD");
+  EXPECT_THAT(std::string(refused.message()),
+              StartsWith("worker w is of build bbbb (0.0.9), this coordinator of aaaa"));
+  ASSERT_EQ(log.lines().size(), 1U);
+  EXPECT_THAT(log.lines().front(), StartsWith("warning worker refused worker=w worker_release=0.0.9"));
+  EXPECT_TRUE(cluster.impl().ListWorkers({})->workers().empty());
+  request.set_build("aaaa");
+  EXPECT_TRUE(cluster.impl().Sync(request, alive).ok());
+}
+
 TEST_F(WorkImplTest, ReleasesADrainingWorker) {
   ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
   AwaitTask();
