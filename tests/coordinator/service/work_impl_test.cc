@@ -8,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
+#include "coordinator/service/blob_folder.h"
 #include "tests/coordinator/service/coordinator_impl_fixture.h"
 #include "tests/support/list_log.h"
 
@@ -78,6 +79,8 @@ TEST_F(WorkImplTest, RetriesAResultWhoseBlobNeverCame) {
 }
 
 TEST_F(WorkImplTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
+  BlobFolder other(cluster_.folder() / "other");
+  ASSERT_TRUE(other.Hold(std::string(kMostHeldBytes, 'x')).ok());  // so that inputs are files
   ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
   const v1::Task task = AwaitTask();
   ASSERT_EQ(task.input().size(), static_cast<int64_t>(task.input().content().size()));
