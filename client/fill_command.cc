@@ -325,7 +325,7 @@ int FillCommand(const Args& args) {
   if (const absl::Status status = CheckPaths(in, out, overwrite); !status.ok()) return PrintError(status);
   auto warnings = WriteFilesBeside(in, out, overwrite, *filled);
   if (!warnings.ok()) return PrintError(warnings.status());
-  filled->report.warnings = *std::move(warnings);
+  filled->report.warnings.insert(filled->report.warnings.end(), warnings->begin(), warnings->end());
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
   filled->report.options = ReportedOptionsOf(args, *options, *water_tolerance);

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "client/inspection.h"
 #include "common/assemble/assemble.h"
 #include "common/codec/face_edits.h"
@@ -61,6 +62,10 @@ class MeshFiller {
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     TILEMEND_ASSIGN_OR_RETURN(survey_, SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_));
     filled_.files = std::move(survey_.files);
+    if (survey_.record.copied_triangles > 0) {
+      filled_.report.warnings.push_back(
+          absl::StrCat(path_, ": every face is there more than once; the holes of one copy were filled"));
+    }
     EndStep("read");
     show_("find holes", 0, 0);
     return absl::OkStatus();

@@ -56,7 +56,11 @@ struct SurveyRecord : SurveySummary {
   // order.
   TriMesh band;
 
-  // Edges that would be boundary if each of several triangles with the same corners, copies of one or its back, were
+  // The triangles of a mesh that has each more than once, but for the first of each: it was surveyed without them. Not
+  // sent, as above.
+  int64_t copied_triangles = 0;
+
+  // Edges that would be boundary if each of several triangles with the same corners, such as a face and its back, were
   // there once. Not sent, as above.
   int64_t repeated_edges = 0;
 

@@ -31,7 +31,6 @@ absl::Status ErrnoStatus(int error, std::string_view what, const std::string& pa
       return absl::InvalidArgumentError(text);
     case ENOSPC:
     case EDQUOT:
-      return absl::ResourceExhaustedError(absl::StrCat(text, "; make room there"));
     case EMFILE:
     case ENFILE:
     case ENOMEM:

@@ -65,7 +65,6 @@ struct ClusterOptions {
   Log* log = Log::Null();   // of the coordinator; outlives the cluster
   bool fake_clock = false;  // leases then run out only through clock() and Tick()
   bool durable = false;     // for Restart
-  std::string build = {};   // of the coordinator, until it is another's
 };
 
 class TestCluster {
@@ -81,8 +80,6 @@ class TestCluster {
   // The coordinator ends without a word and another one starts in its place; workers go with it. Only if durable.
   // In between comes `meanwhile`, with the path of the journal.
   void Restart(const std::function<void(const std::string&)>& meanwhile = [](const std::string&) {});
-  // Of the next coordinator.
-  void UseBuild(const std::string& build) { options_.build = build; }
   // Time passes until every lease has run out. A worker that is alive is known again with its next call.
   void ExpireLeases();
 
@@ -105,7 +102,7 @@ class TestCluster {
  private:
   void StartCoordinator();
 
-  ClusterOptions options_;
+  const ClusterOptions options_;
   TempFolder folder_;
   FakeClock clock_;
   PrometheusRegistry metrics_;

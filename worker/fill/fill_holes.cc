@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,6 +29,9 @@ namespace {
 constexpr char kJunction[] =
     "a vertex of its boundary lies on an edge of the other side (a T-junction); `tilemend fill --weld` splits such "
     "edges";
+
+// Mean turn at the rim of a patch that goes on from its surroundings.
+constexpr double kLittleTurn_rad = 5.0 * std::numbers::pi / 180;
 
 // What a patch is checked for beside FaultOf.
 enum class Check {
@@ -71,6 +75,7 @@ class HoleFiller {
   HolePatch Run() {
     FillFailure failure = FillFailure::kNoArea;
     if (HasUnknownHeight()) return Failed(FillFailure::kUnknownHeights);
+    const bool steep = IsSteep(hole_);
     for (const Way& way : Ways()) {
       LocalPatch patch = way.fill();
       if (options_.refine.cancelled()) break;
@@ -81,7 +86,7 @@ class HoleFiller {
       }
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
-        if (least_faults_ == 0) break;
+        if (best_rank_.faults == 0 && !(steep && MayGoOnBetter(way.name))) break;
         continue;
       }
       // That a patch was only crossed tells most of why the hole stays open.
@@ -95,22 +100,37 @@ class HoleFiller {
   }
 
  private:
-  // The first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and spikes.
-  void Keep(FillWay way, LocalPatch patch) {
+  // The less, the better.
+  struct Rank {
     int32_t faults = 0;
+    double turn = 0;  // at the rim, radians
+    auto operator<=>(const Rank&) const = default;
+  };
+
+  // The first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and spikes, and
+  // of those the one that goes on most nearly as the surface beside it.
+  void Keep(FillWay way, LocalPatch patch) {
+    Rank rank;
     if (ShunsFolds()) {
-      faults = CountCreases(hole_, patch);
-      if (faults > 0) {
+      rank.faults = CountCreases(hole_, patch);
+      if (rank.faults > 0) {
         patch = BevelCreases(hole_, std::move(patch), crossings_);
-        faults = CountCreases(hole_, patch);
+        rank.faults = CountCreases(hole_, patch);
       }
-      faults += CountSpikes(hole_, patch);
+      rank.faults += CountSpikes(hole_, patch);
+      rank.turn = TurnAtRim(hole_, patch);
     }
-    if (best_ && faults >= least_faults_) return;
-    least_faults_ = faults;
+    if (best_ && !(rank < best_rank_)) return;
+    best_rank_ = rank;
     const bool is_bare = patch.is_bare;
     best_ = ToHolePatch(hole_, std::move(patch));
     best_->way = is_bare ? FillWay::kBare : way;
+  }
+
+  // Whether another way is worth a try beside heights over a plane: they stand against what is steep beside them.
+  bool MayGoOnBetter(FillWay last) const {
+    const bool by_heights = best_->way == FillWay::kOwnPlane || best_->way == FillWay::kFacingPlane;
+    return by_heights && last != FillWay::kSpace && ShunsFolds() && best_rank_.turn > kLittleTurn_rad;
   }
 
   // What is published makes its patches as published.
@@ -120,7 +140,7 @@ class HoleFiller {
   }
 
   // Whether all patches do. Creases that go on from those of the surface are right; others are worse than the hole.
-  bool FoldsBack() const { return least_faults_ > 0 && best_->way != FillWay::kCreases && !options_.allow_creases; }
+  bool FoldsBack() const { return best_rank_.faults > 0 && best_->way != FillWay::kCreases && !options_.allow_creases; }
 
   std::vector<Way> Ways() {
     if (options_.filler != Filler::kAuto && !hole_.open && !hole_.level) return {AsNamed()};
@@ -207,7 +227,7 @@ class HoleFiller {
   CrossingCheck crossings_;
   std::optional<LocalHole> free_hole_;
   std::optional<HolePatch> best_;
-  int32_t least_faults_ = 0;
+  Rank best_rank_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
@@ -363,9 +364,24 @@ void CountRepeatedEdges(const TriMesh& mesh, SurveyRecord& record) {
   record.repeated_edges = again.repeated_edges;
 }
 
-}  // namespace
+// Each triangle once, if all are there more than once with the same corners in the same order around.
+std::optional<TriMesh> WithoutCopies(const TriMesh& mesh) {
+  TriMesh once;
+  once.points = mesh.points;
+  PositionIndex index;
+  std::vector<int32_t> number;
+  for (const Point3& p : mesh.points) number.push_back(index.Insert(p));
+  std::map<Triangle, int> count;
+  for (const Triangle& t : mesh.triangles) {
+    Triangle corners = {number[t[0]], number[t[1]], number[t[2]]};
+    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    if (++count[corners] == 1) once.triangles.push_back(t);
+  }
+  const bool all = std::ranges::all_of(count, [](const auto& of_one) { return of_one.second > 1; });
+  return all ? std::optional(std::move(once)) : std::nullopt;
+}
 
-SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
+SurveyRecord SurveyAsItIs(const TriMesh& mesh, bool float32, PieceAreas areas) {
   SurveyRecord record;
   record.float32 = float32;
   record.vertex_count = static_cast<int64_t>(mesh.points.size());
@@ -389,6 +405,19 @@ SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
     StoreEdgesAfter(mesh, weld, at_weld, edges.single, record);
     if (edges.single.empty()) CountRepeatedEdges(mesh, record);
   }
+  return record;
+}
+
+}  // namespace
+
+SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
+  SurveyRecord record = SurveyAsItIs(mesh, float32, areas);
+  if (areas == PieceAreas::kNo || record.repeated_edges == 0) return record;
+  const std::optional<TriMesh> once = WithoutCopies(mesh);
+  if (!once) return record;
+  record = SurveyAsItIs(*once, float32, areas);
+  record.triangle_count = std::ssize(mesh.triangles);
+  record.copied_triangles = std::ssize(mesh.triangles) - std::ssize(once->triangles);
   return record;
 }
 

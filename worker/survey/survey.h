@@ -8,7 +8,8 @@
 namespace tilemend {
 
 // Whether SurveyRecord::piece_areas is wanted, for which every triangle is looked at once more, edge_after and
-// repeated_edges (of a mesh without boundary the cost of a sort).
+// repeated_edges (of a mesh without boundary the cost of a sort). With it a mesh that has every
+// triangle more than once is surveyed as if it had each once (copied_triangles).
 enum class PieceAreas { kYes, kNo };
 
 // Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams,

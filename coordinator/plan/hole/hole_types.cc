@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kCrackAngle_rad = 10.0 * std::numbers::pi / 180;  // Zhang 2022, 4.1 (1): 5 to 10 degrees
 constexpr double kDislocation = 5e-4;                              // metres; Zhang 2022, 4.1 (2): 0.1 to 0.5 mm
-constexpr double kAnnularReach = 0.5;  // an inner loop that reaches this share of the outer one's way makes a ring
+// An inner loop that reaches this share of the outer one's way makes a ring: what reaches half of it does not because
+// either is jagged.
+constexpr double kAnnularReach = 0.6;
 
 Point3 Centre(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
   Point3 sum = Point3::Zero();
@@ -21,12 +23,12 @@ Point3 Centre(std::span<const RimSegment> loop, const std::vector<Point3>& posit
   return sum / static_cast<double>(loop.size());
 }
 
-// From the middle to the farthest vertex. A length would count how jagged the loop is.
+// From the middle to the vertices, in the mean. A length, or the farthest vertex, would count how jagged the loop is.
 double Reach(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
   const Point3 centre = Centre(loop, position);
-  double reach = 0;
-  for (const RimSegment& s : loop) reach = std::max(reach, (position[s.from] - centre).norm());
-  return reach;
+  double sum = 0;
+  for (const RimSegment& s : loop) sum += (position[s.from] - centre).norm();
+  return sum / static_cast<double>(loop.size());
 }
 
 // Every edge within the threshold of the direction of the first, either way round.

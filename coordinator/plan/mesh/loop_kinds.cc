@@ -23,6 +23,9 @@ constexpr double kOpposite = -0.5;
 constexpr double kGoesOn = 0.3;
 // Of the way from loop to loop: what leads along the axis. Loops in one plane, one within the other, do not face.
 constexpr double kAcross = 0.3;
+// Of the normals along both loops: the mean share along the axis. Beyond, the surface runs across the axis, as a dome
+// does around a piece of it, and not along it, as a tube does.
+constexpr double kMostAlongAxis = 0.7;
 
 // Rims that nearly coincide: the gap over their mean edge.
 constexpr double kNarrowestGap = 0.2;
@@ -106,12 +109,19 @@ Gap GapBetween(const LoopLine& a, const LoopLine& b) {
   return gap;
 }
 
+double MeanShareAlong(const Vector3d& axis, const LoopLine& loop) {
+  double sum = 0;
+  for (const Vector3d& normal : loop.normals) sum += std::abs(normal.dot(axis));
+  return sum / static_cast<double>(loop.normals.size());
+}
+
 // Whether the loops are the ends of a tube that lacks a segment.
 bool AreEndsOfATube(const LoopLine& a, const LoopLine& b, const Gap& there, const Gap& back, double radius) {
   const Vector3d axis = (VectorAreaOf(a).normalized() - VectorAreaOf(b).normalized()).normalized();
   const Vector3d across = MiddleOf(b) - MiddleOf(a);
   const double along = across.dot(axis), distance = std::max(there.distance, back.distance);
   if (along < 0 || along > kWidestGap * radius || (across - along * axis).norm() > kMostBeside * radius) return false;
+  if ((MeanShareAlong(axis, a) + MeanShareAlong(axis, b)) / 2 > kMostAlongAxis) return false;
   return along >= kAcross * distance && distance < kWidestGap * radius &&
          std::max(there.into_surface, back.into_surface) < 0;
 }

@@ -181,30 +181,50 @@ TEST(SurveyTileTest, TellsWhichEdgeGoesOnAroundTheSameFanWhereSeveralDo) {
   EXPECT_EQ(told, 2);
 }
 
-// Copies, with vertices of their own or not, and backs: none has boundary edges, all would.
+// A mesh followed by all its triangles again, with vertices of their own or not, as copies or as backs.
+TriMesh Twice(const TriMesh& once, bool own_vertices, bool back) {
+  TriMesh twice = once;
+  const auto first = static_cast<int32_t>(own_vertices ? once.points.size() : 0);
+  if (own_vertices) twice.points.insert(twice.points.end(), once.points.begin(), once.points.end());
+  for (Triangle t : once.triangles) {
+    if (back) std::swap(t[0], t[1]);
+    twice.triangles.push_back({t[1] + first, t[2] + first, t[0] + first});
+  }
+  return twice;
+}
+
+TEST(SurveyTileTest, TakesAMeshThatIsThereTwiceForOne) {
+  const TriMesh once = PictureMesh({"####", "#..#", "####"});
+  const SurveyRecord expected = SurveyTile(once, false);
+  for (const bool own_vertices : {false, true}) {
+    const TriMesh twice = Twice(once, own_vertices, false);
+    const SurveyRecord record = SurveyTile(twice, false);
+    EXPECT_EQ(EdgesOf(record), EdgesOf(expected));
+    EXPECT_EQ(record.band.triangles, expected.band.triangles);
+    EXPECT_EQ(record.piece_areas, expected.piece_areas);
+    EXPECT_EQ(record.copied_triangles, std::ssize(once.triangles));
+    EXPECT_EQ(record.triangle_count, std::ssize(twice.triangles));
+    EXPECT_EQ(record.repeated_edges, 0);
+    EXPECT_THAT(SurveyTile(twice, false, PieceAreas::kNo).edges, IsEmpty()) << "tiles are surveyed as they are";
+  }
+}
+
+// Backs, and a few copies: the edges that would be boundary are none.
 TEST(SurveyTileTest, CountsTheEdgesThatRepeatedTrianglesCover) {
   const TriMesh once = PictureMesh({"####", "#..#", "####"});
   const auto boundary = std::ssize(SurveyTile(once, false).edges);
   EXPECT_EQ(SurveyTile(once, false).repeated_edges, 0);
-  for (const bool back : {false, true}) {
-    for (const bool own_vertices : {false, true}) {
-      TriMesh twice = once;
-      const auto first = static_cast<int32_t>(own_vertices ? once.points.size() : 0);
-      if (own_vertices) twice.points.insert(twice.points.end(), once.points.begin(), once.points.end());
-      for (Triangle t : once.triangles) {
-        if (back) std::swap(t[0], t[1]);
-        twice.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-      }
-      const SurveyRecord record = SurveyTile(twice, false);
-      EXPECT_THAT(record.edges, IsEmpty());
-      EXPECT_EQ(record.repeated_edges, boundary) << back << own_vertices;
-    }
+  for (const bool own_vertices : {false, true}) {
+    const SurveyRecord record = SurveyTile(Twice(once, own_vertices, true), false);
+    EXPECT_THAT(record.edges, IsEmpty());
+    EXPECT_EQ(record.repeated_edges, boundary) << own_vertices;
   }
   TriMesh one_twice = once;
   one_twice.triangles.push_back(once.triangles[0]);
   const SurveyRecord record = SurveyTile(one_twice, false);
   EXPECT_EQ(record.repeated_edges, boundary - std::ssize(record.edges));
   EXPECT_GT(record.repeated_edges, 0);
+  EXPECT_EQ(record.copied_triangles, 0);
 }
 
 TEST(SurveyTileTest, ParsPiecesThatMeetInAVertex) {

@@ -211,6 +211,22 @@ int32_t CountSpikes(const LocalHole& hole, const LocalPatch& patch) {
   return static_cast<int32_t>(std::ranges::count_if(tips, &Tip::IsSpike));
 }
 
+double TurnAtRim(const LocalHole& hole, const LocalPatch& patch) {
+  double turns = 0, rim = 0;
+  for (const Triangle& t : patch.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int32_t a = t[k], b = t[(k + 1) % 3];
+      if (a >= hole.size() || b >= hole.size()) continue;
+      const Vector3d beside = hole.NormalBeside(a, b), normal = TwiceVectorArea(InSpace(hole, patch, t));
+      if (beside.isZero()) continue;
+      const double length = (hole.positions[b] - hole.positions[a]).norm();
+      turns += length * std::atan2(beside.cross(normal).norm(), beside.dot(normal));
+      rim += length;
+    }
+  }
+  return rim > 0 ? turns / rim : 0;
+}
+
 LocalPatch BevelCreases(const LocalHole& hole, LocalPatch patch, CrossingCheck& check) {
   std::set<Edge> spared;
   for (int round = 0; round < kRounds; ++round) {

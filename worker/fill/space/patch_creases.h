@@ -17,6 +17,10 @@ int32_t CountCreases(const LocalHole& hole, const LocalPatch& patch);
 // less than 90 degrees, on edges in the mean twice as long as those around them. O(n).
 int32_t CountSpikes(const LocalHole& hole, const LocalPatch& patch);
 
+// By how much the patch turns against the surface beside it, radians: the mean along the rim. 0 if nothing is beside it.
+// O(n).
+double TurnAtRim(const LocalHole& hole, const LocalPatch& patch);
+
 // Puts a new vertex off the middle of each crease, so that a narrow triangle stands between the two that fold onto each
 // other, and takes half the turn. The patch stays sound: bevels that cross anything, or lead to as many creases, are
 // not made. O(n log n) beside the check for crossings.

@@ -38,6 +38,7 @@ TEST(ClassifySingleTest, FindsADislocationWhereTheSidesAreAHairApart) {
 TEST(ClassifySingleTest, FindsRingsAndIslands) {
   const Loop3 hole = HoleLoop(1, 1, 9, 9);
   EXPECT_EQ(TypeOf({hole, PieceLoop(2, 2, 8, 8)}), SingleType::kAnnular);
+  EXPECT_EQ(TypeOf({hole, PieceLoop(3, 3, 7.3, 7.3)}), SingleType::kIsland) << "a little more than half of it";
   EXPECT_EQ(TypeOf({hole, PieceLoop(4, 4, 5, 5)}), SingleType::kIsland);
   EXPECT_EQ(TypeOf({hole, PieceLoop(2, 2, 4, 4), PieceLoop(6, 6, 8, 8)}), SingleType::kIsland);
 }

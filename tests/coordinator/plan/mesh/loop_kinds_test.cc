@@ -85,6 +85,17 @@ TEST(FaceEachOtherTest, TakesTheEndsOfATubeThatLacksASegment) {
   EXPECT_FALSE(FaceEachOther(lower, Ring(2, {0, 0, 1.5}, 1), false)) << "opens the same way";
 }
 
+TEST(FaceEachOtherTest, TakesNoPieceOfADomeForTheEndOfATube) {
+  // Normals as on a sphere about the axis, by their height over the radius.
+  const auto domed = [](LoopLine ring, double height) {
+    for (Eigen::Vector3d& n : ring.normals) n = Eigen::Vector3d(n.x(), n.y(), height).normalized();
+    return ring;
+  };
+  const LoopLine outer = Ring(2, {0, 0, 0}, 1), inner = Ring(1.3, {0, 0, 0.6}, -1);
+  EXPECT_FALSE(FaceEachOther(domed(outer, 1), domed(inner, 2), false));
+  EXPECT_TRUE(FaceEachOther(domed(outer, 0.3), domed(inner, 0.5), false)) << "a tube that narrows";
+}
+
 TEST(FaceEachOtherTest, TakesRimsThatNearlyCoincideWhateverTheirVertices) {
   const LoopLine lower = Ring(2, {0, 0, 0}, 1, 36);
   for (const double gap : {1e-6, 1e-3, -1e-3, 0.02}) {
