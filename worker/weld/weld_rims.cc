@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "common/mesh/box_tree.h"
@@ -128,11 +129,21 @@ class Welder {
     }
   }
 
+  // Where edges that were open at one time lie, and between which places.
+  struct EdgeLayer {
+    struct Item {
+      WeldingMesh::Edge edge;
+      int32_t a, b;
+    };
+    std::vector<Item> items;
+    BoxTree tree;
+  };
+
   struct Junction {
     double distance = std::numeric_limits<double>::infinity();
     double off_middle = 0;  // of the edge, in shares of its length
     int32_t place = -1;
-    size_t edge = 0;
+    WeldingMesh::Edge edge = {};
 
     // Of places as near the one in the middle goes first: many on one edge halve it again and again.
     bool operator<(const Junction& other) const {
@@ -140,58 +151,100 @@ class Welder {
     }
   };
 
-  // The nearest edge that a place lies beside, of those that were not refused to it.
-  Junction NearestEdge(int32_t place, const std::vector<WeldingMesh::Edge>& edges, const BoxTree& tree) const {
+  EdgeLayer LayerOf(const std::vector<WeldingMesh::Edge>& edges) const {
+    EdgeLayer layer;
+    std::vector<AlignedBox3d> boxes;
+    for (const WeldingMesh::Edge& edge : edges) {
+      const auto [a, b] = mesh_.EndsOf(edge);
+      layer.items.push_back({edge, a, b});
+      boxes.push_back(AlignedBox3d(mesh_.PositionOf(a)).extend(mesh_.PositionOf(b)));
+    }
+    layer.tree = BoxTree(boxes);
+    return layer;
+  }
+
+  // Of a place and an edge that it lies beside; at an infinite distance else.
+  Junction JunctionAt(int32_t place, const EdgeLayer::Item& item) const {
+    const Point3 &p = mesh_.PositionOf(place), &from = mesh_.PositionOf(item.a);
+    const Eigen::Vector3d way = mesh_.PositionOf(item.b) - from;
+    const double along = (p - from).dot(way), squared = way.squaredNorm();
+    const double distance = DistanceToSegment(p, from, mesh_.PositionOf(item.b));
+    const bool beside = along > 0 && along < squared && distance <= kBeside * std::sqrt(squared);
+    return beside ? Junction{distance, std::abs(along / squared - 0.5), place, item.edge} : Junction();
+  }
+
+  // How far off edges are that a place may lie beside.
+  double ReachToEdges(int32_t place) const { return std::min(tolerance_, kBeside * shortest_.at(place)); }
+
+  // With the nearest edge that a place lies beside, of those that are open and were not refused to it.
+  Junction NearestEdge(int32_t place, const std::vector<EdgeLayer>& layers) const {
     Junction best;
-    best.place = place;
-    tree.AnyMeeting(BoxAround(place, tolerance_), [&](int32_t i) {
-      const auto [a, b] = mesh_.EndsOf(edges[i]);
-      if (a == place || b == place || refused_.contains({place, a, b})) return false;
-      const Point3 &p = mesh_.PositionOf(place), &from = mesh_.PositionOf(a), way = mesh_.PositionOf(b) - from;
-      const double along = (p - from).dot(way), squared = way.squaredNorm();
-      const double distance = DistanceToSegment(p, from, mesh_.PositionOf(b));
-      const double reach = std::min(tolerance_, kBeside * std::min(std::sqrt(squared), shortest_.at(place)));
-      if (!(along > 0 && along < squared && distance <= reach)) return false;
-      const Junction found{distance, std::abs(along / squared - 0.5), place, static_cast<size_t>(i)};
-      if (found < best) best = found;
-      return false;
-    });
+    const double reach = ReachToEdges(place);
+    for (const EdgeLayer& layer : layers) {
+      layer.tree.AnyMeeting(BoxAround(place, reach), [&](int32_t i) {
+        const EdgeLayer::Item& item = layer.items[i];
+        if (item.a == place || item.b == place) return false;
+        const Junction found = JunctionAt(place, item);
+        if (!(found.distance <= reach && found < best) || refused_.contains({place, item.a, item.b})) return false;
+        if (mesh_.EndsOf(item.edge) == std::pair(item.a, item.b) && mesh_.IsOpen(item.edge)) best = found;
+        return false;
+      });
+    }
     return best;
   }
 
-  // Of each edge the nearest place beside it.
-  std::map<size_t, Junction> FindJunctions(const std::vector<WeldingMesh::Edge>& edges) const {
-    std::vector<AlignedBox3d> boxes;
-    std::set<int32_t> places;
-    for (const WeldingMesh::Edge& e : edges) {
-      const auto [a, b] = mesh_.EndsOf(e);
-      AlignedBox3d box(mesh_.PositionOf(a));
-      boxes.push_back(box.extend(mesh_.PositionOf(b)));
-      places.insert({a, b});
-    }
-    const BoxTree tree(boxes);
-    std::map<size_t, Junction> junctions;
-    for (const int32_t place : places) {
-      const Junction found = NearestEdge(place, edges, tree);
-      if (found.distance > tolerance_) continue;
-      const auto [it, fresh] = junctions.try_emplace(found.edge, found);
+  using Junctions = std::map<std::pair<int32_t, int>, Junction>;  // by triangle and corner of the edge
+
+  // Of each edge the nearest of the places beside it. Leaves those places alone that lie beside an edge.
+  Junctions FindJunctions(std::set<int32_t>& places, const std::vector<EdgeLayer>& layers) const {
+    Junctions junctions;
+    std::erase_if(places, [&](int32_t place) {
+      const Junction found = mesh_.IsAtOpenEdge(place) ? NearestEdge(place, layers) : Junction();
+      if (found.place < 0) return true;
+      const auto [it, fresh] = junctions.try_emplace({found.edge.triangle, found.edge.corner}, found);
       if (!fresh && found < it->second) it->second = found;
-    }
+      return false;
+    });
     return junctions;
   }
 
   // Each round splits every edge once at most. They end: a place that has split an edge, or was refused there, lies
-  // beside none of its parts.
+  // beside none of its parts. After the first, only places beside edges as they were, or near new ones, are looked at.
   void SplitEdges() {
-    while (true) {
-      const std::vector<WeldingMesh::Edge> edges = mesh_.OpenEdges();
-      const std::map<size_t, Junction> junctions = FindJunctions(edges);
-      if (junctions.empty()) return;
-      std::set<int32_t> touched;  // triangles: their edges are others now
-      for (const auto& [e, junction] : junctions) {
-        if (touched.insert(edges[e].triangle).second) SplitAt(edges[e], junction);
+    std::set<int32_t> places;
+    for (const int32_t p : mesh_.boundary()) places.insert(mesh_.StaysAs(p));
+    const std::vector<int32_t> all(places.begin(), places.end());
+    std::vector<AlignedBox3d> boxes;
+    for (const int32_t p : all) boxes.push_back(BoxAround(p, ReachToEdges(p)));
+    const BoxTree near(boxes);
+    std::vector<EdgeLayer> layers = {LayerOf(mesh_.OpenEdges())};
+    for (Junctions junctions = FindJunctions(places, layers); !junctions.empty();
+         junctions = FindJunctions(places, layers)) {
+      layers.push_back(LayerOf(SplitAll(junctions)));
+      for (const EdgeLayer::Item& item : layers.back().items) {
+        near.AnyMeeting(AlignedBox3d(mesh_.PositionOf(item.a)).extend(mesh_.PositionOf(item.b)), [&](int32_t i) {
+          places.insert(all[i]);
+          return false;
+        });
       }
     }
+  }
+
+  // Splits each edge whose triangle was not split before. The open edges of the halves.
+  std::vector<WeldingMesh::Edge> SplitAll(const Junctions& junctions) {
+    std::set<int32_t> touched;  // triangles: their edges are others now
+    const auto first_new = static_cast<int32_t>(mesh_.triangles().size());
+    for (const auto& [key, junction] : junctions) {
+      if (touched.insert(key.first).second) SplitAt(junction.edge, junction);
+    }
+    for (int32_t t = first_new; t < std::ssize(mesh_.triangles()); ++t) touched.insert(t);
+    std::vector<WeldingMesh::Edge> open;
+    for (const int32_t t : touched) {
+      for (int k = 0; k < 3; ++k) {
+        if (mesh_.IsOpen({t, k})) open.push_back({t, k});
+      }
+    }
+    return open;
   }
 
   void SplitAt(const WeldingMesh::Edge& edge, const Junction& junction) {
@@ -210,7 +263,7 @@ class Welder {
   const double tolerance_;
   const bool may_split_;
   WeldingMesh mesh_;
-  std::map<int32_t, double> reach_, shortest_;               // by place
+  std::unordered_map<int32_t, double> reach_, shortest_;     // by place
   std::set<std::tuple<int32_t, int32_t, int32_t>> refused_;  // a place, and the ends of an edge
   WeldRecord record_;
 };

@@ -168,13 +168,25 @@ std::vector<WeldingMesh::Edge> WeldingMesh::OpenEdges() const {
   std::vector<Edge> open;
   for (const int32_t t : near) {
     for (int k = 0; k < 3; ++k) {
-      const auto [a, b] = EndsOf({t, k});
-      if (triangles_at_.contains(a) && triangles_at_.contains(b) && Count(a, a, b) + Count(a, b, a) == 1) {
-        open.push_back({t, k});
-      }
+      if (IsOpen({t, k})) open.push_back({t, k});
     }
   }
   return open;
+}
+
+bool WeldingMesh::IsOpen(const Edge& edge) const {
+  const auto [a, b] = EndsOf(edge);
+  return triangles_at_.contains(a) && triangles_at_.contains(b) && Count(a, a, b) + Count(a, b, a) == 1;
+}
+
+bool WeldingMesh::IsAtOpenEdge(int32_t place) const {
+  return std::ranges::any_of(TrianglesAt(place), [&](int32_t t) {
+    const auto places = PlacesOf(t);
+    for (int k = 0; k < 3; ++k) {
+      if ((places[k] == place || places[(k + 1) % 3] == place) && IsOpen({t, k})) return true;
+    }
+    return false;
+  });
 }
 
 const char* WeldingMesh::SplitFault(const Edge& edge, int32_t place) const {

@@ -43,6 +43,8 @@ class WeldingMesh {
 
   // The edges with one triangle, in order of the triangles.
   std::vector<Edge> OpenEdges() const;
+  bool IsOpen(const Edge& edge) const;
+  bool IsAtOpenEdge(int32_t place) const;
   std::pair<int32_t, int32_t> EndsOf(const Edge& edge) const;
   // Why the triangle of an edge cannot be split at `place`; null if it can.
   const char* SplitFault(const Edge& edge, int32_t place) const;
