@@ -374,7 +374,7 @@ std::optional<TriMesh> WithoutCopies(const TriMesh& mesh) {
   std::map<Triangle, int> count;
   for (const Triangle& t : mesh.triangles) {
     Triangle corners = {number[t[0]], number[t[1]], number[t[2]]};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     if (++count[corners] == 1) once.triangles.push_back(t);
   }
   const bool all = std::ranges::all_of(count, [](const auto& of_one) { return of_one.second > 1; });
