@@ -75,8 +75,8 @@ class HoleFiller {
   HolePatch Run() {
     FillFailure failure = FillFailure::kNoArea;
     if (HasUnknownHeight()) return Failed(FillFailure::kUnknownHeights);
-    const bool steep = IsSteep(hole_);
     for (const Way& way : Ways()) {
+      if (best_ && best_rank_.faults == 0 && way.name != FillWay::kSpace) continue;
       LocalPatch patch = way.fill();
       if (options_.refine.cancelled()) break;
       if (patch.ok() && way.check == Check::kFreely && GoesAstray(patch)) continue;
@@ -86,7 +86,7 @@ class HoleFiller {
       }
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
-        if (best_rank_.faults == 0 && !(steep && MayGoOnBetter(way.name))) break;
+        if (best_rank_.faults == 0 && !MayGoOnBetterInSpace()) break;
         continue;
       }
       // That a patch was only crossed tells most of why the hole stays open.
@@ -107,8 +107,8 @@ class HoleFiller {
     auto operator<=>(const Rank&) const = default;
   };
 
-  // The first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and spikes, and
-  // of those the one that goes on most nearly as the surface beside it.
+  // The first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and spikes,
+  // and of those the one that goes on most nearly as the surface beside it.
   void Keep(FillWay way, LocalPatch patch) {
     Rank rank;
     if (ShunsFolds()) {
@@ -127,10 +127,10 @@ class HoleFiller {
     best_->way = is_bare ? FillWay::kBare : way;
   }
 
-  // Whether another way is worth a try beside heights over a plane: they stand against what is steep beside them.
-  bool MayGoOnBetter(FillWay last) const {
+  // Heights over a plane may stand against what is steep beside them.
+  bool MayGoOnBetterInSpace() const {
     const bool by_heights = best_->way == FillWay::kOwnPlane || best_->way == FillWay::kFacingPlane;
-    return by_heights && last != FillWay::kSpace && ShunsFolds() && best_rank_.turn > kLittleTurn_rad;
+    return by_heights && ShunsFolds() && best_rank_.turn > kLittleTurn_rad && IsSteep(hole_);
   }
 
   // What is published makes its patches as published.

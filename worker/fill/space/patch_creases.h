@@ -17,8 +17,8 @@ int32_t CountCreases(const LocalHole& hole, const LocalPatch& patch);
 // less than 90 degrees, on edges in the mean twice as long as those around them. O(n).
 int32_t CountSpikes(const LocalHole& hole, const LocalPatch& patch);
 
-// By how much the patch turns against the surface beside it, radians: the mean along the rim. 0 if nothing is beside it.
-// O(n).
+// By how much the patch turns against the surface beside it, radians: the mean along the rim. 0 if nothing is beside
+// it. O(n).
 double TurnAtRim(const LocalHole& hole, const LocalPatch& patch);
 
 // Puts a new vertex off the middle of each crease, so that a narrow triangle stands between the two that fold onto each

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
 
 #include "tests/support/folded_meshes.h"
@@ -46,6 +47,12 @@ TEST_F(PatchCreasesTest, CountsWhereAPatchFoldsBack) {
 TEST_F(PatchCreasesTest, CountsSpikes) {
   EXPECT_EQ(CountSpikes(hole_, ConeTo(Middle())), 0);
   EXPECT_EQ(CountSpikes(hole_, ConeTo(Middle() + Point3(0, 0, 30))), 1);
+}
+
+TEST_F(PatchCreasesTest, MeasuresTheTurnAtTheRim) {
+  EXPECT_NEAR(TurnAtRim(hole_, ConeTo(Middle())), 0, 1e-12);
+  // A steep cone stands on the sheet nearly upright.
+  EXPECT_NEAR(TurnAtRim(hole_, ConeTo(Middle() + Point3(0, 0, 1000))), std::numbers::pi / 2, 0.01);
 }
 
 TEST_F(PatchCreasesTest, BevelsThem) {
