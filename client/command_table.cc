@@ -2,7 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
-#include "common/records/filler.h"
+#include "client/filler_flags.h"
 #include "common/rpc/credentials.h"
 #include "common/util/settings.h"
 
@@ -29,28 +29,6 @@ std::vector<FlagSpec> StartFlags() {
 std::vector<FlagSpec> LocalFlags() {
   return {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
           {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}};
-}
-
-// What the papers of the fillers leave open.
-std::vector<FlagSpec> FillerFlags() {
-  const FillerOptions defaults;
-  const auto text = [](const char* help, double value) { return absl::StrCat(help, "; ", value); };
-  return {
-      {"front-merge", "X",
-       text("of fronts: new vertices nearer to the front, in edges, join it, 0 to 1", defaults.merge), ""},
-      {"longest-rim", "N", text("of fronts: longer boundaries stay open, 3 to 100000", defaults.longest_rim), ""},
-      {"filler-work", "N",
-       text("of fronts: million edges to look at for one hole, else it stays open, 1 to 1e6", defaults.most_work), ""},
-      {"front-bend", "METRES", "of advancing-front-normal: eta, 0 to 1e6 (default: half the new edge)", ""},
-      {"long-edge", "X", text("of svm-laplacian: longer edges, in mean ones, are split, 1 to 100", defaults.long_edge),
-       ""},
-      {"svm-rings", "N", text("of svm-laplacian: rings that are learnt from, 1 to 20", defaults.rings), ""},
-      {"svm-gamma", "X", text("of svm-laplacian: weight of errors, 1e-6 to 1e9", defaults.gamma), ""},
-      {"svm-width", "X", text("of svm-laplacian: kernel, in mean edges, 0.1 to 1e6", defaults.kernel_width), ""},
-      {"halvings", "N", text("of advancing-front-curvature: how often edges are halved, 0 to 10", defaults.halvings),
-       ""},
-      {"centroid-steps", "N",
-       text("of advancing-front-curvature: moves to the centroid, 0 to 1000", defaults.centroid_steps), ""}};
 }
 
 std::vector<FlagSpec> FillFlags() {

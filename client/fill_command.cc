@@ -15,6 +15,7 @@
 #include "absl/strings/str_join.h"
 #include "absl/time/clock.h"
 #include "client/commands.h"
+#include "client/filler_flags.h"
 #include "client/job_flags.h"
 #include "client/mesh_filler.h"
 #include "client/output.h"
@@ -124,64 +125,6 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
   }
 }
 
-// An option of some fillers.
-struct FillerFlag {
-  const char* name;
-  double low, high;
-  std::vector<Filler> fillers;
-  std::function<void(FillerOptions&, double)> set;
-};
-
-std::vector<FillerFlag> FillerFlagsRead() {
-  using enum Filler;
-  using O = FillerOptions;
-  return {{"front-merge",
-           0,
-           1,
-           {kAdvancingFrontNormal, kAdvancingFrontCurvature, kAdvancingFrontPoisson, kSvmLaplacian},
-           [](O& o, double x) { o.merge = x; }},
-          {"longest-rim",
-           3,
-           100'000,
-           {kAdvancingFrontNormal, kAdvancingFrontCurvature, kAdvancingFrontPoisson, kSvmLaplacian},
-           [](O& o, double x) { o.longest_rim = static_cast<int32_t>(x); }},
-          {"filler-work",
-           1,
-           1e6,
-           {kAdvancingFrontNormal, kAdvancingFrontCurvature, kAdvancingFrontPoisson, kSvmLaplacian},
-           [](O& o, double x) { o.most_work = static_cast<int32_t>(x); }},
-          {"front-bend", 0, 1e6, {kAdvancingFrontNormal}, [](O& o, double x) { o.bend = x; }},
-          {"long-edge", 1, 100, {kSvmLaplacian}, [](O& o, double x) { o.long_edge = x; }},
-          {"svm-rings", 1, 20, {kSvmLaplacian}, [](O& o, double x) { o.rings = static_cast<int32_t>(x); }},
-          {"svm-gamma", 1e-6, 1e9, {kSvmLaplacian}, [](O& o, double x) { o.gamma = x; }},
-          {"svm-width", 0.1, 1e6, {kSvmLaplacian}, [](O& o, double x) { o.kernel_width = x; }},
-          {"halvings", 0, 10, {kAdvancingFrontCurvature}, [](O& o, double x) { o.halvings = static_cast<int32_t>(x); }},
-          {"centroid-steps", 0, 1000, {kAdvancingFrontCurvature}, [](O& o, double x) {
-             o.centroid_steps = static_cast<int32_t>(x);
-           }}};
-}
-
-std::string NamesOf(const std::vector<Filler>& fillers) {
-  return absl::StrJoin(fillers, ", ", [](std::string* out, Filler f) { absl::StrAppend(out, FillerName(f)); });
-}
-
-absl::Status ReadFillerOptions(const Args& args, FillOptions& options) {
-  if (options.surface == Surface::kWang && options.filler != Filler::kAuto)
-    return absl::InvalidArgumentError(
-        "--filler: the surface wang fills closed holes in its own way; leave one of the two out");
-  for (const FillerFlag& flag : FillerFlagsRead()) {
-    if (!args.IsGiven(flag.name)) continue;
-    if (std::ranges::count(flag.fillers, options.filler) == 0) {
-      return absl::InvalidArgumentError(absl::StrCat("--", flag.name, ": the filler ", FillerName(options.filler),
-                                                     " has no such option; leave it out, or choose ",
-                                                     NamesOf(flag.fillers)));
-    }
-    TILEMEND_ASSIGN_OR_RETURN(const double value, args.Number(flag.name, flag.low, flag.high));
-    flag.set(options.filling, value);
-  }
-  return absl::OkStatus();
-}
-
 absl::Status ReadHoleOptions(const Args& args, MeshHoleOptions& holes) {
   holes.fill_outlines = args.Switch("fill-outlines");
   if (args.IsGiven("largest-hole")) {
@@ -215,7 +158,10 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   }
   options.surface = *surface;
   TILEMEND_ASSIGN_OR_RETURN(options.filler, FillerFromFlags(args));
-  TILEMEND_RETURN_IF_ERROR(ReadFillerOptions(args, options));
+  if (options.surface == Surface::kWang && options.filler != Filler::kAuto)
+    return absl::InvalidArgumentError(
+        "--filler: the surface wang fills closed holes in its own way; leave one of the two out");
+  TILEMEND_RETURN_IF_ERROR(ReadFillerFlags(args, options));
   TILEMEND_RETURN_IF_ERROR(ReadTension(args, options));
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
@@ -253,21 +199,22 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
   if (all.holes.largest_hole) largest.value = static_cast<double>(*all.holes.largest_hole);
   ReportedOption weld{"weld", std::string("off")};
   if (all.weld) weld.value = *all.weld;
-  return {{"surface", SurfaceName(options.surface)},
-          {"filler", FillerName(options.filler)},
-          tension,
-          {"gradation", options.refine.gradation},
-          {"size-limit", options.refine.size_limit},
-          {"uniform", options.refine.uniform},
-          {"allow-creases", options.allow_creases},
-          dislocation,
-          weld,
-          {"fill-outlines", all.holes.fill_outlines},
-          largest,
-          {"water", args.Text("water")},
-          {"water-tolerance", water_tolerance},
-          {"water-profile", args.Text("water-profile")},
-          {"water-colour", args.Text("water-colour")}};
+  std::vector<ReportedOption> reported = ReportedFillerOptions(options);
+  const std::vector<ReportedOption> others = {tension,
+                                              {"gradation", options.refine.gradation},
+                                              {"size-limit", options.refine.size_limit},
+                                              {"uniform", options.refine.uniform},
+                                              {"allow-creases", options.allow_creases},
+                                              dislocation,
+                                              weld,
+                                              {"fill-outlines", all.holes.fill_outlines},
+                                              largest,
+                                              {"water", args.Text("water")},
+                                              {"water-tolerance", water_tolerance},
+                                              {"water-profile", args.Text("water-profile")},
+                                              {"water-colour", args.Text("water-colour")}};
+  reported.insert(reported.end(), others.begin(), others.end());
+  return reported;
 }
 
 // Outlines of detached pieces and of the mesh itself are no holes: only holes that stay open make the result partial.

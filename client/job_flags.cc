@@ -1,5 +1,6 @@
 #include "client/job_flags.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -21,6 +22,16 @@ std::string AbsolutePath(const std::string& path) {
   std::string normal = absolute.lexically_normal().string();
   while (normal.size() > 1 && normal.back() == '/') normal.pop_back();
   return normal;
+}
+
+// What is wrong with a field of a spec, under the name of its flag.
+absl::Status NamedAsFlag(const absl::Status& status) {
+  const std::string message(status.message());
+  const size_t end = message.find(':');
+  if (end == std::string::npos || message.starts_with("scene:")) return status;
+  std::string flag = message.substr(0, end);
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return absl::Status(status.code(), absl::StrCat("--", flag, message.substr(end)));
 }
 
 }  // namespace
@@ -151,7 +162,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.overwrite = args.Switch("overwrite");
   spec.dry_run = args.Switch("dry-run");
   if (spec.out.empty() && !spec.dry_run) return absl::InvalidArgumentError("--out DIR is needed");
-  TILEMEND_RETURN_IF_ERROR(spec.Check());
+  if (const absl::Status status = spec.Check(); !status.ok()) return NamedAsFlag(status);
   return SpecToProto(spec);
 }
 

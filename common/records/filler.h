@@ -60,8 +60,25 @@ inline std::string FillerNames() {
   return names;
 }
 
+// Where a front puts new vertices.
+enum class FrontSteps : uint8_t {
+  kSteady,   // across normals that the front carries along or fits, and no nearer than the rim's edges are long
+  kPrinted,  // as the papers say, on the plane of the two edges: large fronts leave their surface or do not close
+};
+
+constexpr const char* FrontStepsName(FrontSteps steps) { return steps == FrontSteps::kPrinted ? "printed" : "steady"; }
+
+// The steps of that name; nothing for any other text.
+constexpr std::optional<FrontSteps> FrontStepsNamed(std::string_view name) {
+  for (const FrontSteps steps : {FrontSteps::kSteady, FrontSteps::kPrinted}) {
+    if (name == FrontStepsName(steps)) return steps;
+  }
+  return std::nullopt;
+}
+
 // What the papers leave open.
 struct FillerOptions {
+  FrontSteps steps = FrontSteps::kSteady;  // of every front
   // Of every front: a new vertex closer than this to the front, in edges there, becomes a vertex of it (Xu 2014, 3.2).
   double merge = 0.6;  // [0, 1]
   // Likewise: holes of more boundary edges stay open, with that reason.

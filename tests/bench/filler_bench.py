@@ -160,14 +160,14 @@ def patch_of(path, originals):
     return points[triangles[originals:]]
 
 
-def run(a, filler, kind, rim, made, folder):
+def run(a, filler, kind, rim, made, folder, *flags):
     points, triangles, removed, radius = made
     path, out = (os.path.join(folder, f'{kind}_{rim}{end}.off') for end in ('', '_' + filler))
     surfaces.write_off(path, points, triangles[~removed])
     program = os.path.join(a.bin, 'tilemend')
     edges = len(surfaces.boundary(triangles[removed]))
     # What is left of a tube has no side: its outline counts as a hole, too.
-    process = measure.Run(['timeout', str(LIMIT), program, 'fill', path, '--out', out, '--overwrite', '--filler', filler, '--largest-hole', str(edges)],
+    process = measure.Run(['timeout', str(LIMIT), program, 'fill', path, '--out', out, '--overwrite', '--filler', filler, '--largest-hole', str(edges), *flags],
                           accept=(0, 100, 124))
     patch = patch_of(out, (~removed).sum()) if process.code != 124 else ()
     result = {'filler': filler, 'kind': kind, 'rim': edges, 'filled': len(patch) > 0,
@@ -179,10 +179,10 @@ def run(a, filler, kind, rim, made, folder):
     return result
 
 
-def of_hole(a, kind, rim, folder):
+def of_hole(a, kind, rim, folder, *flags):
     """What became of one hole with each filler."""
     made = make(kind, rim)
-    return [run(a, filler, kind, rim, made, folder) for filler in a.fillers]
+    return [run(a, filler, kind, rim, made, folder, *flags) for filler in a.fillers]
 
 
 def measured(a, folder):

@@ -1,5 +1,6 @@
 """The experiments of the papers about single holes: a part of reproduce.py for each."""
 import argparse
+import itertools
 import json
 import os
 import subprocess
@@ -14,6 +15,8 @@ from papers_plots import axes_of
 SUN = (('green pepper', 22, 15, 50, 4.234), ('leaf of maize', 41, 18, 75, 5.485), ('cucumber', 60, 68, 194, 8.922),
        ('ginger', 126, 116, 356, 15.781), ('mustard', 62, 65, 190, 8.813))
 
+PRINTED_STEPS = ('--front-steps', 'printed')  # new vertices where the papers put them
+
 
 def program(a):
     return os.path.join(a.bin, 'tilemend')
@@ -23,14 +26,15 @@ def part_sun(a, folder):
     rows, histograms = [], []
     for name, rim, vertices, triangles, seconds in SUN:
         made = filler_bench.make('curved', rim)
-        result = filler_bench.run(a, 'advancing-front-normal', 'curved', rim, made, folder)
+        result, printed = (filler_bench.run(a, 'advancing-front-normal', 'curved', rim, made, folder, *flags) for flags in ((), PRINTED_STEPS))
+        as_printed = measure.down(printed['quality'], 3) if printed['filled'] else 'not filled'
         if not result['filled']:
-            rows.append([name, result['rim'], vertices, triangles, f'{seconds}', *['not filled'] * 5])
+            rows.append([name, result['rim'], vertices, triangles, f'{seconds}', *['not filled'] * 5, as_printed])
             continue
         new = (result['triangles'] - result['rim'] + 2) // 2
         histograms.append((name, result['histogram']))
         rows.append([name, result['rim'], vertices, triangles, f'{seconds}', new, result['triangles'], measure.up(result['seconds'], 3),
-                     measure.down(result['quality'], 3), measure.down(result['least'], 3)])
+                     measure.down(result['quality'], 3), measure.down(result['least'], 3), as_printed])
 
     def draw(axes):
         x = np.arange(20) / 20 + .025
@@ -40,7 +44,7 @@ def part_sun(a, folder):
             axes[k].set(xlabel='quality 2 r / R', ylabel='share of triangles')
             axes[k].legend()
     axes_of('papers_sun.png', draw)
-    heads = ['stand-in for', 'rim', 'printed: new vertices', 'triangles', 's', 'here: new vertices', 'triangles', 's, whole process', 'mean quality', 'least']
+    heads = ['stand-in for', 'rim', 'printed: new vertices', 'triangles', 's', 'here: new vertices', 'triangles', 's, whole process', 'mean quality', 'least', 'mean quality with `--front-steps printed`']
     return ('Curved sheets with holes whose rims have 22, 41, 60, 126 and 62 vertices stand in for the scanned plants; T - 2 V + 2 of the printed counts; the printed holes have fewer vertices inside, so that they are narrower than ours. '
             'The paper\'s mean qualities are above 0.85.\n\n' + measure.table(heads, rows) +
             '\n\n![quality of the new triangles](images/papers_sun.png)')
@@ -50,15 +54,16 @@ def part_xu(a, folder):
     """A hole in a sphere with a ripple: the analytic surface is known."""
     rows = [['printed: reference 17', 28, 69, '0.05', '0.00150', ''], ['printed: the paper', 31, 75, '0.042', '0.00142', '']]
     made = filler_bench.make('curved', 22)
-    for filler in ('advancing-front-poisson', 'svm-laplacian'):
-        r = filler_bench.run(a, filler, 'curved', 22, made, folder)
+    for filler, flags in itertools.product(('advancing-front-poisson', 'svm-laplacian'), ((), PRINTED_STEPS)):
+        r = filler_bench.run(a, filler, 'curved', 22, made, folder, *flags)
+        name = ' '.join(f'`{word}`' for word in (filler, ' '.join(flags)) if word)
         if not r['filled']:
-            rows.append([f'`{filler}`', *['not filled'] * 5])
+            rows.append([name, *['not filled'] * 5])
             continue
         distance = r['error'] * made[3]
         corners = made[0][made[1][made[2]]]
         area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
-        rows.append([f'`{filler}`', (r['triangles'] - r['rim'] + 2) // 2, r['triangles'], f'{distance:.4f}', f'{distance / np.sqrt(area):.5f}',
+        rows.append([name, (r['triangles'] - r['rim'] + 2) // 2, r['triangles'], f'{distance:.4f}', f'{distance / np.sqrt(area):.5f}',
                      measure.up(1000 * r['seconds'], 1)])
     return ('A curved sheet with a hole of 22 edges stands in for the head. The error is the mean distance over the square root of the area; the paper takes '
             'the area of its whole analytic surface, which it does not print, so that only the two methods compare with each other. Printed times: 26.3 and 26.3 ms '
@@ -134,6 +139,27 @@ def other_curved(a, folder):
     return measure.table(['', 'holes that both fill', *(f'`{filler}`' for filler in two.fillers)], rows)
 
 
+def as_printed(a, results, folder):
+    """The fronts with new vertices where the papers put them, beside those that are steady, on the same holes."""
+    fronts = [f for f in filler_bench.FILLERS if f not in ('auto', 'minimum-area')]
+    steady = {(r['filler'], r['kind'], r['rim']): r for r in results}
+    two = argparse.Namespace(bin=a.bin, fillers=fronts)
+    printed = []
+    for kind in filler_bench.FORTY:
+        for rim in filler_bench.RIMS[:7] if a.quick else filler_bench.RIMS:
+            printed += a.steps.get(f'printed-{kind}-{rim}', filler_bench.of_hole, two, kind, rim, folder, *PRINTED_STEPS)
+    rows = []
+    for filler in fronts:
+        own = [r for r in printed if r['filler'] == filler]
+        good = [r for r in own if r['filled']]
+        both = [(r['error'], steady[filler, r['kind'], r['rim']]['error']) for r in good if steady[filler, r['kind'], r['rim']]['filled']]
+        rows.append([f'`{filler}`', f'{len(good)}/{len(own)}', max((r['rim'] for r in good), default='–'), measure.down(filler_bench.mean_of(good, 'quality'), 3),
+                     sum(r['crossings'] for r in good), *(f'{error:.5f}' for error in np.mean(both, 0))])
+    return ('`--front-steps printed` puts new vertices on the plane of the front\'s two edges, as far off as these are long in the mean (Sun\'s eq. 4 and 6 to the letter; Xu 3.2). '
+            'Rounding and noise then grow with every row, and edges get shorter: large holes stay open.\n\n' +
+            measure.table(['', 'filled', 'longest rim filled', 'mean quality', 'crossings', 'mean error', 'steady, same holes'], rows))
+
+
 def part_fillers(a, folder):
     every = argparse.Namespace(bin=a.bin, fillers=filler_bench.FILLERS)
     results = []
@@ -145,4 +171,5 @@ def part_fillers(a, folder):
             'A fill of more than 30 s counts as not filled.\n\n' + filler_bench.table(results) + '\n\n' + ahead_of_default(results) +
             ' The nearly flat ground is even but for 0.02 edges that no filler can know. The default sees at rims of 20 edges and more that their heights are nothing but noise, '
             'and goes on with none of their slopes; smaller ones it takes at their word. The curved sheet turns most in the middle of its holes, which no boundary tells. The equation of Poisson raises every '
-            'curved surface, also those that bend evenly: on that sheet and on the bump below this falls the right way, on the others the default is ahead. Four holes on each surface, of 16 to 120 edges, mean errors:\n\n' + other_curved(a, folder))
+            'curved surface, also those that bend evenly: on that sheet and on the bump below this falls the right way, on the others the default is ahead. Four holes on each surface, of 16 to 120 edges, mean errors:\n\n' + other_curved(a, folder) +
+            '\n\n' + as_printed(a, results, folder))

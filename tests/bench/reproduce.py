@@ -64,6 +64,11 @@ def arguments():
     parser.add_argument('--large-spacing', type=float, default=.5)
     parser.add_argument('--page')
     a = parser.parse_args()
+    unknown = [name for name in a.only if name not in PARTS]
+    if unknown:
+        parser.error(f'--only: {", ".join(unknown)}: no such part; expected some of {", ".join(PARTS)}')
+    if not os.access(os.path.join(a.bin, 'tilemend'), os.X_OK):
+        parser.error(f'{a.bin}: no tilemend there; build it, or name its folder with --bin')
     a.spacings = a.spacings or ([2.5, 1] if a.quick else [2.5, 1, .5])
     a.areas = a.areas or ([8, 16] if a.quick else list(papers_wang.AREAS))
     a.page = a.page or (os.path.join(a.work, 'quick.md') if a.quick else os.path.join(measure.ROOT, 'docs', 'papers.md'))
@@ -90,7 +95,11 @@ def main():
         sections[name] = f'## {title}\n\n{text}\n\nMeasured on: {measure.machine()}; program {os.path.basename(a.steps.folder)}.'
         with open(a.page, 'w', encoding='utf-8') as file:
             file.write(HEAD + '\n' + '\n\n'.join(f'<!-- {n} -->\n{sections[n]}' for n in PARTS if n in sections) + '\n')
+        print(f'{name}: written to {a.page}', file=sys.stderr)
 
 
 if __name__ == '__main__':
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit('stopped; the same command goes on from here')

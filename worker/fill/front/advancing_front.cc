@@ -142,7 +142,7 @@ class Front {
     corner.angle_rad = FrontAngle(corner.at, corner.before, corner.after, corner.normal);
     corner.neighbours = neighbours_[v];
     corner.carried = carried_[v];
-    corner.size = sizes_[v];
+    corner.size = limits_.by_corners ? 0 : sizes_[v];
     return corner;
   }
 

@@ -23,10 +23,11 @@ struct FrontRim {
 };
 
 struct FrontLimits {
-  double merge = 0.6;                       // FillerOptions::merge
-  int64_t most_new_points = 0;              // more than these: the front does not close
-  int64_t longest_front = 0;                // likewise, of vertices on it
-  int64_t most_looks = 0;                   // likewise, of edges of the front that are looked at: kTooMuchWork
+  bool by_corners = false;      // edges are as long as their corner's, however short: FrontCorner::size is 0
+  double merge = 0.6;           // FillerOptions::merge
+  int64_t most_new_points = 0;  // more than these: the front does not close
+  int64_t longest_front = 0;    // likewise, of vertices on it
+  int64_t most_looks = 0;       // likewise, of edges of the front that are looked at: kTooMuchWork
   std::function<bool()> is_cancelled = {};  // asked now and then; none: never
 };
 

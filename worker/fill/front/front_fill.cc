@@ -68,12 +68,12 @@ class FrontFiller {
   FrontFiller(const LocalHole& hole, const FillOptions& options) : hole_(hole), options_(options), rim_(RimOf(hole)) {}
 
   LocalPatch ByNormals() {
-    Advance(NormalCurvatureRule(options_.filling.bend));
+    Advance(NormalCurvatureRule(options_.filling.bend, options_.filling.steps));
     return Result();
   }
 
   LocalPatch ByPoisson() {
-    Advance(PlainRule());
+    Advance(PlainRule(options_.filling.steps));
     if (front_.closed() && !ShapeByNormals(rim_.areas, front_.triangles, front_.points)) {
       return {FillFailure::kNoSolution};
     }
@@ -83,7 +83,7 @@ class FrontFiller {
   LocalPatch BySvm(std::span<const SpaceTriangle> surface) {
     const double edge = MeanEdge(hole_);
     const int32_t split = SplitLongEdges(options_.filling.long_edge * edge, rim_);
-    Advance(PlainRule());
+    Advance(PlainRule(options_.filling.steps));
     if (!front_.closed()) return Result();
     const std::vector<LaplacianSample> samples = SampleRings(hole_.positions, surface, options_.filling.rings);
     if (!ShapeByLaplacians(samples, options_.filling, edge, front_.triangles, hole_.size() + split, front_.points)) {
@@ -94,7 +94,7 @@ class FrontFiller {
   }
 
   LocalPatch ByCurvature() {
-    Advance(PlainRule());
+    Advance(PlainRule(options_.filling.steps));
     if (!front_.closed()) return Result();
     CurvaturePatch patch{std::move(front_.points), hole_.size(), std::move(front_.triangles)};
     RefineByCurvature(SurfaceAtRim(hole_), options_.filling, rim_.may_join, patch);
@@ -106,8 +106,11 @@ class FrontFiller {
  private:
   void Advance(const FrontRule& rule) {
     const int64_t edges = std::ssize(rim_.points);
-    const FrontLimits limits = {options_.filling.merge, std::min(options_.refine.max_new_points, MostNewPoints(edges)),
-                                LongestFront(edges), options_.filling.most_work * kWorkUnit,
+    const FrontLimits limits = {options_.filling.steps == FrontSteps::kPrinted,
+                                options_.filling.merge,
+                                std::min(options_.refine.max_new_points, MostNewPoints(edges)),
+                                LongestFront(edges),
+                                options_.filling.most_work * kWorkUnit,
                                 options_.refine.is_cancelled};
     front_ = AdvanceFront(rim_, rule, limits);
   }

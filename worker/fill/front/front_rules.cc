@@ -33,6 +33,24 @@ struct TangentPlane {
   Vector3d x, y;
 };
 
+// Unit: of the plane of the corner's edges, to the side of its normal; of edges in line, the normal.
+Vector3d AcrossEdges(const FrontCorner& corner) {
+  const Vector3d across = (corner.after - corner.at).cross(corner.before - corner.at);
+  if (!(across.norm() > 0)) return corner.normal;
+  return across.dot(corner.normal) > 0 ? across.normalized() : -across.normalized();
+}
+
+// Where a share of the corner's angle ends.
+Vector3d DirectionAt(const FrontCorner& corner, const Vector3d& across, double share) {
+  const TangentPlane plane(across, corner.after - corner.at);
+  return plane.At(share * plane.AngleOf(corner.before - corner.at));
+}
+
+Point3 Bent(const FrontCorner& corner, const Vector3d& direction, double off) {
+  return corner.at +
+         corner.Length() * (direction + std::clamp(off, -kMostBend, kMostBend) * corner.normal).normalized();
+}
+
 // The normal curvature in direction cos(angle) x + sin(angle) y, 1 / metre; towards the normal is positive.
 double CurvatureAlong(const FrontCorner& corner, const TangentPlane& plane, double angle) {
   Matrix3d left = Matrix3d::Zero();
@@ -65,21 +83,25 @@ double FrontAngle(const Point3& at, const Point3& before, const Point3& after, c
   return cross.dot(normal) > 0 ? angle : 2 * std::numbers::pi - angle;
 }
 
-FrontRule NormalCurvatureRule(std::optional<double> bend) {
+FrontRule NormalCurvatureRule(std::optional<double> bend, FrontSteps steps) {
+  if (steps == FrontSteps::kPrinted) {
+    return [bend](const FrontCorner& corner, double share) -> Point3 {
+      const Vector3d direction = DirectionAt(corner, AcrossEdges(corner), share);
+      const double curvature = 2 * corner.normal.dot(direction) / corner.Length();  // eq. 4
+      return Bent(corner, direction, bend.value_or(corner.Length() / 2) * curvature);
+    };
+  }
   return [bend](const FrontCorner& corner, double share) -> Point3 {
     const TangentPlane plane(corner.normal, corner.after - corner.at);
-    const double angle = share * plane.AngleOf(corner.before - corner.at), length = corner.Length();
-    const double off = bend.value_or(length / 2) * CurvatureAlong(corner, plane, angle);
-    const Vector3d bent = plane.At(angle) + std::clamp(off, -kMostBend, kMostBend) * corner.normal;
-    return corner.at + length * bent.normalized();
+    const double angle = share * plane.AngleOf(corner.before - corner.at);
+    return Bent(corner, plane.At(angle), bend.value_or(corner.Length() / 2) * CurvatureAlong(corner, plane, angle));
   };
 }
 
-FrontRule PlainRule() {
-  return [](const FrontCorner& corner, double share) -> Point3 {
-    const TangentPlane plane(corner.carried, corner.after - corner.at);
-    const double angle = share * plane.AngleOf(corner.before - corner.at);
-    return corner.at + corner.Length() * plane.At(angle);
+FrontRule PlainRule(FrontSteps steps) {
+  return [steps](const FrontCorner& corner, double share) -> Point3 {
+    const Vector3d across = steps == FrontSteps::kPrinted ? AcrossEdges(corner) : corner.carried;
+    return corner.at + corner.Length() * DirectionAt(corner, across, share);
   };
 }
 

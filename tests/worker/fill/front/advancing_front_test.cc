@@ -104,6 +104,18 @@ TEST(AdvancingFrontTest, JoinsNoPointsThatMayNotBeJoined) {
   EXPECT_GT(patch.points.size(), rim.points.size());
 }
 
+TEST(AdvancingFrontTest, KeepsToTheSizesUnlessCornersDecide) {
+  FrontRim rim = FlatRim(24);
+  rim.sizes.assign(rim.points.size(), 2.5);
+  FrontLimits limits = EnoughFor(rim);
+  const FrontPatch by_sizes = AdvanceFront(rim, PlainRule(), limits);
+  limits.by_corners = true;
+  const FrontPatch by_corners = AdvanceFront(rim, PlainRule(), limits);
+  ExpectCloses(rim, by_sizes);
+  ExpectCloses(rim, by_corners);
+  EXPECT_GT(by_corners.points.size() - rim.points.size(), 2 * (by_sizes.points.size() - rim.points.size()));
+}
+
 TEST(AdvancingFrontTest, GivesUpAboveTheMostNewPoints) {
   const FrontRim rim = FlatRim(60);
   FrontLimits limits = EnoughFor(rim);

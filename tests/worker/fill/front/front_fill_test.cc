@@ -62,6 +62,9 @@ TEST_F(FrontFillTest, EachOptionIsSeen) {
   EXPECT_TRUE(differs(Filler::kSvmLaplacian, long_edge));
   EXPECT_TRUE(differs(Filler::kAdvancingFrontCurvature, halvings));
   EXPECT_TRUE(differs(Filler::kAdvancingFrontCurvature, steps));
+  FillerOptions printed;
+  printed.steps = FrontSteps::kPrinted;
+  for (const Filler filler : kFronts) EXPECT_TRUE(differs(filler, printed)) << FillerName(filler);
 }
 
 TEST_F(FrontFillTest, LongerRimsThanAllowedStayOpenWithThatReason) {

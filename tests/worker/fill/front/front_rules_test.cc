@@ -46,6 +46,25 @@ TEST(PlainRuleTest, DoesNotFollowEdgesOutOfThePlane) {
   EXPECT_GT(p.y(), 0.9);
 }
 
+TEST(PlainRuleTest, PrintedFollowsEdgesOutOfThePlane) {
+  const Point3 p = PlainRule(FrontSteps::kPrinted)(Corner(Point3(-1, 0.5, -0.1), Point3(1, 0.5, -0.1), {}), 0.5);
+  EXPECT_NEAR(p.z(), -0.2 * p.y(), 1e-12) << "on the plane of the two edges";
+  EXPECT_GT(p.y(), 0.9);
+}
+
+TEST(PlainRuleTest, PrintedDividesAnAngleAboveAHalfTurnOnItsOwnSide) {
+  const FrontCorner corner = Corner(Point3(-1, -1, 0.1), Point3(1, -1, 0.1), {});
+  EXPECT_GT(corner.angle_rad, kPi);
+  const Point3 p = PlainRule(FrontSteps::kPrinted)(corner, 0.5);
+  EXPECT_GT(p.y(), 0.9);
+  EXPECT_NEAR(p.z(), -0.1 * p.y(), 1e-12);
+}
+
+TEST(PlainRuleTest, PrintedTakesEdgesInLineAcrossTheNormal) {
+  const Point3 p = PlainRule(FrontSteps::kPrinted)(Corner(Point3(-1, 0, 0), Point3(1, 0, 0), {}), 0.5);
+  EXPECT_NEAR((p - Point3(0, 1, 0)).norm(), 0, 1e-12);
+}
+
 TEST(FrontCornerTest, NewEdgesAreNoShorterThanTheSize) {
   FrontCorner corner = Corner(Point3(0, 1, 0), Point3(3, 0, 0), {});
   EXPECT_DOUBLE_EQ(corner.Length(), 2);
@@ -75,6 +94,17 @@ TEST(NormalCurvatureRuleTest, FollowsASaddleInEachDirection) {
   EXPECT_LT(NormalCurvatureRule({})(to_y, 0.5).z(), -0.08);
   const FrontCorner to_x = Corner(Point3(0, 1, 0), Point3(0, -1, 0), neighbours);
   EXPECT_GT(NormalCurvatureRule({})(to_x, 0.5).z(), 0.08);
+}
+
+// Equation 4 of the vertex on the plane of the edges, which goes down with them: 2 n.v / length.
+TEST(NormalCurvatureRuleTest, PrintedTakesTheCurvatureOfTheNewVertexItself) {
+  const FrontCorner corner = Corner(Point3(-1, 0.5, -0.1), Point3(1, 0.5, -0.1), {});
+  const Point3 plain = PlainRule(FrontSteps::kPrinted)(corner, 0.5);
+  EXPECT_LT((NormalCurvatureRule(0, FrontSteps::kPrinted)(corner, 0.5) - plain).norm(), 1e-12);
+  const Vector3d v = plain.normalized();
+  const Vector3d bent = v + 0.3 * (2 * v.z() / corner.Length()) * Vector3d::UnitZ();
+  const Point3 p = NormalCurvatureRule(0.3, FrontSteps::kPrinted)(corner, 0.5);
+  EXPECT_LT((p - corner.Length() * bent.normalized()).norm(), 1e-12);
 }
 
 TEST(NormalCurvatureRuleTest, DoesNotBendWithoutBend) {
