@@ -46,7 +46,8 @@ def part_sun(a, folder):
     axes_of('papers_sun.png', draw)
     heads = ['stand-in for', 'rim', 'printed: new vertices', 'triangles', 's', 'here: new vertices', 'triangles', 's, whole process', 'mean quality', 'least', 'mean quality with `--front-steps printed`']
     return ('Curved sheets with holes whose rims have 22, 41, 60, 126 and 62 vertices stand in for the scanned plants; T - 2 V + 2 of the printed counts; the printed holes have fewer vertices inside, so that they are narrower than ours. '
-            'The paper\'s mean qualities are above 0.85.\n\n' + measure.table(heads, rows) +
+            'The paper\'s mean qualities are above 0.85. With `--front-steps printed` new vertices go where eq. 4 to 6 say to the letter, with η of half an edge; larger fronts do '
+            'not close so (see [all fillers](#all-fillers-on-the-same-holes)).\n\n' + measure.table(heads, rows) +
             '\n\n![quality of the new triangles](images/papers_sun.png)')
 
 
@@ -141,23 +142,24 @@ def other_curved(a, folder):
 
 def as_printed(a, results, folder):
     """The fronts with new vertices where the papers put them, beside those that are steady, on the same holes."""
-    fronts = [f for f in filler_bench.FILLERS if f not in ('auto', 'minimum-area')]
+    fronts = argparse.Namespace(bin=a.bin, fillers=[f for f in filler_bench.FILLERS if f not in ('auto', 'minimum-area')])
     steady = {(r['filler'], r['kind'], r['rim']): r for r in results}
-    two = argparse.Namespace(bin=a.bin, fillers=fronts)
-    printed = []
-    for kind in filler_bench.FORTY:
-        for rim in filler_bench.RIMS[:7] if a.quick else filler_bench.RIMS:
-            printed += a.steps.get(f'printed-{kind}-{rim}', filler_bench.of_hole, two, kind, rim, folder, *PRINTED_STEPS)
     rows = []
-    for filler in fronts:
-        own = [r for r in printed if r['filler'] == filler]
-        good = [r for r in own if r['filled']]
-        both = [(r['error'], steady[filler, r['kind'], r['rim']]['error']) for r in good if steady[filler, r['kind'], r['rim']]['filled']]
-        rows.append([f'`{filler}`', f'{len(good)}/{len(own)}', max((r['rim'] for r in good), default='–'), measure.down(filler_bench.mean_of(good, 'quality'), 3),
-                     sum(r['crossings'] for r in good), *(f'{error:.5f}' for error in np.mean(both, 0))])
+    for merge in ('0.6', '0.8'):
+        printed = []
+        for kind in filler_bench.FORTY:
+            for rim in filler_bench.RIMS[:7] if a.quick else filler_bench.RIMS:
+                printed += a.steps.get(f'printed-{merge}-{kind}-{rim}', filler_bench.of_hole, fronts, kind, rim, folder, *PRINTED_STEPS, '--front-merge', merge)
+        for filler in fronts.fillers:
+            own = [r for r in printed if r['filler'] == filler]
+            good = [r for r in own if r['filled']]
+            both = [(r['error'], steady[filler, r['kind'], r['rim']]['error']) for r in good if steady[filler, r['kind'], r['rim']]['filled']]
+            rows.append([f'`{filler}`', merge, f'{len(good)}/{len(own)}', max((r['rim'] for r in good), default='–'), min((r['rim'] for r in own if not r['filled']), default='–'),
+                         measure.down(filler_bench.mean_of(good, 'quality'), 3), sum(r['crossings'] for r in good), *(f'{error:.5f}' for error in np.mean(both, 0))])
     return ('`--front-steps printed` puts new vertices on the plane of the front\'s two edges, as far off as these are long in the mean (Sun\'s eq. 4 and 6 to the letter; Xu 3.2). '
-            'Rounding and noise then grow with every row, and edges get shorter: large holes stay open.\n\n' +
-            measure.table(['', 'filled', 'longest rim filled', 'mean quality', 'crossings', 'mean error', 'steady, same holes'], rows))
+            'Rounding and noise then grow with every row, and edges get shorter: large holes stay open. The papers do not print how near a vertex has to be to be merged (Xu 3.2, step 4); '
+            'more is closed where it may be further off, by worse triangles.\n\n' +
+            measure.table(['', '`--front-merge`', 'filled', 'longest rim filled', 'shortest left open', 'mean quality', 'crossings', 'mean error', 'steady, same holes'], rows))
 
 
 def part_fillers(a, folder):
