@@ -26,6 +26,7 @@
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
 #include "common/service/service_notifier.h"
+#include "common/util/build_id.h"
 #include "common/util/exit_codes.h"
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
@@ -107,6 +108,7 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.keep_jobs = absl::Hours(24 * keep_jobs);
   TILEMEND_ASSIGN_OR_RETURN(const TileCheck tiles, TileCheckOf(flags.Text("check-tiles")));
   options.check_result = SceneResultCheck(tiles);
+  options.build = BuildId();
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(SecurityFromFlags(flags), flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckStatusFlags(flags));
@@ -219,6 +221,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   ProcessMetrics process(metrics, kProgram, Version());
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
   StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}});
+  log.Info("starting", {{"build", options.build}});
   options.log = &log;
   TILEMEND_ASSIGN_OR_RETURN(const auto credentials,
                             CredentialKeeper::Start(CredentialFilesFromFlags(flags), log, metrics));
@@ -268,7 +271,7 @@ std::optional<int> Answer(const Flags& flags) {
   }
   if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));
   if (flags.Switch("version")) {
-    std::printf("tilemend-coordinator %s\n", Version());
+    std::printf("tilemend-coordinator %s, build %s\n", Version(), BuildId().c_str());
     return kExitDone;
   }
   return std::nullopt;

@@ -22,6 +22,7 @@
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
 #include "common/service/service_notifier.h"
+#include "common/util/build_id.h"
 #include "common/util/exit_codes.h"
 #include "common/util/flags.h"
 #include "common/util/heap.h"
@@ -79,6 +80,7 @@ absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
     TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(security, flags.Text("health")));
   }
   options.id = NewWorkerId();
+  options.build = BuildId();
   return options;
 }
 
@@ -120,7 +122,8 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
   StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}, {"worker", options.id}});
   options.log = &log;
   KeepHeap(options.threads);
-  log.Info("starting", {{"coordinator", flags.Text("coordinator")}, {"threads", options.threads}});
+  log.Info("starting",
+           {{"coordinator", flags.Text("coordinator")}, {"threads", options.threads}, {"build", options.build}});
   TILEMEND_ASSIGN_OR_RETURN(const auto credentials,
                             CredentialKeeper::Start(CredentialFilesFromFlags(flags), log, metrics));
   const CredentialFiles& kept = credentials->kept();
@@ -165,7 +168,7 @@ std::optional<int> Answer(const Flags& flags) {
   }
   if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));
   if (flags.Switch("version")) {
-    std::printf("tilemend-worker %s\n", Version());
+    std::printf("tilemend-worker %s, build %s\n", Version(), BuildId().c_str());
     return kExitDone;
   }
   return std::nullopt;

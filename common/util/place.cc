@@ -31,6 +31,7 @@ absl::Status ErrnoStatus(int error, std::string_view what, const std::string& pa
       return absl::InvalidArgumentError(text);
     case ENOSPC:
     case EDQUOT:
+      return absl::ResourceExhaustedError(absl::StrCat(text, "; make room there"));
     case EMFILE:
     case ENFILE:
     case ENOMEM:

@@ -42,7 +42,7 @@ struct SetAsideRecord {
 struct TaskName {
   CellId cell;
   Stage stage = Stage::kSurvey;
-  std::string input;  // digest of the input blob
+  std::string input;  // 64 hexadecimal digits that stand for what is asked
   bool operator==(const TaskName&) const = default;
 };
 

@@ -1,4 +1,10 @@
 // Blobs over CoordinatorImpl.
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
 #include "absl/strings/str_cat.h"
 #include "common/rpc/limits.h"
 #include "common/store/digest.h"
@@ -92,6 +98,31 @@ void CoordinatorImpl::StopIdleStreams(absl::Time now) {
     const Job* job = id.empty() ? nullptr : state_.FindJob(id);
     return job != nullptr && IsOver(job->state);
   });
+}
+
+std::map<std::string, std::shared_ptr<BlobFolder>> CoordinatorImpl::BlobsOf(const v1::SyncResponse& response) {
+  std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
+  for (const v1::Task& task : response.start()) blobs[task.ref().job()] = entries_.at(task.ref().job()).blobs;
+  return blobs;
+}
+
+void CoordinatorImpl::InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs,
+                                   v1::SyncResponse& response) {
+  size_t left = kMaxInlineBytesPerSync;
+  for (v1::Task& task : *response.mutable_start()) {
+    const auto& folder = blobs.at(task.ref().job());
+    if (folder == nullptr) continue;
+    v1::BlobRef& input = *task.mutable_input();
+    const auto size = folder->Size(input.digest());
+    input.set_size(size.value_or(-1));  // no size: not inside, so that nobody takes it for empty
+    if (!size.ok()) continue;           // the job has just ended, and the worker is told so next time; or it was lost
+    if (static_cast<size_t>(*size) > std::min(left, kInlineBlobBytes)) continue;
+    auto content = folder->Read(input.digest());
+    if (!content.ok()) continue;
+    left -= content->size();
+    metrics_.BlobSent(*size);
+    input.set_content(*std::move(content));
+  }
 }
 
 }  // namespace tilemend

@@ -38,6 +38,19 @@ absl::Status BlobNotFound(const std::string& digest) {
                        {"BLOB_NOT_FOUND", {{"digest", digest}}});
 }
 
+// In all folders.
+std::atomic<size_t>& HeldInAll() {
+  static std::atomic<size_t> bytes{0};
+  return bytes;
+}
+
+// False if that would be too much.
+bool TakeMemory(size_t bytes) {
+  if (HeldInAll().fetch_add(bytes) + bytes <= kMostHeldBytes) return true;
+  HeldInAll().fetch_sub(bytes);
+  return false;
+}
+
 }  // namespace
 
 BlobFolder::Writer::~Writer() {
@@ -96,6 +109,48 @@ absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync) {
   return digest;
 }
 
+absl::StatusOr<std::string> BlobFolder::Hold(std::string bytes) {
+  std::string digest = Sha256Hex(bytes);
+  if (HoldAgain(digest)) return digest;
+  if (!TakeMemory(bytes.size())) return Put(bytes);
+  const size_t size = bytes.size();
+  std::lock_guard<std::mutex> lock(mutex_);
+  HeldBlob& blob = held_[digest];
+  if (blob.times++ == 0) {
+    blob.bytes = std::make_shared<const std::string>(std::move(bytes));
+  } else {
+    HeldInAll().fetch_sub(size);  // another thread was quicker
+  }
+  return digest;
+}
+
+bool BlobFolder::HoldAgain(const std::string& digest) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const auto held = held_.find(digest);
+  if (held != held_.end()) ++held->second.times;
+  return held != held_.end();
+}
+
+void BlobFolder::LetGo(const std::string& digest) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const auto held = held_.find(digest);
+  if (held == held_.end() || --held->second.times > 0) return;
+  HeldInAll().fetch_sub(held->second.bytes->size());
+  held_.erase(held);
+}
+
+void BlobFolder::LetGoOfAll() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [digest, held] : held_) HeldInAll().fetch_sub(held.bytes->size());
+  held_.clear();
+}
+
+std::shared_ptr<const std::string> BlobFolder::HeldBytes(const std::string& digest) const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const auto held = held_.find(digest);
+  return held == held_.end() ? nullptr : held->second.bytes;
+}
+
 absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter(Sync sync) {
   if (removed_.load()) return absl::FailedPreconditionError(absl::StrCat(path_, ": the job is over"));
   // Of a name that is free: a coordinator that was stopped and wakes may write here until it finds itself replaced.
@@ -125,6 +180,7 @@ absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::
 }
 
 absl::StatusOr<int64_t> BlobFolder::Size(const std::string& digest) const {
+  if (const auto held = HeldBytes(digest)) return static_cast<int64_t>(held->size());
   TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) return BlobNotFound(digest);
@@ -132,6 +188,7 @@ absl::StatusOr<int64_t> BlobFolder::Size(const std::string& digest) const {
 }
 
 absl::StatusOr<std::string> BlobFolder::Read(const std::string& digest) const {
+  if (const auto held = HeldBytes(digest)) return *held;
   TILEMEND_ASSIGN_OR_RETURN(const int64_t size, Size(digest));
   std::string bytes;
   bytes.reserve(static_cast<size_t>(size));
@@ -146,6 +203,12 @@ absl::StatusOr<std::string> BlobFolder::Read(const std::string& digest) const {
 
 absl::Status BlobFolder::ReadChunks(const std::string& digest,
                                     const std::function<bool(std::string_view)>& take) const {
+  if (const auto held = HeldBytes(digest)) {
+    for (size_t at = 0; at < held->size(); at += kMaxChunkBytes) {
+      if (!take(std::string_view(*held).substr(at, kMaxChunkBytes))) break;
+    }
+    return absl::OkStatus();
+  }
   TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
   TILEMEND_ASSIGN_OR_RETURN(const int64_t size, Size(digest));
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -200,6 +263,7 @@ absl::Status BlobFolder::RemoveOthers(const std::set<std::string>& digests) {
 void BlobFolder::Remove(const std::function<bool()>& stop) {
   namespace fs = std::filesystem;
   removed_.store(true);
+  LetGoOfAll();
   std::error_code error;
   std::vector<fs::path> files;
   for (fs::recursive_directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {

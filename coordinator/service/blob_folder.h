@@ -1,11 +1,14 @@
-// The blobs of one job: files in a folder, named by the SHA-256 of their bytes.
+// The blobs of one job, named by the SHA-256 of their bytes: files in a folder, and those that are needed for a while,
+// in memory.
 #ifndef TILEMEND_COORDINATOR_SERVICE_BLOB_FOLDER_H_
 #define TILEMEND_COORDINATOR_SERVICE_BLOB_FOLDER_H_
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,6 +19,8 @@
 #include "common/util/files.h"
 
 namespace tilemend {
+
+inline constexpr size_t kMostHeldBytes = size_t{8} << 20;
 
 // Thread-safe. A blob appears at once or not at all. One that is written with Sync::kYes is on the disk with its name
 // when the write returns. The others are made again after a crash, so they need not be.
@@ -47,10 +52,17 @@ class BlobFolder {
   // Makes the folder, or goes on with it.
   static absl::StatusOr<std::shared_ptr<BlobFolder>> Create(const std::string& path);
   explicit BlobFolder(std::string path) : path_(std::move(path)) {}
+  ~BlobFolder() { LetGoOfAll(); }
+  BlobFolder(const BlobFolder&) = delete;
+  BlobFolder& operator=(const BlobFolder&) = delete;
 
   // The digest of `bytes`, which are stored unless they are there already (with Sync::kYes in any case: what is there
   // may not be on the disk).
   absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo);
+  // As Put, but for as long as LetGo was not called as often: in memory, unless all folders of the process hold
+  // kMostHeldBytes there with it.
+  absl::StatusOr<std::string> Hold(std::string bytes);
+  void LetGo(const std::string& digest);
   absl::StatusOr<std::unique_ptr<Writer>> NewWriter(Sync sync = Sync::kNo);
 
   // kNotFound (BLOB_NOT_FOUND), kInvalidArgument for a malformed digest, here and below.
@@ -70,6 +82,15 @@ class BlobFolder {
   void Remove(const std::function<bool()>& stop = [] { return false; });
 
  private:
+  struct HeldBlob {
+    std::shared_ptr<const std::string> bytes;
+    int times = 0;
+  };
+
+  // Null if it is not in memory.
+  std::shared_ptr<const std::string> HeldBytes(const std::string& digest) const;
+  bool HoldAgain(const std::string& digest);
+  void LetGoOfAll();
   absl::StatusOr<std::string> PathOf(const std::string& digest) const;
   // Hard links in another such folder, synced. False if one cannot be made.
   bool LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const;
@@ -78,6 +99,8 @@ class BlobFolder {
 
   std::string path_;
   std::atomic<bool> removed_{false};
+  mutable std::mutex mutex_;
+  std::map<std::string, HeldBlob> held_;  // with the lock
 };
 
 }  // namespace tilemend

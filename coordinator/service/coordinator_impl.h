@@ -57,6 +57,9 @@ struct CoordinatorOptions {
   std::function<absl::Time()> clock;
   // Looks at every result before it is taken; none: all are.
   ResultCheck check_result = {};
+  // BuildId(), or whatever else tells results that fit together from others: workers of another build are refused, and
+  // what the journal knows of another build is not used.
+  std::string build = {};
   int64_t most_sent = kMaxBlobBytes;  // bytes of blobs by one attempt
   // Looks for overdue leases in the background; without it only Tick does (tests).
   bool background_ticks = true;
@@ -175,6 +178,9 @@ class CoordinatorImpl {
   void PutJob(const Job& job, bool released, std::optional<v1::Job> message = std::nullopt);
   void PutResult(const SettledTask& task, const std::optional<std::string>& content);
   void PutStrike(const StruckTask& task);
+
+  // In the journal: what one build made is nothing to another.
+  TaskName NameOf(CellId cell, Stage stage, const std::string& input) const;
 
   // Calls of the runners; each takes the lock.
   absl::Status OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress);

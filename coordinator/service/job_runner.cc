@@ -166,6 +166,7 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
   --outstanding_;
+  blobs_->LetGo(delivery.task.input);
   TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(std::move(delivery)));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
   return AddTasks(pipeline, std::move(tasks));
@@ -190,9 +191,8 @@ absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tas
   std::vector<TaskSpec> specs;
   specs.reserve(tasks.size());
   for (NewTask& task : tasks) {
-    TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Put(task.input));
+    TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
     specs.push_back({task.cell, task.stage, std::move(digest)});
-    task.input = std::string();
   }
   outstanding_ += static_cast<int64_t>(specs.size());
   return sink_.add_tasks(std::move(specs), pipeline.GetProgress());

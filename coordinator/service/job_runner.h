@@ -26,7 +26,7 @@ class JobRunner {
  public:
   // Called on the job's thread, without any lock of the runner.
   struct Sink {
-    // The inputs are in the blob folder. An error fails the job.
+    // The inputs are held in the blob folder until the task is delivered. An error fails the job.
     std::function<absl::Status(std::vector<TaskSpec>, const Progress&)> add_tasks;
     // Waits until all that was delivered, and the job itself, is durable: only then may anybody see what follows of it.
     std::function<void()> await;

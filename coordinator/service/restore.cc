@@ -7,6 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/rpc/status_proto.h"
+#include "common/store/digest.h"
 #include "common/util/failpoint.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
@@ -37,11 +38,16 @@ void CoordinatorImpl::PutJob(const Job& job, bool released, std::optional<v1::Jo
   journal_->PutJob({job.number, job.request_id, message->SerializeAsString(), over, released});
 }
 
+TaskName CoordinatorImpl::NameOf(CellId cell, Stage stage, const std::string& input) const {
+  return {cell, stage, Sha256Hex(absl::StrCat(options_.build, "\n", input))};
+}
+
 void CoordinatorImpl::PutResult(const SettledTask& task, const std::optional<std::string>& content) {
   if (!journal_->is_durable()) return;
   ResultRecord result{task.state, task.output, content, "", {}};
   if (task.state != TaskState::kCommitted) result.error = StatusToProto(task.error).SerializeAsString();
-  journal_->PutResult(state_.FindJob(task.key.job)->number, {task.cell, task.stage, task.input}, std::move(result));
+  journal_->PutResult(state_.FindJob(task.key.job)->number, NameOf(task.cell, task.stage, task.input),
+                      std::move(result));
 }
 
 void CoordinatorImpl::PutStrike(const StruckTask& task) {
@@ -49,7 +55,8 @@ void CoordinatorImpl::PutStrike(const StruckTask& task) {
   ResultRecord result;
   result.state = TaskState::kPending;
   result.lost_workers = task.lost_workers;
-  journal_->PutResult(state_.FindJob(task.key.job)->number, {task.cell, task.stage, task.input}, std::move(result));
+  journal_->PutResult(state_.FindJob(task.key.job)->number, NameOf(task.cell, task.stage, task.input),
+                      std::move(result));
 }
 
 absl::StatusOr<CoordinatorImpl::Contents> CoordinatorImpl::Recall(const std::string& id, std::vector<TaskSpec>& tasks) {
@@ -64,7 +71,7 @@ absl::StatusOr<CoordinatorImpl::Contents> CoordinatorImpl::Recall(const std::str
   size_t bytes = 0;
   for (TaskSpec& task : tasks) {
     TILEMEND_ASSIGN_OR_RETURN(std::optional<ResultRecord> found,
-                              journal_->Find(number, {task.cell, task.stage, task.input}));
+                              journal_->Find(number, NameOf(task.cell, task.stage, task.input)));
     if (!found) continue;
     if (!IsSettled(found->state)) {
       task.lost_workers = std::move(found->lost_workers);

@@ -2,7 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
-#include "common/util/version.h"
+#include "common/util/build_id.h"
 #include "coordinator/service/result_checks.h"
 #include "tilemend/v1/stages.pb.h"
 
@@ -10,8 +10,7 @@ namespace tilemend {
 namespace {
 
 std::string KeyOf(const NewTask& task) {
-  static const std::string* const kBuild = new std::string(BuildId());
-  return Sha256Hex(absl::StrCat(*kBuild, "\n", std::string(StageName(task.stage)), "\n", task.input));
+  return Sha256Hex(absl::StrCat(BuildId(), "\n", std::string(StageName(task.stage)), "\n", task.input));
 }
 
 std::string WithKnownSurvey(const std::string& bytes, const std::string& known) {

@@ -13,6 +13,7 @@
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
+#include "common/util/version.h"
 #include "coordinator/service/coordinator_impl.h"
 
 namespace tilemend {
@@ -28,13 +29,20 @@ constexpr size_t kMaxQueuedBytes = size_t{64} << 20;
 // Of another protocol anything may be said.
 std::string Shown(const std::string& text) { return Printable(text.substr(0, kMostNameBytes)); }
 
-absl::Status CheckProtocol(const v1::SyncRequest& request) {
-  if (request.protocol() == kProtocolVersion) return absl::OkStatus();
-  return WithErrorInfo(
-      absl::FailedPreconditionError(absl::StrCat("worker ", Shown(request.worker()), " speaks protocol ",
-                                                 request.protocol(), ", this coordinator ", kProtocolVersion,
-                                                 "; use the same release")),
-      {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
+// Whether results of the worker's program fit to those of others here.
+absl::Status CheckProgram(const v1::SyncRequest& request, const std::string& build) {
+  const std::string worker = Shown(request.worker()), have = Shown(request.build());
+  if (request.protocol() != kProtocolVersion) {
+    return WithErrorInfo(
+        absl::FailedPreconditionError(absl::StrCat("worker ", worker, " speaks protocol ", request.protocol(),
+                                                   ", this coordinator ", kProtocolVersion, "; use the same release")),
+        {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
+  }
+  if (request.build() == build) return absl::OkStatus();
+  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(
+                           "worker ", worker, " is of build ", have, " (", Shown(request.release()),
+                           "), this coordinator of ", build, " (", Version(), "); use programs of the same build")),
+                       {"OTHER_BUILD", {{"want", build}, {"have", have}}});
 }
 
 absl::Status CheckSync(const v1::SyncRequest& request) {
@@ -106,7 +114,7 @@ v1::Task TaskMessage(const TaskKey& key, const Task& task, const Lease& lease) {
 absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& request,
                                                        const std::function<bool()>& alive,
                                                        const std::string& identity) {
-  if (const absl::Status other = CheckProtocol(request); !other.ok()) {
+  if (const absl::Status other = CheckProgram(request, options_.build); !other.ok()) {
     Lock lock(mutex_);
     events_.WorkerRefused(Shown(request.worker()), Shown(request.release()), other, options_.clock());
     return other;
@@ -419,31 +427,6 @@ void CoordinatorImpl::LeaseTasks(const std::string& worker) {
     if (!starts) continue;
     PutJob(job, false);
     events_.JobStarted(job, entries_.at(key.job).origin);
-  }
-}
-
-std::map<std::string, std::shared_ptr<BlobFolder>> CoordinatorImpl::BlobsOf(const v1::SyncResponse& response) {
-  std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
-  for (const v1::Task& task : response.start()) blobs[task.ref().job()] = entries_.at(task.ref().job()).blobs;
-  return blobs;
-}
-
-void CoordinatorImpl::InlineInputs(const std::map<std::string, std::shared_ptr<BlobFolder>>& blobs,
-                                   v1::SyncResponse& response) {
-  size_t left = kMaxInlineBytesPerSync;
-  for (v1::Task& task : *response.mutable_start()) {
-    const auto& folder = blobs.at(task.ref().job());
-    if (folder == nullptr) continue;
-    v1::BlobRef& input = *task.mutable_input();
-    const auto size = folder->Size(input.digest());
-    input.set_size(size.value_or(-1));  // no size: not inside, so that nobody takes it for empty
-    if (!size.ok()) continue;           // the job has just ended, and the worker is told so next time; or it was lost
-    if (static_cast<size_t>(*size) > std::min(left, kInlineBlobBytes)) continue;
-    auto content = folder->Read(input.digest());
-    if (!content.ok()) continue;
-    left -= content->size();
-    metrics_.BlobSent(*size);
-    input.set_content(*std::move(content));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
+#include "common/util/build_id.h"
 #include "common/util/files.h"
 #include "tests/support/process.h"
 #include "tests/support/test_cluster.h"
@@ -224,6 +225,7 @@ class ClusterCommandTest : public CommandTest {
     CommandTest::SetUp();
     if (IsSkipped()) return;
     ClusterOptions options;
+    options.build = BuildId();
     options.listen = "127.0.0.1:0";
     cluster_ = std::make_unique<TestCluster>(options);
     address_ = absl::StrCat("127.0.0.1:", cluster_->rpc().port());
@@ -306,6 +308,20 @@ TEST_F(ClusterCommandTest, CtrlCEndsTheWatchingNotTheJob) {
   EXPECT_EQ(ended.code, 7);
   EXPECT_THAT(ended.err, HasSubstr("goes on"));
   EXPECT_EQ(cluster_->Get(job["name"]).state(), v1::RUNNING);
+}
+
+TEST_F(ClusterCommandTest, AWorkerOfAnotherBuildEndsAndSaysSo) {
+  ClusterOptions options;
+  options.listen = "127.0.0.1:0";
+  options.build = "another";
+  TestCluster other(options);
+  const Ended ended =
+      Process(folder_.path().string(), TOY_WORKER, {"--coordinator", absl::StrCat("127.0.0.1:", other.rpc().port())})
+          .Wait();
+  EXPECT_EQ(ended.code, 6);
+  EXPECT_THAT(ended.err, HasSubstr(absl::StrCat("is of build ", BuildId())));
+  EXPECT_THAT(ended.err, HasSubstr("this coordinator of another"));
+  EXPECT_THAT(ended.err, HasSubstr("use programs of the same build"));
 }
 
 TEST_F(CommandTest, TheCoordinatorServesUntilItIsTold) {

@@ -43,6 +43,7 @@ void TestCluster::StartCoordinator() {
   coordinator.max_running_jobs = options_.max_running_jobs;
   coordinator.most_sent = options_.most_sent;
   coordinator.log = options_.log;
+  coordinator.build = options_.build;
   if (options_.durable) {
     auto journal = OpenSqliteJournal(folder_ / "journal.sqlite");
     EXPECT_TRUE(journal.ok()) << journal.status();
@@ -74,6 +75,7 @@ Worker& TestCluster::AddWorker(const std::string& name, int threads, StageRunner
   WorkerOptions options;
   options.id = name;
   options.threads = threads;
+  options.build = options_.build;
   return AddWorker(options, std::move(runner));
 }
 

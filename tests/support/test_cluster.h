@@ -65,6 +65,7 @@ struct ClusterOptions {
   Log* log = Log::Null();   // of the coordinator; outlives the cluster
   bool fake_clock = false;  // leases then run out only through clock() and Tick()
   bool durable = false;     // for Restart
+  std::string build = {};   // of the coordinator, until it is another's
 };
 
 class TestCluster {
@@ -80,6 +81,8 @@ class TestCluster {
   // The coordinator ends without a word and another one starts in its place; workers go with it. Only if durable.
   // In between comes `meanwhile`, with the path of the journal.
   void Restart(const std::function<void(const std::string&)>& meanwhile = [](const std::string&) {});
+  // Of the next coordinator.
+  void UseBuild(const std::string& build) { options_.build = build; }
   // Time passes until every lease has run out. A worker that is alive is known again with its next call.
   void ExpireLeases();
 
@@ -102,7 +105,7 @@ class TestCluster {
  private:
   void StartCoordinator();
 
-  const ClusterOptions options_;
+  ClusterOptions options_;
   TempFolder folder_;
   FakeClock clock_;
   PrometheusRegistry metrics_;

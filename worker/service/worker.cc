@@ -131,7 +131,9 @@ bool Worker::SyncOnce(absl::Duration& backoff) {
 bool Worker::AfterFailure(const absl::Status& status, absl::Duration& backoff) {
   SetConnected(status);
   in_vain_ += backoff;
-  if (ErrorReason(status) == "PROTOCOL_VERSION" || absl::IsInvalidArgument(status) || in_vain_ > options_.patience) {
+  const std::string reason = ErrorReason(status);
+  if (reason == "PROTOCOL_VERSION" || reason == "OTHER_BUILD" || absl::IsInvalidArgument(status) ||
+      in_vain_ > options_.patience) {
     std::lock_guard<std::mutex> lock(mutex_);
     end_status_ = status;
     return false;
@@ -174,6 +176,7 @@ v1::SyncRequest Worker::NextRequest() {
   request.set_worker(options_.id);
   request.set_secret(secret_);
   request.set_release(Version());
+  request.set_build(options_.build);
   request.set_sequence(++sequence_);
   for (const auto& [job, seen] : seen_) *request.add_seen() = seen;
   int32_t threads = options_.threads + options_.prefetch;

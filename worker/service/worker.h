@@ -32,8 +32,9 @@
 namespace tilemend {
 
 struct WorkerOptions {
-  std::string id;   // new for each process; NewWorkerId()
-  int threads = 1;  // 1 to 1024
+  std::string id;          // new for each process; NewWorkerId()
+  int threads = 1;         // 1 to 1024
+  std::string build = {};  // BuildId(); a coordinator of another refuses this worker
   // Tasks to hold beyond one for each thread, so that no thread waits for the next. With several workers it would keep
   // tasks from idle ones.
   int prefetch = 0;

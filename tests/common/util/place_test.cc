@@ -12,6 +12,7 @@
 namespace tilemend {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::StartsWith;
 
 TEST(PlaceTest, IsThePathItselfWhereNothingIsConfined) {
@@ -38,7 +39,9 @@ TEST(ErrnoStatusTest, NamesThePathAndTellsReadingFromWriting) {
   EXPECT_TRUE(absl::IsNotFound(ErrnoStatus(ENOENT, "cannot open", "f")));
   EXPECT_TRUE(absl::IsPermissionDenied(WriteErrnoStatus(ENOENT, "cannot create", "f")));
   EXPECT_TRUE(absl::IsInvalidArgument(WriteErrnoStatus(ENOTDIR, "cannot create", "f")));
-  EXPECT_TRUE(absl::IsResourceExhausted(WriteErrnoStatus(ENOSPC, "cannot write", "f")));
+  const absl::Status full = WriteErrnoStatus(ENOSPC, "cannot write", "f");
+  EXPECT_TRUE(absl::IsResourceExhausted(full));
+  EXPECT_THAT(std::string(full.message()), EndsWith("; make room there"));
   EXPECT_THAT(std::string(ErrnoStatus(EIO, "cannot read", "f").message()), StartsWith("f: cannot read: "));
 }
 

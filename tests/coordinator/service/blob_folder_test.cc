@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
@@ -44,6 +46,43 @@ TEST_F(BlobFolderTest, GivesNoDamagedBytes) {
     ASSERT_TRUE(WriteFileAtomically(path, damaged).ok());
     EXPECT_EQ(ErrorReason(blobs_->Read(digest).status()), "BLOB_DAMAGED");
   }
+}
+
+TEST_F(BlobFolderTest, HoldsBlobsInMemoryUntilEachHolderLetsGo) {
+  const std::string bytes(kMaxChunkBytes + 5, 'h');
+  const std::string digest = *blobs_->Hold(bytes);
+  EXPECT_EQ(digest, Sha256Hex(bytes));
+  EXPECT_EQ(*blobs_->Hold(bytes), digest);
+  EXPECT_EQ(FilesIn(folder_ / "blobs"), 0);
+  blobs_->LetGo(digest);
+  EXPECT_EQ(*blobs_->Size(digest), static_cast<int64_t>(bytes.size()));
+  EXPECT_TRUE(*blobs_->Read(digest) == bytes);
+  std::vector<size_t> chunks;
+  const auto take = [&](std::string_view chunk) {
+    chunks.push_back(chunk.size());
+    return true;
+  };
+  EXPECT_TRUE(blobs_->ReadChunks(digest, take).ok());
+  EXPECT_EQ(chunks, (std::vector<size_t>{kMaxChunkBytes, 5}));
+  blobs_->LetGo(digest);
+  blobs_->LetGo(digest);
+  EXPECT_EQ(ErrorReason(blobs_->Read(digest).status()), "BLOB_NOT_FOUND");
+}
+
+TEST_F(BlobFolderTest, HoldsNoMoreInMemoryThanAllFoldersMay) {
+  const auto other = *BlobFolder::Create(folder_ / "other");
+  const std::string first = *other->Hold(std::string(kMostHeldBytes - 10, 'a'));
+  const std::string second = *blobs_->Hold(std::string(11, 'b'));
+  EXPECT_EQ(FilesIn(folder_ / "other"), 0);
+  EXPECT_EQ(FilesIn(folder_ / "blobs"), 1) << "more than the process may hold";
+  EXPECT_EQ(*blobs_->Read(second), std::string(11, 'b'));
+  EXPECT_TRUE(blobs_->Hold(std::string(10, 'c')).ok());
+  EXPECT_EQ(FilesIn(folder_ / "blobs"), 1);
+  blobs_->LetGo(second);
+  EXPECT_TRUE(blobs_->Read(second).ok()) << "a file stays as long as its folder";
+  other->Remove();
+  EXPECT_TRUE(blobs_->Hold(std::string(kMostHeldBytes - 10, 'd')).ok());
+  EXPECT_EQ(FilesIn(folder_ / "blobs"), 1) << "what a folder held is free when that goes";
 }
 
 TEST_F(BlobFolderTest, ReadsInChunksOfAtMostOneMiB) {

@@ -94,6 +94,42 @@ TEST_P(RestoreTest, AJobGoesOnFromEveryTask) {
   }
 }
 
+TEST_P(RestoreTest, AnotherBuildMakesAllOfItAgain) {
+  TestCluster cluster(Durable());
+  cluster.UseBuild("other");
+  Budget budget(30);
+  std::atomic<int> again{0};
+  const std::string name = cluster.Submit(scene_).name();
+  cluster.Restart();
+  cluster.AddWorker("first", 2, budget.Runner());
+  budget.AwaitEnd();
+  cluster.UseBuild("new");
+  cluster.Restart();
+  cluster.AddWorker("second", 1, Counting(again));
+  const v1::Job job = cluster.WaitFor(name);
+  EXPECT_EQ(job.message(), Undisturbed(scene_).message());
+  EXPECT_EQ(job.progress().tasks_done(), 60);
+  EXPECT_EQ(again, 60) << "results of two builds in one output";
+}
+
+TEST_P(RestoreTest, OneBuildGoesOnWhateverAnotherDidBetween) {
+  TestCluster cluster(Durable());
+  const std::string name = cluster.Submit(scene_).name();
+  std::atomic<int> last{0};
+  for (const char* build : {"a", "b", "a"}) {
+    cluster.UseBuild(build);
+    cluster.Restart();
+    Budget budget(15);
+    cluster.AddWorker("w", 1, budget.Runner());
+    budget.AwaitEnd();
+  }
+  cluster.Restart();
+  cluster.AddWorker("last", 1, Counting(last));
+  EXPECT_EQ(cluster.WaitFor(name).message(), Undisturbed(scene_).message());
+  EXPECT_GE(last, 30);
+  EXPECT_LE(last, 60 - 30 + 2);
+}
+
 TEST_P(RestoreTest, AJobOutlivesManyCoordinators) {
   TestCluster cluster(Durable());
   const std::string name = cluster.Submit(scene_).name();

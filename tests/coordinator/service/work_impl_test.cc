@@ -8,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
+#include "coordinator/service/blob_folder.h"
 #include "tests/coordinator/service/coordinator_impl_fixture.h"
 #include "tests/support/list_log.h"
 
@@ -78,6 +79,8 @@ TEST_F(WorkImplTest, RetriesAResultWhoseBlobNeverCame) {
 }
 
 TEST_F(WorkImplTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
+  BlobFolder other(cluster_.folder() / "other");
+  ASSERT_TRUE(other.Hold(std::string(kMostHeldBytes, 'x')).ok());  // so that inputs are files
   ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
   const v1::Task task = AwaitTask();
   ASSERT_EQ(task.input().size(), static_cast<int64_t>(task.input().content().size()));
@@ -117,6 +120,30 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherProtocolWhateverItSays) {
   ASSERT_EQ(log.lines().size(), 1U);
   EXPECT_THAT(log.lines().front(), StartsWith("warning worker refused worker=old-www"));
   EXPECT_LT(log.lines().front().size(), 1000U);
+}
+
+TEST(WorkLogTest, NamesAWorkerOfAnotherBuild) {
+  ListLog log;
+  ClusterOptions options;
+  options.log = &log;
+  options.build = "aaaa";
+  TestCluster cluster(options);
+  v1::SyncRequest request;
+  request.set_protocol(kProtocolVersion);
+  request.set_worker("w");
+  request.set_release("0.0.9");
+  request.set_threads(1);
+  request.set_build("bbbb");
+  const auto alive = [] { return true; };
+  const absl::Status refused = cluster.impl().Sync(request, alive).status();
+  EXPECT_EQ(ErrorReason(refused), "OTHER_BUILD");
+  EXPECT_THAT(std::string(refused.message()),
+              StartsWith("worker w is of build bbbb (0.0.9), this coordinator of aaaa"));
+  ASSERT_EQ(log.lines().size(), 1U);
+  EXPECT_THAT(log.lines().front(), StartsWith("warning worker refused worker=w worker_release=0.0.9"));
+  EXPECT_TRUE(cluster.impl().ListWorkers({})->workers().empty());
+  request.set_build("aaaa");
+  EXPECT_TRUE(cluster.impl().Sync(request, alive).ok());
 }
 
 TEST_F(WorkImplTest, ReleasesADrainingWorker) {

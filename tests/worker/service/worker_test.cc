@@ -337,7 +337,9 @@ TEST_F(WorkerTest, AbandonEndsWithoutAWord) {
 TEST_F(WorkerTest, EndsWithTheReasonIfItIsRefused) {
   const absl::Status protocol =
       WithErrorInfo(absl::FailedPreconditionError("protocol 1, but this is 2"), {"PROTOCOL_VERSION", {}});
-  for (const absl::Status& refusal : {protocol, absl::InvalidArgumentError("2049 threads")}) {
+  const absl::Status build =
+      WithErrorInfo(absl::FailedPreconditionError("build a, but this is b"), {"OTHER_BUILD", {}});
+  for (const absl::Status& refusal : {protocol, build, absl::InvalidArgumentError("2049 threads")}) {
     const auto worker = NewWorker(Echo);
     coordinator_.Answer(refusal);
     EXPECT_EQ(worker->Join(), refusal);
