@@ -10,13 +10,13 @@
 #include <tuple>
 #include <utility>
 
+#include "coordinator/plan/overlap/piece_ends.h"
+
 namespace tilemend {
 namespace {
 
 constexpr double kOnOutline = 2e-3;  // metres
-// Chains of two pieces end at most so far from each other where the pieces and the tile end together, times the reach.
-constexpr double kPieceEnds = 8;
-constexpr double kFirstReach = 0.01;  // metres: ends so near are matched first, then by powers of two
+constexpr double kOverlaps = 8;  // the surface of a piece ends at most so many reaches before that of the next begins
 
 // A vertex where a chain off the outline ends or begins, seen along the walk.
 struct Event {
@@ -82,10 +82,9 @@ class Walker {
       --leaving[to];
     }
     for (const auto& [v, more] : leaving) {
-      const Point3& p = record_.vertices[v].position;
-      const std::optional<Side> side = outline_.SideAt(p);
+      const std::optional<Side> side = outline_.SideAt(record_.vertices[v].position);
       const auto piece = at_piece.find(v);
-      Event event{outline_.PlaceOf(p, side.value_or(outline_.NearestSide(p))), v, more > 0, side.has_value()};
+      Event event{PlaceOf(v), v, more > 0, side.has_value()};
       if (side) event.across = AxisOf(*side);
       if (!side && piece != at_piece.end()) event.across = piece->second;
       std::vector<Event>& events = side && piece == at_piece.end() ? events_ : piece_ends_;
@@ -99,63 +98,41 @@ class Walker {
     return of_x == of_y ? std::nullopt : std::optional(of_x ? 0 : 1);
   }
 
-  // Ends of chains where pieces end: each with a beginning, the nearest pairs first. Those left over count to the
-  // outline, and so do those on it that have none near by.
+  // What ends where a piece does goes on at another chain, or counts to the outline.
   void CloseAtPieces() {
-    std::vector<bool> closed(piece_ends_.size(), false);
-    const double longest = 2 * ((record_.hi - record_.lo).norm() + outline_.Length());
-    for (double reach = kFirstReach; reach < longest; reach *= 2) CloseWithin(reach, closed);
-    for (size_t i = 0; i < piece_ends_.size(); ++i) {
-      if (!closed[i]) events_.push_back(piece_ends_[i]);
+    if (piece_ends_.empty()) return;
+    PieceBoundary boundary{record_, {}, {}};
+    for (size_t e = 0; e < taken_.size(); ++e) {
+      boundary.kinds.push_back(!taken_[e]            ? BoundaryKind::kPiece
+                               : walk_.on_outline[e] ? BoundaryKind::kOutline
+                                                     : BoundaryKind::kChain);
     }
-  }
-
-  // The pairs no farther apart than `reach`, if all nearer ones are closed: by squares of that size.
-  void CloseWithin(double reach, std::vector<bool>& closed) {
-    const auto square = [&](size_t i) {
-      const Point3& p = record_.vertices[piece_ends_[i].vertex].position;
-      return std::pair(std::llround(p.x() / reach), std::llround(p.y() / reach));
-    };
-    std::map<std::pair<int64_t, int64_t>, std::vector<size_t>> begins;
-    for (size_t k = 0; k < piece_ends_.size(); ++k) {
-      if (!closed[k] && !piece_ends_[k].ends) begins[square(k)].push_back(k);
+    for (const BoundaryVertex& v : record_.vertices) {
+      boundary.on_outline.push_back(outline_.SideAt(v.position).has_value());
     }
-    std::vector<std::tuple<double, size_t, size_t>> pairs;
-    for (size_t i = 0; i < piece_ends_.size(); ++i) {
-      if (closed[i] || !piece_ends_[i].ends) continue;
-      const auto [column, row] = square(i);
-      for (int64_t c = column - 1; c <= column + 1; ++c) {
-        for (int64_t r = row - 1; r <= row + 1; ++r) AddPairs(i, begins[{c, r}], reach, pairs);
-      }
-    }
-    std::sort(pairs.begin(), pairs.end());
-    for (const auto& [distance, i, k] : pairs) {
-      if (closed[i] || closed[k]) continue;
-      closed[i] = closed[k] = true;
-      const Event &from = piece_ends_[i], &to = piece_ends_[k];
+    std::vector<PieceEnd> ends;
+    for (const Event& event : piece_ends_) ends.push_back({event.vertex, event.ends});
+    const PieceMatches matches = MatchPieceEnds(boundary, ends, piece_reach_);
+    for (const auto& [begin, end] : matches.pairs) {
+      const Event &from = piece_ends_[begin], &to = piece_ends_[end];
       walk_.gaps.push_back({from.vertex, to.vertex, 0, 0, false, from.across, to.across});
     }
+    for (const auto& [end, vertex] : matches.on_outline) {
+      Event& event = events_.emplace_back(piece_ends_[end]);
+      const double place = PlaceOf(vertex);
+      if (std::abs(place - event.place) > kOverlaps * piece_reach_) event.place = place;  // else straight on to it
+    }
   }
 
-  void AddPairs(size_t i, const std::vector<size_t>& begins, double reach,
-                std::vector<std::tuple<double, size_t, size_t>>& pairs) const {
-    const double farthest = std::pow(kPieceEnds * piece_reach_, 2);
-    for (const size_t k : begins) {
-      const Event &a = piece_ends_[i], &b = piece_ends_[k];
-      const double distance = DistanceOf(a, b);
-      if (distance > reach * reach) continue;
-      if (distance <= farthest || (!a.on_outline && !b.on_outline)) pairs.emplace_back(distance, i, k);
-    }
+  double PlaceOf(int32_t v) const {
+    const Point3& p = record_.vertices[v].position;
+    return outline_.PlaceOf(p, outline_.SideAt(p).value_or(outline_.NearestSide(p)));
   }
 
   void SortEvents() {
     std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
       return std::tuple(a.place, !a.ends, a.vertex) < std::tuple(b.place, !b.ends, b.vertex);
     });
-  }
-
-  double DistanceOf(const Event& a, const Event& b) const {
-    return (record_.vertices[a.vertex].position - record_.vertices[b.vertex].position).squaredNorm();
   }
 
   void CountLayers() {
@@ -217,7 +194,7 @@ class Walker {
       const Event& last = events_[i - 1];
       Event &end = events_[i], &begin = events_[i + 1];
       const bool is_of_pieces = !end.on_outline || !begin.on_outline;
-      const bool is_near = begin.place - end.place <= kPieceEnds * piece_reach_;
+      const bool is_near = begin.place - end.place <= kOverlaps * piece_reach_;
       if (last.ends && end.ends && !begin.ends && is_of_pieces && is_near && IsUncovered(last, end))
         std::swap(end, begin);
     }
@@ -293,6 +270,16 @@ double Outline::PlaceOf(const Point3& p, Side s) const {
   }
   const double place = 2 * Width() + Height() + (Height() - y);
   return place < Length() ? place : 0;
+}
+
+std::pair<Point2, Side> Outline::At(double place) const {
+  double along = std::fmod(place, Length());
+  if (along <= Width()) return {{side[kWest] + along, side[kSouth]}, kSouth};
+  along -= Width();
+  if (along <= Height()) return {{side[kEast], side[kSouth] + along}, kEast};
+  along -= Height();
+  if (along <= Width()) return {{side[kEast] - along, side[kNorth]}, kNorth};
+  return {{side[kWest], side[kNorth] - (along - Width())}, kWest};
 }
 
 double Outline::CornerPlace(int corner) const {

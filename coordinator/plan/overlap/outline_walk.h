@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/records/survey_record.h"
@@ -21,6 +22,8 @@ struct Outline {
   double Length() const { return 2 * (Width() + Height()); }
   // Of the point on a side that is level with p.
   double PlaceOf(const Point3& p, Side s) const;
+  // The point at a place, and the side it is on; places may go round more than once.
+  std::pair<Point2, Side> At(double place) const;
   double CornerPlace(int corner) const;  // south-west, south-east, north-east, north-west
   Point2 CornerAt(int corner) const;
   // The side that p lies on or beyond, within a hair.
@@ -44,9 +47,8 @@ struct OutlineWalk {
 };
 
 // `taken` says for each edge of the record whether it counts; others are on outlines of pieces. Chains that end at
-// those are closed as well, straight; `piece_reach` is how far pieces overlap, or part. Every vertex where chains off
-// the outline begin or end is in one gap each time. Cost O(n log n), and for each
-// chain that ends at a piece the ends around it that are no nearer to others.
+// those are closed as well (MatchPieceEnds), straight; `piece_reach` is how far pieces overlap, or part. Every vertex
+// where chains off the outline begin or end is in one gap each time. Cost O(n log n), and what MatchPieceEnds costs.
 OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,
                         double piece_reach);
 

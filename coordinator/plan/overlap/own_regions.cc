@@ -68,13 +68,12 @@ class OutlineVertices {
     return Add(source, {at.x(), at.y(), plan_.vertices[source].position.z()}, 3);
   }
 
-  // Where a chain that ends off the outline, at that of a piece, would go straight on to it.
-  std::optional<int32_t> Ahead(int32_t end, int32_t source) {
-    Point3 position = plan_.vertices[end].position;
-    if (outline_.SideAt(position)) return std::nullopt;
-    const Side side = outline_.NearestSide(position);
-    position[AxisOf(side)] = outline_.side[side];
-    return Add(source, position, LineOf(side));
+  // At the place where the way from a chain that ends off the outline, at that of a piece, comes to it.
+  std::optional<int32_t> Ahead(int32_t end, double place, int32_t source) {
+    const Point3& from = plan_.vertices[end].position;
+    if (outline_.SideAt(from)) return std::nullopt;
+    const auto [at, side] = outline_.At(place);
+    return Add(source, {at.x(), at.y(), from.z()}, LineOf(side));
   }
 
  private:
@@ -272,7 +271,7 @@ class CellRegions {
       const bool apart =
           gap.end - gap.begin > kClearance * std::min(plan_.vertices[from].size, plan_.vertices[to].size);
       const auto add_ahead = [&](int32_t end, double place) {
-        const auto v = apart ? new_.Ahead(end, Nearest(place, line)) : std::nullopt;
+        const auto v = apart ? new_.Ahead(end, place, Nearest(place, line)) : std::nullopt;
         if (v) way.push_back(*v);
       };
       add_ahead(from, gap.begin);

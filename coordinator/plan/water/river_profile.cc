@@ -76,6 +76,7 @@ RiverStation StationOf(const Heights& h, double noise, const StationRule& rule) 
 
 struct Line {
   double middle = 0, level = 0, slope = 0;
+  double moment = 0;  // of the places about the middle
 
   double At(double place) const { return level + slope * (place - middle); }
 };
@@ -89,7 +90,7 @@ Line LineThrough(const std::vector<double>& at, const std::vector<double>& level
     xx += weights[i] * (at[i] - x) * (at[i] - x);
     xz += weights[i] * (at[i] - x) * (levels[i] - z);
   }
-  return {x, z, xx > 0 ? xz / xx : 0};
+  return {x, z, xx > 0 ? xz / xx : 0, xx};
 }
 
 void Reverse(RiverProfile& profile) {
@@ -149,17 +150,29 @@ void Interpolate(const std::vector<size_t>& known, const std::vector<double>& le
 
 double ErrorOf(double noise, double count) { return kSure * kErrorOfLevel * noise / std::sqrt(count); }
 
-// The levels of the straight profile through the stations, if it falls and they lie on it as far as can be told.
+// Whether the line falls by more than three standard errors: those that the noise would leave, or that the levels show.
+bool SurelyFalls(const Line& line, const std::vector<double>& places, const std::vector<double>& levels,
+                 const std::vector<double>& weights, double noise) {
+  double sum = 0;
+  for (size_t i = 0; i < places.size(); ++i) sum += weights[i] * std::pow(levels[i] - line.At(places[i]), 2);
+  const double shown = places.size() > 2 ? std::sqrt(sum / static_cast<double>(places.size() - 2)) : 0;
+  return -line.slope > kSure * std::max(kErrorOfLevel * noise, shown) / std::sqrt(line.moment);
+}
+
+// The levels of the straight profile through the stations, if they lie on it as far as can be told: level where it does
+// not surely fall.
 std::optional<std::vector<double>> StraightLevels(const std::vector<double>& places, const std::vector<double>& levels,
                                                   const std::vector<double>& weights, double noise, double tolerance) {
-  const Line line = LineThrough(places, levels, weights);
+  Line line = LineThrough(places, levels, weights);
+  if (line.slope > 0) return std::nullopt;
+  if (!SurelyFalls(line, places, levels, weights, noise)) line.slope = 0;
   std::vector<double> straight;
   size_t odd = 0;
   for (size_t i = 0; i < places.size(); ++i) {
     straight.push_back(line.At(places[i]));
     odd += std::abs(levels[i] - straight[i]) > tolerance + ErrorOf(noise, weights[i]);
   }
-  return line.slope <= 0 && odd <= places.size() / kOddStations ? std::optional(straight) : std::nullopt;
+  return odd <= places.size() / kOddStations ? std::optional(straight) : std::nullopt;
 }
 
 void MeasureAlong(RiverProfile& profile) {

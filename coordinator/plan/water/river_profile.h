@@ -40,10 +40,11 @@ struct StationRule {
 // explains, that of the lower one, as banks and quays only rise above the water. Stations with less than `least`
 // heights have none of their own, nor have those that lie above a line through all (Theil 1950, Sen 1968) by three
 // times the tolerance and three deviations: both shores have banks alone there. The profile is the straight one that
-// fits best, weighted by the counts, if it falls and seven in eight stations lie on it within the tolerance and three
-// errors; else levels are made to fall in the direction in which they fall on the whole (NotRising) and lie on a line
-// between stations. Before the first and after the last one they stay. Station levels do not depend on objects and
-// banks as long as a third of the heights there is at the water (FitRimLevel).
+// fits best, weighted by the counts, if seven in eight stations lie on it within the tolerance and three errors, level
+// if it falls by less than three standard errors of its slope; else levels are made to fall in the direction in which
+// they fall on the whole (NotRising) and lie on a line between stations. Before the first and after the last one they
+// stay. Station levels do not depend on objects and banks as long as a third of the heights there is at the water
+// (FitRimLevel).
 //
 //   line    at least two points
 //   shore   rim points that stand on no object

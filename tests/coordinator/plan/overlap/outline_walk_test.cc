@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/overlapping_scene.h"
+#include "tests/support/piece_rings.h"
 
 namespace tilemend {
 namespace {
@@ -131,6 +132,26 @@ TEST(OutlineWalkTest, ChainsOfOverlappingPiecesAreNotTakenCrosswise) {
     ends.insert({gap.from, gap.to});
   }
   EXPECT_EQ(ends, (std::set<std::pair<int32_t, int32_t>>{{7, 9}, {3, 0}}));
+}
+
+// Where a piece ends at its own outline, the gap begins where that comes to the tile's, not straight ahead.
+TEST(OutlineWalkTest, AGapBeginsWhereTheOutlineOfThePieceLeads) {
+  PieceRings tile;
+  tile.Add({{0, 0}, {10.2, 0}, {10.2, 10}, {0, 10}}, "opoo");
+  tile.Add({{9.8, 0}, {20, 0}, {20, 5.2}, {9.8, 5.2}}, "oopp");
+  tile.Add({{9.8, 8}, {20, 8}, {20, 10}, {9.8, 10}}, "coop");
+  std::vector<bool> taken;
+  for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
+  constexpr Outline kWide{{0, 20, 0, 10}};
+  const OutlineWalk walk = WalkOutline(tile.record, taken, kWide, 0.1);
+  ASSERT_THAT(walk.gaps, SizeIs(1));
+  EXPECT_EQ(walk.gaps[0].from, tile.At(9.8, 8));
+  EXPECT_EQ(walk.gaps[0].to, tile.At(20, 8));
+  EXPECT_TRUE(walk.gaps[0].open);
+  EXPECT_EQ(walk.gaps[0].begin, 25.2);
+  EXPECT_EQ(walk.gaps[0].end, 28);
+  EXPECT_TRUE(kWide.At(25.2).first.isApprox(Point2(20, 5.2)));
+  EXPECT_EQ(kWide.At(25.2).second, kEast);
 }
 
 }  // namespace

@@ -51,6 +51,21 @@ TEST(FitRiverTest, FallsAsTheShoresDo) {
   EXPECT_NEAR(profile.fall, 0.4, 0.1);
 }
 
+// Level water, the same noise otherwise each time: most lines through the stations fall a little one way or the other.
+TEST(FitRiverTest, DoesNotFallByNoise) {
+  std::mt19937 random(5);
+  for (int k = 0; k < 20; ++k) {
+    std::vector<Point3> shore;
+    for (int x = 0; x <= 400; x += 4) {
+      for (const double y : {-15.0, 15.0}) shore.emplace_back(x, y, 10 + kNoise * std::sqrt(3) * Random(random));
+    }
+    const RiverProfile profile = FitRiver(kLine, shore, kNoise, {});
+    ASSERT_FALSE(profile.water.stations.empty());
+    EXPECT_EQ(profile.fall, 0) << k;
+    EXPECT_NEAR(profile.water.stations[0].z(), 10, kNoise) << k;
+  }
+}
+
 // All heights lie upstream of their station, in a river that falls 1.6 %.
 TEST(FitRiverTest, HeightsAreMovedToTheirStationsAlongTheSlope) {
   std::vector<Point3> shore;
