@@ -86,7 +86,9 @@ absl::StatusOr<FilledMesh> AggregateAndFill(const Scene& scene, const AggregateO
   } catch (const std::bad_alloc&) {
     return absl::ResourceExhaustedError(absl::StrCat(
         options.memory_bytes > 0 ? "out of the memory that --memory allows, " : "out of memory, ", progress.step, ": ",
-        progress.tiles, " of ", progress.all, " tiles joined, ", progress.triangles, " triangles"));
+        progress.tiles, " of ", progress.all, " tiles joined, ", progress.triangles, " triangles; ",
+        options.memory_bytes > 0 ? "allow more, or fill the tiles apart with `tilemend run`"
+                                 : "fill the tiles apart with `tilemend run`"));
   }
 }
 

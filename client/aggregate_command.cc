@@ -14,6 +14,7 @@
 #include "client/aggregate.h"
 #include "client/commands.h"
 #include "client/job_flags.h"
+#include "client/left_table.h"
 #include "client/output.h"
 #include "client/output_file.h"
 #include "common/util/files.h"
@@ -71,13 +72,12 @@ void Print(const SceneReportInput& report, const std::string& out, OutputFormat 
     return;
   }
   const size_t holes = report.plan->holes.size(), left = report.outcome.failures.size();
-  std::fputs(absl::StrFormat("%d of %d closed holes of the joined mesh filled\nwritten: %s\n", holes - left, holes,
-                             Printable(out))
-                 .c_str(),
-             stdout);
-  for (const LeftOpen& l : LeftOf(report)) {
-    if (l.is_hole) std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
-  }
+  std::fputs(
+      absl::StrFormat("%d of %d closed holes of the joined mesh filled; %s left open\nwritten: %s\n", holes - left,
+                      holes, Counted(static_cast<size_t>(report.plan->outer_rims), "outline"), Printable(out))
+          .c_str(),
+      stdout);
+  std::fputs(LeftLines(report).c_str(), stderr);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "client/commands.h"
 #include "client/filler_flags.h"
 #include "client/job_flags.h"
+#include "client/left_table.h"
 #include "client/mesh_filler.h"
 #include "client/output.h"
 #include "client/output_file.h"
@@ -120,9 +121,7 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
              stdout);
   PrintWarnings(report.warnings);
   PrintWarnings(PlanWarnings(plan));
-  for (const LeftOpen& l : LeftOf(report)) {
-    if (l.is_hole) std::fprintf(stderr, "left: %d edges: %s\n", static_cast<int>(l.edges), l.reason.c_str());
-  }
+  std::fputs(LeftLines(report).c_str(), stderr);
 }
 
 absl::Status ReadHoleOptions(const Args& args, MeshHoleOptions& holes) {

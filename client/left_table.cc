@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "client/json_access.h"
 #include "client/output.h"
 
@@ -41,6 +42,13 @@ std::string NotHolesText(const Json& report) {
   return rows.empty() ? "" : absl::StrCat("\nopen, but no holes\n", Table({"number", "edges", "what"}, rows));
 }
 
+// Of the boundary's vertices.
+Point3 MiddleOf(const Plan& plan, const PlannedHole& hole) {
+  Point3 sum = Point3::Zero();
+  for (const RimSegment& s : hole.segments) sum += plan.vertices[s.from].position;
+  return sum / static_cast<double>(hole.segments.size());
+}
+
 }  // namespace
 
 std::string LeftText(const Json& report, const std::string& title) {
@@ -59,6 +67,23 @@ std::string LeftText(const Json& report, const std::string& title) {
                     MoreText(items.size(), "see `left` in the report"));
   }
   return text + NotHolesText(report);
+}
+
+std::string LeftLines(const SceneReportInput& report) {
+  std::string lines;
+  size_t chosen = 0;
+  for (const LeftOpen& left : LeftOf(report)) {
+    chosen += left.reason == kLongerThanChosen;
+    if (!left.is_hole) continue;
+    std::string where;
+    if (left.hole >= 0) {
+      const Point3 at = MiddleOf(*report.plan, report.plan->holes[left.hole]);
+      where = absl::StrFormat(" around (%.6g, %.6g, %.6g)", at.x(), at.y(), at.z());
+    }
+    absl::StrAppend(&lines, "left: ", left.edges, " edges", where, ": ", left.reason, "\n");
+  }
+  if (chosen > 0) absl::StrAppend(&lines, "left as chosen: ", Counted(chosen, "hole"), " ", kLongerThanChosen, "\n");
+  return lines;
 }
 
 }  // namespace tilemend

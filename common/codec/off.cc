@@ -141,6 +141,7 @@ class OffCursor {
     constexpr int64_t kLeastVertexBytes = 6;
     constexpr int64_t kLeastFaceBytes = 2;
     if (header_.vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": ", kNoVertices));
+    if (header_.faces == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no faces"));
     if (header_.vertices * kLeastVertexBytes + header_.faces * kLeastFaceBytes > end_ - p_ + 1) {
       return LineProblem(name_, bytes_, header_.vertex_count.begin,
                          absl::StrCat("expected data of ", header_.vertices, " vertices and ", header_.faces,

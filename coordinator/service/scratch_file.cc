@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/place.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -34,10 +35,6 @@ std::string_view BytesOf(const std::vector<T>& column) {
   // Read back by this process alone, whose layout it is.
   static_assert(std::is_standard_layout_v<T> && std::is_trivially_destructible_v<T>);
   return {reinterpret_cast<const char*>(column.data()), column.size() * sizeof(T)};
-}
-
-absl::Status Failed(int error, const char* what) {
-  return absl::ErrnoToStatus(error, absl::StrCat("the file of what the job puts aside: ", what));
 }
 
 }  // namespace
@@ -83,7 +80,7 @@ absl::StatusOr<std::shared_ptr<ScratchFile>> ScratchFile::Create(const std::stri
   const int fd = mkostemp(path.data(), O_CLOEXEC);
   if (error || fd < 0) return absl::ErrnoToStatus(errno, absl::StrCat(base.string(), ": cannot make a file there"));
   unlink(path.c_str());
-  return std::shared_ptr<ScratchFile>(new ScratchFile(fd));
+  return std::shared_ptr<ScratchFile>(new ScratchFile(fd, base.string()));
 }
 
 ScratchFile::~ScratchFile() { close(fd_); }
@@ -99,7 +96,7 @@ absl::Status ScratchFile::WriteAt(int64_t at, std::string_view bytes) const {
   while (!bytes.empty()) {
     const ssize_t written = pwrite(fd_, bytes.data(), bytes.size(), at);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return Failed(errno, "cannot write");
+    if (written < 0) return ErrnoStatus(errno, "cannot write what the job puts aside", folder_);
     bytes.remove_prefix(static_cast<size_t>(written));
     at += written;
   }
@@ -110,7 +107,7 @@ absl::Status ScratchFile::ReadInto(int64_t at, void* data, size_t size) const {
   for (auto* to = static_cast<char*>(data); size > 0;) {
     const ssize_t read = pread(fd_, to, size, at);
     if (read < 0 && errno == EINTR) continue;
-    if (read <= 0) return Failed(read < 0 ? errno : EIO, "cannot read");
+    if (read <= 0) return ErrnoStatus(read < 0 ? errno : EIO, "cannot read what the job puts aside", folder_);
     to += read;
     at += read;
     size -= static_cast<size_t>(read);

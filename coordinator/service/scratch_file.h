@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -42,11 +43,12 @@ class ScratchFile : public std::enable_shared_from_this<ScratchFile> {
  private:
   class StoredColumns;
 
-  explicit ScratchFile(int fd) : fd_(fd) {}
+  ScratchFile(int fd, std::string folder) : fd_(fd), folder_(std::move(folder)) {}
   absl::Status WriteAt(int64_t at, std::string_view bytes) const;
   absl::Status ReadInto(int64_t at, void* data, size_t size) const;
 
   const int fd_;
+  const std::string folder_;
   std::atomic<int64_t> end_{0};
 };
 

@@ -99,7 +99,7 @@ class MeshPlanner {
       return Leave("outline of a flat piece: its patch would lie on it", segments.size(), true);
     }
     if (options_.mesh.largest_hole && std::ssize(segments) > *options_.mesh.largest_hole) {
-      return Leave("longer than --largest-hole", segments.size(), false);
+      return Leave(kLongerThanChosen, segments.size(), false);
     }
     PlannedHole hole = MeasureHole(cell_, std::move(segments), position_);
     hole.single = found.single;

@@ -155,6 +155,9 @@ struct WaterAnswer {
   std::string doubt = {};      // not empty: taken, but likely wrong
 };
 
+// A reason of LeftOpen, of holes that nobody wants filled.
+inline constexpr char kLongerThanChosen[] = "longer than --largest-hole";
+
 struct LeftOpen {
   CellId cell;
   std::string reason;

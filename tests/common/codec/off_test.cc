@@ -94,6 +94,7 @@ TEST(OffTest, NamesTheLineOfAnError) {
   EXPECT_EQ(MessageOf("OFF BINARY\n"), "a.off: line 1: expected the number of vertices, found something else");
   EXPECT_EQ(MessageOf("OFF\n-3 1 0\n"), "a.off: line 2: expected the number of vertices, found '-3'");
   EXPECT_EQ(MessageOf("OFF\n0 0 0\n"), "a.off: the file has no vertices");
+  EXPECT_EQ(MessageOf("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "a.off: the file has no faces");
   EXPECT_EQ(MessageOf("OFF\n2000000000 1 0\n0 0 0\n"),
             "a.off: line 2: expected data of 2000000000 vertices and 1 faces, found only 7 bytes");
   const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
