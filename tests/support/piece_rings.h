@@ -52,6 +52,16 @@ struct PieceRings {
   int32_t pieces = 0;
 };
 
+// A river's end in a tile of 20 m by 10 m: the west and the north are there, and the south-eastern piece up to its
+// outline at y = 5.2.
+inline PieceRings RiversEnd() {
+  PieceRings tile;
+  tile.Add({{0, 0}, {10.2, 0}, {10.2, 10}, {0, 10}}, "opoo");
+  tile.Add({{9.8, 0}, {20, 0}, {20, 5.2}, {9.8, 5.2}}, "oopp");
+  tile.Add({{9.8, 8}, {20, 8}, {20, 10}, {9.8, 10}}, "coop");
+  return tile;
+}
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_TESTS_SUPPORT_PIECE_RINGS_H_

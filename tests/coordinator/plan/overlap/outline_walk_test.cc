@@ -136,10 +136,7 @@ TEST(OutlineWalkTest, ChainsOfOverlappingPiecesAreNotTakenCrosswise) {
 
 // Where a piece ends at its own outline, the gap begins where that comes to the tile's, not straight ahead.
 TEST(OutlineWalkTest, AGapBeginsWhereTheOutlineOfThePieceLeads) {
-  PieceRings tile;
-  tile.Add({{0, 0}, {10.2, 0}, {10.2, 10}, {0, 10}}, "opoo");
-  tile.Add({{9.8, 0}, {20, 0}, {20, 5.2}, {9.8, 5.2}}, "oopp");
-  tile.Add({{9.8, 8}, {20, 8}, {20, 10}, {9.8, 10}}, "coop");
+  const PieceRings tile = RiversEnd();
   std::vector<bool> taken;
   for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
   constexpr Outline kWide{{0, 20, 0, 10}};

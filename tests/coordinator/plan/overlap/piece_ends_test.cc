@@ -36,15 +36,6 @@ TEST(MatchPieceEndsTest, FollowsTheOutlinesAndNotWhatIsNearest) {
   EXPECT_THAT(matches.on_outline, IsEmpty());
 }
 
-// A river's end: the north of the tile is there, and the south-eastern piece up to its outline.
-PieceRings RiversEnd() {
-  PieceRings tile;
-  tile.Add({{0, 0}, {10.2, 0}, {10.2, 10}, {0, 10}}, "opoo");
-  tile.Add({{9.8, 0}, {20, 0}, {20, 5.2}, {9.8, 5.2}}, "oopp");
-  tile.Add({{9.8, 8}, {20, 8}, {20, 10}, {9.8, 10}}, "coop");
-  return tile;
-}
-
 TEST(MatchPieceEndsTest, SaysWhereTheWayComesToTheOutline) {
   const PieceRings tile = RiversEnd();
   const PieceMatches matches = Match(tile, {{tile.At(9.8, 8), true}});
