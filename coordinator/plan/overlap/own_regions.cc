@@ -137,7 +137,8 @@ class CellRegions {
       const size_t whole = region.size();
       for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
       const std::vector<LineVertex> line = LineVertices(first);
-      for (const OutlineGap& gap : members.gaps) AddGap(gap, line, region);
+      const double spacing = std::max(MeanLength(region), kLeastSteps * plan_.lattice_step);
+      for (const OutlineGap& gap : members.gaps) AddGap(gap, line, spacing, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
       if (whole < region.size()) {
         first.own_regions = {std::move(region)};
@@ -253,6 +254,15 @@ class CellRegions {
     vertex.size = plan_.vertices[nearest.from].size;
   }
 
+  // Of segments seen from above.
+  double MeanLength(const std::vector<RimSegment>& region) const {
+    double length = 0;
+    for (const RimSegment& s : region) {
+      length += (plan_.vertices[s.to].position - plan_.vertices[s.from].position).head<2>().norm();
+    }
+    return length / static_cast<double>(region.size());
+  }
+
   void AddRim(int32_t a, int32_t b, std::vector<RimSegment>& region) {
     region.push_back({a, b, false});
     const double length = (plan_.vertices[b].position - plan_.vertices[a].position).norm();
@@ -263,7 +273,8 @@ class CellRegions {
   }
 
   // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines.
-  void AddGap(const OutlineGap& gap, const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
+  void AddGap(const OutlineGap& gap, const std::vector<LineVertex>& line, double spacing,
+              std::vector<RimSegment>& region) {
     const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
     if (from == to) return;
     std::vector<int32_t> way = {from};
@@ -280,32 +291,38 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
-    if (way.size() == 1) AddLink(gap, way);
+    if (way.size() == 1) AddLink(gap, spacing, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
 
-  // A new vertex half-way between ends of chains of two pieces: the surface may have an edge between the two. Between
-  // ends on outlines that cross the way goes along both.
-  void AddLink(const OutlineGap& gap, std::vector<int32_t>& way) {
-    const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
-    PlanVertex v = plan_.vertices[from];
-    const Point3 b = plan_.vertices[to].position;
+  // New vertices between ends of chains of two pieces, no farther apart than `spacing`; at least one half-way, as the
+  // surface may have an edge between the two. Between ends on outlines that cross the way goes along both.
+  void AddLink(const OutlineGap& gap, double spacing, std::vector<int32_t>& way) {
+    const PlanVertex from = plan_.vertices[PlanVertexOf(gap.from)], to = plan_.vertices[PlanVertexOf(gap.to)];
+    Point3 middle = (from.position + to.position) / 2;
+    if (gap.from_across && gap.to_across && *gap.from_across != *gap.to_across) {
+      middle[*gap.from_across] = from.position[*gap.from_across];
+      middle[*gap.to_across] = to.position[*gap.to_across];
+    }
+    PlanVertex v = from;
     v.tile = cell_;
     v.index = -1;
-    Point3 middle = (v.position + b) / 2;
-    if (gap.from_across && gap.to_across && *gap.from_across != *gap.to_across) {
-      middle[*gap.from_across] = v.position[*gap.from_across];
-      middle[*gap.to_across] = b[*gap.to_across];
-    }
-    v.position = RoundedToLattice(middle, plan_.lattice_step);
-    v.size = std::min(v.size, plan_.vertices[to].size);
     v.lines = 0;
     v.follows = -1;
     v.height_known = true;
-    if (v.position == plan_.vertices[from].position || v.position == b) return;
-    way.push_back(static_cast<int32_t>(plan_.vertices.size()));
-    plan_.vertices.push_back(v);
+    for (const auto& [a, b] : {std::pair(from.position, middle), std::pair(middle, to.position)}) {
+      const Point3 leg = b - a;
+      const double length = leg.head<2>().norm();
+      const auto parts = std::max(1, static_cast<int>(std::ceil(length / spacing)));
+      v.size = parts == 1 ? std::min(from.size, to.size) : length / parts;
+      for (int k = 1; k <= parts; ++k) {
+        v.position = RoundedToLattice(Point3(a + k * leg / parts), plan_.lattice_step);
+        if (v.position == plan_.vertices[way.back()].position || v.position == to.position) continue;
+        way.push_back(static_cast<int32_t>(plan_.vertices.size()));
+        plan_.vertices.push_back(v);
+      }
+    }
   }
 
   std::vector<int32_t> Between(const OutlineGap& gap, const std::vector<LineVertex>& line) {

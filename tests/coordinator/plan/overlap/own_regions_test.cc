@@ -96,6 +96,25 @@ TEST_P(OwnRegionsTest, AHoleOverPiecesHasOneRegion) {
   EXPECT_NEAR(area, 4 + 4 + 25 + 40, 40 * margin);
 }
 
+// A pond that ends at the outline of the western pieces: the eastern ones have no rim there.
+TEST(OverlappingPlanTest, TheWayAlongAPieceHasVerticesLikeTheRim) {
+  const Plan plan = PlanOf(OverlappingScene({"##########", "##########", "##########", "##########", "##########",  //
+                                             "#####....#", "#####....#", "#####....#", "#####....#", "##########"},
+                                            10, 0.1, 2));
+  const PlannedHole* pond = nullptr;
+  for (const PlannedHole& hole : plan.holes) {
+    if (!hole.own_regions.empty()) pond = &hole;
+  }
+  ASSERT_NE(pond, nullptr);
+  double linked = 0;
+  for (const RimSegment& s : pond->own_regions[0]) {
+    const double length = (plan.vertices[s.to].position - plan.vertices[s.from].position).norm();
+    if (s.seam) linked += length;
+    EXPECT_LT(length, 1.1);  // squares are a metre wide
+  }
+  EXPECT_GT(linked, 3.5);
+}
+
 // A pier between two bays ends beyond the grid line and short of the outline: there the bays are one.
 TEST(OverlappingPlanTest, ATileThatFacesDownIsNotPaved) {
   SurveyedScene scene = OverlappingScene(kWaters, 10, 0.1);
