@@ -26,6 +26,7 @@ constexpr int64_t kLeastWhereSteep = 8;   // stations
 constexpr size_t kStationsAtEnd = 3;      // that tell where a reach runs at its end
 constexpr double kWidestBridge = 40;      // metres
 constexpr double kOpposite = 0.5;         // cosine of the angle between the ends of two reaches
+constexpr double kBentEnd = 0.75;         // widths from its end: there a centreline bends into a corner
 constexpr double kMostAside = 1.5;        // widths: one end of the line through the other
 constexpr size_t kOddStations = 8;        // one in so many may be other than the rest
 constexpr size_t kAgreeing = 3;           // one in so many has the level at both shores; along the rest one is a quay
@@ -129,12 +130,25 @@ std::vector<size_t> ReachesOf(const Chain& chain, const std::vector<ReachLine>& 
   return reaches;
 }
 
+// Takes off the bend at the last end of a line.
+void TakeOffBend(double bend, std::vector<Point2>& points) {
+  double off = 0;
+  while (points.size() > 2 && off < bend) {
+    const Point2 last = points.back();
+    points.pop_back();
+    off += (last - points.back()).norm();
+  }
+}
+
 Course CourseOf(const Chain& chain, std::span<const Reach> reaches, const std::vector<ReachLine>& lines) {
   Course course;
   for (const auto& [i, reversed] : chain) {
     const Centreline& line = lines[i].line;
     std::vector<Point2> points = line.points;
-    if (reversed) std::reverse(points.begin(), points.end());
+    if (!reversed) std::reverse(points.begin(), points.end());
+    if (i != chain.front().first) TakeOffBend(kBentEnd * line.width, points);
+    std::reverse(points.begin(), points.end());
+    if (i != chain.back().first) TakeOffBend(kBentEnd * line.width, points);
     course.line.insert(course.line.end(), points.begin(), points.end());
     course.length += line.length;
     course.area += line.length * line.width;

@@ -30,7 +30,7 @@ struct River {
 };
 
 // Finds rivers. Reaches whose centrelines end opposite each other, at most 40 m apart ahead and in line, are one:
-// something crosses the water between them. It is a river if
+// something crosses the water between them. The bends into corners there are taken off. It is a river if
 //   - it is at least `least_width` metres wide in the mean and three times as long as wide;
 //   - it falls no more than 0.5 %, or 2 % if it does so evenly: at least eight stations lie on a line;
 //   - in at least seven of eight stations (25 m) the level is the profile's, and the shores' heights gather about the

@@ -56,6 +56,19 @@ TEST(FindRiversTest, GoesOnUnderABridge) {
   EXPECT_EQ(rivers[0].reaches, (std::vector<size_t>{0, 1}));
 }
 
+// A centreline ends in a corner of its reach. Along a line that does, places on both sides of a bend have other levels.
+TEST(FindRiversTest, ItsLineDoesNotBendUnderABridge) {
+  const std::vector<Reach> reaches = {ReachBetween(0, 240, 25, Falling), ReachBetween(252, 500, 25, Falling)};
+  const std::vector<River> rivers = FindRivers(reaches, kTolerance, kWidth);
+  ASSERT_EQ(rivers.size(), 1u);
+  const std::vector<Point3>& stations = rivers[0].profile.water.stations;
+  for (size_t k = 1; k < stations.size(); ++k) {
+    if (stations[k].x() < 150 || stations[k].x() > 350) continue;
+    EXPECT_LT(std::abs(stations[k].y()), 5) << "station " << k;
+    EXPECT_GT(stations[k].x(), stations[k - 1].x() + 20) << "station " << k;
+  }
+}
+
 // Both sides of the bridge are one hole where something beside it hangs together.
 TEST(FindRiversTest, AReachMayBeInParts) {
   Reach whole = ReachBetween(0, 300, 15, Falling);
