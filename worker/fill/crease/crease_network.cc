@@ -32,6 +32,8 @@ constexpr double kStraight = 6 * kDegree;
 constexpr int32_t kPlaneReach = 24;
 constexpr double kFlat = 0.15;
 constexpr double kLeastCornerVolume = 0.15;
+// Creases that meet in one point.
+constexpr int32_t kMostAtACorner = 8;
 // Pieces of a curve when distances from it are measured.
 constexpr int kCurvePieces = 64;
 constexpr double kCornerAim = 20 * kDegree;
@@ -39,14 +41,25 @@ constexpr double kCornerAim = 20 * kDegree;
 struct Plane {
   Vector3d normal;
   double offset = 0;  // normal . x
+  double edge = 0;    // mean length of the rim's edges along it
 };
 
-// The point that three planes have in common; none if they do not meet in a clear one.
-std::optional<Point3> Meet(const Plane& a, const Plane& b, const Plane& c) {
-  Eigen::Matrix3d normals;
-  normals << a.normal.transpose(), b.normal.transpose(), c.normal.transpose();
-  if (std::abs(normals.determinant()) < kLeastCornerVolume) return std::nullopt;
-  return Point3(normals.partialPivLu().solve(Vector3d(a.offset, b.offset, c.offset)));
+// The point that three planes have in common, or more as nearly as they are flat; none if they do not meet in a clear
+// one.
+std::optional<Point3> Meet(std::span<const Plane> planes) {
+  Eigen::MatrixX3d normals(std::ssize(planes), 3);
+  Eigen::VectorXd offsets(std::ssize(planes));
+  for (size_t k = 0; k < planes.size(); ++k) {
+    normals.row(static_cast<Eigen::Index>(k)) = planes[k].normal.transpose();
+    offsets[static_cast<Eigen::Index>(k)] = planes[k].offset;
+  }
+  // The squared volume; of more than three planes the sum over all three of them (Cauchy and Binet).
+  const double squared = (normals.transpose() * normals).determinant();
+  if (!(squared >= kLeastCornerVolume * kLeastCornerVolume)) return std::nullopt;
+  const Point3 point = normals.colPivHouseholderQr().solve(offsets);
+  const bool common = std::ranges::all_of(
+      planes, [&](const Plane& p) { return std::abs(p.normal.dot(point) - p.offset) <= kFlat * p.edge; });
+  return planes.size() == 3 || common ? std::optional(point) : std::nullopt;
 }
 
 // Where a curve, given by points at even parameters, comes nearest to p, and how near.
@@ -73,10 +86,8 @@ class NetworkBuilder {
 
   CreaseNetwork Run() {
     JoinPairs(kGentleTurn);
-    for (const int32_t number : {3, 4}) {
-      while (JoinMeeting(number)) {
-      }
-    }
+    for (int32_t number = 3; number <= kMostAtACorner; ++number) JoinMeetings(number, 1);
+    JoinMeetings(4, 2);
     JoinPairs(kMostTurn);
     SplitAtTouches();
     LeaveOutRimEdges();
@@ -110,7 +121,7 @@ class NetworkBuilder {
     int32_t at = network_.curves[c].to;
     while (at < 0) {
       const auto& around = network_.corners[-1 - at].curves;
-      c = around[(std::find(around.begin(), around.end(), c) - around.begin() + 1) % 3];
+      c = around[(std::find(around.begin(), around.end(), c) - around.begin() + 1) % around.size()];
       at = network_.curves[c].to == at ? network_.curves[c].from : network_.curves[c].to;
     }
     return at;
@@ -172,10 +183,12 @@ class NetworkBuilder {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);  // eigenvalues ascending
     Vector3d normal = axes.eigenvectors().col(0);
     if (normal.dot(facing) < 0) normal = -normal;
-    if (AngleBetween(normal, facing) > kSamePart) normal = facing;  // the vertices lie on a line
-    const double off = std::sqrt(normal.dot(spread * normal) / static_cast<double>(points.size()));
+    const auto count = static_cast<double>(points.size());
+    const bool on_a_line = axes.eigenvalues()[1] <= count * std::pow(kFlat * edge, 2);
+    if (on_a_line || AngleBetween(normal, facing) > kSamePart) normal = facing;
+    const double off = std::sqrt(std::max(0.0, normal.dot(spread * normal)) / count);  // rounding goes below zero
     if (!(off <= kFlat * edge)) return std::nullopt;
-    return Plane{normal, normal.dot(middle)};
+    return Plane{normal, normal.dot(middle), edge};
   }
 
   // The angle by which an end aims past a corner.
@@ -183,15 +196,15 @@ class NetworkBuilder {
     return AngleBetween(network_.ends[end].tangent, corner - At(network_.ends[end]));
   }
 
-  // Neighbouring ends along a loop that meet inside the hole: three in one corner; four in two, the first two of them
-  // in the first corner.
+  // Neighbouring ends along a loop that meet inside the hole: in one corner; or four in two, the first two of them in
+  // the first corner.
   struct Meeting {
     std::vector<int32_t> ends;
     std::vector<Point3> corners;
     double miss = 0;  // the largest
   };
 
-  std::optional<Meeting> MeetingOf(const std::vector<int32_t>& ends) const {
+  std::optional<Meeting> MeetingOf(const std::vector<int32_t>& ends, size_t corners) const {
     const size_t n = ends.size();
     std::vector<Plane> planes;  // after each end
     for (size_t k = 0; k < n; ++k) {
@@ -202,20 +215,26 @@ class NetworkBuilder {
       planes.push_back(*plane);
     }
     Meeting meeting{ends, {}, 0};
-    for (size_t k = 0; k + 2 < n; ++k) {  // planes around the ends 2k and 2k + 1, or around all three
-      const auto corner = Meet(planes[(2 * k + n - 1) % n], planes[2 * k], planes[2 * k + 1]);
+    for (size_t k = 0; k < corners; ++k) {  // planes around the ends 2k and 2k + 1, or around all
+      const Plane around[] = {planes[(2 * k + n - 1) % n], planes[2 * k], planes[2 * k + 1]};
+      const auto corner = corners == 1 ? Meet(planes) : Meet(around);
       if (!corner) return std::nullopt;
       meeting.corners.push_back(*corner);
     }
     for (size_t k = 0; k < n; ++k) {
-      meeting.miss = std::max(meeting.miss, MissOf(ends[k], meeting.corners[n == 3 ? 0 : k / 2]));
+      meeting.miss = std::max(meeting.miss, MissOf(ends[k], meeting.corners[corners == 1 ? 0 : k / 2]));
     }
     if (meeting.miss > kCornerAim) return std::nullopt;
     return meeting;
   }
 
+  void JoinMeetings(int32_t number, size_t corners) {
+    while (JoinMeeting(number, corners)) {
+    }
+  }
+
   // Joins that number of ends, neighbours among those left on their loop, that aim best at common corners, if any do.
-  bool JoinMeeting(int32_t number) {
+  bool JoinMeeting(int32_t number, size_t corners) {
     std::vector<int32_t> left;
     for (int32_t e = 0; e < Count(); ++e) {
       if (!used_[e]) left.push_back(e);
@@ -225,7 +244,7 @@ class NetworkBuilder {
     for (int32_t k = 0; k < count && count >= number; ++k) {
       std::vector<int32_t> ends;
       for (int32_t i = 0; i < number; ++i) ends.push_back(left[(k + i) % count]);
-      const std::optional<Meeting> meeting = MeetingOf(ends);
+      const std::optional<Meeting> meeting = MeetingOf(ends, corners);
       if (meeting && (!best || meeting->miss < best->miss)) best = meeting;
     }
     if (best) Join(*best);
@@ -239,14 +258,14 @@ class NetworkBuilder {
     for (size_t k = 0; k < meeting.ends.size(); ++k) {
       const int32_t e = meeting.ends[k], corner = first + (two ? static_cast<int32_t>(k / 2) : 0);
       const Point3 start = At(network_.ends[e]), finish = network_.corners[corner].position;
-      network_.corners[corner].curves[two ? k % 2 : k] = static_cast<int32_t>(network_.curves.size());
+      network_.corners[corner].curves.push_back(static_cast<int32_t>(network_.curves.size()));
       network_.curves.push_back({e, -1 - corner, start, finish, finish - start, finish - start});
       used_[e] = true;
     }
     if (!two) return;
     const Vector3d way = meeting.corners[1] - meeting.corners[0];
     for (const int32_t k : {0, 1}) {
-      network_.corners[first + k].curves[2] = static_cast<int32_t>(network_.curves.size());
+      network_.corners[first + k].curves.push_back(static_cast<int32_t>(network_.curves.size()));
     }
     network_.curves.push_back({-1 - first, -2 - first, meeting.corners[0], meeting.corners[1], way, way});
   }

@@ -1,13 +1,12 @@
 // How the creases that end at a hole go on through it.
 //
 // Where the ends of a crease on either side of a hole fit together, a curve carries it through; where the creases of
-// three smooth parts end at the hole, they meet in the point that the parts' planes have in common (the corner of a
-// box).
+// three or more smooth parts end at the hole, they meet in the point that the parts' planes have in common (the corner
+// of a box, the tip of a pyramid).
 #ifndef TILEMEND_WORKER_FILL_CREASE_CREASE_NETWORK_H_
 #define TILEMEND_WORKER_FILL_CREASE_CREASE_NETWORK_H_
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,10 +27,10 @@ struct CreaseCurve {
   Eigen::Vector3d SlopeAt(double t) const;
 };
 
-// A point inside the hole where three parts of the surface meet.
+// A point inside the hole where three or more parts of the surface meet.
 struct CreaseCorner {
   Point3 position;
-  std::array<int32_t, 3> curves;  // that end there, in the order in which the rim passes their other ends
+  std::vector<int32_t> curves;  // that end there, in the order in which the rim passes their other ends
 };
 
 struct CreaseNetwork {
@@ -42,8 +41,9 @@ struct CreaseNetwork {
 
 // The creases that go on through the hole. Two ends are joined if their angles agree (sign included), each points at
 // the other as nearly as a curve needs, and the smooth parts on either side fit; shorter curves first. Of the ends left
-// over, three neighbours along a loop with flat parts between them are joined in a corner, four in two corners with a
-// crease between these (the edge of a box from its roof to the ground). An end that fits none is left alone. A curve
+// over, three neighbours along a loop with flat parts between them are joined in a corner, four to eight in one if the
+// planes of all parts have a point in common (the tip of a pyramid), four others in two corners with a crease between
+// these (the edge of a box from its roof to the ground). An end that fits none is left alone. A curve
 // that the rim touches is parted there. O(rim * (ends + curves) + ends^2 log ends). Deterministic.
 CreaseNetwork FindCreases(std::span<const RimLoop> loops, Bends bends);
 

@@ -91,7 +91,8 @@ class PartCutter {
       if (at >= 0) return at;
       corners.push_back({hole_.size() - 1 - at});  // corners are the first new points
       const auto& around = network_.corners[-1 - at].curves;
-      by = around[(std::find(around.begin(), around.end(), by) - around.begin() + 2) % 3];
+      const auto place = static_cast<size_t>(std::ranges::find(around, by) - around.begin());
+      by = around[(place + around.size() - 1) % around.size()];
     }
   }
 

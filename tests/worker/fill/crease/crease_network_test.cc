@@ -53,6 +53,20 @@ TEST(CreaseNetworkTest, MeetsInTheCornerOfABox) {
   EXPECT_EQ(network.curves.size(), 3u);
 }
 
+// Four creases and the planes between them meet in one point, where two corners would have no way between them.
+TEST(CreaseNetworkTest, MeetsInTheTipOfAPyramid) {
+  for (const double noise : {0.0, kNoise}) {
+    const auto pyramid = [](const Point3& p) {
+      return Point3(p.x(), p.y(), -1.2 * std::max(std::abs(p.x()), std::abs(p.y() - 5)));
+    };
+    const CreaseNetwork network = CreasesOf(WorkOfSheet(Disc(0, 5, 6), pyramid, noise));
+    ASSERT_EQ(network.corners.size(), 1u);
+    EXPECT_LT((network.corners[0].position - Point3(0, 5, 0)).norm(), 1e-9 + 3 * noise);
+    EXPECT_EQ(network.corners[0].curves.size(), 4u);
+    EXPECT_EQ(network.curves.size(), 4u);
+  }
+}
+
 // The rim crosses the roof's edge three times at the one side, and touches it from below in the middle.
 TEST(CreaseNetworkTest, FollowsARimThatWeavesAboutTheCrease) {
   const auto hole = [](double u, double v) {
