@@ -28,6 +28,13 @@ struct MeshLoop {
     const double area = vector_area.norm();
     return area > 0 ? vector_area.dot(normal) / area : 0;
   }
+
+  // Whether it has next to no area for its length: the two sides of a crack. Where they overlap it runs the wrong way
+  // round, as an outline does.
+  bool IsSlit() const { return vector_area.norm() < kSlit * length * length; }
+
+ private:
+  static constexpr double kSlit = 0.005;
 };
 
 // The loops of the rim of one mesh, in order of Rim::loops. Precondition: `rim` is that of `record` alone. O(n log n).

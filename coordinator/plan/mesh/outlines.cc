@@ -34,7 +34,7 @@ std::vector<bool> FindOutlines(std::span<const MeshLoop> loops, std::span<const 
     outline[l] = openness - kShareOfTurn * loops[l].Turn() > kOutline;
     if (!outline[l]) continue;
     for (size_t k = 0; k < loops.size(); ++k) {
-      const bool along = loops[k].group == loops[l].group && loops[k].piece == piece;
+      const bool along = loops[k].group == loops[l].group && loops[k].piece == piece && !loops[k].IsSlit();
       if (along && loops[k].Turn() < kTurnsAlong) outline[k] = true;
     }
   }

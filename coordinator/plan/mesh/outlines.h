@@ -10,7 +10,7 @@
 namespace tilemend {
 
 // Marks the outlines. A piece of surface has at most one, and the loops that touch it and run round the piece as it
-// does.
+// does, but for slits: where the two sides of a crack overlap its loop runs so as well.
 //
 // How open a piece is: the length of the mean of its unit normals, which is the vector area of its loops together over
 // its own area (Stokes). A flat sheet has 1, a hemisphere 1/2, a body with holes the share of its surface that is

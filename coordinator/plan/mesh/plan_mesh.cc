@@ -111,7 +111,7 @@ class MeshPlanner {
 
   // Whether a loop runs around a piece of surface that is flat: as large as the vector area of all its loops (Stokes).
   bool IsFlatOutline(const MeshLoop& loop) const {
-    if (loop.Turn() >= 0) return false;
+    if (loop.Turn() >= 0 || loop.IsSlit()) return false;
     return record_->piece_areas[loop.piece] <= (1 + kFlat) * open_[loop.piece].norm();
   }
 

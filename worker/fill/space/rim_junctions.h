@@ -6,7 +6,8 @@
 
 namespace tilemend {
 
-// Whether a vertex of the boundary lies on an edge that does not end there (a T-junction). Exact; O(n log n).
+// Whether a vertex of the boundary lies on an edge that does not end there (a T-junction), to a 4096th of the edge:
+// what was one line before coordinates were rounded, a turned mesh's or one of floats. O(n log n).
 bool HasJunction(const LocalHole& hole);
 
 }  // namespace tilemend

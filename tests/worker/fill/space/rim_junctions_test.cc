@@ -17,7 +17,8 @@ LocalHole LoopOf(const std::vector<Point3>& corners) {
 
 TEST(HasJunctionTest, FindsAVertexOnAnEdge) {
   EXPECT_TRUE(HasJunction(LoopOf({{0, 0, 0}, {1, 2, 3}, {0.5, 1, 1.5}})));
-  EXPECT_FALSE(HasJunction(LoopOf({{0, 0, 0}, {1, 2, 3}, {0.5, 1, 1.5000001}})));
+  EXPECT_FALSE(HasJunction(LoopOf({{0, 0, 0}, {1, 2, 3}, {0.5, 1, 1.502}})));
+  EXPECT_TRUE(HasJunction(LoopOf({{0, 0, 0}, {1, 2, 3}, {0.5, 1, 1.5000001}})));  // rounded
   EXPECT_FALSE(HasJunction(LoopOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})));
   EXPECT_TRUE(HasJunction(LoopOf({{0, 0, 0}, {2, 0, 0}, {3, 3, 0}, {1, 0, 0}, {-1, 3, 0}})));
 }
