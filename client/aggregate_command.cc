@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -18,6 +17,7 @@
 #include "client/output.h"
 #include "client/output_file.h"
 #include "common/util/files.h"
+#include "common/util/place.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
 #include "coordinator/report/scene_report.h"
@@ -43,7 +43,8 @@ absl::StatusOr<AggregateOptions> OptionsFromFlags(const Args& args) {
 
 absl::Status CheckPath(const std::string& out, bool overwrite) {
   if (fs::path(out).extension() != ".ply") {
-    return absl::InvalidArgumentError(absl::StrCat(out, ": expected a file name that ends in .ply"));
+    return absl::InvalidArgumentError(
+        absl::StrCat(out, ": the joined mesh is written as PLY; choose an --out that ends in .ply"));
   }
   return CheckOutputFile(out, overwrite);
 }
@@ -63,7 +64,7 @@ absl::Status CheckApart(const std::string& out, const Scene& scene) {
 absl::StatusOr<std::string> MakeFolderBeside(const std::string& out) {
   std::string folder = (fs::path(out).parent_path() / ".tilemend-aggregate-XXXXXX").string();
   if (mkdtemp(folder.data()) != nullptr) return folder;
-  return absl::PermissionDeniedError(absl::StrCat(out, ": cannot make a folder beside it: ", std::strerror(errno)));
+  return WithOtherOut(WriteErrnoStatus(errno, "cannot make a folder beside it", out));
 }
 
 void Print(const SceneReportInput& report, const std::string& out, OutputFormat format) {

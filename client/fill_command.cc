@@ -84,7 +84,9 @@ absl::Status CheckPaths(const std::string& in, const std::string& out, bool over
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat from, MeshFormatOf(in));
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat to, MeshFormatOf(out));
   if (from != to)
-    return absl::InvalidArgumentError(absl::StrCat(out, ": expected a file name with the format of the input, ", in));
+    return absl::InvalidArgumentError(absl::StrCat(out, ": the output has the format of the input, ", in,
+                                                   "; choose an --out that ends in ",
+                                                   std::filesystem::path(in).extension().string()));
   TILEMEND_RETURN_IF_ERROR(ReadFileEnds(in, 0).status());
   TILEMEND_RETURN_IF_ERROR(CheckOutputFile(out, overwrite));
   return to == MeshFormat::kObj ? CheckOutputFile(absl::StrCat(FolderOf(out), "/", LibraryFor(out)), overwrite)
@@ -104,6 +106,17 @@ void PrintWeld(const WeldRecord& weld) {
   }
 }
 
+// " by FILLER" or " by the surface wang", where it is not the default.
+std::string ByWhom(const std::vector<ReportedOption>& options) {
+  std::string text;
+  for (const auto& [name, value] : options) {
+    const auto* word = std::get_if<std::string>(&value);
+    if (name == "surface" && *word != SurfaceName(kDefaultSurface)) text = absl::StrCat(" by the surface ", *word);
+    if (name == "filler" && *word != FillerName(Filler::kAuto)) text = absl::StrCat(" by ", *word);
+  }
+  return text;
+}
+
 void PrintSummary(const SceneReportInput& report, const std::string& out) {
   if (report.weld) PrintWeld(*report.weld);
   const Plan& plan = *report.plan;
@@ -112,15 +125,15 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
     vertices += size.new_vertices;
     triangles += size.triangles;
   }
-  std::fputs(absl::StrFormat("%d of %s filled with %s and %s; %s left open\nwritten: %s\n",
-                             plan.holes.size() - report.outcome.failures.size(), Counted(plan.holes.size(), "hole"),
-                             vertices == 1 ? "1 new vertex" : absl::StrCat(vertices, " new vertices"),
-                             Counted(static_cast<size_t>(triangles), "triangle"),
-                             Counted(static_cast<size_t>(plan.outer_rims), "outline"), Printable(out))
-                 .c_str(),
-             stdout);
-  PrintWarnings(report.warnings);
-  PrintWarnings(PlanWarnings(plan));
+  std::fputs(
+      absl::StrFormat("%d of %s filled%s with %s and %s; %s left open\nwritten: %s\n",
+                      plan.holes.size() - report.outcome.failures.size(), Counted(plan.holes.size(), "hole"),
+                      ByWhom(report.options), vertices == 1 ? "1 new vertex" : absl::StrCat(vertices, " new vertices"),
+                      Counted(static_cast<size_t>(triangles), "triangle"),
+                      Counted(static_cast<size_t>(plan.outer_rims), "outline"), Printable(out))
+          .c_str(),
+      stdout);
+  PrintWarnings(WarningsOf(report));
   std::fputs(LeftLines(report).c_str(), stderr);
 }
 
@@ -146,6 +159,23 @@ absl::Status ReadTension(const Args& args, FillOptions& options) {
   return absl::OkStatus();
 }
 
+// Beside what holds for jobs as well: what published ways do not have is for thin-plate and the filler auto.
+absl::Status CheckHaveEffect(const Args& args, const FillOptions& options) {
+  TILEMEND_RETURN_IF_ERROR(CheckHaveEffect(args));
+  const bool is_ours = options.surface == Surface::kThinPlate && options.filler == Filler::kAuto;
+  if (args.Switch("allow-creases") && !is_ours) {
+    return absl::InvalidArgumentError(
+        "--allow-creases: what is published is filled as published, creases and all; leave one of the two out");
+  }
+  for (const char* flag : {"gradation", "size-limit"}) {
+    if (args.IsGiven(flag) && HasFront(options.filler) && args.Text("water") == "off") {
+      return absl::InvalidArgumentError(absl::StrCat("--", flag, ": the triangles of ", FillerName(options.filler),
+                                                     " are as large as the boundary's; leave it out"));
+    }
+  }
+  return absl::OkStatus();
+}
+
 // Flags that are out of their range are kInvalidArgument.
 absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   MeshFillOptions all;
@@ -161,6 +191,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
     return absl::InvalidArgumentError(
         "--filler: the surface wang fills closed holes in its own way; leave one of the two out");
   TILEMEND_RETURN_IF_ERROR(ReadFillerFlags(args, options));
+  TILEMEND_RETURN_IF_ERROR(CheckHaveEffect(args, options));
   TILEMEND_RETURN_IF_ERROR(ReadTension(args, options));
   TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
@@ -169,8 +200,8 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
         "--longest-loop, --fairing-steps: only the surface wang and the filler minimum-area have these options; leave "
         "them out, or choose one of these");
   }
-  options.wang.longest_loop = longest_loop.value_or(options.wang.longest_loop);
-  options.wang.fairing_steps = fairing_steps.value_or(options.wang.fairing_steps);
+  if (longest_loop) options.wang.longest_loop = *longest_loop;
+  if (fairing_steps) options.wang.fairing_steps = *fairing_steps;
   TILEMEND_ASSIGN_OR_RETURN(options.refine.gradation, args.Number("gradation", 1, 10));
   TILEMEND_ASSIGN_OR_RETURN(options.refine.size_limit, args.Number("size-limit", 1, 1e6));
   options.refine.uniform = args.Switch("uniform");
@@ -180,9 +211,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
       return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected R,G,B or #rrggbb"));
   }
   options.allow_creases = args.Switch("allow-creases");
-  if (args.IsGiven("weld")) {
-    TILEMEND_ASSIGN_OR_RETURN(all.weld, args.Number("weld", 1e-12, 1e9));
-  }
+  TILEMEND_ASSIGN_OR_RETURN(all.weld, NumberIfGiven(args, "weld", 1e-12, 1e9));
   TILEMEND_RETURN_IF_ERROR(ReadHoleOptions(args, all.holes));
   all.library = LibraryFor(args.Text("out"));
   return all;

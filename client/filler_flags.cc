@@ -5,11 +5,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_join.h"
 #include "common/records/filler.h"
 #include "common/records/surface.h"
 #include "common/util/status_macros.h"
@@ -63,66 +63,71 @@ std::vector<FillerFlag> Numbers() {
           Whole("filler-work", 1, 1e6, Fronts(), &O::most_work),
           {"front-bend",
            0,
-           1e6,
+           1e4,
            {kAdvancingFrontNormal},
            [](O& o, double x) { o.bend = x; },
            [](const O& o) -> Value { return o.bend ? Value(*o.bend) : Value(std::string("auto")); }},
           Number("long-edge", 1, 100, {kSvmLaplacian}, &O::long_edge),
           Whole("svm-rings", 1, 20, {kSvmLaplacian}, &O::rings),
-          Number("svm-gamma", 1e-6, 1e9, {kSvmLaplacian}, &O::gamma),
-          Number("svm-width", 0.1, 1e6, {kSvmLaplacian}, &O::kernel_width),
+          Number("svm-gamma", 1e-3, 1e6, {kSvmLaplacian}, &O::gamma),
+          Number("svm-width", 0.5, 1000, {kSvmLaplacian}, &O::kernel_width),
           Whole("halvings", 0, 10, {kAdvancingFrontCurvature}, &O::halvings),
           Whole("centroid-steps", 0, 1000, {kAdvancingFrontCurvature}, &O::centroid_steps)};
 }
 
 absl::Status CheckHas(const char* flag, const std::vector<Filler>& fillers, Filler filler) {
   if (std::ranges::count(fillers, filler) > 0) return absl::OkStatus();
-  const std::string names =
-      absl::StrJoin(fillers, ", ", [](std::string* out, Filler f) { absl::StrAppend(out, FillerName(f)); });
-  return absl::InvalidArgumentError(absl::StrCat("--", flag, ": the filler ", FillerName(filler),
-                                                 " has no such option; leave it out, or choose ", names));
+  return absl::InvalidArgumentError(absl::StrCat("--", flag, ": ", NoSuchOption(filler, fillers)));
 }
 
-absl::Status ReadSteps(const Args& args, FillOptions& options) {
-  if (!args.IsGiven("front-steps")) return absl::OkStatus();
-  TILEMEND_RETURN_IF_ERROR(CheckHas("front-steps", Fronts(), options.filler));
-  const std::optional<FrontSteps> steps = FrontStepsNamed(args.Text("front-steps"));
-  if (!steps) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("--front-steps '", args.Text("front-steps"), "': expected steady or printed"));
+// A choice of words that some fillers have.
+template <class Choice>
+absl::Status ReadChoice(const Args& args, const char* flag, const std::vector<Filler>& fillers, Filler filler,
+                        std::optional<Choice> (*named)(std::string_view), const char* expected, Choice& to) {
+  if (!args.IsGiven(flag)) return absl::OkStatus();
+  TILEMEND_RETURN_IF_ERROR(CheckHas(flag, fillers, filler));
+  const std::optional<Choice> choice = named(args.Text(flag));
+  if (!choice) {
+    return absl::InvalidArgumentError(absl::StrCat("--", flag, " '", args.Text(flag), "': expected ", expected));
   }
-  options.filling.steps = *steps;
+  to = *choice;
   return absl::OkStatus();
 }
 
 }  // namespace
 
+FlagSpec FrontStepsFlag() {
+  return {"front-steps", "steady|printed",
+          "of fronts: printed: new vertices on the plane of their two edges, as in the papers",
+          FrontStepsName(FillerOptions().steps)};
+}
+
 std::vector<FlagSpec> FillerFlags() {
-  const FillerOptions defaults;
-  const auto text = [](const char* help, double value) { return absl::StrCat(help, "; ", value); };
-  return {
-      {"front-steps", "HOW",
-       "of fronts: new vertices steady, or printed: on the plane of their two edges as in the papers (default: steady)",
-       ""},
-      {"front-merge", "X",
-       text("of fronts: new vertices nearer to the front, in edges, join it, 0 to 1", defaults.merge), ""},
-      {"longest-rim", "N", text("of fronts: longer boundaries stay open, 3 to 100000", defaults.longest_rim), ""},
-      {"filler-work", "N",
-       text("of fronts: million edges to look at for one hole, else it stays open, 1 to 1e6", defaults.most_work), ""},
-      {"front-bend", "METRES", "of advancing-front-normal: eta, 0 to 1e6 (default: half the new edge)", ""},
-      {"long-edge", "X", text("of svm-laplacian: longer edges, in mean ones, are split, 1 to 100", defaults.long_edge),
-       ""},
-      {"svm-rings", "N", text("of svm-laplacian: rings that are learnt from, 1 to 20", defaults.rings), ""},
-      {"svm-gamma", "X", text("of svm-laplacian: weight of errors, 1e-6 to 1e9", defaults.gamma), ""},
-      {"svm-width", "X", text("of svm-laplacian: kernel, in mean edges, 0.1 to 1e6", defaults.kernel_width), ""},
-      {"halvings", "N", text("of advancing-front-curvature: how often edges are halved, 0 to 10", defaults.halvings),
-       ""},
-      {"centroid-steps", "N",
-       text("of advancing-front-curvature: moves to the centroid, 0 to 1000", defaults.centroid_steps), ""}};
+  const FillerOptions d;
+  const auto text = [](const auto& value) { return absl::StrCat(value); };
+  return {FrontStepsFlag(),
+          {"front-merge", "X", "of fronts: new vertices nearer to the front, in edges, join it, 0 to 1", text(d.merge)},
+          {"longest-rim", "N", "of fronts: longer boundaries stay open, 3 to 100000", text(d.longest_rim)},
+          {"filler-work", "N", "of fronts: million edges to look at for one hole, else it stays open, 1 to 1e6",
+           text(d.most_work)},
+          {"front-bend", "METRES", "of advancing-front-normal: eta, 0 to 10000 (default: half the new edge)", ""},
+          {"long-edge", "X", "of svm-laplacian: longer edges, in mean ones, are split, 1 to 100", text(d.long_edge)},
+          {"svm-laplacian", "area|mean", "of svm-laplacian: Laplacians over areas (eq. 4) or over weights (eq. 2)",
+           LaplacianScaleName(d.scale)},
+          {"svm-rings", "N", "of svm-laplacian: rings that are learnt from, 1 to 20", text(d.rings)},
+          {"svm-gamma", "X", "of svm-laplacian: weight of errors, 0.001 to 1e6", text(d.gamma)},
+          {"svm-width", "X", "of svm-laplacian: kernel, in mean edges, 0.5 to 1000", text(d.kernel_width)},
+          {"halvings", "N", "of advancing-front-curvature: how often edges are halved, 0 to 10", text(d.halvings)},
+          {"centroid-steps", "N", "of advancing-front-curvature: moves to the centroid, 0 to 1000",
+           text(d.centroid_steps)}};
 }
 
 absl::Status ReadFillerFlags(const Args& args, FillOptions& options) {
-  TILEMEND_RETURN_IF_ERROR(ReadSteps(args, options));
+  FillerOptions& filling = options.filling;
+  TILEMEND_RETURN_IF_ERROR(
+      ReadChoice(args, "front-steps", Fronts(), options.filler, FrontStepsNamed, kFrontStepsNames, filling.steps));
+  TILEMEND_RETURN_IF_ERROR(ReadChoice(args, "svm-laplacian", {Filler::kSvmLaplacian}, options.filler,
+                                      LaplacianScaleNamed, "area or mean", filling.scale));
   for (const FillerFlag& flag : Numbers()) {
     if (!args.IsGiven(flag.name)) continue;
     TILEMEND_RETURN_IF_ERROR(CheckHas(flag.name, flag.fillers, options.filler));
@@ -141,6 +146,9 @@ std::vector<ReportedOption> ReportedFillerOptions(const FillOptions& options) {
                                           {"filler", FillerName(options.filler)}};
   if (std::ranges::count(Fronts(), options.filler) > 0) {
     reported.push_back({"front-steps", FrontStepsName(options.filling.steps)});
+  }
+  if (options.filler == Filler::kSvmLaplacian) {
+    reported.push_back({"svm-laplacian", LaplacianScaleName(options.filling.scale)});
   }
   for (const FillerFlag& flag : Numbers()) {
     if (std::ranges::count(flag.fillers, options.filler) > 0)

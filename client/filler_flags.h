@@ -12,6 +12,8 @@
 namespace tilemend {
 
 std::vector<FlagSpec> FillerFlags();
+// One of these, which jobs have as well.
+FlagSpec FrontStepsFlag();
 
 // Reads them into options.filling. kInvalidArgument for a value out of its range, and for an option that
 // options.filler, which is read, does not have.

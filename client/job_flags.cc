@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "client/filler_flags.h"
 #include "common/util/status_macros.h"
 #include "coordinator/service/job_pipeline.h"
 #include "coordinator/service/job_proto.h"
@@ -23,6 +24,9 @@ std::string AbsolutePath(const std::string& path) {
   while (normal.size() > 1 && normal.back() == '/') normal.pop_back();
   return normal;
 }
+
+// Empty where the flag is not given, whatever its default.
+std::string TextIfGiven(const Args& args, const char* flag) { return args.IsGiven(flag) ? args.Text(flag) : ""; }
 
 // What is wrong with a field of a spec, under the name of its flag.
 absl::Status NamedAsFlag(const absl::Status& status) {
@@ -43,14 +47,15 @@ std::vector<FlagSpec> JobFlags() {
       {"out", "DIR", "folder to write to", ""},
       {"overwrite", "", "write to DIR even if it is not empty; files of other names stay", ""}};
   for (FlagSpec& flag : SurfaceFlags()) flags.push_back(std::move(flag));
+  flags.push_back(FrontStepsFlag());
   flags.push_back(
-      {"seam-smoothing", "X", absl::StrCat("of wang: how much seams are smoothed, 0 to 1; ", wang.seam_smoothing), ""});
-  flags.push_back({"seam-buffer", "EDGES",
-                   absl::StrCat("of wang: how far around seams it smooths, 1 to 100; ", wang.seam_buffer), ""});
-  flags.push_back({"seam-points", "projected|spaced",
-                   absl::StrCat("of wang: where points lie on grid lines; ", SeamPointsName(wang.seam_points)), ""});
-  flags.push_back({"closure", "buffers|line",
-                   absl::StrCat("of wang: how holes are closed along grid lines; ", ClosureName(wang.closure)), ""});
+      {"seam-smoothing", "X", "of wang: how much seams are smoothed, 0 to 1", absl::StrCat(wang.seam_smoothing)});
+  flags.push_back(
+      {"seam-buffer", "EDGES", "of wang: how far around seams it smooths, 1 to 100", absl::StrCat(wang.seam_buffer)});
+  flags.push_back(
+      {"seam-points", "projected|spaced", "of wang: where points lie on grid lines", SeamPointsName(wang.seam_points)});
+  flags.push_back(
+      {"closure", "buffers|line", "of wang: how holes are closed along grid lines", ClosureName(wang.closure)});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
   flags.push_back(AreaFlag());
   flags.push_back({"cells", "CELLS", "fill and write these alone: \"3,4 0,0-5,9\", column,row (default: all)", ""});
@@ -64,24 +69,22 @@ std::vector<FlagSpec> JobFlags() {
 
 std::vector<FlagSpec> SurfaceFlags() {
   const JobSpec defaults;
-  return {{"surface", "thin-plate|wang", "wang is for comparison", defaults.surface},
-          {"filler", "NAME", absl::StrCat("of closed holes: ", FillerNames()), FillerName(Filler::kAuto)},
-          {"tension", "auto|X", "of thin-plate: how taut it is, 0 to 1000 per m^2; auto: from the rim", "auto"},
-          {"gradation", "X", "growth of triangles from edge to edge inward, 1 to 10", absl::StrCat(defaults.gradation)},
-          {"size-limit", "X", "longest edge as a multiple of the rim's mean edge, 1 to 1e6",
-           absl::StrCat(defaults.size_limit)},
-          {"uniform", "", "keep the boundary's triangle size inside, no growth", ""},
-          {"longest-loop", "N",
-           absl::StrCat("of wang: longer boundaries are cut; of minimum-area (fill): left open; 3 to 2000; ",
-                        WangOptions().longest_loop),
-           ""},
-          {"fairing-steps", "N",
-           absl::StrCat("of wang and minimum-area (fill): 0 to 1000; ", WangOptions().fairing_steps), ""}};
+  return {
+      {"surface", "thin-plate|wang", "wang is for comparison", defaults.surface},
+      {"filler", "NAME", absl::StrCat("of closed holes: ", FillerNames()), FillerName(Filler::kAuto)},
+      {"tension", "auto|X", "of thin-plate: how taut it is, 0 to 1000 per m^2; auto: from the rim", "auto"},
+      {"gradation", "X", "growth of triangles from edge to edge inward, 1 to 10", absl::StrCat(defaults.gradation)},
+      {"size-limit", "X", "longest edge as a multiple of the rim's mean edge, 1 to 1e6",
+       absl::StrCat(defaults.size_limit)},
+      {"uniform", "", "keep the boundary's triangle size inside, no growth", ""},
+      {"longest-loop", "N", "of wang: longer boundaries are cut; of minimum-area (fill): left open; 3 to 2000",
+       absl::StrCat(WangOptions().longest_loop)},
+      {"fairing-steps", "N", "of wang and minimum-area (fill): 0 to 1000", absl::StrCat(WangOptions().fairing_steps)}};
 }
 
 std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
   std::string help = "fill level water flat; FILE: polygons with and without water, GeoJSON or GeoPackage";
-  if (default_value.empty()) help += " (default auto, for single meshes off)";
+  if (default_value.empty()) help += " (default: auto, for single meshes off)";
   return {{"water", "auto|off|FILE", help, default_value},
           {"water-tolerance", "METRES", "how far the rim of water may be off its level, 0.001 to 10",
            absl::StrCat(JobSpec().water_tolerance)},
@@ -129,6 +132,22 @@ absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args) {
   return args.Number("tension", 0, 1000);
 }
 
+absl::Status CheckHaveEffect(const Args& args) {
+  for (const char* flag : {"gradation", "size-limit"}) {
+    if (args.IsGiven(flag) && args.Switch("uniform")) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("--", flag, ": --uniform triangles do not grow; leave one of the two out"));
+    }
+  }
+  for (const char* flag : {"water-tolerance", "water-profile", "water-colour"}) {
+    if (args.IsGiven(flag) && args.Text("water") == kNoWater) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("--", flag, ": no water is looked for; leave it out, or give --water auto or a file"));
+    }
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   JobSpec spec;
   spec.scene = AbsolutePath(args.arguments().front());
@@ -136,6 +155,8 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.surface = args.Text("surface");
   TILEMEND_ASSIGN_OR_RETURN(const Filler filler, FillerFromFlags(args));
   spec.filler = FillerName(filler);
+  spec.front_steps = TextIfGiven(args, "front-steps");
+  TILEMEND_RETURN_IF_ERROR(CheckHaveEffect(args));
   spec.uniform = args.Switch("uniform");
   TILEMEND_ASSIGN_OR_RETURN(spec.tension, TensionFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(spec.gradation, args.Number("gradation", 1, 10));
@@ -144,8 +165,8 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(spec.seam_buffer, NumberIfGiven(args, "seam-buffer", 1, 100));
   TILEMEND_ASSIGN_OR_RETURN(spec.longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
   TILEMEND_ASSIGN_OR_RETURN(spec.fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
-  spec.seam_points = args.Text("seam-points");
-  spec.closure = args.Text("closure");
+  spec.seam_points = TextIfGiven(args, "seam-points");
+  spec.closure = TextIfGiven(args, "closure");
   spec.water = args.Text("water");
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
   spec.area = AbsolutePath(args.Text("area"));

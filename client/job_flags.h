@@ -18,6 +18,9 @@ namespace tilemend {
 // kInvalidArgument for a value out of its range.
 absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args);
 
+// kInvalidArgument, naming the flag, for one that is given and can have no effect beside others.
+absl::Status CheckHaveEffect(const Args& args);
+
 // None where the flag is not given; it has no default then.
 absl::StatusOr<std::optional<double>> NumberIfGiven(const Args& args, const char* flag, double low, double high);
 absl::StatusOr<std::optional<int32_t>> WholeNumberIfGiven(const Args& args, const char* flag, int low, int high);

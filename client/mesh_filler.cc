@@ -16,6 +16,7 @@
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
+#include "worker/check/mesh_defects.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
 #include "worker/materials/survey_look.h"
@@ -49,6 +50,7 @@ class MeshFiller {
     report.outcome = filled_.waves->outcome();
     report.cells = 1;
     report.scene = path_;
+    if (report.plan->holes.empty()) TILEMEND_RETURN_IF_ERROR(WarnOfNoSurface());
     return std::move(filled_);
   }
 
@@ -68,6 +70,16 @@ class MeshFiller {
     }
     EndStep("read");
     show_("find holes", 0, 0);
+    return absl::OkStatus();
+  }
+
+  // A file of needles alone has no hole, and nothing else either.
+  absl::Status WarnOfNoSurface() {
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format_, filled_.bytes, path_));
+    if (HasArea(file.mesh)) return absl::OkStatus();
+    filled_.report.warnings.push_back(
+        absl::StrCat(path_, ": none of its ", file.mesh.triangles.size(),
+                     " triangles has an area: there is no surface that could have holes"));
     return absl::OkStatus();
   }
 
@@ -145,7 +157,7 @@ class MeshFiller {
     std::vector<PatchExtent> extents;
     for (const HolePatch& p : patches) {
       extents.push_back({p.hole, p.failure, static_cast<int64_t>(p.new_points.size()),
-                         static_cast<int64_t>(p.triangles.size()), p.hold_out, p.way, p.loop_cuts});
+                         static_cast<int64_t>(p.triangles.size()), p.hold_out, p.way, p.loop_cuts, p.creases});
     }
     return extents;
   }

@@ -14,6 +14,8 @@
 #include "absl/time/time.h"
 #include "client/fitted_table.h"
 #include "client/json_access.h"
+#include "common/records/filler.h"
+#include "common/records/surface.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/text.h"
@@ -134,12 +136,24 @@ std::string Counted(size_t count, const std::string& noun) {
   return absl::StrCat(count, " ", noun, count == 1 ? "" : "s");
 }
 
+namespace {
+
+// The surface, and the filler of closed holes where one is named.
+std::string SurfaceText(const v1::JobSpec& spec) {
+  const bool is_named = !spec.filler().empty() && spec.filler() != FillerName(Filler::kAuto);
+  return absl::StrCat(spec.surface().empty() ? SurfaceName(kDefaultSurface) : spec.surface(),
+                      is_named ? absl::StrCat(", closed holes by ", spec.filler()) : "");
+}
+
+}  // namespace
+
 std::string JobText(const v1::Job& job, OutputFormat format) {
   if (format == OutputFormat::kJson) return Dump(JobJson(job));
   const v1::Progress& p = job.progress();
   std::vector<std::vector<std::string>> rows = {{"state", StateName(job.state())},
                                                 {"scene", job.spec().scene()},
                                                 {"out", job.spec().out()},
+                                                {"surface", SurfaceText(job.spec())},
                                                 {"phase", p.phase()},
                                                 {"cells", Share(p.cells_done(), p.cells())},
                                                 {"holes", Share(p.holes_filled(), p.holes())},

@@ -45,6 +45,11 @@ absl::Status CheckOutputFile(const std::string& path, bool overwrite) {
   return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; choose another --out, or give --overwrite"));
 }
 
+absl::Status WithOtherOut(const absl::Status& status) {
+  if (status.ok() || absl::IsResourceExhausted(status)) return status;  // which has its own remedy
+  return absl::Status(status.code(), absl::StrCat(std::string(status.message()), "; choose another --out"));
+}
+
 absl::StatusOr<OutputLock> OutputLock::Take(const std::string& path) {
   const fs::path out(path);
   OutputLock lock;
@@ -54,7 +59,7 @@ absl::StatusOr<OutputLock> OutputLock::Take(const std::string& path) {
     missing.push_back(at);
   }
   for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
-    TILEMEND_RETURN_IF_ERROR(MakeFolder(folder->string()));
+    TILEMEND_RETURN_IF_ERROR(WithOtherOut(MakeFolder(folder->string())));
     lock.made_.push_back(folder->string());
   }
   lock.file_ = (out.parent_path() / absl::StrCat(".", out.filename().string(), ".tilemend-lock")).string();
@@ -63,7 +68,7 @@ absl::StatusOr<OutputLock> OutputLock::Take(const std::string& path) {
   do {
     if (lock.fd_ >= 0) ::close(lock.fd_);
     lock.fd_ = ::open(lock.file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-    if (lock.fd_ < 0) return WriteErrnoStatus(errno, "cannot write there", path);
+    if (lock.fd_ < 0) return WithOtherOut(WriteErrnoStatus(errno, "cannot write there", path));
     if (::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(std::exchange(lock.fd_, -1));  // and leave the file to its holder
       return WithErrorInfo(absl::AbortedError(absl::StrCat(

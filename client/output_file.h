@@ -16,6 +16,9 @@ namespace tilemend {
 // kInvalidArgument where something is that is no file (a folder, a pipe, a device, a link to nothing).
 absl::Status CheckOutputFile(const std::string& path, bool overwrite);
 
+// The same with what to do about it, where the place is what is wrong.
+absl::Status WithOtherOut(const absl::Status& status);
+
 // Holds the name of an output against other processes of this program, with a hidden file beside it that goes with this
 // object; one that is left by a process that was killed holds nothing. Makes missing folders, which go as well if
 // nothing is in them. A file system without locks has to do without.

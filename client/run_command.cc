@@ -39,6 +39,12 @@ v1::Job NotBegun(const v1::JobSpec& spec, const absl::Status& error) {
   return job;
 }
 
+// The only worker is this process: what a job waits for would be itself.
+v1::Job WithoutWaiting(v1::Job job) {
+  job.clear_waiting();
+  return job;
+}
+
 // Runs the job to its end. The first signal cancels it.
 absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const std::string& work_folder,
                                     SignalWatcher& signals) {
@@ -73,7 +79,7 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
                 *MetricsRegistry::Null());
   signals.Start([&cancel_job](int) { cancel_job(); });
   ProgressDisplay display;
-  auto end = client.Watch(job->name(), [&display](const v1::Job& now) { display.Show(now); });
+  auto end = client.Watch(job->name(), [&display](const v1::Job& now) { display.Show(WithoutWaiting(now)); });
   signals.Stop();  // before the coordinator goes
   worker.Stop();
   TILEMEND_RETURN_IF_ERROR(worker.Join());

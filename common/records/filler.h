@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -60,6 +61,19 @@ inline std::string FillerNames() {
   return names;
 }
 
+// Those that share the advancing front.
+inline constexpr std::array kFrontFillers = {Filler::kAdvancingFrontNormal, Filler::kAdvancingFrontCurvature,
+                                             Filler::kAdvancingFrontPoisson, Filler::kSvmLaplacian};
+
+constexpr bool HasFront(Filler filler) { return filler != Filler::kAuto && filler != Filler::kMinimumArea; }
+
+// Why an option that these fillers have is refused beside another one.
+inline std::string NoSuchOption(Filler filler, std::span<const Filler> fillers) {
+  std::string names;
+  for (const Filler having : fillers) names += (names.empty() ? "" : ", ") + std::string(FillerName(having));
+  return "the filler " + std::string(FillerName(filler)) + " has no such option; leave it out, or choose " + names;
+}
+
 // Where a front puts new vertices.
 enum class FrontSteps : uint8_t {
   kSteady,   // across normals that the front carries along or fits, and no nearer than the rim's edges are long
@@ -76,6 +90,26 @@ constexpr std::optional<FrontSteps> FrontStepsNamed(std::string_view name) {
   return std::nullopt;
 }
 
+inline constexpr char kFrontStepsNames[] = "steady or printed";
+
+// What is learnt as the Laplacian of a vertex (Xu 2014).
+enum class LaplacianScale : uint8_t {
+  kMean,  // eq. 1 to 3: the weighted mean of its neighbours less itself, which grows with the square of the edges
+  kArea,  // eq. 4: the same sum over the vertex's Voronoi area, the normal by mean curvature, whatever the triangles
+};
+
+constexpr const char* LaplacianScaleName(LaplacianScale scale) {
+  return scale == LaplacianScale::kArea ? "area" : "mean";
+}
+
+// The scale of that name; nothing for any other text.
+constexpr std::optional<LaplacianScale> LaplacianScaleNamed(std::string_view name) {
+  for (const LaplacianScale scale : {LaplacianScale::kMean, LaplacianScale::kArea}) {
+    if (name == LaplacianScaleName(scale)) return scale;
+  }
+  return std::nullopt;
+}
+
 // What the papers leave open.
 struct FillerOptions {
   FrontSteps steps = FrontSteps::kSteady;  // of every front
@@ -87,13 +121,14 @@ struct FillerOptions {
   // reason. The same on every machine; a million takes about 0.04 s.
   int32_t most_work = 100;  // [1, 1000000]
   // Of Sun 2012, eq. 5: eta, metres. None: half the new edge, with which the new vertex lies on the osculating circle.
-  std::optional<double> bend = {};  // [0, 1e6]
+  std::optional<double> bend = {};  // [0, 10000]
   // Of Xu 2014: edges of the rim longer than this many mean ones are split (3.1: k), the rings of the surface that are
   // learnt from (3.3: k), gamma of eq. 11, the width of the kernel in mean edges of the rim.
-  double long_edge = 1.5;    // [1, 100]
+  double long_edge = 1.5;  // [1, 100]
+  LaplacianScale scale = LaplacianScale::kArea;
   int32_t rings = 3;         // [1, 20]
-  double gamma = 10;         // [1e-6, 1e9]
-  double kernel_width = 10;  // [0.1, 1e6]
+  double gamma = 10;         // [1e-3, 1e6]
+  double kernel_width = 10;  // [0.5, 1000]
   // Of the curvature paper: how often an edge may be halved, and how often vertices go to the centroid.
   int32_t halvings = 2;         // [0, 10]
   int32_t centroid_steps = 10;  // [0, 1000]

@@ -136,7 +136,7 @@ std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns) {
                                         : absl::StrCat("      --", spec.name);
     if (!spec.value.empty()) absl::StrAppend(&left, " ", spec.value);
     left.resize(std::max<size_t>(left.size() + 2, kIndent), ' ');
-    const std::string given = spec.default_value.empty() ? "" : absl::StrCat(" (default ", spec.default_value, ")");
+    const std::string given = spec.default_value.empty() ? "" : absl::StrCat(" (default: ", spec.default_value, ")");
     absl::StrAppend(&text, Wrapped(absl::StrCat(left, spec.help, given), kIndent, columns), "\n");
   }
   return text;

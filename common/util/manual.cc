@@ -57,7 +57,7 @@ void AppendFlags(const std::vector<FlagSpec>& flags, std::string& page) {
     absl::StrAppend(&page, "\\fB\\-\\-", Troff(flag.name), "\\fR");
     if (!flag.value.empty()) absl::StrAppend(&page, " \\fI", Troff(flag.value), "\\fR");
     absl::StrAppend(&page, "\n", Troff(flag.help));
-    if (!flag.default_value.empty()) absl::StrAppend(&page, " (default ", Troff(flag.default_value), ")");
+    if (!flag.default_value.empty()) absl::StrAppend(&page, " (default: ", Troff(flag.default_value), ")");
     absl::StrAppend(&page, "\n");
   }
 }

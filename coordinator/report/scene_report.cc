@@ -88,6 +88,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
     row["method"] = WayName(size->second.way);
     if (size->second.loop_cuts > 0) row["loop_cuts"] = size->second.loop_cuts;
+    if (size->second.creases > 0) row["creases"] = size->second.creases;
     row["new_vertices"] = size->second.new_vertices;
     row["triangles"] = size->second.triangles;
     if (!input.plan->colours.empty()) {
@@ -400,10 +401,20 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   return warnings;
 }
 
+std::vector<std::string> WarningsOf(const SceneReportInput& input) {
+  std::vector<std::string> warnings = input.warnings;
+  for (std::string& warning : PlanWarnings(*input.plan)) warnings.push_back(std::move(warning));
+  int64_t holes = 0, edges = 0;
+  for (const auto& [hole, size] : input.outcome.sizes) {
+    holes += size.creases > 0 ? 1 : 0;
+    edges += size.creases;
+  }
+  if (holes > 0) warnings.push_back(absl::StrFormat("%d patches fold back, at %d edges (creases)", holes, edges));
+  return warnings;
+}
+
 std::string SceneReport(const SceneReportInput& input) {
   const Plan& plan = *input.plan;
-  std::vector<std::string> warnings = input.warnings;
-  for (std::string& warning : PlanWarnings(plan)) warnings.push_back(std::move(warning));
   HoleTables tables = TablesOf(input);
   const std::vector<LeftOpen> left = LeftOf(input);
   Json seconds;
@@ -412,7 +423,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"date", input.date},
                  {"scene", input.scene},
                  {"options", Options(input)},
-                 {"warnings", warnings},
+                 {"warnings", WarningsOf(input)},
                  {"cells", input.cells},
                  {"clusters", plan.clusters},
                  {"layers", plan.layers},

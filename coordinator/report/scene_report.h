@@ -43,6 +43,9 @@ std::string FailureOf(const SceneReportInput& input, int32_t hole);
 // What the user should know of the plan, one line each.
 std::vector<std::string> PlanWarnings(const Plan& plan);
 
+// All that the report has: the input's own, those of the plan, and of patches that fold back.
+std::vector<std::string> WarningsOf(const SceneReportInput& input);
+
 // Names as the report and the command line print them.
 const char* BorderName(BorderKind kind);
 const char* KindName(HoleKind kind);

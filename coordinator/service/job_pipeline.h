@@ -37,7 +37,8 @@ struct JobSpec {
   bool uniform = false;                                // triangles as large as the rim's throughout
   double gradation = 1.3;                              // [1, 10], growth of the triangles inward
   std::string filler = FillerName(Filler::kAuto);      // of closed holes: a name that FillerNamed knows
-  double size_limit = 16;                              // [1, 1e6], largest edge over the rim's mean edge
+  std::string front_steps;             // of its front: a name that FrontStepsNamed knows; empty: default
+  double size_limit = 16;              // [1, 1e6], largest edge over the rim's mean edge
   std::optional<double> tension;       // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
   std::string water = "auto";          // or "off", or a file of polygons: see water_choice.h
   std::string area;                    // a file with the area to cover: see area_choice.h; empty: as the scene says

@@ -71,6 +71,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   spec.out = proto.out();
   if (!proto.surface().empty()) spec.surface = proto.surface();
   if (!proto.filler().empty()) spec.filler = proto.filler();
+  spec.front_steps = proto.front_steps();
   spec.uniform = proto.uniform();
   if (proto.has_tension()) spec.tension = proto.tension();
   if (proto.gradation() != 0) spec.gradation = proto.gradation();
@@ -100,6 +101,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_out(spec.out);
   proto.set_surface(spec.surface);
   proto.set_filler(spec.filler);
+  proto.set_front_steps(spec.front_steps);
   proto.set_uniform(spec.uniform);
   if (spec.tension) proto.set_tension(*spec.tension);
   proto.set_gradation(spec.gradation);

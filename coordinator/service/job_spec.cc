@@ -38,6 +38,8 @@ absl::Status CheckAbsolute(const std::string& field, const std::string& path) {
   return InvalidSpec(field, absl::StrCat("'", Printable(path), "': a relative path; give one that begins with /"));
 }
 
+constexpr char kNotBesideUniform[] = "uniform triangles do not grow; leave one of the two out";
+constexpr char kNotWithoutWater[] = "of water, for which water off does not look; leave one of the two out";
 constexpr char kOnlyOfWang[] = "only the surface wang has this option; leave it out, or choose that surface";
 
 // Options of Wang's surface are for no other.
@@ -72,6 +74,49 @@ absl::Status CheckOfWang(const JobSpec& spec, Surface surface) {
   return absl::OkStatus();
 }
 
+// The filler of closed holes, and what it has.
+absl::Status CheckFiller(const JobSpec& spec) {
+  const std::optional<Filler> filler = FillerNamed(spec.filler);
+  if (!filler) {
+    return InvalidSpec("filler", absl::StrCat("'", Printable(spec.filler), "': expected ", FillerNames()));
+  }
+  if (spec.front_steps.empty()) return absl::OkStatus();
+  if (!HasFront(*filler)) return InvalidSpec("front_steps", NoSuchOption(*filler, kFrontFillers));
+  if (FrontStepsNamed(spec.front_steps)) return absl::OkStatus();
+  return InvalidSpec("front_steps", absl::StrCat("'", Printable(spec.front_steps), "': expected ", kFrontStepsNames));
+}
+
+// What says how water is found is nothing to choose where none is looked for.
+absl::Status CheckWater(const JobSpec& spec) {
+  const std::string& water = spec.water;
+  if (water.empty() || !IsUtf8(water)) {
+    return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
+  }
+  if (water != "auto" && water != "off") TILEMEND_RETURN_IF_ERROR(CheckAbsolute("water", water));
+  TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", spec.water_tolerance, 0.001, 10));
+  if (WaterProfileNamed(spec.water_profile) == nullptr) {
+    return InvalidSpec("water_profile", absl::StrCat("'", Printable(spec.water_profile), "': expected city or usgs"));
+  }
+  if (!spec.water_colour.empty() && !ParseColour(spec.water_colour)) {
+    return InvalidSpec("water_colour", absl::StrCat("'", Printable(spec.water_colour), "': expected R,G,B or #rrggbb"));
+  }
+  if (water != "off") return absl::OkStatus();
+  const JobSpec defaults;
+  if (spec.water_tolerance != defaults.water_tolerance) return InvalidSpec("water_tolerance", kNotWithoutWater);
+  if (spec.water_profile != defaults.water_profile) return InvalidSpec("water_profile", kNotWithoutWater);
+  return spec.water_colour.empty() ? absl::OkStatus() : InvalidSpec("water_colour", kNotWithoutWater);
+}
+
+// How large triangles become is nothing to choose where they do not grow.
+absl::Status CheckGrowth(const JobSpec& spec) {
+  TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", spec.gradation, 1, 10));
+  TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", spec.size_limit, 1, 1e6));
+  const JobSpec defaults;
+  if (spec.uniform && spec.gradation != defaults.gradation) return InvalidSpec("gradation", kNotBesideUniform);
+  if (spec.uniform && spec.size_limit != defaults.size_limit) return InvalidSpec("size_limit", kNotBesideUniform);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status JobSpec::Check() const {
@@ -85,22 +130,10 @@ absl::Status JobSpec::Check() const {
   if (!named) {
     return InvalidSpec("surface", absl::StrCat("'", Printable(surface), "': expected thin-plate or wang"));
   }
-  if (!FillerNamed(filler)) {
-    return InvalidSpec("filler", absl::StrCat("'", Printable(filler), "': expected ", FillerNames()));
-  }
-  if (water.empty() || !IsUtf8(water)) {
-    return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
-  }
-  if (water != "auto" && water != "off") TILEMEND_RETURN_IF_ERROR(CheckAbsolute("water", water));
+  TILEMEND_RETURN_IF_ERROR(CheckFiller(*this));
+  TILEMEND_RETURN_IF_ERROR(CheckWater(*this));
   TILEMEND_RETURN_IF_ERROR(CheckAbsolute("area", area));
   if (!IsUtf8(area)) return InvalidSpec("area", absl::StrCat("'", Printable(area), "' is no path in UTF-8"));
-  TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", water_tolerance, 0.001, 10));
-  if (WaterProfileNamed(water_profile) == nullptr) {
-    return InvalidSpec("water_profile", absl::StrCat("'", Printable(water_profile), "': expected city or usgs"));
-  }
-  if (!water_colour.empty() && !ParseColour(water_colour)) {
-    return InvalidSpec("water_colour", absl::StrCat("'", Printable(water_colour), "': expected R,G,B or #rrggbb"));
-  }
   if (textures != "copy" && textures != "link" && textures != "off") {
     return InvalidSpec("textures", absl::StrCat("'", Printable(textures), "': expected copy, link or off"));
   }
@@ -108,8 +141,7 @@ absl::Status JobSpec::Check() const {
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));
   if (tension && named != Surface::kThinPlate)
     return InvalidSpec("tension", "only the surface thin-plate has a tension; leave it out, or choose that surface");
-  TILEMEND_RETURN_IF_ERROR(CheckRange("gradation", gradation, 1, 10));
-  TILEMEND_RETURN_IF_ERROR(CheckRange("size_limit", size_limit, 1, 1e6));
+  TILEMEND_RETURN_IF_ERROR(CheckGrowth(*this));
   return CheckOfWang(*this, *named);
 }
 

@@ -41,6 +41,7 @@ v1::ShapeOptions ShapeOptionsOf(const JobSpec& spec) {
   options.set_uniform(spec.uniform);
   options.set_thin_plate(spec.surface == SurfaceName(Surface::kThinPlate));
   options.set_filler(spec.filler);
+  options.set_front_steps(spec.front_steps);
   if (spec.tension) options.set_tension(*spec.tension);
   if (options.thin_plate()) return options;
   const WangOptions wang = WangOptionsOf(spec);
@@ -66,6 +67,7 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
                                          {"textures", spec.textures},
                                          {"area", spec.area},
                                          {"cells", spec.cells}};
+  if (!spec.front_steps.empty()) options.push_back({"front-steps", spec.front_steps});
   if (spec.surface == SurfaceName(Surface::kWang)) {
     const WangOptions wang = WangOptionsOf(spec);
     options.push_back({"seam-smoothing", wang.seam_smoothing});
@@ -81,12 +83,12 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
 std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
   const WangOptions wang = WangOptionsOf(spec);
   return absl::StrFormat(
-      "scene %s\nsurface %s\nfiller %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d "
+      "scene %s\nsurface %s\nfiller %s %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d "
       "%s %s\ntension "
       "%s\n"
       "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\narea %s\ncells %s\n",
-      spec.scene, spec.surface, spec.filler, spec.uniform, spec.gradation, spec.size_limit, wang.seam_smoothing,
-      wang.seam_buffer, wang.longest_loop, wang.fairing_steps, SeamPointsName(wang.seam_points),
+      spec.scene, spec.surface, spec.filler, spec.front_steps, spec.uniform, spec.gradation, spec.size_limit,
+      wang.seam_smoothing, wang.seam_buffer, wang.longest_loop, wang.fairing_steps, SeamPointsName(wang.seam_points),
       ClosureName(wang.closure), spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water,
       water.digest, spec.water_tolerance, spec.water_profile, spec.water_colour, spec.textures, area_digest,
       spec.cells);

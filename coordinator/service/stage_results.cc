@@ -67,6 +67,7 @@ absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output, const std::v
     if (!v1::FillWay_IsValid(extent.way())) return absl::InvalidArgumentError("an unknown way of filling");
     patch.way = static_cast<FillWay>(extent.way());
     patch.loop_cuts = extent.loop_cuts();
+    patch.creases = extent.creases();
     if (extent.has_hold_out()) {
       TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
     }

@@ -19,7 +19,7 @@ struct PatchSize {
   int64_t new_vertices = 0;
   int64_t triangles = 0;
   FillWay way = FillWay::kNone;
-  int32_t loop_cuts = 0;  // as HolePatch
+  int32_t loop_cuts = 0, creases = 0;  // as HolePatch
 };
 
 // By hole or cluster of the plan.

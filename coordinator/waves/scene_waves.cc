@@ -182,6 +182,7 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
       outcome_.triangles += patch.triangles;
       size.way = patch.way;
       size.loop_cuts += patch.loop_cuts;
+      size.creases += patch.creases;
     } else {
       outcome_.failures[patch.hole] = patch.failure;
       if (const auto size = outcome_.sizes.extract(patch.hole)) outcome_.triangles -= size.mapped().triangles;

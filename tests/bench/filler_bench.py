@@ -3,7 +3,7 @@
 
     filler_bench.py [--bin DIR] [--only flat,tube] [--fillers auto,minimum-area] [--rims 10,400] [--json FILE] [--keep DIR]
 
-Four kinds of surface, each with ten holes whose boundaries have 10 to 400 vertices: nearly flat ground, a curved surface, a sheet
+Four kinds of surface, each with ten holes whose boundaries have 10 to 403 vertices: nearly flat ground, a curved surface, a sheet
 folded by 90 degrees, the wall of a tube, of which large holes take nearly half. Meshes are triangles of side 1, each vertex off its
 place; holes are blobs, larger with their boundary. An error is the mean distance from what was removed to the patch, over the
 hole's radius. Quality is 2 * inradius / circumradius of the patch's triangles. Crossings are triangles that `tilemend check` finds.
@@ -58,7 +58,7 @@ FORTY = {'flat': flat, 'curved': curved, 'creased': creased, 'tube': tube}
 CURVED = {'cylinder': over(lambda u, v: .15 * u ** 2), 'paraboloid': over(lambda u, v: .15 * (u ** 2 + v ** 2)),
           'sphere': over(lambda u, v: np.sqrt(np.maximum(12 - u ** 2 - v ** 2, 0))), 'wave': over(lambda u, v: .25 * (np.sin(1.2 * u) + np.sin(.9 * v))),
           'hills': over(lambda u, v: .25 * np.cos(1.2 * u + .5) * np.sin(.9 * v + .4)), 'bump': over(lambda u, v: .25 * np.exp(-(u ** 2 + v ** 2) / 1.5))}
-KINDS = FORTY | CURVED
+KINDS = FORTY | CURVED | {'plane': over(lambda u, v: 0 * u)}
 
 
 def sheet(reach, rng):

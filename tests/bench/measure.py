@@ -62,6 +62,11 @@ def table(heads, rows):
     return '\n'.join(lines + ['| ' + ' | '.join(str(c) for c in row) + ' |' for row in rows])
 
 
+def verdict(printed, stand_in, outcome, ours):
+    """A row of the table at the top of docs/papers.md, as a section carries it."""
+    return f'<!--| {printed} | {stand_in} | {outcome} | {ours} |-->\n'
+
+
 def make_scene(bin_folder, folder, *flags):
     subprocess.run([os.path.join(bin_folder, 'tilemend-make-scene'), folder, *map(str, flags)], check=True,
                    stdout=subprocess.DEVNULL)

@@ -1,14 +1,10 @@
 #!/usr/bin/python3
 """Repeats the experiments of the papers behind tilemend and writes docs/papers.md: our figures beside the printed ones.
 
-    TILEMEND_SHARED_TOOLS=DIR reproduce.py [--quick] [--bin DIR] [--only tables,efficiency,sun] [--peer-source cgal_fill.cpp] [--work DIR]
-                                           [--spacings 2.5,1,0.5] [--areas 8,16,24,32] [--large-spacing 0.5] [--page FILE]
-
-DIR holds the scene tools, which are not part of this project; without it what needs them is left out, and the page says so. The
-papers' own models and photographs cannot be had: made ones stand in, as the page says of each. --peer-source names the driver of the
-peer, which is no part either. Every measurement is kept below --work by the program it was made with: a run that was interrupted goes on
-where it was. Parts that are not run keep what the page has of them. --quick takes the small ones of everything, about ten minutes, and writes
-its page below --work; the whole takes hours, 12 GB of disk and 4 GB of memory. Needs numpy, scipy and matplotlib.
+TILEMEND_SHARED_TOOLS names the folder of the scene tools, which are not part of this project; parts that need them are left out where
+it is not set, and keep what the page has. The papers' own models and photographs cannot be had: made ones stand in, as the page says of
+each. Every measurement is kept below --work by the program it was made with: a run that was interrupted goes on where it was. Parts that
+are not run keep what the page has of them, and name the program they were measured with.
 """
 import argparse
 import os
@@ -19,6 +15,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import filler_bench
 import measure
+import papers_accuracy
 import papers_fillers
 import papers_plots
 import papers_wang
@@ -29,15 +26,43 @@ import steps
 PARTS = {'tables': ('Wang 2021, tables 1 to 5: holes by type', papers_wang.part_tables, True),
          'efficiency': ('Wang 2021, tables 6 and 7: time and memory', papers_wang.part_efficiency, True),
          'large': ('Wang 2021, tables 6 and 7: 28 km²', papers_wang.part_large, True),
-         'accuracy': ('Wang 2021, figures 14 to 17: accuracy', papers_wang.part_accuracy, True),
+         'accuracy': ('Wang 2021, figures 14 to 17: accuracy', papers_accuracy.part_accuracy, True),
          'surface': ('The true `wang` beside what it was and `thin-plate`', papers_wang.part_surface, True),
          'sun': ('Sun 2012, table 1 and figure 6', papers_fillers.part_sun, False),
          'xu': ('Xu 2014, tables 1 and 2', papers_fillers.part_xu, False),
+         'curvature': ('The repair by curvature', papers_fillers.part_curvature, False),
          'zhang': ('Zhang 2022, table 2: kinds of holes', papers_fillers.part_zhang, False),
          'fillers': ('All fillers on the same holes', papers_fillers.part_fillers, False)}
 HEAD = ('# The papers\' experiments again\n\n`scripts/reproduce.sh` runs them and writes this page, with the scene tools in `TILEMEND_SHARED_TOOLS`; '
         'it goes on where it was interrupted, and `--quick` takes the small ones. A program is named by the start of its SHA-256. '
-        '[Wang](decisions/2026-11-22-wang-as-printed.md) and [the fillers](decisions/2026-11-22-published-fillers.md) say what was chosen where the papers say nothing.\n')
+        '[Wang](decisions/2026-11-22-wang-as-printed.md) and [the fillers](decisions/2026-11-22-published-fillers.md) say what was chosen where the papers say nothing.\n\n'
+        'What is printed, and what came of it here. *Reproduced*: the printed figure, or what it is printed for, is there again. *In part*, *not*: as the last column says.\n')
+EPILOGUE = ('Examples:\n'
+            '  scripts/reproduce.sh                        everything, an hour or more, 12 GB of disk and 4 GB of memory\n'
+            '  scripts/reproduce.sh --quick                the small ones of everything, ten minutes; the page is WORK/quick.md\n'
+            '  scripts/reproduce.sh --only sun,xu          these parts; the others stay as the page has them\n'
+            '  scripts/reproduce.sh --carry ID --again xu  measured again where the name has "xu"; else taken from the program ID\n\n'
+            'Needs a build (scripts/install.sh), and Debian\'s python3-numpy, python3-scipy and python3-matplotlib.\n'
+            'Exit codes: 0 the page is written, 1 a program failed, 2 usage.')
+
+
+def rows_of(section):
+    """What a section says of its experiments for the table at the top (measure.verdict)."""
+    return re.findall(r'<!--(\|.*\|)-->', section)
+
+
+def page_text(sections):
+    present = {name: sections[name] for name in PARTS if name in sections}
+    rows = [f'| [{row.split("|")[1].strip()}](#{anchor(section)}) |' + '|'.join(row.split('|')[2:]) for section in present.values() for row in rows_of(section)]
+    heads = ['printed', 'stand-in', 'verdict', 'ours beside print']
+    table = '\n'.join(['| ' + ' | '.join(heads) + ' |', '|---' * len(heads) + '|', *rows]) + '\n'
+    return HEAD + '\n' + table + '\n' + '\n\n'.join(f'<!-- {name} -->\n{section}' for name, section in present.items()) + '\n'
+
+
+def anchor(section):
+    """As Markdown makes it from the section's title."""
+    title = section.split('\n', 1)[0].lstrip('# ').lower()
+    return re.sub(r'[^\w\- ]|²', '', title).replace(' ', '-')
 
 
 def kept(page):
@@ -45,7 +70,7 @@ def kept(page):
     if not os.path.exists(page):
         return {}
     with open(page, encoding='utf-8') as file:
-        return {m[1]: m[2].strip() for m in re.finditer(r'<!-- (\w+) -->\n(.*?)(?=<!-- \w+ -->|\Z)', file.read(), re.DOTALL)}
+        return {m[1]: m[2].strip() for m in re.finditer(r'<!-- (\w+) -->\n(.*?)(?=<!-- \w+ -->\n|\Z)', file.read(), re.DOTALL)}
 
 
 def numbers(kind):
@@ -53,16 +78,20 @@ def numbers(kind):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--quick', action='store_true')
-    parser.add_argument('--bin', default=measure.BIN)
-    parser.add_argument('--only', type=filler_bench.words, default=list(PARTS))
-    parser.add_argument('--work', default=os.path.join(measure.ROOT, 'build', 'papers'))
-    parser.add_argument('--peer-source', default='')
-    parser.add_argument('--spacings', type=numbers(float))
-    parser.add_argument('--areas', type=numbers(int))
-    parser.add_argument('--large-spacing', type=float, default=.5)
-    parser.add_argument('--page')
+    parser = argparse.ArgumentParser(prog='scripts/reproduce.sh', description=__doc__, epilog=EPILOGUE, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add = parser.add_argument
+    add('--only', type=filler_bench.words, default=list(PARTS), metavar='PART,...',
+        help='the parts to run: ' + '; '.join(f'{name} ({title})' for name, (title, _, _) in PARTS.items()).replace('`', '') + ' (default: all)')
+    add('--quick', action='store_true', help='fewer and smaller scenes; the page is not docs/papers.md but WORK/quick.md')
+    add('--bin', default=measure.BIN, metavar='DIR', help='folder of the program (default: build/release/bin)')
+    add('--work', default=os.path.join(measure.ROOT, 'build', 'papers'), metavar='DIR', help='where measurements and scenes are kept (default: build/papers)')
+    add('--page', metavar='FILE', help='page to write (default: docs/papers.md)')
+    add('--peer-source', default='', metavar='FILE', help='driver of CGAL, cgal_fill.cpp, which is not part of this project (default: none, CGAL is left out)')
+    add('--spacings', type=numbers(float), metavar='M,...', help='of efficiency: metres between vertices (default: 2.5,1,0.5; quick: 2.5,1)')
+    add('--areas', type=numbers(int), metavar='CELLS,...', help=f'of efficiency: cells, some of {", ".join(map(str, papers_wang.AREAS))} (default: all; quick: 8,16)')
+    add('--large-spacing', type=float, default=.5, metavar='M', help='of large: metres between vertices (default: 0.5)')
+    add('--carry', default='', metavar='ID', help='take what is not measured yet from the measurements of that program below WORK; the page says so (default: measure it)')
+    add('--again', default='', metavar='REGEX', help='of --carry: measure again what has such a name (default: nothing)')
     a = parser.parse_args()
     unknown = [name for name in a.only if name not in PARTS]
     if unknown:
@@ -72,7 +101,10 @@ def arguments():
     a.spacings = a.spacings or ([2.5, 1] if a.quick else [2.5, 1, .5])
     a.areas = a.areas or ([8, 16] if a.quick else list(papers_wang.AREAS))
     a.page = a.page or (os.path.join(a.work, 'quick.md') if a.quick else os.path.join(measure.ROOT, 'docs', 'papers.md'))
-    a.steps = steps.Steps(os.path.join(a.work, 'quick') if a.quick else a.work, os.path.join(a.bin, 'tilemend'))
+    work = os.path.join(a.work, 'quick') if a.quick else a.work
+    if a.carry and not os.path.isdir(os.path.join(work, a.carry)):
+        parser.error(f'--carry {a.carry}: no measurements of that program in {work}')
+    a.steps = steps.Steps(work, os.path.join(a.bin, 'tilemend'), a.carry, a.again)
     return a
 
 
@@ -92,9 +124,9 @@ def main():
         shutil.rmtree(folder)
         if text is None:
             continue
-        sections[name] = f'## {title}\n\n{text}\n\nMeasured on: {measure.machine()}; program {os.path.basename(a.steps.folder)}.'
+        sections[name] = f'## {title}\n\n{text}\n\nMeasured on: {a.steps.told(measure.machine())}.'
         with open(a.page, 'w', encoding='utf-8') as file:
-            file.write(HEAD + '\n' + '\n\n'.join(f'<!-- {n} -->\n{sections[n]}' for n in PARTS if n in sections) + '\n')
+            file.write(page_text(sections))
         print(f'{name}: written to {a.page}', file=sys.stderr)
 
 

@@ -57,6 +57,15 @@ TEST(FillerFlagsTest, ReportsWhatIsLeftToTheProgram) {
   EXPECT_NE(Find(ReportedFillerOptions(*Read(Filler::kMinimumArea, {})), "longest-loop"), nullptr);
 }
 
+TEST(FillerFlagsTest, ReadsWhichLaplaciansAreLearnt) {
+  const auto scale = [](const std::vector<std::string>& words) {
+    return Read(Filler::kSvmLaplacian, words)->filling.scale;
+  };
+  EXPECT_EQ(scale({}), LaplacianScale::kArea);
+  EXPECT_EQ(scale({"--svm-laplacian", "mean"}), LaplacianScale::kMean);
+  EXPECT_EQ(scale({"--svm-laplacian", "area"}), LaplacianScale::kArea);
+}
+
 TEST(FillerFlagsTest, SaysWhatIsWrong) {
   const auto wrong = [](Filler filler, const std::vector<std::string>& words) {
     return std::string(Read(filler, words).status().message());
@@ -64,6 +73,10 @@ TEST(FillerFlagsTest, SaysWhatIsWrong) {
   EXPECT_THAT(wrong(Filler::kAuto, {"--front-steps", "printed"}), HasSubstr("or choose advancing-front-normal"));
   EXPECT_THAT(wrong(Filler::kMinimumArea, {"--svm-rings", "2"}), HasSubstr("or choose svm-laplacian"));
   EXPECT_THAT(wrong(Filler::kSvmLaplacian, {"--front-steps", "bold"}), HasSubstr("'bold': expected steady or printed"));
+  EXPECT_THAT(wrong(Filler::kSvmLaplacian, {"--svm-laplacian", "x"}), HasSubstr("'x': expected area or mean"));
+  EXPECT_THAT(wrong(Filler::kMinimumArea, {"--svm-laplacian", "mean"}), HasSubstr("or choose svm-laplacian"));
+  EXPECT_THAT(wrong(Filler::kSvmLaplacian, {"--svm-gamma", "1e9"}), HasSubstr("--svm-gamma"));
+  EXPECT_THAT(wrong(Filler::kSvmLaplacian, {"--svm-width", "0.1"}), HasSubstr("--svm-width"));
   EXPECT_THAT(wrong(Filler::kSvmLaplacian, {"--svm-rings", "2.7"}), HasSubstr("expected a whole number"));
   EXPECT_THAT(wrong(Filler::kSvmLaplacian, {"--svm-rings", "21"}), HasSubstr("--svm-rings"));
   EXPECT_EQ(wrong(Filler::kSvmLaplacian, {"--svm-rings", "20"}), "");

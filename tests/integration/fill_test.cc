@@ -310,10 +310,35 @@ TEST(FillCommandTest, ExitCodes) {
   EXPECT_EQ(code({"fill", in, "--out", folder / "o"}), 4);
   EXPECT_EQ(code({"fill", in, "--out", folder / "folder.obj", "--overwrite"}), 4);
   EXPECT_EQ(code({"fill", in, "--out", in + "/o.obj"}), 4);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--uniform", "--gradation", "2"}), 2);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--filler", "svm-laplacian", "--size-limit", "2"}), 2);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--filler", "minimum-area", "--allow-creases"}), 2);
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--water-tolerance", "1"}), 2) << "water is off";
+  EXPECT_EQ(code({"run", in, "--out", folder / "o", "--front-steps", "printed"}), 2) << "auto has no front";
   EXPECT_EQ(code({"fill", folder.Write("empty.obj", ""), "--out", folder / "o.obj"}), 4);
   EXPECT_EQ(code({"fill", folder.Write("bad.obj", "v 0 0 0\nf -1 -2 -3\n"), "--out", folder / "o.obj"}), 4);
   EXPECT_EQ(code({"fill", in, "--out", "/proc/o.obj"}), 6);
   EXPECT_FALSE(std::filesystem::exists(folder / "o.obj"));
+}
+
+TEST(FillCommandTest, SaysThatThereIsNoSurface) {
+  const TemporaryFolder folder;
+  const std::string in = folder.Write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  const auto end = Process(folder.path(), TILEMEND_CLIENT, {"fill", in, "--out", folder / "o.off"}).Wait();
+  EXPECT_EQ(end.code, 0);
+  EXPECT_THAT(end.err, testing::HasSubstr("none of its 1 triangles has an area"));
+}
+
+TEST(FillCommandTest, SaysWhoFilledAndWhatToDoWhereItCannotWrite) {
+  const TemporaryFolder folder;
+  const std::string in = folder.Write("in.obj", Text(SheetWithAHole(), MeshFormat::kObj));
+  const auto fill = [&](const std::string& out) {
+    return Process(folder.path(), TILEMEND_CLIENT, {"fill", in, "--out", out, "--filler", "advancing-front-normal"})
+        .Wait();
+  };
+  EXPECT_THAT(fill(folder / "o.obj").out, testing::HasSubstr("filled by advancing-front-normal with"));
+  EXPECT_THAT(fill("/proc/o.obj").err, testing::HasSubstr("choose another --out"));
+  EXPECT_THAT(fill("/proc/x/o.obj").err, testing::HasSubstr("choose another --out"));
 }
 
 }  // namespace

@@ -42,6 +42,9 @@ struct DefectFinding {
 // triangles are small beside the mesh.
 std::map<Defect, DefectFinding> FindDefects(const TriMesh& mesh, const CheckLimits& limits);
 
+// Whether any triangle has an area: a mesh of none has no surface. O(n).
+bool HasArea(const TriMesh& mesh);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_CHECK_MESH_DEFECTS_H_

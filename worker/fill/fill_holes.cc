@@ -37,6 +37,7 @@ constexpr double kLittleTurn_rad = 5.0 * std::numbers::pi / 180;
 // What a patch is checked for beside FaultOf.
 enum class Check {
   kNothing,    // it is a height field
+  kPublished,  // as kCrossings; it might also go anywhere
   kCrossings,  // it might pass through itself or the surface around it
   kFreely,     // it might also go astray, or face down where heights fill the hole
 };
@@ -81,6 +82,7 @@ class HoleFiller {
       LocalPatch patch = way.fill();
       if (options_.refine.cancelled()) break;
       if (patch.ok() && way.check == Check::kFreely && GoesAstray(patch)) continue;
+      if (patch.ok() && way.check == Check::kPublished && GoesFar(patch)) patch.failure = FillFailure::kGoesFar;
       if (patch.ok()) patch.failure = FaultOf(hole_, patch);
       if (patch.ok() && way.check != Check::kNothing && crossings_.Crosses(patch)) {
         patch.failure = FillFailure::kCrosses;
@@ -124,7 +126,9 @@ class HoleFiller {
     if (best_ && !(rank < best_rank_)) return;
     best_rank_ = rank;
     const bool is_bare = patch.is_bare;
+    const int32_t creases = way >= FillWay::kAdvancingFrontNormal ? CountCreases(hole_, patch) : 0;
     best_ = ToHolePatch(hole_, std::move(patch));
+    best_->creases = creases;
     best_->way = is_bare ? FillWay::kBare : way;
   }
 
@@ -171,7 +175,7 @@ class HoleFiller {
   bool FillsOverGround() const { return hole_.open || hole_.level || !hole_.on_object.empty(); }
 
   Way AsNamed() {
-    return {WayOf(options_.filler), Check::kCrossings, [&] {
+    return {WayOf(options_.filler), Check::kPublished, [&] {
               if (options_.filler == Filler::kMinimumArea) return FillLeastArea(FreeHole(), options_);
               return FillWithFront(hole_, options_, [&] { return crossings_.Surface(); });
             }};
@@ -210,6 +214,15 @@ class HoleFiller {
     if (!crossings_.StaysNear(patch)) return true;
     const ProjectionFrame heights = FrameOfHeights(hole_);
     return FacesDown(hole_, patch, heights) && LiesInHeightField(hole_, heights);
+  }
+
+  // Whether the patch leaves the extent of the boundary by more than that is wide: no surface needs that for its hole.
+  bool GoesFar(const LocalPatch& patch) const {
+    Eigen::AlignedBox3d box;
+    for (const Point3& p : hole_.positions) box.extend(p);
+    const Point3 reach = Point3::Constant(box.diagonal().norm());
+    box = {box.min() - reach, box.max() + reach};
+    return !std::ranges::all_of(patch.new_points, [&](const Point3& p) { return box.contains(p); });
   }
 
   bool HasUnknownHeight() const {

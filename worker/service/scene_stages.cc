@@ -99,6 +99,11 @@ absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const Cance
   const auto filler = proto.filler().empty() ? Filler::kAuto : FillerNamed(proto.filler());
   if (!filler) return absl::InvalidArgumentError("an unknown filler");
   options.filler = *filler;
+  if (!proto.front_steps().empty()) {
+    const auto steps = FrontStepsNamed(proto.front_steps());
+    if (!steps) return absl::InvalidArgumentError("unknown steps of a front");
+    options.filling.steps = *steps;
+  }
   if (options.surface != Surface::kWang) return options;
   options.wang.longest_loop = proto.longest_loop();
   options.wang.fairing_steps = proto.fairing_steps();

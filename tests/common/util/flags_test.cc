@@ -78,19 +78,19 @@ TEST(DidYouMeanTest, NamesTheNearestIfItIsNear) {
 TEST(FlagsHelpTest, HasALineForEachFlag) {
   EXPECT_EQ(FlagsHelp(Specs()),
             "      --out DIR                   folder\n"
-            "      --workers N                 tasks (default 2)\n"
+            "      --workers N                 tasks (default: 2)\n"
             "      --overwrite                 replace\n"
-            "  -o, --output FORMAT             table or json (default table)\n");
+            "  -o, --output FORMAT             table or json (default: table)\n");
 }
 
 TEST(FlagsHelpTest, KeepsToTheColumnsOfATerminal) {
   const std::vector<FlagSpec> specs = {{"out", "DIR", "where to write what was asked for and more of it", "here"}};
   EXPECT_EQ(FlagsHelp(specs),
-            "      --out DIR                   where to write what was asked for and more of it (default here)\n");
+            "      --out DIR                   where to write what was asked for and more of it (default: here)\n");
   EXPECT_EQ(FlagsHelp(specs, 60),
             "      --out DIR                   where to write what was\n"
             "                                  asked for and more of it\n"
-            "                                  (default here)\n");
+            "                                  (default: here)\n");
   EXPECT_EQ(FlagsHelp(specs, 30), FlagsHelp(specs));
   EXPECT_EQ(FlagsHelp({{"a", "", std::string(60, 'x') + " y", ""}}, 60),
             "      --a                         " + std::string(60, 'x') + " y\n");

@@ -26,7 +26,7 @@ TEST(ManualTest, ThePageHasEveryCommandFlagDefaultAndSetting) {
   const std::string page = ManPage(Tool());
   EXPECT_THAT(page, AllOf(HasSubstr(".TH TOOL 1"), HasSubstr("tool \\- does things\n"),
                           HasSubstr(".SS run SCENE \\-\\-out DIR\nfill it's holes.\n")));
-  EXPECT_THAT(page, HasSubstr(".TP\n\\fB\\-\\-server\\fR \\fIHOST:PORT\\fR\nwhere it is (default here:1)\n"));
+  EXPECT_THAT(page, HasSubstr(".TP\n\\fB\\-\\-server\\fR \\fIHOST:PORT\\fR\nwhere it is (default: here:1)\n"));
   EXPECT_THAT(page, HasSubstr("\\fB\\-o\\fR, \\fB\\-\\-output\\fR \\fItable|json\\fR\n"));
   EXPECT_THAT(page, AllOf(HasSubstr("TILEMEND_SERVER."), Not(HasSubstr("TILEMEND_OUT"))));
   EXPECT_THAT(page, HasSubstr("~/.tool.conf"));

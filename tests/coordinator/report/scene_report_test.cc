@@ -158,6 +158,12 @@ TEST_F(SceneReportTest, PutsTheWarningsOfThePlanAfterThoseGiven) {
               ElementsAre("first", "--water: feature 4 is not taken: no hole lies under it"));
 }
 
+TEST_F(SceneReportTest, WarnsOfPatchesThatFoldBack) {
+  EXPECT_TRUE(WarningsOf(input_).empty());
+  input_.outcome.sizes[0].creases = 3;
+  EXPECT_THAT(WarningsOf(input_), ElementsAre("1 patches fold back, at 3 edges (creases)"));
+}
+
 TEST_F(SceneReportTest, WarnsOfTenAreasThatAreNotTakenAndCountsTheRest) {
   plan_.water_answers.assign(25, {"feature", true, false, {}, "no hole lies under it"});
   plan_.water_answers[3].taken = true;

@@ -90,6 +90,26 @@ TEST(JobSpecTest, OnlyThinPlateHasATension) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.tension = 1001; }), "tension");
 }
 
+TEST(JobSpecTest, OnlyFrontsHaveSteps) {
+  const auto fault = [](Filler filler, const char* steps) {
+    return Fault([&](JobSpec& s) { s.filler = FillerName(filler), s.front_steps = steps; });
+  };
+  EXPECT_EQ(fault(Filler::kSvmLaplacian, "printed"), "");
+  EXPECT_EQ(fault(Filler::kSvmLaplacian, "bold"), "front_steps");
+  EXPECT_EQ(fault(Filler::kAuto, "printed"), "front_steps");
+  EXPECT_EQ(fault(Filler::kMinimumArea, "steady"), "front_steps");
+}
+
+TEST(JobSpecTest, RefusesWhatHasNoEffect) {
+  EXPECT_EQ(Fault([](JobSpec& s) { s.uniform = true; }), "");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.uniform = true, s.gradation = 2; }), "gradation");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.uniform = true, s.size_limit = 2; }), "size_limit");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off"; }), "");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off", s.water_tolerance = 0.2; }), "water_tolerance");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off", s.water_profile = "usgs"; }), "water_profile");
+  EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off", s.water_colour = "1,2,3"; }), "water_colour");
+}
+
 TEST(JobSpecTest, OnlyWangSmoothsSeams) {
   const auto fault = [](double gamma, Surface surface) {
     return Fault([&](JobSpec& s) { s.seam_smoothing = gamma, s.surface = SurfaceName(surface); });

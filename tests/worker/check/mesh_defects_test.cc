@@ -91,5 +91,14 @@ TEST(FindDefectsTest, FindsSpikesAndSmallComponents) {
   EXPECT_THAT(Found(two), UnorderedElementsAre(Pair(Defect::kSmallComponent, 1)));
 }
 
+TEST(HasAreaTest, IsNotOfNeedlesAlone) {
+  TriMesh mesh;
+  mesh.points = {Point3(0, 0, 0), Point3(1, 0, 0), Point3(2, 0, 0), Point3(0, 1e-9, 0)};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_FALSE(HasArea(mesh));
+  mesh.triangles.push_back({0, 1, 3});
+  EXPECT_TRUE(HasArea(mesh));
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -401,40 +401,5 @@ TEST_P(MovedHoleTest, LiftsThePatchWithItsRim) {
   }
 }
 
-TEST(NamedFillersTest, FillAClosedHoleInTheirOwnWay) {
-  const CellHoles work = HoleOf(kSquareHole);
-  for (const auto& [filler, way] : {std::pair{Filler::kAdvancingFrontNormal, FillWay::kAdvancingFrontNormal},
-                                    {Filler::kAdvancingFrontCurvature, FillWay::kAdvancingFrontCurvature},
-                                    {Filler::kAdvancingFrontPoisson, FillWay::kAdvancingFrontPoisson},
-                                    {Filler::kSvmLaplacian, FillWay::kSvmLaplacian},
-                                    {Filler::kMinimumArea, FillWay::kMinimumArea}}) {
-    FillOptions options;
-    options.filler = filler;
-    const HolePatch patch = FillHoles(work, options).at(0);
-    ExpectClosesHole(work, work.holes[0], patch);
-    EXPECT_EQ(patch.way, way);
-    EXPECT_EQ(FillHoles(work, options).at(0).new_points, patch.new_points);
-  }
-}
-
-TEST(NamedFillersTest, LeaveAHoleOpenWhereTheirPatchCrossesTheSurface) {
-  const CellHoles work = HoleOf(kSquareHole);
-  const SurfaceNear stake = [](const Point3&, const Point3&) {
-    return std::vector<SpaceTriangle>{{Point3(4.1, 4.2, -9), Point3(4.3, 4.4, -9), Point3(4.2, 4.7, 9)}};
-  };
-  FillOptions options;
-  options.filler = Filler::kAdvancingFrontNormal;
-  const HolePatch patch = FillHoles(work, options, stake).at(0);
-  EXPECT_THAT(patch.failure, HasSubstr("passes through"));
-  EXPECT_THAT(patch.triangles, IsEmpty());
-}
-
-TEST(NamedFillersTest, LeaveOpenHolesToTheSurface) {
-  const CellHoles work = HoleOf(kSquareHole, Flat, true);
-  FillOptions options;
-  options.filler = Filler::kAdvancingFrontNormal;
-  EXPECT_EQ(FillHoles(work, options).at(0).way, FillWay::kGround);
-}
-
 }  // namespace
 }  // namespace tilemend

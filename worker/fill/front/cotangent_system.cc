@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "common/mesh/triangle_shape.h"
+
 namespace tilemend {
 namespace {
 
@@ -23,6 +25,19 @@ Eigen::Vector3d HalfCotangents(const SpaceTriangle& t) {
     halves[k] = (cross * kMostCotangent > std::abs(dot) ? dot / cross : most) / 2;
   }
   return halves;
+}
+
+Eigen::Vector3d MixedAreas(const SpaceTriangle& t) {
+  const Eigen::Vector3d halves = HalfCotangents(t);
+  const double area = TwiceVectorArea(t).norm() / 2;
+  Eigen::Vector3d areas;
+  for (int k = 0; k < 3; ++k) {
+    const int a = (k + 1) % 3, b = (k + 2) % 3;
+    areas[k] = (halves[b] * (t[a] - t[k]).squaredNorm() + halves[a] * (t[b] - t[k]).squaredNorm()) / 4;
+  }
+  if (halves.minCoeff() >= 0) return areas;
+  for (int k = 0; k < 3; ++k) areas[k] = halves[k] < 0 ? area / 2 : area / 4;
+  return areas;
 }
 
 CotangentSystem::CotangentSystem(std::span<const Point3> points, std::span<const Triangle> triangles, int32_t rim)

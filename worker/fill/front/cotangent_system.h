@@ -14,6 +14,10 @@ namespace tilemend {
 // Half the cotangents of the three angles of a triangle, each kept between -100 and 100.
 Eigen::Vector3d HalfCotangents(const SpaceTriangle& t);
 
+// What of a triangle's area counts to each corner: Voronoi where it is acute, else half at the obtuse corner (Meyer
+// 2002).
+Eigen::Vector3d MixedAreas(const SpaceTriangle& t);
+
 // Of the points from `rim` on: sum over the neighbours of w_ij (f_j - f_i), with the weights of Xu 2014, eq. 3, halved;
 // f of the rim is given (Dirichlet).
 class CotangentSystem {

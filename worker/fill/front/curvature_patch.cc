@@ -17,6 +17,8 @@ using Eigen::Vector3d;
 
 // Opposite angles of less than this beyond a half turn together are no reason to turn an edge: rounding would do it.
 constexpr double kAngleSlack = 1e-6;
+// Angles around a vertex that miss a full turn by less, radians, miss it by rounding: it is flat.
+constexpr double kFlat_rad = 1e-9;
 constexpr int kTurnPasses = 12;
 
 struct Ring {
@@ -39,15 +41,6 @@ Ring Together(const RimSurface& surface, const CurvaturePatch& patch) {
 double AngleAt(const Point3& apex, const Point3& a, const Point3& b) {
   const Vector3d u = a - apex, v = b - apex;
   return std::atan2(u.cross(v).norm(), u.dot(v));
-}
-
-// The share of a triangle's area that counts to corner k: Voronoi where it is acute, else half at the obtuse corner.
-double MixedArea(const SpaceTriangle& t, int k) {
-  const Vector3d cotangents = HalfCotangents(t);
-  const double area = TwiceVectorArea(t).norm() / 2;
-  if (cotangents.minCoeff() < 0) return cotangents[k] < 0 ? area / 2 : area / 4;
-  const int a = (k + 1) % 3, b = (k + 2) % 3;
-  return (cotangents[b] * (t[a] - t[k]).squaredNorm() + cotangents[a] * (t[b] - t[k]).squaredNorm()) / 4;
 }
 
 void TurnEdges(int32_t rim, const std::function<bool(int32_t, int32_t)>& may_join, PatchMesh& mesh) {
@@ -120,13 +113,16 @@ std::vector<double> AbsoluteCurvatures(std::span<const Point3> points, std::span
   std::vector<double> missing(points.size(), 2 * std::numbers::pi), area(points.size(), 0);
   for (const Triangle& t : triangles) {
     const SpaceTriangle corners = {points[t[0]], points[t[1]], points[t[2]]};
+    const Vector3d areas = MixedAreas(corners);
     for (int k = 0; k < 3; ++k) {
       missing[t[k]] -= AngleAt(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
-      area[t[k]] += MixedArea(corners, k);
+      area[t[k]] += areas[k];
     }
   }
   std::vector<double> curvatures(count, 0);
-  for (size_t v = 0; v < count; ++v) curvatures[v] = area[v] > 0 ? std::abs(missing[v]) / area[v] : 0;
+  for (size_t v = 0; v < count; ++v) {
+    if (area[v] > 0 && std::abs(missing[v]) > kFlat_rad) curvatures[v] = std::abs(missing[v]) / area[v];
+  }
   return curvatures;
 }
 

@@ -85,7 +85,8 @@ class FrontFiller {
     const int32_t split = SplitLongEdges(options_.filling.long_edge * edge, rim_);
     Advance(PlainRule(options_.filling.steps));
     if (!front_.closed()) return Result();
-    const std::vector<LaplacianSample> samples = SampleRings(hole_.positions, surface, options_.filling.rings);
+    const std::vector<LaplacianSample> samples =
+        SampleRings(hole_.positions, surface, options_.filling.rings, options_.filling.scale);
     if (!ShapeByLaplacians(samples, options_.filling, edge, front_.triangles, hole_.size() + split, front_.points)) {
       return {FillFailure::kNoSolution};
     }

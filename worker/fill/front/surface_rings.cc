@@ -58,7 +58,7 @@ std::vector<int32_t> RingOf(const WeldedSurface& surface, int32_t rings) {
 }  // namespace
 
 std::vector<LaplacianSample> SampleRings(std::span<const Point3> rim, std::span<const SpaceTriangle> surface,
-                                         int32_t rings) {
+                                         int32_t rings, LaplacianScale scale) {
   const WeldedSurface welded = Weld(rim, surface);
   const std::vector<int32_t> ring = RingOf(welded, rings);
   std::vector<Eigen::Vector3d> sum(welded.points.size(), Eigen::Vector3d::Zero());
@@ -66,13 +66,18 @@ std::vector<LaplacianSample> SampleRings(std::span<const Point3> rim, std::span<
   // At a vertex that triangles surround, each neighbour ends one edge and begins another.
   std::vector<int64_t> open(welded.points.size(), 0);
   for (const Triangle& t : welded.triangles) {
-    const Eigen::Vector3d cotangents = HalfCotangents({welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]});
+    const SpaceTriangle corners = {welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]};
+    const Eigen::Vector3d cotangents = HalfCotangents(corners), areas = MixedAreas(corners);
     for (int k = 0; k < 3; ++k) {
       const int32_t a = t[(k + 1) % 3], b = t[(k + 2) % 3];
       sum[a] += cotangents[k] * (welded.points[b] - welded.points[a]);
       sum[b] += cotangents[k] * (welded.points[a] - welded.points[b]);
-      weight[a] += cotangents[k];
-      weight[b] += cotangents[k];
+      if (scale == LaplacianScale::kArea) {
+        weight[t[k]] += areas[k];
+      } else {
+        weight[a] += cotangents[k];
+        weight[b] += cotangents[k];
+      }
       open[t[k]] += a - b;
     }
   }

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "common/records/filler.h"
 
 namespace tilemend {
 
-// A vertex and its Laplacian: the weighted mean of its neighbours less itself (Xu 2014, eq. 1 to 3).
+// A vertex and its Laplacian: half the sum of eq. 3's weights times the edges to its neighbours (Xu 2014, eq. 1), over
+// the sum of these halved weights (eq. 2) or over its Voronoi area (eq. 4, but for the sign).
 struct LaplacianSample {
   Point3 at;
   Eigen::Vector3d laplacian;
@@ -21,9 +23,10 @@ struct LaplacianSample {
 // have no Laplacian), in the order of the surface's triangles, without any that the triangles do not surround.
 //   rim      places of its vertices, as the surface has them
 //   surface  triangles; equal places are one vertex
+//   scale    what the sum is divided by
 // O(surface log surface).
 std::vector<LaplacianSample> SampleRings(std::span<const Point3> rim, std::span<const SpaceTriangle> surface,
-                                         int32_t rings);
+                                         int32_t rings, LaplacianScale scale = LaplacianScale::kMean);
 
 }  // namespace tilemend
 

@@ -29,6 +29,8 @@ std::string TextOfFault(FillFailure failure) {
       return "its islands cannot be joined to the rest of its boundary";
     case FillFailure::kTooMuchWork:
       return "the advancing front needs more work than --filler-work allows";
+    case FillFailure::kGoesFar:
+      return "its patch goes further from its boundary than that is wide";
     case FillFailure::kFoldsBack:
       return "every patch that was tried folds back at its boundary; --allow-creases takes such patches, --weld closes "
              "cracks "
@@ -72,19 +74,9 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kTooLongForArea:
     case FillFailure::kTooLongForFront:
       return TextOfLength(failure, boundary_edges);
-    case FillFailure::kNoSolution:
-    case FillFailure::kFoldsBack:
-    case FillFailure::kTurnsOver:
-    case FillFailure::kFlatTriangle:
-    case FillFailure::kRepeatsTriangle:
-    case FillFailure::kOverfullEdge:
-    case FillFailure::kNotClosed:
-    case FillFailure::kFrontOpen:
-    case FillFailure::kNoBridge:
-    case FillFailure::kTooMuchWork:
+    default:
       return TextOfFault(failure);
   }
-  return "";
 }
 
 }  // namespace tilemend

@@ -29,6 +29,7 @@ enum class FillFailure {
   kFoldsBack,
   kTooLongForFront,
   kTooMuchWork,
+  kGoesFar,
 };
 
 // For people.
