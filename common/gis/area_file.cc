@@ -99,13 +99,26 @@ absl::StatusOr<VectorFile> Read(const std::string& bytes, const std::string& nam
   return file;
 }
 
+ptrdiff_t PointsInside(const std::vector<Point2>& line, const WaterArea& area) {
+  return std::count_if(line.begin(), line.end(), [&](const Point2& p) { return Contains(area.polygon, p); });
+}
+
+// Takes a centreline away that is not of this water: coordinates in a property stay as they are where a program
+// transforms a layer to another CRS.
+void DropStrayCentreline(const std::string& name, WaterArea& area, WaterFile& file) {
+  if (area.centreline.empty() || 2 * PointsInside(area.centreline, area) > std::ssize(area.centreline)) return;
+  area.centreline.clear();
+  file.warnings.push_back(absl::StrCat(name, ": ", area.label,
+                                       ": its property centreline lies outside its polygon, so it has no effect; "
+                                       "it has to be in the coordinates of the file"));
+}
+
 // Gives a line to the area of water that most of its points are in.
 absl::Status GiveCentreline(VectorFeature line, const std::string& name, WaterFile& file) {
   WaterArea* best = nullptr;
   ptrdiff_t most = 0;
   for (WaterArea& area : file.areas) {
-    const auto inside = std::count_if(line.line.begin(), line.line.end(),
-                                      [&](const Point2& p) { return area.water && Contains(area.polygon, p); });
+    const ptrdiff_t inside = area.water ? PointsInside(line.line, area) : 0;
     if (inside <= most) continue;
     most = inside;
     best = &area;
@@ -172,7 +185,9 @@ absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::st
     if (f.polygon.empty()) continue;
     file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label});
     f.line.clear();
+    DropStrayCentreline(name, file.areas.back(), file);
   }
+  if (read.features.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no polygon, so it has no effect"));
   for (VectorFeature& f : read.features) {
     if (!f.line.empty()) TILEMEND_RETURN_IF_ERROR(GiveCentreline(std::move(f), name, file));
   }

@@ -193,8 +193,7 @@ absl::StatusOr<std::vector<PlacedTile>> ReadBounds(const Findings& findings, con
 std::string GridWarning(const Scene& scene) {
   const Grid& grid = scene.grid;
   return absl::StrFormat(
-      "%s: no scene.json; from the names and bounds of %d tiles: cell size %.10g x %.10g, grid corner %.10g, %.10g; "
-      "the area is not known, so holes that reach the rim of these cells are left",
+      "%s: no scene.json; from the names and bounds of %d tiles: cell size %.10g x %.10g, grid corner %.10g, %.10g",
       scene.root, scene.tiles.size(), grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(), grid.corner.y());
 }
 

@@ -12,6 +12,10 @@
 namespace tilemend {
 namespace {
 
+constexpr char kUnknownArea[] =
+    "the area is not known, so holes that reach the rim of these cells are left; --area FILE says what it is "
+    "(tilemend inspect --propose-area FILE draws a first one)";
+
 absl::Status Cover(PlanePolygon area, const std::string& name, Scene& scene) {
   const absl::Status status = CoverArea(std::move(area), scene);
   return status.ok() ? status : absl::Status(status.code(), absl::StrCat(name, ": ", std::string(status.message())));
@@ -32,6 +36,7 @@ absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& sce
   const std::string path = value.empty() ? scene.area_file : value;
   if (path.empty()) {
     if (!scene.area.empty()) TILEMEND_RETURN_IF_ERROR(Cover(scene.area, scene.root + "/scene.json: area", scene));
+    if (scene.found_by_name && !scene.area_known) scene.warnings.push_back(kUnknownArea);
     return std::string();
   }
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadAreaFile(path));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_split.h"
+#include "common/records/water_surface.h"
 #include "coordinator/report/ring_chains.h"
 
 namespace tilemend {
@@ -31,6 +33,9 @@ std::string CrsName(const std::string& crs) {
   return absl::StrFormat("+proj=ortho +lat_0=%.12f +lon_0=%.12f +datum=WGS84 +units=m +no_defs", latitude, longitude);
 }
 
+// In metres, in the scene's frame; none: without heights.
+using HeightAt = std::function<double(const Point2&)>;
+
 // Collects the features of one file.
 class Features {
  public:
@@ -39,23 +44,26 @@ class Features {
     text_ = absl::StrCat("{\"type\": \"FeatureCollection\",\n\"crs\": ", Dump(crs), ",\n\"features\": [");
   }
 
-  // `segments` as polygons; nothing if they bound none.
-  void AddPolygons(const Plan& plan, const std::vector<RimSegment>& segments, const Json& properties) {
+  // `segments` as polygons, with heights if given; as lines if they bound none.
+  void AddPolygons(const Plan& plan, const std::vector<RimSegment>& segments, const Json& properties,
+                   const HeightAt& height = nullptr) {
     std::vector<std::vector<Point2>> rings;
     for (const std::vector<int32_t>& ring : RingsOf(segments)) {
       std::vector<Point2>& points = rings.emplace_back();
       for (const int32_t v : ring) points.push_back(plan.vertices[v].position.head<2>());
     }
-    AddRings(rings, properties);
+    if (rings.empty()) return AddSegments(plan, segments, properties);
+    AddRings(rings, properties, height);
   }
 
-  void AddRings(const std::vector<std::vector<Point2>>& rings, const Json& properties) {
+  void AddRings(const std::vector<std::vector<Point2>>& rings, const Json& properties,
+                const HeightAt& height = nullptr) {
     if (rings.empty()) return;
     std::string polygons;
     const std::vector<RingPolygon> found = PolygonsOf(rings);
     for (const RingPolygon& polygon : found) {
-      absl::StrAppend(&polygons, polygons.empty() ? "" : ", ", "[", Ring(rings[polygon.outline]));
-      for (const int32_t island : polygon.islands) absl::StrAppend(&polygons, ", ", Ring(rings[island]));
+      absl::StrAppend(&polygons, polygons.empty() ? "" : ", ", "[", Ring(rings[polygon.outline], height));
+      for (const int32_t island : polygon.islands) absl::StrAppend(&polygons, ", ", Ring(rings[island], height));
       polygons += "]";
     }
     const bool single = found.size() == 1;
@@ -74,13 +82,29 @@ class Features {
   std::string Text() && { return absl::StrCat(text_, "\n]}\n"); }
 
  private:
-  std::string Ring(const std::vector<Point2>& ring) const {
+  std::string Place(const Point2& p) const {
+    return absl::StrFormat("%.3f, %.3f", p.x() + origin_.x(), p.y() + origin_.y());
+  }
+
+  std::string Ring(const std::vector<Point2>& ring, const HeightAt& height) const {
     std::string text = "[";
     for (size_t i = 0; i <= ring.size(); ++i) {
-      const Point2 p = ring[i % ring.size()] + origin_.head<2>();
-      absl::StrAppendFormat(&text, "%s[%.3f, %.3f]", i == 0 ? "" : ", ", p.x(), p.y());
+      const Point2& p = ring[i % ring.size()];
+      absl::StrAppend(&text, i == 0 ? "[" : ", [", Place(p));
+      if (height) absl::StrAppendFormat(&text, ", %.3f", height(p) + origin_.z());
+      text += "]";
     }
     return text + "]";
+  }
+
+  // Of a hole that is not closed: where its rim is.
+  void AddSegments(const Plan& plan, const std::vector<RimSegment>& segments, const Json& properties) {
+    std::string lines;
+    for (const RimSegment& s : segments) {
+      absl::StrAppend(&lines, lines.empty() ? "[[" : ", [[", Place(plan.vertices[s.from].position.head<2>()), "], [",
+                      Place(plan.vertices[s.to].position.head<2>()), "]]");
+    }
+    if (!segments.empty()) Add("MultiLineString", absl::StrCat("[", lines, "]"), properties);
   }
 
   void Add(const char* type, const std::string& coordinates, const Json& properties) {
@@ -166,7 +190,9 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
     const Json highest = stations.empty() ? level : Json(Millimetres(stations.front().z() + scene.origin.z()));
     Json row = {{"kind", "shore"},      {"body", w},         {"level_m", stations.empty() ? level : Json()},
                 {"highest_m", highest}, {"lowest_m", level}, {"area_m2", Millimetres(area)}};
-    features.AddPolygons(plan, segments, row);
+    features.AddPolygons(plan, segments, row, [&](const Point2& p) {
+      return stations.empty() ? plan.water[w].level : LevelAt(plan.water[w].river, p, plan.lattice_step);
+    });
     if (stations.empty()) continue;
     row["kind"] = "centreline";
     features.AddLine(stations, row);

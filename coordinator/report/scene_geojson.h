@@ -12,11 +12,12 @@ namespace tilemend {
 // Both: GeoJSON in the scene's CRS (scene coordinates plus the origin, millimetres), named by the member `crs` that
 // GDAL and QGIS honour. Without a CRS the member says that there is none. Features are in the order of the plan.
 
-// Every hole: Polygons, or MultiPolygons, with islands. docs/user-guide.md, "Files for a GIS", has the properties.
+// Every hole: Polygons, or MultiPolygons, with islands; MultiLineStrings of the rim of those that are not closed, as
+// where a tile is missing. docs/user-guide.md, "Files for a GIS", has the properties.
 std::string HolesGeoJson(const SceneReportInput& input, const Scene& scene);
 
-// The waters that were levelled: of each its shore, as a polygon, with its level; of rivers the centreline as well,
-// with the level at each station as its height. ParseWaterFile reads it.
+// The waters that were levelled: of each its shore, as a polygon; of rivers the centreline as well. Every point has the
+// level there as its height. ParseWaterFile reads it.
 std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene);
 
 // An area of the scene, with what is inside on the left of its rings. ParseAreaFile reads it.

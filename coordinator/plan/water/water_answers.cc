@@ -14,6 +14,7 @@ namespace {
 constexpr double kDecides = 0.5;  // share of a body
 // Metres, and times the spread of its heights: a given level farther from the shore's own may be a mistake.
 constexpr double kLevelOff = 1, kSpreads = 3;
+constexpr double kCovers = 0.9;  // share of what is made water by it that lies under an area
 
 // Holes that are one body if they are water: a cluster, or a closed hole.
 struct Body {
@@ -79,13 +80,15 @@ class Answers {
       WaterAnswer answer;
       answer.label = areas_[a].label;
       answer.water = areas_[a].water;
-      double most = -1;  // m2
+      double most = -1, taken = 0, under = 0;  // m2
       for (const auto& [b, share] : shares_[a]) {
         std::string reason = WhyNot(static_cast<int32_t>(a), bodies_[b], share);
+        const double covered = share * AreaOf(bodies_[b]);
         if (reason.empty()) {
           answer.holes.insert(answer.holes.end(), bodies_[b].holes.begin(), bodies_[b].holes.end());
+          taken += AreaOf(bodies_[b]);
+          under += covered;
         }
-        const double covered = share * AreaOf(bodies_[b]);
         if (covered <= most) continue;
         answer.reason = std::move(reason);
         most = covered;
@@ -93,6 +96,7 @@ class Answers {
       answer.taken = !answer.holes.empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
       if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(answer);
+      if (answer.water && under < kCovers * taken) AddDoubt(DoubtOfExtent(taken, under), answer);
       plan_.water_answers.push_back(std::move(answer));
     }
   }
@@ -104,6 +108,16 @@ class Answers {
     return area;
   }
 
+  static void AddDoubt(const std::string& more, WaterAnswer& answer) {
+    answer.doubt += (answer.doubt.empty() ? "" : "; ") + more;
+  }
+
+  // A hole is water as a whole: it may reach from a lake over a tile that is missing into a river.
+  static std::string DoubtOfExtent(double taken, double under) {
+    return "it makes " + Number(taken) + " m2 water, and " + Number(taken - under) +
+           " m2 of that lie outside it, as the hole goes on there";
+  }
+
   std::string DoubtOfLevel(const WaterAnswer& answer) const {
     std::string doubt;
     double most = 0;
@@ -113,8 +127,7 @@ class Answers {
       const double off = body.level - body.shore_level;
       if (std::abs(off) <= std::max(kLevelOff + kSpreads * body.spread, most)) continue;
       most = std::abs(off);
-      doubt = "its level_m puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") +
-              " its shore, which lies at " + Decimals(body.shore_level);
+      doubt = "its level_m puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") + " its shore";
     }
     return doubt;
   }

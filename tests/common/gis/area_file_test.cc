@@ -108,6 +108,21 @@ TEST(ParseWaterFileTest, ALineInNoWaterIsAWarning) {
   EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0: a line that lies in no polygon")));
 }
 
+TEST(ParseWaterFileTest, AStrayCentrelineIsAWarning) {
+  const std::string square = PolygonText(SquareAt(0, 0, 10));
+  const auto file = ParseWaterFile(FeatureText(square, R"({"centreline":[[1001,1],[1002,2]]})"), "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  ASSERT_THAT(file->areas, SizeIs(1));
+  EXPECT_THAT(file->areas[0].centreline, IsEmpty());
+  EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0: its property centreline lies outside its polygon")));
+}
+
+TEST(ParseWaterFileTest, AFileWithoutFeaturesIsAWarning) {
+  const auto file = ParseWaterFile(CollectionText({}), "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->warnings, ElementsAre("f: holds no polygon, so it has no effect"));
+}
+
 TEST(ParseWaterFileTest, TwoCentrelinesOfOneWaterAreAnError) {
   const std::string line = LineText({{1, 5}, {5, 5}}), square = PolygonText(SquareAt(0, 0, 10));
   for (const std::string& text :

@@ -46,6 +46,20 @@ TEST(AreaChoiceTest, AFileIsTheAreaAndCountsByItsContent) {
   }
 }
 
+TEST(AreaChoiceTest, SaysThatTheAreaIsNotKnownWhereItIsNot) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("area.geojson", kHalf);
+  for (const bool given : {false, true}) {
+    Scene scene = OneCell();
+    scene.found_by_name = true;
+    ASSERT_TRUE(ApplyAreaChoice(given ? path : "", scene).ok());
+    EXPECT_EQ(scene.warnings.size(), given ? 0U : 1U);
+    if (!given) {
+      EXPECT_THAT(scene.warnings[0], HasSubstr("the area is not known"));
+    }
+  }
+}
+
 TEST(AreaChoiceTest, AnAreaInTheSceneAddsItsCells) {
   Scene scene = OneCell();
   scene.area = {{{{0, 0}, {150, 0}, {150, 100}, {0, 100}}}};

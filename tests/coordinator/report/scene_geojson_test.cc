@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -33,6 +34,7 @@ class SceneGeoJsonTest : public ::testing::Test {
     AddHole({1, 0}, HoleKind::kOpenII, {{1, 4}, {4, 5}, {5, 2}, {2, 1, true}}).water = 0;
     AddHole({0, 0}, HoleKind::kClosed, {{10, 11}, {11, 12}, {12, 13}, {13, 10}});
     plan_.water = {{{0, 1}, 12.5, {}, {}}};
+    plan_.lattice_step = 0x1p-10;
     input_.plan = &plan_;
     input_.outcome.sizes = {{0, {11, 22, FillWay::kWater}}, {1, {33, 44, FillWay::kWater}}};
     input_.outcome.failures = {{2, "no \"way\" was found"}};
@@ -101,6 +103,7 @@ TEST_F(SceneGeoJsonTest, ALakeOverTwoCellsHasOneShore) {
   const std::unique_ptr<OGRFeature> lake(layer->GetNextFeature());
   EXPECT_NEAR(lake->GetGeometryRef()->toPolygon()->get_Area(), 80 * 80 - 100, 1e-6);
   EXPECT_EQ(lake->GetFieldAsDouble("level_m"), 412.5);
+  EXPECT_EQ(lake->GetGeometryRef()->toPolygon()->getExteriorRing()->getZ(0), 412.5);
   const auto again = ParseWaterFile(text, "breaklines.geojson", FrameOf(scene_));
   ASSERT_TRUE(again.ok()) << again.status();
   ASSERT_THAT(again->areas, SizeIs(1));
@@ -120,6 +123,10 @@ TEST_F(SceneGeoJsonTest, ARiverHasACentrelineThatFalls) {
   EXPECT_FALSE(shore->IsFieldSetAndNotNull(shore->GetFieldIndex("level_m")));
   EXPECT_EQ(shore->GetFieldAsDouble("highest_m"), 413.5);
   EXPECT_EQ(shore->GetFieldAsDouble("lowest_m"), 412.5);
+  for (const OGRPoint& p : *shore->GetGeometryRef()->toPolygon()->getExteriorRing()) {
+    const double along = std::clamp((p.getX() - 600065) / 70, 0.0, 1.0);
+    EXPECT_NEAR(p.getZ(), 413.5 - along, 2e-3) << p.getX();
+  }
   const OGRLineString& stations = *line->GetGeometryRef()->toLineString();
   EXPECT_EQ(stations.getX(0), 600065);
   EXPECT_EQ(stations.getZ(0), 413.5);
@@ -128,6 +135,14 @@ TEST_F(SceneGeoJsonTest, ARiverHasACentrelineThatFalls) {
   ASSERT_TRUE(again.ok()) << again.status();
   ASSERT_THAT(again->areas, SizeIs(1));
   EXPECT_THAT(again->areas[0].centreline, SizeIs(2));
+}
+
+TEST_F(SceneGeoJsonTest, AHoleThatIsNotClosedIsItsRim) {
+  plan_.holes[1].segments = {{1, 4}, {4, 5}};
+  const auto data = Read(HolesGeoJson(input_, scene_));
+  ASSERT_EQ(data->GetLayer(0)->GetFeatureCount(), 3);
+  const std::unique_ptr<OGRFeature> hole(data->GetLayer(0)->GetFeature(1));
+  EXPECT_NEAR(hole->GetGeometryRef()->toMultiLineString()->get_Length(), 40 + 80, 1e-6);
 }
 
 TEST_F(SceneGeoJsonTest, SaysHowMuchOfTheRimIsOnObjects) {

@@ -94,6 +94,18 @@ TEST_F(WaterAnswersTest, ASmallHoleDoesNotHideALargeOneThatIsNotTaken) {
   EXPECT_THAT(answers[0].reason, HasSubstr("covers 40 % of the hole"));
 }
 
+TEST_F(WaterAnswersTest, DoubtsWaterThatReachesFarBeyondTheArea) {
+  for (const double width : {6.0, 9.5}) {
+    plan_ = {};
+    PlannedHole& lake = AddHole(HoleKind::kOpenI, Box(0, 0, 10, 10), 0);
+    lake.water = 0;
+    lake.area = 100;
+    const std::string doubt = Answer({{true, {{Box(0, 0, width, 10)}}}})[0].doubt;
+    EXPECT_EQ(doubt,
+              width > 9 ? "" : "it makes 100 m2 water, and 40 m2 of that lie outside it, as the hole goes on there");
+  }
+}
+
 TEST_F(WaterAnswersTest, TheLastAreaOverAHoleDecides) {
   AddHole(HoleKind::kOpenI, Box(0, 0, 10, 10), 0).water = 0;
   const auto& answers =
@@ -104,10 +116,8 @@ TEST_F(WaterAnswersTest, TheLastAreaOverAHoleDecides) {
 }
 
 TEST_F(WaterAnswersTest, DoubtsALevelFarFromTheShore) {
-  for (const auto& [level, word] : {std::pair(2.5, ""),
-                                    {12.0, "9.5 m above its shore, which lies at 2.5"},
-                                    {-3.0, "5.5 m below its shore"},
-                                    {3.0, ""}}) {
+  for (const auto& [level, word] :
+       {std::pair(2.5, ""), {12.0, "9.5 m above its shore"}, {-3.0, "5.5 m below its shore"}, {3.0, ""}}) {
     plan_ = {};
     AddHole(HoleKind::kClosed, Box(0, 0, 10, 10)).water = 0;
     plan_.water.emplace_back();
