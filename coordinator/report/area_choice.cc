@@ -36,7 +36,7 @@ absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& sce
   const std::string path = value.empty() ? scene.area_file : value;
   if (path.empty()) {
     if (!scene.area.empty()) TILEMEND_RETURN_IF_ERROR(Cover(scene.area, scene.root + "/scene.json: area", scene));
-    if (scene.found_by_name && !scene.area_known) scene.warnings.push_back(kUnknownArea);
+    if (scene.found_by_name && !scene.area_known) scene.warnings.emplace_back(kUnknownArea);
     return std::string();
   }
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadAreaFile(path));

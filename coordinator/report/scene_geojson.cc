@@ -50,7 +50,7 @@ class Features {
     std::vector<std::vector<Point2>> rings;
     for (const std::vector<int32_t>& ring : RingsOf(segments)) {
       std::vector<Point2>& points = rings.emplace_back();
-      for (const int32_t v : ring) points.push_back(plan.vertices[v].position.head<2>());
+      for (const int32_t v : ring) points.emplace_back(plan.vertices[v].position.head<2>());
     }
     if (rings.empty()) return AddSegments(plan, segments, properties);
     AddRings(rings, properties, height);
