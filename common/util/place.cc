@@ -35,7 +35,11 @@ absl::Status ErrnoStatus(int error, std::string_view what, const std::string& pa
     case EMFILE:
     case ENFILE:
     case ENOMEM:
+    case EFBIG:  // a limit of file sizes (ulimit -f), or of the file system
       return absl::ResourceExhaustedError(text);
+    case EIO:
+    case ESTALE:  // the disk's or the mount's failure: it may be another one's turn, or work later
+      return absl::UnavailableError(text);
     default:
       return absl::InternalError(text);
   }

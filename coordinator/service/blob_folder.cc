@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -19,19 +18,11 @@
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
 #include "common/util/failpoint.h"
+#include "common/util/place.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
-
-absl::Status FileError(int error, const std::string& what, const std::string& path) {
-  const std::string text = absl::StrCat(path, ": ", what, ": ", std::strerror(error));
-  if (error == ENOSPC || error == EDQUOT || error == EMFILE || error == ENFILE)
-    return absl::ResourceExhaustedError(text);
-  if (error == ENOENT) return absl::NotFoundError(text);
-  if (error == EIO) return absl::UnavailableError(text);  // the machine's failure, not the task's
-  return absl::InternalError(text);
-}
 
 absl::Status BlobNotFound(const std::string& digest) {
   return WithErrorInfo(absl::NotFoundError(absl::StrCat("blob ", digest, ": the job has none of that name")),
@@ -69,7 +60,7 @@ absl::Status BlobFolder::Writer::Append(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return FileError(errno, "cannot write", path_);
+    if (n < 0) return ErrnoStatus(errno, "cannot write", path_);
     bytes.remove_prefix(static_cast<size_t>(n));
   }
   return absl::OkStatus();
@@ -83,11 +74,11 @@ absl::StatusOr<int64_t> BlobFolder::Writer::Commit(const std::string& expected) 
         {"BLOB_CORRUPT", {{"digest", expected}}});
   }
   if (sync_ == Sync::kYes) {
-    if (FailPoint("blob.sync")) return FileError(EIO, "cannot sync (injected)", path_);
-    if (::fsync(fd_) != 0) return FileError(errno, "cannot sync", path_);
+    if (FailPoint("blob.sync")) return ErrnoStatus(EIO, "cannot sync (injected)", path_);
+    if (::fsync(fd_) != 0) return ErrnoStatus(errno, "cannot sync", path_);
   }
   const int closed = ::close(std::exchange(fd_, -1));
-  if (closed != 0) return FileError(errno, "cannot close", path_);
+  if (closed != 0) return ErrnoStatus(errno, "cannot close", path_);
   TILEMEND_RETURN_IF_ERROR(folder_.MoveIntoPlace(path_, digest, sync_));
   path_.clear();
   return size_;
@@ -96,7 +87,7 @@ absl::StatusOr<int64_t> BlobFolder::Writer::Commit(const std::string& expected) 
 absl::StatusOr<std::shared_ptr<BlobFolder>> BlobFolder::Create(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) return FileError(error.value(), "cannot create folder", path);
+  if (error) return ErrnoStatus(error.value(), "cannot create folder", path);
   return std::make_shared<BlobFolder>(path);
 }
 
@@ -112,15 +103,14 @@ absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync) {
 absl::StatusOr<std::string> BlobFolder::Hold(std::string bytes) {
   std::string digest = Sha256Hex(bytes);
   if (HoldAgain(digest)) return digest;
-  if (!TakeMemory(bytes.size())) return Put(bytes);
   const size_t size = bytes.size();
+  const bool in_memory = TakeMemory(size);
+  if (!in_memory) TILEMEND_RETURN_IF_ERROR(Put(bytes).status());
   std::lock_guard<std::mutex> lock(mutex_);
   HeldBlob& blob = held_[digest];
-  if (blob.times++ == 0) {
-    blob.bytes = std::make_shared<const std::string>(std::move(bytes));
-  } else {
-    HeldInAll().fetch_sub(size);  // another thread was quicker
-  }
+  const bool is_first = blob.times++ == 0;
+  if (is_first && in_memory) blob.bytes = std::make_shared<const std::string>(std::move(bytes));
+  if (!is_first && in_memory) HeldInAll().fetch_sub(size);  // another thread was quicker
   return digest;
 }
 
@@ -135,13 +125,13 @@ void BlobFolder::LetGo(const std::string& digest) {
   std::lock_guard<std::mutex> lock(mutex_);
   const auto held = held_.find(digest);
   if (held == held_.end() || --held->second.times > 0) return;
-  HeldInAll().fetch_sub(held->second.bytes->size());
+  HeldInAll().fetch_sub(held->second.MemoryBytes());
   held_.erase(held);
 }
 
 void BlobFolder::LetGoOfAll() {
   std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& [digest, held] : held_) HeldInAll().fetch_sub(held.bytes->size());
+  for (const auto& [digest, held] : held_) HeldInAll().fetch_sub(held.MemoryBytes());
   held_.clear();
 }
 
@@ -156,7 +146,7 @@ absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter(Sync s
   // Of a name that is free: a coordinator that was stopped and wakes may write here until it finds itself replaced.
   std::string path = absl::StrCat(path_, "/part-XXXXXX");
   const int fd = ::mkostemp(path.data(), O_CLOEXEC);
-  if (fd < 0) return FileError(errno, "cannot create", path);
+  if (fd < 0) return ErrnoStatus(errno, "cannot create", path);
   return std::unique_ptr<Writer>(new Writer(*this, sync, std::move(path), fd));
 }
 
@@ -170,8 +160,9 @@ absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::
   const std::string parent = absl::StrCat(path_, "/", digest.substr(0, 2));
   if (::rename(temporary.c_str(), path.c_str()) != 0) {
     // Not create_directories: it would bring a removed folder back.
-    if (::mkdir(parent.c_str(), 0700) != 0 && errno != EEXIST) return FileError(errno, "cannot create folder", parent);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) return FileError(errno, "cannot rename into place", path);
+    if (::mkdir(parent.c_str(), 0700) != 0 && errno != EEXIST)
+      return ErrnoStatus(errno, "cannot create folder", parent);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) return ErrnoStatus(errno, "cannot rename into place", path);
   }
   if (sync == Sync::kNo) return absl::OkStatus();
   FailPoint("blob.renamed");
@@ -212,13 +203,13 @@ absl::Status BlobFolder::ReadChunks(const std::string& digest,
   TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
   TILEMEND_ASSIGN_OR_RETURN(const int64_t size, Size(digest));
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd < 0) return errno == ENOENT ? BlobNotFound(digest) : FileError(errno, "cannot open", path);
+  if (fd < 0) return errno == ENOENT ? BlobNotFound(digest) : ErrnoStatus(errno, "cannot open", path);
   const auto close = absl::MakeCleanup([fd] { ::close(fd); });
   std::string buffer(std::min<size_t>(static_cast<size_t>(size), kMaxChunkBytes), '\0');
   while (!buffer.empty()) {
     const ssize_t n = ::read(fd, buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return FileError(errno, "cannot read", path);
+    if (n < 0) return ErrnoStatus(errno, "cannot read", path);
     if (n == 0 || !take(std::string_view(buffer.data(), static_cast<size_t>(n)))) break;
   }
   return absl::OkStatus();
@@ -226,7 +217,7 @@ absl::Status BlobFolder::ReadChunks(const std::string& digest,
 
 absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
   std::string beside = absl::StrCat(path_, ".XXXXXX");
-  if (::mkdtemp(beside.data()) == nullptr) return FileError(errno, "cannot create", beside);
+  if (::mkdtemp(beside.data()) == nullptr) return ErrnoStatus(errno, "cannot create", beside);
   const bool changed = LinkInto(BlobFolder(beside), digests) &&
                        ::renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0;
   if (changed) return SyncFolder(std::filesystem::path(path_).parent_path().string());
@@ -257,7 +248,7 @@ absl::Status BlobFolder::RemoveOthers(const std::set<std::string>& digests) {
     if (!digests.contains(digest)) others.push_back(at->path());
   }
   for (const fs::path& other : others) fs::remove(other, error);
-  return error ? FileError(error.value(), "cannot look through it", path_) : absl::OkStatus();
+  return error ? ErrnoStatus(error.value(), "cannot look through it", path_) : absl::OkStatus();
 }
 
 void BlobFolder::Remove(const std::function<bool()>& stop) {

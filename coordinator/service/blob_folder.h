@@ -60,7 +60,7 @@ class BlobFolder {
   // may not be on the disk).
   absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo);
   // As Put, but for as long as LetGo was not called as often: in memory, unless all folders of the process hold
-  // kMostHeldBytes there with it.
+  // kMostHeldBytes there with it. The first call decides where, until the last has let go.
   absl::StatusOr<std::string> Hold(std::string bytes);
   void LetGo(const std::string& digest);
   absl::StatusOr<std::unique_ptr<Writer>> NewWriter(Sync sync = Sync::kNo);
@@ -83,7 +83,8 @@ class BlobFolder {
 
  private:
   struct HeldBlob {
-    std::shared_ptr<const std::string> bytes;
+    size_t MemoryBytes() const { return bytes == nullptr ? 0 : bytes->size(); }
+    std::shared_ptr<const std::string> bytes;  // null: in a file
     int times = 0;
   };
 

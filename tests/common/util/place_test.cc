@@ -42,6 +42,9 @@ TEST(ErrnoStatusTest, NamesThePathAndTellsReadingFromWriting) {
   const absl::Status full = WriteErrnoStatus(ENOSPC, "cannot write", "f");
   EXPECT_TRUE(absl::IsResourceExhausted(full));
   EXPECT_THAT(std::string(full.message()), EndsWith("; make room there"));
+  EXPECT_TRUE(absl::IsResourceExhausted(WriteErrnoStatus(EFBIG, "cannot write", "f"))) << "a limit, as a full disk";
+  EXPECT_TRUE(absl::IsUnavailable(ErrnoStatus(EIO, "cannot read", "f"))) << "the machine's failure, not the file's";
+  EXPECT_TRUE(absl::IsUnavailable(ErrnoStatus(ESTALE, "cannot read", "f"))) << "the mount's";
   EXPECT_THAT(std::string(ErrnoStatus(EIO, "cannot read", "f").message()), StartsWith("f: cannot read: "));
 }
 

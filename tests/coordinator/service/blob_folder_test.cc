@@ -85,6 +85,18 @@ TEST_F(BlobFolderTest, HoldsNoMoreInMemoryThanAllFoldersMay) {
   EXPECT_EQ(FilesIn(folder_ / "blobs"), 1) << "what a folder held is free when that goes";
 }
 
+TEST_F(BlobFolderTest, IsHeldInOnePlaceWhoeverHoldsIt) {
+  const auto other = *BlobFolder::Create(folder_ / "other");
+  ASSERT_TRUE(other->Hold(std::string(kMostHeldBytes, 'a')).ok());
+  const std::string digest = *blobs_->Hold("in a file");
+  other->Remove();
+  ASSERT_EQ(*blobs_->Hold("in a file"), digest) << "there is memory now";
+  EXPECT_TRUE(blobs_->Hold(std::string(kMostHeldBytes, 'b')).ok());
+  EXPECT_EQ(FilesIn(folder_ / "blobs"), 1) << "the second time it took no memory";
+  blobs_->LetGo(digest);
+  EXPECT_EQ(*blobs_->Read(digest), "in a file");
+}
+
 TEST_F(BlobFolderTest, ReadsInChunksOfAtMostOneMiB) {
   const std::string digest = *blobs_->Put(std::string(5'000'000, 'x'));
   size_t total = 0;
