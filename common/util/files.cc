@@ -268,8 +268,8 @@ absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::strin
 absl::Status MoveFile(const std::string& from, const std::string& to) {
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));
   const Place source(from), target(to);
-  if (!source.ok() || !target.ok())
-    return WriteErrnoStatus(source.ok() ? target.error : source.error, "cannot open", to);
+  if (!source.ok()) return ErrnoStatus(source.error, "cannot open", from);
+  if (!target.ok()) return WriteErrnoStatus(target.error, "cannot open", to);
   if (Rename(source, target) != 0) {
     if (errno == EXDEV) {
       TILEMEND_RETURN_IF_ERROR(CarryFile(from, to, Carry::kCopy));

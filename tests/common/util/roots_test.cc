@@ -186,6 +186,7 @@ TEST_F(RootsTest, WritesBelow) {
   EXPECT_EQ(fs::hard_link_count(folder_ / "second/z/link"), 2U);
   ASSERT_TRUE(MoveFile(folder_ / "second/x/y/file", folder_ / "root/moved").ok());
   EXPECT_EQ(ReadFile(folder_ / "root/moved").value(), "new");
+  EXPECT_TRUE(absl::IsNotFound(MoveFile(folder_ / "second/none/file", folder_ / "root/moved"))) << "with its folder";
   EXPECT_TRUE(SyncFolder(folder_ / "root").ok());
 }
 
