@@ -88,7 +88,7 @@ void ProgressDisplay::ShowLines(const v1::Job& job) {
 
 void ProgressDisplay::ShowBar(const v1::Job& job) {
   const v1::Progress& p = job.progress();
-  share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.tasks(), p.tasks_done()));
+  share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.cells_done(), p.tasks(), p.tasks_done()));
   DrawBar(share_,
           absl::StrCat(Printable(p.phase()), ", ", Share(p.tasks_done(), p.tasks()), " tasks, ",
                        Share(p.cells_done(), p.cells()), " cells",

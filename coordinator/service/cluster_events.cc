@@ -24,14 +24,18 @@ double Rounded(double seconds) { return std::round(seconds * 1000) / 1000; }
 
 double ShareDone(const Job& job) {
   if (job.state == JobState::kDone || job.state == JobState::kPartial) return 1;
-  return ShareDone(job.progress.phase, job.progress.cells, job.counts.added, job.counts.settled());
+  const Progress& p = job.progress;
+  return ShareDone(p.phase, p.cells, p.cells_done, job.counts.added, job.counts.settled());
 }
 
-double ShareDone(std::string_view phase, int64_t cells, int64_t tasks, int64_t tasks_done) {
+double ShareDone(std::string_view phase, int64_t cells, int64_t cells_done, int64_t tasks, int64_t tasks_done) {
   if (cells == 0) return 0;
+  const int64_t out = tasks - tasks_done;
+  const bool are_held_back = out > kMostTasksOut / 2;
   int64_t to_come = cells;
-  if (phase == "survey" || phase == "plan") to_come = 2 * cells;
-  if (phase == "assemble") to_come = 0;
+  if (phase == "survey" || phase == "plan")
+    to_come = 2 * cells + (are_held_back ? std::max<int64_t>(0, cells - tasks) : 0);
+  if (phase == "assemble") to_come = are_held_back ? std::max<int64_t>(0, cells - cells_done - out) : 0;
   return std::min(1.0, static_cast<double>(tasks_done) / static_cast<double>(std::max<int64_t>(1, tasks + to_come)));
 }
 

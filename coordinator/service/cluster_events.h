@@ -21,8 +21,8 @@ namespace tilemend {
 // The share of a job that is done, 0 to 1. While not all of its tasks are known, a guess that may fall.
 double ShareDone(const Job& job);
 // Of a job that runs, by its phase (scene_waves.h): before its plan each cell is thought to be filled and assembled,
-// then to be assembled, until it assembles.
-double ShareDone(std::string_view phase, int64_t cells, int64_t tasks, int64_t tasks_done);
+// then to be assembled, until it assembles. Tasks that are held back (kMostTasksOut) count.
+double ShareDone(std::string_view phase, int64_t cells, int64_t cells_done, int64_t tasks, int64_t tasks_done);
 
 // Not thread-safe but for the log and the metrics themselves: call it under the coordinator's lock.
 class ClusterEvents {

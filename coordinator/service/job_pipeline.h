@@ -78,6 +78,10 @@ struct TaskResult {
   absl::StatusOr<std::string> output;
 };
 
+// A pipeline of very many tasks holds others back while so many are out and not done: each takes a record in the
+// coordinator's memory, and mostly a file, and more than all workers can run is of no use.
+inline constexpr int64_t kMostTasksOut = 8192;
+
 // Who asked for a job, and its name in all logs (JobSpec says what).
 struct JobOrigin {
   std::string owner;  // "" where nobody has a name

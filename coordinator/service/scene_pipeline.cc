@@ -77,6 +77,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+    --tasks_out_;
     auto next = TakeResult(std::move(result));
     const bool bad_input = absl::IsInvalidArgument(next.status()) || absl::IsNotFound(next.status());
     if (bad_input && !writing_) reuse_->Discard();
@@ -145,7 +146,7 @@ class ScenePipeline : public JobPipeline {
   absl::StatusOr<std::vector<NewTask>> NextTasks() {
     std::vector<NewTask> tasks;
     size_t bytes = 0;
-    while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks) {
+    while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
       std::optional<SceneWork> next = waves_.Next();
       if (!next) break;
       if (is_cancelled()) return absl::CancelledError("the job was cancelled");
@@ -158,6 +159,7 @@ class ScenePipeline : public JobPipeline {
       } else {
         TILEMEND_RETURN_IF_ERROR(tasks_.AddHelp(task));
         bytes += task.input.size();
+        ++tasks_out_;
         tasks.push_back(std::move(task));
       }
     }
@@ -245,6 +247,7 @@ class ScenePipeline : public JobPipeline {
 
   const JobSpec spec_;
   std::optional<OutputFolder> output_;  // none in a dry run
+  int64_t tasks_out_ = 0;               // given out, and their results have not come
   bool writing_ = false;
   std::atomic<End> end_{End::kOpen};
   Stopwatch watch_;

@@ -165,5 +165,12 @@ TEST(ShareDoneTest, IsAllOnlyAtTheEnd) {
   EXPECT_EQ(ShareDone(job), 1);
 }
 
+TEST(ShareDoneTest, CountsTasksThatAreHeldBack) {
+  constexpr int64_t kCells = 100'000, kOut = kMostTasksOut;
+  EXPECT_EQ(ShareDone("survey", kCells, 0, kOut + 10'000, 10'000), 1 / 30.0);
+  EXPECT_EQ(ShareDone("assemble", kCells, 50'000, 150'000 + kOut, 150'000), .75);
+  EXPECT_EQ(ShareDone("assemble", kCells, kCells - 500, 200'000, 199'500), 199'500 / 200'000.0) << "all are out";
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -105,6 +105,36 @@ TEST_F(ScenePipelineTest, FillsASceneAndReportsIt) {
   EXPECT_THAT(steps, ::testing::UnorderedElementsAre("survey", "plan", "sample", "fill", "assemble"));
 }
 
+TEST_F(ScenePipelineTest, HoldsTasksBackWhileManyAreOut) {
+  constexpr char kOneTriangle[] =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  constexpr int kSide = 92;  // a few more cells than that
+  static_assert(kSide * kSide > kMostTasksOut);
+  nlohmann::json scene = {{"origin", {0, 0, 0}}, {"cell_size", 1}, {"cols", kSide}, {"rows", kSide}};
+  for (int cell = 0; cell < kSide * kSide; ++cell) {
+    const int col = cell % kSide, row = cell / kSide;
+    const std::string name = absl::StrCat(cell, ".ply");
+    scene["tiles"].push_back({{"col", col}, {"row", row}, {"path", name}});
+    WriteTile(folder_ / ("many/" + name), absl::StrCat(kOneTriangle, col, " ", row, " 0\n", col + 1, " ", row, " 0\n",
+                                                       col, " ", row + 1, " 0\n3 0 1 2\n"));
+  }
+  WriteTile(folder_ / "many/scene.json", scene.dump());
+  spec_.scene = folder_ / "many";
+  const auto pipeline = Make();
+  auto tasks = *pipeline->Start();
+  int64_t out = std::ssize(tasks);
+  for (size_t done = 0; done < 64; ++done) {
+    const NewTask task = tasks[done];
+    auto next =
+        pipeline->OnTaskDone({task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())});
+    ASSERT_TRUE(next.ok()) << next.status();
+    out += std::ssize(*next) - 1;
+    EXPECT_LE(out, kMostTasksOut);
+  }
+  EXPECT_EQ(out, kMostTasksOut);
+}
+
 TEST_F(ScenePipelineTest, WritesTheSameTilesInWhateverOrderResultsCome) {
   ASSERT_TRUE(Run().ok());
   const auto forwards = TilesBelow(spec_.out);
