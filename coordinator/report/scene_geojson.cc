@@ -101,10 +101,11 @@ class Features {
   void AddSegments(const Plan& plan, const std::vector<RimSegment>& segments, const Json& properties) {
     std::string lines;
     for (const RimSegment& s : segments) {
+      if (s.seam) continue;
       absl::StrAppend(&lines, lines.empty() ? "[[" : ", [[", Place(plan.vertices[s.from].position.head<2>()), "], [",
                       Place(plan.vertices[s.to].position.head<2>()), "]]");
     }
-    if (!segments.empty()) Add("MultiLineString", absl::StrCat("[", lines, "]"), properties);
+    if (!lines.empty()) Add("MultiLineString", absl::StrCat("[", lines, "]"), properties);
   }
 
   void Add(const char* type, const std::string& coordinates, const Json& properties) {

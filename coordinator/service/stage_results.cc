@@ -66,6 +66,9 @@ absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output, const std::v
     patch.triangles = extent.triangles();
     if (!v1::FillWay_IsValid(extent.way())) return absl::InvalidArgumentError("an unknown way of filling");
     patch.way = static_cast<FillWay>(extent.way());
+    if (extent.loop_cuts() < 0 || extent.creases() < 0 || extent.creases() / 3 > extent.triangles()) {
+      return absl::InvalidArgumentError("counts that no patch has");
+    }
     patch.loop_cuts = extent.loop_cuts();
     patch.creases = extent.creases();
     if (extent.has_hold_out()) {

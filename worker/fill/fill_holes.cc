@@ -28,8 +28,7 @@ namespace {
 // No triangle closes what such a hole leaves.
 constexpr char kJunction[] =
     "a vertex of its boundary lies on an edge of the other side (a T-junction); `tilemend fill --weld TOLERANCE` "
-    "splits "
-    "such edges";
+    "splits such edges";
 
 // Mean turn at the rim of a patch that goes on from its surroundings.
 constexpr double kLittleTurn_rad = 5.0 * std::numbers::pi / 180;

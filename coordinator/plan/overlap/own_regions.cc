@@ -10,6 +10,7 @@
 
 #include "common/mesh/rounding.h"
 #include "coordinator/plan/overlap/chain_groups.h"
+#include "coordinator/plan/overlap/link_parts.h"
 #include "coordinator/plan/overlap/outline_walk.h"
 #include "coordinator/plan/rim/rim.h"
 
@@ -137,8 +138,8 @@ class CellRegions {
       const size_t whole = region.size();
       for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
       const std::vector<LineVertex> line = LineVertices(first);
-      const double spacing = std::max(MeanLength(region), kLeastSteps * plan_.lattice_step);
-      for (const OutlineGap& gap : members.gaps) AddGap(gap, line, spacing, region);
+      LinkParts link_parts(LengthOf(region), std::ssize(region));
+      for (const OutlineGap& gap : members.gaps) AddGap(gap, line, link_parts, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
       if (whole < region.size()) {
         first.own_regions = {std::move(region)};
@@ -254,13 +255,13 @@ class CellRegions {
     vertex.size = plan_.vertices[nearest.from].size;
   }
 
-  // Of segments seen from above.
-  double MeanLength(const std::vector<RimSegment>& region) const {
+  // Seen from above.
+  double LengthOf(const std::vector<RimSegment>& region) const {
     double length = 0;
     for (const RimSegment& s : region) {
       length += (plan_.vertices[s.to].position - plan_.vertices[s.from].position).head<2>().norm();
     }
-    return length / static_cast<double>(region.size());
+    return length;
   }
 
   void AddRim(int32_t a, int32_t b, std::vector<RimSegment>& region) {
@@ -273,7 +274,7 @@ class CellRegions {
   }
 
   // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines.
-  void AddGap(const OutlineGap& gap, const std::vector<LineVertex>& line, double spacing,
+  void AddGap(const OutlineGap& gap, const std::vector<LineVertex>& line, LinkParts& link_parts,
               std::vector<RimSegment>& region) {
     const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
     if (from == to) return;
@@ -291,14 +292,14 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
-    if (way.size() == 1) AddLink(gap, spacing, way);
+    if (way.size() == 1) AddLink(gap, link_parts, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
 
-  // New vertices between ends of chains of two pieces, no farther apart than `spacing`; at least one half-way, as the
+  // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way, as the
   // surface may have an edge between the two. Between ends on outlines that cross the way goes along both.
-  void AddLink(const OutlineGap& gap, double spacing, std::vector<int32_t>& way) {
+  void AddLink(const OutlineGap& gap, LinkParts& link_parts, std::vector<int32_t>& way) {
     const PlanVertex from = plan_.vertices[PlanVertexOf(gap.from)], to = plan_.vertices[PlanVertexOf(gap.to)];
     Point3 middle = (from.position + to.position) / 2;
     if (gap.from_across && gap.to_across && *gap.from_across != *gap.to_across) {
@@ -314,10 +315,11 @@ class CellRegions {
     for (const auto& [a, b] : {std::pair(from.position, middle), std::pair(middle, to.position)}) {
       const Point3 leg = b - a;
       const double length = leg.head<2>().norm();
-      const auto parts = std::max(1, static_cast<int>(std::ceil(length / spacing)));
-      v.size = parts == 1 ? std::min(from.size, to.size) : length / parts;
-      for (int k = 1; k <= parts; ++k) {
-        v.position = RoundedToLattice(Point3(a + k * leg / parts), plan_.lattice_step);
+      const int64_t parts = link_parts.Take(length);
+      v.size = parts == 1 ? std::min(from.size, to.size) : length / static_cast<double>(parts);
+      for (int64_t k = 1; k <= parts; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(parts);
+        v.position = RoundedToLattice(Point3(a + share * leg), plan_.lattice_step);
         if (v.position == plan_.vertices[way.back()].position || v.position == to.position) continue;
         way.push_back(static_cast<int32_t>(plan_.vertices.size()));
         plan_.vertices.push_back(v);

@@ -138,7 +138,7 @@ TEST_F(SceneGeoJsonTest, ARiverHasACentrelineThatFalls) {
 }
 
 TEST_F(SceneGeoJsonTest, AHoleThatIsNotClosedIsItsRim) {
-  plan_.holes[1].segments = {{1, 4}, {4, 5}};
+  plan_.holes[1].segments = {{1, 4}, {4, 5}, {5, 2, true}};  // a seam is no rim
   const auto data = Read(HolesGeoJson(input_, scene_));
   ASSERT_EQ(data->GetLayer(0)->GetFeatureCount(), 3);
   const std::unique_ptr<OGRFeature> hole(data->GetLayer(0)->GetFeature(1));

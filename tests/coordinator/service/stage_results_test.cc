@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "common/rpc/stage_payloads.h"
 
 namespace tilemend {
@@ -50,6 +52,20 @@ TEST(PatchesOfTest, RefusesAWayOfFillingThatItDoesNotKnow) {
   ASSERT_TRUE(PatchesOf(output, {4}).ok());
   EXPECT_EQ(PatchesOf(output, {4})->patches.front().hole, 4);
   EXPECT_FALSE(PatchesOf(output, {}).ok()) << "a hole that was not asked for";
+}
+
+TEST(PatchesOfTest, RefusesCountsThatNoPatchHas) {
+  for (const auto& [cuts, creases, good] :
+       {std::tuple(0, 6, true), {-1, 0, false}, {0, -1, false}, {0, 1 << 30, false}}) {
+    v1::FillOutput output;
+    v1::PatchExtent& patch = *output.add_patches();
+    patch.set_triangles(9);
+    patch.set_way(v1::FILL_WAY_GROUND);
+    patch.set_loop_cuts(cuts);
+    patch.set_creases(creases);
+    *output.mutable_quality() = ToProto(QualityTally());
+    EXPECT_EQ(PatchesOf(output, {4}).ok(), good) << cuts << ' ' << creases;
+  }
 }
 
 }  // namespace

@@ -33,8 +33,7 @@ std::string TextOfFault(FillFailure failure) {
       return "its patch goes further from its boundary than that is wide";
     case FillFailure::kFoldsBack:
       return "every patch that was tried folds back at its boundary; --allow-creases takes such patches, --weld closes "
-             "cracks "
-             "whose sides overlap";
+             "cracks whose sides overlap";
     default:
       return "";
   }
