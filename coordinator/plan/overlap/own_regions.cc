@@ -28,6 +28,15 @@ struct LineVertex {
   std::vector<Side> sides;
 };
 
+// Seen from above.
+double LengthOf(const Plan& plan, const std::vector<RimSegment>& segments) {
+  double length = 0;
+  for (const RimSegment& s : segments) {
+    length += (plan.vertices[s.to].position - plan.vertices[s.from].position).head<2>().norm();
+  }
+  return length;
+}
+
 // Makes one hole of two of a tile. What is left of `part` has no segments.
 void Absorb(PlannedHole& part, PlannedHole& hole) {
   const auto own = static_cast<double>(hole.segments.size()), more = static_cast<double>(part.segments.size());
@@ -138,7 +147,7 @@ class CellRegions {
       const size_t whole = region.size();
       for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
       const std::vector<LineVertex> line = LineVertices(first);
-      LinkParts link_parts(LengthOf(region), std::ssize(region));
+      LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
       for (const OutlineGap& gap : members.gaps) AddGap(gap, line, link_parts, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
       if (whole < region.size()) {
@@ -253,15 +262,6 @@ class CellRegions {
         [&](const RimSegment& s, const RimSegment& t) { return distance(s.from) < distance(t.from); });
     vertex.follows = nearest.from;
     vertex.size = plan_.vertices[nearest.from].size;
-  }
-
-  // Seen from above.
-  double LengthOf(const std::vector<RimSegment>& region) const {
-    double length = 0;
-    for (const RimSegment& s : region) {
-      length += (plan_.vertices[s.to].position - plan_.vertices[s.from].position).head<2>().norm();
-    }
-    return length;
   }
 
   void AddRim(int32_t a, int32_t b, std::vector<RimSegment>& region) {
