@@ -38,39 +38,49 @@ fs::path Real(const fs::path& path) {
   return error ? path.lexically_normal() : real;
 }
 
-// Whether `path` is `folder` or lies below it. Both are real.
-bool IsIn(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+// The folders below a root that hold `files`, relative, and the folders that hold these; "" if a file lies in the root.
+std::set<std::string> FoldersOf(const std::set<std::string>& files) {
+  std::set<std::string> folders;
+  for (const std::string& file : files) {
+    fs::path at = fs::path(file).parent_path();
+    do {
+      if (!folders.insert(at.string()).second) break;
+      at = at.parent_path();
+    } while (!at.empty());
+  }
+  return folders;
 }
 
-// The real folders that hold `files` of `root`.
-std::set<fs::path> FoldersOf(const fs::path& root, const std::set<std::string>& files) {
-  std::set<std::string> parents;
-  for (const std::string& file : files) parents.insert(fs::path(file).parent_path().string());
+std::set<fs::path> RealFolders(const fs::path& root, const std::set<std::string>& relative) {
   std::set<fs::path> folders;
-  for (const std::string& parent : parents) folders.insert(Real(parent.empty() ? root : root / parent));
+  for (const std::string& folder : relative) folders.insert(Real(folder.empty() ? root : root / folder));
   return folders;
+}
+
+// Whether `path` or a folder that it lies in is one of `folders`. All are real.
+bool IsInOneOf(const std::set<fs::path>& folders, const fs::path& path) {
+  for (fs::path at = path;; at = at.parent_path()) {
+    if (folders.contains(at)) return true;
+    if (!at.has_relative_path()) return false;
+  }
 }
 
 // Whether nothing of the output would lie among the scene's files.
 absl::Status CheckApart(const std::string& path, const Scene& scene, const std::set<std::string>& files) {
-  const fs::path root = Real(scene.root), out = Real(path);
-  const auto refuse = [&](const fs::path& where) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": the output would be written over the scene, in ",
-                                                   where.string(), "; choose another --out"));
-  };
-  if (out == root) return refuse(root);
+  const fs::path root = Real(scene.root);
   std::set<std::string> inputs;
   for (const SceneTile& tile : scene.tiles) {
     if (!tile.path.empty()) inputs.insert(tile.path);
   }
-  std::set<fs::path> targets = FoldersOf(path, files);
-  targets.insert(out);
-  for (const fs::path& source : FoldersOf(scene.root, inputs)) {
-    for (const fs::path& target : targets) {
-      // Beside tiles that lie in the scene's folder itself, a folder of its own does no harm.
-      if (target == root || (source == root ? target == source : IsIn(target, source))) return refuse(target);
-    }
+  std::set<fs::path> sources = RealFolders(scene.root, FoldersOf(inputs));
+  sources.erase(root);  // beside tiles that lie in the scene's folder itself, a folder of its own does no harm
+  std::set<fs::path> targets = RealFolders(path, FoldersOf(files));
+  targets.insert(Real(path));
+  for (const fs::path& target : targets) {
+    if (target != root && !IsInOneOf(sources, target)) continue;
+    return absl::InvalidArgumentError(absl::StrCat(path, ": the output would lie among the tiles of the scene, in ",
+                                                   target.string(),
+                                                   "; choose another --out, apart from the scene's folders of tiles"));
   }
   return absl::OkStatus();
 }

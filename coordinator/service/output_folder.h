@@ -26,7 +26,8 @@ namespace tilemend {
 //    replaces the files that this job writes; other files stay as they are.
 //  - a folder that another living job writes to (kAborted), whatever it may overwrite.
 //  - what is no regular file, or no folder, where the job would write one: it is the user's to take away.
-//  - always: the scene's own folder, its folders of tiles, and folders whose `tiles` lead there over a link.
+//  - always: the scene's own folder, its folders of tiles and those that hold them (`Data`) with all below, and folders
+//    whose `tiles` lead there over a link.
 class OutputFolder {
  public:
   // `key` says what makes two jobs the same (scene and options). kAlreadyExists, kInvalidArgument, kPermissionDenied,

@@ -234,7 +234,7 @@ TEST_P(BadOutputTest, IsRefusedAlsoWithOverwriteAndNothingChanges) {
 }
 
 std::vector<BadOutput> BadOutputs() {
-  const std::string over = "written over the scene";
+  const std::string over = "among the tiles of the scene";
   return {
       {"TheScene", "scene", 4, over},
       {"TheSceneByAnotherName", "scene/../scene/", 4, over},

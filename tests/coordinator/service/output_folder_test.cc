@@ -134,6 +134,22 @@ TEST_F(OutputFolderTest, NeverWritesAmongTheTilesOfTheScene) {
   EXPECT_TRUE(Claim(folder_ / "scene/out").ok()) << "a folder of its own beside the tiles' folder";
 }
 
+TEST_F(OutputFolderTest, NeverWritesToAFolderThatHoldsFoldersOfTiles) {
+  folder_.Write("scene/Data/Tile_+000_+000/a.ply", "the original");
+  folder_.Write("scene/b.ply", "beside the others");
+  scene_.tiles = {{{0, 0}, "Data/Tile_+000_+000/a.ply"}, {{1, 0}, "b.ply"}};
+  fs::create_directory_symlink(folder_ / "scene/Data", folder_ / "link");
+  for (const bool overwrite : {false, true}) {
+    for (const char* path : {"scene/Data", "scene/Data/out", "scene/Data/Tile_+000_+000", "link", "link/new/out"}) {
+      const absl::Status status = Claim(folder_ / path, overwrite).status();
+      EXPECT_TRUE(absl::IsInvalidArgument(status)) << path;
+      EXPECT_THAT(std::string(status.message()), testing::HasSubstr(folder_ / "scene/Data")) << path;
+    }
+  }
+  EXPECT_FALSE(Exists("scene/Data/out"));
+  for (const char* path : {"scene/Data-filled", "scene/out", "scene/out/Data"}) EXPECT_TRUE(Claim(folder_ / path).ok());
+}
+
 TEST_F(OutputFolderTest, RefusesAPathThatCannotBeAFolder) {
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_.Write("file", "x")).status()));
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "file/below").status()));
