@@ -1,5 +1,6 @@
 #include "common/gis/raw_features.h"
 
+#include <cpl_error.h>
 #include <cpl_json.h>
 
 #include <cmath>
@@ -52,24 +53,50 @@ std::vector<Point2> LineOf(const OGRGeometry* geometry, const std::string& place
   return points;
 }
 
+// Without arcs.
 void SetGeometry(const OGRGeometry& geometry, VectorFeature& feature) {
-  // Arcs become chords.
-  const GeometryPtr linear(geometry.getLinearGeometry());
-  const OGRGeometry& plain = linear ? *linear : geometry;
-  switch (wkbFlatten(plain.getGeometryType())) {
+  switch (wkbFlatten(geometry.getGeometryType())) {
     case wkbPolygon:
-      return AddPolygon(*plain.toPolygon(), feature.label, feature.polygon);
+      return AddPolygon(*geometry.toPolygon(), feature.label, feature.polygon);
     case wkbMultiPolygon:
-      if (plain.IsEmpty()) Refuse(feature.label, "a MultiPolygon without polygons");
-      for (const OGRPolygon* part : *plain.toMultiPolygon()) AddPolygon(*part, feature.label, feature.polygon);
+      if (geometry.IsEmpty()) Refuse(feature.label, "a MultiPolygon without polygons");
+      for (const OGRPolygon* part : *geometry.toMultiPolygon()) AddPolygon(*part, feature.label, feature.polygon);
       return;
     case wkbLineString:
     case wkbMultiLineString:
-      feature.line = LineOf(&plain, feature.label);
+      feature.line = LineOf(&geometry, feature.label);
       return;
     default:
       Refuse(feature.label, std::string(geometry.getGeometryName()) + ": expected Polygon, MultiPolygon or LineString");
   }
+}
+
+// What GEOS finds wrong with a polygon, and where; "" if nothing.
+std::string FaultOf(const OGRGeometry& geometry) {
+  std::string fault;
+  CPLPushErrorHandlerEx(
+      [](CPLErr, CPLErrorNum, const char* text) { *static_cast<std::string*>(CPLGetErrorHandlerUserData()) = text; },
+      &fault);
+  const bool valid = geometry.IsValid();
+  CPLPopErrorHandler();
+  return valid ? "" : fault.empty() ? "not valid" : fault;
+}
+
+// Sets the polygon to what is meant if it is not valid, and says so; "" if it is.
+std::string Repair(const OGRGeometry& geometry, Crossings crossings, VectorFeature& feature) {
+  std::string fault = FaultOf(geometry);
+  if (fault.empty()) return "";
+  if (const auto crossing = FindCrossing(feature.polygon)) {
+    fault = TextOf(*crossing);
+    if (crossings == Crossings::kRefuse) Refuse(feature.label, fault + "; draw it so that no edges cross");
+  }
+  // Of parts that overlap all is inside, not what an odd number of them surrounds.
+  const char* const options[] = {"METHOD=STRUCTURE", nullptr};
+  const GeometryPtr valid(geometry.MakeValid(options));
+  if (!valid || valid->IsEmpty()) Refuse(feature.label, fault + ", and it surrounds nothing; draw it again");
+  feature.polygon = {};
+  SetGeometry(*valid, feature);
+  return feature.label + ": " + fault + "; it is taken as repaired: all that it surrounds is inside";
 }
 
 // The index of a property that is there and not null, or -1.
@@ -144,28 +171,27 @@ std::string LabelOf(const OGRFeature& feature, const std::string& prefix) {
 
 }  // namespace
 
-std::vector<VectorFeature> RawFeaturesOf(OGRLayer& layer, const std::string& prefix) {
-  std::vector<VectorFeature> features;
+RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, Crossings crossings) {
+  RawFeatures read;
   for (const auto& feature : layer) {
-    VectorFeature& raw = features.emplace_back();
+    VectorFeature& raw = read.features.emplace_back();
     raw.label = LabelOf(*feature, prefix);
     const OGRGeometry* geometry = feature->GetGeometryRef();
     if (geometry == nullptr) Refuse(raw.label, "no geometry, or none that can be read");
+    const GeometryPtr linear(geometry->getLinearGeometry());  // arcs become chords
+    if (linear) geometry = linear.get();
     SetGeometry(*geometry, raw);
     raw.water = WaterOf(*feature, raw.label);
     raw.level = LevelOf(*feature, raw.label);
     if (raw.polygon.empty()) continue;
+    const std::string repaired = Repair(*geometry, crossings, raw);
+    if (!repaired.empty()) read.warnings.push_back(repaired);
     raw.line = CentrelineOf(*feature, raw.label);
   }
-  return features;
+  return read;
 }
 
 VectorFeature Unite(const std::vector<VectorFeature>& features) {
-  for (const VectorFeature& feature : features) {
-    if (const auto crossing = FindCrossing(feature.polygon)) {
-      Refuse(feature.label, TextOf(*crossing) + "; draw it so that no edges cross");
-    }
-  }
   if (features.size() == 1 && !features[0].polygon.empty()) return features[0];
   GeometryPtr all = std::make_unique<OGRMultiPolygon>();
   VectorFeature united;

@@ -15,11 +15,19 @@ struct BadVectors {
   std::string what;
 };
 
-// The features of a layer; `prefix` stands before their labels. Throws BadVectors.
-std::vector<VectorFeature> RawFeaturesOf(OGRLayer& layer, const std::string& prefix);
+struct RawFeatures {
+  std::vector<VectorFeature> features;
+  std::vector<std::string> warnings;
+};
 
-// All polygons as one. Throws BadVectors if there is a line, an outline that crosses itself or another one of its
-// feature, or no polygon.
+enum class Crossings { kRepair, kRefuse };
+
+// The features of a layer; `prefix` stands before their labels. A polygon that is not valid (outlines that cross, parts
+// that lie over each other) is repaired, with a warning that says where: what any part surrounds is inside. With
+// kRefuse outlines that cross are not. Throws BadVectors.
+RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, Crossings crossings);
+
+// All polygons as one. Throws BadVectors if there is a line, or no polygon.
 VectorFeature Unite(const std::vector<VectorFeature>& features);
 
 }  // namespace tilemend

@@ -82,11 +82,12 @@ const OGRSpatialReference* CrsOf(OGRLayer& layer, const VectorRequest& request) 
 }
 
 void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string& prefix, VectorFile& file) {
-  std::vector<VectorFeature> features = RawFeaturesOf(layer, prefix);
+  auto [features, warnings] = RawFeaturesOf(layer, prefix, request.unite ? Crossings::kRefuse : Crossings::kRepair);
   if (request.features >= 0 && std::ssize(features) != request.features)
     throw BadVectors{"not all members of \"features\" are Features"};
   if (request.unite) features = {Unite(features)};
   if (features.empty()) return;
+  file.warnings.insert(file.warnings.end(), warnings.begin(), warnings.end());
   file.coordinates = PlaceInScene(request.frame, CrsOf(layer, request), features, file.warnings);
   file.features.insert(file.features.end(), features.begin(), features.end());
 }

@@ -50,7 +50,8 @@ struct VectorFile {
   std::string error;  // not empty: why there are none; begins with the name
 };
 
-// Reads Polygons, MultiPolygons and LineStrings of all layers.
+// Reads Polygons, MultiPolygons and LineStrings of all layers. A polygon that is not valid is repaired, with a warning
+// that names it and the place: what any of its parts surrounds is inside.
 //
 // What coordinates are. Those of a layer that names its CRS are transformed to the scene's. Others are taken for
 // longitude and latitude (WGS 84), for coordinates of the scene, or of its CRS, in this order, whichever puts the layer
