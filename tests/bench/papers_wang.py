@@ -285,7 +285,8 @@ EFFICIENCY_WHY = (
     'surveyed and copied on its own. So the ratio of time grows with the tiles, and that of memory with the area: `wang` holds the tiles in flight, `aggregate` everything. Of the '
     'peak of `wang` 28 MB are the program itself. With vertices 0.5 m apart the triangulation of least area adds to that: it takes n³ steps. In the row '
     'of 0.5 km² one lake with 1,429 boundary vertices takes 37 % of the CPU seconds of `aggregate`. `wang` cuts such boundaries. Joining 2.5 km² does not fail here, as Han\'s does '
-    'in print with tiles that are larger still. Seconds were taken on a machine with other work to do, both ways one after the other: the plot has the ratios of CPU seconds, the wall seconds of the table are in brackets.')
+    'in print with tiles that are larger still. Seconds were taken one way after the other. The plot has the ratios of CPU '
+    'seconds; the wall seconds of the table are in brackets: `wang` works on all cores, `aggregate` on one.')
 
 
 def plot_ratios(points):
