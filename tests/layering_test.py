@@ -167,7 +167,7 @@ RULES = {
     'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store',
+        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store',
          'coordinator/plan/types',
          'coordinator/waves'],
         ['absl', 'json']),

@@ -67,8 +67,9 @@ std::vector<RingPolygon> PolygonsOf(const std::vector<std::vector<Point2>>& ring
   });
   for (size_t i = 0; i < rings.size(); ++i) {
     if (areas[i] * *largest > 0 || areas[i] == *largest) continue;
+    const Point2 between = (rings[i][0] + rings[i][1]) / 2;  // rings may touch at their points
     const auto around = std::find_if(polygons.begin(), polygons.end(), [&](const RingPolygon& polygon) {
-      return Contains({{rings[polygon.outline]}}, rings[i][0]);
+      return Contains({{rings[polygon.outline]}}, between);
     });
     if (around != polygons.end()) around->islands.push_back(static_cast<int32_t>(i));
   }

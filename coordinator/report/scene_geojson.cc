@@ -13,6 +13,7 @@
 #include "absl/strings/str_split.h"
 #include "common/records/water_surface.h"
 #include "coordinator/report/ring_chains.h"
+#include "coordinator/report/simple_rings.h"
 
 namespace tilemend {
 namespace {
@@ -44,15 +45,19 @@ class Features {
     text_ = absl::StrCat("{\"type\": \"FeatureCollection\",\n\"crs\": ", Dump(crs), ",\n\"features\": [");
   }
 
-  // `segments` as polygons, with heights if given; as lines if they bound none.
-  void AddPolygons(const Plan& plan, const std::vector<RimSegment>& segments, const Json& properties,
+  // What `segments` wind around as polygons, with heights if given; as lines if that is nothing.
+  void AddPolygons(const Plan& plan, const std::vector<RimSegment>& segments, Wound wound, const Json& properties,
                    const HeightAt& height = nullptr) {
     std::vector<std::vector<Point2>> rings;
     for (const std::vector<int32_t>& ring : RingsOf(segments)) {
       std::vector<Point2>& points = rings.emplace_back();
-      for (const int32_t v : ring) points.emplace_back(plan.vertices[v].position.head<2>());
+      for (const int32_t v : ring) points.emplace_back((plan.vertices[v].position + origin_).head<2>());
     }
+    rings = SimpleRings(rings, wound);  // as they are written: rounding makes crossings, too
     if (rings.empty()) return AddSegments(plan, segments, properties);
+    for (std::vector<Point2>& ring : rings) {
+      for (Point2& p : ring) p -= origin_.head<2>();
+    }
     AddRings(rings, properties, height);
   }
 
@@ -169,7 +174,10 @@ std::string HolesGeoJson(const SceneReportInput& input, const Scene& scene) {
   Features features(scene);
   for (size_t h = 0; h < input.plan->holes.size(); ++h) {
     const auto id = static_cast<int32_t>(h);
-    features.AddPolygons(*input.plan, input.plan->holes[h].segments, HoleProperties(input, scene, id));
+    const PlannedHole& hole = input.plan->holes[h];
+    // A hole in a wall or below a roof may be seen from either side.
+    const Wound wound = hole.kind == HoleKind::kClosed ? Wound::kEither : Wound::kLeft;
+    features.AddPolygons(*input.plan, hole.segments, wound, HoleProperties(input, scene, id));
   }
   return std::move(features).Text();
 }
@@ -191,7 +199,7 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
     const Json highest = stations.empty() ? level : Json(Millimetres(stations.front().z() + scene.origin.z()));
     Json row = {{"kind", "shore"},      {"body", w},         {"level_m", stations.empty() ? level : Json()},
                 {"highest_m", highest}, {"lowest_m", level}, {"area_m2", Millimetres(area)}};
-    features.AddPolygons(plan, segments, row, [&](const Point2& p) {
+    features.AddPolygons(plan, segments, Wound::kLeft, row, [&](const Point2& p) {
       return stations.empty() ? plan.water[w].level : LevelAt(plan.water[w].river, p, plan.lattice_step);
     });
     if (stations.empty()) continue;

@@ -12,8 +12,9 @@ namespace tilemend {
 // Both: GeoJSON in the scene's CRS (scene coordinates plus the origin, millimetres), named by the member `crs` that
 // GDAL and QGIS honour. Without a CRS the member says that there is none. Features are in the order of the plan.
 
-// Every hole: Polygons, or MultiPolygons, with islands; MultiLineStrings of the rim of those that are not closed, as
-// where a tile is missing. docs/user-guide.md, "Files for a GIS", has the properties.
+// Every hole: valid Polygons, or MultiPolygons, with islands, of what its boundary winds around seen from above;
+// MultiLineStrings of the rim of those that are not closed, as where a tile is missing, or less than a millimetre wide.
+// docs/user-guide.md, "Files for a GIS", has the properties.
 std::string HolesGeoJson(const SceneReportInput& input, const Scene& scene);
 
 // The waters that were levelled: of each its shore, as a polygon; of rivers the centreline as well. Every point has the

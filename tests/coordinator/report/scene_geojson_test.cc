@@ -145,6 +145,25 @@ TEST_F(SceneGeoJsonTest, AHoleThatIsNotClosedIsItsRim) {
   EXPECT_NEAR(hole->GetGeometryRef()->toMultiLineString()->get_Length(), 40 + 80, 1e-6);
 }
 
+TEST_F(SceneGeoJsonTest, PolygonsAreValidHoweverTheRimCrossesItself) {
+  plan_.holes[1].segments = {{1, 5}, {5, 4}, {4, 2}, {2, 1, true}};    // a bow-tie
+  plan_.holes[2].segments = {{10, 12}, {12, 11}, {11, 13}, {13, 10}};  // the same, closed
+  const auto data = Read(HolesGeoJson(input_, scene_));
+  ASSERT_EQ(data->GetLayer(0)->GetFeatureCount(), 3);
+  for (const auto& feature : data->GetLayer(0)) EXPECT_TRUE(feature->GetGeometryRef()->IsValid()) << feature->GetFID();
+  const std::unique_ptr<OGRFeature> closed(data->GetLayer(0)->GetFeature(2));
+  EXPECT_EQ(wkbFlatten(closed->GetGeometryRef()->getGeometryType()), wkbMultiPolygon) << "both sides of it";
+  const auto shores = Read(BreaklinesGeoJson(input_, scene_));
+  for (const auto& feature : shores->GetLayer(0)) EXPECT_TRUE(feature->GetGeometryRef()->IsValid());
+}
+
+TEST_F(SceneGeoJsonTest, AHoleThatIsNothingFromAboveIsItsRim) {
+  for (PlanVertex& v : plan_.vertices) v.position.y() = 10;
+  const auto data = Read(HolesGeoJson(input_, scene_));
+  const std::unique_ptr<OGRFeature> hole(data->GetLayer(0)->GetFeature(2));
+  EXPECT_EQ(wkbFlatten(hole->GetGeometryRef()->getGeometryType()), wkbMultiLineString);
+}
+
 TEST_F(SceneGeoJsonTest, SaysHowMuchOfTheRimIsOnObjects) {
   for (const int32_t v : {11, 12}) plan_.vertices[v].on_object = true;
   plan_.holes[2].segments.push_back({10, 5, true});  // a seam counts for nothing

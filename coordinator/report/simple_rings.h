@@ -1,0 +1,24 @@
+// Rings as a GIS wants them.
+#ifndef TILEMEND_COORDINATOR_REPORT_SIMPLE_RINGS_H_
+#define TILEMEND_COORDINATOR_REPORT_SIMPLE_RINGS_H_
+
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+enum class Wound {
+  kLeft,    // what rings wind around counter-clockwise
+  kEither,  // and clockwise
+};
+
+// The outline of the region that closed rings, which may cross and fold over themselves, wind around: rings with the
+// region on their left that do not cross and touch in single points at most, so that PolygonsOf makes valid polygons of
+// them. In metres, rounded to millimetres (where the rings are larger than 268 km to a coarser step); empty if nothing
+// as large is left. Rings do not repeat their first point. Cost as of FindWoundRegion.
+std::vector<std::vector<Point2>> SimpleRings(const std::vector<std::vector<Point2>>& rings, Wound wound);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_REPORT_SIMPLE_RINGS_H_
