@@ -8,8 +8,8 @@
 namespace tilemend {
 namespace {
 
-constexpr int kFinestExponent = -26;
-constexpr int kLeastDigits = 16;                       // of the side of a window, however small it is
+constexpr int kPointExponent = -26;                    // of the window of a single point
+constexpr int kMostDigits = 28;                        // of a coordinate
 constexpr double kMostSteps = 268435456.0;             // 2^28
 constexpr double kExactIntegers = 4503599627370496.0;  // 2^52: a sum of two such multiples of a step is still exact
 
@@ -30,8 +30,7 @@ LatticeWindow::LatticeWindow(const Point2& lo, const Point2& hi) {
   const double margin = (hi - lo).maxCoeff() / 16;
   const double side = (hi - lo).maxCoeff() + 2 * margin;
   const double far = std::max(lo.cwiseAbs().maxCoeff(), hi.cwiseAbs().maxCoeff()) + side;
-  int exponent = kFinestExponent;
-  if (side > 0) exponent = std::min(exponent, std::ilogb(side) - kLeastDigits);
+  int exponent = side > 0 ? std::ilogb(side) - kMostDigits : kPointExponent;
   // Two steps are kept free: rounding the origin down and a point up may each take one.
   while (std::ldexp(kMostSteps - 2, exponent) < side || std::ldexp(kExactIntegers, exponent) < far) ++exponent;
   step_ = std::ldexp(1.0, exponent);

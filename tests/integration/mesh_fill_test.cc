@@ -75,6 +75,26 @@ TEST(MeshFillTest, GivesTheSameOutcomesForAMeshOfAnySizeTurnedInAnyWay) {
   }
 }
 
+TEST(MeshFillTest, GivesTheSamePatchesForAMeshSeveralTimesDoubled) {
+  for (const auto& [name, mesh] : Meshes()) {
+    const FilledMesh plain = Fill(mesh);
+    for (const int power : {-20, -10, 3, 10}) {
+      SCOPED_TRACE(testing::Message() << name << " doubled " << power << " times");
+      const double factor = std::ldexp(1.0, power);
+      const FilledMesh other = Fill(Scaled(mesh, factor));
+      EXPECT_EQ(OutcomesOf(other), OutcomesOf(plain));
+      ASSERT_EQ(other.patches.size(), plain.patches.size());
+      for (size_t h = 0; h < plain.patches.size(); ++h) {
+        EXPECT_EQ(other.patches[h].triangles, plain.patches[h].triangles);
+        ASSERT_EQ(other.patches[h].new_points.size(), plain.patches[h].new_points.size());
+        for (size_t p = 0; p < plain.patches[h].new_points.size(); ++p) {
+          EXPECT_EQ(other.patches[h].new_points[p], plain.patches[h].new_points[p] * factor);
+        }
+      }
+    }
+  }
+}
+
 TEST(MeshFillTest, TakesEveryLoopOfABodyForAHole) {
   // Limbs that widen towards the cut.
   for (const double widening : {-0.5, 0.0, 0.5, 1.0}) {

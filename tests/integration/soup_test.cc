@@ -11,6 +11,7 @@
 #include "tests/support/filled_mesh.h"
 #include "tests/support/round_meshes.h"
 #include "tests/support/space_meshes.h"
+#include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
 namespace {
@@ -53,6 +54,51 @@ EdgeCounts EdgesOf(const TriMesh& mesh, size_t first, size_t last) {
   return counts;
 }
 
+// How many triangles have each edge in its direction.
+EdgeCounts DirectedEdgesOf(const TriMesh& mesh, size_t first, size_t last) {
+  EdgeCounts counts;
+  for (size_t t = first; t < last; ++t) {
+    const Triangle& tri = mesh.triangles[t];
+    if (tri[0] == tri[1] || tri[1] == tri[2] || tri[2] == tri[0]) continue;
+    for (int k = 0; k < 3; ++k) ++counts[{tri[k], tri[(k + 1) % 3]}];
+  }
+  return counts;
+}
+
+SpaceTriangle At(const TriMesh& mesh, size_t t) {
+  const Triangle& tri = mesh.triangles[t];
+  return {mesh.points[tri[0]], mesh.points[tri[1]], mesh.points[tri[2]]};
+}
+
+// Whether a triangle passes through an edge of one of the rims: no patch that closes on it could pass the triangle by.
+// `rims`: edges that one new triangle has.
+bool PassesThroughRim(const TriMesh& mesh, const SpaceTriangle& triangle, const EdgeCounts& rims) {
+  return std::ranges::any_of(rims, [&](const auto& rim) {
+    if (rim.second != 1) return false;
+    const Point3 &a = mesh.points[rim.first.first], &b = mesh.points[rim.first.second];
+    const auto has = [&](const Point3& p) { return std::ranges::find(triangle, p) != triangle.end(); };
+    return !has(a) && !has(b) && SegmentCrosses(a, b, triangle);
+  });
+}
+
+// Pairs of a new triangle and another one that cross and need not: where the surface passes through one rim, and has
+// another one there, the patches of both cross as well.
+int CrossingsOf(const FilledMesh& filled) {
+  const TriMesh& mesh = filled.mesh;
+  const EdgeCounts rims = EdgesOf(mesh, filled.originals, mesh.triangles.size());
+  int crossings = 0;
+  for (size_t a = filled.originals; a < mesh.triangles.size(); ++a) {
+    const SpaceTriangle triangle = At(mesh, a);
+    const Eigen::AlignedBox3d box = BoxOf(triangle);
+    for (size_t b = 0; b < a; ++b) {
+      const SpaceTriangle other = At(mesh, b);
+      if (!box.intersects(BoxOf(other)) || !HasArea(other) || !TrianglesCross(triangle, other)) continue;
+      if (!PassesThroughRim(mesh, other, rims) && !PassesThroughRim(mesh, triangle, rims)) ++crossings;
+    }
+  }
+  return crossings;
+}
+
 TEST(SoupTest, IsNeverMadeWorse) {
   constexpr uint32_t kMeshes = 10000;
   int64_t holes = 0, filled_holes = 0;
@@ -73,6 +119,12 @@ TEST(SoupTest, IsNeverMadeWorse) {
       const auto old = before.find(edge);
       ASSERT_LE(count + (old == before.end() ? 0 : old->second), 2) << "an edge with three triangles";
     }
+    const EdgeCounts along = DirectedEdgesOf(filled.mesh, 0, filled.originals);
+    for (const auto& [edge, count] : DirectedEdgesOf(filled.mesh, filled.originals, filled.mesh.triangles.size())) {
+      ASSERT_EQ(count, 1) << "an edge of two new triangles that face opposite ways";
+      ASSERT_FALSE(along.contains(edge)) << "a new triangle that faces another way than the surface beside it";
+    }
+    ASSERT_EQ(CrossingsOf(filled), 0);
     for (size_t t = filled.originals; t < filled.mesh.triangles.size(); ++t) {
       const Triangle& tri = filled.mesh.triangles[t];
       const auto& p = filled.mesh.points;

@@ -146,6 +146,15 @@ TEST(LatticeWindowTest, IsAsFineAsItsBoxAllows) {
   EXPECT_EQ(LatticeWindow({0, 0}, {250, 10}).step(), std::ldexp(1.0, -19));
 }
 
+TEST(LatticeWindowTest, IsAsFineForABoxOfAnySize) {
+  for (const int power : {-60, -20, -10, -1, 1, 10, 20}) {
+    const double factor = std::ldexp(1.0, power);
+    const LatticeWindow plain({3, 4}, {3.7, 4.2}), other({3 * factor, 4 * factor}, {3.7 * factor, 4.2 * factor});
+    EXPECT_EQ(other.step(), plain.step() * factor);
+    EXPECT_EQ(other.Round(Point2(3.3, 4.1) * factor), plain.Round({3.3, 4.1}));
+  }
+}
+
 TEST(LatticeWindowTest, HoldsItsBoxAndRoundTrips) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
