@@ -98,13 +98,18 @@ class Refiner {
     return true;
   }
 
-  // Whether a point has all three sides of a triangle on its left, however the centroid was rounded.
+  // Whether a point has all three sides of a triangle on its left, and none too close.
   bool HasPlace(const Point3& c, const Triangle& t) const {
-    return TurnsLeft(c, t[0], t[1]) && TurnsLeft(c, t[1], t[2]) && TurnsLeft(c, t[2], t[0]);
+    return IsHighEnough(c, t[0], t[1]) && IsHighEnough(c, t[1], t[2]) && IsHighEnough(c, t[2], t[0]);
   }
 
-  bool TurnsLeft(const Point3& p, int32_t a, int32_t b) const {
-    return TurnOf(p.head<2>(), patch_.points[a].head<2>(), patch_.points[b].head<2>()) > 0;
+  // Whether the triangle turns left on the plane and is not too flat there.
+  bool IsHighEnough(const Point3& p, int32_t a, int32_t b) const {
+    const Point2 at = p.head<2>(), from = patch_.points[a].head<2>(), to = patch_.points[b].head<2>();
+    if (TurnOf(at, from, to) <= 0) return false;
+    const Point2 u = from - at, v = to - at;
+    const double longest2 = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+    return u.x() * v.y() - u.y() * v.x() >= patch_.least_height * std::sqrt(longest2);
   }
 
   // An edge that was not to be turned is looked at again only when something about it has changed.
@@ -156,7 +161,7 @@ class Refiner {
     const int32_t p = mesh_.Apex(e), q = mesh_.Apex(twin);
     if (AngleAt(p, a, b) + AngleAt(q, a, b) <= std::numbers::pi + kAngleSlack) return false;
     if (p < patch_.rim_count && q < patch_.rim_count && !may_join_(p, q)) return false;
-    return !patch_.projects || (TurnsLeft(patch_.points[p], a, q) && TurnsLeft(patch_.points[q], b, p));
+    return !patch_.projects || (IsHighEnough(patch_.points[p], a, q) && IsHighEnough(patch_.points[q], b, p));
   }
 
   const RefineOptions& options_;

@@ -20,6 +20,10 @@
 namespace tilemend {
 namespace {
 
+// Steps of the lattice. Rounding moves each corner of a triangle by half a step in x and y, and before that fairing may
+// make it flatter.
+constexpr double kLeastHeight_steps = 16;
+
 using MayJoin = std::function<bool(int32_t, int32_t)>;
 
 PatchSurroundings SurroundingsOf(const LocalHole& hole, const ProjectionFrame& frame, int32_t patch_size) {
@@ -35,6 +39,7 @@ NewPatch RimOf(const LocalHole& hole, const ProjectionFrame& frame) {
   NewPatch patch;
   patch.rim_count = hole.size();
   patch.sizes = hole.sizes;
+  patch.least_height = kLeastHeight_steps * hole.cell->lattice_step;
   for (const Point3& p : hole.positions) patch.points.push_back(frame.ToFrame(p));
   for (const RegionSegment& s : hole.inner_edges) patch.fixed_edges.push_back(Undirected(s.from, s.to));
   std::sort(patch.fixed_edges.begin(), patch.fixed_edges.end());
