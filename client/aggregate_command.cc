@@ -119,7 +119,7 @@ int AggregateCommand(const Args& args) {
                             {"longest-loop", 1.0 * options->longest_loop}};
   filled->report.date = UtcText(absl::Now());
   Print(filled->report, out, *format);
-  return filled->report.outcome.failures.empty() ? kExitDone : kExitSomeLeft;
+  return SomeHolesLeft(filled->report) ? kExitSomeLeft : kExitDone;
 }
 
 }  // namespace tilemend

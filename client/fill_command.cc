@@ -245,14 +245,6 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
   return reported;
 }
 
-// Outlines of detached pieces and of the mesh itself are no holes: only holes that stay open make the result partial.
-bool SomeHolesLeft(const SceneReportInput& report) {
-  const std::vector<LeftOpen> left = LeftOf(report);
-  const std::vector<PlannedHole>& holes = report.plan->holes;
-  return std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; }) ||
-         std::any_of(holes.begin(), holes.end(), [](const PlannedHole& h) { return !h.failure.empty(); });
-}
-
 absl::StatusOr<FilledMesh> FillAndShow(const std::string& in, MeshFillOptions options) {
   StepDisplay display;
   options.show = [&display](std::string_view step, size_t done, size_t all) { display.Show(step, done, all); };

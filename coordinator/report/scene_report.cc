@@ -385,6 +385,12 @@ std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   return left;
 }
 
+bool SomeHolesLeft(const SceneReportInput& input) {
+  const std::vector<LeftOpen> left = LeftOf(input);
+  return std::ranges::any_of(left, &LeftOpen::is_hole) ||
+         std::ranges::any_of(input.plan->holes, [](const PlannedHole& h) { return !h.failure.empty(); });
+}
+
 std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> warnings;
   size_t not_taken = 0;

@@ -37,6 +37,10 @@ struct SceneReportInput {
 // What the report says is left open: of the plan, then of its outcome.
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
 
+// Whether holes, or boundary edges that form no loop, are left open, so that the result is partial. Outlines of
+// detached pieces and of a mesh itself are none.
+bool SomeHolesLeft(const SceneReportInput& input);
+
 // Why a hole is not filled; "" if it is.
 std::string FailureOf(const SceneReportInput& input, int32_t hole);
 

@@ -110,6 +110,23 @@ TEST_F(CommandTest, AggregateLeavesTheSceneAndFilesBesideItsOutputAsTheyAre) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 1) << "the output alone";
 }
 
+TEST_F(CommandTest, AggregateEndsWith100WhereBoundaryEdgesFormNoLoop) {
+  // The second triangle is turned over.
+  const std::string tile =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\nend_header\n1 1 0\n9 1 0\n1 9 0\n9 9 0\n3 0 1 2\n3 1 2 "
+      "3\n";
+  std::filesystem::create_directory(folder_ / "scene");
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/tile.ply", tile).ok());
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/scene.json",
+                                  R"({"origin": [0, 0, 0], "cell_size": 10, "cols": 1, "rows": 1,
+                                      "tiles": [{"col": 0, "row": 0, "path": "tile.ply"}]})")
+                  .ok());
+  const Ended ended = Run({"aggregate", folder_ / "scene", "--out", folder_ / "all.ply"});
+  EXPECT_EQ(ended.code, 100) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("form no loop"));
+}
+
 TEST_F(CommandTest, UnknownWordsGetASuggestion) {
   Ended ended = Run({"submitt"});
   EXPECT_EQ(ended.code, 2);

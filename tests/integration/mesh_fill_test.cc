@@ -95,6 +95,23 @@ TEST(MeshFillTest, GivesTheSamePatchesForAMeshSeveralTimesDoubled) {
   }
 }
 
+// The middle of the patch would lie on the middle of the fan.
+TEST(MeshFillTest, PutsNoNewVertexOnOneOfTheMesh) {
+  for (const int32_t n : {16, 24, 32, 36, 60}) {
+    SCOPED_TRACE(n);
+    TriMesh fan;
+    fan.points.emplace_back(0, 0, 0);
+    for (int32_t i = 0; i < n; ++i) {
+      const double turn = 2 * std::numbers::pi * i / n;
+      fan.points.emplace_back(std::cos(turn), std::sin(turn), std::cos(4 * turn));
+      fan.triangles.push_back({0, i + 1, (i + 1) % n + 1});
+    }
+    MeshHoleOptions choice;
+    choice.fill_outlines = true;
+    ExpectSound(Fill(fan, Surface::kThinPlate, choice));
+  }
+}
+
 TEST(MeshFillTest, TakesEveryLoopOfABodyForAHole) {
   // Limbs that widen towards the cut.
   for (const double widening : {-0.5, 0.0, 0.5, 1.0}) {

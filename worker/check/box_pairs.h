@@ -9,8 +9,8 @@
 
 namespace tilemend {
 
-// Calls found(a, b), a < b, for every pair of boxes that meet; for some more than once. O(n log n) for boxes that are
-// small beside their spread, and the pairs.
+// Calls found(a, b), a < b, once for every pair of boxes that meet. O(n log n) for boxes that are small beside their
+// spread, and the pairs.
 void ForBoxPairs(std::span<const Eigen::AlignedBox3d> boxes, const std::function<void(int32_t a, int32_t b)>& found);
 
 }  // namespace tilemend

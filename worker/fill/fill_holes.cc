@@ -84,7 +84,7 @@ class HoleFiller {
       if (patch.ok() && way.check == Check::kPublished && GoesFar(patch)) patch.failure = FillFailure::kGoesFar;
       if (patch.ok()) patch.failure = FaultOf(hole_, patch);
       if (patch.ok() && way.check != Check::kNothing && crossings_.Crosses(patch)) {
-        patch.failure = FillFailure::kCrosses;
+        patch.failure = way.check == Check::kPublished ? FillFailure::kPatchCrosses : FillFailure::kCrosses;
       }
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
@@ -97,7 +97,8 @@ class HoleFiller {
     if (best_ && !options_.refine.cancelled()) {
       return FoldsBack() ? Failed(FillFailure::kFoldsBack) : *std::move(best_);
     }
-    const bool by_rim = failure == FillFailure::kCrosses && crossings_.rim_is_crossed();
+    const bool crosses = failure == FillFailure::kCrosses || failure == FillFailure::kPatchCrosses;
+    const bool by_rim = crosses && crossings_.rim_is_crossed();
     return Failed(by_rim ? FillFailure::kRimIsCrossed : failure);
   }
 

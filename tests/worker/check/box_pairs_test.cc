@@ -25,7 +25,10 @@ std::vector<Eigen::AlignedBox3d> RandomBoxes(int count, double size, uint32_t se
 
 Pairs PairsOf(const std::vector<Eigen::AlignedBox3d>& boxes) {
   Pairs pairs;
-  ForBoxPairs(boxes, [&](int32_t a, int32_t b) { pairs.emplace(a, b); });
+  ForBoxPairs(boxes, [&](int32_t a, int32_t b) {
+    EXPECT_LT(a, b);
+    EXPECT_TRUE(pairs.emplace(a, b).second) << a << " and " << b << " again";
+  });
   return pairs;
 }
 

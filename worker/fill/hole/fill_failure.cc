@@ -29,6 +29,8 @@ std::string TextOfFault(FillFailure failure) {
       return "its islands cannot be joined to the rest of its boundary";
     case FillFailure::kTooMuchWork:
       return "the advancing front needs more work than --filler-work allows";
+    case FillFailure::kPatchCrosses:
+      return "its patch passes through itself or the surface around it";
     case FillFailure::kGoesFar:
       return "its patch goes further from its boundary than that is wide";
     case FillFailure::kFoldsBack:
@@ -41,7 +43,7 @@ std::string TextOfFault(FillFailure failure) {
 
 std::string TextOfLength(FillFailure failure, size_t boundary_edges) {
   const std::string has = "it has " + std::to_string(boundary_edges) + " boundary ";
-  return failure == FillFailure::kTooLongForArea ? has + "vertices, too many for a triangulation of least area"
+  return failure == FillFailure::kTooLongForArea ? has + "vertices, more than --longest-loop allows"
                                                  : has + "edges, more than --longest-rim allows";
 }
 

@@ -18,8 +18,9 @@ enum class FillFailure {
   kTurnsOver,
   kTooLongForSpace,
   kNoBridge,
-  kCrosses,
-  kRimIsCrossed,
+  kCrosses,       // of all ways
+  kPatchCrosses,  // of the one that was asked for
+  kRimIsCrossed,  // and with that any patch is
   kFlatTriangle,
   kRepeatsTriangle,
   kOverfullEdge,

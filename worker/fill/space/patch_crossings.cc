@@ -64,6 +64,35 @@ bool SegmentMeets(const Point3& p, const Point3& q, const SpaceTriangle& t) {
   return least >= 0 || most <= 0;
 }
 
+// What rounding may change of a scalar product, as a share of the product of the lengths.
+constexpr double kProductSlack = 1e-14;
+
+// Whether the plane across `way` at `on` has the corners of a that are not there ahead of it and those of b behind it,
+// by more than rounding.
+bool Parts(const Point3& on, const Eigen::Vector3d& way, const SpaceTriangle& a, const SpaceTriangle& b) {
+  const auto is_ahead = [&](const Point3& p, double sign) {
+    const Eigen::Vector3d from = p - on;
+    const double ahead = sign * from.dot(way);
+    return ahead > 0 ? ahead * ahead > kProductSlack * kProductSlack * from.squaredNorm() * way.squaredNorm() : p == on;
+  };
+  return std::ranges::all_of(a, [&](const Point3& p) { return is_ahead(p, 1); }) &&
+         std::ranges::all_of(b, [&](const Point3& p) { return is_ahead(p, -1); });
+}
+
+// Whether triangles with one common corner, or none, are told apart by a plane halfway between them: most are, without
+// exact signs.
+bool IsApart(const SpaceTriangle& a, const SpaceTriangle& b, bool has_common) {
+  if (!has_common) {
+    const Point3 from = (a[0] + a[1] + a[2]) / 3, to = (b[0] + b[1] + b[2]) / 3;
+    return Parts((from + to) / 2, from - to, a, b);
+  }
+  const Point3& common = *std::ranges::find_if(a, [&](const Point3& p) { return Has(b, p); });
+  const auto direction = [&](const SpaceTriangle& t) {
+    return Eigen::Vector3d((t[0] + t[1] + t[2] - 3 * common).normalized());
+  };
+  return Parts(common, direction(a) - direction(b), a, b);
+}
+
 // Whether an edge of a between corners that b does not have meets b.
 bool EdgeMeets(const SpaceTriangle& a, const SpaceTriangle& b) {
   for (int k = 0; k < 3; ++k) {
@@ -111,6 +140,7 @@ bool SegmentCrosses(const Point3& p, const Point3& q, const SpaceTriangle& t) {
 bool TrianglesCross(const SpaceTriangle& a, const SpaceTriangle& b) {
   const auto shared = std::count_if(a.begin(), a.end(), [&](const Point3& p) { return Has(b, p); });
   if (shared == 2) return IsFolded(a, b);
+  if (shared < 2 && IsApart(a, b, shared == 1)) return false;
   return shared > 2 || EdgeMeets(a, b) || EdgeMeets(b, a);
 }
 

@@ -26,6 +26,41 @@ bool IsOfSurface(const LocalHole& hole, const Triangle& t) {
   return hole.band->HasTriangle({hole.vertices[t[0]], hole.vertices[t[1]], hole.vertices[t[2]]});
 }
 
+// The new points of a patch that something else has as well: another of them, the rim, the surface. In what is written
+// they would be one vertex.
+class TakenPoints {
+ public:
+  TakenPoints(const LocalPatch& patch, std::span<const Point3> rim, std::span<const SpaceTriangle> surface)
+      : points_(patch.new_points) {
+    std::ranges::sort(points_, IsBefore);
+    is_taken_.assign(points_.size(), false);
+    for (size_t k = 1; k < points_.size(); ++k) {
+      if (points_[k - 1] == points_[k]) is_taken_[k - 1] = is_taken_[k] = true;
+    }
+    AlignedBox3d box;
+    for (const Point3& p : points_) box.extend(p);
+    const auto take = [&](const Point3& p) {
+      if (!box.contains(p)) return;
+      const auto [first, last] = std::ranges::equal_range(points_, p, IsBefore);
+      std::fill(is_taken_.begin() + (first - points_.begin()), is_taken_.begin() + (last - points_.begin()), true);
+    };
+    std::ranges::for_each(rim, take);
+    for (const SpaceTriangle& t : surface) std::ranges::for_each(t, take);
+  }
+
+  bool any() const { return std::ranges::find(is_taken_, true) != is_taken_.end(); }
+  bool Has(const Point3& p) const {
+    const auto it = std::ranges::lower_bound(points_, p, IsBefore);
+    return it != points_.end() && *it == p && is_taken_[static_cast<size_t>(it - points_.begin())];
+  }
+
+ private:
+  static bool IsBefore(const Point3& a, const Point3& b) { return std::ranges::lexicographical_compare(a, b); }
+
+  std::vector<Point3> points_;  // sorted
+  std::vector<bool> is_taken_;
+};
+
 }  // namespace
 
 FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch) {
@@ -97,17 +132,32 @@ std::pair<std::vector<SpaceTriangle>, AlignedBox3d> CrossingCheck::Place(const L
 
 bool CrossingCheck::Crosses(const LocalPatch& patch) {
   const auto [triangles, box] = Place(patch);
-  if (!PatchCrosses(triangles, Surroundings(box))) return false;
+  const auto crosses = [&, &triangles = triangles] {
+    return PatchCrosses(triangles, surroundings_) || TakenPoints(patch, hole_.positions, surroundings_).any();
+  };
+  Surroundings(box);
+  if (!crosses()) return false;
   if (knows_crossed_) return true;
   LeaveOutCrossed();
-  return PatchCrosses(triangles, surroundings_);
+  return crosses();
 }
 
 std::vector<int32_t> CrossingCheck::Crossed(const LocalPatch& patch) {
   const auto [triangles, box] = Place(patch);
   Surroundings(box);
   if (!knows_crossed_) LeaveOutCrossed();
-  return CrossedTriangles(triangles, surroundings_);
+  std::vector<int32_t> crossed = CrossedTriangles(triangles, surroundings_);
+  const TakenPoints taken(patch, hole_.positions, surroundings_);
+  if (!taken.any()) return crossed;
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    const auto is_new_and_taken = [&](int32_t v) {
+      return v >= hole_.size() && taken.Has(patch.new_points[v - hole_.size()]);
+    };
+    if (std::ranges::any_of(patch.triangles[t], is_new_and_taken)) crossed.push_back(static_cast<int32_t>(t));
+  }
+  std::ranges::sort(crossed);
+  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+  return crossed;
 }
 
 std::span<const SpaceTriangle> CrossingCheck::Surface() {

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace tilemend {
@@ -33,6 +35,31 @@ TEST(PatchCrossingsTest, SeesATriangleFoldedOntoItsNeighbour) { EXPECT_TRUE(Cros
 TEST(PatchCrossingsTest, LetsNeighboursBe) {
   EXPECT_FALSE(Crosses({kFlat, kAbove, kNeighbour, kAtACorner}));
   EXPECT_FALSE(Crosses({kFlat}, {kAbove, kNeighbour, kAtACorner}));
+}
+
+// Triangles that a plane parts are told apart without exact signs: the answers stay those of the edges.
+TEST(TrianglesCrossTest, AnswersAsTheEdgesDo) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> place(-2, 2);
+  const auto point = [&] { return Point3(place(random), place(random), place(random)); };
+  const auto meets = [](const SpaceTriangle& a, const SpaceTriangle& b) {
+    for (int k = 0; k < 3; ++k) {
+      const Point3 &p = a[k], &q = a[(k + 1) % 3];
+      if (std::ranges::count(b, p) + std::ranges::count(b, q) == 0 && SegmentCrosses(p, q, b)) return true;
+    }
+    return false;
+  };
+  int apart = 0, crossing = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const SpaceTriangle a = {point(), point(), point()}, b = {i % 2 == 0 ? a[0] : point(), point(), point()};
+    if (!HasArea(a) || !HasArea(b)) continue;
+    const auto shared = std::ranges::count_if(a, [&](const Point3& p) { return std::ranges::count(b, p) > 0; });
+    if (shared > 1) continue;
+    const bool expected = meets(a, b) || meets(b, a);
+    ASSERT_EQ(TrianglesCross(a, b), expected) << i;
+    ++(expected ? crossing : apart);
+  }
+  EXPECT_GT(std::min(apart, crossing), 10000);
 }
 
 TEST(PatchCrossingsTest, LeavesTheSurfaceToItself) { EXPECT_FALSE(Crosses({kAbove}, {kFlat, kThrough})); }

@@ -75,6 +75,33 @@ TEST_F(PatchSoundnessTest, DoesNotCountWhatPassesThroughTheRim) {
   EXPECT_TRUE(Crosses({through_rim, Across(0.4, -4.3)}, &rim_is_crossed));
 }
 
+// In what is written it and the surface's own vertex would be one.
+TEST_F(PatchSoundnessTest, CountsANewPointThatTheSurfaceHas) {
+  const std::vector<int32_t> loop = hole_.loops[0].vertices;
+  const int32_t middle = hole_.size();
+  const Point3 place = (hole_.positions[loop[0]] + hole_.positions[loop[2]]) / 2;
+  patch_.new_points = {place};
+  patch_.triangles.clear();
+  for (int32_t i = 0; i < 4; ++i) patch_.triangles.push_back({loop[i], loop[(i + 1) % 4], middle});
+  const auto hanging = [](const Point3& tip) {
+    return SpaceTriangle{tip, tip + Point3(0.1, 0, -1), tip + Point3(0, 0.1, -1)};
+  };
+  EXPECT_FALSE(Crosses({hanging(place - Point3(0, 0, 0.01))}));
+  EXPECT_TRUE(Crosses({hanging(place)}));
+  const SurfaceNear near = [&](const Point3&, const Point3&) { return std::vector<SpaceTriangle>{hanging(place)}; };
+  CrossingCheck check(hole_, ReachOf(work_, work_.holes[0]), near, {});
+  EXPECT_EQ(check.Crossed(patch_), (std::vector<int32_t>{0, 1, 2, 3}));
+}
+
+TEST_F(PatchSoundnessTest, CountsNewPointsAtOnePlace) {
+  patch_.new_points = {Point3(0, 0, 5), Point3(1, 0, 5)};
+  EXPECT_FALSE(Crosses({}));
+  patch_.new_points = {Point3(0, 0, 5), Point3(0, 0, 5)};
+  EXPECT_TRUE(Crosses({}));
+  patch_.new_points = {hole_.positions[1]};
+  EXPECT_TRUE(Crosses({}));
+}
+
 TEST_F(PatchSoundnessTest, CountsPatchesMadeBefore) {
   HolePatch earlier;
   earlier.new_points = {Point3(0.4, -4.3, -1), Point3(0.41, -4.3, -1), Point3(0.4, -4.3, 1)};

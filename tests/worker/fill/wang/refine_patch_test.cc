@@ -56,6 +56,33 @@ TEST(RefinePatchTest, GrowsInwardWhereTheOptionsSaySo) {
   EXPECT_LT(2 * graded.size(), even.size());
 }
 
+// Beside an edge of the rim that stays long, points would come ever closer to it.
+TEST(RefinePatchTest, MakesNoTriangleFlatterThanTheOutputHolds) {
+  for (const double least : {0.0, 0.02}) {
+    NewPatch patch;
+    patch.points = {{0, 0, 0}, {40, 0, 0}, {30, 9, 0}, {20, 10, 0}, {10, 9, 0}};
+    patch.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+    patch.rim_count = 5;
+    patch.sizes.assign(5, 0.3);
+    patch.least_height = least;
+    RefinePatch(Uniform(), kAnyEdge, patch);
+    double lowest = 1;
+    for (const Triangle& t : patch.triangles) {
+      double longest = 0;
+      for (int k = 0; k < 3; ++k) {
+        longest = std::max(longest, (patch.points[t[(k + 1) % 3]] - patch.points[t[k]]).norm());
+      }
+      lowest = std::min(lowest, TwiceVectorArea(patch.points, t).z() / longest);
+    }
+    EXPECT_GT(patch.size(), 100);
+    if (least > 0) {
+      EXPECT_GE(lowest, least * (1 - 1e-9));
+    } else {
+      EXPECT_LT(lowest, 0.002);
+    }
+  }
+}
+
 TEST(RefinePatchTest, LeavesTrianglesOfTheWantedSize) {
   NewPatch patch = Fan(4, 1);
   RefinePatch(Uniform(), kAnyEdge, patch);
