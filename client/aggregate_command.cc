@@ -20,6 +20,7 @@
 #include "common/util/place.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
+#include "coordinator/report/left_open.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/tile_checks.h"
 

@@ -30,6 +30,7 @@
 #include "common/util/stopwatch.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
+#include "coordinator/report/left_open.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/water_choice.h"
 #include "worker/materials/write_materials.h"

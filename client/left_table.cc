@@ -8,6 +8,7 @@
 #include "absl/strings/str_format.h"
 #include "client/json_access.h"
 #include "client/output.h"
+#include "coordinator/report/left_open.h"
 
 namespace tilemend {
 namespace {

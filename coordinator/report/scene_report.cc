@@ -12,6 +12,7 @@
 #include "absl/strings/str_format.h"
 #include "common/records/filler.h"
 #include "common/util/version.h"
+#include "coordinator/report/left_open.h"
 
 namespace tilemend {
 namespace {
@@ -289,12 +290,6 @@ Json Options(const SceneReportInput& input) {
   return options;
 }
 
-constexpr char kNotChosen[] = "in a cell that was not chosen";
-
-bool IsChosen(const SceneReportInput& input, CellId cell) {
-  return input.outcome.chosen.empty() || input.outcome.chosen.contains(cell);
-}
-
 int64_t PeakRssBytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -302,12 +297,6 @@ int64_t PeakRssBytes() {
 }
 
 }  // namespace
-
-std::string FailureOf(const SceneReportInput& input, int32_t hole) {
-  if (!IsChosen(input, input.plan->holes[hole].cell)) return kNotChosen;
-  const auto it = input.outcome.failures.find(hole);
-  return it != input.outcome.failures.end() ? it->second : input.plan->holes[hole].failure;
-}
 
 const char* TypeName(HoleType type) { return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1]; }
 
@@ -371,24 +360,6 @@ const char* BorderName(BorderKind kind) {
     default:
       return "open";
   }
-}
-
-std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
-  std::vector<LeftOpen> left = input.plan->left;
-  left.insert(left.end(), input.outcome.unwritten.begin(), input.outcome.unwritten.end());
-  left.insert(left.end(), input.outcome.unsmoothed.begin(), input.outcome.unsmoothed.end());
-  for (const auto& [hole, reason] : input.outcome.failures) {
-    const PlannedHole& planned = input.plan->holes[hole];
-    left.push_back({planned.cell, reason, hole, planned.boundary_vertices});
-  }
-  std::erase_if(left, [&](const LeftOpen& l) { return !IsChosen(input, l.cell); });
-  return left;
-}
-
-bool SomeHolesLeft(const SceneReportInput& input) {
-  const std::vector<LeftOpen> left = LeftOf(input);
-  return std::ranges::any_of(left, &LeftOpen::is_hole) ||
-         std::ranges::any_of(input.plan->holes, [](const PlannedHole& h) { return !h.failure.empty(); });
 }
 
 std::vector<std::string> PlanWarnings(const Plan& plan) {

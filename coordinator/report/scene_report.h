@@ -34,16 +34,6 @@ struct SceneReportInput {
   int64_t tasks = 0, taken_over = 0;  // how many there were, and were taken over from an earlier job
 };
 
-// What the report says is left open: of the plan, then of its outcome.
-std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
-
-// Whether holes, or boundary edges that form no loop, are left open, so that the result is partial. Outlines of
-// detached pieces and of a mesh itself are none.
-bool SomeHolesLeft(const SceneReportInput& input);
-
-// Why a hole is not filled; "" if it is.
-std::string FailureOf(const SceneReportInput& input, int32_t hole);
-
 // What the user should know of the plan, one line each.
 std::vector<std::string> PlanWarnings(const Plan& plan);
 

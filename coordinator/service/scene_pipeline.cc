@@ -21,6 +21,7 @@
 #include "common/util/stopwatch.h"
 #include "common/util/utc.h"
 #include "coordinator/report/area_choice.h"
+#include "coordinator/report/left_open.h"
 #include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/tile_checks.h"

@@ -1,0 +1,40 @@
+#include "coordinator/report/left_open.h"
+
+#include <algorithm>
+
+namespace tilemend {
+namespace {
+
+constexpr char kNotChosen[] = "in a cell that was not chosen";
+
+bool IsChosen(const SceneReportInput& input, CellId cell) {
+  return input.outcome.chosen.empty() || input.outcome.chosen.contains(cell);
+}
+
+}  // namespace
+
+std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
+  std::vector<LeftOpen> left = input.plan->left;
+  left.insert(left.end(), input.outcome.unwritten.begin(), input.outcome.unwritten.end());
+  left.insert(left.end(), input.outcome.unsmoothed.begin(), input.outcome.unsmoothed.end());
+  for (const auto& [hole, reason] : input.outcome.failures) {
+    const PlannedHole& planned = input.plan->holes[hole];
+    left.push_back({planned.cell, reason, hole, planned.boundary_vertices});
+  }
+  std::erase_if(left, [&](const LeftOpen& l) { return !IsChosen(input, l.cell); });
+  return left;
+}
+
+bool SomeHolesLeft(const SceneReportInput& input) {
+  const std::vector<LeftOpen> left = LeftOf(input);
+  return std::ranges::any_of(left, &LeftOpen::is_hole) ||
+         std::ranges::any_of(input.plan->holes, [](const PlannedHole& h) { return !h.failure.empty(); });
+}
+
+std::string FailureOf(const SceneReportInput& input, int32_t hole) {
+  if (!IsChosen(input, input.plan->holes[hole].cell)) return kNotChosen;
+  const auto it = input.outcome.failures.find(hole);
+  return it != input.outcome.failures.end() ? it->second : input.plan->holes[hole].failure;
+}
+
+}  // namespace tilemend

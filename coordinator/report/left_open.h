@@ -1,0 +1,25 @@
+// What a report says is left open.
+#ifndef TILEMEND_COORDINATOR_REPORT_LEFT_OPEN_H_
+#define TILEMEND_COORDINATOR_REPORT_LEFT_OPEN_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "coordinator/report/scene_report.h"
+
+namespace tilemend {
+
+// Of the plan, then of its outcome, in the cells that were chosen.
+std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
+
+// Whether holes, or boundary edges that form no loop, are left open, so that the result is partial. Outlines of
+// detached pieces and of a mesh itself are none.
+bool SomeHolesLeft(const SceneReportInput& input);
+
+// Why a hole is not filled; "" if it is.
+std::string FailureOf(const SceneReportInput& input, int32_t hole);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_REPORT_LEFT_OPEN_H_

@@ -1,0 +1,48 @@
+#include "coordinator/report/left_open.h"
+
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+class LeftOpenTest : public testing::Test {
+ protected:
+  LeftOpenTest() {
+    plan_.holes.resize(2);
+    plan_.holes[1].cell = {1, 0};
+    plan_.left = {{{0, 0}, "an outline", -1, 4, false}};
+    input_.plan = &plan_;
+  }
+
+  Plan plan_;
+  SceneReportInput input_;
+};
+
+TEST_F(LeftOpenTest, OutlinesAreNoHoles) {
+  EXPECT_EQ(LeftOf(input_).size(), 1u);
+  EXPECT_FALSE(SomeHolesLeft(input_));
+}
+
+TEST_F(LeftOpenTest, BoundaryEdgesThatFormNoLoopCount) {
+  plan_.left.push_back({{0, 0}, "no loop", -1, 3});
+  EXPECT_TRUE(SomeHolesLeft(input_));
+}
+
+TEST_F(LeftOpenTest, HolesThatFailCountWhereTheirCellIsChosen) {
+  input_.outcome.failures[1] = "a reason";
+  EXPECT_EQ(FailureOf(input_, 0), "");
+  EXPECT_EQ(FailureOf(input_, 1), "a reason");
+  EXPECT_EQ(LeftOf(input_).size(), 2u);
+  EXPECT_TRUE(SomeHolesLeft(input_));
+  input_.outcome.chosen = {CellId{0, 0}};
+  EXPECT_EQ(FailureOf(input_, 1), "in a cell that was not chosen");
+  EXPECT_FALSE(SomeHolesLeft(input_));
+}
+
+TEST_F(LeftOpenTest, HolesThatThePlanGaveUpCount) {
+  plan_.holes[0].failure = "no way along the grid line";
+  EXPECT_TRUE(SomeHolesLeft(input_));
+}
+
+}  // namespace
+}  // namespace tilemend
