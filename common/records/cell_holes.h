@@ -103,7 +103,7 @@ struct HolePatch {
   std::vector<Point3> new_points = {};
   std::vector<Triangle> triangles = {};
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
-  int32_t creases = 0;                   // of a named filler: edges at which it turns by more than 120 degrees
+  int32_t creases = 0;                   // of a published patch: edges at which it turns by more than 120 degrees
   int32_t loop_cuts = 0;                 // of `wang`: how often its boundary was cut to be triangulated (WangOptions)
 };
 

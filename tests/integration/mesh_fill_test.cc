@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -95,20 +96,38 @@ TEST(MeshFillTest, GivesTheSamePatchesForAMeshSeveralTimesDoubled) {
   }
 }
 
+// Triangles around (0, 0, 0) up to a circle with heights by the turn.
+TriMesh Fan(int32_t n, const std::function<double(double)>& height) {
+  TriMesh fan;
+  fan.points.emplace_back(0, 0, 0);
+  for (int32_t i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi * i / n;
+    fan.points.emplace_back(std::cos(turn), std::sin(turn), height(turn));
+    fan.triangles.push_back({0, i + 1, (i + 1) % n + 1});
+  }
+  return fan;
+}
+
+FilledMesh WithOutlineFilled(const TriMesh& mesh, Surface surface) {
+  MeshHoleOptions choice;
+  choice.fill_outlines = true;
+  return Fill(mesh, surface, choice);
+}
+
 // The middle of the patch would lie on the middle of the fan.
 TEST(MeshFillTest, PutsNoNewVertexOnOneOfTheMesh) {
   for (const int32_t n : {16, 24, 32, 36, 60}) {
     SCOPED_TRACE(n);
-    TriMesh fan;
-    fan.points.emplace_back(0, 0, 0);
-    for (int32_t i = 0; i < n; ++i) {
-      const double turn = 2 * std::numbers::pi * i / n;
-      fan.points.emplace_back(std::cos(turn), std::sin(turn), std::cos(4 * turn));
-      fan.triangles.push_back({0, i + 1, (i + 1) % n + 1});
-    }
-    MeshHoleOptions choice;
-    choice.fill_outlines = true;
-    ExpectSound(Fill(fan, Surface::kThinPlate, choice));
+    ExpectSound(WithOutlineFilled(Fan(n, [](double turn) { return std::cos(4 * turn); }), Surface::kThinPlate));
+  }
+}
+
+TEST(MeshFillTest, CountsTheEdgesAtWhichAPublishedPatchFoldsBack) {
+  for (const double height : {0.2, 2.0}) {
+    const FilledMesh cup = WithOutlineFilled(Fan(24, [&](double) { return height; }), Surface::kWang);
+    ASSERT_EQ(cup.patches.size(), 1u);
+    EXPECT_EQ(cup.patches[0].failure, "");
+    EXPECT_EQ(cup.patches[0].creases > 0, height < 1);
   }
 }
 

@@ -126,7 +126,7 @@ class HoleFiller {
     if (best_ && !(rank < best_rank_)) return;
     best_rank_ = rank;
     const bool is_bare = patch.is_bare;
-    const int32_t creases = way >= FillWay::kAdvancingFrontNormal ? CountCreases(hole_, patch) : 0;
+    const int32_t creases = IsAsPublished(way) ? CountCreases(hole_, patch) : 0;
     best_ = ToHolePatch(hole_, std::move(patch));
     best_->creases = creases;
     best_->way = is_bare ? FillWay::kBare : way;
@@ -136,6 +136,11 @@ class HoleFiller {
   bool MayGoOnBetterInSpace() const {
     const bool by_heights = best_->way == FillWay::kOwnPlane || best_->way == FillWay::kFacingPlane;
     return by_heights && ShunsFolds() && best_rank_.turn > kLittleTurn_rad && IsSteep(hole_);
+  }
+
+  // By a named filler, or in a single mesh by the published surface.
+  bool IsAsPublished(FillWay way) const {
+    return way >= FillWay::kAdvancingFrontNormal || (options_.surface == Surface::kWang && !hole_.cell->upright);
   }
 
   // What is published makes its patches as published.

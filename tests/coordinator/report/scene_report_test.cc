@@ -161,7 +161,7 @@ TEST_F(SceneReportTest, PutsTheWarningsOfThePlanAfterThoseGiven) {
 TEST_F(SceneReportTest, WarnsOfPatchesThatFoldBack) {
   EXPECT_TRUE(WarningsOf(input_).empty());
   input_.outcome.sizes[0].creases = 3;
-  EXPECT_THAT(WarningsOf(input_), ElementsAre("1 patches fold back, at 3 edges (creases)"));
+  EXPECT_THAT(WarningsOf(input_), ElementsAre("1 patch folds back, at 3 edges (creases)"));
 }
 
 TEST_F(SceneReportTest, WarnsOfTenAreasThatAreNotTakenAndCountsTheRest) {
