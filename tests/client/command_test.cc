@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "absl/time/clock.h"
 #include "common/util/build_id.h"
 #include "common/util/files.h"
@@ -29,6 +30,22 @@ class CommandTest : public ::testing::Test {
   }
   Ended Run(const std::vector<std::string>& words) {
     return Process(folder_.path().string(), TOY_CLIENT, words).Wait();
+  }
+
+  // Makes a scene of one tile; returns the file's bytes.
+  std::string MakeScene(const std::vector<std::string>& vertices, const std::vector<std::string>& faces) {
+    std::string tile =
+        absl::StrCat("ply\nformat ascii 1.0\nelement vertex ", vertices.size(),
+                     "\nproperty float x\nproperty float y\nproperty float z\nelement face ", faces.size(),
+                     "\nproperty list uchar int vertex_indices\nend_header\n", absl::StrJoin(vertices, "\n"), "\n");
+    for (const std::string& face : faces) absl::StrAppend(&tile, "3 ", face, "\n");
+    std::filesystem::create_directory(folder_ / "scene");
+    EXPECT_TRUE(WriteFileAtomically(folder_ / "scene/tile.ply", tile).ok());
+    EXPECT_TRUE(WriteFileAtomically(folder_ / "scene/scene.json",
+                                    R"({"origin": [0, 0, 0], "cell_size": 10, "cols": 1, "rows": 1,
+                                        "tiles": [{"col": 0, "row": 0, "path": "tile.ply"}]})")
+                    .ok());
+    return tile;
   }
 
   TempFolder folder_;
@@ -88,15 +105,7 @@ TEST_F(CommandTest, SaysOfOptionsThatExcludeEachOtherWhichToLeaveOut) {
 }
 
 TEST_F(CommandTest, AggregateLeavesTheSceneAndFilesBesideItsOutputAsTheyAre) {
-  const std::string tile =
-      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-      "element face 1\nproperty list uchar int vertex_indices\nend_header\n1 1 0\n9 1 0\n1 9 0\n3 0 1 2\n";
-  std::filesystem::create_directory(folder_ / "scene");
-  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/tile.ply", tile).ok());
-  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/scene.json",
-                                  R"({"origin": [0, 0, 0], "cell_size": 10, "cols": 1, "rows": 1,
-                                      "tiles": [{"col": 0, "row": 0, "path": "tile.ply"}]})")
-                  .ok());
+  const std::string tile = MakeScene({"1 1 0", "9 1 0", "1 9 0"}, {"0 1 2"});
   std::filesystem::create_symlink(folder_ / "scene/tile.ply", folder_ / "link.ply");
   for (const char* out : {"scene/tile.ply", "scene/new.ply", "link.ply"}) {
     EXPECT_EQ(Run({"aggregate", folder_ / "scene", "--out", folder_ / out, "--overwrite"}).code, 4) << out;
@@ -111,17 +120,7 @@ TEST_F(CommandTest, AggregateLeavesTheSceneAndFilesBesideItsOutputAsTheyAre) {
 }
 
 TEST_F(CommandTest, AggregateEndsWith100WhereBoundaryEdgesFormNoLoop) {
-  // The second triangle is turned over.
-  const std::string tile =
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-      "element face 2\nproperty list uchar int vertex_indices\nend_header\n1 1 0\n9 1 0\n1 9 0\n9 9 0\n3 0 1 2\n3 1 2 "
-      "3\n";
-  std::filesystem::create_directory(folder_ / "scene");
-  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/tile.ply", tile).ok());
-  ASSERT_TRUE(WriteFileAtomically(folder_ / "scene/scene.json",
-                                  R"({"origin": [0, 0, 0], "cell_size": 10, "cols": 1, "rows": 1,
-                                      "tiles": [{"col": 0, "row": 0, "path": "tile.ply"}]})")
-                  .ok());
+  MakeScene({"1 1 0", "9 1 0", "1 9 0", "9 9 0"}, {"0 1 2", "1 2 3"});  // the second triangle is turned over
   const Ended ended = Run({"aggregate", folder_ / "scene", "--out", folder_ / "all.ply"});
   EXPECT_EQ(ended.code, 100) << ended.err;
   EXPECT_THAT(ended.err, HasSubstr("form no loop"));
