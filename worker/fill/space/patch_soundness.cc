@@ -41,7 +41,7 @@ class TakenPoints {
     for (const Point3& p : points_) box.extend(p);
     const auto take = [&](const Point3& p) {
       if (!box.contains(p)) return;
-      const auto [first, last] = std::ranges::equal_range(points_, p, IsBefore);
+      const auto [first, last] = std::equal_range(points_.begin(), points_.end(), p, IsBefore);
       std::fill(is_taken_.begin() + (first - points_.begin()), is_taken_.begin() + (last - points_.begin()), true);
     };
     std::ranges::for_each(rim, take);
