@@ -1,9 +1,9 @@
 // The tilemend command as a process, with the toy in place of the geometry: what it prints, where, and its exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -247,7 +247,7 @@ class ClusterCommandTest : public CommandTest {
     address_ = absl::StrCat("127.0.0.1:", cluster_->rpc().port());
   }
   Ended RunWith(std::vector<std::string> words) {
-    words.push_back("--coordinator");
+    words.emplace_back("--coordinator");
     words.push_back(address_);
     return Run(words);
   }
