@@ -39,7 +39,7 @@ HEAD = ('# The papers\' experiments again\n\n`scripts/reproduce.sh` runs them an
         'What is printed, and what came of it here. *Reproduced*: the printed figure, or what it is printed for, is there again. *In part*, *not*: as the last column says.\n')
 EPILOGUE = ('Examples:\n'
             '  scripts/reproduce.sh                        everything, an hour or more, 12 GB of disk and 4 GB of memory\n'
-            '  scripts/reproduce.sh --quick                the small ones of everything, ten minutes; the page is WORK/quick.md\n'
+            '  scripts/reproduce.sh --quick                the small ones of everything, 10 to 20 minutes; the page is WORK/quick.md\n'
             '  scripts/reproduce.sh --only sun,xu          these parts; the others stay as the page has them\n'
             '  scripts/reproduce.sh --carry ID --again xu  measured again where the name has "xu"; else taken from the program ID\n\n'
             'Needs a build (scripts/install.sh), and Debian\'s python3-numpy, python3-scipy and python3-matplotlib.\n'
