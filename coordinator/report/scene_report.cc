@@ -386,9 +386,10 @@ std::vector<std::string> WarningsOf(const SceneReportInput& input) {
     holes += size.creases > 0 ? 1 : 0;
     edges += size.creases;
   }
-  if (holes > 0)
-    warnings.push_back(absl::StrFormat("%d %s back, at %d edges (creases)", holes,
-                                       holes == 1 ? "patch folds" : "patches fold", edges));
+  if (holes > 0) {
+    const char* fold = holes == 1 ? "patch folds" : "patches fold";
+    warnings.push_back(absl::StrFormat("%d %s back, at %d edges (creases)", holes, fold, edges));
+  }
   return warnings;
 }
 
