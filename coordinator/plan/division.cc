@@ -6,6 +6,7 @@
 #include "coordinator/plan/hole/hole_regions.h"
 #include "coordinator/plan/hole/sort_boundary.h"
 #include "coordinator/plan/rim/rim_index.h"
+#include "coordinator/plan/seam/pieces_beside_seams.h"
 #include "coordinator/plan/seam/seams_along_rim.h"
 
 namespace tilemend {
@@ -41,6 +42,7 @@ class Divider {
   Division Divide(ClosingCells closing, SeamsOverRim over_rim) const {
     Division division;
     division.seams = LaySeams(Site(), closing, over_rim);
+    if (!part_.lines.clipped) GivePiecesToTheirSide(Site(), division.seams, closing);
     CloseAlongSeams(Site(), division.seams.seams, closing);
     CellBoundaries boundaries;
     for (const auto& loop : part_.rim.loops) AddLoop(part_.input, part_.lines, part_.rim, closing, loop, boundaries);

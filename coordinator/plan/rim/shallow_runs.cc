@@ -54,10 +54,12 @@ class RunCloser {
 
  private:
   // Out of the area, and back, only at a zigzag: there what faces out is outline unless it is a tooth inside the line.
+  // At the area's corners the outline may face now one way out and now the other: it passes the corner once.
   bool MayPass(const Run& run, CellId around) {
     const CellId own = CellAt(run.begin);
     if (InArea(own) && InArea(around)) return true;
     if (lines_.zigzag.empty()) return false;
+    if (!InArea(own) && !InArea(around)) return true;
     if (InArea(own)) return true;
     return InArea(around) && run.length <= kShortRun && IsInside(run, around, own);
   }

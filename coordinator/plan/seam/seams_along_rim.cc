@@ -32,14 +32,17 @@ std::map<int32_t, std::vector<Passing>> FindPassings(const SeamSite& site, std::
   return passings;
 }
 
-// Whether an edge lies on the line between a cell of the area and one outside it, or in the zigzag there.
+// Whether an edge lies on the line between a cell of the area and one outside it, or in the zigzag there: on a ragged
+// cut a seam from a neighbour's zigzag to the line may follow edges beside it.
 bool LiesOnBorder(const SeamSite& site, const RimEdge& e, CellId inside, CellId outside) {
   if (!site.area.contains(inside)) return false;
   return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
     if (Across(inside, side) != outside) return false;
     if (site.lines.zigzag.contains({inside, side})) return true;
     const auto on_line = [&](int32_t p) {
-      return std::abs(site.rim.points[p].position[AxisOf(side)] - site.lines.At(inside, side)) <= kOnLine;
+      const RimPoint& point = site.rim.points[p];
+      const double reach = site.lines.clipped ? kOnLine : std::max(kOnLine, point.reach);
+      return std::abs(point.position[AxisOf(side)] - site.lines.At(inside, side)) <= reach;
     };
     return on_line(e.from) && on_line(e.to);
   });

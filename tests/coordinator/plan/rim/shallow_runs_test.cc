@@ -88,6 +88,32 @@ TEST(CloseShallowRunsTest, TakesAToothInsideTheLineForTheRimOfTheHoleAroundIt) {
   EXPECT_EQ(OutlineBesideAHole(0.5, 3).Close()[1], kEastCell) << "so are many edges";
 }
 
+TEST(CloseShallowRunsTest, PassesACornerOfTheAreaOnceHoweverTheOutlineFacesThere) {
+  const CellId cell{0, 0}, beyond_east{1, 0}, beyond_north{0, 1};
+  const PlanInput input = CellsOf({cell}, 10);
+  GridLines lines = LinesOf({cell}, 10);
+  lines.clipped = false;
+  lines.zigzag = {{cell, kEast}, {cell, kNorth}};
+  // Surface: up along the east side, a step before the corner, and back along the north side.
+  const Rim rim = RimOf({{{0, 0, 0},
+                          {9.8, 0, 0},
+                          {9.9, 8.8, 0},
+                          {9.4, 9.2, 0},
+                          {9.5, 9.6, 0},
+                          {8.5, 9.9, 0},
+                          {7.5, 9.8, 0},
+                          {0, 9.9, 0}}});
+  std::vector<CellId> closing(8, cell);
+  closing[1] = closing[3] = beyond_east;
+  closing[2] = closing[4] = closing[5] = closing[6] = beyond_north;
+  CloseShallowRuns(input, lines, rim, rim.loops[0], closing);
+  int changes = 0;
+  for (size_t e = 1; e < 6; ++e) changes += closing[e] != closing[e + 1];
+  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(closing[1], beyond_east);
+  EXPECT_EQ(closing[6], beyond_north);
+}
+
 TEST(CloseShallowRunsTest, KeepsOnAClippedCutWhatATileEndsAt) {
   Bulge bulge(0, 3);
   bulge.lines.clipped = true;

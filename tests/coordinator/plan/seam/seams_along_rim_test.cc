@@ -73,5 +73,16 @@ TEST(CloseAlongSeamsTest, LetsEdgesOutOfTheAreaInAZigzag) {
   EXPECT_EQ(site.closing[1], kEastCell);
 }
 
+TEST(CloseAlongSeamsTest, LetsEdgesOfARaggedCutOutOfTheAreaWithinAnEdgesLengthOfItsBorder) {
+  Site site({kWestCell});
+  site.lines.clipped = false;
+  site.Pass({{kWestCell, kEastCell, {0, 1, 2, 3}}});
+  EXPECT_EQ(site.closing[1], kEastCell);
+  Site far_off({kWestCell}, 5);
+  far_off.lines.clipped = false;
+  far_off.Pass({{kWestCell, kEastCell, {1, 2}}});
+  EXPECT_EQ(far_off.closing[1], kWestCell);
+}
+
 }  // namespace
 }  // namespace tilemend
