@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -42,6 +44,28 @@ std::vector<EdgeWalk> LinkEdges(std::span<const DirectedEdge> edges, const Choos
 // The same where it is known which edge each runs on into; next[e] is -1 if edge e ends a chain. No two edges run on
 // into the same one. Cost O(n).
 std::vector<EdgeWalk> FollowEdges(std::span<const int32_t> next);
+
+// A loop that passes corners more than once, as loops that do not: a part between two passages that has no other such
+// is a loop, and the rest goes on without it. A way there and back is a loop of two. Cost O(n log n). Corner: anything
+// in an order.
+template <typename Corner>
+std::vector<std::vector<Corner>> CutWhereItTouches(std::span<const Corner> loop) {
+  std::vector<std::vector<Corner>> loops;
+  std::vector<Corner> open;
+  std::map<Corner, size_t> place;  // in `open`
+  for (const Corner& corner : loop) {
+    if (const auto seen = place.find(corner); seen != place.end()) {
+      const auto begin = open.begin() + static_cast<ptrdiff_t>(seen->second);
+      loops.emplace_back(begin, open.end());
+      for (auto c = begin; c != open.end(); ++c) place.erase(*c);
+      open.erase(begin, open.end());
+    }
+    place[corner] = open.size();
+    open.push_back(corner);
+  }
+  if (!open.empty()) loops.push_back(std::move(open));
+  return loops;
+}
 
 }  // namespace tilemend
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 
 #include "common/mesh/edge_loops.h"
@@ -71,33 +70,17 @@ int32_t LeftmostOf(const Outline& outline, int32_t edge, std::span<const int32_t
   });
 }
 
-// A walk that passes a vertex more than once is as many rings.
-void SplitWalk(const Outline& outline, const EdgeWalk& walk, std::vector<Ring>& rings) {
-  std::vector<int32_t> open;
-  std::map<int32_t, size_t> place;
-  for (const int32_t e : walk.edges) {
-    const int32_t v = outline.edges[e].from;
-    if (const auto seen = place.find(v); seen != place.end()) {
-      Ring& ring = rings.emplace_back();
-      const size_t begin = seen->second;
-      for (size_t i = begin; i < open.size(); ++i) ring.push_back(outline.points[open[i]]);
-      for (size_t i = begin; i < open.size(); ++i) place.erase(open[i]);
-      open.resize(begin);
-    }
-    place[v] = open.size();
-    open.push_back(v);
-  }
-  Ring& last = rings.emplace_back();
-  for (const int32_t v : open) last.push_back(outline.points[v]);
-}
-
 std::vector<Ring> WoundRings(const std::vector<Ring>& rings) {
   const Outline outline = RegionOf(rings);
   std::vector<Ring> simple;
   for (const EdgeWalk& walk : LinkEdges(outline.edges, [&](int32_t edge, std::span<const int32_t> candidates) {
          return LeftmostOf(outline, edge, candidates);
        })) {
-    SplitWalk(outline, walk, simple);
+    std::vector<int32_t> vertices;
+    for (const int32_t e : walk.edges) vertices.push_back(outline.edges[e].from);
+    for (const std::vector<int32_t>& loop : CutWhereItTouches<int32_t>(vertices)) {
+      for (Ring& ring = simple.emplace_back(); const int32_t v : loop) ring.push_back(outline.points[v]);
+    }
   }
   return simple;
 }

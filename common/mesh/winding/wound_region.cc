@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <polyclipping/clipper.hpp>
@@ -66,8 +68,22 @@ Paths PathsOf(std::span<const LatticePoint> points, std::span<const DirectedEdge
   return paths;
 }
 
-// Where a corner of one loop lies inside an edge of another or its own, the edge gets it too, and so it gets `corners`.
-void ShareCorners(std::vector<LatticePoint> corners, Paths& loops) {
+// How far from an edge a corner is that the edge gets too.
+enum class Near {
+  kOnIt,     // not at all
+  kRounded,  // the edge passes through the unit square about the corner, and might be rounded to it (Hobby 1999)
+};
+
+// Of a corner between the ends of an edge, lower corners first.
+bool IsNear(LatticePoint a, LatticePoint b, LatticePoint corner, Near near) {
+  if (near == Near::kOnIt) return Orientation(a, b, corner) == 0;
+  const int64_t dx = b.x - a.x, dy = b.y - a.y;
+  const int64_t area = dx * (corner.y - a.y) - dy * (corner.x - a.x);
+  return 2 * std::abs(area) < std::abs(dx) + std::abs(dy);
+}
+
+// Where a corner of one loop lies near an edge of another or its own, the edge gets it too, and so it gets `corners`.
+void ShareCorners(std::vector<LatticePoint> corners, Near near, Paths& loops) {
   for (const Path& loop : loops) {
     for (const IntPoint& p : loop) corners.push_back(ToLattice(p));
   }
@@ -81,22 +97,32 @@ void ShareCorners(std::vector<LatticePoint> corners, Paths& loops) {
       const auto [lo, hi] = std::minmax(a, b);
       std::vector<LatticePoint> between;
       for (auto c = std::upper_bound(corners.begin(), corners.end(), lo); c != corners.end() && *c < hi; ++c) {
-        if (Orientation(lo, hi, *c) == 0) between.push_back(*c);
+        if (IsNear(lo, hi, *c, near)) between.push_back(*c);
       }
-      if (b < a) std::reverse(between.begin(), between.end());
+      const auto ahead = [&](LatticePoint c) { return (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y); };
+      std::ranges::sort(between, {}, ahead);
       for (const LatticePoint& c : between) shared.push_back(ToClipper(c));
     }
     loop = std::move(shared);
   }
 }
 
-// It looks at its options when paths are added.
-constexpr int kOptions = ClipperLib::ioStrictlySimple | ClipperLib::ioPreserveCollinear;
+// It looks at its options when paths are added. In place of ioStrictlySimple, which takes quadratic time (68 s for a
+// loop of 100,000 corners), loops are cut here.
+constexpr int kOptions = ClipperLib::ioPreserveCollinear;
 
 Paths Executed(Clipper& clipper, ClipperLib::ClipType type) {
-  Paths solution;
+  Paths solution, simple;
   clipper.Execute(type, solution, ClipperLib::pftPositive, ClipperLib::pftPositive);
-  return solution;
+  for (const Path& path : solution) {
+    std::vector<LatticePoint> corners;
+    std::transform(path.begin(), path.end(), std::back_inserter(corners), ToLattice);
+    for (const std::vector<LatticePoint>& loop : CutWhereItTouches<LatticePoint>(corners)) {
+      if (loop.size() < 3) continue;
+      std::transform(loop.begin(), loop.end(), std::back_inserter(simple.emplace_back()), ToClipper);
+    }
+  }
+  return simple;
 }
 
 Paths Clipped(const Paths& paths, const std::optional<LatticeBox>& box, Winding winding) {
@@ -113,24 +139,29 @@ Paths Clipped(const Paths& paths, const std::optional<LatticeBox>& box, Winding 
   return Executed(clipper, inside ? ClipperLib::ctIntersection : ClipperLib::ctDifference);
 }
 
+std::vector<std::pair<LatticePoint, LatticePoint>> SidesOf(const Paths& loops) {
+  std::vector<std::pair<LatticePoint, LatticePoint>> sides;
+  for (const Path& loop : loops) {
+    for (size_t i = 0; i < loop.size(); ++i) {
+      sides.emplace_back(ToLattice(loop[i]), ToLattice(loop[(i + 1) % loop.size()]));
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
 // Rounds until nothing changes: crossings that rounding made are resolved as well.
 //   points  those of the boundary: Clipper leaves some out of straight edges whatever its options
 Paths Simple(const std::vector<LatticePoint>& points, Paths loops) {
   for (int round = 0; round < kMostRounds; ++round) {
-    ShareCorners({}, loops);
+    const auto before = SidesOf(loops);
+    ShareCorners({}, Near::kRounded, loops);
     Clipper clipper(kOptions);
     clipper.AddPaths(loops, ClipperLib::ptSubject, true);
-    Paths again = Executed(clipper, ClipperLib::ctUnion);
-    const auto count = [](const Paths& paths) {
-      size_t n = 0;
-      for (const Path& p : paths) n += p.size();
-      return n;
-    };
-    const bool stable = again.size() == loops.size() && count(again) == count(loops);
-    loops = std::move(again);
-    if (stable) break;
+    loops = Executed(clipper, ClipperLib::ctUnion);
+    if (SidesOf(loops) == before) break;
   }
-  ShareCorners(points, loops);
+  ShareCorners(points, Near::kOnIt, loops);
   return loops;
 }
 
@@ -275,20 +306,14 @@ std::vector<std::vector<int32_t>> LoopsBetween(std::span<const DirectedEdge> out
   }
   std::vector<std::vector<int32_t>> loops;
   for (auto& [start, unused] : next) {
-    while (!next[start].empty()) {
-      std::vector<int32_t> walk = {start};
-      while (!walk.empty() && !next[walk.back()].empty()) {
-        std::vector<int32_t>& ways = next[walk.back()];
-        const int32_t to = ways.back();
-        ways.pop_back();
-        const auto met = std::find(walk.begin(), walk.end(), to);
-        if (met == walk.end()) {
-          walk.push_back(to);
-          continue;
-        }
-        if (walk.end() - met > 2) loops.emplace_back(met, walk.end());
-        walk.erase(met + 1, walk.end());
-      }
+    std::vector<int32_t> walk;
+    for (int32_t at = start; !next[at].empty();) {
+      walk.push_back(at);
+      at = next[at].back();
+      next[walk.back()].pop_back();
+    }
+    for (std::vector<int32_t>& loop : CutWhereItTouches<int32_t>(walk)) {
+      if (loop.size() > 2) loops.push_back(std::move(loop));
     }
   }
   return loops;

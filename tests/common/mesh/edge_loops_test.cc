@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -153,6 +154,39 @@ TEST(FollowEdgesTest, WalksThePermutationThatLinkEdgesFound) {
       for (size_t k = 0; k < walk.edges.size(); ++k) next[walk.edges[k]] = walk.edges[(k + 1) % walk.edges.size()];
     }
     EXPECT_EQ(EdgesOf(FollowEdges(next)), EdgesOf(walks));
+  }
+}
+
+TEST(CutWhereItTouchesTest, LeavesASimpleLoopAsItIs) {
+  const std::vector<int32_t> loop = {4, 2, 7};
+  EXPECT_THAT(CutWhereItTouches<int32_t>(loop), ElementsAre(ElementsAre(4, 2, 7)));
+  EXPECT_THAT(CutWhereItTouches<int32_t>({}), IsEmpty());
+}
+
+TEST(CutWhereItTouchesTest, CutsOffWhatLiesBetweenTwoPassages) {
+  const std::vector<int32_t> eight = {0, 1, 2, 0, 3, 4};
+  EXPECT_THAT(CutWhereItTouches<int32_t>(eight), ElementsAre(ElementsAre(0, 1, 2), ElementsAre(0, 3, 4)));
+  const std::vector<int32_t> nested = {0, 1, 2, 3, 4, 2, 1, 5};
+  EXPECT_THAT(CutWhereItTouches<int32_t>(nested),
+              ElementsAre(ElementsAre(2, 3, 4), ElementsAre(1, 2), ElementsAre(0, 1, 5)))
+      << "the way from 1 to 2 and back is a loop of two";
+}
+
+TEST(CutWhereItTouchesTest, KeepsEveryStep) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<int32_t> loop(1 + random() % 30);
+    for (int32_t& v : loop) v = static_cast<int32_t>(random() % 9);
+    std::multiset<std::pair<int32_t, int32_t>> before, after;
+    const auto add = [](const std::vector<int32_t>& l, std::multiset<std::pair<int32_t, int32_t>>& steps) {
+      for (size_t i = 0; i < l.size(); ++i) steps.insert({l[i], l[(i + 1) % l.size()]});
+    };
+    add(loop, before);
+    for (const std::vector<int32_t>& part : CutWhereItTouches<int32_t>(loop)) {
+      add(part, after);
+      EXPECT_EQ(std::set<int32_t>(part.begin(), part.end()).size(), part.size());
+    }
+    EXPECT_EQ(before, after);
   }
 }
 
