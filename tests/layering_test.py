@@ -46,7 +46,7 @@ RULES = {
 
     'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['eigen']),
 
-    'common/codec': rule(['common/util', 'common/mesh'], ['absl', 'draco', 'fast_float']),
+    'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation'], ['absl', 'draco', 'fast_float']),
 
     'common/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
 

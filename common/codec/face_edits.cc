@@ -78,7 +78,7 @@ std::string WithEdits(std::string_view bytes, const std::map<size_t, Edit>& edit
 absl::StatusOr<FileFaces> ParseFaces(MeshFormat format, std::string_view bytes, const std::string& name) {
   FileFaces faces;
   int32_t face = 0;
-  const auto visit = [&](size_t, std::span<const TextRange> corners) {
+  const auto visit = [&](size_t, std::span<const TextRange> corners, std::span<const Triangle>) {
     faces.face_of.insert(faces.face_of.end(), corners.size() - 2, face++);
     const size_t end = corners[0].end;
     faces.has_textures |= format == MeshFormat::kObj && end + 1 < bytes.size() && bytes[end] == '/' &&
@@ -98,7 +98,7 @@ absl::StatusOr<std::string> ChangeTriangles(MeshFormat format, std::string_view 
       const TextRange& at = corner_at[static_cast<size_t>(vertex)];
       return std::string(bytes.substr(at.begin, at.end - at.begin));
     };
-    const auto note = [&](size_t, std::span<const TextRange> c) {
+    const auto note = [&](size_t, std::span<const TextRange> c, std::span<const Triangle>) {
       corner_at.insert(corner_at.end(), c.begin(), c.end());
     };
     TILEMEND_RETURN_IF_ERROR(Visit(format, bytes, name, note).status());
@@ -109,15 +109,14 @@ absl::StatusOr<std::string> ChangeTriangles(MeshFormat format, std::string_view 
   std::unordered_map<size_t, const TriangleChange*> change_of;
   for (const TriangleChange& change : changes) change_of[static_cast<size_t>(change.triangle)] = &change;
   std::map<size_t, Edit> edits;
-  const auto visit = [&](size_t first, std::span<const TextRange> corners) {
-    for (size_t i = 2; i < corners.size(); ++i) {
-      const auto found = change_of.find(first + i - 2);
+  const auto visit = [&](size_t first, std::span<const TextRange> corners, std::span<const Triangle> triangles) {
+    for (size_t i = 0; i < triangles.size(); ++i) {
+      const auto found = change_of.find(first + i);
       if (found == change_of.end()) continue;
-      const std::array<size_t, 3> places = {0, i - 1, i};  // the fan that AddPolygon makes
-      for (int k = 0; k < 3; ++k) {
+      for (size_t k = 0; k < 3; ++k) {
         const int32_t to = found->second->to[k];
         if (to == found->second->from[k]) continue;
-        const TextRange& place = corners[places[static_cast<size_t>(k)]];
+        const TextRange& place = corners[static_cast<size_t>(triangles[i][k])];
         edits[place.begin] = {place.end, write(to)};
       }
     }

@@ -27,7 +27,7 @@ enum class MeshFormat { kPly, kObj, kOff, kStl };
 struct MeshFile {
   MeshFormat format = MeshFormat::kPly;
   NumberType number_type = NumberType::kFloat64;  // of the positions; text formats are kFloat64
-  TriMesh mesh;                                   // polygons appear as triangle fans
+  TriMesh mesh;                                   // polygons are cut (cut_polygon.h)
   int64_t polygon_count = 0;                      // faces with more than three corners
   int64_t file_bytes = 0;
 };

@@ -196,11 +196,10 @@ class ObjReader {
                            absl::StrCat("the face has more than ", kMaxListCount, " corners"));
       }
     }
-    const size_t before = file_.mesh.triangles.size();
-    AddPolygon(corners_, places_, visit_, file_);
+    AddPolygon(corners_, places_, visit_, file_, cut_);
     if (textures_ != nullptr) {
-      for (size_t i = 0; i < file_.mesh.triangles.size() - before; ++i) {  // the fan that AddPolygon makes
-        textures_->corners.push_back({texture_corners_[0], texture_corners_[i + 1], texture_corners_[i + 2]});
+      for (const auto& [a, b, c] : cut_) {
+        textures_->corners.push_back({texture_corners_[a], texture_corners_[b], texture_corners_[c]});
       }
     }
     return absl::OkStatus();
@@ -257,6 +256,7 @@ class ObjReader {
   int64_t largest_index_ = -1;
   size_t largest_index_offset_ = 0;
   std::vector<int32_t> corners_;
+  std::vector<Triangle> cut_;      // by places in corners_
   std::vector<TextRange> places_;  // of corners_: their vertex numbers
   std::vector<int32_t> texture_corners_;
   std::map<std::string_view, int32_t> materials_, libraries_;  // numbers in textures_

@@ -223,7 +223,7 @@ class OffReader : private OffCursor {
       if (visit_) places_.push_back({Offset(), static_cast<size_t>(index.stop - bytes_.data())});
       p_ = index.stop;
     }
-    AddPolygon(corners_, places_, visit_, file_);
+    AddPolygon(corners_, places_, visit_, file_, cut_);
     if (face_lines_) SkipLine();
     return absl::OkStatus();
   }
@@ -233,6 +233,7 @@ class OffReader : private OffCursor {
   bool vertex_lines_ = true;
   bool face_lines_ = true;
   std::vector<int32_t> corners_;
+  std::vector<Triangle> cut_;      // by places in corners_
   std::vector<TextRange> places_;  // of corners_
 };
 

@@ -54,7 +54,7 @@ class RecordReader {
         TILEMEND_RETURN_IF_ERROR(SkipProperty(element.properties[i]));
       }
     }
-    AddPolygon(corners_, places_, visit_, file_);
+    AddPolygon(corners_, places_, visit_, file_, cut_);
     return absl::OkStatus();
   }
 
@@ -97,6 +97,7 @@ class RecordReader {
   const FaceVisitor& visit_;
   MeshFile& file_;
   std::vector<int32_t> corners_;
+  std::vector<Triangle> cut_;      // by places in corners_
   std::vector<TextRange> places_;  // of corners_, if somebody asks
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "absl/strings/str_cat.h"
+#include "common/mesh/triangulation/cut_polygon.h"
 #include "common/codec/text.h"
 
 namespace tilemend {
@@ -26,19 +27,19 @@ bool HasRepeatedCorner(const std::vector<int32_t>& corners) {
 
 }  // namespace
 
-void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file) {
+void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut) {
+  cut.clear();
   if (corners.size() > 3) ++file.polygon_count;
   if (corners.size() < 3 || HasRepeatedCorner(corners)) return;
-  for (size_t i = 2; i < corners.size(); ++i) {
-    file.mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-  }
+  CutPolygon(corners, file.mesh.points, cut);
+  for (const Triangle& t : cut) file.mesh.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
 }
 
 void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> places, const FaceVisitor& visit,
-                MeshFile& file) {
+                MeshFile& file, std::vector<Triangle>& cut) {
   const size_t first = file.mesh.triangles.size();
-  AddPolygon(corners, file);
-  if (visit && file.mesh.triangles.size() > first) visit(first, places);
+  AddPolygon(corners, file, cut);
+  if (visit && !cut.empty()) visit(first, places, cut);
 }
 
 absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::string& name) {

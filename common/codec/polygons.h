@@ -21,15 +21,21 @@ struct TextRange {
   size_t end = 0;
 };
 
-// Hears of each face that adds triangles to the mesh: the number of the first, and where its corners are said.
-using FaceVisitor = std::function<void(size_t first_triangle, std::span<const TextRange> corners)>;
+// Hears of each face that adds triangles to the mesh: the number of the first, where its corners are said, and the
+// triangles by places in these.
+using FaceVisitor =
+    std::function<void(size_t first_triangle, std::span<const TextRange> corners, std::span<const Triangle> triangles)>;
 
-// Adds a face as a fan around its first corner. A face with fewer than three corners or with a repeated vertex bounds
-// no surface: it adds no triangle (the file keeps it). Corners are indices of vertices.
-void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file);
+// Of a face with three corners.
+inline constexpr Triangle kWhole[] = {{0, 1, 2}};
+
+// Adds a face, cut into triangles (cut_polygon.h). One with fewer than three corners or with a repeated vertex bounds
+// no surface: it adds no triangle (the file keeps it). Corners are indices of vertices. `cut` gets the triangles by
+// places of the face's corners.
+void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut);
 // The same, and tells `visit`, if there is one, of a face that adds triangles.
 void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> places, const FaceVisitor& visit,
-                MeshFile& file);
+                MeshFile& file, std::vector<Triangle>& cut);
 
 // Checks a patch against the number of vertices of the file that it is for: `like` has an entry per new point, indices
 // are in range, coordinates valid, and all vertices together can be indexed.

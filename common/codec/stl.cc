@@ -92,7 +92,7 @@ absl::StatusOr<MeshFile> ParseBinary(std::string_view bytes, const std::string& 
     if (!visit) continue;
     const size_t at = kHeadBytes + f * kFacetBytes + kNormalBytes, next = at + kCornerBytes;
     const TextRange corners[] = {{at, next}, {next, next + kCornerBytes}, {next + kCornerBytes, at + 3 * kCornerBytes}};
-    visit(f, corners);
+    visit(f, corners, kWhole);
   }
   return file;
 }
@@ -162,7 +162,7 @@ class TextReader {
       place.end = at_;
     }
     AddTriangle(mesh);
-    if (visit_) visit_(mesh.triangles.size() - 1, places);
+    if (visit_) visit_(mesh.triangles.size() - 1, places, kWhole);
     if (mesh.points.size() > std::numeric_limits<int32_t>::max() - 3) {
       return LineProblem(name_, text_, at_, "too many facets");
     }

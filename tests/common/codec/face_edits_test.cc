@@ -41,6 +41,22 @@ TEST(ChangeTrianglesTest, ChangesACornerOfAPolygonOnce) {
             absl::StrReplaceAll(off, {{"5 0 1 2 3 4", "5 0 1 5 3 4"}}));
 }
 
+TEST(ChangeTrianglesTest, ChangesACornerOfAConcavePolygon) {
+  // A fan around corner 0 would turn over.
+  const std::string off = "OFF\n6 1 0\n0 0 0\n3 -1 0\n1 0 0\n3 1 0\n0 4 0\n9 9 9\n5 0 1 2 3 4\n";
+  const auto faces = ParseFaces(MeshFormat::kOff, off, "a mesh");
+  ASSERT_TRUE(faces.ok()) << faces.status();
+  EXPECT_EQ(faces->face_of, std::vector<int32_t>(3, 0));
+  std::vector<TriangleChange> changes;
+  for (int32_t t = 0; t < 3; ++t) {
+    const Triangle from = faces->file.mesh.triangles[static_cast<size_t>(t)];
+    TriangleChange change{t, from, from};
+    for (int32_t& v : change.to) v = v == 3 ? 5 : v;
+    changes.push_back(change);
+  }
+  EXPECT_EQ(Changed(MeshFormat::kOff, off, changes), absl::StrReplaceAll(off, {{"5 0 1 2 3 4", "5 0 1 2 5 4"}}));
+}
+
 std::string PlyHeaderOf(const std::string& format) {
   return "ply\nformat " + format +
          " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"

@@ -15,7 +15,8 @@ using ::testing::IsEmpty;
 
 MeshFile With(const std::vector<int32_t>& corners) {
   MeshFile file;
-  AddPolygon(corners, file);
+  std::vector<Triangle> cut;
+  AddPolygon(corners, file, cut);
   return file;
 }
 
