@@ -3,16 +3,20 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace tilemend {
 namespace {
 
 // Half an ulp of 1, as in Shewchuk 1997, and his bounds for the rounding errors of the two determinants.
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
-constexpr double kAreaError = (3 + 16 * kEpsilon) * kEpsilon;
-constexpr double kVolumeError = (7 + 56 * kEpsilon) * kEpsilon;
+template <typename Real>
+constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon() / 2;
+constexpr double kAreaError = (3 + 16 * kEpsilon<double>)*kEpsilon<double>;
+template <typename Real>
+constexpr Real kVolumeError = (7 + 56 * kEpsilon<Real>)*kEpsilon<Real>;
 
 // A number as an exact sum of doubles that do not overlap, by growing magnitude.
 class Expansion {
@@ -26,16 +30,15 @@ class Expansion {
 
   // Grow-expansion, zeros left out.
   void Add(double b) {
-    std::vector<double> sum;
-    sum.reserve(terms_.size() + 1);
+    size_t kept = 0;
     for (const double term : terms_) {
       const double s = b + term, virtual_term = s - b;
       const double rest = (b - (s - virtual_term)) + (term - virtual_term);
-      if (rest != 0) sum.push_back(rest);
+      if (rest != 0) terms_[kept++] = rest;
       b = s;
     }
-    if (b != 0) sum.push_back(b);
-    terms_ = std::move(sum);
+    terms_.resize(kept);
+    if (b != 0) terms_.push_back(b);
   }
 
   friend Expansion operator*(const Expansion& a, const Expansion& b) {
@@ -81,15 +84,26 @@ int ExactSideOfPlane(const Point3& a, const Point3& b, const Point3& c, const Po
 
 int SignOf(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
+// Nothing where rounding errors decide.
+template <typename Real>
+std::optional<int> RoundedSideOfPlane(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  using Vector = Eigen::Matrix<Real, 3, 1>;
+  const Vector u = b.cast<Real>() - a.cast<Real>(), v = c.cast<Real>() - a.cast<Real>(),
+               w = d.cast<Real>() - a.cast<Real>();
+  const Real volume = u.cross(v).dot(w);
+  const Vector p = u.cwiseAbs(), q = v.cwiseAbs(), r = w.cwiseAbs();
+  const Real magnitude = (p.y() * q.z() + p.z() * q.y()) * r.x() + (p.z() * q.x() + p.x() * q.z()) * r.y() +
+                         (p.x() * q.y() + p.y() * q.x()) * r.z();
+  if (std::abs(volume) < kVolumeError<Real> * magnitude) return std::nullopt;
+  return volume > 0 ? 1 : volume < 0 ? -1 : 0;  // both zero: it is exactly so
+}
+
 }  // namespace
 
 int SideOfPlane(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const Eigen::Vector3d u = b - a, v = c - a, w = d - a;
-  const double volume = u.cross(v).dot(w);
-  const Eigen::Vector3d p = u.cwiseAbs(), q = v.cwiseAbs(), r = w.cwiseAbs();
-  const double magnitude = (p.y() * q.z() + p.z() * q.y()) * r.x() + (p.z() * q.x() + p.x() * q.z()) * r.y() +
-                           (p.x() * q.y() + p.y() * q.x()) * r.z();
-  if (std::abs(volume) >= kVolumeError * magnitude) return SignOf(volume);  // both zero: it is exactly so
+  if (const auto side = RoundedSideOfPlane<double>(a, b, c, d)) return *side;
+  // Points that were on one plane before they were rounded, or turned, are as a rule off it by so little, and not less.
+  if (const auto side = RoundedSideOfPlane<long double>(a, b, c, d)) return *side;
   return ExactSideOfPlane(a, b, c, d);
 }
 

@@ -10,11 +10,12 @@
 #include <tuple>
 #include <utility>
 
+#include "common/mesh/box_tree.h"
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
 #include "common/mesh/vertex_lists.h"
-#include "worker/check/box_pairs.h"
+#include "worker/check/corner_cones.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
@@ -186,11 +187,16 @@ class DefectFinder {
       box.extend(points_[t[1]]);
       box.extend(points_[t[2]]);
     }
+    const CornerCones cones(points_, triangles_);
     std::vector<bool> crosses(triangles_.size(), false);
-    ForBoxPairs(boxes, [&](int32_t a, int32_t b) {
-      if (crosses[a] && crosses[b]) return;
-      if (TrianglesCross(in_space[a], in_space[b])) crosses[a] = crosses[b] = true;
-    });
+    const BoxTree tree(boxes);
+    for (int32_t a = 0; a < std::ssize(triangles_); ++a) {
+      tree.AnyMeeting(boxes[a], [&](int32_t b) {
+        const bool known = b <= a || (crosses[a] && crosses[b]) || cones.AreApart(a, b);
+        if (!known && TrianglesCross(in_space[a], in_space[b])) crosses[a] = crosses[b] = true;
+        return false;
+      });
+    }
     for (size_t t = 0; t < crosses.size(); ++t) {
       if (crosses[t]) Add(Defect::kSelfIntersection, MiddleOf(static_cast<int32_t>(t)));
     }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "worker/fill/crease/crease_measures.h"
+#include "worker/fill/crease/rim_touches.h"
 
 namespace tilemend {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 using Eigen::Vector3d;
 using internal::AngleBetween;
 using internal::kDegree;
-using internal::kOnCrease;
 using internal::Wrap;
 
 // How far the normals of one smooth part may differ between two ends.
@@ -34,8 +34,8 @@ constexpr double kFlat = 0.15;
 constexpr double kLeastCornerVolume = 0.15;
 // Creases that meet in one point.
 constexpr int32_t kMostAtACorner = 8;
-// Pieces of a curve when distances from it are measured.
-constexpr int kCurvePieces = 64;
+// Creases of a rim, at most. One that bends more often is a coil, or rough: each pair of its ends would be looked at.
+constexpr int32_t kMostEnds = 1000;
 constexpr double kCornerAim = 20 * kDegree;
 
 struct Plane {
@@ -62,18 +62,6 @@ std::optional<Point3> Meet(std::span<const Plane> planes) {
   return planes.size() == 3 || common ? std::optional(point) : std::nullopt;
 }
 
-// Where a curve, given by points at even parameters, comes nearest to p, and how near.
-std::pair<double, double> Nearest(const std::vector<Point3>& line, const Point3& p) {
-  std::pair<double, double> nearest{0, INFINITY};
-  for (size_t k = 0; k + 1 < line.size(); ++k) {
-    const Vector3d way = line[k + 1] - line[k];
-    const double t = std::clamp((p - line[k]).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    const double distance = (p - line[k] - t * way).norm();
-    if (distance < nearest.second) nearest = {(static_cast<double>(k) + t) / kCurvePieces, distance};
-  }
-  return nearest;
-}
-
 // Whether place p lies on the way along a loop of n places from a to b, ends excluded.
 bool Between(int32_t p, int32_t a, int32_t b, int32_t n) { return p != a && p != b && Wrap(p - a, n) < Wrap(b - a, n); }
 
@@ -85,6 +73,7 @@ class NetworkBuilder {
   }
 
   CreaseNetwork Run() {
+    if (Count() > kMostEnds) return {};
     JoinPairs(kGentleTurn);
     for (int32_t number = 3; number <= kMostAtACorner; ++number) JoinMeetings(number, 1);
     JoinMeetings(4, 2);
@@ -270,37 +259,13 @@ class NetworkBuilder {
     network_.curves.push_back({-1 - first, -2 - first, meeting.corners[0], meeting.corners[1], way, way});
   }
 
-  // A place where the rim touches a curve without crossing it.
-  struct Touch {
-    int32_t loop = 0, place = 0;
-    double at = 0;  // of the curve's [0, 1]
-  };
-
-  bool HasEnd(const Touch& touch) const {
+  bool HasEnd(const RimTouch& touch) const {
     return std::any_of(network_.ends.begin(), network_.ends.end(),
                        [&](const CreaseEnd& e) { return e.loop == touch.loop && e.place == touch.place; });
   }
 
-  // The first place of the rim that lies on a curve and is no end.
-  std::optional<Touch> TouchOf(const CreaseCurve& curve) const {
-    std::vector<Point3> line;
-    for (int k = 0; k <= kCurvePieces; ++k) line.push_back(curve.At(static_cast<double>(k) / kCurvePieces));
-    for (size_t l = 0; l < loops_.size(); ++l) {
-      const int32_t n = loops_[l].size();
-      for (int32_t i = 0; i < n; ++i) {
-        const Point3& p = loops_[l].positions[i];
-        const double edges =
-            (loops_[l].positions[Wrap(i + 1, n)] - p).norm() + (loops_[l].positions[Wrap(i - 1, n)] - p).norm();
-        const auto [at, distance] = Nearest(line, p);
-        const Touch touch{static_cast<int32_t>(l), i, at};
-        if (distance <= kOnCrease * edges / 2 && !HasEnd(touch)) return touch;
-      }
-    }
-    return std::nullopt;
-  }
-
   // Whether the rim at a touch of curve c lies to the right of it. The curve starts at an end.
-  bool IsRight(const Touch& touch, int32_t c) const {
+  bool IsRight(const RimTouch& touch, int32_t c) const {
     const CreaseCurve& curve = network_.curves[c];
     const CreaseEnd& from = network_.ends[curve.from];
     const RimLoop& loop = loops_[touch.loop];
@@ -315,9 +280,11 @@ class NetworkBuilder {
   // Makes a vertex of the rim that lies on a curve a point of it: the curve becomes two that end there, one on either
   // side of the surface that touches it.
   void SplitAtTouches() {
+    if (network_.curves.empty()) return;
+    const RimTouches touches(loops_);
     for (size_t c = 0; c < network_.curves.size(); ++c) {
       while (network_.curves[c].from >= 0) {
-        const std::optional<Touch> touch = TouchOf(network_.curves[c]);
+        const auto touch = touches.FirstOn(network_.curves[c], [&](const RimTouch& t) { return HasEnd(t); });
         if (!touch) break;
         const CreaseCurve curve = network_.curves[c];
         const bool right = IsRight(*touch, static_cast<int32_t>(c));

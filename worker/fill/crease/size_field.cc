@@ -25,16 +25,23 @@ SizeField::SizeField(const LocalHole& hole, const RefineOptions& options) : unif
   slope_ = 2 * (options.gradation - 1) / (options.gradation + 1);
 }
 
-double SizeField::At(const Point3& p) const {
-  double least = limit_, sum = 0, weights = 0;
+double SizeField::At(const Point3& p) const { return uniform_ ? Between(p) : Least(p); }
+
+double SizeField::Least(const Point3& p) const {
+  double least = limit_;
+  for (const auto& [q, size] : rim_) least = std::min(least, size + slope_ * (p - q).norm());
+  return least;
+}
+
+double SizeField::Between(const Point3& p) const {
+  double sum = 0, weights = 0;
   for (const auto& [q, size] : rim_) {
     const double distance = (p - q).norm();
-    least = std::min(least, size + slope_ * distance);
     const double weight = 1 / std::max(distance * distance, size * size);
     sum += weight * size;
     weights += weight;
   }
-  return uniform_ ? sum / weights : least;
+  return sum / weights;
 }
 
 std::vector<Point3> PointsAlong(const CreaseCurve& curve, const SizeField& size, int least) {

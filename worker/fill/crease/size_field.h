@@ -20,6 +20,9 @@ class SizeField {
   double At(const Point3& p) const;  // O(rim)
 
  private:
+  double Least(const Point3& p) const;
+  double Between(const Point3& p) const;
+
   const bool uniform_;
   std::vector<std::pair<Point3, double>> rim_;  // positions and sizes
   double limit_ = 0, slope_ = 0;

@@ -67,30 +67,45 @@ bool SegmentMeets(const Point3& p, const Point3& q, const SpaceTriangle& t) {
 // What rounding may change of a scalar product, as a share of the product of the lengths.
 constexpr double kProductSlack = 1e-14;
 
-// Whether the plane across `way` at `on` has the corners of a that are not there ahead of it and those of b behind it,
-// by more than rounding.
-bool Parts(const Point3& on, const Eigen::Vector3d& way, const SpaceTriangle& a, const SpaceTriangle& b) {
-  const auto is_ahead = [&](const Point3& p, double sign) {
-    const Eigen::Vector3d from = p - on;
-    const double ahead = sign * from.dot(way);
-    return ahead > 0 ? ahead * ahead > kProductSlack * kProductSlack * from.squaredNorm() * way.squaredNorm() : p == on;
-  };
-  return std::ranges::all_of(a, [&](const Point3& p) { return is_ahead(p, 1); }) &&
-         std::ranges::all_of(b, [&](const Point3& p) { return is_ahead(p, -1); });
+// Whether p lies on the side of the plane across `way` at `on` that this leads to, by more than rounding.
+bool IsAhead(const Point3& p, const Point3& on, const Eigen::Vector3d& way) {
+  const Eigen::Vector3d from = p - on;
+  const double ahead = from.dot(way);
+  return ahead > 0 && ahead * ahead > kProductSlack * kProductSlack * from.squaredNorm() * way.squaredNorm();
 }
 
-// Whether triangles with one common corner, or none, are told apart by a plane halfway between them: most are, without
-// exact signs.
+// Whether the plane across `way` at `on` has the corners of a that are not there ahead of it and those of b behind it.
+bool Parts(const Point3& on, const Eigen::Vector3d& way, const SpaceTriangle& a, const SpaceTriangle& b) {
+  return std::ranges::all_of(a, [&](const Point3& p) { return p == on || IsAhead(p, on, way); }) &&
+         std::ranges::all_of(b, [&](const Point3& p) { return p == on || IsAhead(p, on, -way); });
+}
+
+// Whether all of `other`, but for a corner at that edge, lies beyond an edge of t.
+bool LiesBeyondAnEdge(const SpaceTriangle& other, const SpaceTriangle& t) {
+  const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  for (int k = 0; k < 3; ++k) {
+    const Point3 &on = t[k], &end = t[(k + 1) % 3];
+    const Eigen::Vector3d outward = (end - on).cross(normal);
+    if (!IsAhead(t[(k + 2) % 3], on, -outward)) continue;  // a needle, whose normal is none
+    if (std::ranges::all_of(other, [&](const Point3& p) { return p == on || p == end || IsAhead(p, on, outward); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether triangles with one common corner, or none, are told apart by a plane halfway between them, or one along an
+// edge: most are, without exact signs.
 bool IsApart(const SpaceTriangle& a, const SpaceTriangle& b, bool has_common) {
   if (!has_common) {
     const Point3 from = (a[0] + a[1] + a[2]) / 3, to = (b[0] + b[1] + b[2]) / 3;
-    return Parts((from + to) / 2, from - to, a, b);
+    return Parts((from + to) / 2, from - to, a, b) || LiesBeyondAnEdge(a, b) || LiesBeyondAnEdge(b, a);
   }
   const Point3& common = *std::ranges::find_if(a, [&](const Point3& p) { return Has(b, p); });
   const auto direction = [&](const SpaceTriangle& t) {
     return Eigen::Vector3d((t[0] + t[1] + t[2] - 3 * common).normalized());
   };
-  return Parts(common, direction(a) - direction(b), a, b);
+  return Parts(common, direction(a) - direction(b), a, b) || LiesBeyondAnEdge(a, b) || LiesBeyondAnEdge(b, a);
 }
 
 // Whether an edge of a between corners that b does not have meets b.
