@@ -93,13 +93,15 @@ absl::StatusOr<Scene> SceneAt(const std::string& path) {
   return scene;
 }
 
+Json PlaceJson(const Point3& p) { return {p.x(), p.y(), p.z()}; }
+
 Json DefectsJson(const Findings& all) {
   Json json = Json::object();
   for (const auto& [defect, name] : kNames) {
     const auto found = all.defects.find(defect);
     const DefectFinding finding = found == all.defects.end() ? DefectFinding() : found->second;
     Json at = Json::array();
-    for (const Point3& p : finding.places) at.push_back({p.x(), p.y(), p.z()});
+    for (const Point3& p : finding.places) at.push_back(PlaceJson(p));
     json[name] = {{"count", finding.count}, {"at", at}};
   }
   return json;
@@ -108,14 +110,21 @@ Json DefectsJson(const Findings& all) {
 Json HolesJson(const Plan& plan, int64_t small_hole_edges) {
   int64_t open = 0, small = 0, unlinked = 0, continuous = 0;
   std::map<SingleType, int64_t> kinds;
+  Json at = Json::array();
   for (const PlannedHole& hole : plan.holes) {
+    if (at.size() < kMostPlaces && !hole.segments.empty()) {
+      at.push_back(PlaceJson(plan.vertices[static_cast<size_t>(hole.segments.front().from)].position));
+    }
     open += hole.kind != HoleKind::kClosed;
     small += hole.kind == HoleKind::kClosed && hole.boundary_vertices <= small_hole_edges;
     continuous += hole.continuous;
     ++kinds[hole.single];
   }
+  Json first_unlinked = Json::array();
   for (const LeftOpen& left : plan.left) {
-    if (left.hole < 0 && left.is_hole) unlinked += left.edges;
+    if (left.hole >= 0 || !left.is_hole) continue;
+    unlinked += left.edges;
+    if (left.at) first_unlinked.push_back(PlaceJson(*left.at));
   }
   Json single = Json::object();
   for (const auto& [kind, name] : kKinds) single[name] = kinds[kind];
@@ -124,7 +133,9 @@ Json HolesJson(const Plan& plan, int64_t small_hole_edges) {
           {"open", open},
           {"single", single},
           {"continuous", std::max<int64_t>(continuous, plan.continuous)},
-          {"edges_in_no_loop", unlinked}};
+          {"at", at},
+          {"edges_in_no_loop", unlinked},
+          {"edges_in_no_loop_at", first_unlinked}};
 }
 
 // How many faults there are: a mesh with none is closed but for its outlines.
@@ -145,13 +156,16 @@ void PrintTable(const Json& json) {
     text += '\n';
   }
   const Json& holes = json["holes"];
-  absl::StrAppend(&text, absl::StrFormat("%9d  holes, %d of them small\n", holes["all"].get<int64_t>(),
-                                         holes["small"].get<int64_t>()));
+  const auto first = [](const Json& at) { return at.empty() ? "" : absl::StrCat(", the first at ", at[0].dump()); };
+  const int64_t small = holes["small"].get<int64_t>();
+  absl::StrAppend(&text, absl::StrFormat("%9d  holes", holes["all"].get<int64_t>()),
+                  small > 0 ? absl::StrCat(", ", small, " of them small") : "", first(holes["at"]), "\n");
   for (const auto& [name, count] : holes["single"].items()) {
     if (count.get<int64_t>() > 0) absl::StrAppend(&text, absl::StrFormat("%9d    %s\n", count.get<int64_t>(), name));
   }
-  absl::StrAppend(&text, absl::StrFormat("%9d  boundary edges in no loop\n%9d  outlines (no fault)\n",
-                                         holes["edges_in_no_loop"].get<int64_t>(), json["outlines"].get<int64_t>()));
+  absl::StrAppend(&text, absl::StrFormat("%9d  boundary edges in no loop", holes["edges_in_no_loop"].get<int64_t>()),
+                  first(holes["edges_in_no_loop_at"]),
+                  absl::StrFormat("\n%9d  outlines (no fault)\n", json["outlines"].get<int64_t>()));
   std::fputs(text.c_str(), stdout);
 }
 

@@ -91,7 +91,9 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
     if (argument.empty()) return UsageError(absl::StrCat(command.name, ": an argument is empty"));
   }
   for (const std::string& name : command.required_flags) {
-    if (args->Text(name).empty()) return UsageError(absl::StrCat(command.name, ": --", name, " is needed"));
+    if (!args->Text(name).empty()) continue;
+    const char* hint = name == "out" ? " (-o is the form of what is printed)" : "";
+    return UsageError(absl::StrCat(command.name, ": --", name, " is needed", hint));
   }
   try {
     const int code = command.run(*args);

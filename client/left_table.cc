@@ -80,6 +80,8 @@ std::string LeftLines(const SceneReportInput& report) {
     if (left.hole >= 0) {
       const Point3 at = MiddleOf(*report.plan, report.plan->holes[left.hole]);
       where = absl::StrFormat(" around (%.6g, %.6g, %.6g)", at.x(), at.y(), at.z());
+    } else if (left.at) {
+      where = absl::StrFormat(", the first at (%.6g, %.6g, %.6g)", left.at->x(), left.at->y(), left.at->z());
     }
     absl::StrAppend(&lines, "left: ", left.edges, " edges", where, ": ", left.reason, "\n");
   }

@@ -157,7 +157,8 @@ class MeshFiller {
     std::vector<PatchExtent> extents;
     for (const HolePatch& p : patches) {
       extents.push_back({p.hole, p.failure, static_cast<int64_t>(p.new_points.size()),
-                         static_cast<int64_t>(p.triangles.size()), p.hold_out, p.way, p.loop_cuts, p.creases});
+                         static_cast<int64_t>(p.triangles.size()), p.hold_out, p.way, p.loop_cuts, p.creases,
+                         p.rim_is_crossed});
     }
     return extents;
   }

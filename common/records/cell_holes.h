@@ -105,6 +105,7 @@ struct HolePatch {
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
   int32_t creases = 0;                   // of a published patch: edges at which it turns by more than 120 degrees
   int32_t loop_cuts = 0;                 // of `wang`: how often its boundary was cut to be triangulated (WangOptions)
+  bool rim_is_crossed = false;           // the surface passes through the boundary, and so through any patch
 };
 
 // A new height of a new point of a cell's patches; their new points are numbered through from the first patch on.

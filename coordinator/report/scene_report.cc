@@ -68,6 +68,20 @@ Json LevelJson(const WaterBody& body) {
   return stations.empty() ? Json(body.level) : Json{Rounded(stations.front().z(), 4), body.level};
 }
 
+// Where a hole is, and how large: to the millimetre, or if it is small to a thousandth of its perimeter.
+void AddMeasures(const Plan& plan, const PlannedHole& hole, Json& row) {
+  const int smaller = hole.perimeter > 0 ? std::max(0, -static_cast<int>(std::floor(std::log10(hole.perimeter)))) : 0;
+  const int digits = 3 + smaller;
+  row["centre"] = {Rounded(hole.centre.x(), digits), Rounded(hole.centre.y(), digits)};
+  if (!plan.upright && !hole.segments.empty()) {
+    double height = 0;
+    for (const RimSegment& s : hole.segments) height += plan.vertices[static_cast<size_t>(s.from)].position.z();
+    row["centre"].push_back(Rounded(height / static_cast<double>(hole.segments.size()), digits));
+  }
+  row["area_m2"] = Rounded(hole.area, digits + smaller);
+  row["perimeter_m"] = Rounded(hole.perimeter, digits);
+}
+
 Json HoleRow(const SceneReportInput& input, int32_t h) {
   const PlannedHole& hole = input.plan->holes[h];
   const std::string failure = FailureOf(input, h);
@@ -79,9 +93,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
     row["cluster"] = hole.cluster;
     row["layer"] = hole.layer;
   }
-  row["centre"] = {Rounded(hole.centre.x(), 3), Rounded(hole.centre.y(), 3)};
-  row["area_m2"] = Rounded(hole.area, 3);
-  row["perimeter_m"] = Rounded(hole.perimeter, 3);
+  AddMeasures(*input.plan, hole, row);
   row["boundary_vertices"] = hole.boundary_vertices;
   if (hole.water >= 0) row["level_m"] = LevelJson(input.plan->water[hole.water]);
   row["outcome"] = failure.empty() ? "filled" : "left";
@@ -90,6 +102,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
     row["method"] = WayName(size->second.way);
     if (size->second.loop_cuts > 0) row["loop_cuts"] = size->second.loop_cuts;
     if (size->second.creases > 0) row["creases"] = size->second.creases;
+    if (size->second.rim_is_crossed) row["rim_crossed"] = true;
     row["new_vertices"] = size->second.new_vertices;
     row["triangles"] = size->second.triangles;
     if (!input.plan->colours.empty()) {
@@ -248,6 +261,7 @@ Json LeftRows(const std::vector<LeftOpen>& left) {
     Json row = {{"cell", CellJson(l.cell)}, {"reason", l.reason}};
     if (l.hole >= 0) row["hole"] = l.hole;
     row["open_edges"] = l.edges;
+    if (l.at) row["at"] = {l.at->x(), l.at->y(), l.at->z()};
     rows.push_back(row);
   }
   return rows;
@@ -381,14 +395,20 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
 std::vector<std::string> WarningsOf(const SceneReportInput& input) {
   std::vector<std::string> warnings = input.warnings;
   for (std::string& warning : PlanWarnings(*input.plan)) warnings.push_back(std::move(warning));
-  int64_t holes = 0, edges = 0;
+  int64_t holes = 0, edges = 0, crossed = 0;
   for (const auto& [hole, size] : input.outcome.sizes) {
     holes += size.creases > 0 ? 1 : 0;
     edges += size.creases;
+    crossed += size.rim_is_crossed ? 1 : 0;
   }
   if (holes > 0) {
     const char* fold = holes == 1 ? "patch folds" : "patches fold";
     warnings.push_back(absl::StrFormat("%d %s back, at %d edges (creases)", holes, fold, edges));
+  }
+  if (crossed > 0) {
+    const char* patch = crossed == 1 ? "patch crosses" : "patches cross";
+    warnings.push_back(
+        absl::StrFormat("%d %s the surface, which passes through the boundary there (rim_crossed)", crossed, patch));
   }
   return warnings;
 }

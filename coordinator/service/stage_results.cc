@@ -71,6 +71,7 @@ absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output, const std::v
     }
     patch.loop_cuts = extent.loop_cuts();
     patch.creases = extent.creases();
+    patch.rim_is_crossed = extent.rim_is_crossed();
     if (extent.has_hold_out()) {
       TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));
     }

@@ -20,6 +20,7 @@ struct PatchSize {
   int64_t triangles = 0;
   FillWay way = FillWay::kNone;
   int32_t loop_cuts = 0, creases = 0;  // as HolePatch
+  bool rim_is_crossed = false;         // as HolePatch
 };
 
 // By hole or cluster of the plan.

@@ -183,6 +183,7 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
       size.way = patch.way;
       size.loop_cuts += patch.loop_cuts;
       size.creases += patch.creases;
+      size.rim_is_crossed |= patch.rim_is_crossed;
     } else {
       outcome_.failures[patch.hole] = patch.failure;
       if (const auto size = outcome_.sizes.extract(patch.hole)) outcome_.triangles -= size.mapped().triangles;

@@ -255,6 +255,8 @@ TEST(CheckCommandTest, SaysWhatIsWrongUntilItIsMended) {
   ASSERT_TRUE(json.is_object()) << before.out;
   EXPECT_EQ(json["faults"], 1);
   EXPECT_EQ(json["holes"]["single"]["simple"], 1);
+  EXPECT_EQ(json["holes"]["at"].size(), 1U);
+  EXPECT_EQ(json["holes"]["at"][0].size(), 3U);
   EXPECT_EQ(json["outlines"], 1);
   EXPECT_EQ(json["defects"]["self_intersections"]["count"], 0);
   ASSERT_EQ(tilemend({"fill", in, "--out", out}).code, 0);

@@ -131,6 +131,19 @@ TEST(MeshFillTest, CountsTheEdgesAtWhichAPublishedPatchFoldsBack) {
   }
 }
 
+TEST(MeshFillTest, TellsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
+  const FilledMesh alone = Fill(SphereBelt(0, 100));
+  ASSERT_EQ(alone.patches.size(), 1u);
+  EXPECT_FALSE(alone.patches[0].rim_is_crossed);
+  TriMesh through = SphereBelt(0, 100);
+  through.points.insert(through.points.end(), {{0.5, -0.2, -3}, {2, -0.1, -0.2}, {0.5, 0.3, 3}});
+  const auto n = static_cast<int32_t>(through.points.size());
+  through.triangles.push_back({n - 3, n - 2, n - 1});
+  const FilledMesh crossed = Fill(through);
+  const auto tells = [](const HolePatch& patch) { return patch.failure.empty() && patch.rim_is_crossed; };
+  EXPECT_TRUE(std::ranges::any_of(crossed.patches, tells));
+}
+
 TEST(MeshFillTest, TakesEveryLoopOfABodyForAHole) {
   // Limbs that widen towards the cut.
   for (const double widening : {-0.5, 0.0, 0.5, 1.0}) {

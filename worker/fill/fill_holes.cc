@@ -95,6 +95,7 @@ class HoleFiller {
       if (patch.failure != FillFailure::kNotApplicable && failure != FillFailure::kCrosses) failure = patch.failure;
     }
     if (best_ && !options_.refine.cancelled()) {
+      best_->rim_is_crossed = crossings_.rim_is_crossed();
       return FoldsBack() ? Failed(FillFailure::kFoldsBack) : *std::move(best_);
     }
     const bool crosses = failure == FillFailure::kCrosses || failure == FillFailure::kPatchCrosses;

@@ -11,7 +11,9 @@
 namespace tilemend {
 namespace {
 
-using Eigen::AlignedBox3d;
+// Loops whose middles are further apart than so many times both radii neither face each other nor lie in one another:
+// twice as far as FaceEachOther allows.
+constexpr double kReach = 4;
 
 class Grouper {
  public:
@@ -20,10 +22,11 @@ class Grouper {
       : rim_(rim), loops_(loops), is_outline_(is_outline), dislocation_(dislocation), partner_(loops.size()) {
     for (const RimPoint& p : rim.points) position_.push_back(p.position);
     for (const MeshLoop& loop : loops) {
-      AlignedBox3d box;
-      for (const RimSegment& s : loop.segments) box.extend(position_[s.from]);
-      const Point3 reach = Point3::Constant(box.diagonal().norm() / 2);
-      reach_.emplace_back(box.min() - reach, box.max() + reach);
+      double radius = 0;
+      for (const RimSegment& s : loop.segments) {
+        radius = std::max(radius, (position_[s.from] - loop.middle).norm());
+      }
+      radius_.push_back(radius);
     }
   }
 
@@ -65,12 +68,13 @@ class Grouper {
   void FindPairs() {
     std::vector<size_t> by_x(loops_.size());
     for (size_t l = 0; l < by_x.size(); ++l) by_x[l] = l;
-    const auto west = [&](size_t l) { return reach_[l].min().x(); };
+    const auto west = [&](size_t l) { return loops_[l].middle.x() - kReach * radius_[l]; };
+    const auto east = [&](size_t l) { return loops_[l].middle.x() + kReach * radius_[l]; };
     std::sort(by_x.begin(), by_x.end(), [&](size_t a, size_t b) { return west(a) < west(b); });
     std::vector<std::optional<size_t>> nearest(loops_.size());
     const auto distance = [&](size_t a, size_t b) { return (loops_[a].middle - loops_[b].middle).norm(); };
     for (size_t i = 0; i < by_x.size(); ++i) {
-      for (size_t k = i + 1; k < by_x.size() && west(by_x[k]) <= reach_[by_x[i]].max().x(); ++k) {
+      for (size_t k = i + 1; k < by_x.size() && west(by_x[k]) <= east(by_x[i]); ++k) {
         const size_t a = by_x[i], b = by_x[k];
         if (!MightFace(a, b) || !Face(a, b)) continue;
         for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
@@ -87,10 +91,14 @@ class Grouper {
     return FaceEachOther(LineOf(a), LineOf(b), loops_[a].piece == loops_[b].piece);
   }
 
+  // However the mesh is turned.
+  bool AreNear(size_t a, size_t b) const {
+    return (loops_[a].middle - loops_[b].middle).norm() <= kReach * (radius_[a] + radius_[b]);
+  }
+
   // What is cheap to see.
   bool MightFace(size_t a, size_t b) const {
-    return reach_[a].intersects(reach_[b]) && loops_[a].vector_area.dot(loops_[b].vector_area) < 0 &&
-           loops_[a].group != loops_[b].group;
+    return AreNear(a, b) && loops_[a].vector_area.dot(loops_[b].vector_area) < 0 && loops_[a].group != loops_[b].group;
   }
 
   // The smallest hole that a piece lies in.
@@ -102,7 +110,7 @@ class Grouper {
     for (size_t l = 0; l < loops_.size(); ++l) {
       if (is_outline_[l] || partner_[l] || loops_[l].piece == loops_[outline].piece) continue;
       if (best && loops_[l].vector_area.norm() >= loops_[*best].vector_area.norm()) continue;
-      if (reach_[l].contains(loops_[outline].middle) && LiesIn(site, AsClosed(outline), AsClosed(l))) best = l;
+      if (AreNear(l, outline) && LiesIn(site, AsClosed(outline), AsClosed(l))) best = l;
     }
     return best;
   }
@@ -128,7 +136,7 @@ class Grouper {
   const std::vector<bool>& is_outline_;
   const DislocationLimit& dislocation_;
   std::vector<Point3> position_;                // of rim points
-  std::vector<AlignedBox3d> reach_;             // of each loop
+  std::vector<double> radius_;                  // of each loop, about its middle
   std::vector<std::optional<size_t>> partner_;  // the loop that each one faces
 };
 

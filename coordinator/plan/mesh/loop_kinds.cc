@@ -74,10 +74,20 @@ Vector3d VectorAreaOf(const LoopLine& loop) {
   return sum / 2;
 }
 
-Point3 NearestOnSegment(const Point3& p, const Point3& a, const Point3& b) {
-  const Vector3d way = b - a;
+// A place of a loop.
+struct Foot {
+  Point3 position;
+  Vector3d normal;  // between those of the corners
+};
+
+// That nearest to p on the side from corner k. At a corner, which is nearest on two sides, it is the same on both.
+Foot FootOn(const LoopLine& loop, size_t k, const Point3& p) {
+  const size_t next = (k + 1) % loop.corners.size();
+  const Point3& from = loop.corners[k];
+  const Vector3d way = loop.corners[next] - from;
   const double squared = way.squaredNorm();
-  return squared > 0 ? Point3(a + std::clamp((p - a).dot(way) / squared, 0.0, 1.0) * way) : a;
+  const double t = squared > 0 ? std::clamp((p - from).dot(way) / squared, 0.0, 1.0) : 0;
+  return {from + t * way, ((1 - t) * loop.normals[k] + t * loop.normals[next]).normalized()};
 }
 
 // From corners of `a` to the nearest place of `b`: the mean distance, and mean cosines: between the normals there, and
@@ -99,10 +109,10 @@ Gap GapBetween(const LoopLine& a, const LoopLine& b) {
       const double distance = DistanceToSegment(p, b.corners[k], b.corners[(k + 1) % m]);
       if (distance < least) least = distance, nearest = k;
     }
-    const Point3 there = NearestOnSegment(p, b.corners[nearest], b.corners[(nearest + 1) % m]);
-    const Vector3d way = (there - p).normalized(), ahead = a.corners[(i + 1) % n] - a.corners[(i + n - 1) % n];
+    const Foot there = FootOn(b, nearest, p);
+    const Vector3d way = (there.position - p).normalized(), ahead = a.corners[(i + 1) % n] - a.corners[(i + n - 1) % n];
     gap.distance += least / places;
-    gap.cosine += a.normals[i].dot(b.normals[nearest]) / places;
+    gap.cosine += a.normals[i].dot(there.normal) / places;
     gap.along_normal += way.dot(a.normals[i]) / places;
     gap.into_surface += way.dot(ahead.cross(a.normals[i]).normalized()) / places;
   }

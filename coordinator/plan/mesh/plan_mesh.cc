@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -60,15 +61,14 @@ class MeshPlanner {
     plan_.continuous = CountContinuous(loops_);
     open_.assign(record_->piece_areas.size(), Eigen::Vector3d::Zero());
     for (const MeshLoop& loop : loops_) open_[loop.piece] += loop.vector_area;
-    std::vector<bool> outline(loops_.size(), false);
-    if (!options_.mesh.fill_outlines) outline = FindOutlines(loops_, record_->piece_areas);
     StoreVertices();
-    const LoopGroups groups = GroupLoops(rim_, loops_, outline, DislocationLimitOf(options_.mesh));
+    const LoopGroups groups = Group();
     for (const MeshHole& hole : groups.holes) StoreHole(hole);
     plan_.outer_rims = std::ssize(groups.outlines);
     for (const size_t l : groups.outlines) Leave("outline of a piece of surface", loops_[l].segments.size(), false);
     if (!rim_.unlinked.empty()) {
       Leave(kNoLoop, rim_.unlinked.size(), true);
+      plan_.left.back().at = rim_.points[rim_.edges[rim_.unlinked.front()].from].position;
     }
     if (record_->repeated_edges > 0) {
       Leave("edges of faces that occur more than once, as copies or as front and back: remove all but one of each",
@@ -78,6 +78,16 @@ class MeshPlanner {
   }
 
  private:
+  // Outlines that are to be filled are holes, but for those of islands: these are parts of the holes that they lie in.
+  LoopGroups Group() const {
+    const DislocationLimit dislocation = DislocationLimitOf(options_.mesh);
+    std::vector<bool> outline = FindOutlines(loops_, record_->piece_areas);
+    const LoopGroups groups = GroupLoops(rim_, loops_, outline, dislocation);
+    if (!options_.mesh.fill_outlines) return groups;
+    for (const size_t l : groups.outlines) outline[l] = false;
+    return GroupLoops(rim_, loops_, outline, dislocation);
+  }
+
   void StoreVertices() {
     RaiseSmallSizes(plan_.lattice_step, rim_);
     RaiseSizesAtShortEdges(rim_);
@@ -105,8 +115,15 @@ class MeshPlanner {
     hole.single = found.single;
     hole.continuous = loops_[found.loop].touches;
     hole.area = area.norm();
+    if (hole.single == SingleType::kAnnular) hole.area = AreaOfBand(loops_[found.loop], loops_[found.others.front()]);
     hole.projects = plan_.upright && ProjectsUpright(hole.segments);
     plan_.holes.push_back(std::move(hole));
+  }
+
+  // About: of a round tube that ends in such loops. Their vector areas together cancel each other.
+  static double AreaOfBand(const MeshLoop& a, const MeshLoop& b) {
+    const auto around = [](const MeshLoop& loop) { return 2 * std::sqrt(std::numbers::pi * loop.vector_area.norm()); };
+    return (around(a) + around(b)) / 2 * (a.middle - b.middle).norm();
   }
 
   // Whether a loop runs around a piece of surface that is flat: as large as the vector area of all its loops (Stokes).

@@ -161,9 +161,10 @@ inline constexpr char kLongerThanChosen[] = "longer than --largest-hole";
 struct LeftOpen {
   CellId cell;
   std::string reason;
-  int32_t hole = -1;    // -1: found before there was a hole
-  int64_t edges = 0;    // boundary edges that stay open
-  bool is_hole = true;  // false: open by right, such as the outline of a piece
+  int32_t hole = -1;                        // -1: found before there was a hole
+  int64_t edges = 0;                        // boundary edges that stay open
+  bool is_hole = true;                      // false: open by right, such as the outline of a piece
+  std::optional<Point3> at = std::nullopt;  // one end of the first of the edges, where there is no hole
 };
 
 struct Plan {

@@ -164,6 +164,13 @@ TEST_F(SceneReportTest, WarnsOfPatchesThatFoldBack) {
   EXPECT_THAT(WarningsOf(input_), ElementsAre("1 patch folds back, at 3 edges (creases)"));
 }
 
+TEST_F(SceneReportTest, WarnsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
+  input_.outcome.sizes[0].rim_is_crossed = true;
+  EXPECT_THAT(WarningsOf(input_),
+              ElementsAre("1 patch crosses the surface, which passes through the boundary there (rim_crossed)"));
+  EXPECT_EQ(Report()["per_hole"][0]["rim_crossed"], true);
+}
+
 TEST_F(SceneReportTest, WarnsOfTenAreasThatAreNotTakenAndCountsTheRest) {
   plan_.water_answers.assign(25, {"feature", true, false, {}, "no hole lies under it"});
   plan_.water_answers[3].taken = true;

@@ -51,6 +51,9 @@ TEST(PatchesOfTest, RefusesAWayOfFillingThatItDoesNotKnow) {
   *output.mutable_quality() = ToProto(QualityTally());
   ASSERT_TRUE(PatchesOf(output, {4}).ok());
   EXPECT_EQ(PatchesOf(output, {4})->patches.front().hole, 4);
+  EXPECT_FALSE(PatchesOf(output, {4})->patches.front().rim_is_crossed);
+  patch.set_rim_is_crossed(true);
+  EXPECT_TRUE(PatchesOf(output, {4})->patches.front().rim_is_crossed);
   EXPECT_FALSE(PatchesOf(output, {}).ok()) << "a hole that was not asked for";
 }
 

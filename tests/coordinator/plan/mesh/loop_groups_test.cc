@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "tests/support/mesh_reading.h"
 #include "tests/support/round_meshes.h"
 #include "tests/support/space_meshes.h"
@@ -27,6 +29,20 @@ TEST(GroupLoopsTest, TakesATubeWithAGapForOneAnnularHole) {
   const MeshReading read(mesh);
   EXPECT_THAT(read.Kinds(), testing::UnorderedElementsAre(SingleType::kAnnular, SingleType::kSimple));
   EXPECT_THAT(MeshReading(TorusPart(16, 40, 5, 1, 0.95)).Kinds(), ElementsAre(SingleType::kAnnular));
+}
+
+// Nearest places are corners as often as not, and boxes depend on the axes.
+TEST(GroupLoopsTest, FindsTheSameHoweverTheMeshIsTurned) {
+  for (const double kept : {0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95}) {
+    const TriMesh mesh = TorusPart(15, 60, 4, 1, kept);
+    const std::vector<SingleType> kinds = MeshReading(mesh).Kinds();
+    for (int turn = 1; turn < 12; ++turn) {
+      const Eigen::AngleAxisd rotation(0.5 * turn, Eigen::Vector3d(1, turn % 3, 0.3 * turn).normalized());
+      TriMesh turned = mesh;
+      for (Point3& p : turned.points) p = rotation * p;
+      EXPECT_EQ(MeshReading(turned).Kinds(), kinds) << kept << ", " << turn;
+    }
+  }
 }
 
 }  // namespace

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
 #include "tests/support/mesh_builders.h"
 #include "tests/support/mesh_reading.h"
 #include "tests/support/round_meshes.h"
@@ -43,6 +47,42 @@ TEST(PlanMeshTest, LeavesTheOutlinesOfFlatPieces) {
   EXPECT_TRUE(plan.left[0].is_hole);
   const MeshReading dome(SphereBelt(0, 60));
   EXPECT_EQ(PlanMesh(dome.input, options).holes.size(), 1u);
+}
+
+TEST(PlanMeshTest, KeepsIslandsInTheirHolesWhereOutlinesAreFilled) {
+  const auto keep = [](int32_t i, int32_t j) {
+    return i < 3 || i > 11 || j < 3 || j > 11 || (i > 5 && i < 8 && j > 5 && j < 8);
+  };
+  const MeshReading read(SquaresMesh(0, 15, 0, 15, keep));
+  PlanOptions options;
+  options.water.find = false;
+  options.mesh.fill_outlines = true;
+  const Plan plan = PlanMesh(read.input, options);
+  ASSERT_EQ(plan.holes.size(), 1u);
+  EXPECT_EQ(plan.holes[0].single, SingleType::kIsland);
+  EXPECT_EQ(plan.left.size(), 1u) << "the outline of all, which is flat";
+}
+
+TEST(PlanMeshTest, GivesAnnularHolesTheAreaOfTheirBand) {
+  const MeshReading read(TorusPart(32, 60, 10, 1, 0.97));
+  PlanOptions options;
+  options.water.find = false;
+  const Plan plan = PlanMesh(read.input, options);
+  ASSERT_EQ(plan.holes.size(), 1u);
+  ASSERT_EQ(plan.holes[0].single, SingleType::kAnnular);
+  const double around = 2 * std::numbers::pi;
+  EXPECT_NEAR(plan.holes[0].area, around * around * 10 * 0.03, 0.2);
+}
+
+TEST(PlanMeshTest, SaysWhereEdgesAreThatFormNoLoop) {
+  TriMesh strip = SquaresMesh(0, 4, 0, 1, Everywhere);
+  std::swap(strip.triangles[0][1], strip.triangles[0][2]);
+  const MeshReading read(strip);
+  const Plan plan = PlanMesh(read.input, {});
+  const auto no_loop = std::ranges::find_if(plan.left, [](const LeftOpen& l) { return l.at.has_value(); });
+  ASSERT_NE(no_loop, plan.left.end());
+  EXPECT_TRUE(no_loop->is_hole);
+  EXPECT_THAT(strip.points, testing::Contains(*no_loop->at));
 }
 
 TEST(PlanMeshTest, MeasuresDislocationsInTheUnitsOfTheMeshIfAsked) {
