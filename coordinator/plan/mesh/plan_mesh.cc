@@ -82,7 +82,7 @@ class MeshPlanner {
   LoopGroups Group() const {
     const DislocationLimit dislocation = DislocationLimitOf(options_.mesh);
     std::vector<bool> outline = FindOutlines(loops_, record_->piece_areas);
-    const LoopGroups groups = GroupLoops(rim_, loops_, outline, dislocation);
+    LoopGroups groups = GroupLoops(rim_, loops_, outline, dislocation);
     if (!options_.mesh.fill_outlines) return groups;
     for (const size_t l : groups.outlines) outline[l] = false;
     return GroupLoops(rim_, loops_, outline, dislocation);
