@@ -20,8 +20,8 @@ struct Fan {
     const auto direction = [&] { return Point3(way(random), way(random), way(random)).normalized(); };
     for (int32_t i = 0; i < size; ++i) {
       const Point3 middle = direction();
-      points.push_back(middle + width * direction());
-      points.push_back(middle + width * direction());
+      points.emplace_back(middle + width * direction());
+      points.emplace_back(middle + width * direction());
       triangles.push_back({0, 2 * i + 1, 2 * i + 2});
     }
   }
