@@ -1,6 +1,5 @@
 #include "common/codec/face_edits.h"
 
-#include <array>
 #include <functional>
 #include <map>
 #include <unordered_map>

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "absl/strings/str_cat.h"
-#include "common/mesh/triangulation/cut_polygon.h"
 #include "common/codec/text.h"
+#include "common/mesh/triangulation/cut_polygon.h"
 
 namespace tilemend {
 namespace {

@@ -70,8 +70,8 @@ Json LevelJson(const WaterBody& body) {
 
 // Where a hole is, and how large: to the millimetre, or if it is small to a thousandth of its perimeter.
 void AddMeasures(const Plan& plan, const PlannedHole& hole, Json& row) {
-  const int smaller = hole.perimeter > 0 ? std::max(0, -static_cast<int>(std::floor(std::log10(hole.perimeter)))) : 0;
-  const int digits = 3 + smaller;
+  const double power = hole.perimeter > 0 ? -std::floor(std::log10(hole.perimeter)) : 0;
+  const int smaller = static_cast<int>(std::clamp(power, 0.0, 100.0)), digits = 3 + smaller;  // scales stay finite
   row["centre"] = {Rounded(hole.centre.x(), digits), Rounded(hole.centre.y(), digits)};
   if (!plan.upright && !hole.segments.empty()) {
     double height = 0;

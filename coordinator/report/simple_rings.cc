@@ -1,7 +1,6 @@
 #include "coordinator/report/simple_rings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "common/mesh/edge_loops.h"

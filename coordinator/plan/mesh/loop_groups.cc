@@ -1,6 +1,5 @@
 #include "coordinator/plan/mesh/loop_groups.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 #include <set>
