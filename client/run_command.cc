@@ -66,7 +66,7 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   WorkerOptions worker_options;
   worker_options.id = "embedded";
   worker_options.threads = threads;
-  worker_options.prefetch = threads;  // the only worker
+  worker_options.prefetch = 2 * threads;  // the only worker
   // Out of reach in the same process: it has no thread for the calls.
   worker_options.patience = absl::Seconds(10);
   v1::CancelJobRequest cancel;

@@ -71,6 +71,7 @@ absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
     TILEMEND_ASSIGN_OR_RETURN(const int64_t threads, flags.Integer("threads", 1, 1024));
     options.threads = static_cast<int>(threads);
   }
+  options.prefetch = options.threads;
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("coordinator")));
   const Security security = SecurityFromFlags(flags);
   TILEMEND_RETURN_IF_ERROR(CheckChannelSecurity(security, flags.Text("coordinator")));

@@ -313,6 +313,8 @@ absl::Status OutputFolder::Keep(const std::string& file, int64_t bytes) {
   return absl::OkStatus();
 }
 
+bool OutputFolder::has_report() const { return KindOf(absl::StrCat(path_, "/", kOfReport[0])) != PathKind::kNothing; }
+
 std::string OutputFolder::result_log() const { return absl::StrCat(path_, "/", kResultLog); }
 
 absl::Status OutputFolder::SeeAll() const {

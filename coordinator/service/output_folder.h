@@ -52,6 +52,8 @@ class OutputFolder {
   absl::Status Place(const AttemptFile& file);
   // The file is there already, as it is to be. Errors as Place.
   absl::Status Keep(const std::string& file, int64_t bytes);
+  // Whether a complete output lies there.
+  bool has_report() const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
   std::string result_log() const;
   // Looks at every file that was placed, and has their names survive a power cut. kAborted if one is not there as it

@@ -103,7 +103,7 @@ class ScenePipeline : public JobPipeline {
 
   void Release() override {
     // Without a report it is not the output that was finished.
-    if (!output_ || KindOf(output_->path() + "/report.json") == PathKind::kNothing) return;
+    if (!output_ || !output_->has_report()) return;
     // Without it there is more to keep, nothing else.
     reuse_->Finish().IgnoreError();
     output_->Finish();
@@ -124,6 +124,8 @@ class ScenePipeline : public JobPipeline {
   WaveOptions OptionsFor(std::set<CellId> chosen, WaterOptions water) {
     WaveOptions options = WaveOptionsOf(spec_, std::move(water), [this] { return is_cancelled(); });
     options.chosen = std::move(chosen);
+    // A complete output stays what it is until all of the new one is known.
+    options.write_early = output_ && !output_->has_report();
     return options;
   }
 

@@ -50,8 +50,10 @@ absl::Status CheckSync(const v1::SyncRequest& request) {
     return absl::InvalidArgumentError(
         absl::StrCat("a worker's id, secret and release have at most ", kMostNameBytes, " bytes"));
   }
-  if (request.worker().empty() || request.threads() < 0 || request.threads() > kMaxThreads) {
-    return absl::InvalidArgumentError(absl::StrCat("a worker needs an id and 0 to ", kMaxThreads, " threads"));
+  const auto in_range = [](int32_t tasks) { return tasks >= 0 && tasks <= kMaxThreads; };
+  if (request.worker().empty() || !in_range(request.threads()) || !in_range(request.prefetch())) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("a worker needs an id, 0 to ", kMaxThreads, " threads and as many tasks beyond them"));
   }
   return absl::OkStatus();
 }
@@ -131,7 +133,8 @@ absl::StatusOr<v1::SyncResponse> CoordinatorImpl::Sync(const v1::SyncRequest& re
     work_changed_.notify_all();  // an older call of this worker ends
     const bool is_new = state_.FindWorker(request.worker()) == nullptr;
     TILEMEND_RETURN_IF_ERROR(
-        Apply(WorkerSeen{request.worker(), request.threads(), request.draining(), options_.clock()}).status());
+        Apply(WorkerSeen{request.worker(), request.threads(), request.draining(), options_.clock(), request.prefetch()})
+            .status());
     if (is_new) {
       events_.WorkerCame(*state_.FindWorker(request.worker()), request.release(), identity);
       ShowMetrics();

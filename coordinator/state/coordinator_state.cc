@@ -159,12 +159,13 @@ absl::StatusOr<Effects> CoordinatorState::On(const TasksAdded& event) {
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const WorkerSeen& event) {
-  if (event.worker.empty() || event.threads < 0) {
-    return absl::InvalidArgumentError("a worker needs an id and a number of threads that is not negative");
+  if (event.worker.empty() || event.threads < 0 || event.prefetch < 0) {
+    return absl::InvalidArgumentError("a worker needs an id and numbers of threads and tasks that are not negative");
   }
   WorkerRecord& worker = workers_[event.worker];
   worker.id = event.worker;
   worker.threads = event.threads;
+  worker.prefetch = event.prefetch;
   worker.draining = event.draining;
   worker.last_seen = event.time;
   return Effects();

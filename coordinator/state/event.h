@@ -54,6 +54,7 @@ struct WorkerSeen {
   int32_t threads = 1;
   bool draining = false;
   absl::Time time;
+  int32_t prefetch = 0;  // tasks that it would hold beyond its threads
 };
 
 // Of a pending task, or a second attempt by another worker than the first.

@@ -142,6 +142,7 @@ struct Job {
 struct WorkerRecord {
   std::string id;
   int32_t threads = 0;
+  int32_t prefetch = 0;  // tasks that it would hold beyond its threads
   bool draining = false;
   absl::Time last_seen;
   std::set<TaskKey> held;

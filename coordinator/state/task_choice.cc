@@ -38,6 +38,7 @@ class TaskChooser {
       const auto first = std::min_element(shares.begin(), shares.end());
       if (!TakeNext(*first)) shares.erase(first);
     }
+    if (!is_closed_) AddSpares(shares);
     if (!is_closed_) AddStragglers();
     return std::move(chosen_);
   }
@@ -89,6 +90,22 @@ class TaskChooser {
     is_closed_ = true;
     free_ = chosen_.size();
     return true;
+  }
+
+  // Beyond its threads, while more tasks wait than the other workers together can hold.
+  void AddSpares(std::vector<Share>& shares) {
+    if (worker_.threads == 0 || worker_.prefetch == 0) return;
+    size_t others = 0, pending = 0;
+    for (const auto& [id, other] : state_.workers()) {
+      if (id != worker_.id && !other.draining) others += other.threads + other.prefetch;
+    }
+    for (const Share& share : shares) pending += share.job->pending.size();
+    const size_t most = worker_.threads + worker_.prefetch;
+    while (worker_.held.size() + chosen_.size() < most && chosen_.size() + others < pending && !shares.empty()) {
+      const auto first = std::min_element(shares.begin(), shares.end());
+      if (!TakeNext(*first)) shares.erase(first);
+      if (is_closed_) return;
+    }
   }
 
   void AddStragglers() {

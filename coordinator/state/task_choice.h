@@ -14,7 +14,8 @@ namespace tilemend {
 using MayWork = std::function<bool(const std::string& worker, const std::string& job)>;
 bool MayAlways(const std::string& worker, const std::string& job);
 
-// The tasks to lease to `worker` now, at most as many as it has free threads. The next task is of the
+// The tasks to lease to `worker` now, at most as many as it has free threads, and of those that it would prefetch as
+// long as more wait than all other workers together can hold. The next task is of the
 // job with the highest priority; of those with the same, which share alike, of the one that has the fewest leases, the
 // older one if two have as many; within a job it is the first that the pipeline added. None of a paused job. Empty for
 // an unknown, draining or resting worker. Only of jobs that it `may` work on, and no task of which its result was

@@ -52,12 +52,23 @@ SceneWaves::SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended)
 }
 
 std::optional<SceneWork> SceneWaves::Next() {
-  while (ready_.empty() && awaited_ == 0 && !done()) Advance();
+  while (IsOver() && !done()) Advance();
+  const std::optional<Item> item = NextItem();
+  return item ? std::optional(WorkOf(*item)) : std::nullopt;
+}
+
+bool SceneWaves::IsOver() const {
+  if (!ready_.empty() || awaited_ > 0) return false;
+  return wave_ != Wave::kAssemble || writes_.is_over();
+}
+
+std::optional<SceneWaves::Item> SceneWaves::NextItem() {
+  if (const auto cell = writes_.Next(awaited_, !ready_.empty())) return Item{Wave::kAssemble, *cell};
   if (ready_.empty()) return std::nullopt;
   const Item item = ready_.front();
   ready_.pop_front();
   ++awaited_;
-  return WorkOf(item);
+  return item;
 }
 
 SceneWork SceneWaves::WorkOf(const Item& item) const {
@@ -190,6 +201,7 @@ absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
     }
   }
   outcome_.quality.Merge(result.quality);
+  if (WritesEarly()) QueueAssemble(cell);
   return absl::OkStatus();
 }
 
@@ -207,11 +219,6 @@ absl::Status SceneWaves::TakeSmooth(const SmoothedSeam& result) {
 void SceneWaves::TakePatches(CellId cell, std::span<const RimVertex> vertices, std::span<const HolePatch> patches) {
   fill_gaps_.Take(cell, vertices, patches);
   outcome_.fill_gaps = fill_gaps_.gaps();
-}
-
-void SceneWaves::TakeAssemble() {
-  ++cells_done_;
-  --awaited_;
 }
 
 void SceneWaves::LeaveHoles(CellId cell, const std::string& reason) {
@@ -237,7 +244,7 @@ void SceneWaves::LeaveSeam(CellId cell, const std::string& reason) {
 void SceneWaves::LeaveTile(CellId cell, const std::string& reason) {
   FailHoles(cell, reason);
   outcome_.unwritten.push_back({cell, absl::StrCat("the tile is not written: ", reason)});
-  --awaited_;
+  writes_.Settle();
 }
 
 void SceneWaves::Advance() {
@@ -278,10 +285,6 @@ void SceneWaves::Advance() {
   }
 }
 
-void SceneWaves::EndStep(std::string_view step) const {
-  if (step_ended_) step_ended_(step);
-}
-
 void SceneWaves::MakeThePlan() {
   phase_ = "plan";
   input_.has_grid = !options_.single_mesh;
@@ -292,6 +295,8 @@ void SceneWaves::MakeThePlan() {
   plan_ = MakePlan(input_, options_.plan);
   SettleWater(plan_, heights_);
   plan_.colours = ColourHoles(plan_, input_, options_.plan.water_colour);
+  float32_ = std::any_of(records().begin(), records().end(),
+                         [](const auto& r) { return r.second != nullptr && r.second->float32; });
   for (size_t h = 0; h < plan_.holes.size(); ++h) {
     if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
   }
@@ -337,6 +342,10 @@ void SceneWaves::QueueClusters() {
   for (const auto& [size, item] : clusters) ready_.push_back(item);
   for (const auto& [cell, holes] : holes_of_) {
     if (!clusters_left_.contains(cell) && CanBeFilled(cell)) QueueFill(cell);
+  }
+  if (!WritesEarly()) return;
+  for (const SceneTile& tile : scene_.tiles) {
+    if (!holes_of_.contains(tile.cell)) QueueAssemble(tile.cell);
   }
 }
 
@@ -404,14 +413,14 @@ void SceneWaves::QueueFill(CellId cell) {
 
 void SceneWaves::QueueAssembles() {
   phase_ = "assemble";
-  float32_ = std::any_of(records().begin(), records().end(),
-                         [](const auto& r) { return r.second != nullptr && r.second->float32; });
-  for (const SceneTile& tile : scene_.tiles) {
-    if (!IsChosen(tile.cell) || (tile.path.empty() && !filled_.contains(tile.cell))) {
-      ++cells_done_;  // nothing to write
-    } else {
-      ready_.push_back({Wave::kAssemble, tile.cell});
-    }
+  for (const SceneTile& tile : scene_.tiles) QueueAssemble(tile.cell);
+}
+
+void SceneWaves::QueueAssemble(CellId cell) {
+  if (IsChosen(cell) && (!tile(cell).path.empty() || filled_.contains(cell))) {
+    writes_.Queue(cell);
+  } else if (writes_.Dismiss(cell)) {
+    ++cells_done_;  // nothing to write
   }
 }
 

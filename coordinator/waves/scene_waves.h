@@ -22,6 +22,7 @@
 #include "coordinator/waves/pair_seams.h"
 #include "coordinator/waves/scene_outcome.h"
 #include "coordinator/waves/scene_work.h"
+#include "coordinator/waves/tile_writes.h"
 
 namespace tilemend {
 
@@ -31,6 +32,7 @@ struct WaveOptions {
   WangOptions wang;
   bool single_mesh = false;  // the scene is one tile without a grid: its cell is made around it
   bool plan_only = false;    // ends with the plan
+  bool write_early = false;  // with thin-plate a tile is assembled once its cell is filled, beside other fills
   std::set<CellId> chosen;   // cells that are filled and written; empty: all
 };
 
@@ -45,7 +47,8 @@ struct WaveOptions {
 // of layers before are only sampled in theirs (LayerWork). Closed holes are filled with layer 1. When all cells are
 // filled, the seams between cells of one layer are smoothed (3.4). With thin-plate seams are sampled cluster by
 // cluster, the largest first, what that leaves unknown layer by layer, and a cell is filled as soon as its own clusters
-// are known. The results do not depend on the order in which they come.
+// are known. The results do not depend on the order in which they come. Tiles are assembled when all cells are filled,
+// or early: then one is given out for each other piece of work, so that disks are busy while surfaces are computed.
 //
 // It holds the plan, the heights of seams and the outcome, but no patch, and of the survey records what is handed over
 // (StoredRecord). Pure; one thread at a
@@ -77,7 +80,7 @@ class SceneWaves {
   bool CompareFills(CellId cell) const { return fill_gaps_.Wants(cell); }
   void TakePatches(CellId cell, std::span<const RimVertex> vertices, std::span<const HolePatch> patches);
   absl::Status TakeSmooth(const SmoothedSeam& result);
-  void TakeAssemble();
+  void TakeAssemble() { ++cells_done_, writes_.Settle(); }
 
   // In place of a result of ClusterWork, LayerWork or FillWork: the holes of `cell` stay open, for this reason.
   void LeaveHoles(CellId cell, const std::string& reason);
@@ -109,13 +112,16 @@ class SceneWaves {
     int32_t cluster = -1;  // or, of kSmooth, the seam
   };
 
+  std::optional<Item> NextItem();
   SceneWork WorkOf(const Item& item) const;
   FillWork FillWorkOf(CellId cell) const;
   SmoothWork SmoothWorkOf(int32_t seam) const;
   AssembleWork AssembleWorkOf(CellId cell) const;
   // Starts the wave after the one that has ended.
   void Advance();
-  void EndStep(std::string_view step) const;
+  void EndStep(std::string_view step) const {
+    if (step_ended_) step_ended_(step);
+  }
   void MakeThePlan();
   // Of cells that are not chosen, those holes stay whose clusters reach chosen ones.
   void KeepChosenHoles();
@@ -132,6 +138,10 @@ class SceneWaves {
   void QueueFills();
   void QueueFill(CellId cell);
   void QueueAssembles();
+  void QueueAssemble(CellId cell);
+  bool WritesEarly() const { return options_.write_early && !is_wang(); }
+  // Whether the wave has no more to give out or to wait for.
+  bool IsOver() const;
   // False if the cell has none, or they have failed already.
   bool FailHoles(CellId cell, const std::string& reason);
   std::vector<int32_t> HolesOfLayer(const std::vector<int32_t>& holes) const;
@@ -145,7 +155,8 @@ class SceneWaves {
   Wave wave_ = Wave::kSurvey;
   int32_t layer_ = 0;
   std::deque<Item> ready_;
-  int64_t awaited_ = 0;  // results
+  int64_t awaited_ = 0;  // results, but of tiles that are written
+  TileWrites writes_;
   std::string phase_ = "survey";
   int64_t cells_done_ = 0;
 

@@ -31,6 +31,7 @@ FAILPOINTS = ['journal.make', 'journal.commit', 'journal.committed', 'journal.ch
 ONLY_AGAIN = {'restore.swept'}
 LARGEST_FILE = 900000  # bytes: less than the journal's log of 64 small cells, more than any other file of theirs
 STOPPED = 3  # exit code
+IN_FLIGHT = 2 * sum(THREADS)  # tasks that workers hold at most: as many again as they have threads
 
 
 class Stopped(Exception):
@@ -51,7 +52,7 @@ class Figures:
         self.jobs += 1
         self.kills += kills
         self.again += again
-        self.in_flight += kills * sum(THREADS)
+        self.in_flight += kills * IN_FLIGHT
         if time.time() > self.shown + 20:
             self.shown = time.time()
             print(f'{self.shown - self.start:.0f} s: {self}', flush=True)
@@ -113,7 +114,7 @@ class JobRun:
         again = self.bench.tasks_run() - self.ran_before - progress['tasks']
         # A task that a worker got and the coordinator did not give out durably does not exist: it is in flight, too.
         # Where a machine stands still for a second, a task may get a second attempt.
-        most = self.kills * sum(THREADS) + int(progress['tasks_retried'])
+        most = self.kills * IN_FLIGHT + int(progress['tasks_retried'])
         require(0 <= again <= most, f'{again} tasks were done again at {self.kills} kills')
         await_('the work folder to be empty', lambda: not files(os.path.join(self.bench.work, 'jobs')))
         self.figures.job_is_over(self.kills, again)

@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/store/digest.h"
+#include "common/util/cores.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
@@ -49,7 +50,10 @@ std::string AttemptFiles::PathOf(const v1::WrittenFile& file) const {
 
 absl::Status AttemptFiles::Write(const std::string& path, std::string_view bytes) {
   v1::WrittenFile file = NewFile(path);
-  TILEMEND_RETURN_IF_ERROR(OfThisMachine(WriteNewFile(PathOf(file), bytes)));
+  {
+    const LentCore lent;
+    TILEMEND_RETURN_IF_ERROR(OfThisMachine(WriteNewFile(PathOf(file), bytes)));
+  }
   file.set_bytes(static_cast<int64_t>(bytes.size()));
   file.set_digest(FileDigest(bytes));
   files_.push_back(std::move(file));
@@ -64,7 +68,10 @@ absl::Status AttemptFiles::Carry(const std::string& from, const std::string& pat
     return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
   }
   v1::WrittenFile file = NewFile(path);
-  const auto size = CarryToNewFile(from, PathOf(file), how);
+  const auto size = [&] {
+    const LentCore lent;
+    return CarryToNewFile(from, PathOf(file), how);
+  }();
   if (!size.ok()) {
     return CanWriteIn(attempts_) ? size.status() : OfThisMachine(size.status());
   }

@@ -20,6 +20,7 @@
 #include "common/store/digest.h"
 #include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
+#include "common/util/cores.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/stages.pb.h"
@@ -40,6 +41,11 @@ namespace {
 
 std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
 
+absl::StatusOr<std::string> ReadTile(const std::string& path) {
+  const LentCore lent;
+  return ReadFile(path);
+}
+
 template <typename Message>
 absl::StatusOr<Message> Parse(const std::string& bytes) {
   Message message;
@@ -57,7 +63,7 @@ absl::Status WithHint(const absl::Status& status) {
 absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
   const std::string stamp = StampOf(path, absl::Now());
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(path));
   const std::string digest = FileDigest(bytes);
   v1::SurveyOutput output;
   if (input.known().digest() == digest && Holds(input.tile().root(), WitnessOf(input.known()))) {
@@ -163,7 +169,7 @@ absl::Status Changed(const std::string& path) {
 // The bytes of a tile as it was surveyed, when it had `stamp`.
 absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp = "") {
   const std::string path = PathOf(tile);
-  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTile(path));
   return HasStamp(path, stamp) || HasFileDigest(bytes, tile.digest()) ? absl::StatusOr<std::string>(std::move(bytes))
                                                                       : Changed(path);
 }

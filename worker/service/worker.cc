@@ -47,9 +47,11 @@ Worker::Worker(const WorkerOptions& options, std::unique_ptr<WorkLink> link, Sta
       link_(std::move(link)),
       runner_(std::move(runner)),
       metrics_(metrics),
+      cores_(options.threads),
       unconnected_(kNotYet) {
   threads_.emplace_back([this] { SyncLoop(); });
-  for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { RunTasks(); });
+  const int reading_or_writing = std::min(1 + options_.threads / 4, options_.prefetch);
+  for (int i = 0; i < options_.threads + reading_or_writing; ++i) threads_.emplace_back([this] { RunTasks(); });
 }
 
 Worker::~Worker() {
@@ -179,7 +181,7 @@ v1::SyncRequest Worker::NextRequest() {
   request.set_build(options_.build);
   request.set_sequence(++sequence_);
   for (const auto& [job, seen] : seen_) *request.add_seen() = seen;
-  int32_t threads = options_.threads + options_.prefetch;
+  int32_t threads = options_.threads;
   for (const auto& [token, held] : held_) {
     if (held->dropped) {
       --threads;  // still busy with it
@@ -188,6 +190,7 @@ v1::SyncRequest Worker::NextRequest() {
     }
   }
   request.set_threads(std::max(threads, 0));
+  request.set_prefetch(options_.prefetch);
   size_t bytes = 0;
   for (const auto& [token, finished] : finished_) {
     bytes += finished.output().content().size();
@@ -298,21 +301,20 @@ void Worker::AwaitTask(std::unique_lock<std::mutex>& lock) {
 }
 
 void Worker::RunTask(Held& held) {
-  const Stage stage = static_cast<Stage>(held.task.stage());
-  WorkerMetrics::PerStage& metrics = metrics_.Of(stage);
-  metrics.started->Increment();
-  const auto start = std::chrono::steady_clock::now();
-  v1::FinishedTask report = Report(held.task, Compute(held));
-  metrics.seconds->Observe(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  if (report.has_error() && !held.cancel.cancelled()) LogFailure(held.task, report.error());
+  WorkerMetrics::PerStage& metrics = metrics_.Of(static_cast<Stage>(held.task.stage()));
+  absl::StatusOr<std::string> input = InputOf(held);
+  std::optional<absl::StatusOr<std::string>> output = input.ok() ? Compute(held, *input) : std::move(input);
+  std::optional<v1::FinishedTask> report;
+  if (output) report = Report(held.task, *std::move(output));
+  if (report && report->has_error() && !held.cancel.cancelled()) LogFailure(held.task, report->error());
   const uint64_t token = held.task.ref().attempt_token();
   std::lock_guard<std::mutex> lock(mutex_);
   held_.erase(token);
-  if (held.dropped) {
+  if (report && held.dropped) {
     metrics.cancelled->Increment();
-  } else {
-    (report.has_output() ? metrics.finished : metrics.failed)->Increment();
-    finished_[token] = std::move(report);
+  } else if (report) {
+    (report->has_output() ? metrics.finished : metrics.failed)->Increment();
+    finished_[token] = *std::move(report);
   }
   if (waiting_call_ != nullptr) waiting_call_->Interrupt();
 }
@@ -327,21 +329,33 @@ void Worker::LogFailure(const v1::Task& task, const v1::Status& error) const {
                                      {"error", error.message()}});
 }
 
-absl::StatusOr<std::string> Worker::Compute(const Held& held) {
+absl::StatusOr<std::string> Worker::InputOf(const Held& held) {
   const v1::Task& task = held.task;
-  const Stage stage = static_cast<Stage>(task.stage());
-  std::string input = task.input().content();
-  const bool is_inline = task.input().size() == static_cast<int64_t>(input.size());
-  if (!is_inline) {
-    auto read = link_->ReadBlob(task.ref().job(), task.input().digest());
-    // What the coordinator has lost is no fault of the task.
-    if (absl::IsNotFound(read.status())) return absl::UnavailableError(read.status().message());
-    TILEMEND_ASSIGN_OR_RETURN(input, std::move(read));
-  }
-  metrics_.Of(stage).bytes_in->Increment(static_cast<double>(input.size()));
-  if (held.cancel.cancelled()) return absl::CancelledError("the task was cancelled");
+  const std::string& content = task.input().content();
+  if (task.input().size() == static_cast<int64_t>(content.size())) return content;
+  auto read = link_->ReadBlob(task.ref().job(), task.input().digest());
+  // What the coordinator has lost is no fault of the task.
+  if (absl::IsNotFound(read.status())) return absl::UnavailableError(read.status().message());
+  return read;
+}
+
+// None: it was dropped before there was a core for it.
+std::optional<absl::StatusOr<std::string>> Worker::Compute(const Held& held, const std::string& input) {
+  const Cores::Held core(cores_);
+  if (held.cancel.cancelled()) return std::nullopt;
+  const Stage stage = static_cast<Stage>(held.task.stage());
+  WorkerMetrics::PerStage& metrics = metrics_.Of(stage);
+  metrics.started->Increment();
+  metrics.bytes_in->Increment(static_cast<double>(input.size()));
+  const auto start = std::chrono::steady_clock::now();
+  absl::StatusOr<std::string> output = RunStage(stage, input, held.cancel);
+  metrics.seconds->Observe(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return output;
+}
+
+absl::StatusOr<std::string> Worker::RunStage(Stage stage, const std::string& input, const CancelToken& cancel) {
   try {
-    return runner_(stage, input, held.cancel);
+    return runner_(stage, input, cancel);
   } catch (const std::bad_alloc&) {
     return absl::ResourceExhaustedError("the worker is out of memory");
   } catch (const std::exception& error) {

@@ -1,8 +1,8 @@
 // A worker: asks the coordinator for tasks, runs them on its threads and reports what came out.
 //
-// One thread keeps a Sync call going; `threads` others compute. When a task ends the waiting call is interrupted and a
-// new one reports at once. Results are kept and reported again until the coordinator acknowledges them, through any
-// loss of connection.
+// One thread keeps a Sync call going; of others at most `threads` compute at a time, beside those that read and write
+// (common/util/cores.h). When a task ends the waiting call is interrupted and a new one reports at once. Results are
+// kept and reported again until the coordinator acknowledges them, through any loss of connection.
 #ifndef TILEMEND_WORKER_SERVICE_WORKER_H_
 #define TILEMEND_WORKER_SERVICE_WORKER_H_
 
@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "absl/time/time.h"
 #include "common/metrics/metrics.h"
 #include "common/util/cancel_token.h"
+#include "common/util/cores.h"
 #include "common/util/log.h"
 #include "tilemend/v1/work.pb.h"
 #include "worker/service/look_at_folders.h"
@@ -35,8 +37,8 @@ struct WorkerOptions {
   std::string id;          // new for each process; NewWorkerId()
   int threads = 1;         // 1 to 1024
   std::string build = {};  // BuildId(); a coordinator of another refuses this worker
-  // Tasks to hold beyond one for each thread, so that no thread waits for the next. With several workers it would keep
-  // tasks from idle ones.
+  // Tasks to hold beyond one for each thread, where there are enough for all workers: so that no thread waits for the
+  // next, and that one is computed while another reads or writes.
   int prefetch = 0;
   absl::Duration first_backoff = absl::Milliseconds(50);
   absl::Duration max_backoff = absl::Seconds(1);
@@ -96,7 +98,9 @@ class Worker {
   void AwaitTask(std::unique_lock<std::mutex>& lock);
   void RunTask(Held& held);
   void Look(const v1::JobFolders& folders);
-  absl::StatusOr<std::string> Compute(const Held& held);
+  absl::StatusOr<std::string> InputOf(const Held& held);
+  std::optional<absl::StatusOr<std::string>> Compute(const Held& held, const std::string& input);
+  absl::StatusOr<std::string> RunStage(Stage stage, const std::string& input, const CancelToken& cancel);
   void LogFailure(const v1::Task& task, const v1::Status& error) const;
   v1::FinishedTask Report(const v1::Task& task, absl::StatusOr<std::string> output);
 
@@ -105,6 +109,7 @@ class Worker {
   const std::unique_ptr<WorkLink> link_;
   const StageRunner runner_;
   WorkerMetrics metrics_;
+  Cores cores_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -108,7 +108,7 @@ TEST_F(ClusterEventsTest, CountsHolesOnceThoughAJobTellsThemAgain) {
 }
 
 TEST_F(ClusterEventsTest, TellsOfWorkers) {
-  const WorkerRecord worker{"w", 4, false, kStart, {{"j", 1}}};
+  const WorkerRecord worker{"w", 4, 0, false, kStart, {{"j", 1}}};
   events_.WorkerCame(worker, "0.1.0", "node7");
   events_.WorkerLost(worker, kStart + absl::Seconds(31));
   events_.WorkerLeft("v");

@@ -38,8 +38,8 @@ class StateTest : public ::testing::Test {
     for (int i = 0; i < tasks; ++i) event.tasks.push_back({{i, 0}, Stage::kFill, absl::StrCat("in", i)});
     Do(event);
   }
-  void See(const std::string& worker, int threads = 1, bool draining = false) {
-    Do(WorkerSeen{worker, threads, draining, now_});
+  void See(const std::string& worker, int threads = 1, bool draining = false, int prefetch = 0) {
+    Do(WorkerSeen{worker, threads, draining, now_, prefetch});
   }
   uint64_t Lease(const TaskKey& key, const std::string& worker) {
     const uint64_t token = ++last_token_;

@@ -138,6 +138,25 @@ TEST_F(TaskChoiceTest, WhatOneMachineGivesBackGoesToAnotherFirst) {
   EXPECT_THAT(Choose("full"), SizeIs(1)) << "there is no other any more";
 }
 
+TEST_F(TaskChoiceTest, GivesTasksBeyondThreadsWhileMoreWaitThanOthersCanHold) {
+  AddJob("j", 6);
+  See("a", 1, false, 2);
+  See("b", 1, false, 1);
+  See("leaving", 5, true, 5);
+  EXPECT_THAT(Choose("a"), ElementsAre(Key("j", 1), Key("j", 2), Key("j", 3)));
+  for (int64_t task = 1; task <= 3; ++task) Lease(Key("j", task), "a");
+  EXPECT_THAT(Choose("b"), ElementsAre(Key("j", 4))) << "the last two are for whoever has a free thread";
+}
+
+TEST_F(TaskChoiceTest, KeepsTheLastTasksForFreeThreads) {
+  AddJob("j", 3);
+  See("a", 1, false, 2);
+  See("b", 1, false, 2);
+  EXPECT_THAT(Choose("a"), ElementsAre(Key("j", 1)));
+  See("alone", 0, false, 2);
+  EXPECT_THAT(Choose("alone"), IsEmpty()) << "its threads are busy with what it dropped";
+}
+
 TEST_F(TaskChoiceTest, GivesNothingToAWorkerThatRests) {
   AddJob("a", 3);
   See("w");

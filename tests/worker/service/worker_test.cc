@@ -140,7 +140,8 @@ TEST_F(WorkerTest, SaysWhoItIsAndWhatItTakes) {
   const v1::SyncRequest first = coordinator_.Answer(v1::SyncResponse());
   EXPECT_EQ(first.protocol(), kProtocolVersion);
   EXPECT_EQ(first.worker(), "w");
-  EXPECT_EQ(first.threads(), 4);
+  EXPECT_EQ(first.threads(), 3);
+  EXPECT_EQ(first.prefetch(), 1);
   EXPECT_FALSE(first.draining());
   EXPECT_EQ(first.wait_ms(), absl::ToInt64Milliseconds(kMaxPoll));
   const v1::SyncRequest second = coordinator_.Answer(v1::SyncResponse());
@@ -280,9 +281,9 @@ TEST_F(WorkerTest, AsksForLessWhileItIsBusyWithWhatItDropped) {
   coordinator_.Answer(Start({TaskOf(1, "")}));
   running.get_future().wait();
   coordinator_.Answer(v1::SyncResponse(), [](const v1::SyncRequest& request) { return request.held_size() == 1; });
-  EXPECT_EQ(coordinator_.Answer(v1::SyncResponse(), HoldsNothing).threads(), 1);
+  EXPECT_EQ(coordinator_.Answer(v1::SyncResponse(), HoldsNothing).threads(), 0);
   go_on = true;
-  const auto all_free = [](const v1::SyncRequest& request) { return request.threads() == 2; };
+  const auto all_free = [](const v1::SyncRequest& request) { return request.threads() == 1; };
   EXPECT_EQ(coordinator_.Answer(v1::SyncResponse(), all_free).finished_size(), 0) << "a late result is not reported";
   worker->Abandon();
 }

@@ -256,7 +256,7 @@ void Coordinator::OnSync(const Request& request, const std::function<void(Respon
 
 Response Coordinator::Sync(const Request& request) {
   Response response;
-  Apply(WorkerSeen{request.worker, request.threads, request.draining, world_.now()});
+  Apply(WorkerSeen{request.worker, request.threads, request.draining, world_.now(), request.prefetch});
   for (const Report& report : request.finished) {
     TakeReport(request.worker, report);
     response.acknowledged.push_back(report.attempt);

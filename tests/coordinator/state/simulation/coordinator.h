@@ -32,7 +32,7 @@ struct Report {
 struct Request {
   std::string worker;
   uint64_t sequence = 0;
-  int32_t threads = 1;
+  int32_t threads = 1, prefetch = 0;
   bool draining = false;
   std::vector<Attempt> held;
   std::vector<Report> finished;

@@ -177,6 +177,7 @@ Faults FaultsOf(uint64_t seed) {
   faults.cancel = random.Chance(15);
   faults.drain = random.Chance(20);
   faults.poison = random.Chance(20);
+  faults.prefetch = random.Chance(70);
   return faults;
 }
 

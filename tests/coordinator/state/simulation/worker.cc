@@ -7,6 +7,7 @@ Request Worker::NextRequest() {
   request.worker = id_;
   request.sequence = ++sequence_;
   request.threads = threads_;
+  request.prefetch = world_.faults.prefetch ? threads_ : 0;
   request.draining = is_draining_;
   for (const auto& [token, held] : held_) {
     if (held.is_dropped) {
@@ -62,8 +63,9 @@ void Worker::Take(const Request& request, const Response& response) {
 }
 
 void Worker::Run(const Given& given) {
+  const bool waits = held_.size() >= static_cast<size_t>(threads_);  // for a thread, about as long as it then takes
   held_[given.attempt.token] = {given};
-  const absl::Duration duration = world_.random.Time(20, 600) * (kind_ == Kind::kSlow ? 12 : 1);
+  const absl::Duration duration = world_.random.Time(20, 600) * (kind_ == Kind::kSlow ? 12 : 1) * (waits ? 2 : 1);
   const uint64_t token = given.attempt.token;
   if (world_.faults.killer && IsKiller(given.cell, given.stage)) {
     After(duration / 2, [this, token] {

@@ -53,6 +53,7 @@ struct Faults {
   bool poison = false;                                 // whoever does tasks of one job, its results are wrong
   bool cancel = false;                                 // the client cancels a job
   bool drain = false;                                  // workers leave in good order and come back
+  bool prefetch = false;                               // workers hold tasks for which they have no thread yet
 };
 
 class World {
