@@ -345,9 +345,11 @@ void CoordinatorImpl::ForgetWorker(const std::string& worker) {
 
 void CoordinatorImpl::RenewHeld(const v1::SyncRequest& request) {
   const absl::Time deadline = options_.clock() + options_.lease;
+  const std::set<uint64_t> begun(request.begun().begin(), request.begun().end());
   for (const v1::TaskRef& ref : request.held()) {
+    const uint64_t token = ref.attempt_token();
     // Fails if the lease was lost; TellState then leaves the task out.
-    Apply(LeaseRenewed{KeyOf(ref), request.worker(), ref.attempt_token(), deadline}).IgnoreError();
+    Apply(LeaseRenewed{KeyOf(ref), request.worker(), token, deadline, begun.contains(token)}).IgnoreError();
   }
 }
 

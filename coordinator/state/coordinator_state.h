@@ -119,7 +119,9 @@ class CoordinatorState {
   void LoseLease(Job& job, Task& task, const std::string& worker, Effects& effects);
   using TaskLoss = void (CoordinatorState::*)(Job& job, Task& task, const std::string& worker, Effects& effects);
   // Ends the worker, and each of its attempts with `lose`.
-  absl::StatusOr<Effects> TakeTasksFrom(const std::string& name, TaskLoss lose);
+  absl::StatusOr<Effects> TakeTasksFrom(const std::string& name, TaskLoss lose, Effects effects = {});
+  // Whether the worker told that it is at others of the tasks that it holds, and not at this one.
+  bool HasBegunOthers(const Task& task, const std::string& worker) const;
   // Whether the task has failed by an error of its own: one worker's word is not enough where there is another.
   bool Fail(Task& task, const TaskFailed& event) const;
   // What a machine error means for the task and the worker; whether the task has failed by it.

@@ -71,6 +71,7 @@ struct LeaseRenewed {
   std::string worker;
   uint64_t token = 0;
   absl::Time deadline;
+  bool begun = false;  // the worker says that it is at it
 };
 
 struct TaskCompleted {
@@ -98,14 +99,16 @@ struct TaskAbandoned {
   TaskKey key;
 };
 
-// The holder did not renew in time: as if the worker was lost, for this task alone.
+// The holder did not renew in time: as if the worker was lost, for this task alone. Does not count against it if the
+// worker had begun others that it still holds, and not this one.
 struct LeaseExpired {
   TaskKey key;
   std::string worker;
   uint64_t token = 0;
 };
 
-// The worker died or was cut off. Counts against every task that it held.
+// The worker died or was cut off. Counts against the tasks that it had begun; if it told of none, against all that it
+// held.
 struct WorkerLost {
   std::string worker;
 };

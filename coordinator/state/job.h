@@ -52,6 +52,7 @@ struct Lease {
   std::string worker;
   absl::Time since;
   absl::Time deadline;
+  bool begun = false;  // the worker said that it is at it
 };
 
 struct Task {

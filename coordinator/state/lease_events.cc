@@ -161,7 +161,9 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskLeased& event) {
 absl::StatusOr<Effects> CoordinatorState::On(const LeaseRenewed& event) {
   TILEMEND_ASSIGN_OR_RETURN(Task * task, LeasedTask(event.key, event.worker, event.token));
   for (Lease& lease : task->leases) {
-    if (lease.worker == event.worker) lease.deadline = std::max(lease.deadline, event.deadline);
+    if (lease.worker != event.worker) continue;
+    lease.deadline = std::max(lease.deadline, event.deadline);
+    lease.begun |= event.begun;
   }
   return Effects();
 }
@@ -280,14 +282,25 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskAbandoned& event) {
 absl::StatusOr<Effects> CoordinatorState::On(const LeaseExpired& event) {
   TILEMEND_ASSIGN_OR_RETURN(Task * task, LeasedTask(event.key, event.worker, event.token));
   Effects effects;
-  LoseLease(jobs_.at(event.key.job), *task, event.worker, effects);
+  Job& job = jobs_.at(event.key.job);
+  if (HasBegunOthers(*task, event.worker)) {
+    GiveUp(job, *task, event.worker, effects);
+  } else {
+    LoseLease(job, *task, event.worker, effects);
+  }
   return effects;
 }
 
-absl::StatusOr<Effects> CoordinatorState::TakeTasksFrom(const std::string& name, TaskLoss lose) {
+bool CoordinatorState::HasBegunOthers(const Task& task, const std::string& worker) const {
+  const WorkerRecord* record = FindWorker(worker);
+  return record != nullptr && !LeaseOf(task, worker)->begun &&
+         std::any_of(record->held.begin(), record->held.end(),
+                     [&](const TaskKey& key) { return LeaseOf(*FindTask(key), worker)->begun; });
+}
+
+absl::StatusOr<Effects> CoordinatorState::TakeTasksFrom(const std::string& name, TaskLoss lose, Effects effects) {
   const auto worker = workers_.find(name);
   if (worker == workers_.end()) return UnknownWorker(name);
-  Effects effects;
   const std::set<TaskKey> held = worker->second.held;
   for (const TaskKey& key : held) {
     Job& job = jobs_.at(key.job);
@@ -298,7 +311,18 @@ absl::StatusOr<Effects> CoordinatorState::TakeTasksFrom(const std::string& name,
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const WorkerLost& event) {
-  return TakeTasksFrom(event.worker, &CoordinatorState::LoseLease);
+  const auto worker = workers_.find(event.worker);
+  if (worker == workers_.end()) return UnknownWorker(event.worker);
+  Effects effects;
+  std::vector<TaskKey> waiting;
+  for (const TaskKey& key : worker->second.held) {
+    if (HasBegunOthers(*FindTask(key), event.worker)) waiting.push_back(key);
+  }
+  for (const TaskKey& key : waiting) {
+    Job& job = jobs_.at(key.job);
+    GiveUp(job, job.tasks.at(key.task), event.worker, effects);
+  }
+  return TakeTasksFrom(event.worker, &CoordinatorState::LoseLease, std::move(effects));
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const WorkerLeft& event) {

@@ -169,10 +169,14 @@ std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::
       events.emplace_back(WorkerLost{id});
       continue;
     }
-    for (const TaskKey& key : worker.held) {
-      const Lease& lease = *LeaseOf(*state.FindTask(key), id);
-      const bool too_long = lease.since + state.options().longest_attempt < now;
-      if (lease.deadline < now || too_long) events.emplace_back(LeaseExpired{key, id, lease.token});
+    // What waits comes before what was begun, so that it does not count.
+    for (const bool begun : {false, true}) {
+      for (const TaskKey& key : worker.held) {
+        const Lease& lease = *LeaseOf(*state.FindTask(key), id);
+        const bool too_long = lease.since + state.options().longest_attempt < now;
+        const bool is_over = lease.deadline < now || too_long;
+        if (is_over && lease.begun == begun) events.emplace_back(LeaseExpired{key, id, lease.token});
+      }
     }
   }
   return events;

@@ -187,6 +187,7 @@ v1::SyncRequest Worker::NextRequest() {
       --threads;  // still busy with it
     } else {
       *request.add_held() = held->task.ref();
+      if (held->begun) request.add_begun(token);
     }
   }
   request.set_threads(std::max(threads, 0));
@@ -340,9 +341,10 @@ absl::StatusOr<std::string> Worker::InputOf(const Held& held) {
 }
 
 // None: it was dropped before there was a core for it.
-std::optional<absl::StatusOr<std::string>> Worker::Compute(const Held& held, const std::string& input) {
+std::optional<absl::StatusOr<std::string>> Worker::Compute(Held& held, const std::string& input) {
   const Cores::Held core(cores_);
   if (held.cancel.cancelled()) return std::nullopt;
+  held.begun = true;
   const Stage stage = static_cast<Stage>(held.task.stage());
   WorkerMetrics::PerStage& metrics = metrics_.Of(stage);
   metrics.started->Increment();

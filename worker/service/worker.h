@@ -6,6 +6,7 @@
 #ifndef TILEMEND_WORKER_SERVICE_WORKER_H_
 #define TILEMEND_WORKER_SERVICE_WORKER_H_
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -80,6 +81,7 @@ class Worker {
     v1::Task task;
     CancelToken cancel;
     bool dropped = false;  // runs on, but is no longer the coordinator's
+    std::atomic<bool> begun = false;
   };
 
   void SyncLoop();
@@ -99,7 +101,7 @@ class Worker {
   void RunTask(Held& held);
   void Look(const v1::JobFolders& folders);
   absl::StatusOr<std::string> InputOf(const Held& held);
-  std::optional<absl::StatusOr<std::string>> Compute(const Held& held, const std::string& input);
+  std::optional<absl::StatusOr<std::string>> Compute(Held& held, const std::string& input);
   absl::StatusOr<std::string> RunStage(Stage stage, const std::string& input, const CancelToken& cancel);
   void LogFailure(const v1::Task& task, const v1::Status& error) const;
   v1::FinishedTask Report(const v1::Task& task, absl::StatusOr<std::string> output);

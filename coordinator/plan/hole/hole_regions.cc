@@ -1,5 +1,6 @@
 #include "coordinator/plan/hole/hole_regions.h"
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -86,6 +87,7 @@ PlannedHole PlanClosed(const HoleSite& site, CellId cell, const ClosedHole& clos
     const Eigen::Vector3d area = VectorArea(island, site.position);
     hole.area -= hole.projects ? -area.z() : area.norm();
   }
+  if (!hole.projects) hole.area = std::abs(hole.area);  // in space either loop may be the longer one
   return hole;
 }
 

@@ -76,6 +76,43 @@ TEST_F(LeaseEventsTest, QuarantinesATaskAfterThreeLostWorkers) {
   EXPECT_EQ(state_.FindJob("a")->state, JobState::kPartial);
 }
 
+TEST_F(LeaseEventsTest, ALostWorkerCountsAgainstWhatItHadBegun) {
+  AddJob("a", 2);
+  See("w", 1, false, 1);
+  const uint64_t first = Lease(Key("a", 1), "w");
+  Lease(Key("a", 2), "w");
+  Do(LeaseRenewed{Key("a", 1), "w", first, now_ + kLease, true});
+  const Effects effects = Do(WorkerLost{"w"});
+  ASSERT_THAT(effects.struck, SizeIs(1));
+  EXPECT_EQ(effects.struck[0].key, Key("a", 1));
+  EXPECT_THAT(state_.FindTask(Key("a", 1))->lost_workers, SizeIs(1));
+  EXPECT_THAT(state_.FindTask(Key("a", 2))->lost_workers, IsEmpty());
+  EXPECT_EQ(Counts("a").pending, 2);
+}
+
+TEST_F(LeaseEventsTest, ALostWorkerThatToldOfNoneCountsAgainstAll) {
+  AddJob("a", 2);
+  See("w", 1, false, 1);
+  for (const int64_t task : {1, 2}) Lease(Key("a", task), "w");
+  EXPECT_THAT(Do(WorkerLost{"w"}).struck, SizeIs(2));
+}
+
+TEST_F(LeaseEventsTest, AnExpiredLeaseCountsAgainstWhatWasBegun) {
+  AddJob("a", 2);
+  See("w", 1, false, 1);
+  const uint64_t first = Lease(Key("a", 1), "w");
+  Lease(Key("a", 2), "w");
+  Do(LeaseRenewed{Key("a", 1), "w", first, now_ + kLease, true});
+  now_ += 2 * kLease;
+  See("w", 1, false, 1);
+  std::vector<int64_t> struck;
+  for (const Event& event : Overdue(state_, now_, kLease)) {
+    for (const auto& strike : Do(event).struck) struck.push_back(strike.key.task);
+  }
+  EXPECT_THAT(struck, ElementsAre(1));
+  EXPECT_EQ(Counts("a").pending, 2);
+}
+
 TEST_F(LeaseEventsTest, WorkerThatLeavesGivesItsTasksBackWithoutBlame) {
   AddJob("a", 1);
   for (int i = 0; i < 10; ++i) {

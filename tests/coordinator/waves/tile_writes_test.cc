@@ -11,7 +11,7 @@ TEST(TileWritesTest, GivesEachTileOnce) {
   EXPECT_FALSE(writes.Queue({1, 2}));
   EXPECT_TRUE(writes.Dismiss({3, 3}));
   EXPECT_FALSE(writes.Queue({3, 3}));
-  EXPECT_EQ(writes.Next(0, false), CellId(1, 2));
+  EXPECT_EQ(writes.Next(0, false), (CellId{1, 2}));
   EXPECT_EQ(writes.Next(0, false), std::nullopt);
 }
 
@@ -19,13 +19,13 @@ TEST(TileWritesTest, GivesAsManyAsThereIsOtherWorkOut) {
   TileWrites writes;
   for (int32_t row = 0; row < 5; ++row) writes.Queue({0, row});
   EXPECT_EQ(writes.Next(0, true), std::nullopt);  // the others begin
-  EXPECT_EQ(writes.Next(1, true), CellId(0, 0));
+  EXPECT_EQ(writes.Next(1, true), (CellId{0, 0}));
   EXPECT_EQ(writes.Next(1, false), std::nullopt);
-  EXPECT_EQ(writes.Next(2, false), CellId(0, 1));
+  EXPECT_EQ(writes.Next(2, false), (CellId{0, 1}));
   writes.Settle();
-  EXPECT_EQ(writes.Next(2, false), CellId(0, 2));
-  EXPECT_EQ(writes.Next(0, false), CellId(0, 3));  // nothing else is left
-  EXPECT_EQ(writes.Next(0, false), CellId(0, 4));
+  EXPECT_EQ(writes.Next(2, false), (CellId{0, 2}));
+  EXPECT_EQ(writes.Next(0, false), (CellId{0, 3}));  // nothing else is left
+  EXPECT_EQ(writes.Next(0, false), (CellId{0, 4}));
 }
 
 TEST(TileWritesTest, IsOverWhenAllResultsAreThere) {

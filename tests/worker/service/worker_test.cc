@@ -270,6 +270,25 @@ TEST_F(WorkerTest, DropsWhatIsNotToBeKept) {
   EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_started_total{stage=\"fill\"} 1\n"));
 }
 
+TEST_F(WorkerTest, TellsWhatItHasBegun) {
+  std::promise<void> running;
+  const auto worker = NewWorker([&](Stage stage, const std::string& input, const CancelToken& cancel) {
+    running.set_value();
+    return UntilCancelled(stage, input, cancel);
+  });
+  coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
+  running.get_future().wait();
+  v1::SyncResponse keep;
+  *keep.add_keep() = Ref(1);
+  *keep.add_keep() = Ref(2);
+  const auto tells = [](const v1::SyncRequest& request) { return request.begun_size() > 0; };
+  coordinator_.Answer(keep);  // the call that was under way when the task began
+  const v1::SyncRequest request = coordinator_.Answer(keep, tells);
+  EXPECT_EQ(request.held_size(), 2);
+  EXPECT_EQ(request.begun_size(), 1) << "there is one thread";
+  worker->Abandon();
+}
+
 TEST_F(WorkerTest, AsksForLessWhileItIsBusyWithWhatItDropped) {
   std::promise<void> running;
   std::atomic<bool> go_on = false;

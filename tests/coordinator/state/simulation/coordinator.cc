@@ -261,7 +261,9 @@ Response Coordinator::Sync(const Request& request) {
     TakeReport(request.worker, report);
     response.acknowledged.push_back(report.attempt);
   }
-  for (const Attempt& a : request.held) Apply(LeaseRenewed{a.key, request.worker, a.token, world_.now() + kLease});
+  for (const Attempt& a : request.held) {
+    Apply(LeaseRenewed{a.key, request.worker, a.token, world_.now() + kLease, request.begun.contains(a.token)});
+  }
   if (request.draining && request.held.empty()) {
     Apply(WorkerLeft{request.worker});
     sequences_.erase(request.worker);

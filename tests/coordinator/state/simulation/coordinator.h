@@ -35,6 +35,7 @@ struct Request {
   int32_t threads = 1, prefetch = 0;
   bool draining = false;
   std::vector<Attempt> held;
+  std::set<uint64_t> begun;  // tokens of those that do not wait for a thread
   std::vector<Report> finished;
 };
 struct Given {

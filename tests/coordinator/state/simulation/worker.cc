@@ -14,6 +14,7 @@ Request Worker::NextRequest() {
       --request.threads;
     } else {
       request.held.push_back(held.given.attempt);
+      if (held.has_begun) request.begun.insert(token);
     }
   }
   for (const auto& [token, report] : finished_) request.finished.push_back(report);
@@ -65,8 +66,14 @@ void Worker::Take(const Request& request, const Response& response) {
 void Worker::Run(const Given& given) {
   const bool waits = held_.size() >= static_cast<size_t>(threads_);  // for a thread, about as long as it then takes
   held_[given.attempt.token] = {given};
+  held_[given.attempt.token].has_begun = !waits;
   const absl::Duration duration = world_.random.Time(20, 600) * (kind_ == Kind::kSlow ? 12 : 1) * (waits ? 2 : 1);
   const uint64_t token = given.attempt.token;
+  if (waits) {
+    After(duration / 2, [this, token] {
+      if (const auto held = held_.find(token); held != held_.end()) held->second.has_begun = true;
+    });
+  }
   if (world_.faults.killer && IsKiller(given.cell, given.stage)) {
     After(duration / 2, [this, token] {
       if (held_.contains(token) && !held_[token].is_dropped) Die();

@@ -52,6 +52,7 @@ class Worker {
   struct Held {
     Given given;
     bool is_dropped = false;
+    bool has_begun = false;
   };
 
   // Runs `action` in this process, when it is not frozen.
