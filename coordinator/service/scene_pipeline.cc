@@ -227,6 +227,9 @@ class ScenePipeline : public JobPipeline {
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
     TILEMEND_RETURN_IF_ERROR(output_->SeeAll());
     const Scene& scene = waves_.scene();
+    for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
+      TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
+    }
     if (scene.found_by_name) {
       TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene)));
     }

@@ -57,11 +57,6 @@ std::optional<SceneWork> SceneWaves::Next() {
   return item ? std::optional(WorkOf(*item)) : std::nullopt;
 }
 
-bool SceneWaves::IsOver() const {
-  if (!ready_.empty() || awaited_ > 0) return false;
-  return wave_ != Wave::kAssemble || writes_.is_over();
-}
-
 std::optional<SceneWaves::Item> SceneWaves::NextItem() {
   if (const auto cell = writes_.Next(awaited_, !ready_.empty())) return Item{Wave::kAssemble, *cell};
   if (ready_.empty()) return std::nullopt;
@@ -231,7 +226,10 @@ void SceneWaves::LeaveHoles(CellId cell, const std::string& reason) {
 bool SceneWaves::FailHoles(CellId cell, const std::string& reason) {
   const auto holes = holes_of_.find(cell);
   if (holes == holes_of_.end()) return false;
-  for (const int32_t h : holes->second) outcome_.failures[h] = reason;
+  for (const int32_t h : holes->second) {
+    outcome_.failures[h] = reason;
+    if (const auto size = outcome_.sizes.extract(h)) outcome_.triangles -= size.mapped().triangles;
+  }
   holes_of_.erase(holes);
   return true;
 }

@@ -141,7 +141,7 @@ class SceneWaves {
   void QueueAssemble(CellId cell);
   bool WritesEarly() const { return options_.write_early && !is_wang(); }
   // Whether the wave has no more to give out or to wait for.
-  bool IsOver() const;
+  bool IsOver() const { return ready_.empty() && awaited_ == 0 && (wave_ != Wave::kAssemble || writes_.is_over()); }
   // False if the cell has none, or they have failed already.
   bool FailHoles(CellId cell, const std::string& reason);
   std::vector<int32_t> HolesOfLayer(const std::vector<int32_t>& holes) const;

@@ -183,9 +183,7 @@ TEST_F(ScenePipelineTest, SamplesOfAClusterThatIsNotThereFailTheJob) {
 }
 
 TEST_F(ScenePipelineTest, AnUnknownWayOfFillingFailsTheJobWhereItIsTold) {
-  bool assembled = false;
   const absl::Status status = Run([&](TaskResult& result) {
-                                assembled = assembled || result.stage == Stage::kAssemble;
                                 if (result.stage != Stage::kFill) return;
                                 v1::FillOutput output;
                                 ASSERT_TRUE(output.ParseFromString(*result.output));
@@ -194,7 +192,7 @@ TEST_F(ScenePipelineTest, AnUnknownWayOfFillingFailsTheJobWhereItIsTold) {
                                 result.output = output.SerializeAsString();
                               }).status();
   EXPECT_TRUE(absl::IsInternal(status)) << status;
-  EXPECT_FALSE(assembled);
+  EXPECT_FALSE(std::filesystem::exists(spec_.out + "/report.json"));
 }
 
 absl::Status Quarantined() { return WithErrorInfo(absl::AbortedError("it killed three workers"), {"QUARANTINED", {}}); }
@@ -327,9 +325,27 @@ TEST_F(ScenePipelineTest, AHoleMoreInTheFirstTileIsAllThatIsFilledAgain) {
   EXPECT_EQ(TilesBelow(spec_.out), rerun);
 }
 
+TEST_F(ScenePipelineTest, NoTileOfAnEarlierJobStaysWhereNoneIsWritten) {
+  ASSERT_TRUE(Run().ok());
+  spec_.overwrite = true;
+  spec_.gradation = 1.5;
+  std::optional<CellId> given_up;
+  const auto outcome = Run([&](TaskResult& result) {
+    if (result.stage != Stage::kAssemble || given_up) return;
+    given_up = result.cell;
+    result.output = Quarantined();
+  });
+  ASSERT_TRUE(outcome.ok()) << outcome.status();
+  ASSERT_TRUE(given_up);
+  EXPECT_TRUE(outcome->partial);
+  EXPECT_FALSE(std::filesystem::exists(spec_.out + "/tiles/Tile_" + ToString(*given_up) + ".ply"));
+}
+
 TEST_F(ScenePipelineTest, AJobThatFailedLeavesItsResultsToTheNext) {
-  const auto fails = [](TaskResult& result) {
-    if (result.stage == Stage::kAssemble) result.output = absl::ResourceExhaustedError("the disk is full");
+  int assembled = 0;
+  const auto fails = [&](TaskResult& result) {
+    if (result.stage != Stage::kAssemble || ++assembled < 12) return;
+    result.output = absl::ResourceExhaustedError("the disk is full");
   };
   EXPECT_FALSE(Run(fails).ok());
   stages_.clear();
