@@ -14,6 +14,7 @@
 #include "client/inspection.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/unfinished.h"
 #include "common/codec/mesh_file.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
@@ -205,6 +206,7 @@ int CheckMesh(const std::string& path, const Limits& limits, OutputFormat format
 }
 
 int CheckScene(const std::string& path, const Limits& limits, OutputFormat format) {
+  if (const auto finished = CheckFinished(path); !finished.ok()) return PrintError(finished);
   auto scene = SceneAt(path);
   if (!scene.ok()) return PrintError(scene.status());
   PlanOptions options;

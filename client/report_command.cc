@@ -8,6 +8,7 @@
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "client/report_text.h"
+#include "client/unfinished.h"
 #include "common/util/files.h"
 
 namespace tilemend {
@@ -23,10 +24,7 @@ int ReportCommand(const Args& args) {
   std::filesystem::path path = args.arguments().front();
   if (path.extension() != ".json") path /= "report.json";
   const auto content = ReadFile(path.string());
-  if (absl::IsNotFound(content.status()) && std::filesystem::exists(path.parent_path() / ".tilemend-job")) {
-    return PrintError(absl::NotFoundError(absl::StrCat(
-        path.string(), ": not there yet; the output is not complete. Run the same job again to complete it")));
-  }
+  if (const auto finished = CheckFinished(path.parent_path()); !finished.ok()) return PrintError(finished);
   if (!content.ok()) return PrintError(content.status());
   const Json report = Json::parse(*content, nullptr, false);
   if (!report.is_object() || !report.contains("cells")) {

@@ -1,8 +1,6 @@
 // `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -13,6 +11,7 @@
 #include "client/output.h"
 #include "client/progress_display.h"
 #include "client/report_text.h"
+#include "client/unfinished.h"
 #include "client/work_folder.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
@@ -92,8 +91,7 @@ bool LeftUnfinished(const v1::Job& job) {
   // The output of another job is not its business.
   const bool wrote = job.state() == v1::CANCELLED || (job.state() == v1::FAILED && !absl::IsAlreadyExists(status) &&
                                                       ErrorReason(status) != "OUTPUT_IN_USE");
-  std::error_code error;
-  return wrote && std::filesystem::exists(job.spec().out() + "/.tilemend-job", error);
+  return wrote && IsUnfinished(job.spec().out());
 }
 
 // The job, and what its report says.

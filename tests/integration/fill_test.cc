@@ -265,6 +265,8 @@ TEST(CheckCommandTest, SaysWhatIsWrongUntilItIsMended) {
   EXPECT_THAT(after.out, HasSubstr("0  holes"));
   EXPECT_EQ(tilemend({"check", folder / "none.off"}).code, 3);
   EXPECT_EQ(tilemend({"check", in, "--crease-angle", "0"}).code, 2);
+  folder.Write("cancelled/.tilemend-job", "");
+  EXPECT_EQ(tilemend({"check", folder / "cancelled"}).code, 3);
 }
 
 // Another process that writes the same file holds it with a lock on the file beside it.

@@ -90,12 +90,8 @@ class Squares {
   std::vector<double> Opening() const {
     std::vector<double> eroded(at_.size(), std::numeric_limits<double>::infinity());
     std::vector<double> opened(at_.size(), -std::numeric_limits<double>::infinity());
-    for (size_t i = 0; i < at_.size(); ++i) {
-      ForDisc(at_[i], [&](size_t k) { eroded[i] = std::min(eroded[i], lowest_[k].z()); });
-    }
-    for (size_t i = 0; i < at_.size(); ++i) {
-      ForDisc(at_[i], [&](size_t k) { opened[i] = std::max(opened[i], eroded[k]); });
-    }
+    ForDiscs([&](size_t i, size_t k) { eroded[i] = std::min(eroded[i], lowest_[k].z()); });
+    ForDiscs([&](size_t i, size_t k) { opened[i] = std::max(opened[i], eroded[k]); });
     return opened;
   }
 
@@ -126,6 +122,23 @@ class Squares {
     const auto end = at_.begin() + static_cast<ptrdiff_t>(row_begin_[row + 1]);
     const auto it = std::lower_bound(begin, end, column, [](const Square& s, int64_t c) { return s.first < c; });
     return static_cast<size_t>(it - at_.begin());
+  }
+
+  // Of each square i, in no order: every square k that a disc around it covers. Linear in such pairs.
+  template <typename Visit>
+  void ForDiscs(const Visit& visit) const {
+    for (size_t row = 0; row < rows_.size(); ++row) {
+      const size_t first = FirstRow(rows_[row] - kSquaresPerRadius);
+      for (size_t r = first; r < rows_.size() && rows_[r] <= rows_[row] + kSquaresPerRadius; ++r) {
+        const int half = half_width_[std::abs(rows_[r] - rows_[row])];
+        size_t begin = row_begin_[r];
+        for (size_t i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
+          const int64_t x = at_[i].first;
+          while (begin < row_begin_[r + 1] && at_[begin].first < x - half) ++begin;
+          for (size_t k = begin; k < row_begin_[r + 1] && at_[k].first <= x + half; ++k) visit(i, k);
+        }
+      }
+    }
   }
 
   template <typename Visit>

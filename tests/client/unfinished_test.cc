@@ -1,0 +1,33 @@
+#include "client/unfinished.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Unfinished, WhereThereIsAMarkerAndNoReport) {
+  TemporaryFolder folder;
+  EXPECT_FALSE(IsUnfinished(folder / "none"));
+  EXPECT_FALSE(IsUnfinished(folder.path()));
+  folder.Write("out/.tilemend-job", "");
+  EXPECT_TRUE(IsUnfinished(folder / "out"));
+  folder.Write("out/report.json", "{}");
+  EXPECT_FALSE(IsUnfinished(folder / "out"));
+}
+
+TEST(Unfinished, SaysWhatToDo) {
+  TemporaryFolder folder;
+  EXPECT_TRUE(CheckFinished(folder.path()).ok());
+  folder.Write("out/.tilemend-job", "");
+  const absl::Status status = CheckFinished(folder / "out");
+  EXPECT_TRUE(absl::IsNotFound(status));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("Run the same job again"));
+}
+
+}  // namespace
+}  // namespace tilemend
