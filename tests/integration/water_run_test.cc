@@ -21,6 +21,7 @@ namespace tilemend {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::DoubleNear;
 using ::testing::Each;
 using ::testing::Gt;
 using ::testing::HasSubstr;
@@ -109,6 +110,24 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, WaterSurfaceTest,
                            return NameOf(std::get<0>(test.param)) +
                                   (std::string(std::get<1>(test.param)) == "wang" ? "Wang" : "ThinPlate");
                          });
+
+class AreaOnGridLineTest : public WaterRunTest, public ::testing::WithParamInterface<Cut> {};
+
+// The cells have 40 m.
+TEST_P(AreaOnGridLineTest, ALakeThatItCutsKeepsItsLevel) {
+  const std::string scene = WriteMade(LakeOverNineCells(GetParam()), folder_ / "scene"), out = folder_ / "out";
+  for (const char* area : {"[[0,40],[120,40],[120,120],[0,120],[0,40]]", "[[0,0],[80,0],[80,120],[0,120],[0,0]]",
+                           "[[0,40],[40,40],[40,0],[120,0],[120,120],[0,120],[0,40]]"}) {
+    const std::string text = absl::StrCat(R"({"type": "Polygon", "coordinates": [)", area, "]}");
+    const Json report = Run(scene, out, {"--overwrite", "--area", folder_.Write("area.geojson", text)});
+    ASSERT_THAT(report["water"], SizeIs(Gt(0))) << area;
+    for (const Json& hole : report["per_hole"]) EXPECT_EQ(hole["method"], "water") << area;
+    EXPECT_THAT(HeightsOfNewVertices(scene, out), AllOf(SizeIs(Gt(20)), Each(DoubleNear(kWaterLevel, 0.05)))) << area;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, AreaOnGridLineTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
+                         [](const auto& test) { return NameOf(test.param); });
 
 TEST_F(WaterRunTest, OffAndAreasDecide) {
   const std::string scene = WriteMade(LakeOverNineCells(Cut::kClipped), folder_ / "scene");

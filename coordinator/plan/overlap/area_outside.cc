@@ -15,6 +15,7 @@ using Ring = std::vector<Point2>;
 
 constexpr double kHair = 1e-6;   // of a segment: the line round a ring begins so far before its first point
 constexpr double kInBox = 1e-6;  // metres: what is so far inside its side lies in the box
+constexpr double kOff = 2;       // kOnLine, or steps of the lattice: how far edges of the area go off a grid line
 
 Ring Closed(const Ring& ring) {
   const Point2 before = ring[0] + kHair * (ring.back() - ring[0]);
@@ -22,6 +23,42 @@ Ring Closed(const Ring& ring) {
   line.insert(line.end(), ring.begin(), ring.end());
   line.push_back(before);
   return line;
+}
+
+// An edge of a ring that runs along an axis' grid lines; `inside`: the sign of the way into the area.
+struct AlongLine {
+  int axis;
+  double line, low, high, inside;
+};
+
+AlongLine AlongLineOf(const Point2& a, const Point2& b, int axis) {
+  const auto [low, high] = std::minmax(a[1 - axis], b[1 - axis]);
+  return {axis, a[axis], low, high, (b[1 - axis] > a[1 - axis]) == (axis == 0) ? 1.0 : -1.0};
+}
+
+// Whether a cell outside the area ends along the edge.
+bool RunsAlongACell(const AlongLine& edge, const GridLines& lines) {
+  const int across = 2 * edge.axis, along = 2 * (1 - edge.axis);
+  return std::any_of(lines.coordinate.begin(), lines.coordinate.end(), [&](const auto& cell) {
+    const std::array<double, 4>& sides = cell.second;
+    return std::abs(sides[across + (edge.inside > 0 ? 1 : 0)] - edge.line) <= kOnLine &&
+           sides[along] < edge.high - kOnLine && sides[along + 1] > edge.low + kOnLine;
+  });
+}
+
+// The ring with edges on a line between two cells a hair inside: on the line they would be the border of a tile.
+Ring OffGridLines(const Ring& ring, const SeamSite& site) {
+  const double off = kOff * std::max(kOnLine, site.lattice_step);
+  Ring moved = ring;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const size_t k = (i + 1) % ring.size();
+    for (const int axis : {0, 1}) {
+      if (std::abs(ring[i][axis] - ring[k][axis]) > kOnLine) continue;
+      const AlongLine edge = AlongLineOf(ring[i], ring[k], axis);
+      if (RunsAlongACell(edge, site.lines)) moved[i][axis] = moved[k][axis] = edge.line + edge.inside * off;
+    }
+  }
+  return moved;
 }
 
 // What of a ring lies inside one side of a box; along the side it closes (Sutherland and Hodgman 1974).
@@ -78,7 +115,7 @@ std::vector<Ring> SpacedRings(const SeamSite& site, const PlanInput& input) {
   std::vector<Ring> rings;
   for (const Ring& ring : OrientedRings(input.area)) {
     Ring& spaced = rings.emplace_back();
-    for (const RingVertex& v : spacer.Along(Closed(ring))) spaced.push_back(v.position);
+    for (const RingVertex& v : spacer.Along(Closed(OffGridLines(ring, site)))) spaced.push_back(v.position);
     if (spaced.size() < 3) rings.pop_back();
   }
   return rings;

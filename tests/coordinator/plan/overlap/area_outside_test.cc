@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "common/mesh/rounding.h"
 #include "tests/support/seam_scene.h"
 
 namespace tilemend {
@@ -69,6 +70,16 @@ TEST(SpacedRingsTest, FollowTheAreaRoundOnce) {
   const std::vector<Ring> rings = SpacedRings(s.Site(), s.input);
   ASSERT_THAT(rings, SizeIs(1));
   EXPECT_EQ(AreaOf(OutsideIn(rings, {0, 4, 0, 4}, kStep)), 16 - 9);
+}
+
+TEST(SpacedRingsTest, KeepOffLinesBetweenCells) {
+  SeamScene s({"########", "#......#", "#......#", "########"}, 4);
+  s.input.area.rings = {{{4, 0}, {8, 0}, {8, 4}, {4, 4}}};
+  const std::vector<Ring> rings = SpacedRings(s.Site(), s.input);
+  ASSERT_THAT(rings, SizeIs(1));
+  const auto x = [](const Point2& p) { return p.x(); };
+  EXPECT_DOUBLE_EQ(std::ranges::min(rings[0], {}, x).x(), RoundedToLattice(4.002, kStep));
+  EXPECT_EQ(std::ranges::max(rings[0], {}, x).x(), 8);
 }
 
 }  // namespace
