@@ -12,8 +12,15 @@ namespace {
 
 constexpr double kStraight = 2e-3;    // metres: an outline whose vertices agree to this is straight
 constexpr double kLeastLength = 1.0;  // metres of boundary that a piece has along its outline
+constexpr int kLeastEdges = 2;        // there: a single edge is straight by itself, and level by chance
 
 using Eigen::AlignedBox3d;
+
+// The boundary that a piece has along a face of its box.
+struct Stretch {
+  double length = 0;
+  int edges = 0;
+};
 
 // Where a piece has its boundary along a face of its box.
 struct Face {
@@ -66,17 +73,18 @@ class OutlineFinder {
 
   // Along the axis.
   std::vector<Face> FacesOf(int axis, bool upper) const {
-    std::map<int32_t, double> length;
+    std::map<int32_t, Stretch> along;
     const auto place_of = [&](int32_t piece) { return upper ? box_[piece].max()[axis] : box_[piece].min()[axis]; };
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       const int32_t piece = record_.edges[e].piece;
       const double place = place_of(piece);
       if (std::abs(Begin(e)[axis] - place) > kStraight || std::abs(End(e)[axis] - place) > kStraight) continue;
-      length[piece] += (End(e) - Begin(e)).norm();
+      along[piece].length += (End(e) - Begin(e)).norm();
+      ++along[piece].edges;
     }
     std::vector<Face> faces;
-    for (const auto& [piece, metres] : length) {
-      if (metres >= kLeastLength) faces.push_back({place_of(piece), piece});
+    for (const auto& [piece, stretch] : along) {
+      if (stretch.length >= kLeastLength && stretch.edges >= kLeastEdges) faces.push_back({place_of(piece), piece});
     }
     std::sort(faces.begin(), faces.end(),
               [](const Face& a, const Face& b) { return std::pair(a.place, a.piece) < std::pair(b.place, b.piece); });

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/support/overlapping_scene.h"
 
@@ -57,6 +58,24 @@ TEST(PieceOutlinesTest, AreLevelToo) {
   SurveyRecord& record = scene.records.begin()->second;
   for (BoundaryVertex& v : record.vertices) std::swap(v.position.x(), v.position.z());  // seen from the side
   EXPECT_EQ(CountOutlines(record, 0.6), 2 * 20);
+}
+
+// Loose triangles at the water have level edges by chance.
+TEST(PieceOutlinesTest, AreNotSingleEdges) {
+  SurveyRecord record;
+  const auto add = [&](const std::array<Point3, 3>& corners, int32_t piece) {
+    const auto base = static_cast<int32_t>(record.vertices.size());
+    for (int32_t k = 0; k < 3; ++k) {
+      record.vertices.emplace_back().position = corners[static_cast<size_t>(k)];
+      BoundaryEdge& edge = record.edges.emplace_back();
+      edge.from = base + k;
+      edge.to = base + (k + 1) % 3;
+      edge.piece = piece;
+    }
+  };
+  add({Point3(0, 0, 11.442), Point3(1.5, 0.1, 11.442), Point3(0.7, 1.2, 11.5)}, 0);
+  add({Point3(0.7, 1.2, 11.5), Point3(2.2, 1.3, 11.5), Point3(1.5, 2.4, 11.3)}, 1);
+  EXPECT_EQ(std::ranges::count(FindPieceOutlines(record, 0.2), true), 0);
 }
 
 }  // namespace
