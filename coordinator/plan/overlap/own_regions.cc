@@ -11,6 +11,7 @@
 #include "common/mesh/rounding.h"
 #include "coordinator/plan/overlap/chain_groups.h"
 #include "coordinator/plan/overlap/link_parts.h"
+#include "coordinator/plan/overlap/lost_region.h"
 #include "coordinator/plan/overlap/outline_walk.h"
 #include "coordinator/plan/rim/rim.h"
 
@@ -18,6 +19,8 @@ namespace tilemend {
 namespace {
 
 constexpr double kClearance = 0.25;  // of its size: a new vertex is not nearer to the end of a chain
+
+constexpr char kLost[] = "its boundary cannot be followed to the tile's own outline: pieces overlap too far there";
 
 constexpr double kLeastSteps = 4;  // of the lattice: new vertices on an outline are not nearer to each other
 
@@ -150,7 +153,9 @@ class CellRegions {
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
       for (const OutlineGap& gap : members.gaps) AddGap(gap, line, link_parts, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
-      if (whole < region.size()) {
+      if (!region.empty() && IsLostRegion(plan_, first.segments, region)) {
+        first.failure = kLost;
+      } else if (whole < region.size()) {
         first.own_regions = {std::move(region)};
       } else if (whole < first.segments.size()) {
         first.segments.clear();  // a sliver beside the line that no chain of the tile bounds

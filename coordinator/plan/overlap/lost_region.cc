@@ -1,0 +1,30 @@
+#include "coordinator/plan/overlap/lost_region.h"
+
+#include <algorithm>
+
+namespace tilemend {
+namespace {
+
+constexpr double kLostShare = 0.1;
+constexpr double kLostArea = 2;  // m2
+
+double AreaOf(const Plan& plan, const std::vector<RimSegment>& segments) {
+  double doubled = 0;
+  if (segments.empty()) return doubled;
+  const Point2 origin = plan.vertices[segments.front().from].position.head<2>();
+  for (const RimSegment& s : segments) {
+    const Point2 a = plan.vertices[s.from].position.head<2>() - origin;
+    const Point2 b = plan.vertices[s.to].position.head<2>() - origin;
+    doubled += a.x() * b.y() - a.y() * b.x();
+  }
+  return doubled / 2;
+}
+
+}  // namespace
+
+bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region) {
+  const double whole = AreaOf(plan, hole);
+  return whole - AreaOf(plan, region) > std::max(kLostArea, kLostShare * whole);
+}
+
+}  // namespace tilemend

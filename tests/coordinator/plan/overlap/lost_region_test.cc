@@ -1,0 +1,34 @@
+#include "coordinator/plan/overlap/lost_region.h"
+
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+// Adds a box to the plan; gives its boundary, the inside on the left.
+std::vector<RimSegment> Box(double x0, double y0, double x1, double y1, Plan& plan) {
+  std::vector<RimSegment> segments;
+  const auto base = static_cast<int32_t>(plan.vertices.size());
+  for (const Point2& p : {Point2(x0, y0), Point2(x1, y0), Point2(x1, y1), Point2(x0, y1)}) {
+    plan.vertices.emplace_back().position = Point3(p.x(), p.y(), 0);
+  }
+  for (int32_t k = 0; k < 4; ++k) segments.push_back({base + k, base + (k + 1) % 4, false});
+  return segments;
+}
+
+TEST(IsLostRegionTest, WhereMuchOfTheHoleIsMissing) {
+  Plan plan;
+  const auto hole = Box(1e6, 0, 1e6 + 20, 10, plan);
+  EXPECT_FALSE(IsLostRegion(plan, hole, Box(1e6 - 1, -1, 1e6 + 21, 11, plan)));
+  EXPECT_FALSE(IsLostRegion(plan, hole, Box(1e6, 0, 1e6 + 18.5, 10, plan)));
+  EXPECT_TRUE(IsLostRegion(plan, hole, Box(1e6, 0, 1e6 + 17, 10, plan)));
+  EXPECT_TRUE(IsLostRegion(plan, hole, {}));
+}
+
+TEST(IsLostRegionTest, SmallHolesMayLoseAll) {
+  Plan plan;
+  EXPECT_FALSE(IsLostRegion(plan, Box(0, 0, 1.4, 1.4, plan), {}));
+}
+
+}  // namespace
+}  // namespace tilemend
