@@ -107,11 +107,13 @@ class Umbrella {
 
 }  // namespace
 
-bool FairPatch(const PatchSurroundings& around, int32_t steps, NewPatch& patch) {
+bool FairPatch(const PatchSurroundings& around, int32_t steps, NewPatch& patch,
+               const std::function<bool()>& is_cancelled) {
   if (patch.size() == patch.rim_count) return true;
   PointMover mover(patch);
   Eigen::SimplicialLDLT<SparseMatrix> solver;
   for (int32_t step = 0; step < steps; ++step) {
+    if (is_cancelled && is_cancelled()) return false;
     Eigen::MatrixXd places;
     if (!Umbrella(patch, around).Step(solver, step == 0, places)) return false;
     for (int32_t v = patch.rim_count; v < patch.size(); ++v) {

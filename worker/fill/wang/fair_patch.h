@@ -3,6 +3,7 @@
 #define TILEMEND_WORKER_FILL_WANG_FAIR_PATCH_H_
 
 #include <cstdint>
+#include <functional>
 
 #include "worker/fill/wang/new_patch.h"
 
@@ -17,9 +18,10 @@ namespace tilemend {
 // is theirs: of points of the rim, from patch and surroundings, and 0 where these do not surround them (on seams):
 // there the patch bends freely. A move that would turn a triangle over on the plane is shortened (PointMover).
 //
-// False, with the points as after the last step that could be solved, if one could not. Sparse Cholesky; about O(n^1.5)
-// a step.
-bool FairPatch(const PatchSurroundings& around, int32_t steps, NewPatch& patch);
+// False, with the points as after the last step that was solved, if one could not be, or `is_cancelled` says so before
+// it (none: never). Sparse Cholesky; about O(n^1.5) a step.
+bool FairPatch(const PatchSurroundings& around, int32_t steps, NewPatch& patch,
+               const std::function<bool()>& is_cancelled = {});
 
 inline constexpr double kFairingStep = 1000;
 

@@ -52,7 +52,7 @@ bool Shape(const LocalHole& hole, const ProjectionFrame& frame, const FillOption
   RefinePatch(options.refine, may_join, patch);
   const PatchSurroundings around = SurroundingsOf(hole, frame, patch.size());
   if (options.wang.adjust) AdjustPatch(around, patch);
-  return FairPatch(around, options.wang.fairing_steps, patch);
+  return FairPatch(around, options.wang.fairing_steps, patch, options.refine.is_cancelled);
 }
 
 // A loop on the plane, with what it bounds on the left.

@@ -44,6 +44,15 @@ TEST(FairPatchTest, LeavesOfTheStartWhatIsBroad) {
   EXPECT_GT(Roughness(patch), 1) << "a solution of U^2 = 0 alone would be flat";
 }
 
+TEST(FairPatchTest, EndsBeforeAStepOnceCancelled) {
+  const auto dome = [](double x, double y) { return x * (24 - x) * y * (24 - y) / 2000; };
+  NewPatch patch = SquarePatch(24, dome), one_step = patch;
+  int asked = 0;
+  EXPECT_FALSE(FairPatch(NothingAround(patch), 5, patch, [&] { return ++asked > 1; }));
+  ASSERT_TRUE(FairPatch(NothingAround(one_step), 1, one_step));
+  EXPECT_EQ(patch.points, one_step.points);
+}
+
 TEST(FairPatchTest, GoesOnWithTheSlopeAround) {
   NewPatch patch = SquarePatch(4, [](double, double) { return 0.0; });
   NewPatch freely = patch;
