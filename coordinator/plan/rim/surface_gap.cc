@@ -47,12 +47,20 @@ BinGrid BinsOf(const TriMesh& mesh, const std::vector<Triangle>& triangles) {
                  [&](int32_t t) { return BoxOf(mesh, triangles[t]); });
 }
 
+struct Distances {
+  std::vector<double> near;  // in space
+  std::vector<double> far;   // in height, of what is near nothing
+};
+
 // Of the vertices on a tile's outline, and beyond it where that is a zigzag.
-void AddDistances(const TileOutline& of, const StripSurface& from, int axis, double outward,
-                  std::vector<double>& distances) {
+void AddDistances(const TileOutline& of, const StripSurface& from, int axis, double outward, Distances& distances) {
   for (const BoundaryVertex& v : of.record.vertices) {
     if ((v.position[axis] - of.coordinate) * outward < -kStraight) continue;
-    if (const auto distance = from.Distance(v.position)) distances.push_back(*distance);
+    if (const auto distance = from.Distance(v.position)) {
+      distances.near.push_back(*distance);
+    } else if (const auto height = from.HeightDifference(v.position)) {
+      distances.far.push_back(*height);
+    }
   }
 }
 
@@ -71,13 +79,33 @@ std::optional<double> StripSurface::Distance(const Point3& p) const {
   return nearest < kFar ? std::optional(nearest) : std::nullopt;
 }
 
+std::optional<double> StripSurface::HeightDifference(const Point3& p) const {
+  std::optional<double> nearest;
+  const Point2 at = p.head<2>();
+  for (const int32_t t : bins_.In(Eigen::AlignedBox2d(at, at))) {
+    const auto& [i, j, k] = triangles_[t];
+    const Point3 &a = mesh_.points[i], &b = mesh_.points[j], &c = mesh_.points[k];
+    const auto turn = [](const Point3& u, const Point3& v, const Point2& w) {
+      return (v.x() - u.x()) * (w.y() - u.y()) - (v.y() - u.y()) * (w.x() - u.x());
+    };
+    const double of_a = turn(b, c, at), of_b = turn(c, a, at), of_c = turn(a, b, at), whole = of_a + of_b + of_c;
+    if (whole == 0 || std::min({of_a / whole, of_b / whole, of_c / whole}) < 0) continue;
+    const double height = std::abs((of_a * a.z() + of_b * b.z() + of_c * c.z()) / whole - p.z());
+    if (!nearest || height < *nearest) nearest = height;
+  }
+  return nearest;
+}
+
 SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis) {
   const auto [lo, hi] = std::minmax(a.coordinate, b.coordinate);
   const double outward = a.coordinate > b.coordinate ? 1 : -1;
-  std::vector<double> distances;
+  Distances distances;
   AddDistances(a, StripSurface(b.record.band, axis, lo, hi), axis, outward, distances);
   AddDistances(b, StripSurface(a.record.band, axis, lo, hi), axis, -outward, distances);
-  return SummaryOf(std::move(distances));
+  if (distances.far.size() > distances.near.size()) {
+    distances.near.insert(distances.near.end(), distances.far.begin(), distances.far.end());
+  }
+  return SummaryOf(std::move(distances.near));
 }
 
 SurfaceGap SummaryOf(std::vector<double> distances) {

@@ -20,6 +20,8 @@ class StripSurface {
 
   // From `p` to the nearest triangle in space; nothing if none is within a metre. O(triangles near p).
   std::optional<double> Distance(const Point3& p) const;
+  // From `p` straight up or down to the nearest triangle; nothing if none is over or under it. O(triangles near p).
+  std::optional<double> HeightDifference(const Point3& p) const;
 
  private:
   const TriMesh& mesh_;
@@ -35,7 +37,8 @@ struct TileOutline {
 
 // The distances in space of each tile's outline vertices from the other tile's surface, by the triangles of its band
 // there: a vertical distance would say metres of two facades that are centimetres apart. What is farther than a metre
-// is not the same surface. Cost linear in the bands, and for each vertex in the triangles near it.
+// is not the same surface; but where most of what lies over the other tile is, the tiles disagree, and the differences
+// in height count as well. Cost linear in the bands, and for each vertex in the triangles near it.
 //   axis  across the border
 SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis);
 

@@ -47,6 +47,13 @@ TEST(SurfaceGapTest, TellsTheUsualFromTheLargest) {
   EXPECT_NEAR(gap.ninth_decile, 0.5 * kCosine, 0.05);
 }
 
+// As where one was reconstructed apart from the others.
+TEST(SurfaceGapTest, FindsTilesMetresApart) {
+  EXPECT_NEAR(Compare([](double, double) { return 5; }).median, 5, 1e-9);
+  EXPECT_NEAR(Compare([](double, double y) { return y > 7 ? 0 : -20; }).median, 20, 1e-9);
+  EXPECT_NEAR(Compare([](double, double y) { return y > 3 ? 0 : 5; }).ninth_decile, 0, 1e-9) << "a house in one";
+}
+
 // Facades across the border, a hand apart: any vertical distance is their height.
 TEST(SurfaceGapTest, MeasuresBetweenWallsAcross) {
   const auto wall = [](double at) { return [at](double, double y) { return 40 * std::clamp(y - at, 0.0, 1.0); }; };
