@@ -86,6 +86,26 @@ GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, co
   return group;
 }
 
+// Where the shore of holes in their cells ends: at the edge of the area, as what goes on in the next cell shares its
+// vertex.
+//   number  of vertices of the plan
+std::vector<int32_t> EndsOfShore(const Plan& plan, const std::vector<int32_t>& holes,
+                                 const std::map<int32_t, int32_t>& number) {
+  std::map<int32_t, int> edges;
+  for (const int32_t h : holes) {
+    for (const RimSegment& s : plan.holes[h].segments) {
+      if (s.seam) continue;
+      ++edges[s.from];
+      ++edges[s.to];
+    }
+  }
+  std::vector<int32_t> ends;
+  for (const auto& [v, count] : edges) {
+    if (count == 1) ends.push_back(number.at(v));
+  }
+  return ends;
+}
+
 // Marks what walls lift off the ground of a group's rim.
 void MarkRaisedLevels(const std::vector<int32_t>& holes, Plan& plan) {
   std::vector<int32_t> vertices;
@@ -108,7 +128,7 @@ void MarkRaisedLevels(const std::vector<int32_t>& holes, Plan& plan) {
       if (!s.seam) edges.push_back({take(s.from), take(s.to)});
     });
   }
-  const std::vector<bool> raised = OnRaisedLevels(points, kinds, edges);
+  const std::vector<bool> raised = OnRaisedLevels(points, kinds, edges, EndsOfShore(plan, holes, number));
   for (size_t i = 0; i < vertices.size(); ++i) {
     if (raised[i]) plan.vertices[vertices[i]].on_object = true;
   }

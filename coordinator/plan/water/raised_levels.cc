@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
@@ -19,17 +21,17 @@ struct Link {
 class Levels {
  public:
   Levels(std::span<const Point3> points, std::span<const ShorePoint> kinds, std::span<const DirectedEdge> edges,
-         const LevelRule& rule)
+         std::span<const int32_t> ends, const LevelRule& rule)
       : points_(points), kinds_(kinds), edges_(edges), rule_(rule), levels_(static_cast<int32_t>(points.size())) {
+    objects_ = GroundBesideObjects();
     const std::vector<Link> links = Links();
     for (const Link& link : links) {
       if (IsLevel(link)) levels_.Join(link.a, link.b);
     }
     for (const Link& link : links) {
-      if (!IsWall(link)) continue;
-      walls_[levels_.LowestOf(link.a)].emplace_back(levels_.LowestOf(link.b), Rise(link));
-      walls_[levels_.LowestOf(link.b)].emplace_back(levels_.LowestOf(link.a), -Rise(link));
+      if (IsWall(link)) Lead(levels_.LowestOf(link.a), levels_.LowestOf(link.b), Rise(link));
     }
+    LinkAcross(ends);
     for (const DirectedEdge& e : edges_) {
       if (levels_.LowestOf(e.from) == levels_.LowestOf(e.to))
         length_[levels_.LowestOf(e.from)] += Distance(e.from, e.to);
@@ -37,7 +39,7 @@ class Levels {
   }
 
   std::vector<bool> Raised() {
-    for (const auto& [level, walls] : walls_) {
+    for (const auto& [level, ways] : ways_) {
       if (!height_.contains(level)) MeasureTogether(level);
     }
     std::vector<bool> raised(points_.size());
@@ -45,6 +47,7 @@ class Levels {
       const auto height = height_.find(levels_.LowestOf(static_cast<int32_t>(v)));
       raised[v] = IsGround(v) && height != height_.end() && height->second >= rule_.lift;
     }
+    RaiseLedges(raised);
     return raised;
   }
 
@@ -65,9 +68,19 @@ class Levels {
   // Along edges, and over each object between the lowest point beside it and the others.
   std::vector<Link> Links() const {
     std::vector<Link> links;
-    DisjointSets objects(static_cast<int32_t>(points_.size()));
     for (const DirectedEdge& e : edges_) {
       if (IsGround(e.from) && IsGround(e.to)) links.push_back({e.from, e.to, false});
+    }
+    for (const std::vector<int32_t>& ground : objects_) {
+      for (size_t i = 1; i < ground.size(); ++i) links.push_back({ground[0], ground[i], true});
+    }
+    return links;
+  }
+
+  // Of each object, the lowest point first.
+  std::vector<std::vector<int32_t>> GroundBesideObjects() const {
+    DisjointSets objects(static_cast<int32_t>(points_.size()));
+    for (const DirectedEdge& e : edges_) {
       if (!IsGround(e.from) && !IsGround(e.to)) objects.Join(e.from, e.to);
     }
     std::map<int32_t, std::vector<int32_t>> beside;
@@ -76,15 +89,75 @@ class Levels {
         beside[objects.LowestOf(IsGround(e.from) ? e.to : e.from)].push_back(IsGround(e.from) ? e.from : e.to);
       }
     }
-    for (const auto& [object, ground] : beside) {
-      const int32_t lowest = *std::min_element(ground.begin(), ground.end(), [&](int32_t a, int32_t b) {
-        return std::pair(points_[a].z(), a) < std::pair(points_[b].z(), b);
-      });
-      for (const int32_t v : ground) {
-        if (v != lowest) links.push_back({lowest, v, true});
+    std::vector<std::vector<int32_t>> objects_ground;
+    for (auto& [object, ground] : beside) {
+      std::sort(ground.begin(), ground.end(),
+                [&](int32_t a, int32_t b) { return std::pair(points_[a].z(), a) < std::pair(points_[b].z(), b); });
+      ground.erase(std::unique(ground.begin(), ground.end()), ground.end());
+      objects_ground.push_back(std::move(ground));
+    }
+    return objects_ground;
+  }
+
+  void Lead(int32_t from, int32_t to, double rise) {
+    ways_[from].emplace_back(to, rise);
+    ways_[to].emplace_back(from, -rise);
+  }
+
+  using Square = std::pair<int64_t, int64_t>;
+  Square SquareOf(const Point3& p) const {
+    return {static_cast<int64_t>(std::floor(p.x() / rule_.across)),
+            static_cast<int64_t>(std::floor(p.y() / rule_.across))};
+  }
+
+  // From levels at ends to those as high, and down to those lower by a wall, each where they are nearest.
+  void LinkAcross(std::span<const int32_t> ends) {
+    std::set<int32_t> at_end;
+    for (const int32_t v : ends) at_end.insert(levels_.LowestOf(v));
+    std::map<Square, std::vector<int32_t>> ground;
+    for (int32_t v = 0; !at_end.empty() && v < std::ssize(points_); ++v) {
+      if (IsGround(v)) ground[SquareOf(points_[v])].push_back(v);
+    }
+    std::map<std::pair<int32_t, int32_t>, std::pair<double, double>> nearest;  // how far, how much higher the end is
+    const auto compare = [&](int32_t v, int32_t other) {
+      const Link link{other, v, true};
+      const double far = Distance(v, other);
+      const std::pair levels(levels_.LowestOf(other), levels_.LowestOf(v));
+      const bool leads = std::abs(Rise(link)) <= rule_.same_level || (Rise(link) > 0 && IsWall(link));
+      if (far > rule_.across || levels.first == levels.second || !leads) return;
+      const auto [it, fresh] = nearest.try_emplace(levels, far, Rise(link));
+      if (!fresh) it->second = std::min(it->second, std::pair(far, Rise(link)));
+    };
+    for (const auto& [square, points] : ground) {
+      for (const int32_t v : points) {
+        if (!at_end.contains(levels_.LowestOf(v))) continue;
+        for (int64_t k = 0; k < 9; ++k) {
+          const auto near = ground.find({square.first + k % 3 - 1, square.second + k / 3 - 1});
+          if (near == ground.end()) continue;
+          for (const int32_t other : near->second) compare(v, other);
+        }
       }
     }
-    return links;
+    for (const auto& [levels, way] : nearest) Lead(levels.first, levels.second, way.second);
+  }
+
+  void RaiseLedges(std::vector<bool>& raised) {
+    std::map<int32_t, double> lift;  // of levels on objects that lead to raised ones: over the other ground there
+    std::set<int32_t> at_raised;
+    for (const std::vector<int32_t>& ground : objects_) {
+      const bool leads = std::any_of(ground.begin(), ground.end(), [&](int32_t v) { return raised[v]; });
+      for (const int32_t v : ground) {
+        const int32_t level = levels_.LowestOf(v);
+        if (leads) at_raised.insert(level);
+        double& most = lift[level];
+        most = std::max(most, points_[v].z() - points_[ground[0]].z());
+      }
+    }
+    for (size_t v = 0; v < points_.size(); ++v) {
+      const int32_t level = levels_.LowestOf(static_cast<int32_t>(v));
+      const bool ledge = at_raised.contains(level) && length_[level] < rule_.ledge && lift[level] > rule_.ledge_lift;
+      if (IsGround(v) && ledge) raised[v] = true;
+    }
   }
 
   // The heights of a level and of all that walls lead to from there, over the ground.
@@ -92,7 +165,7 @@ class Levels {
     height_[first] = 0;
     std::vector<int32_t> together = {first};
     for (size_t i = 0; i < together.size(); ++i) {
-      for (const auto& [to, rise] : walls_[together[i]]) {
+      for (const auto& [to, rise] : ways_[together[i]]) {
         if (height_.try_emplace(to, height_[together[i]] + rise).second) together.push_back(to);
       }
     }
@@ -118,8 +191,9 @@ class Levels {
   const std::span<const ShorePoint> kinds_;
   const std::span<const DirectedEdge> edges_;
   const LevelRule rule_;
-  DisjointSets levels_;                                               // of the ground
-  std::map<int32_t, std::vector<std::pair<int32_t, double>>> walls_;  // of a level: where to, and how far up
+  DisjointSets levels_;                                              // of the ground
+  std::vector<std::vector<int32_t>> objects_;                        // of each: the ground beside it, the lowest first
+  std::map<int32_t, std::vector<std::pair<int32_t, double>>> ways_;  // of a level: where to, and how far up
   std::map<int32_t, double> length_;
   std::map<int32_t, double> height_;
 };
@@ -127,8 +201,9 @@ class Levels {
 }  // namespace
 
 std::vector<bool> OnRaisedLevels(std::span<const Point3> points, std::span<const ShorePoint> kinds,
-                                 std::span<const DirectedEdge> edges, const LevelRule& rule) {
-  return Levels(points, kinds, edges, rule).Raised();
+                                 std::span<const DirectedEdge> edges, std::span<const int32_t> ends,
+                                 const LevelRule& rule) {
+  return Levels(points, kinds, edges, ends, rule).Raised();
 }
 
 }  // namespace tilemend

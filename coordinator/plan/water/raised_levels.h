@@ -17,6 +17,9 @@ struct LevelRule {
   double same_level = 2;  // metres: the ground goes on behind an object that is no further up or down
   double slope = 0.6;     // less is ground, as ObjectRule::slope
   double noise = 0.3;     // metres, as ObjectRule::step_noise
+  double across = 50;     // metres: levels that are compared across the hole are no farther apart
+  double ledge = 10;      // metres of shore: a ledge is shorter
+  double ledge_lift = 3;  // metres over the ground on the object's other side: a ledge is higher
 };
 
 enum class ShorePoint : uint8_t { kGround, kOther };  // kOther: on an object, or a point without a height
@@ -25,12 +28,17 @@ enum class ShorePoint : uint8_t { kGround, kOther };  // kOther: on an object, o
 // the shore up to the next wall: a rise or fall by `lift` that is steeper than ground. It goes on behind an object with
 // about the same height on both sides. From one level to another that walls lead to, the height is that of these walls,
 // so that slopes do not count. Where most of such a shore is, is ground; raised is what is `lift` higher. What no wall
-// leads to is ground.
+// leads to is ground, but for a ledge: a short stretch on an object that leads to a raised level too.
 //
-// `edges` are those of the shore, into the points, in any order and direction. Metres. Cost near-linear, and the
-// square of the levels that walls join.
+// Where the shore ends at the edge of the area, what stands there is seen from one side alone. Levels at such ends are
+// compared across the hole as well: with what is as high, and with what is lower by a wall.
+//
+//   edges  those of the shore, into the points, in any order and direction
+//   ends   points where the shore ends at the edge of the area
+// Metres. Cost near-linear, the square of the levels that walls join, and for points of levels at ends those near them.
 std::vector<bool> OnRaisedLevels(std::span<const Point3> points, std::span<const ShorePoint> kinds,
-                                 std::span<const DirectedEdge> edges, const LevelRule& rule = {});
+                                 std::span<const DirectedEdge> edges, std::span<const int32_t> ends = {},
+                                 const LevelRule& rule = {});
 
 }  // namespace tilemend
 

@@ -66,6 +66,33 @@ TEST_P(MarkObjectsTest, ARoofThatWallsLiftIsMarked) {
   EXPECT_GT(marked, 10);
 }
 
+// A river through the area. Its northern bank goes up behind towers, to a terrace and then to a roof at the edge of the
+// area: by steps that are no walls. The street across tells.
+TEST_P(MarkObjectsTest, ARoofUpToTheEdgeOfTheAreaIsMarked) {
+  const auto over_street = [](double x, double y) {
+    if (y < 60 || x < 40) return 0.0;
+    if (x < 46 || (x > 80 && x < 86)) return 30.0;
+    return x < 80 ? 8.0 : 20.0;
+  };
+  SceneMakerOptions scene =
+      HoleOverNineCells(GetParam(), [&](double, double x, double y) { return Gentle(x, 0) + over_street(x, y); });
+  scene.ellipses = {};
+  scene.strips = {{{{-10, 60}, {130, 60}}, 15}};
+  const Plan plan = PlanOf(scene);
+  int wrong = 0, roof = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const RimSegment& s : hole.segments) {
+      const PlanVertex& v = plan.vertices[s.from];
+      if (v.index < 0 || s.seam) continue;
+      const double height = v.position.z() - Gentle(v.position.x(), 0);
+      wrong += v.on_object != (height > 15);
+      roof += v.on_object && v.position.x() > 90;
+    }
+  }
+  EXPECT_LE(wrong, 4) << "on the towers' walls";
+  EXPECT_GE(roof, 12);
+}
+
 TEST_P(MarkObjectsTest, OnRoughGroundNothingStands) {
   const Plan plan = PlanOf(
       HoleOverNineCells(GetParam(), [](double, double x, double y) { return 8 * std::sin(x / 4) * std::cos(y / 5); }));

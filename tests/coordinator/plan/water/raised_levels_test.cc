@@ -76,6 +76,45 @@ TEST(RaisedLevelsTest, BehindAnObjectWithAnotherHeightNothingIsKnown) {
   ExpectRaised(RaisedAlong(Joined({Level(10, 3), Level(8, 12), Level(10, 11)}), house), 0, 0);
 }
 
+// Two shores that run east, 20 m apart; the northern one ends at the edge of the area on a roof, after a ledge. And
+// farther off the end of a third one, on a roof as high.
+class EndsOfShoreTest : public ::testing::Test {
+ protected:
+  EndsOfShoreTest() {
+    Add(0, Joined({Level(40, 3)}), "");
+    Add(20, Joined({Level(20, 3), Level(2, 12), Level(1, 11), Level(2, 20), Level(5, 25)}),
+        std::string(20, ' ') + "oo oo");
+    Add(60, {25, 25, 25}, "");
+  }
+
+  void Add(double y, const std::vector<double>& heights, const std::string& objects) {
+    for (size_t i = 0; i < heights.size(); ++i) {
+      const auto v = static_cast<int32_t>(points_.size());
+      points_.emplace_back(2.0 * static_cast<double>(i) + (y == 60 ? 56 : 0), y, heights[i]);
+      kinds_.push_back(i < objects.size() && objects[i] == 'o' ? ShorePoint::kOther : ShorePoint::kGround);
+      if (i > 0) edges_.push_back({v - 1, v});
+    }
+    ends_.push_back(static_cast<int32_t>(points_.size()) - 1);
+  }
+
+  std::vector<Point3> points_;
+  std::vector<ShorePoint> kinds_;
+  std::vector<DirectedEdge> edges_;
+  std::vector<int32_t> ends_;
+};
+
+TEST_F(EndsOfShoreTest, RoofsThereAreRaisedAndTheLedgeBelow) {
+  const std::vector<bool> raised = OnRaisedLevels(points_, kinds_, edges_, ends_);
+  for (size_t v = 0; v < raised.size(); ++v) {
+    const bool roof = points_[v].z() == 25 || points_[v].z() == 11;
+    EXPECT_EQ(raised[v], roof) << points_[v].transpose();
+  }
+}
+
+TEST_F(EndsOfShoreTest, ShoresThatGoOnAreNotComparedAcross) {
+  ExpectRaised(OnRaisedLevels(points_, kinds_, edges_), 0, 0);
+}
+
 TEST(RaisedLevelsTest, NothingIsWithoutEdges) {
   EXPECT_TRUE(OnRaisedLevels({}, {}, {}).empty());
   const std::vector<Point3> points = {{0, 0, 0}, {1, 0, 90}};
