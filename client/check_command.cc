@@ -13,9 +13,11 @@
 #include "client/commands.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
+#include "client/json_access.h"
 #include "client/output.h"
 #include "client/unfinished.h"
 #include "common/codec/mesh_file.h"
+#include "common/grid/cell_choice.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
@@ -76,6 +78,13 @@ absl::Status CheckFile(const std::string& path, const CheckLimits& limits, Findi
   return absl::OkStatus();
 }
 
+// Leaves out the cells without a tile that the job of this report was not to write.
+void LeaveUnchosen(const Json& report, Scene& scene) {
+  const auto chosen = ChooseCells(Text(Member(Member(report, "options"), "cells")), scene);
+  if (!chosen.ok() || chosen->empty()) return;
+  std::erase_if(scene.tiles, [&](const SceneTile& t) { return t.path.empty() && !chosen->contains(t.cell); });
+}
+
 // The tiles of an output in the cells of the scene that it was made from, as long as that is there; or of any scene.
 absl::StatusOr<Scene> SceneAt(const std::string& path) {
   const std::string report_path = absl::StrCat(path, "/report.json");
@@ -83,7 +92,7 @@ absl::StatusOr<Scene> SceneAt(const std::string& path) {
   if (!std::filesystem::is_regular_file(report_path, error)) return LoadScene(path, ReadTileBounds);
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
   const Json report = Json::parse(text, nullptr, false);
-  const std::string source = report.is_object() ? report.value("scene", std::string()) : std::string();
+  const std::string source = Text(Member(report, "scene"));
   auto scene = LoadScene(source.empty() ? path : source, ReadTileBounds);
   if (!scene.ok()) return LoadScene(path, ReadTileBounds);
   scene->root = path;
@@ -91,6 +100,7 @@ absl::StatusOr<Scene> SceneAt(const std::string& path) {
     const std::string output = OutputPath(tile);
     tile.path = std::filesystem::exists(absl::StrCat(path, "/", output), error) ? output : "";
   }
+  LeaveUnchosen(report, *scene);
   return scene;
 }
 

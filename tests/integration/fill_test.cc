@@ -267,6 +267,8 @@ TEST(CheckCommandTest, SaysWhatIsWrongUntilItIsMended) {
   EXPECT_EQ(tilemend({"check", in, "--crease-angle", "0"}).code, 2);
   folder.Write("cancelled/.tilemend-job", "");
   EXPECT_EQ(tilemend({"check", folder / "cancelled"}).code, 3);
+  folder.Write("strange/report.json", R"({"cells": 3, "scene": 7, "options": 4})");
+  EXPECT_EQ(tilemend({"check", folder / "strange"}).code, 3);
 }
 
 // Another process that writes the same file holds it with a lock on the file beside it.

@@ -167,6 +167,13 @@ TEST_F(SceneRunTest, AFolderInATilesPlaceIsRefusedBeforeAnythingIsWritten) {
   EXPECT_EQ(FilesBelow(out), before);
 }
 
+TEST_F(SceneRunTest, OfChosenCellsTheOthersAreNoHoles) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, out, {"--cells", "1,1"}).code, 0);
+  const Ended checked = Tilemend({"check", out});
+  EXPECT_THAT(checked.out, HasSubstr("        0  holes")) << checked.out;
+}
+
 TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   SceneMakerOptions options = SmallScene(Cut::kClipped);
   options.cols = options.rows = 16;
