@@ -115,9 +115,14 @@ absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& reco
                                                                 : Wrong("bounds that are not the tile's");
 }
 
+// Of a tile that a worker read otherwise than it is here.
+absl::Status Changed(const std::string& path) {
+  return absl::UnavailableError(absl::StrCat(path, ": has just been changed, or the worker has another file there"));
+}
+
 // That a survey need not be made again.
 absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutput& output, TileCheck how) {
-  auto changed = absl::UnavailableError("the tile has just been changed");
+  const absl::Status changed = Changed(PathOf(input.tile()));
   if (!input.has_known() || output.digest() != input.known().digest()) return Wrong("another tile than is known");
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
   if (bytes != input.known().bytes()) return changed;
@@ -128,7 +133,7 @@ absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutpu
 // Of a tile with another digest than the survey tells.
 absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) {
   if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
-  return absl::UnavailableError("the tile has just been changed");
+  return Changed(path);
 }
 
 // That the digest and the record are the tile's, unless that has changed since it was read.
@@ -273,7 +278,7 @@ absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile&
     if (!bytes.ok()) return not_here(bytes.status());
     original = *std::move(bytes);
     if (!HasStamp(path, input.stamp()) && !HasFileDigest(original, input.tile().digest())) {
-      return absl::UnavailableError("the tile has just been changed");
+      return Changed(path);
     }
   }
   const std::string written = absl::StrCat(input.attempts(), "/", tile.attempt());
