@@ -113,6 +113,7 @@ void EndOnShortage() {
   action.sa_handler = EndOfAbort;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGABRT, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void RemoveOnShortage(const std::string& folder) {

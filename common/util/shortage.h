@@ -8,7 +8,7 @@ namespace tilemend {
 
 // For the start of main. An exception of that kind that nobody catches (std::bad_alloc, std::system_error) and an abort
 // of a library while the system gives neither end the process with a line on stderr and kExitRetryable. Every other
-// abort stays one.
+// abort stays one. A write beyond a limit of file sizes (`ulimit -f`) fails, in place of the process.
 void EndOnShortage();
 
 // A folder that goes away, with all that is in it, when the process ends so; "" for none. Of several calls the last one

@@ -15,6 +15,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/exit_codes.h"
+#include "common/util/files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -34,6 +35,20 @@ TEST(ShortageDeathTest, EndsWhereNoThreadCanBeMade) {
 
 TEST(ShortageDeathTest, EndsWhereThereIsNoMemory) {
   EXPECT_EXIT(ThrowInThread(std::bad_alloc()), testing::ExitedWithCode(kExitRetryable), "cannot go on: out of memory");
+}
+
+// Ends with whether it can be written.
+[[noreturn]] void WriteBeyondLimit(const std::string& path) {
+  EndOnShortage();
+  rlimit limit = {};
+  limit.rlim_cur = limit.rlim_max = 100;
+  setrlimit(RLIMIT_FSIZE, &limit);
+  _exit(WriteFileAtomically(path, std::string(1000, 'x')).ok() ? kExitDone : kExitRetryable);
+}
+
+TEST(ShortageDeathTest, AWriteBeyondTheLimitOfFileSizesFails) {
+  const TemporaryFolder folder;
+  EXPECT_EXIT(WriteBeyondLimit(folder / "file"), testing::ExitedWithCode(kExitRetryable), "");
 }
 
 TEST(ShortageDeathTest, LeavesOtherExceptionsToTheirEnd) {
