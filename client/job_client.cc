@@ -48,7 +48,7 @@ class JobClient::Impl {
       context.set_deadline(std::chrono::system_clock::now() + kCallTimeout);
       context.AddMetadata("traceparent", TraceParent(trace));
       Response response;
-      const absl::Status status = FromGrpcStatus((to.*method)(&context, request, &response));
+      const absl::Status status = FromServerStatus((to.*method)(&context, request, &response));
       if (status.ok()) {
         reached = true;
         return response;
@@ -134,7 +134,7 @@ absl::Status JobClient::WatchOnce(v1::WatchJobRequest& request, const std::funct
     show(job);
     last = job;
   }
-  const absl::Status status = FromGrpcStatus(reader->Finish());
+  const absl::Status status = FromServerStatus(reader->Finish());
   std::lock_guard<std::mutex> lock(mutex_);
   watch_context_ = nullptr;
   return stopped_ ? absl::CancelledError("the watch was stopped") : status;

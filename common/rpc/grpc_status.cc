@@ -50,4 +50,9 @@ absl::Status FromGrpcStatus(const grpc::Status& status) {
                       no_thread ? kNoThreadPlainly : status.error_message());
 }
 
+absl::Status FromServerStatus(const grpc::Status& status) {
+  absl::Status known = FromGrpcStatus(status);
+  return absl::IsCancelled(known) ? absl::UnavailableError("the coordinator has ended the call") : known;
+}
+
 }  // namespace tilemend

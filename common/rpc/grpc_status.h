@@ -14,6 +14,10 @@ namespace tilemend {
 grpc::Status ToGrpcStatus(const absl::Status& status);
 absl::Status FromGrpcStatus(const grpc::Status& status);
 
+// The same of a call that its caller has not cancelled. gRPC answers CANCELLED while a server ends, which is
+// kUnavailable here.
+absl::Status FromServerStatus(const grpc::Status& status);
+
 // Moves a value into `response`, or gives the error: the last line of a unary handler.
 template <typename T>
 grpc::Status Reply(absl::StatusOr<T> result, T* response) {

@@ -6,6 +6,7 @@
 #include <grpcpp/server_builder.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <future>
 #include <memory>
 #include <string>
@@ -20,12 +21,23 @@ namespace {
 
 // Takes every job and says of each that it is done.
 class Jobs : public v1::Jobs::Service {
+ public:
+  // Calls that are answered as while a server ends.
+  std::atomic<int> cancels{0};
+
+ private:
+  grpc::Status GetJob(grpc::ServerContext*, const v1::GetJobRequest* request, v1::Job* job) override {
+    if (cancels-- > 0) return grpc::Status::CANCELLED;
+    job->set_name(request->name());
+    return grpc::Status::OK;
+  }
   grpc::Status CreateJob(grpc::ServerContext*, const v1::CreateJobRequest*, v1::Job* job) override {
     job->set_name("jobs/1");
     return grpc::Status::OK;
   }
   grpc::Status WatchJob(grpc::ServerContext*, const v1::WatchJobRequest*,
                         grpc::ServerWriter<v1::Job>* writer) override {
+    if (cancels-- > 0) return grpc::Status::CANCELLED;
     v1::Job job;
     job.set_name("jobs/1");
     job.set_state(v1::DONE);
@@ -47,9 +59,8 @@ class JobClientTest : public ::testing::Test {
     if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
     server_ = Serve(jobs_, port_);
   }
-  JobClient Client() const {
-    return {grpc::CreateChannel(absl::StrCat("127.0.0.1:", port_), grpc::InsecureChannelCredentials()),
-            absl::Milliseconds(200)};
+  JobClient Client(absl::Duration patience = absl::Milliseconds(200)) const {
+    return {grpc::CreateChannel(absl::StrCat("127.0.0.1:", port_), grpc::InsecureChannelCredentials()), patience};
   }
 
   Jobs jobs_;
@@ -68,6 +79,23 @@ TEST_F(JobClientTest, WatchesAJobItHasStartedThoughTheCoordinatorEndsAtOnce) {
   const absl::StatusOr<v1::Job> job = watched.get();
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(job->state(), v1::DONE);
+}
+
+TEST_F(JobClientTest, ACallThatTheCoordinatorCancelsAsItEndsIsMadeAgain) {
+  JobClient client = Client(absl::Seconds(20));
+  jobs_.cancels = 1;
+  const absl::StatusOr<v1::Job> got = client.Get("jobs/1");
+  EXPECT_TRUE(got.ok()) << got.status();
+  jobs_.cancels = 2;
+  const absl::StatusOr<v1::Job> watched = client.Watch("jobs/1", [](const v1::Job&) {});
+  ASSERT_TRUE(watched.ok()) << watched.status();
+  EXPECT_EQ(watched->state(), v1::DONE);
+}
+
+TEST_F(JobClientTest, AWatchThatItsUserStopsIsCancelled) {
+  JobClient client = Client();
+  client.StopWatch();
+  EXPECT_TRUE(absl::IsCancelled(client.Watch("jobs/1", [](const v1::Job&) {}).status()));
 }
 
 TEST_F(JobClientTest, GivesUpSoonOnACoordinatorThatItNeverReached) {

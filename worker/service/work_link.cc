@@ -3,6 +3,7 @@
 #include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 
+#include <atomic>
 #include <chrono>
 #include <string_view>
 #include <utility>
@@ -30,14 +31,19 @@ class GrpcSyncCall : public SyncCall {
   absl::StatusOr<v1::SyncResponse> Run(const v1::SyncRequest& request) override {
     v1::SyncResponse response;
     context_.set_deadline(std::chrono::system_clock::now() + kSyncTimeout);
-    TILEMEND_RETURN_IF_ERROR(FromGrpcStatus(stub_.Sync(&context_, request, &response)));
+    const grpc::Status status = stub_.Sync(&context_, request, &response);
+    TILEMEND_RETURN_IF_ERROR(interrupted_ ? FromGrpcStatus(status) : FromServerStatus(status));
     return response;
   }
-  void Interrupt() override { context_.TryCancel(); }
+  void Interrupt() override {
+    interrupted_ = true;
+    context_.TryCancel();
+  }
 
  private:
   v1::Work::Stub& stub_;
   grpc::ClientContext context_;
+  std::atomic<bool> interrupted_{false};
 };
 
 class GrpcWorkLink : public WorkLink {
@@ -56,7 +62,7 @@ class GrpcWorkLink : public WorkLink {
     std::string bytes;
     v1::BlobChunk chunk;
     while (reader->Read(&chunk)) bytes.append(chunk.data());
-    TILEMEND_RETURN_IF_ERROR(FromGrpcStatus(reader->Finish()));
+    TILEMEND_RETURN_IF_ERROR(FromServerStatus(reader->Finish()));
     if (Sha256Hex(bytes) == digest) return bytes;
     return absl::UnavailableError(absl::StrCat("blob ", digest, ": came damaged (", bytes.size(), " bytes)"));
   }
@@ -80,7 +86,7 @@ class GrpcWorkLink : public WorkLink {
       message.Clear();
     } while (!left.empty());
     writer->WritesDone();
-    return FromGrpcStatus(writer->Finish());
+    return FromServerStatus(writer->Finish());
   }
 
  private:

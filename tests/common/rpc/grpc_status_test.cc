@@ -35,6 +35,12 @@ TEST(GrpcStatusTest, OkStaysOk) {
   EXPECT_TRUE(FromGrpcStatus(grpc::Status::OK).ok());
 }
 
+TEST(GrpcStatusTest, ACallThatOnlyTheServerHasCancelledMayBeTriedAgain) {
+  EXPECT_TRUE(absl::IsUnavailable(FromServerStatus(grpc::Status::CANCELLED)));
+  EXPECT_EQ(FromServerStatus(ToGrpcStatus(Example())), Example());
+  EXPECT_TRUE(FromServerStatus(grpc::Status::OK).ok());
+}
+
 TEST(GrpcStatusTest, EveryCodeSurvives) {
   for (int code = 1; code <= 16; ++code) {
     const absl::Status status(static_cast<absl::StatusCode>(code), "text");

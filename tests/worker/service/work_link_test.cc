@@ -30,6 +30,7 @@ class FakeService : public v1::Work::Service {
     if (request->worker() == "refused") {
       return ToGrpcStatus(WithErrorInfo(absl::FailedPreconditionError("old"), {"PROTOCOL_VERSION", {}}));
     }
+    if (request->worker() == "ends") return grpc::Status::CANCELLED;
     if (request->worker() == "waits") {
       {
         std::lock_guard<std::mutex> lock(mutex_);
@@ -45,6 +46,7 @@ class FakeService : public v1::Work::Service {
   grpc::Status ReadBlob(grpc::ServerContext* /*context*/, const v1::ReadBlobRequest* request,
                         grpc::ServerWriter<v1::BlobChunk>* writer) override {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (request->job() == "ends") return grpc::Status::CANCELLED;
     const auto blob = blobs_.find(request->job() + "/" + request->digest());
     if (blob == blobs_.end()) return ToGrpcStatus(absl::NotFoundError("no such blob"));
     v1::BlobChunk chunk;
@@ -62,6 +64,7 @@ class FakeService : public v1::Work::Service {
     std::string key, bytes;
     for (chunks_ = 0; reader->Read(&message); ++chunks_) {
       if (chunks_ == 0) key = message.attempt().job() + "/" + message.worker() + "/" + message.digest();
+      if (message.attempt().job() == "ends") return grpc::Status::CANCELLED;
       if (chunks_ == 0 && message.attempt().job() == "over")
         return ToGrpcStatus(absl::FailedPreconditionError("job over"));
       bytes += message.data();
@@ -143,6 +146,12 @@ TEST_F(GrpcWorkLinkTest, ACallThatIsInterruptedBeforeItBeginsEndsAtOnce) {
   const auto call = link_->NewSync();
   call->Interrupt();
   EXPECT_EQ(call->Run(RequestOf("waits")).status().code(), absl::StatusCode::kCancelled);
+}
+
+TEST_F(GrpcWorkLinkTest, ACallThatAnEndingCoordinatorCancelsIsTriedAgainLater) {
+  EXPECT_TRUE(absl::IsUnavailable(link_->NewSync()->Run(RequestOf("ends")).status()));
+  EXPECT_TRUE(absl::IsUnavailable(link_->ReadBlob("ends", "digest").status()));
+  EXPECT_TRUE(absl::IsUnavailable(link_->WriteBlob(AttemptOf("ends"), "w", "digest", "bytes")));
 }
 
 TEST_F(GrpcWorkLinkTest, WritesAndReadsBlobsInChunks) {
