@@ -206,6 +206,11 @@ absl::StatusOr<OpenJournal> JournalFromFlags(const Flags& flags, const std::stri
   return opened;
 }
 
+absl::StatusOr<PipelineFactory> PipelinesFromFlags(const Flags& flags, const std::string& work_folder) {
+  TILEMEND_ASSIGN_OR_RETURN(const TileCheck tiles, TileCheckOf(flags.Text("check-tiles")));
+  return ScenePipelineFactory(work_folder, tiles);
+}
+
 std::string TextOf(const Demand& demand) { return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks"); }
 
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
@@ -233,7 +238,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   if (absl::IsCancelled(opened.status())) return absl::OkStatus();
   TILEMEND_RETURN_IF_ERROR(opened.status());
   options.journal = opened->journal;
-  PipelineFactory pipelines = ScenePipelineFactory(options.work_folder);
+  TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(const auto impl,
                             CoordinatorImpl::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));

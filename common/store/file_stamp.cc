@@ -32,6 +32,11 @@ std::string StampOf(const std::string& path, absl::Time now) {
   return info && absl::TimeFromTimespec(info->st_ctim) + kCoarse < now ? TextOf(*info) : "";
 }
 
+std::string YoungStampOf(const std::string& path) {
+  const auto info = Look(path);
+  return info ? TextOf(*info) : "";
+}
+
 bool HasStamp(const std::string& path, const std::string& stamp) {
   if (stamp.empty()) return false;
   const auto info = Look(path);

@@ -13,6 +13,10 @@ namespace tilemend {
 // two seconds ago (another change may then leave no trace, as times are coarse), or there is no such file.
 std::string StampOf(const std::string& path, absl::Time now);
 
+// The same of a file that has just been put there, however young: a change within the next tick of the file system's
+// clock (some milliseconds, on few 2 s) may leave no trace.
+std::string YoungStampOf(const std::string& path);
+
 // Whether the file still has a stamp that is not "". It has not after a hard link to it was made.
 bool HasStamp(const std::string& path, const std::string& stamp);
 

@@ -15,6 +15,7 @@ struct AttemptFile {
   std::string attempt;  // its name among the attempts
   std::string path;     // where it is to go, relative to the output's folder
   int64_t bytes = 0;
+  std::string digest = {};  // FileDigest, "" where it is not known
 };
 
 inline constexpr char kAttemptFolder[] = ".tilemend-attempts";

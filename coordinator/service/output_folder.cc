@@ -13,6 +13,8 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/store/file_stamp.h"
+#include "common/store/fingerprint.h"
 #include "common/util/error_info.h"
 #include "common/util/failpoint.h"
 #include "common/util/files.h"
@@ -28,7 +30,6 @@ namespace fs = std::filesystem;
 
 constexpr char kMarker[] = ".tilemend-job";
 constexpr char kResultLog[] = ".tilemend-results";
-constexpr int64_t kNotPlaced = -1;
 constexpr const char* kOfReport[] = {"report.json", "holes.geojson", "breaklines.geojson"};
 
 // The path without links, as far as it is there.
@@ -257,6 +258,7 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       marker_(std::exchange(other.marker_, -1)),
       keep_(other.keep_),
       wrote_(other.wrote_),
+      read_(other.read_),
       attempts_(std::exchange(other.attempts_, std::nullopt)) {}
 
 OutputFolder::~OutputFolder() {
@@ -296,20 +298,20 @@ absl::Status OutputFolder::BeginWriting() {
 }
 
 void OutputFolder::Adopt(const std::set<std::string>& files) {
-  for (const std::string& file : files) files_.try_emplace(file, kNotPlaced);
+  for (const std::string& file : files) files_.try_emplace(file);
 }
 
 absl::Status OutputFolder::Place(const AttemptFile& file) {
   if (files_.contains(file.path)) TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
-  return Keep(file.path, file.bytes);
+  return Keep(file);
 }
 
-absl::Status OutputFolder::Keep(const std::string& file, int64_t bytes) {
-  const auto own = files_.find(file);
+absl::Status OutputFolder::Keep(const AttemptFile& file) {
+  const auto own = files_.find(file.path);
   if (own == files_.end()) {
-    return absl::InvalidArgumentError(absl::StrCat(Printable(file), ": no file of this output"));
+    return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
   }
-  own->second = bytes;
+  own->second = {file.bytes, file.digest, read_ ? "" : YoungStampOf(absl::StrCat(path_, "/", file.path))};
   return absl::OkStatus();
 }
 
@@ -317,23 +319,30 @@ bool OutputFolder::has_report() const { return KindOf(absl::StrCat(path_, "/", k
 
 std::string OutputFolder::result_log() const { return absl::StrCat(path_, "/", kResultLog); }
 
-absl::Status OutputFolder::SeeAll() const {
+bool OutputFolder::IsThere(const std::string& path, const Placed& file) {
+  const auto look = LookAt(path, Links::kKeep);
+  if (!look.ok() || look->kind != PathKind::kFile || look->size != file.bytes) return false;
+  // A hard link to it, as by a backup, changes the stamp and no byte.
+  return file.digest.empty() || HasStamp(path, file.stamp) || FileHasDigest(path, file.digest).value_or(false);
+}
+
+absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
   int64_t missing = 0, placed = 0;
   std::string first;
   std::set<std::string> folders;
-  for (const auto& [file, bytes] : files_) {
-    if (bytes == kNotPlaced) continue;
+  for (const auto& [file, was] : files_) {
+    if (was.bytes < 0) continue;
+    if (ends()) return absl::CancelledError("asked to end while the output was looked at");
     ++placed;
     const fs::path path = fs::path(path_) / file;
     folders.insert(path.parent_path().string());
-    const auto look = LookAt(path.string());
-    if (look.ok() && look->kind == PathKind::kFile && look->size == bytes) continue;
+    if (IsThere(path.string(), was)) continue;
     if (missing++ == 0) first = path.string();
   }
   if (missing > 0) {
     const absl::Status changed = absl::AbortedError(
         absl::StrCat(Printable(first), ": not there as it was written, as ", missing, " of ", placed,
-                     " files of the output; was something removed while the job ran? Run the job again"));
+                     " files of the output; was something removed or changed while the job ran? Run the job again"));
     return WithErrorInfo(changed, {"OUTPUT_CHANGED", {{"file", Printable(first)}}});
   }
   for (const std::string& folder : folders) TILEMEND_RETURN_IF_ERROR(SyncFolder(folder));

@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_SERVICE_OUTPUT_FOLDER_H_
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -51,35 +52,45 @@ class OutputFolder {
   // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
   absl::Status Place(const AttemptFile& file);
   // The file is there already, as it is to be. Errors as Place.
-  absl::Status Keep(const std::string& file, int64_t bytes);
+  absl::Status Keep(const AttemptFile& file);
+  // SeeAll is to read what is placed: it may have been changed while no coordinator ran.
+  void ReadAtTheEnd() { read_ = true; }
   // Whether a complete output lies there.
   bool has_report() const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
   std::string result_log() const;
-  // Looks at every file that was placed, and has their names survive a power cut. kAborted if one is not there as it
-  // was placed.
-  absl::Status SeeAll() const;
+  // Looks at every file that was placed, and has their names survive a power cut. Reads those with a digest that do not
+  // look as they did then. kAborted if one is not there as it was placed, kCancelled if `ends`.
+  absl::Status SeeAll(const std::function<bool()>& ends) const;
   // Removes what killed workers left half-written; gives the number of files there that are not of this output.
   int64_t TidyUp();
   // The output is complete.
   void Finish();
 
  private:
+  struct Placed {
+    int64_t bytes = -1;  // until it is placed
+    std::string digest;
+    std::string stamp;  // "" where it does not count
+  };
+
   OutputFolder(std::string path, std::string key) : path_(std::move(path)), key_(std::move(key)) {}
   // Makes the folder, and locks the marker in it.
   absl::Status Lock();
   absl::Status WriteKey();
   std::string Marker() const;
+  static bool IsThere(const std::string& path, const Placed& file);
   // Whether there is nothing in the folder that a job, run again, could know as done.
   bool IsBare() const;
 
   std::string path_;
   std::string key_;
-  std::map<std::string, int64_t> files_;   // of this output, relative: bytes, once placed
+  std::map<std::string, Placed> files_;    // of this output, relative
   std::vector<std::string> made_;          // folders, the outermost first
   int marker_ = -1;                        // descriptor
   bool keep_ = false;                      // the marker is to stay
   bool wrote_ = false;                     // this process
+  bool read_ = false;                      // what is placed is to be read before the end
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
 };
 

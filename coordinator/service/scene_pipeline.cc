@@ -53,9 +53,10 @@ absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
 class ScenePipeline : public JobPipeline {
  public:
   ScenePipeline(JobSpec spec, Scene scene, std::set<CellId> chosen, WaterOptions water,
-                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch)
+                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles)
       : spec_(std::move(spec)),
         output_(std::move(output)),
+        tile_check_(tiles),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
                [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }),
         tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {}
@@ -64,7 +65,10 @@ class ScenePipeline : public JobPipeline {
     return FoldersOf(waves_.scene(), output_ ? &output_->attempts() : nullptr);
   }
 
-  void Resume() override { resumed_ = true; }
+  void Resume() override {
+    resumed_ = true;
+    if (output_ && tile_check_ != TileCheck::kSize) output_->ReadAtTheEnd();
+  }
 
   absl::StatusOr<std::vector<NewTask>> Start() override {
     const std::vector<SceneTile>& tiles = waves_.scene().tiles;
@@ -225,7 +229,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
-    TILEMEND_RETURN_IF_ERROR(output_->SeeAll());
+    TILEMEND_RETURN_IF_ERROR(output_->SeeAll([this] { return is_cancelled(); }));
     const Scene& scene = waves_.scene();
     for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
       TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
@@ -253,7 +257,8 @@ class ScenePipeline : public JobPipeline {
 
   const JobSpec spec_;
   std::optional<OutputFolder> output_;  // none in a dry run
-  int64_t tasks_out_ = 0;               // given out, and their results have not come
+  const TileCheck tile_check_;
+  int64_t tasks_out_ = 0;  // given out, and their results have not come
   bool writing_ = false;
   std::atomic<End> end_{End::kOpen};
   Stopwatch watch_;
@@ -264,7 +269,8 @@ class ScenePipeline : public JobPipeline {
   std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
 };
 
-absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder) {
+absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
+                                                               TileCheck tiles) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   CheckCrs(scene);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
@@ -280,13 +286,13 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
   return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(chosen), std::move(water.options),
-                                         std::move(output), std::move(scratch));
+                                         std::move(output), std::move(scratch), tiles);
 }
 
 }  // namespace
 
-PipelineFactory ScenePipelineFactory(std::string scratch) {
-  return [scratch = std::move(scratch)](const JobSpec& spec) { return MakeScenePipeline(spec, scratch); };
+PipelineFactory ScenePipelineFactory(std::string scratch, TileCheck tiles) {
+  return [=, scratch = std::move(scratch)](const JobSpec& spec) { return MakeScenePipeline(spec, scratch, tiles); };
 }
 
 }  // namespace tilemend

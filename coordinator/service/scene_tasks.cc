@@ -350,8 +350,8 @@ absl::Status SceneTasks::TakeAssemble(CellId cell, const v1::AssembleOutput& out
   files_.Warn(cell, {output.warnings().begin(), output.warnings().end()});
   waves_.TakeAssemble();
   for (const v1::WrittenFile& file : output.files()) {
-    TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(file.path(), file.bytes())
-                                                : output_->Place({file.attempt(), file.path(), file.bytes()}));
+    const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};
+    TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(placed) : output_->Place(placed));
   }
   return absl::OkStatus();
 }

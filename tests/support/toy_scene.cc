@@ -6,7 +6,7 @@
 
 namespace tilemend {
 
-PipelineFactory ScenePipelineFactory(std::string) { return ToyPipelineFactory(); }
+PipelineFactory ScenePipelineFactory(std::string, TileCheck) { return ToyPipelineFactory(); }
 
 ResultCheck SceneResultCheck(TileCheck) { return {}; }
 

@@ -22,6 +22,7 @@
 #include "common/store/fingerprint.h"
 #include "common/util/cores.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/stages.pb.h"
 #include "worker/fill/fill_holes.h"
@@ -309,9 +310,11 @@ absl::Status CarryTile(const v1::AssembleInput& input, AttemptFiles& files) {
   return how == Carry::kLink || HasStamp(path, input.stamp()) ? absl::OkStatus() : Changed(path);
 }
 
-// Whether the file of an earlier output is still what this one is to have.
+// Whether the file of an earlier output is still what this one is to have, and no link to it.
 bool IsThere(const v1::AssembleInput& input, const v1::WrittenFile& file) {
   const std::string path = absl::StrCat(input.output_root(), "/", file.path());
+  const auto look = LookAt(path, Links::kKeep);
+  if (!look.ok() || look->kind != PathKind::kFile) return false;
   if (file.digest().empty()) return HaveSameContent(absl::StrCat(input.tile().root(), "/", file.path()), path);
   return FileHasDigest(path, file.digest()).value_or(false);
 }

@@ -41,6 +41,8 @@ TEST_F(FileStampTest, IsThatOfOneFile) {
 
 TEST_F(FileStampTest, IsNotGivenForWhatHasJustChangedOrIsNotThere) {
   EXPECT_EQ(StampOf(path_, absl::Now()), "");
+  EXPECT_EQ(YoungStampOf(path_), StampOf(path_, later_));
+  EXPECT_EQ(YoungStampOf(folder_ / "none"), "");
   EXPECT_EQ(StampOf(folder_ / "none", later_), "");
   EXPECT_EQ(StampOf(folder_.path(), later_), "");
   EXPECT_FALSE(HasStamp(path_, ""));

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
 #include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "tests/support/temporary_folder.h"
@@ -216,11 +218,15 @@ class PlacedFilesTest : public OutputFolderTest {
   // As a worker leaves it.
   AttemptFile Attempt(const std::string& content = "filled") {
     AttemptFile file{absl::StrCat(std::string(32, 'a'), "-", ++attempts_), "tiles/a.ply",
-                     static_cast<int64_t>(content.size())};
+                     static_cast<int64_t>(content.size()), FileDigest(content)};
     folder_.Write(absl::StrCat("deep/out/.tilemend-attempts/", file.attempt), content);
     return file;
   }
+  absl::Status SeeAll() const {
+    return output_->SeeAll([] { return false; });
+  }
 
+  const std::string tile_ = out_ + "/tiles/a.ply";
   std::optional<OutputFolder> output_;
   int attempts_ = 0;
 };
@@ -230,7 +236,7 @@ TEST_F(PlacedFilesTest, GetTheirNames) {
   ASSERT_TRUE(output_->Place(file).ok());
   EXPECT_EQ(ReadFile(out_ + "/tiles/a.ply").value(), "filled");
   EXPECT_TRUE(output_->Place(file).ok()) << "again, after a restart";
-  EXPECT_TRUE(output_->SeeAll().ok());
+  EXPECT_TRUE(SeeAll().ok());
   EXPECT_EQ(output_->TidyUp(), 0);
   output_->Finish();
   EXPECT_FALSE(Exists("deep/out/.tilemend-attempts"));
@@ -254,13 +260,53 @@ TEST_F(PlacedFilesTest, MustBeThereAndOfThisOutput) {
 
 TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
   ASSERT_TRUE(output_->Place(Attempt()).ok());
-  EXPECT_TRUE(output_->SeeAll().ok());
+  EXPECT_TRUE(SeeAll().ok());
   folder_.Write("deep/out/tiles/a.ply", "cut");
-  EXPECT_TRUE(absl::IsAborted(output_->SeeAll()));
+  EXPECT_TRUE(absl::IsAborted(SeeAll()));
   fs::remove_all(out_);
-  const absl::Status status = output_->SeeAll();
+  const absl::Status status = SeeAll();
   EXPECT_TRUE(absl::IsAborted(status)) << status;
   EXPECT_THAT(std::string(status.message()), testing::HasSubstr("1 of 1 files"));
+}
+
+TEST_F(PlacedFilesTest, AreMissedWhenTheyHaveOtherBytesOfTheSameSize) {
+  const fs::file_time_type later = fs::file_time_type::clock::now() + std::chrono::hours(1);
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  fs::last_write_time(tile_, later);
+  EXPECT_TRUE(SeeAll().ok()) << "other times alone";
+  folder_.Write("deep/out/tiles/a.ply", "killed");
+  fs::last_write_time(tile_, later);
+  const absl::Status status = SeeAll();
+  EXPECT_TRUE(absl::IsAborted(status)) << status;
+  EXPECT_EQ(GetErrorInfo(status)->metadata.at("file"), tile_);
+  fs::remove(tile_);
+  folder_.Write("deep/out/tiles/a.ply", "filled");
+  EXPECT_TRUE(SeeAll().ok()) << "another file with the same bytes";
+}
+
+TEST_F(PlacedFilesTest, AreMissedWhereALinkIsInTheirPlace) {
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  fs::rename(tile_, folder_ / "moved.ply");
+  fs::create_symlink(folder_ / "moved.ply", tile_);
+  EXPECT_TRUE(absl::IsAborted(SeeAll()));
+}
+
+TEST_F(PlacedFilesTest, AreReadAtTheEndAfterARestart) {
+  const AttemptFile file = Attempt();
+  ASSERT_TRUE(output_->Place(file).ok());
+  output_->ReadAtTheEnd();
+  EXPECT_TRUE(output_->Place(file).ok());
+  EXPECT_TRUE(SeeAll().ok());
+  folder_.Write("deep/out/tiles/a.ply", "killed");
+  for (const bool kept : {false, true}) {
+    EXPECT_TRUE((kept ? output_->Keep(file) : output_->Place(file)).ok());
+    EXPECT_TRUE(absl::IsAborted(SeeAll()));
+  }
+}
+
+TEST_F(PlacedFilesTest, AreLookedAtUntilTheJobIsToEnd) {
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  EXPECT_TRUE(absl::IsCancelled(output_->SeeAll([] { return true; })));
 }
 
 TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <deque>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
@@ -371,6 +373,54 @@ TEST_F(ScenePipelineTest, AJobThatGoesOnAsksTheSameAgain) {
     TaskResult result{(*tasks)[0].cell, Stage::kSurvey, SceneStageRunner()(Stage::kSurvey, asked[0], CancelToken())};
     ASSERT_TRUE(pipeline->OnTaskDone(std::move(result)).ok());
   }
+}
+
+// Another byte in a tile of an output that is as large as it was, and as if written at another time.
+void ChangeATile(const std::string& out) {
+  const std::string path = out + "/" + TilesBelow(out).begin()->first;
+  std::string bytes = ReadFile(path).value();
+  bytes.back() ^= 1;
+  std::ofstream(path, std::ios::binary) << bytes;
+  std::filesystem::last_write_time(path, std::filesystem::last_write_time(path) + std::chrono::hours(1));
+}
+
+TEST_F(ScenePipelineTest, ATileThatIsChangedBeforeTheEndFailsTheJob) {
+  auto pipeline = Make();
+  ASSERT_TRUE(RunTasks(*pipeline).ok());
+  ChangeATile(spec_.out);
+  EXPECT_EQ(ErrorReason(pipeline->Finish().status()), "OUTPUT_CHANGED");
+  pipeline.reset();
+  EXPECT_TRUE(Run().ok()) << "again";
+}
+
+TEST_F(ScenePipelineTest, ATileThatIsChangedWhileNoCoordinatorRunsFailsTheJob) {
+  for (const TileCheck tiles : {TileCheck::kSize, TileCheck::kDigest}) {
+    std::deque<std::string> told;
+    ASSERT_TRUE(RunTasks(*Make(), [&](TaskResult& result) { told.push_back(*result.output); }).ok());
+    ChangeATile(spec_.out);
+    const auto pipeline = ScenePipelineFactory("", tiles)(spec_).value();
+    pipeline->Resume();
+    const auto tell_again = [&](TaskResult& result) {
+      result.output = told.front();
+      told.pop_front();
+    };
+    ASSERT_TRUE(RunTasks(*pipeline, tell_again).ok());
+    EXPECT_EQ(ErrorReason(pipeline->Finish().status()), tiles == TileCheck::kSize ? "" : "OUTPUT_CHANGED");
+    std::filesystem::remove_all(spec_.out);
+  }
+}
+
+TEST_F(ScenePipelineTest, ALinkInThePlaceOfATileIsReplaced) {
+  ASSERT_TRUE(Run().ok());
+  const auto before = TilesBelow(spec_.out);
+  const std::string tile = spec_.out + "/" + before.begin()->first;
+  std::filesystem::rename(tile, folder_ / "moved.ply");
+  std::filesystem::create_symlink(folder_ / "moved.ply", tile);
+  spec_.overwrite = true;
+  const auto outcome = Run();
+  ASSERT_TRUE(outcome.ok()) << outcome.status();
+  EXPECT_FALSE(std::filesystem::is_symlink(tile));
+  EXPECT_EQ(TilesBelow(spec_.out), before);
 }
 
 TEST_F(ScenePipelineTest, ASceneWithoutTilesIsRefused) {
