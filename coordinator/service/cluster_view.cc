@@ -62,7 +62,8 @@ void CoordinatorImpl::ShowMetrics() {
 absl::StatusOr<v1::ListJobsResponse> CoordinatorImpl::ListJobs(const v1::ListJobsRequest& request) {
   if (request.page_size() < 0) return InvalidPage("page_size: below 0");
   int64_t below = std::numeric_limits<int64_t>::max();  // the token is the number of the last job that was looked at
-  if (!request.page_token().empty() && (!absl::SimpleAtoi(request.page_token(), &below) || below < 0)) {
+  if (!request.page_token().empty() &&
+      (!absl::SimpleAtoi(request.page_token(), &below) || below <= 0 || absl::StrCat(below) != request.page_token())) {
     return InvalidPage(absl::StrCat("page_token: '", request.page_token(), "' was not given out here"));
   }
   const std::set<int> states(request.states().begin(), request.states().end());

@@ -31,9 +31,11 @@ absl::Status CheckCells(const std::string& cells) {
   return status.ok() ? status : InvalidSpec("cells", std::string(status.message()));
 }
 
-// Another process has another working directory.
+// Another process has another working directory, and the system takes a path up to its first NUL.
 absl::Status CheckAbsolute(const std::string& field, const std::string& path) {
   if (path.size() > kMostPathBytes) return InvalidSpec(field, "a path of more than 4096 bytes");
+  if (path.find('\0') != std::string::npos)
+    return InvalidSpec(field, absl::StrCat("'", Printable(path), "': a path with a NUL"));
   if (path.empty() || path.front() == '/' || path.find("://") != std::string::npos) return absl::OkStatus();
   return InvalidSpec(field, absl::StrCat("'", Printable(path), "': a relative path; give one that begins with /"));
 }

@@ -73,7 +73,7 @@ TEST_F(CoordinatorImplTest, ListsNewestFirstInPages) {
   ASSERT_EQ(second->jobs_size(), 1);
   EXPECT_EQ(second->jobs(0).name(), names[0]);
   EXPECT_EQ(second->next_page_token(), "");
-  for (const char* token : {"nonsense", "-1"}) {
+  for (const char* token : {"nonsense", "-1", "0", " 2", "2 ", "+2", "02"}) {
     request.set_page_token(token);
     EXPECT_EQ(ErrorReason(impl_.ListJobs(request).status()), "INVALID_PAGE") << token;
   }

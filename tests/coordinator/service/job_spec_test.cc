@@ -58,6 +58,14 @@ TEST(JobSpecTest, RefusesPathsThatAreNotUtf8) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.area = kNotUtf8; }), "area");
 }
 
+TEST(JobSpecTest, RefusesPathsThatTheSystemWouldCut) {
+  const std::string path("/a\0b", 4);
+  EXPECT_EQ(Fault([&](JobSpec& s) { s.scene = path; }), "scene");
+  EXPECT_EQ(Fault([&](JobSpec& s) { s.out = path; }), "out");
+  EXPECT_EQ(Fault([&](JobSpec& s) { s.water = path; }), "water");
+  EXPECT_EQ(Fault([&](JobSpec& s) { s.area = path; }), "area");
+}
+
 TEST(JobSpecTest, RefusesPathsThatMeanSomethingElseElsewhere) {
   for (const std::string& path : {std::string("a/b"), std::string("./a"), "/" + std::string(5000, 'x')}) {
     EXPECT_EQ(Fault([&](JobSpec& s) { s.scene = path; }), "scene");
