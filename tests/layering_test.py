@@ -44,7 +44,7 @@ RULES = {
 
     'common/gis': rule(['common/util', 'common/mesh', 'common/grid'], ['absl', 'gdal']),
 
-    'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['eigen']),
+    'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['absl', 'eigen']),
 
     'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation'], ['absl', 'draco', 'fast_float']),
 

@@ -71,13 +71,14 @@ std::optional<Rgb> DiffuseIn(std::string_view text) {
   return Rgb{channels[0], channels[1], channels[2]};
 }
 
-// Calls `use` with every line of `text`, whatever ends it.
+// Calls `use` with every line of `text`, whatever ends it, and its number.
 template <class Use>
 void ForEachLine(std::string_view text, Use use) {
-  while (!text.empty()) {
+  for (int64_t number = 1; !text.empty(); ++number) {
     const size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    use(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    use(text.substr(0, end), number);
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
   }
 }
 
@@ -87,7 +88,7 @@ MtlFile ParseMtl(std::string_view text) {
   text.remove_prefix(TextStart(text));
   MtlFile file;
   std::set<std::string_view> images;
-  ForEachLine(text, [&](std::string_view line) {
+  ForEachLine(text, [&](std::string_view line, int64_t number) {
     const std::string statement = absl::AsciiStrToLower(std::string(TakeWord(line)));
     if (line.empty()) return;
     if (statement == "newmtl") {
@@ -96,7 +97,10 @@ MtlFile ParseMtl(std::string_view text) {
       file.materials.back().diffuse = DiffuseIn(line);
     } else if (IsMap(statement)) {
       const std::string_view image = ImageName(line);
-      if (images.insert(image).second) file.images.emplace_back(image);
+      if (images.insert(image).second) {
+        file.images.emplace_back(image);
+        file.image_lines.push_back(number);
+      }
       if (statement == "map_kd" && !file.materials.empty()) file.materials.back().image = std::string(image);
     }
   });

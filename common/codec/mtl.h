@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COMMON_CODEC_MTL_H_
 #define TILEMEND_COMMON_CODEC_MTL_H_
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +20,8 @@ struct MtlMaterial {
 
 struct MtlFile {
   std::vector<MtlMaterial> materials;
-  std::vector<std::string> images;  // of all maps (map_Kd, bump, refl, ...), as they are written, each once
+  std::vector<std::string> images;   // of all maps (map_Kd, bump, refl, ...), as they are written, each once
+  std::vector<int64_t> image_lines;  // where each is named first, from 1
 };
 
 // What a material file says. Statements that it does not know, or that are damaged, are skipped: the look of a surface

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/records/output_names.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -23,10 +24,11 @@ absl::Status Malformed(const char* what) {
 constexpr int kMostFiles = 10'000;
 constexpr size_t kMostPathBytes = 4096;
 
-bool StaysInside(const std::string& name) {
+// What the output needs for itself is no such name either: it would be written over a tile.
+bool IsCarriedName(const std::string& name) {
   if (name.empty() || name.size() > kMostPathBytes) return false;
   const std::filesystem::path path(name);
-  return !path.is_absolute() && name.find('\0') == std::string::npos &&
+  return !IsOutputName(name) && !path.is_absolute() && name.find('\0') == std::string::npos &&
          std::none_of(path.begin(), path.end(), [](const std::filesystem::path& part) { return part == ".."; });
 }
 
@@ -34,7 +36,7 @@ template <class Repeated>
 absl::StatusOr<std::vector<std::string>> Paths(const Repeated& proto) {
   if (proto.size() > kMostFiles) return Malformed("more files than a tile may name");
   std::vector<std::string> paths(proto.begin(), proto.end());
-  if (!std::all_of(paths.begin(), paths.end(), StaysInside)) return Malformed("path of a file of a tile");
+  if (!std::all_of(paths.begin(), paths.end(), IsCarriedName)) return Malformed("path of a file of a tile");
   return paths;
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/records/output_names.h"
 #include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
 #include "common/util/error_info.h"
@@ -30,7 +31,6 @@ namespace fs = std::filesystem;
 
 constexpr char kMarker[] = ".tilemend-job";
 constexpr char kResultLog[] = ".tilemend-results";
-constexpr const char* kOfReport[] = {"report.json", "holes.geojson", "breaklines.geojson"};
 
 // The path without links, as far as it is there.
 fs::path Real(const fs::path& path) {
@@ -216,8 +216,8 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   for (const SceneTile& tile : scene.tiles) files.insert(OutputPath(tile));
   TILEMEND_RETURN_IF_ERROR(CheckApart(path, scene, files));
   if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
-  files.insert("scene.json");
-  files.insert(std::begin(kOfReport), std::end(kOfReport));
+  files.insert(kSceneFile);
+  files.insert(std::begin(kReportFiles), std::end(kReportFiles));
   TILEMEND_RETURN_IF_ERROR(CheckNames(path, files));
   OutputFolder folder(path, key);
   folder.Adopt(files);
@@ -293,7 +293,7 @@ absl::Status OutputFolder::WriteKey() {
 absl::Status OutputFolder::BeginWriting() {
   TILEMEND_RETURN_IF_ERROR(WriteKey());
   keep_ = wrote_ = true;
-  for (const char* file : kOfReport) RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
+  for (const char* file : kReportFiles) RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
   return absl::OkStatus();
 }
 
@@ -315,7 +315,9 @@ absl::Status OutputFolder::Keep(const AttemptFile& file) {
   return absl::OkStatus();
 }
 
-bool OutputFolder::has_report() const { return KindOf(absl::StrCat(path_, "/", kOfReport[0])) != PathKind::kNothing; }
+bool OutputFolder::has_report() const {
+  return KindOf(absl::StrCat(path_, "/", kReportFiles[0])) != PathKind::kNothing;
+}
 
 std::string OutputFolder::result_log() const { return absl::StrCat(path_, "/", kResultLog); }
 

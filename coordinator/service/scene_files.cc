@@ -5,6 +5,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "common/util/text.h"
 
@@ -24,6 +25,7 @@ void SceneFiles::Take(CellId cell, const TileFiles& files, bool is_written) {
   for (const std::vector<std::string>* list : {&files.libraries, &files.images}) {
     for (const std::string& path : *list) {
       File& file = files_[path];
+      spelt_small_.insert(absl::AsciiStrToLower(path));
       ++file.tiles;
       if (!is_written || (file.first && *file.first <= cell)) continue;
       if (file.first) of_cells_[*file.first].erase(path);
@@ -65,7 +67,8 @@ std::string SceneFiles::LibraryOf(CellId cell) const {
 std::string SceneFiles::NewLibraryFor(const std::string& path) const {
   const std::string stem = std::filesystem::path(path).replace_extension().string();
   std::string name = absl::StrCat(stem, "_tilemend.mtl");
-  for (int n = 2; files_.contains(name) || HidesAnother(name); ++n) name = absl::StrCat(stem, "_tilemend", n, ".mtl");
+  const auto is_taken = [&] { return spelt_small_.contains(absl::AsciiStrToLower(name)) || HidesAnother(name); };
+  for (int n = 2; is_taken(); ++n) name = absl::StrCat(stem, "_tilemend", n, ".mtl");
   return name;
 }
 

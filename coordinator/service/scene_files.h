@@ -21,7 +21,7 @@ std::string FolderInScene(const std::string& out, const std::string& root);
 // Every file is carried once, by the first of the tiles that name it. A material file that only one tile names is that
 // tile's own: it is where the materials of its filled faces are added. A tile without one gets a file for them.
 //
-// Paths are relative to the scene's folder and to the output's. Memory: the names of the files, each once.
+// Paths are relative to the scene's folder and to the output's. Memory: the names of the files, each twice.
 class SceneFiles {
  public:
   // `output`: the output's folder relative to the scene's, where it lies inside it; else empty. A file that would be
@@ -34,7 +34,8 @@ class SceneFiles {
 
   // The last of the tile's own material files; empty if it has none.
   std::string LibraryOf(CellId cell) const;
-  // A name for the materials of the tile that is written to `path`: beside it, and not that of a file of the scene.
+  // A name for the materials of the tile that is written to `path`: beside it, and not that of a file of the scene,
+  // in other letters neither.
   std::string NewLibraryFor(const std::string& path) const;
   // What the tile carries, without its LibraryOf.
   std::vector<std::string> CarriedBy(CellId cell) const;
@@ -56,6 +57,7 @@ class SceneFiles {
 
   const std::string output_;
   std::map<std::string, File> files_;
+  std::set<std::string> spelt_small_;                 // their names without capital letters
   std::map<CellId, std::set<std::string>> of_cells_;  // what each is the first to name
   std::map<CellId, std::vector<std::string>> libraries_;
   std::map<CellId, std::vector<std::string>> warnings_;  // of a cell the first kMostWarnings, of all as many or fewer

@@ -14,6 +14,7 @@
 #include "absl/time/clock.h"
 #include "common/gis/area_file.h"
 #include "common/grid/cell_choice.h"
+#include "common/records/output_names.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
@@ -42,11 +43,10 @@ constexpr size_t kEnoughBytes = 16 << 20;
 
 // What says where a folder of photogrammetry tiles lies.
 absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
-  constexpr char kMetadata[] = "metadata.xml";
-  const std::string from = absl::StrCat(scene.root, "/", kMetadata);
+  const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
   if (KindOf(from) != PathKind::kFile) return absl::OkStatus();
-  output.Adopt({kMetadata});
-  return CarryFile(from, absl::StrCat(output.path(), "/", kMetadata), Carry::kCopy);
+  output.Adopt({kMetadataFile});
+  return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
 }
 
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
@@ -235,7 +235,7 @@ class ScenePipeline : public JobPipeline {
       TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
     }
     if (scene.found_by_name) {
-      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/scene.json"), SceneJson(scene)));
+      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/", kSceneFile), SceneJson(scene)));
     }
     TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, *output_));
     output_->Adopt(tasks_.files().Carried());

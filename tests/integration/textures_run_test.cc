@@ -93,6 +93,19 @@ TEST_F(TexturesRunTest, TheOutputOpensAsTheInputDid) {
   EXPECT_THAT(report["warnings"].dump(), HasSubstr("lost.png is not there"));
 }
 
+// What a material file names is carried, and may not take the place of what the job writes.
+TEST_F(TexturesRunTest, NoMaterialFilePutsAnOriginalOverAFilledTile) {
+  const std::string library = "Data/Tile_+001_+000/Tile_+001_+000.mtl", tile = "Data/Tile_+000_+000/Tile_+000_+000.obj";
+  folder_.Write("scene/.tilemend-results", "mine");
+  folder_.Write("scene/" + library,
+                absl::StrCat("newmtl ground\nmap_Ks ../../", tile, "\nmap_Kd ../../.tilemend-results\n"));
+  const Json report = Run();
+  EXPECT_THAT(Out(tile), HasSubstr("g tilemend_filled"));
+  EXPECT_NE(Out(".tilemend-results"), "mine");
+  EXPECT_THAT(report["warnings"].dump(), HasSubstr(library + ": line 2: ../../" + tile + " has the name of a tile"));
+  EXPECT_THAT(report["warnings"].dump(), HasSubstr(library + ": line 3: ../../.tilemend-results has the name"));
+}
+
 TEST_F(TexturesRunTest, BothTilesHaveTheColourOfTheRimAndDefineIt) {
   const Json report = Run();
   std::set<std::string> materials;

@@ -5,6 +5,7 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
+#include "common/records/output_names.h"
 #include "common/util/folders.h"
 
 namespace tilemend {
@@ -47,6 +48,7 @@ SceneFile FindSceneFile(const std::string& root, const std::string& folder, std:
     found /= entry;
   }
   if (KindOf((fs::path(root) / found).string()) != PathKind::kFile) return {"", "is no file"};
+  if (IsOutputName(found.string())) return {"", "has the name of a tile or of a file that tilemend writes"};
   return {found.string(), ""};
 }
 

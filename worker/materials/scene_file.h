@@ -16,7 +16,8 @@ struct SceneFile {
 // Looks for the regular file `name` in `folder` of the scene `root` (all with "/", `folder` relative to `root`). Names
 // may have been written elsewhere: backslashes part folders, quotes around the name are none of it, and where no file
 // has the name as it is written, one that differs only in capital letters is taken (the first in byte order). A name
-// that is absolute, or leads out of `root` by "..", leads nowhere; links are followed wherever they lead.
+// that is absolute, or leads out of `root` by "..", leads nowhere; so does one that the output needs for
+// itself (IsOutputName). Links are followed wherever they lead.
 SceneFile FindSceneFile(const std::string& root, const std::string& folder, std::string_view name);
 
 // The folder of a path relative to the scene: "" for a file directly in it.

@@ -39,14 +39,15 @@ class LookReader {
     }
   }
 
-  // The path of an image that `from` names, beside it or beside the tile; empty if it cannot be had.
-  std::string AddImage(const std::string& from, const std::string& name) {
+  // The path of an image that `from` names (in this line; 0: it has none), beside it or beside the tile; empty if it
+  // cannot be had.
+  std::string AddImage(const std::string& from, int64_t line, const std::string& name) {
     SceneFile file = Find(FolderOf(from), name);
     if (file.path.empty() && FolderOf(from) != FolderOf(tile_)) {
       if (SceneFile beside_tile = Find(FolderOf(tile_), name); !beside_tile.path.empty()) file = std::move(beside_tile);
     }
     if (file.path.empty()) {
-      Warn(from, name, file.problem);
+      Warn(line > 0 ? absl::StrCat(from, ": line ", line) : from, name, file.problem);
     } else if (std::find(look_.files.images.begin(), look_.files.images.end(), file.path) == look_.files.images.end()) {
       look_.files.images.push_back(file.path);
     }
@@ -71,7 +72,9 @@ class LookReader {
     look_.files.libraries.push_back(path);
     const MtlFile file = ParseMtl(*text);
     std::map<std::string, std::string> paths;  // by name
-    for (const std::string& image : file.images) paths[image] = AddImage(path, image);
+    for (size_t i = 0; i < file.images.size(); ++i) {
+      paths[file.images[i]] = AddImage(path, file.image_lines[i], file.images[i]);
+    }
     for (const MtlMaterial& m : file.materials) {
       const bool plain = m.image.empty();
       look_.materials.try_emplace(m.name, plain ? TileMaterial{m.diffuse, ""} : TileMaterial{{}, paths[m.image]});
@@ -80,7 +83,7 @@ class LookReader {
 
   void Warn(const std::string& from, const std::string& name, const std::string& problem) {
     look_.files.warnings.push_back(
-        absl::StrCat(Printable(from), ": ", Printable(name), " ", problem, ": it is not in the output"));
+        absl::StrCat(Printable(from), ": ", Printable(name), " ", problem, ": it is not carried to the output"));
   }
 
   const std::string& root_;
@@ -98,7 +101,7 @@ TileLook ReadObjLook(const std::string& root, const std::string& path, const Obj
 
 TileLook ReadPlyLook(const std::string& root, const std::string& path, std::string_view bytes) {
   LookReader reader(root, path);
-  for (const std::string& name : PlyTextureNames(bytes)) reader.AddImage(path, name);
+  for (const std::string& name : PlyTextureNames(bytes)) reader.AddImage(path, 0, name);
   return reader.Finish();
 }
 

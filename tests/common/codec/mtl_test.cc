@@ -23,6 +23,14 @@ TEST(ParseMtlTest, ReadsMaterialsColoursAndImages) {
   EXPECT_THAT(file.images, ElementsAre("Tile 0.jpg", "sub\\roof.png", "roof_n.png"));
 }
 
+TEST(ParseMtlTest, SaysInWhichLineAnImageIsNamedFirst) {
+  for (const std::string eol : {"\n", "\r\n", "\r"}) {
+    const MtlFile file = ParseMtl("newmtl a" + eol + eol + "map_Kd a.jpg" + eol + "bump b.jpg" + eol + "disp a.jpg");
+    EXPECT_THAT(file.images, ElementsAre("a.jpg", "b.jpg"));
+    EXPECT_THAT(file.image_lines, ElementsAre(3, 4));
+  }
+}
+
 TEST(ParseMtlTest, OptionsAreNoPartOfAName) {
   const MtlFile file = ParseMtl(
       "newmtl a\nmap_Kd -s 1 1 1 -o 0.5 -clamp on a b.jpg\nmap_Bump -bm 0.2 n.png\nmap_Ks -mm 0 1 2 k.png\n"

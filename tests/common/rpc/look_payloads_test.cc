@@ -33,6 +33,14 @@ TEST(LookPayloadsTest, PathsOutOfTheSceneAreRefused) {
   }
 }
 
+TEST(LookPayloadsTest, NamesThatTheOutputNeedsItselfAreRefused) {
+  for (const char* path : {"Data/T/T.obj", "./report.json", ".tilemend-results"}) {
+    v1::TileFiles proto;
+    proto.add_libraries(path);
+    EXPECT_EQ(FromProto(proto).status().code(), absl::StatusCode::kInvalidArgument) << path;
+  }
+}
+
 TEST(LookPayloadsTest, ColoursOfHolesComeBackOnceEach) {
   v1::AssembleInput input;
   SetColours({{{3, {1, {10, 20, 30}, true}}, {7, {7, {1, 2, 3}, false}}}, true}, input);

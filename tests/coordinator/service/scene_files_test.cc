@@ -41,7 +41,7 @@ TEST(SceneFilesTest, ATilesOwnLibraryIsTheLastThatNoOtherNames) {
 TEST(SceneFilesTest, ANewLibraryHasANameThatNoFileOfTheSceneHas) {
   SceneFiles files("");
   EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend.mtl");
-  files.Take(kA, {{"Data/T/T_tilemend.mtl"}, {"Data/T/T_tilemend2.mtl"}, {}});
+  files.Take(kA, {{"Data/T/T_tilemend.mtl"}, {"Data/T/t_Tilemend2.MTL"}, {}});
   EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend3.mtl");
 }
 

@@ -48,6 +48,14 @@ TEST_F(SceneFileTest, DoesNotLeaveTheScene) {
   EXPECT_EQ(ProblemOf("C:\\textures\\a.jpg"), "is an absolute path");
 }
 
+TEST_F(SceneFileTest, LeavesNamesToTheOutputThatItNeedsItself) {
+  folder_.Write("scene/Data/U/U.obj", "x");
+  folder_.Write("scene/Report.json", "x");
+  for (const char* name : {"../U/U.obj", "./..//u\\u.OBJ", "../../Report.json"}) {
+    EXPECT_EQ(ProblemOf(name), "has the name of a tile or of a file that tilemend writes") << name;
+  }
+}
+
 TEST_F(SceneFileTest, SaysWhyThereIsNone) {
   EXPECT_EQ(ProblemOf("lost.jpg"), "is not there");
   EXPECT_EQ(ProblemOf("lost/a.jpg"), "is not there");

@@ -57,9 +57,23 @@ TEST_F(TileLookTest, WarnsOfFilesThatCannotBeHad) {
   folder_.Write("Data/T.mtl", "newmtl a\nmap_Kd ../../away.jpg\nnewmtl b\nmap_Kd lost\x01.jpg\n");
   const TileLook look = Read({"T.mtl", "no such.mtl"});
   EXPECT_THAT(look.files.warnings,
-              ElementsAre(HasSubstr("Data/T.mtl: ../../away.jpg lies outside the scene's folder"),
+              ElementsAre(HasSubstr("Data/T.mtl: line 2: ../../away.jpg lies outside the scene's folder"),
                           HasSubstr("lost\\x01.jpg is not there"), HasSubstr("Data/T.obj: no such.mtl is not there")));
   EXPECT_EQ(look.materials.at("a").image, "");
+}
+
+// It would be written over the other tile.
+TEST_F(TileLookTest, ATileIsNoImageAndNoLibrary) {
+  folder_.Write("Data/U.obj", "v 0 0 0\n");
+  folder_.Write("report.json", "{}");
+  folder_.Write("Data/T.mtl", "newmtl a\nmap_Ks ..\\Data\\.\\u.OBJ\nmap_Kd ../report.json\n");
+  const TileLook look = Read({"T.mtl", "U.obj"});
+  EXPECT_THAT(look.files.libraries, ElementsAre("Data/T.mtl"));
+  EXPECT_THAT(look.files.images, IsEmpty());
+  EXPECT_THAT(look.files.warnings,
+              ElementsAre(HasSubstr("Data/T.mtl: line 2: ..\\Data\\.\\u.OBJ has the name of a tile"),
+                          HasSubstr("Data/T.mtl: line 3: ../report.json has the name"),
+                          HasSubstr("Data/T.obj: U.obj has the name")));
 }
 
 TEST_F(TileLookTest, ReadsTheTexturesOfAPly) {
