@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <system_error>
 #include <tuple>
 
 #include "absl/status/status.h"
@@ -12,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/grid/scene_sources.h"
 #include "common/util/folders.h"
+#include "common/util/real_path.h"
 
 namespace tilemend {
 
@@ -35,20 +35,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The path without links, as far as it is there.
-fs::path Real(const fs::path& path) {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(path, error);
-  return error ? path.lexically_normal() : real;
-}
-
 // Somebody else's folder of tiles may hold links to files of who runs this.
 void WarnOfLinksOut(Scene& scene) {
-  const fs::path root = Real(scene.root);
-  const auto leads_out = [&](const fs::path& path) {
-    const fs::path real = Real(path);
-    return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end();
-  };
+  const fs::path root = RealPath(scene.root);
+  const auto leads_out = [&](const fs::path& path) { return !IsBelow(root, RealPath(path)); };
   std::map<std::string, bool> folders;  // whether they lead out
   int64_t count = 0;
   std::string first;
@@ -60,7 +50,7 @@ void WarnOfLinksOut(Scene& scene) {
     const auto look = LookAt(file.string(), Links::kKeep);
     const bool is_link = look.ok() && look->kind == PathKind::kOther;
     if (is_link ? !leads_out(file) : !folder->second) continue;
-    if (count++ == 0) first = absl::StrCat(file.string(), " leads to ", Real(file).string());
+    if (count++ == 0) first = absl::StrCat(file.string(), " leads to ", RealPath(file).string());
   }
   if (count == 0) return;
   scene.warnings.push_back(absl::StrCat(first, ", out of the scene's folder",

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -21,6 +20,7 @@
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/place.h"
+#include "common/util/real_path.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 
@@ -31,13 +31,6 @@ namespace fs = std::filesystem;
 
 constexpr char kMarker[] = ".tilemend-job";
 constexpr char kResultLog[] = ".tilemend-results";
-
-// The path without links, as far as it is there.
-fs::path Real(const fs::path& path) {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(path, error);
-  return error ? path.lexically_normal() : real;
-}
 
 // The folders below a root that hold `files`, relative, and the folders that hold these; "" if a file lies in the root.
 std::set<std::string> FoldersOf(const std::set<std::string>& files) {
@@ -54,7 +47,7 @@ std::set<std::string> FoldersOf(const std::set<std::string>& files) {
 
 std::set<fs::path> RealFolders(const fs::path& root, const std::set<std::string>& relative) {
   std::set<fs::path> folders;
-  for (const std::string& folder : relative) folders.insert(Real(folder.empty() ? root : root / folder));
+  for (const std::string& folder : relative) folders.insert(RealPath(folder.empty() ? root : root / folder));
   return folders;
 }
 
@@ -68,7 +61,7 @@ bool IsInOneOf(const std::set<fs::path>& folders, const fs::path& path) {
 
 // Whether nothing of the output would lie among the scene's files.
 absl::Status CheckApart(const std::string& path, const Scene& scene, const std::set<std::string>& files) {
-  const fs::path root = Real(scene.root);
+  const fs::path root = RealPath(scene.root);
   std::set<std::string> inputs;
   for (const SceneTile& tile : scene.tiles) {
     if (!tile.path.empty()) inputs.insert(tile.path);
@@ -76,7 +69,7 @@ absl::Status CheckApart(const std::string& path, const Scene& scene, const std::
   std::set<fs::path> sources = RealFolders(scene.root, FoldersOf(inputs));
   sources.erase(root);  // beside tiles that lie in the scene's folder itself, a folder of its own does no harm
   std::set<fs::path> targets = RealFolders(path, FoldersOf(files));
-  targets.insert(Real(path));
+  targets.insert(RealPath(path));
   for (const fs::path& target : targets) {
     if (target != root && !IsInOneOf(sources, target)) continue;
     return absl::InvalidArgumentError(absl::StrCat(path, ": the output would lie among the tiles of the scene, in ",

@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
@@ -104,6 +105,20 @@ TEST_F(TexturesRunTest, NoMaterialFilePutsAnOriginalOverAFilledTile) {
   EXPECT_NE(Out(".tilemend-results"), "mine");
   EXPECT_THAT(report["warnings"].dump(), HasSubstr(library + ": line 2: ../../" + tile + " has the name of a tile"));
   EXPECT_THAT(report["warnings"].dump(), HasSubstr(library + ": line 3: ../../.tilemend-results has the name"));
+}
+
+// Somebody else's scene may hold links to files of who runs this.
+TEST_F(TexturesRunTest, LinksOutOfTheSceneAreNotFollowed) {
+  const std::string tile = "Data/Tile_+000_+000/Tile_+000_+000", image = "shared/my ground.jpg";
+  folder_.Write("secret.txt", "a secret");
+  for (const std::string& name : {tile + ".mtl", image}) {
+    fs::remove(folder_ / ("scene/" + name));
+    fs::create_symlink(folder_ / "secret.txt", folder_ / ("scene/" + name));
+  }
+  const std::string warnings = Run()["warnings"].dump();
+  EXPECT_THAT(warnings, HasSubstr(tile + ".obj: Tile_+000_+000.mtl leads out of the scene's folder by a link"));
+  EXPECT_THAT(warnings, HasSubstr("my ground.JPG leads out of the scene's folder by a link"));
+  for (const auto& [path, bytes] : Below("out")) EXPECT_THAT(bytes, Not(HasSubstr("a secret"))) << path;
 }
 
 TEST_F(TexturesRunTest, BothTilesHaveTheColourOfTheRimAndDefineIt) {

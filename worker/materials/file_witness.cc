@@ -1,6 +1,7 @@
 #include "worker/materials/file_witness.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "absl/strings/str_cat.h"
 #include "common/store/fingerprint.h"
@@ -14,7 +15,8 @@ bool Holds(const std::string& root, const FileWitness& witness) {
     return file.path == lookup.path && file.problem == lookup.problem;
   };
   const auto is_same = [&](const FileWitness::Read& read) {
-    if (FindSceneFile(root, "", read.path).path != read.path) return read.digest.empty();
+    const std::string name = std::filesystem::path(read.path).filename().string();
+    if (FindSceneFile(root, FolderOf(read.path), name).path != read.path) return read.digest.empty();
     const auto same = FileHasDigest(absl::StrCat(root, "/", read.path), read.digest);
     return same.ok() ? *same : read.digest.empty();
   };

@@ -7,6 +7,7 @@
 #include "absl/strings/match.h"
 #include "common/records/output_names.h"
 #include "common/util/folders.h"
+#include "common/util/real_path.h"
 
 namespace tilemend {
 namespace {
@@ -29,6 +30,13 @@ std::string EntryLike(const fs::path& folder, const std::string& name) {
   return found == entries->end() ? "" : *found;
 }
 
+// Whether a link leads from the scene to somewhere else. A folder of tiles may lie there as a whole: who made that link
+// wants its files, too.
+bool LeadsOut(const fs::path& root, const std::string& folder, const fs::path& found) {
+  const fs::path real = RealPath(root / found);
+  return !IsBelow(RealPath(root), real) && !IsBelow(RealPath(root / folder), real);
+}
+
 }  // namespace
 
 SceneFile FindSceneFile(const std::string& root, const std::string& folder, std::string_view name) {
@@ -37,7 +45,7 @@ SceneFile FindSceneFile(const std::string& root, const std::string& folder, std:
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
   if (slashed.empty()) return {"", "is no name"};
   if (slashed.find('\0') != std::string::npos) return {"", "is no name"};
-  if (IsAbsolute(slashed)) return {"", "is an absolute path"};
+  if (IsAbsolute(slashed) || IsAbsolute(folder)) return {"", "is an absolute path"};
   const fs::path wanted = (fs::path(folder) / slashed).lexically_normal();
   if (wanted.begin() != wanted.end() && *wanted.begin() == "..") return {"", "lies outside the scene's folder"};
   fs::path found;
@@ -48,6 +56,7 @@ SceneFile FindSceneFile(const std::string& root, const std::string& folder, std:
     found /= entry;
   }
   if (KindOf((fs::path(root) / found).string()) != PathKind::kFile) return {"", "is no file"};
+  if (LeadsOut(root, folder, found)) return {"", "leads out of the scene's folder by a link"};
   if (IsOutputName(found.string())) return {"", "has the name of a tile or of a file that tilemend writes"};
   return {found.string(), ""};
 }

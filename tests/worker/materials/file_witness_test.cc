@@ -50,6 +50,12 @@ TEST_F(FileWitnessTest, SeesAFileThatIsGone) {
   EXPECT_FALSE(Holds(folder_.path(), witness_));
 }
 
+TEST_F(FileWitnessTest, HoldsForAFolderOfTilesThatIsALink) {
+  const TemporaryFolder scene;
+  std::filesystem::create_directory_symlink(folder_ / "Data", scene / "Data");
+  EXPECT_TRUE(Holds(scene.path(), witness_));
+}
+
 TEST_F(FileWitnessTest, ReadsNothingOutsideOfTheScene) {
   const std::string other = folder_.Write("other", "x");
   EXPECT_FALSE(Holds(folder_ / "Data", {{}, {{"../other", FileDigest("x")}}}));

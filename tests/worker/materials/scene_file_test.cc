@@ -10,6 +10,8 @@
 namespace tilemend {
 namespace {
 
+namespace fs = std::filesystem;
+
 class SceneFileTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -45,6 +47,7 @@ TEST_F(SceneFileTest, DoesNotLeaveTheScene) {
   EXPECT_EQ(ProblemOf("../../../secret.jpg"), "lies outside the scene's folder");
   EXPECT_EQ(ProblemOf("..\\..\\..\\secret.jpg"), "lies outside the scene's folder");
   EXPECT_EQ(ProblemOf(folder_ / "secret.jpg"), "is an absolute path");
+  EXPECT_EQ(FindSceneFile(folder_ / "scene", folder_.path(), "secret.jpg").problem, "is an absolute path");
   EXPECT_EQ(ProblemOf("C:\\textures\\a.jpg"), "is an absolute path");
 }
 
@@ -54,6 +57,33 @@ TEST_F(SceneFileTest, LeavesNamesToTheOutputThatItNeedsItself) {
   for (const char* name : {"../U/U.obj", "./..//u\\u.OBJ", "../../Report.json"}) {
     EXPECT_EQ(ProblemOf(name), "has the name of a tile or of a file that tilemend writes") << name;
   }
+}
+
+TEST_F(SceneFileTest, FollowsLinksWithinTheSceneAlone) {
+  fs::create_symlink("my tile.jpg", folder_ / "scene/Data/T/near.jpg");
+  fs::create_symlink(folder_ / "scene/textures/Sub/Wall.JPG", folder_ / "scene/Data/T/wall.jpg");
+  fs::create_symlink(folder_ / "secret.jpg", folder_ / "scene/Data/T/away.jpg");
+  fs::create_symlink("../../../secret.jpg", folder_ / "scene/Data/T/up.mtl");
+  fs::create_directory_symlink(folder_.path(), folder_ / "scene/Data/T/all");
+  EXPECT_EQ(PathOf("near.jpg"), "Data/T/near.jpg");
+  EXPECT_EQ(PathOf("wall.jpg"), "Data/T/wall.jpg");
+  for (const char* name : {"away.jpg", "AWAY.jpg", "up.mtl", "all/secret.jpg"}) {
+    EXPECT_EQ(PathOf(name), "") << name;
+    EXPECT_EQ(ProblemOf(name), "leads out of the scene's folder by a link") << name;
+  }
+}
+
+// The user's own links: to the scene, and to a tile's folder.
+TEST_F(SceneFileTest, TheSceneAndAFolderOfTilesMayBeLinks) {
+  fs::create_directory_symlink("scene", folder_ / "other");
+  EXPECT_EQ(FindSceneFile(folder_ / "other", "Data/T", "my tile.jpg").path, "Data/T/my tile.jpg");
+  folder_.Write("elsewhere/U/u.jpg", "x");
+  folder_.Write("elsewhere/v.jpg", "x");
+  fs::create_directory_symlink(folder_ / "elsewhere/U", folder_ / "scene/Data/U");
+  fs::create_symlink("../v.jpg", folder_ / "elsewhere/U/v.jpg");
+  EXPECT_EQ(FindSceneFile(folder_ / "scene", "Data/U", "u.jpg").path, "Data/U/u.jpg");
+  EXPECT_EQ(FindSceneFile(folder_ / "scene", "Data/U", "v.jpg").path, "");
+  EXPECT_EQ(PathOf("../U/u.jpg"), "") << "named from another folder";
 }
 
 TEST_F(SceneFileTest, SaysWhyThereIsNone) {

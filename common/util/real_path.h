@@ -1,0 +1,20 @@
+// Where paths lead over links.
+#ifndef TILEMEND_COMMON_UTIL_REAL_PATH_H_
+#define TILEMEND_COMMON_UTIL_REAL_PATH_H_
+
+#include <filesystem>
+
+namespace tilemend {
+
+// The path without links, as far as it is there.
+std::filesystem::path RealPath(const std::filesystem::path& path);
+
+// The same, but what is named itself may be a link: where a file is put that is renamed to `path`.
+std::filesystem::path RealPlace(const std::filesystem::path& path);
+
+// Whether `path` is `folder` or lies below it. Both are real.
+bool IsBelow(const std::filesystem::path& folder, const std::filesystem::path& path);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_UTIL_REAL_PATH_H_
