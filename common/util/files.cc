@@ -21,6 +21,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/util/failpoint.h"
 #include "common/util/place.h"
+#include "common/util/real_path.h"
 #include "common/util/roots.h"
 #include "common/util/status_macros.h"
 
@@ -296,8 +297,7 @@ absl::Status CarryFile(const std::string& from, const std::string& to, Carry how
   struct stat info {};
   const Descriptor source(OpenToRead(from));
   TILEMEND_RETURN_IF_ERROR(CheckSource(source.get(), from, info));
-  std::error_code error;
-  if (std::filesystem::weakly_canonical(from, error) == std::filesystem::weakly_canonical(to, error)) {
+  if (TakesThePlaceOf(from, to)) {
     return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
   }
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));

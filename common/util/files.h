@@ -48,9 +48,9 @@ absl::Status WriteFileAtomically(const std::string& path, std::string_view conte
 // is changed, on file systems that can. kLink: a hard link, one file under two names; a copy where there can be none.
 enum class Carry { kCopy, kLink };
 
-// Puts a file with the content of `from` at `to`, at once or not at all, in place of what is there. Creates missing
-// parent folders. `from` stays as it is. kNotFound and kInvalidArgument for `from`, which is to be a regular file;
-// kInvalidArgument if `to` is `from`; else as WriteFileAtomically.
+// Puts a file with the content of `from` at `to`, at once or not at all, in place of what is there, a link itself.
+// Creates missing parent folders. `from` stays as it is. kNotFound and kInvalidArgument for `from`, which is to be a
+// regular file; kInvalidArgument if `to` is `from`; else as WriteFileAtomically.
 absl::Status CarryFile(const std::string& from, const std::string& to, Carry how);
 
 // For files whose folder must be there, and that nobody else writes: no temporary name, and no folder is made.

@@ -18,6 +18,11 @@ fs::path RealPlace(const fs::path& path) {
   return RealPath(folder.empty() ? "." : folder) / path.filename();
 }
 
+bool TakesThePlaceOf(const fs::path& from, const fs::path& to) {
+  const fs::path place = RealPlace(to);
+  return place == RealPath(from) || place == RealPlace(from);
+}
+
 bool IsBelow(const fs::path& folder, const fs::path& path) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }

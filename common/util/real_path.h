@@ -12,6 +12,10 @@ std::filesystem::path RealPath(const std::filesystem::path& path);
 // The same, but what is named itself may be a link: where a file is put that is renamed to `path`.
 std::filesystem::path RealPlace(const std::filesystem::path& path);
 
+// Whether a file with the content of `from` that is renamed to `to` would take the place of that file, or of the link
+// to it that `from` is. A link at `to` is replaced itself.
+bool TakesThePlaceOf(const std::filesystem::path& from, const std::filesystem::path& to);
+
 // Whether `path` is `folder` or lies below it. Both are real.
 bool IsBelow(const std::filesystem::path& folder, const std::filesystem::path& path);
 

@@ -210,6 +210,7 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   TILEMEND_RETURN_IF_ERROR(CheckApart(path, scene, files));
   if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
   files.insert(kSceneFile);
+  if (KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) files.insert(kMetadataFile);
   files.insert(std::begin(kReportFiles), std::end(kReportFiles));
   TILEMEND_RETURN_IF_ERROR(CheckNames(path, files));
   OutputFolder folder(path, key);
@@ -289,6 +290,8 @@ absl::Status OutputFolder::BeginWriting() {
   for (const char* file : kReportFiles) RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
   return absl::OkStatus();
 }
+
+absl::Status OutputFolder::CheckRoomFor(const std::set<std::string>& files) const { return CheckNames(path_, files); }
 
 void OutputFolder::Adopt(const std::set<std::string>& files) {
   for (const std::string& file : files) files_.try_emplace(file);

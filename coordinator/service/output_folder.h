@@ -44,6 +44,8 @@ class OutputFolder {
   const std::string& path() const { return path_; }
   // Where workers write, from Claim to Finish.
   const AttemptFolder& attempts() const { return *attempts_; }
+  // Whether nothing is in the way of these files, relative. kInvalidArgument says what to remove.
+  absl::Status CheckRoomFor(const std::set<std::string>& files) const;
   // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output
   // and what goes with it, which would not be true any more. kResourceExhausted, kPermissionDenied.
   absl::Status BeginWriting();

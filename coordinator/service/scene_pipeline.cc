@@ -158,6 +158,7 @@ class ScenePipeline : public JobPipeline {
       if (!next) break;
       if (is_cancelled()) return absl::CancelledError("the job was cancelled");
       if (std::holds_alternative<AssembleWork>(*next) && !std::exchange(writing_, true)) {
+        TILEMEND_RETURN_IF_ERROR(output_->CheckRoomFor(tasks_.files().Carried()));
         TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
       }
       TILEMEND_ASSIGN_OR_RETURN(NewTask task, tasks_.TaskOf(*next));

@@ -121,6 +121,35 @@ TEST_F(TexturesRunTest, LinksOutOfTheSceneAreNotFollowed) {
   for (const auto& [path, bytes] : Below("out")) EXPECT_THAT(bytes, Not(HasSubstr("a secret"))) << path;
 }
 
+// What is in the output's folder of before.
+TEST_F(TexturesRunTest, LinksInTheOutputAreReplaced) {
+  const std::string image = "shared/my ground.jpg";
+  fs::create_directories(folder_ / "out/shared");
+  for (const bool again : {false, true}) {  // with results of before
+    for (const std::string& name : {std::string("metadata.xml"), image}) {
+      fs::remove(folder_ / ("out/" + name));
+      fs::create_symlink(folder_ / ("scene/" + name), folder_ / ("out/" + name));
+    }
+    const Json report = Run({"--overwrite"});
+    EXPECT_THAT(report["warnings"].dump(), Not(HasSubstr("itself"))) << again;
+    for (const std::string& name : {std::string("metadata.xml"), image}) {
+      EXPECT_FALSE(fs::is_symlink(folder_ / ("out/" + name))) << name << again;
+      EXPECT_EQ(Out(name), ReadFile(folder_ / ("scene/" + name)).value());
+    }
+  }
+}
+
+TEST_F(TexturesRunTest, AFolderOfTheOutputThatIsALinkIsRefusedBeforeTheFirstTile) {
+  fs::create_directories(folder_ / "out");
+  fs::create_directory_symlink(folder_ / "scene/shared", folder_ / "out/shared");
+  const Ended ended =
+      Process(folder_.path(), TILEMEND_CLIENT, {"run", folder_ / "scene", "--out", folder_ / "out", "--overwrite"})
+          .Wait();
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.err, HasSubstr(folder_ / "out/shared: a link"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/Data"));
+}
+
 TEST_F(TexturesRunTest, BothTilesHaveTheColourOfTheRimAndDefineIt) {
   const Json report = Run();
   std::set<std::string> materials;

@@ -1,9 +1,7 @@
 #include "worker/service/attempt_files.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <random>
-#include <system_error>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -12,6 +10,7 @@
 #include "common/util/cores.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
+#include "common/util/real_path.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -62,9 +61,7 @@ absl::Status AttemptFiles::Write(const std::string& path, std::string_view bytes
 
 absl::Status AttemptFiles::Carry(const std::string& from, const std::string& path, ::tilemend::Carry how,
                                  const std::string& digest) {
-  std::error_code error;
-  if (std::filesystem::weakly_canonical(from, error) ==
-      std::filesystem::weakly_canonical(absl::StrCat(output_, "/", path), error)) {
+  if (TakesThePlaceOf(from, absl::StrCat(output_, "/", path))) {
     return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
   }
   v1::WrittenFile file = NewFile(path);

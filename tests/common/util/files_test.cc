@@ -142,6 +142,17 @@ TEST_F(FilesTest, CarriesWhatALinkLeadsTo) {
   }
 }
 
+TEST_F(FilesTest, CarriesInPlaceOfALinkToTheFileItself) {
+  const std::string from = folder_.Write("from", "original");
+  for (const Carry how : {Carry::kCopy, Carry::kLink}) {
+    fs::remove(folder_ / "to");
+    fs::create_symlink(from, folder_ / "to");
+    ASSERT_TRUE(CarryFile(from, folder_ / "to", how).ok());
+    EXPECT_FALSE(fs::is_symlink(folder_ / "to"));
+    EXPECT_EQ(ReadFile(folder_ / "to").value(), "original");
+  }
+}
+
 TEST_F(FilesTest, CarryingLeavesAFileAloneThatItWouldWriteOverItself) {
   const std::string from = folder_.Write("from", "original");
   fs::create_directory_symlink(folder_.path(), folder_ / "again");

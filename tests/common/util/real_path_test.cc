@@ -33,6 +33,14 @@ TEST_F(RealPathTest, APlaceIsThatOfTheNameItself) {
   EXPECT_EQ(RealPlace("none"), fs::current_path() / "none");
 }
 
+TEST_F(RealPathTest, ALinkIsReplacedItself) {
+  EXPECT_TRUE(TakesThePlaceOf(folder_ / "a/file", folder_ / "to-a/file"));
+  EXPECT_TRUE(TakesThePlaceOf(folder_ / "link", folder_ / "a/file"));
+  EXPECT_TRUE(TakesThePlaceOf(folder_ / "link", folder_ / "link"));
+  EXPECT_FALSE(TakesThePlaceOf(folder_ / "a/file", folder_ / "link"));
+  EXPECT_FALSE(TakesThePlaceOf(folder_ / "a/file", folder_ / "none/file"));
+}
+
 TEST(IsBelowTest, GoesByWholeNames) {
   EXPECT_TRUE(IsBelow("/a/b", "/a/b"));
   EXPECT_TRUE(IsBelow("/a/b", "/a/b/c/d"));

@@ -207,6 +207,27 @@ TEST_F(OutputFolderTest, WhatIsInTheWayIsNamedAndStays) {
   }
 }
 
+TEST_F(OutputFolderTest, AFolderInPlaceOfTheMetadataIsNamed) {
+  folder_.Write("deep/out/metadata.xml/mine", "");
+  EXPECT_TRUE(Claim(out_, true).ok()) << "the scene has none";
+  folder_.Write("scene/metadata.xml", "<ModelMetadata/>");
+  const absl::Status status = Claim(out_, true).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr(out_ + "/metadata.xml: a folder where the job makes"));
+}
+
+TEST_F(OutputFolderTest, SaysWhatIsInTheWayOfFilesThatAreCarried) {
+  const auto output = Claim(out_);
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_TRUE(output->CheckRoomFor({"a.jpg", "images/b.jpg"}).ok());
+  fs::create_symlink(folder_ / "scene/tiles/a.ply", out_ + "/a.jpg");
+  EXPECT_TRUE(output->CheckRoomFor({"a.jpg"}).ok()) << "is replaced";
+  fs::create_directory_symlink("/tmp", out_ + "/images");
+  const absl::Status status = output->CheckRoomFor({"a.jpg", "images/b.jpg"});
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr(out_ + "/images: a link"));
+}
+
 class PlacedFilesTest : public OutputFolderTest {
  protected:
   PlacedFilesTest() {

@@ -72,6 +72,13 @@ TEST_F(AttemptFilesTest, AfterTheJobItCanWriteNowhere) {
   EXPECT_FALSE(std::filesystem::exists(attempts_));
 }
 
+TEST_F(AttemptFilesTest, ALinkToTheFileIsReplaced) {
+  std::filesystem::create_directory(out_);
+  std::filesystem::create_symlink(folder_ / "scene/a.png", out_ + "/a.png");
+  AttemptFiles files(attempts_, out_);
+  EXPECT_TRUE(files.Carry(folder_ / "scene/a.png", "a.png", Carry::kCopy).ok());
+}
+
 TEST_F(AttemptFilesTest, AFileIsNotCarriedOntoItself) {
   std::filesystem::create_directory_symlink(folder_ / "scene", out_);
   AttemptFiles files(attempts_, out_);
