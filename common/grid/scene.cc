@@ -12,6 +12,7 @@
 #include "common/grid/scene_sources.h"
 #include "common/util/folders.h"
 #include "common/util/real_path.h"
+#include "common/util/status_macros.h"
 
 namespace tilemend {
 
@@ -24,6 +25,13 @@ void SortTiles(std::vector<SceneTile>* tiles) {
 bool IsTileFormat(const std::string& path) {
   const std::string extension = absl::AsciiStrToLower(std::filesystem::path(path).extension().string());
   return extension == ".ply" || extension == ".obj";
+}
+
+absl::StatusOr<bool> IsThere(const std::string& path) {
+  if (KindOf(path) != PathKind::kNothing) return true;
+  if (!LookAt(path, Links::kKeep).ok()) return false;
+  return absl::InvalidArgumentError(
+      absl::StrCat(path, ": a link that leads to no file that can be read; remove it, or restore the file"));
 }
 
 std::string OutputPath(const SceneTile& tile) {
@@ -62,9 +70,9 @@ absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bou
   if (absl::IsNotFound(look.status())) return absl::NotFoundError(absl::StrCat(path, ": no such scene"));
   if (!look.ok()) return look.status();
   if (look->kind == PathKind::kFolder) {
-    const fs::path json = fs::path(path) / "scene.json";
-    if (KindOf(json.string()) != PathKind::kNothing) return ReadSceneJson(json.string(), path);
-    return FindScene(path, read_bounds);
+    const std::string json = (fs::path(path) / "scene.json").string();
+    TILEMEND_ASSIGN_OR_RETURN(const bool has_json, IsThere(json));
+    return has_json ? ReadSceneJson(json, path) : FindScene(path, read_bounds);
   }
   if (absl::AsciiStrToLower(fs::path(path).extension().string()) != ".json") {
     return absl::InvalidArgumentError(
@@ -77,8 +85,10 @@ absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bou
 }  // namespace
 
 absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds) {
-  absl::StatusOr<Scene> scene = Load(path, read_bounds);
-  if (scene.ok()) WarnOfLinksOut(*scene);
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, Load(path, read_bounds));
+  // Outputs have it beside a scene.json, too.
+  TILEMEND_RETURN_IF_ERROR(IsThere((fs::path(scene.root) / "metadata.xml").string()).status());
+  WarnOfLinksOut(scene);
   return scene;
 }
 

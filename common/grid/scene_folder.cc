@@ -155,7 +155,8 @@ bool ParseOrigin(const std::string& text, Point3* origin) {
 
 // CRS and origin from metadata.xml, which need not be there.
 absl::Status ReadMetadata(const std::string& path, Scene* scene) {
-  if (KindOf(path) == PathKind::kNothing) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const bool is_there, IsThere(path));
+  if (!is_there) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
   return ParseMetadata(text, path, scene);
 }
@@ -207,6 +208,7 @@ absl::Status ParseMetadata(const std::string& text, const std::string& path, Sce
   }
   const pugi::xml_node metadata = document.child("ModelMetadata");
   scene->crs = std::string(absl::StripAsciiWhitespace(metadata.child_value("SRS")));
+  if (scene->crs.empty()) scene->warnings.push_back(absl::StrCat(path, ": no SRS; the output has no CRS"));
   const std::string origin = metadata.child_value("SRSOrigin");
   if (!metadata.child("SRSOrigin")) {
     scene->warnings.push_back(absl::StrCat(path, ": no SRSOrigin; the origin is taken as 0, 0, 0"));

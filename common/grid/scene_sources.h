@@ -27,6 +27,9 @@ absl::Status ParseMetadata(const std::string& text, const std::string& path, Sce
 // Finds the tiles of a folder without scene.json by their names.
 absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds);
 
+// Whether there is something at `path`. kInvalidArgument for a link that leads to nothing: who made it meant a file.
+absl::StatusOr<bool> IsThere(const std::string& path);
+
 // Sorts by (row, col), the order of Scene::tiles.
 void SortTiles(std::vector<SceneTile>* tiles);
 

@@ -150,6 +150,18 @@ TEST_F(TexturesRunTest, AFolderOfTheOutputThatIsALinkIsRefusedBeforeTheFirstTile
   EXPECT_FALSE(fs::exists(folder_ / "out/Data"));
 }
 
+TEST_F(TexturesRunTest, ASceneFileThatIsALinkToNothingIsAnError) {
+  for (const std::string name : {"metadata.xml", "scene.json"}) {
+    fs::remove(folder_ / ("scene/" + name));
+    fs::create_symlink("gone", folder_ / ("scene/" + name));
+    const Ended ended =
+        Process(folder_.path(), TILEMEND_CLIENT, {"run", folder_ / "scene", "--out", folder_ / "out"}).Wait();
+    EXPECT_EQ(ended.code, 4);
+    EXPECT_THAT(ended.err, HasSubstr(folder_ / ("scene/" + name) + ": a link"));
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+  }
+}
+
 TEST_F(TexturesRunTest, BothTilesHaveTheColourOfTheRimAndDefineIt) {
   const Json report = Run();
   std::set<std::string> materials;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include "absl/strings/str_cat.h"
@@ -139,6 +140,24 @@ TEST_F(SceneFolderTest, NamesTheTileThatContradictsTheGrid) {
   for (int i = 0; i < 4; ++i) WriteTile(absl::StrCat("Tile_+00", i, "_+000.ply"), i, 0);
   WriteTile("Tile_+004_+000.ply", 2, 0);
   ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+004_+000.ply: lies mostly outside cell +004_+000");
+}
+
+TEST_F(SceneFolderTest, WarnsOfMetadataWithoutACrs) {
+  WriteTile("Tile_+000_+000.ply", 0, 0);
+  for (const char* srs : {"", "<SRS/>", "<SRS> \n</SRS>"}) {
+    folder_.Write("metadata.xml", absl::StrCat("<ModelMetadata>", srs, "<SRSOrigin>1,2,3</SRSOrigin></ModelMetadata>"));
+    const auto scene = Load();
+    ASSERT_TRUE(scene.ok()) << scene.status();
+    EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("metadata.xml: no SRS; the output has no CRS"))) << srs;
+  }
+}
+
+TEST_F(SceneFolderTest, MetadataThatIsALinkToNothingIsAnError) {
+  WriteTile("Tile_+000_+000.ply", 0, 0);
+  std::filesystem::create_symlink("gone.xml", folder_ / "metadata.xml");
+  ExpectError(absl::StatusCode::kInvalidArgument, "metadata.xml: a link that leads to no file");
+  folder_.Write("gone.xml", kMetadata);
+  EXPECT_EQ(Load()->crs, "EPSG:4547");
 }
 
 TEST_F(SceneFolderTest, RefusesBadMetadata) {

@@ -45,6 +45,26 @@ TEST(LoadSceneTest, TakesTheFolderOrItsFile) {
   EXPECT_EQ(SceneJson(*by_folder), SceneJson(*by_file));
 }
 
+TEST(LoadSceneTest, ASceneFileThatIsALinkToNothingIsAnError) {
+  TemporaryFolder folder;
+  std::filesystem::create_symlink("gone.json", folder / "scene.json");
+  const absl::Status status = LoadScene(folder.path(), nullptr).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr(folder / "scene.json: a link that leads to no file"));
+  folder.Write("gone.json", kScene);
+  EXPECT_TRUE(LoadScene(folder.path(), nullptr).ok());
+  std::filesystem::create_symlink("gone.xml", folder / "metadata.xml");
+  EXPECT_THAT(std::string(LoadScene(folder.path(), nullptr).status().message()), HasSubstr("metadata.xml: a link"));
+}
+
+TEST(IsThereTest, TellsNothingFromALinkToNothing) {
+  TemporaryFolder folder;
+  EXPECT_EQ(IsThere(folder / "a").value(), false);
+  EXPECT_EQ(IsThere(folder.Write("a", "")).value(), true);
+  std::filesystem::create_symlink("none", folder / "b");
+  EXPECT_TRUE(absl::IsInvalidArgument(IsThere(folder / "b").status()));
+}
+
 TEST(LoadSceneTest, WarnsOfTilesThatLieElsewhere) {
   TemporaryFolder folder, elsewhere;
   folder.Write("scene.json", R"({"cell_size": 10, "cols": 3, "rows": 1, "tiles": [
