@@ -53,14 +53,20 @@ std::string FolderOf(const std::string& path) {
 absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const std::string& in, const std::string& out, bool overwrite,
                                                           const FilledMesh& filled) {
   const std::string to = FolderOf(out);
-  if (!filled.materials.empty()) {
-    TILEMEND_RETURN_IF_ERROR(WriteMaterials("", absl::StrCat(to, "/", LibraryFor(out)), filled.materials));
+  const std::string own = filled.materials.empty() ? "" : LibraryFor(out);
+  if (!own.empty()) {
+    // The mesh may come from here, and have one of this name already.
+    const auto& named = filled.files.libraries;
+    const bool is_named = std::find(named.begin(), named.end(), own) != named.end();
+    TILEMEND_RETURN_IF_ERROR(WriteMaterials(is_named ? absl::StrCat(FolderOf(in), "/", own) : "",
+                                            absl::StrCat(to, "/", own), filled.materials));
   }
   std::error_code error;
   if (std::filesystem::equivalent(FolderOf(in), to, error)) return std::vector<std::string>();
   std::vector<std::string> carried, warnings = filled.files.warnings;
   for (const auto* files : {&filled.files.libraries, &filled.files.images}) {
     for (const std::string& file : *files) {
+      if (file == own) continue;
       if (overwrite || !std::filesystem::exists(absl::StrCat(to, "/", file), error)) {
         carried.push_back(file);
       } else {

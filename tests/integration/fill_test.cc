@@ -25,6 +25,7 @@ namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -164,6 +165,24 @@ TEST_P(FillTest, JsonIsAReport) {
   ASSERT_TRUE(json.is_object()) << ended.out << ended.err;
   EXPECT_EQ(json["holes"]["closed"], 1);
   EXPECT_EQ(json["filled"]["closed"], 1);
+}
+
+// The mesh may be an output of before, with materials of filled faces in a file of the same name.
+TEST(FillMaterialsTest, ALibraryOfTheMeshStaysInTheOneOfItsName) {
+  const TemporaryFolder folder;
+  std::string text = Text(SheetWithAHole(), MeshFormat::kObj);
+  text.replace(text.find("sheet.mtl"), 9, "a_tilemend.mtl");
+  folder.Write("in/a.obj", text);
+  folder.Write("in/a_tilemend.mtl", "newmtl grass\nKd 0 1 0\n");
+  for (const char* overwrite : {"", "--overwrite"}) {
+    std::vector<std::string> words = {"fill", folder / "in/a.obj", "--out", folder / "out/a.obj"};
+    if (*overwrite != '\0') words.emplace_back(overwrite);
+    const Ended ended = Process(folder.path(), TILEMEND_CLIENT, words).Wait();
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_THAT(ended.err, Not(HasSubstr("a_tilemend.mtl")));
+    EXPECT_THAT(*ReadFile(folder / "out/a_tilemend.mtl"), StartsWith("newmtl grass\nKd 0 1 0\nnewmtl tilemend_fill_0"));
+  }
+  EXPECT_EQ(*ReadFile(folder / "in/a_tilemend.mtl"), "newmtl grass\nKd 0 1 0\n");
 }
 
 // A sheet in two halves, 0.01 apart; the right one has two vertices for one along the seam, and a hole.
