@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "absl/strings/str_join.h"
+
 namespace tilemend {
 namespace {
 
@@ -24,8 +26,8 @@ TEST(ParseMtlTest, ReadsMaterialsColoursAndImages) {
 }
 
 TEST(ParseMtlTest, SaysInWhichLineAnImageIsNamedFirst) {
-  for (const std::string eol : {"\n", "\r\n", "\r"}) {
-    const MtlFile file = ParseMtl("newmtl a" + eol + eol + "map_Kd a.jpg" + eol + "bump b.jpg" + eol + "disp a.jpg");
+  for (const char* eol : {"\n", "\r\n", "\r"}) {
+    const MtlFile file = ParseMtl(absl::StrJoin({"newmtl a", "", "map_Kd a.jpg", "bump b.jpg", "disp a.jpg"}, eol));
     EXPECT_THAT(file.images, ElementsAre("a.jpg", "b.jpg"));
     EXPECT_THAT(file.image_lines, ElementsAre(3, 4));
   }
