@@ -7,11 +7,13 @@
 #include <memory>
 
 #include "common/mesh/outline_crossing.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
 
-constexpr int kLeastPositions = 4;  // of a ring, the last being the first
+constexpr int kLeastPositions = 4;   // of a ring, the last being the first
+constexpr size_t kMostOfName = 100;  // columns
 
 using GeometryPtr = std::unique_ptr<OGRGeometry>;
 
@@ -165,11 +167,13 @@ GeometryPtr RegionOf(const PlanePolygon& polygon) {
 std::string LabelOf(const OGRFeature& feature, const std::string& prefix) {
   std::string label = prefix + "feature " + std::to_string(feature.GetFID());
   const int index = FieldOf(feature, "name");
-  if (index >= 0) label += std::string(" (") + feature.GetFieldAsString(index) + ")";
+  if (index >= 0) label += " (" + ShownName(feature.GetFieldAsString(index)) + ")";
   return label;
 }
 
 }  // namespace
+
+std::string ShownName(const std::string& name) { return SqueezedTo(Printable(name), kMostOfName); }
 
 RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, Crossings crossings) {
   RawFeatures read;

@@ -22,6 +22,9 @@ struct RawFeatures {
 
 enum class Crossings { kRepair, kRefuse };
 
+// A name out of the file as messages show it: on one line, and no more than 100 columns of it.
+std::string ShownName(const std::string& name);
+
 // The features of a layer; `prefix` stands before their labels. A polygon that is not valid (outlines that cross, parts
 // that lie over each other) is repaired, with a warning that says where: what any part surrounds is inside. With
 // kRefuse outlines that cross are not. Throws BadVectors.

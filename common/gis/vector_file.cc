@@ -70,7 +70,7 @@ void CheckCrsName(const std::string& name) {
   OGRSpatialReference crs;
   static const char* const offline[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
   if (!name.empty() && crs.SetFromUserInput(name.c_str(), offline) != OGRERR_NONE) {
-    throw BadVectors{"it names a CRS that is not known: '" + name + "'"};
+    throw BadVectors{"it names a CRS that is not known: '" + ShownName(name) + "'"};
   }
 }
 
@@ -104,7 +104,7 @@ void Read(const VectorRequest& request, VectorFile& file) {
   }
   if (request.unite && layers.size() != 1) throw BadVectors{"expected one layer of polygons"};
   for (OGRLayer* layer : layers) {
-    ReadLayer(*layer, request, layers.size() > 1 ? std::string(layer->GetName()) + ", " : "", file);
+    ReadLayer(*layer, request, layers.size() > 1 ? ShownName(layer->GetName()) + ", " : "", file);
   }
 }
 

@@ -45,6 +45,17 @@ TEST(RawFeaturesTest, FeaturesKeepTheirOrderAndSayWhatTheyAre) {
   EXPECT_EQ(file->areas[3].level, -3);
 }
 
+TEST(RawFeaturesTest, LongNamesAreCut) {
+  const std::string name(1000000, 'n');
+  const auto file = ParseWaterFile(FeatureText(kSquare, absl::StrCat(R"({"name": "\u001b)", name, "\"}")), "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->areas[0].label, StartsWith("feature 0 (\\x1bnnn"));
+  EXPECT_LT(file->areas[0].label.size(), 120U);
+  const absl::Status status = ParseWaterFile(CollectionText({FeatureText(kSquare)}, name), "f", {}).status();
+  EXPECT_THAT(std::string(status.message()), HasSubstr("a CRS that is not known: 'nnn"));
+  EXPECT_LT(status.message().size(), 300U);
+}
+
 TEST(RawFeaturesTest, AMultiPolygonIsOneArea) {
   const auto file = ParseWaterFile(
       FeatureText(R"({"type": "MultiPolygon", "coordinates": [[[[0, 0, 9], [1, 0, 9], [1, 1, 9], [0, 0, 9]]],
