@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
+#include "common/gis/property_names.h"
 #include "common/mesh/outline_crossing.h"
 #include "common/util/text.h"
 
@@ -108,7 +110,7 @@ int FieldOf(const OGRFeature& feature, const char* name) {
 }
 
 bool WaterOf(const OGRFeature& feature, const std::string& place) {
-  const int index = FieldOf(feature, "water");
+  const int index = FieldOf(feature, kWaterProperty);
   if (index < 0) return true;
   const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
   const int value = feature.GetFieldAsInteger(index);
@@ -120,7 +122,7 @@ bool WaterOf(const OGRFeature& feature, const std::string& place) {
 }
 
 std::optional<double> LevelOf(const OGRFeature& feature, const std::string& place) {
-  const int index = FieldOf(feature, "level_m");
+  const int index = FieldOf(feature, kLevelProperty);
   if (index < 0) return std::nullopt;
   const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
   const OGRFieldType type = definition.GetType();
@@ -134,7 +136,7 @@ std::optional<double> LevelOf(const OGRFeature& feature, const std::string& plac
 
 // A GeoJSON LineString or its coordinates, or WKT.
 std::vector<Point2> CentrelineOf(const OGRFeature& feature, const std::string& place) {
-  const int index = FieldOf(feature, "centreline");
+  const int index = FieldOf(feature, kCentrelineProperty);
   if (index < 0) return {};
   std::string text = feature.GetFieldAsString(index);
   if (text.starts_with('[')) text = R"({"type": "LineString", "coordinates": )" + text + "}";
@@ -193,6 +195,30 @@ RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, Crossings 
     raw.line = CentrelineOf(*feature, raw.label);
   }
   return read;
+}
+
+std::vector<std::string> NearMisses(OGRLayer& layer, const std::string& prefix) {
+  std::vector<std::string> warnings;
+  OGRFeatureDefn& definition = *layer.GetLayerDefn();
+  for (int i = 0; i < definition.GetFieldCount(); ++i) {
+    const char* const name = definition.GetFieldDefn(i)->GetNameRef();
+    const std::string meant(PropertyMeantBy(name));
+    if (meant.empty() || definition.GetFieldIndex(meant.c_str()) == i) continue;
+    std::string first;
+    int64_t count = 0;
+    for (const auto& feature : layer) {
+      const OGRGeometry* geometry = feature->GetGeometryRef();
+      const bool is_area = geometry != nullptr && geometry->getDimension() == 2;
+      if (!is_area || !feature->IsFieldSetAndNotNull(i) || FieldOf(*feature, meant.c_str()) >= 0) continue;
+      if (++count == 1) first = LabelOf(*feature, prefix);
+    }
+    if (count == 0) continue;
+    std::string warning = first;
+    if (count > 1) warning += " and " + std::to_string(count - 1) + " more";
+    warning += ": property '" + ShownName(name) + "' has no effect; the name that has is '" + meant + "'";
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
 }
 
 VectorFeature Unite(const std::vector<VectorFeature>& features) {

@@ -30,6 +30,10 @@ std::string ShownName(const std::string& name);
 // kRefuse outlines that cross are not. Throws BadVectors.
 RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, Crossings crossings);
 
+// Warnings of properties that polygons have in vain: their names are near one that has an effect (property_names.h),
+// which the polygon does not have. One warning for each name, with the first polygon.
+std::vector<std::string> NearMisses(OGRLayer& layer, const std::string& prefix);
+
 // All polygons as one. Throws BadVectors if there is a line, or no polygon.
 VectorFeature Unite(const std::vector<VectorFeature>& features);
 

@@ -85,7 +85,11 @@ void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string&
   auto [features, warnings] = RawFeaturesOf(layer, prefix, request.unite ? Crossings::kRefuse : Crossings::kRepair);
   if (request.features >= 0 && std::ssize(features) != request.features)
     throw BadVectors{"not all members of \"features\" are Features"};
-  if (request.unite) features = {Unite(features)};
+  if (request.unite) {
+    features = {Unite(features)};
+  } else {
+    for (std::string& warning : NearMisses(layer, prefix)) warnings.push_back(std::move(warning));
+  }
   if (features.empty()) return;
   file.warnings.insert(file.warnings.end(), warnings.begin(), warnings.end());
   file.coordinates = PlaceInScene(request.frame, CrsOf(layer, request), features, file.warnings);

@@ -25,6 +25,9 @@ std::string SqueezedTo(std::string_view text, size_t columns);
 // `text` or, if it has more than `most` bytes (at least 5), its two ends with " ... " between them.
 std::string Shortened(std::string_view text, size_t most);
 
+// How many characters (bytes) have to be put in, taken out or changed to make `b` of `a`. Cost O(|a| |b|).
+size_t EditDistance(std::string_view a, std::string_view b);
+
 // `text` as one line of UTF-8: control characters (C1 and marks of direction too) and bytes that are no
 // UTF-8 become \xNN.
 std::string Printable(std::string_view text);

@@ -14,6 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
+using ::testing::UnorderedElementsAre;
 
 const std::string kSquare = PolygonText(SquareAt(0, 0, 4));  // NOLINT(cert-err58-cpp)
 
@@ -43,6 +44,21 @@ TEST(RawFeaturesTest, FeaturesKeepTheirOrderAndSayWhatTheyAre) {
   EXPECT_EQ(file->areas[2].level, std::nullopt);
   EXPECT_EQ(file->areas[2].label, "feature 2 (Pond)");
   EXPECT_EQ(file->areas[3].level, -3);
+}
+
+TEST(RawFeaturesTest, PropertiesThatAreNearKnownOnesAreTold) {
+  const std::string line = FeatureText(LineText({{1, 1}, {3, 3}}), R"({"elevation": 5})");
+  const auto file = ParseWaterFile(
+      CollectionText(
+          {FeatureText(kSquare, R"({"layer": "lakes", "Water": true})"), FeatureText(kSquare, R"({"watr": false})"),
+           FeatureText(kSquare, R"({"name": "Pond", "level": 11.5})"), FeatureText(kSquare, R"({"level": 3})"),
+           FeatureText(kSquare, R"({"level": 3, "level_m": 4})"), line}),
+      "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->warnings,
+              UnorderedElementsAre(
+                  "f: feature 1: property 'watr' has no effect; the name that has is 'water'",
+                  "f: feature 2 (Pond) and 1 more: property 'level' has no effect; the name that has is 'level_m'"));
 }
 
 TEST(RawFeaturesTest, LongNamesAreCut) {

@@ -66,6 +66,13 @@ TEST(SqueezedToTest, ShowsBothEndsAndNeverMoreColumns) {
   }
 }
 
+TEST(EditDistanceTest, CountsWhatIsPutInTakenOutOrChanged) {
+  EXPECT_EQ(EditDistance("water", "water"), 0U);
+  EXPECT_EQ(EditDistance("water", "watr"), 1U);
+  EXPECT_EQ(EditDistance("water", "layer"), 2U);
+  EXPECT_EQ(EditDistance("", "abc"), 3U);
+}
+
 TEST(ShortenedTest, ShowsBothEndsOfWhatIsLong) {
   EXPECT_EQ(Shortened("0123456789", 10), "0123456789");
   EXPECT_EQ(Shortened("0123456789abc", 10), "01 ... bc");

@@ -1,0 +1,20 @@
+// The properties of a polygon of water, and names that are likely meant for one of them.
+#ifndef TILEMEND_COMMON_GIS_PROPERTY_NAMES_H_
+#define TILEMEND_COMMON_GIS_PROPERTY_NAMES_H_
+
+#include <string_view>
+
+namespace tilemend {
+
+inline constexpr char kWaterProperty[] = "water";
+inline constexpr char kLevelProperty[] = "level_m";
+inline constexpr char kCentrelineProperty[] = "centreline";
+
+// The one of these that a property of another name is likely meant for, "" if none: the same letters but for case and
+// what is between them ("Centre Line"), other words for it ("elevation"), or one letter in four of it put in, taken out
+// or changed ("watr"). Files from a GIS have dozens of other properties: "layer" is not near "water".
+std::string_view PropertyMeantBy(std::string_view name);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_GIS_PROPERTY_NAMES_H_
