@@ -22,6 +22,7 @@ namespace {
 
 constexpr char kModule[] = "tilemend-gdal.so";
 constexpr std::string_view kSqlite("SQLite format 3\0", 16);
+constexpr double kLeastCentreline = 1;                                            // metres: a shorter one is a slip
 constexpr int kUtmCodes[][2] = {{32601, 32660}, {32701, 32760}, {25828, 25838}};  // EPSG, first and last
 
 struct Module {
@@ -135,6 +136,23 @@ absl::Status GiveCentreline(VectorFeature line, const std::string& name, WaterFi
   return absl::OkStatus();
 }
 
+double LengthOf(const std::vector<Point2>& line) {
+  double length = 0;
+  for (size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+  return length;
+}
+
+// Takes a centreline away that can have no effect.
+void DropIdleCentreline(const std::string& name, WaterArea& area, WaterFile& file) {
+  if (area.centreline.empty()) return;
+  const bool is_short = LengthOf(area.centreline) < kLeastCentreline;
+  if (!is_short && !area.level) return;
+  area.centreline.clear();
+  file.warnings.push_back(
+      absl::StrCat(name, ": ", area.label, ": its centreline has no effect, since ",
+                   is_short ? "it has no length" : "level_m is given as well, which makes the water level"));
+}
+
 }  // namespace
 
 SceneFrame FrameOf(const Scene& scene) {
@@ -191,6 +209,7 @@ absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::st
   for (VectorFeature& f : read.features) {
     if (!f.line.empty()) TILEMEND_RETURN_IF_ERROR(GiveCentreline(std::move(f), name, file));
   }
+  for (WaterArea& area : file.areas) DropIdleCentreline(name, area, file);
   return file;
 }
 

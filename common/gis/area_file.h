@@ -36,7 +36,8 @@ struct WaterFile {
 // Reads GeoJSON or a GeoPackage (vector_file.h has the details). A polygon is an area; it may have the properties
 // `water` (true, as without it, or false), `level_m` (a number) and `centreline` (a GeoJSON LineString or its
 // coordinates, or WKT, in the coordinates of the file). A LineString that is a feature of its own is the centreline of
-// the area of water that most of its points are in.
+// the area of water that most of its points are in. Centrelines of less than a metre and beside a level are dropped,
+// with a warning.
 //
 // kInvalidArgument with `name` and the place: what ReadVectors refuses, two centrelines for one area. kInternal if the
 // module with GDAL cannot be loaded. The first call of a process loads it (some 40 ms).

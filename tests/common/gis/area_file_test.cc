@@ -117,6 +117,22 @@ TEST(ParseWaterFileTest, AStrayCentrelineIsAWarning) {
   EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0: its property centreline lies outside its polygon")));
 }
 
+TEST(ParseWaterFileTest, ACentrelineWithoutEffectIsAWarning) {
+  const std::string square = PolygonText(SquareAt(0, 0, 10));
+  const std::pair<std::string, std::string> cases[] = {
+      {FeatureText(square, R"({"centreline":[[1,1],[1,1]]})"), "it has no length"},
+      {CollectionText({FeatureText(square), FeatureText(LineText({{2, 5}, {2.1, 5}, {2.2, 5}}))}), "it has no length"},
+      {FeatureText(square, R"({"level_m":9.2,"centreline":[[1,1],[9,9]]})"), "level_m is given as well"},
+      {CollectionText({FeatureText(square, R"({"level_m":9.2})"), FeatureText(LineText({{1, 5}, {9, 5}}))}),
+       "level_m is given as well"}};
+  for (const auto& [text, reason] : cases) {
+    const auto file = ParseWaterFile(text, "f", {});
+    ASSERT_TRUE(file.ok()) << file.status();
+    EXPECT_THAT(file->areas[0].centreline, IsEmpty()) << text;
+    EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0: its centreline has no effect, since " + reason)));
+  }
+}
+
 TEST(ParseWaterFileTest, AFileWithoutFeaturesIsAWarning) {
   const auto file = ParseWaterFile(CollectionText({}), "f", {});
   ASSERT_TRUE(file.ok()) << file.status();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <optional>
 #include <string>
 
 #include "common/gis/area_file.h"
@@ -15,6 +16,7 @@ namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 // A GeoPackage as a GIS writes it.
@@ -37,12 +39,13 @@ class Package {
     return layer;
   }
 
-  static void Add(OGRLayer* layer, const std::string& geojson, const char* name, bool water, double level) {
+  static void Add(OGRLayer* layer, const std::string& geojson, const char* name, bool water,
+                  std::optional<double> level) {
     OGRFeature feature(layer->GetLayerDefn());
     feature.SetGeometryDirectly(OGRGeometryFactory::createFromGeoJson(geojson.c_str()));
     feature.SetField("name", name);
     feature.SetField("water", water ? 1 : 0);
-    feature.SetField("level_m", level);
+    if (level) feature.SetField("level_m", *level);
     EXPECT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
   }
 
@@ -59,7 +62,8 @@ TEST(VectorFileTest, ReadsTheLayersOfAGeoPackage) {
     OGRLayer* const lakes = package.AddLayer("lakes", 25832);
     Package::Add(lakes, PolygonText(SquareAt(691100, 5334300, 100)), "Pond", true, 512);
     Package::Add(lakes, PolygonText(SquareAt(691400, 5334300, 100)), "Field", false, 0);
-    Package::Add(package.AddLayer("lines", 25832, wkbLineString), LineText({{691110, 5334310}, {691190, 5334390}}), "",
+    Package::Add(lakes, PolygonText(SquareAt(691700, 5334300, 100)), "River", true, std::nullopt);
+    Package::Add(package.AddLayer("lines", 25832, wkbLineString), LineText({{691710, 5334310}, {691790, 5334390}}), "",
                  true, 0);
     package.AddLayer("notes", 0, wkbNone);
   }
@@ -68,12 +72,13 @@ TEST(VectorFileTest, ReadsTheLayersOfAGeoPackage) {
   const auto file = ParseWaterFile(*bytes, "lakes.gpkg", kFrame);
   ASSERT_TRUE(file.ok()) << file.status();
   EXPECT_EQ(file->coordinates, "EPSG:25832");
-  ASSERT_THAT(file->areas, SizeIs(2));
+  ASSERT_THAT(file->areas, SizeIs(3));
   EXPECT_EQ(file->areas[0].label, "lakes, feature 1 (Pond)");
   EXPECT_EQ(file->areas[0].level, 12);
   EXPECT_TRUE(Contains(file->areas[0].polygon, {150, 350}));
-  EXPECT_THAT(file->areas[0].centreline, SizeIs(2));
   EXPECT_FALSE(file->areas[1].water);
+  EXPECT_THAT(file->areas[2].centreline, SizeIs(2));
+  EXPECT_THAT(file->warnings, IsEmpty());
   const std::string area = ParseAreaFile(*bytes, "lakes.gpkg", kFrame).status().ToString();
   EXPECT_THAT(area, HasSubstr("expected one layer of polygons"));
 }
