@@ -67,8 +67,20 @@ std::string NameOfCrs(const nlohmann::json& crs) {
   return code != properties->end() && code->is_number_integer() ? absl::StrCat("EPSG:", code->get<int64_t>()) : "";
 }
 
+// Whether a text begins as JSON does that holds more than one value.
+bool LooksLikeJson(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos || text[first] == '{' || text[first] == '[';
+}
+
 // What JSON tells that GDAL does not.
 absl::Status LookIntoJson(VectorRequest& request) {
+  if (!LooksLikeJson(request.bytes)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(request.name, ": neither GeoJSON nor GeoPackage, and no other format is read; to convert it: ",
+                     "ogr2ogr polygons.gpkg ", request.name));
+  }
   TILEMEND_ASSIGN_OR_RETURN(const nlohmann::json json, ParseJson(std::string(request.bytes), request.name));
   if (!json.is_object()) return absl::InvalidArgumentError(absl::StrCat(request.name, ": GeoJSON: expected an object"));
   const auto crs = json.find("crs");

@@ -167,6 +167,21 @@ TEST(ParseWaterFileTest, BrokenJsonIsToldWithItsPlace) {
   }
 }
 
+TEST(ParseWaterFileTest, OtherFormatsAreToldHowToConvertThem) {
+  const std::string shapefile("\0\0\x27\x0a\0\0\0\0", 8);
+  for (const std::string& bytes :
+       {shapefile, std::string("<?xml version=\"1.0\"?><kml/>"), std::string("0\nSECTION\n")}) {
+    for (const absl::Status& status :
+         {ParseWaterFile(bytes, "a.shp", {}).status(), ParseAreaFile(bytes, "a.shp", {}).status()}) {
+      EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+      EXPECT_EQ(status.message(),
+                "a.shp: neither GeoJSON nor GeoPackage, and no other format is read; to convert it: "
+                "ogr2ogr polygons.gpkg a.shp");
+    }
+  }
+  EXPECT_TRUE(ParseWaterFile("\xEF\xBB\xBF\n" + CollectionText({}), "f", {}).ok()) << "with a mark of the byte order";
+}
+
 TEST(ParseAreaFileTest, PolygonsAreUnitedWhereTheyOverlap) {
   const std::string text =
       CollectionText({FeatureText(PolygonText(SquareAt(0, 0, 10))), FeatureText(PolygonText(SquareAt(5, 0, 10))),
