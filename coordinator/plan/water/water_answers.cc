@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coordinator/plan/water/area_cover.h"
+#include "coordinator/plan/water/centreline.h"
 
 namespace tilemend {
 namespace {
@@ -14,6 +15,9 @@ namespace {
 constexpr double kDecides = 0.5;  // share of a body
 // Metres, and times the spread of its heights: a given level farther from the shore's own may be a mistake.
 constexpr double kLevelOff = 1, kSpreads = 3;
+constexpr double kStation = 25;  // metres: what is no longer is no reach of a river
+constexpr double kAlong = 0.5;   // of a river's length: a centreline that runs along less may run across it
+constexpr int kParts = 64;       // of a piece of centreline: each is in the area or not
 constexpr double kCovers = 0.9;  // share of what is made water by it that lies under an area
 
 // Holes that are one body if they are water: a cluster, or a closed hole.
@@ -62,6 +66,18 @@ std::string WhyNoWater(const Plan& plan, const Body& body) {
   return "the hole that it covers has no shore";
 }
 
+// How much of its centreline lies in an area.
+double LengthInside(const WaterArea& area) {
+  double length = 0;
+  for (size_t i = 1; i < area.centreline.size(); ++i) {
+    const Point2 &a = area.centreline[i - 1], step = (area.centreline[i] - a) / kParts;
+    for (int k = 0; k < kParts; ++k) {
+      if (Contains(area.polygon, a + (k + 0.5) * step)) length += step.norm();
+    }
+  }
+  return length;
+}
+
 class Answers {
  public:
   Answers(const std::vector<WaterArea>& areas, Plan& plan) : areas_(areas), plan_(plan), bodies_(BodiesOf(plan)) {
@@ -96,6 +112,7 @@ class Answers {
       answer.taken = !answer.holes.empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
       if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(answer);
+      if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(areas_[a], answer), answer);
       if (answer.water && under < kCovers * taken) AddDoubt(DoubtOfExtent(taken, under), answer);
       plan_.water_answers.push_back(std::move(answer));
     }
@@ -109,7 +126,7 @@ class Answers {
   }
 
   static void AddDoubt(const std::string& more, WaterAnswer& answer) {
-    answer.doubt += (answer.doubt.empty() ? "" : "; ") + more;
+    if (!more.empty()) answer.doubt += (answer.doubt.empty() ? "" : "; ") + more;
   }
 
   // A hole is water as a whole: it may reach from a lake over a tile that is missing into a river.
@@ -130,6 +147,30 @@ class Answers {
       doubt = "its level_m puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") + " its shore";
     }
     return doubt;
+  }
+
+  // The length of the bodies that are filled as the answer says.
+  double LengthOfWater(const WaterAnswer& answer) const {
+    double length = 0;
+    for (const Body& body : bodies_) {
+      if (std::ranges::find(answer.holes, body.holes.front()) == answer.holes.end()) continue;
+      for (const Centreline& line : FindCentrelines(body.boundary, kStation)) {
+        if (line.length > kStation) length += line.length;
+      }
+    }
+    return length;
+  }
+
+  std::string DoubtOfCentreline(const WaterArea& area, const WaterAnswer& answer) const {
+    const auto along = [&](int32_t h) {
+      return plan_.holes[h].water >= 0 && !plan_.water[plan_.holes[h].water].river.stations.empty();
+    };
+    if (std::ranges::none_of(answer.holes, along))
+      return "no level of the shore is known along its centreline, so the water is level";
+    const double water = LengthOfWater(answer), line = LengthInside(area);
+    if (line >= kAlong * water) return "";
+    return "its centreline runs along " + Number(line) + " m of " + Number(water) +
+           " m of water; it is to run from end to end";
   }
 
   // Why area `a` does not decide on a body; "" if it does.

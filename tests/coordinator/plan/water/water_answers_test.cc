@@ -115,6 +115,31 @@ TEST_F(WaterAnswersTest, TheLastAreaOverAHoleDecides) {
   EXPECT_TRUE(answers[1].taken);
 }
 
+TEST_F(WaterAnswersTest, DoubtsACentrelineThatDoesNotRunAlongTheWater) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 200, 20), 0).water = 0;
+  AddHole(HoleKind::kOpenI, Box(220, 0, 420, 20), 1).water = 0;
+  AddHole(HoleKind::kClosed, Box(100, 21, 102, 22)).water = 1;
+  plan_.water.resize(2);
+  plan_.water[0].river.stations = {{0, 10, 2}, {420, 10, 1}};
+  const std::pair<std::vector<Point2>, std::string> cases[] = {{{{5, 10}, {415, 10}}, ""},
+                                                               {{{-300, 10}, {230, 10}}, ""},
+                                                               {{{100, -400}, {100, 400}}, "runs along 25 m of 4"},
+                                                               {{{20, 10}, {120, 10}}, "runs along 100 m of 4"}};
+  for (const auto& [line, words] : cases) {
+    plan_.water_answers.clear();
+    const auto& answers = Answer({{true, {{Box(-2, -1, 422, 23)}}, {}, line}});
+    EXPECT_THAT(answers[0].doubt, HasSubstr(words));
+    EXPECT_EQ(answers[0].doubt.empty(), words.empty());
+  }
+}
+
+TEST_F(WaterAnswersTest, SaysWhereACentrelineMakesNoRiver) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 200, 20), 0).water = 0;
+  plan_.water.resize(1);
+  EXPECT_THAT(Answer({{true, {{Box(-2, -1, 202, 23)}}, {}, {{5, 10}, {195, 10}}}})[0].doubt,
+              HasSubstr("no level of the shore is known along its centreline"));
+}
+
 TEST_F(WaterAnswersTest, DoubtsALevelFarFromTheShore) {
   for (const auto& [level, word] :
        {std::pair(2.5, ""), {12.0, "9.5 m above its shore"}, {-3.0, "5.5 m below its shore"}, {3.0, ""}}) {
