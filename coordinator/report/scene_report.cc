@@ -159,9 +159,9 @@ Json WaterRows(const SceneReportInput& input) {
       cells.insert(input.plan->holes[h].cell);
     }
     if (holes.empty()) continue;
-    const PlannedHole& first = input.plan->holes[body.holes.front()];
+    const auto open = std::ranges::find_if(body.holes, [&](int32_t h) { return input.plan->holes[h].cluster >= 0; });
     Json row;
-    if (first.kind != HoleKind::kClosed) row["cluster"] = first.cluster;
+    if (open != body.holes.end()) row["cluster"] = input.plan->holes[*open].cluster;
     row.update({{"level_m", LevelJson(body)},
                 {"spread_m", Rounded(body.spread, 4)},
                 {"rim_m", {Rounded(body.lowest, 4), Rounded(body.highest, 4)}},

@@ -131,8 +131,8 @@ struct Seam {
   std::vector<int32_t> vertices;  // into Plan::vertices
 };
 
-// A body of water: a cluster of open holes, or a closed hole, that is filled flat; or a river, over one or more of
-// them.
+// A body of water: a cluster of open holes, or a closed hole, that is filled flat, or several under one area of the
+// user's; or a river, over one or more of them.
 struct WaterBody {
   std::vector<int32_t> holes;  // into Plan::holes, ascending
   double level = 0;            // metres, on the lattice; of a river at its lower end

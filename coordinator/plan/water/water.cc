@@ -305,6 +305,32 @@ void MakeLevel(const Plan& plan, WaterBody& river) {
   river.removed_rises.clear();
 }
 
+// One polygon is one water: what it covers beside its largest lake becomes a part of that where their shores have the
+// same level, within what the rim of the largest tells. Marks those that are not bodies of their own any more.
+void JoinLakesOfAreas(const Plan& plan, double tolerance, std::vector<Candidate>& candidates,
+                      std::vector<bool>& is_part) {
+  std::map<const WaterArea*, size_t> largest;
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (is_part[i] || candidates[i].area == nullptr) continue;
+    size_t& at = largest.try_emplace(candidates[i].area, i).first->second;
+    if (AreaOf(plan, candidates[i]) > AreaOf(plan, candidates[at])) at = i;
+  }
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (is_part[i] || candidates[i].area == nullptr) continue;
+    const size_t at = largest.at(candidates[i].area);
+    const WaterBody& part = candidates[i].body;
+    WaterBody& lake = candidates[at].body;
+    const double off = std::abs(part.shore_level - lake.shore_level);
+    if (at == i || off > tolerance + std::min(tolerance, lake.spread)) continue;
+    is_part[i] = true;
+    lake.holes.insert(lake.holes.end(), part.holes.begin(), part.holes.end());
+    std::sort(lake.holes.begin(), lake.holes.end());
+    lake.rim_vertices += part.rim_vertices;
+    lake.lowest = std::min(lake.lowest, part.lowest);
+    lake.highest = std::max(lake.highest, part.highest);
+  }
+}
+
 }  // namespace
 
 void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) {
@@ -323,19 +349,20 @@ void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) 
     candidate_of.push_back(i);
   }
   std::vector<WaterBody> bodies;
-  std::vector<bool> in_river(candidates.size(), false);
+  std::vector<bool> is_part(candidates.size(), false);
   for (River& river : FindRivers(reaches, options.tolerance, options.profile.least_river)) {
     for (size_t& r : river.reaches) r = candidate_of[r];
     const size_t first = river.reaches[0];
     if (!river.given && river.reaches.size() == 1 && level[first]) continue;
     const bool large = AreaOf(plan, candidates[first]) >= options.profile.least_lake;
     const bool is_lake = !river.given && !river.falls && large;
-    for (const size_t r : river.reaches) in_river[r] = true;
+    for (const size_t r : river.reaches) is_part[r] = true;
     bodies.push_back(RiverBody(plan, candidates, std::move(river)));
     if (is_lake) MakeLevel(plan, bodies.back());
   }
+  JoinLakesOfAreas(plan, options.tolerance, candidates, is_part);
   for (size_t i = 0; i < candidates.size(); ++i) {
-    if (!in_river[i] && (level[i] || candidates[i].body.forced)) bodies.push_back(std::move(candidates[i].body));
+    if (!is_part[i] && (level[i] || candidates[i].body.forced)) bodies.push_back(std::move(candidates[i].body));
   }
   std::sort(bodies.begin(), bodies.end(),
             [](const WaterBody& a, const WaterBody& b) { return a.holes.front() < b.holes.front(); });

@@ -121,6 +121,12 @@ TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   EXPECT_EQ(report["water"][0]["decided_by"], "rim");
 }
 
+TEST_F(SceneReportTest, NamesTheClusterOfALakeThatAClosedHoleIsAPartOf) {
+  plan_.holes[0].water = plan_.holes[1].water = 0;
+  plan_.water = {{{0, 1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, true}};
+  EXPECT_EQ(Report()["water"][0]["cluster"], 0);
+}
+
 TEST_F(SceneReportTest, GivesHolesOfARiverTheLevelsOfItsEnds) {
   plan_.holes[1].water = 0;
   plan_.water.resize(1);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -273,6 +274,27 @@ TEST_P(WaterTest, EachLakeHasItsOwnLevel) {
   std::sort(levels.begin(), levels.end());
   EXPECT_NEAR(levels[0], 5, 0.02);
   EXPECT_NEAR(levels[1], 7, 0.02);
+}
+
+// Beside the lake a small hole in its shore, 4 cm higher, and a pond that is 2 m higher.
+TEST_P(WaterTest, OnePolygonIsOneLakeWhereShoresAgree) {
+  SceneMakerOptions scene = LakeOverNineCells(GetParam());
+  scene.ellipses = {{{50, 60}, {35, 40}}, {{91, 60}, {3, 3}}, {{107, 107}, {6, 6}}};
+  scene.terrain = [](double x, double y) {
+    if (x > 95 && y > 95) return kWaterLevel + 2;
+    return x > 86 ? kWaterLevel + 0.04 : kWaterLevel;
+  };
+  for (const std::optional<double> given : {std::optional<double>(), std::optional<double>(11.5)}) {
+    WaterOptions water;
+    water.areas = {{true, {{Box(0, 0, 120, 120)}}, given}};
+    const Plan plan = PlanOf(scene, water);
+    ASSERT_THAT(plan.water, SizeIs(2));
+    const size_t pond = plan.water[0].holes.size() < plan.water[1].holes.size() ? 0 : 1;
+    EXPECT_NEAR(plan.water[1 - pond].level, given.value_or(kWaterLevel), 0.03);
+    EXPECT_NEAR(plan.water[pond].level, given.value_or(kWaterLevel + 2), 0.02);
+    EXPECT_EQ(plan.water[0].holes.size() + plan.water[1].holes.size(), plan.holes.size());
+    EXPECT_TRUE(std::ranges::is_sorted(plan.water[1 - pond].holes));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cuts, WaterTest, ::testing::Values(Cut::kClipped, Cut::kRagged),
