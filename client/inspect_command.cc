@@ -24,6 +24,7 @@
 #include "common/util/text.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/area_proposal.h"
+#include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/tile_checks.h"

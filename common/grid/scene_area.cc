@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "common/grid/scene_sources.h"
 
 namespace tilemend {
@@ -106,8 +107,8 @@ absl::Status CheckNames(const Scene& scene) {
 }
 
 // Whether an area is of this scene: it covers cells of it, and does not add very many.
-absl::Status CheckReach(int64_t covered, int64_t added, int64_t cells) {
-  if (covered == 0) {
+absl::Status CheckReach(double covered, int64_t added, int64_t cells) {
+  if (covered <= 0) {
     return absl::InvalidArgumentError("the area covers no cell of the scene; are its coordinates those of this scene?");
   }
   if (added > kMostAdded + kMostAddedForTile * cells) {
@@ -117,6 +118,20 @@ absl::Status CheckReach(int64_t covered, int64_t added, int64_t cells) {
   return absl::OkStatus();
 }
 
+// `covered` and `cells` of the scene in squares.
+void WarnOfLittle(double covered, int64_t cells, int64_t slivers, Scene& scene) {
+  const double square = scene.grid.cell_size.prod(), all = static_cast<double>(cells);
+  if (covered < kLeastShare * all) {
+    scene.warnings.push_back(
+        absl::StrFormat("the area covers %.2f m2 of the %.0f m2 of the scene's cells: nothing else is filled",
+                        covered * square, all * square));
+  }
+  if (slivers > 0) {
+    scene.warnings.push_back(absl::StrCat("the area covers less than 1 % of ", slivers,
+                                          " squares of the grid without a tile: they stay outside"));
+  }
+}
+
 }  // namespace
 
 absl::Status CoverArea(PlanePolygon area, Scene& scene) {
@@ -124,12 +139,13 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
   if (!squares.ok()) return squares.status();
   std::set<CellId> missing, known;
   for (const SceneTile& tile : scene.tiles) known.insert(tile.cell);
-  int64_t over_scene = 0, whole = 0, slivers = 0;
+  double over_scene = 0;
+  int64_t whole = 0, slivers = 0;
   for (int32_t row = squares->from.row; row < squares->to.row; ++row) {
     const std::vector<double> shares = SharesOfRow(area, scene.grid, *squares, row);
     for (size_t c = 0; c < shares.size(); ++c) {
       const CellId cell{squares->from.col + static_cast<int32_t>(c), row};
-      over_scene += shares[c] > 0 && known.contains(cell);
+      over_scene += known.contains(cell) ? shares[c] : 0;
       whole += shares[c] >= kWhole;
       if (shares[c] <= 0 || known.contains(cell)) continue;
       if (shares[c] < kLeastShare) ++slivers;
@@ -150,10 +166,7 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
   ShiftNumbering({-low.col, -low.row}, scene);
   SortTiles(&scene.tiles);
   if (const absl::Status status = CheckNames(scene); !status.ok()) return status;
-  if (slivers > 0) {
-    scene.warnings.push_back(absl::StrCat("the area covers less than 1 % of ", slivers,
-                                          " squares of the grid without a tile: they stay outside"));
-  }
+  WarnOfLittle(over_scene, std::ssize(known), slivers, scene);
   if (whole < std::ssize(scene.tiles)) scene.area = std::move(area);
   scene.area_known = true;
   return absl::OkStatus();

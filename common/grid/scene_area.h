@@ -11,6 +11,7 @@ namespace tilemend {
 // covers become cells without surface. Squares that it covers by less than 1 % stay outside, since tiles that are
 // larger than their cells reach as far; a warning says so. Where it goes beyond the grid to the west or south, the
 // numbering is shifted, with a warning, so that no index is negative.
+// An area that covers less than 1 % of the scene's cells is a warning as well.
 // An area that covers all cells whole is just these cells: Scene::area is empty then.
 //
 // kInvalidArgument if it covers none of the scene's cells, adds more than 10,000 and 20 for each of them, or spans more

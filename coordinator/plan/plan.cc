@@ -219,6 +219,7 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   GridLines lines;
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
+  plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;

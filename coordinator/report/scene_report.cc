@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -13,13 +14,13 @@
 #include "common/records/filler.h"
 #include "common/util/version.h"
 #include "coordinator/report/left_open.h"
+#include "coordinator/report/plan_warnings.h"
 
 namespace tilemend {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kMostAnswers = 10;  // that are warnings: a file may have the waters of a country
 constexpr std::array<const char*, 4> kTypes = {"A", "B", "C", "D"};
 
 const char* SingleName(SingleType type) {
@@ -374,22 +375,6 @@ const char* BorderName(BorderKind kind) {
     default:
       return "open";
   }
-}
-
-std::vector<std::string> PlanWarnings(const Plan& plan) {
-  std::vector<std::string> warnings;
-  size_t not_taken = 0;
-  for (const WaterAnswer& answer : plan.water_answers) {
-    if (!answer.doubt.empty()) warnings.push_back(absl::StrFormat("--water: %s: %s", answer.label, answer.doubt));
-    if (answer.reason.empty() || ++not_taken > kMostAnswers) continue;
-    warnings.push_back(absl::StrFormat("--water: %s is %s: %s", answer.label,
-                                       answer.taken ? "taken for smaller holes only" : "not taken", answer.reason));
-  }
-  if (not_taken > kMostAnswers) {
-    warnings.push_back(absl::StrFormat("--water: %d of %d polygons are not taken; the report lists all (water_areas)",
-                                       not_taken, plan.water_answers.size()));
-  }
-  return warnings;
 }
 
 std::vector<std::string> WarningsOf(const SceneReportInput& input) {

@@ -34,9 +34,6 @@ struct SceneReportInput {
   int64_t tasks = 0, taken_over = 0;  // how many there were, and were taken over from an earlier job
 };
 
-// What the user should know of the plan, one line each.
-std::vector<std::string> PlanWarnings(const Plan& plan);
-
 // All that the report has: the input's own, those of the plan, and of patches that fold back.
 std::vector<std::string> WarningsOf(const SceneReportInput& input);
 

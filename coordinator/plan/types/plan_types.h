@@ -178,10 +178,11 @@ struct Plan {
   std::vector<LeftOpen> left;
   int32_t clusters = 0;
   int32_t layers = 0;
-  int32_t continuous = 0;   // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
-  int64_t outer_rims = 0;   // loops that are the outline of a detached piece, not a hole
-  double lattice_step = 0;  // power of two, metres
-  bool upright = true;      // as CellHoles
+  int32_t continuous = 0;    // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
+  int64_t outer_rims = 0;    // loops that are the outline of a detached piece, not a hole
+  double lattice_step = 0;   // power of two, metres
+  bool upright = true;       // as CellHoles
+  bool has_polygon = false;  // PlanInput::area is not empty
   // Per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole. Tiles of which none does
   // are not there.
   std::map<CellId, std::vector<int32_t>> vertex_of_boundary;

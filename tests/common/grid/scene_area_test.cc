@@ -57,6 +57,17 @@ TEST(CoverAreaTest, WhatItOnlyTouchesStaysOutside) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("less than 1 % of")));
 }
 
+TEST(CoverAreaTest, SaysHowLittleItCovers) {
+  for (const double width : {0.0001, 1.9, 2.1}) {
+    Scene scene = TwoCells();
+    ASSERT_TRUE(CoverArea(Box(50, 0, 50 + width, 100), scene).ok());
+    EXPECT_THAT(scene.warnings, SizeIs(width < 2 ? 1 : 0)) << width;
+    if (width < 1) {
+      EXPECT_THAT(scene.warnings[0], HasSubstr("covers 0.01 m2 of the 20000 m2 of the scene's cells"));
+    }
+  }
+}
+
 TEST(CoverAreaTest, BeyondTheGridsCornerTheNumberingIsShifted) {
   Scene scene = TwoCells();
   ASSERT_TRUE(CoverArea(Box(-150, 10, 190, 90), scene).ok());

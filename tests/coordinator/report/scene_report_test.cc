@@ -177,16 +177,6 @@ TEST_F(SceneReportTest, WarnsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
   EXPECT_EQ(Report()["per_hole"][0]["rim_crossed"], true);
 }
 
-TEST_F(SceneReportTest, WarnsOfTenAreasThatAreNotTakenAndCountsTheRest) {
-  plan_.water_answers.assign(25, {"feature", true, false, {}, "no hole lies under it"});
-  plan_.water_answers[3].taken = true;
-  plan_.water_answers[3].holes = {0};
-  plan_.water_answers[3].reason.clear();
-  const auto warnings = PlanWarnings(plan_);
-  ASSERT_EQ(warnings.size(), 11U);
-  EXPECT_THAT(warnings.back(), ::testing::HasSubstr("24 of 25 polygons are not taken"));
-}
-
 TEST_F(SceneReportTest, AnswersEveryAreaOfWater) {
   plan_.water = {{{1}, 12.5, {}, {}}};
   plan_.holes[1].water = 0;

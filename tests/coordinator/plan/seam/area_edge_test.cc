@@ -42,6 +42,14 @@ TEST(CutByAreaTest, LeavesNothingWhereTheSurfaceCoversThePolygon) {
   EXPECT_TRUE(cut.rim.surface_beyond);
 }
 
+TEST(CutByAreaTest, ThePlanKnowsThatThereIsAPolygon) {
+  const Plan plan = PlanIn(PictureScene(kBay, 8), {Box(1, 1, 3.5, 7)});
+  EXPECT_TRUE(plan.has_polygon);
+  EXPECT_THAT(plan.holes, testing::IsEmpty());
+  EXPECT_THAT(plan.left, testing::IsEmpty());
+  EXPECT_FALSE(PlanIn(PictureScene(kBay, 8), {}).has_polygon);
+}
+
 TEST(CutByAreaTest, ClosesABayAlongThePolygonAtVerticesOutsideIt) {
   const AreaCut cut = Cut(kBay, 8, {Box(1, 1, 5.5, 7)});
   EXPECT_THAT(cut.left, testing::IsEmpty());

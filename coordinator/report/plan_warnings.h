@@ -1,0 +1,17 @@
+// What the report and the command line warn of in a plan.
+#ifndef TILEMEND_COORDINATOR_REPORT_PLAN_WARNINGS_H_
+#define TILEMEND_COORDINATOR_REPORT_PLAN_WARNINGS_H_
+
+#include <string>
+#include <vector>
+
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+// What the user should know of the plan, one line each.
+std::vector<std::string> PlanWarnings(const Plan& plan);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_REPORT_PLAN_WARNINGS_H_
