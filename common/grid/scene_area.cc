@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/grid/scene_sources.h"
+#include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
@@ -152,9 +153,7 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
       if (shares[c] >= kLeastShare) missing.insert(cell);
     }
   }
-  if (const absl::Status status = CheckReach(over_scene, std::ssize(missing), std::ssize(known)); !status.ok()) {
-    return status;
-  }
+  TILEMEND_RETURN_IF_ERROR(CheckReach(over_scene, std::ssize(missing), std::ssize(known)));
   scene.area = {};
   CellId low{0, 0};
   for (const CellId cell : missing) {
@@ -165,7 +164,7 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
   }
   ShiftNumbering({-low.col, -low.row}, scene);
   SortTiles(&scene.tiles);
-  if (const absl::Status status = CheckNames(scene); !status.ok()) return status;
+  TILEMEND_RETURN_IF_ERROR(CheckNames(scene));
   WarnOfLittle(over_scene, std::ssize(known), slivers, scene);
   if (whole < std::ssize(scene.tiles)) scene.area = std::move(area);
   scene.area_known = true;

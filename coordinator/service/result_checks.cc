@@ -122,7 +122,7 @@ absl::Status Changed(const std::string& path) {
 
 // That a survey need not be made again.
 absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutput& output, TileCheck how) {
-  const absl::Status changed = Changed(PathOf(input.tile()));
+  absl::Status changed = Changed(PathOf(input.tile()));
   if (!input.has_known() || output.digest() != input.known().digest()) return Wrong("another tile than is known");
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
   if (bytes != input.known().bytes()) return changed;

@@ -21,7 +21,7 @@ AreaCut Cut(const Picture& picture, int32_t squares, const std::vector<Ring>& ri
   return CutByArea(s.Site(), s.input);
 }
 
-Plan PlanIn(SurveyedScene scene, const std::vector<Ring>& rings) {
+Plan PlanIn(const SurveyedScene& scene, const std::vector<Ring>& rings) {
   PlanInput input = scene.Input();
   input.area.rings = rings;
   return MakePlan(input, {});
