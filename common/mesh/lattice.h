@@ -29,8 +29,9 @@ int InCircle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d);
 // A square window of the plane, cut into at most 2^28 steps of a power-of-two size.
 class LatticeWindow {
  public:
-  // The finest window that holds the box [lo, hi], grown by 1/16 of its larger side. lo <= hi. The window depends on the
-  // box alone, so equal boxes give equal lattices; of a box that is 2^k times as large the step is 2^k times as long.
+  // The finest window that holds the box [lo, hi], grown by 1/16 of its larger side. lo <= hi. The window depends on
+  // the box alone, so equal boxes give equal lattices; of a box that is 2^k times as large the step is 2^k times as
+  // long.
   LatticeWindow(const Point2& lo, const Point2& hi);
 
   double step() const { return step_; }

@@ -2,8 +2,8 @@
 // every hole filled and counted, outputs refused, interrupted and completed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>

@@ -6,7 +6,7 @@
 
 namespace tilemend {
 
-PipelineFactory ScenePipelineFactory(std::string, TileCheck) { return ToyPipelineFactory(); }
+PipelineFactory ScenePipelineFactory(std::string, TileCheck) { return ToyPipelineFactory(); }  // NOLINT: as declared
 
 ResultCheck SceneResultCheck(TileCheck) { return {}; }
 
