@@ -46,13 +46,31 @@ bool RunsAlongACell(const AlongLine& edge, const GridLines& lines) {
   });
 }
 
-// The ring with edges on a line between two cells a hair inside: on the line they would be the border of a tile.
+// Whether a line of the grid runs there, within a hair.
+bool IsOnGridLine(double coordinate, int axis, const GridLines& lines) {
+  return std::any_of(lines.coordinate.begin(), lines.coordinate.end(), [&](const auto& cell) {
+    return std::abs(cell.second[2 * axis] - coordinate) <= kOnLine ||
+           std::abs(cell.second[2 * axis + 1] - coordinate) <= kOnLine;
+  });
+}
+
+// How far a corner is to go off a line that it touches, and the ring does not pass there.
+double OffTouchedLine(const Point2& before, const Point2& corner, const Point2& after, int axis, double off,
+                      const GridLines& lines) {
+  const double to_before = before[axis] - corner[axis], to_after = after[axis] - corner[axis];
+  const bool touches = std::min(std::abs(to_before), std::abs(to_after)) > kOnLine && to_before * to_after > 0;
+  return touches && IsOnGridLine(corner[axis], axis, lines) ? std::copysign(off, to_before) : 0;
+}
+
+// The ring with edges on a line between two cells, and corners that touch a line, a hair beside it: on the line they
+// would be the border of a tile.
 Ring OffGridLines(const Ring& ring, const SeamSite& site) {
   const double off = kOff * std::max(kOnLine, site.lattice_step);
   Ring moved = ring;
   for (size_t i = 0; i < ring.size(); ++i) {
-    const size_t k = (i + 1) % ring.size();
+    const size_t k = (i + 1) % ring.size(), h = (i + ring.size() - 1) % ring.size();
     for (const int axis : {0, 1}) {
+      moved[i][axis] += OffTouchedLine(ring[h], ring[i], ring[k], axis, off, site.lines);
       if (std::abs(ring[i][axis] - ring[k][axis]) > kOnLine) continue;
       const AlongLine edge = AlongLineOf(ring[i], ring[k], axis);
       if (RunsAlongACell(edge, site.lines)) moved[i][axis] = moved[k][axis] = edge.line + edge.inside * off;

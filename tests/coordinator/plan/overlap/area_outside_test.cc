@@ -82,5 +82,16 @@ TEST(SpacedRingsTest, KeepOffLinesBetweenCells) {
   EXPECT_EQ(std::ranges::max(rings[0], {}, x).x(), 8);
 }
 
+TEST(SpacedRingsTest, KeepCornersOffLinesThatTheyTouch) {
+  SeamScene s({"########", "#......#", "#......#", "########"}, 4);
+  s.input.area.rings = {{{4, 2}, {7, 1}, {7, 3}}};
+  const std::vector<Ring> touching = SpacedRings(s.Site(), s.input);
+  const auto x = [](const Point2& p) { return p.x(); };
+  EXPECT_DOUBLE_EQ(std::ranges::min(touching[0], {}, x).x(), RoundedToLattice(4.002, kStep));
+  s.input.area.rings = {{{4, 1}, {7, 2}, {4, 3}, {1, 2}}};
+  const std::vector<Ring> passing = SpacedRings(s.Site(), s.input);
+  EXPECT_EQ(std::ranges::count(passing[0], 4, x), 2) << "corners where the ring passes the line";
+}
+
 }  // namespace
 }  // namespace tilemend
