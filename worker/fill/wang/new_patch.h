@@ -21,8 +21,8 @@ struct NewPatch {
   std::vector<Triangle> triangles;
   std::vector<std::pair<int32_t, int32_t>> fixed_edges;  // inside; each with its lower end first, sorted
   bool projects = true;
-  // Where the hole projects, refinement makes no triangle flatter on the plane than so many metres: what is flatter could
-  // turn over where the output rounds.
+  // Where the hole projects, refinement makes no triangle flatter on the plane than so many metres: what is flatter
+  // could turn over where the output rounds.
   double least_height = 0;
   bool spreads = false;  // points that refinement adds in one round keep their sizes apart
   // Of points of the rim: StripsBeside. A triangle whose corners have one in common is left as it is, so that two tiles
