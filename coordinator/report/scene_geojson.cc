@@ -11,10 +11,10 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_split.h"
+#include "common/mesh/winding/simple_rings.h"
 #include "common/records/water_surface.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/ring_chains.h"
-#include "coordinator/report/simple_rings.h"
 
 namespace tilemend {
 namespace {

@@ -111,22 +111,41 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, WaterSurfaceTest,
                                   (std::string(std::get<1>(test.param)) == "wang" ? "Wang" : "ThinPlate");
                          });
 
-class AreaOnGridLineTest : public WaterRunTest, public ::testing::WithParamInterface<Cut> {};
-
-// The cells have 40 m.
-TEST_P(AreaOnGridLineTest, ALakeThatItCutsKeepsItsLevel) {
-  const std::string scene = WriteMade(LakeOverNineCells(GetParam()), folder_ / "scene"), out = folder_ / "out";
-  for (const char* area : {"[[0,40],[120,40],[120,120],[0,120],[0,40]]", "[[0,0],[80,0],[80,120],[0,120],[0,0]]",
-                           "[[0,40],[40,40],[40,0],[120,0],[120,120],[0,120],[0,40]]"}) {
-    const std::string text = absl::StrCat(R"({"type": "Polygon", "coordinates": [)", area, "]}");
+class AreaOnGridLineTest : public WaterRunTest {
+ protected:
+  // The lake in the area, whose polygon has these coordinates, has its level all over.
+  void ExpectFlat(const std::string& scene, const std::string& area) {
+    const std::string text = absl::StrCat(R"({"type": "Polygon", "coordinates": )", area, "}"), out = folder_ / "out";
     const Json report = Run(scene, out, {"--overwrite", "--area", folder_.Write("area.geojson", text)});
     ASSERT_THAT(report["water"], SizeIs(Gt(0))) << area;
     for (const Json& hole : report["per_hole"]) EXPECT_EQ(hole["method"], "water") << area;
     EXPECT_THAT(HeightsOfNewVertices(scene, out), AllOf(SizeIs(Gt(20)), Each(DoubleNear(kWaterLevel, 0.05)))) << area;
   }
+};
+class AreaOnGridLineOfCutTest : public AreaOnGridLineTest, public ::testing::WithParamInterface<Cut> {};
+
+// The cells have 40 m.
+TEST_P(AreaOnGridLineOfCutTest, ALakeThatItCutsKeepsItsLevel) {
+  const std::string scene = WriteMade(LakeOverNineCells(GetParam()), folder_ / "scene");
+  for (const char* area : {"[[0,40],[120,40],[120,120],[0,120],[0,40]]", "[[0,0],[80,0],[80,120],[0,120],[0,0]]",
+                           "[[0,40],[40,40],[40,0],[120,0],[120,120],[0,120],[0,40]]",
+                           // Across a line at a small angle.
+                           "[[0,39.999],[120,40.001],[120,120],[0,120],[0,39.999]]",
+                           "[[0,40.0004],[40.0004,40],[40,0],[120,0],[120,120],[0,120],[0,40.0004]]"}) {
+    ExpectFlat(scene, absl::StrCat("[", area, "]"));
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cuts, AreaOnGridLineTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
+// On other cuts a hole is filled over such a part.
+TEST_F(AreaOnGridLineTest, WhatItLeavesOutMayMeetAtACornerOfTheGrid) {
+  const std::string scene = WriteMade(LakeOverNineCells(Cut::kOverlap), folder_ / "scene");
+  for (const char* rings : {"[[30,30],[40,30],[40,40],[30,40],[30,30]],[[40,40],[50,40],[50,50],[40,50],[40,40]]",
+                            "[[40,40],[80,40],[80,80],[40,80],[40,40]],[[80,80],[90,80],[90,90],[80,90],[80,80]]"}) {
+    ExpectFlat(scene, absl::StrCat("[[[0,0],[120,0],[120,120],[0,120],[0,0]],", rings, "]"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, AreaOnGridLineOfCutTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
                          [](const auto& test) { return NameOf(test.param); });
 
 TEST_F(WaterRunTest, OffAndAreasDecide) {

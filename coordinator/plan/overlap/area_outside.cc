@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/mesh/rounding.h"
+#include "common/mesh/winding/simple_rings.h"
 #include "coordinator/plan/seam/area_ring.h"
 #include "coordinator/plan/types/cell_side.h"
 
@@ -62,8 +63,8 @@ double OffTouchedLine(const Point2& before, const Point2& corner, const Point2& 
   return touches && IsOnGridLine(corner[axis], axis, lines) ? std::copysign(off, to_before) : 0;
 }
 
-// The ring with edges on a line between two cells, and corners that touch a line, a hair beside it: on the line they
-// would be the border of a tile.
+// The ring with edges on a line between two cells, and corners that touch a line, a hair beside it: on the line there
+// are vertices of the clipped tiles, too.
 Ring OffGridLines(const Ring& ring, const SeamSite& site) {
   const double off = kOff * std::max(kOnLine, site.lattice_step);
   Ring moved = ring;
@@ -77,6 +78,18 @@ Ring OffGridLines(const Ring& ring, const SeamSite& site) {
     }
   }
   return moved;
+}
+
+// The area's rings off the grid lines. Where two met on a line they cross when they have left it, and are united.
+std::vector<Ring> RingsOffGridLines(const SeamSite& site, const PlanePolygon& area) {
+  const std::vector<Ring> rings = OrientedRings(area);
+  std::vector<Ring> off;
+  for (const Ring& ring : rings) off.push_back(OffGridLines(ring, site));
+  if (off == rings) return rings;
+  for (Ring& ring : off) std::reverse(ring.begin(), ring.end());
+  off = SimpleRings(off, Wound::kLeft);
+  for (Ring& ring : off) std::reverse(ring.begin(), ring.end());
+  return off;
 }
 
 // What of a ring lies inside one side of a box; along the side it closes (Sutherland and Hodgman 1974).
@@ -131,9 +144,9 @@ bool IsWholeBox(const Ring& ring, const std::array<double, 4>& box) {
 std::vector<Ring> SpacedRings(const SeamSite& site, const PlanInput& input) {
   const RingSpacer spacer(site);
   std::vector<Ring> rings;
-  for (const Ring& ring : OrientedRings(input.area)) {
+  for (const Ring& ring : RingsOffGridLines(site, input.area)) {
     Ring& spaced = rings.emplace_back();
-    for (const RingVertex& v : spacer.Along(Closed(OffGridLines(ring, site)))) spaced.push_back(v.position);
+    for (const RingVertex& v : spacer.Along(Closed(ring))) spaced.push_back(v.position);
     if (spaced.size() < 3) rings.pop_back();
   }
   return rings;

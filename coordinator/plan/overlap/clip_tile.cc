@@ -36,6 +36,7 @@ class Clipper {
     }
     AddHeights();
     AddRegion(region);
+    AddSidesOfTile();
     return std::move(result_);
   }
 
@@ -83,6 +84,7 @@ class Clipper {
     for (const BoundaryEdge& e : record_.edges) result_.cut.push_back(leaving.contains(group_[e.from]));
   }
 
+  // Of the edges that were cut.
   WoundRegion Region() {
     cut_edges_.clear();
     std::vector<DirectedEdge> edges;
@@ -94,6 +96,28 @@ class Clipper {
     const auto own = static_cast<int32_t>(record_.vertices.size());
     for (const DirectedEdge& e : outside_.edges) edges.push_back({e.from + own, e.to + own});
     return FindWoundRegion(points_, edges, Box());
+  }
+
+  void AddSidesOfTile() {
+    if (outside_.empty()) {
+      for (SideCover& side : result_.sides) side.of_tile = side.step;
+      return;
+    }
+    std::vector<DirectedEdge> edges;
+    for (const int32_t e : cut_edges_) edges.push_back({record_.edges[e].from, record_.edges[e].to});
+    const WoundRegion region = FindWoundRegion(points_, edges, Box());
+    for (const DirectedEdge& s : region.segments) AddToSide(region, s, &SideCover::of_tile);
+  }
+
+  // Whether the segment lies on a side. Against the way around the square it takes away what another adds: a hole that
+  // only touches there what lies beyond.
+  bool AddToSide(const WoundRegion& region, const DirectedEdge& s, std::map<double, int> SideCover::*steps) {
+    const int side = CommonSide(region, s);
+    if (side < 0) return false;
+    const int axis = 1 - AxisOf(static_cast<Side>(side)), turn = TurnOf(static_cast<Side>(side));
+    (result_.sides[side].*steps)[window_.ToMetres(Place(region, s.from))[axis]] += turn;
+    (result_.sides[side].*steps)[window_.ToMetres(Place(region, s.to))[axis]] -= turn;
+    return true;
   }
 
   // Islands of surface that lie, in part at least, where the region has none are cut as well.
@@ -165,16 +189,9 @@ class Clipper {
     }
     if (std::abs(area) < kSliver) return;
     for (const DirectedEdge& s : loop) {
-      const int side = CommonSide(region, s);
-      if (side < 0) {
-        const int32_t from = VertexOf(region, s.from), to = VertexOf(region, s.to);
-        AddInner({from, to}, IsOnOutside(region, s.from) && IsOnOutside(region, s.to));
-        continue;
-      }
-      const int axis = 1 - AxisOf(static_cast<Side>(side));
-      const double a = window_.ToMetres(Place(region, s.from))[axis], b = window_.ToMetres(Place(region, s.to))[axis];
-      ++result_.sides[side].step[std::min(a, b)];
-      --result_.sides[side].step[std::max(a, b)];
+      if (AddToSide(region, s, &SideCover::step)) continue;
+      const int32_t from = VertexOf(region, s.from), to = VertexOf(region, s.to);
+      AddInner({from, to}, IsOnOutside(region, s.from) && IsOnOutside(region, s.to));
     }
   }
 
@@ -190,6 +207,7 @@ class Clipper {
     const auto own = static_cast<int32_t>(points_.size());
     if (v < own) return IsNew(v);
     const std::vector<int32_t>& through = region.corners[v - own].through;
+    if (through.empty()) return outside_.Contains(window_.ToMetres(Place(region, v)));  // a corner of the square
     return std::any_of(through.begin(), through.end(), [&](int32_t s) { return s >= std::ssize(cut_edges_); });
   }
 
@@ -234,8 +252,10 @@ class Clipper {
       vertex.position.z() = std::min(vertex.position.z(), a.z() + share * (b.z() - a.z()));
       vertex.through.push_back(cut_edges_[s]);
     }
-    if (vertex.through.empty())
-      vertex.position.z() = NearestHeight(place);  // the boundary touches a corner of the square
+    if (vertex.through.empty()) {
+      vertex.outside = !corner.through.empty() || outside_.Contains(place);
+      vertex.position.z() = vertex.outside ? 0 : NearestHeight(place);  // the boundary touches a corner of the square
+    }
     vertex.length = ShortestOf(vertex.through);
     return vertex;
   }

@@ -29,11 +29,13 @@ struct ClipVertex {
   Point3 position{0, 0, 0};
   std::vector<int32_t> through;  // into SurveyRecord::edges: those that pass there; none at a corner of the square
   double length = 0;             // of the shortest of them, seen from above
+  bool outside = false;          // of what is outside the area alone, without a height
 };
 
 // What lies on one side of the square.
 struct SideCover {
   std::map<double, int> step;       // along the side: how much more surface there is from here on
+  std::map<double, int> of_tile;    // the same of the tile's surface alone, without what is outside the area
   std::map<double, double> height;  // of the tile's own vertices beyond the side, by where they are along it
 };
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <utility>
 
 #include "common/mesh/rounding.h"
+#include "coordinator/plan/overlap/line_runs.h"
 #include "coordinator/plan/overlap/piece_outlines.h"
 #include "coordinator/plan/overlap/tile_in_area.h"
 #include "coordinator/plan/rim/rim.h"
@@ -25,14 +25,6 @@ constexpr double kSamePlace = 0.3;
 Border BorderOf(CellId cell, Side side) {
   return OutwardOf(side) > 0 ? Border{cell, Across(cell, side)} : Border{Across(cell, side), cell};
 }
-
-// Which way along a side its cell lies on the left: +1 towards larger coordinates.
-int TurnOf(Side side) { return side == kEast || side == kSouth ? 1 : -1; }
-
-// A vertex on a grid line.
-struct LineVertex {
-  double t = 0, height = 0;
-};
 
 // Where the surface of a tile begins or ends along a line.
 struct OwnedEnd {
@@ -58,7 +50,10 @@ class Joiner {
       for (const Side s : kSides) borders.insert(BorderOf(cell, s));
     }
     for (const Border& border : borders) MergeNearEnds(border);
-    for (auto& [cell, clipped] : clipped_) MakeRecord(cell, clipped);
+    for (auto& [cell, clipped] : clipped_) {
+      FindAreaEnds(cell, clipped);
+      MakeRecord(cell, clipped);
+    }
     for (const Border& border : borders) AddBorder(border);
     for (auto& [cell, record] : joint_.records) joint_.input.cells[cell] = &record;
   }
@@ -148,6 +143,20 @@ class Joiner {
     }
   }
 
+  // Where the edge of the area ends in the clipped boundary, or goes on beside it.
+  void FindAreaEnds(CellId cell, const ClippedTile& clipped) {
+    const std::vector<BoundaryVertex>& vertices = joint_.own.at(cell)->vertices;
+    for (size_t i = 0; i < clipped.inner.size(); ++i) {
+      if (!clipped.on_area_edge[i]) continue;
+      for (const int32_t v : {clipped.inner[i].from, clipped.inner[i].to}) {
+        const int32_t of_clip = v - static_cast<int32_t>(vertices.size());
+        if (of_clip >= 0 ? !clipped.vertices[of_clip].outside : vertices[v].index >= 0) continue;
+        const Point3& p = of_clip >= 0 ? clipped.vertices[of_clip].position : vertices[v].position;
+        for (const int axis : {0, 1}) area_ends_[{axis, p[axis]}].insert(p[1 - axis]);
+      }
+    }
+  }
+
   void MakeRecord(CellId cell, const ClippedTile& clipped) {
     const SurveyRecord& own = *joint_.own.at(cell);
     SurveyRecord& record = joint_.records[cell];
@@ -157,17 +166,17 @@ class Joiner {
     record.lo = own.lo, record.hi = own.hi;
     record.vertices = own.vertices;
     joint_.edges_through[cell];
-    for (const ClipVertex& v : clipped.vertices) AddVertex(cell, v.position, v.through);
+    for (const ClipVertex& v : clipped.vertices) AddVertex(cell, v.position, v.through, v.outside);
     for (size_t i = 0; i < clipped.inner.size(); ++i) {
       record.edges.push_back({clipped.inner[i].from, clipped.inner[i].to, clipped.on_area_edge[i] ? kAreaPiece : 0});
     }
   }
 
-  int32_t AddVertex(CellId cell, const Point3& position, std::vector<int32_t> through) {
+  int32_t AddVertex(CellId cell, const Point3& position, std::vector<int32_t> through, bool outside) {
     SurveyRecord& record = joint_.records.at(cell);
     std::vector<std::vector<int32_t>>& edges = joint_.edges_through.at(cell);
     BoundaryVertex vertex;
-    vertex.index = static_cast<int32_t>(record.vertex_count) + static_cast<int32_t>(edges.size());
+    vertex.index = outside ? -1 : static_cast<int32_t>(record.vertex_count) + static_cast<int32_t>(edges.size());
     vertex.position = position;
     vertex.centroid_height = position.z();
     record.vertices.push_back(vertex);
@@ -180,7 +189,7 @@ class Joiner {
     position[AxisOf(side)] = joint_.squares.at(cell).side[side];
     position[1 - AxisOf(side)] = v.t;
     position.z() = v.height;
-    return AddVertex(cell, position, {});
+    return AddVertex(cell, position, {}, !v.on_surface);
   }
 
   static CellId TileOf(const Border& border, int tile) { return tile == 0 ? border.first : border.second; }
@@ -229,103 +238,78 @@ class Joiner {
     const Side side = SideOf(border, end.tile);
     end.vertex->position[1 - AxisOf(side)] = place.t;
     end.vertex->position.z() = place.height;
-    std::map<double, int>& step = ClippedOf(border, end.tile)->sides[side].step;
-    const int more = step.at(end.t);
-    step.erase(end.t);
-    step[place.t] += more;
+    SideCover& cover = ClippedOf(border, end.tile)->sides[side];
+    for (std::map<double, int>* steps : {&cover.step, &cover.of_tile}) {
+      if (const auto moved = steps->extract(end.t)) (*steps)[place.t] += moved.mapped();
+    }
   }
 
-  // What one tile has along a line.
-  struct Coverage {
-    std::map<double, int> step;         // how much more surface there is from here on
-    std::map<double, double> height;    // of its own vertices beyond the line
-    std::map<double, double> crossing;  // of the vertices of its clipped boundary on the line
-  };
-
-  Coverage CoverageOf(const Border& border, int tile) {
+  LineCover CoverOf(const Border& border, int tile) {
+    LineCover cover;
+    cover.in_scene = input_.cells.contains(TileOf(border, tile));
     const ClippedTile* clipped = ClippedOf(border, tile);
-    if (clipped == nullptr) return {};
+    if (clipped == nullptr) return cover;
     const Side side = SideOf(border, tile);
-    Coverage coverage{clipped->sides[side].step, clipped->sides[side].height, {}};
+    const SideCover& sides = clipped->sides[side];
+    cover.step = sides.step, cover.of_tile = sides.of_tile, cover.height = sides.height;
     const double line = joint_.squares.at(TileOf(border, tile)).side[side];
     for (const ClipVertex& v : clipped->vertices) {
-      if (v.position[AxisOf(side)] == line) coverage.crossing.emplace(v.position[1 - AxisOf(side)], v.position.z());
+      if (v.position[AxisOf(side)] != line) continue;
+      const double t = v.position[1 - AxisOf(side)];
+      if (v.outside) {
+        cover.outside.insert(t);
+      } else {
+        cover.crossing.emplace(t, v.position.z());
+      }
     }
     for (const BoundaryVertex& v : joint_.own.at(TileOf(border, tile))->vertices) {
-      if (v.index < 0 && v.position[AxisOf(side)] == line) coverage.crossing[v.position[1 - AxisOf(side)]] = 0;
+      if (v.index < 0 && v.position[AxisOf(side)] == line) cover.outside.insert(v.position[1 - AxisOf(side)]);
     }
-    return coverage;
+    return cover;
+  }
+
+  // The ends of the area's edge on a side, and the side's own: at a grid corner the height is that of all tiles in the
+  // mean.
+  std::map<double, LineVertex> FixedOn(CellId cell, Side side) const {
+    std::map<double, LineVertex> fixed;
+    const ClipSquare& square = joint_.squares.at(cell);
+    const Side low = AxisOf(side) == 0 ? kSouth : kWest;
+    for (const Side end : {low, Opposite(low)}) {
+      const double t = square.side[end];
+      const auto it = corner_height_.find(
+          CornerOf(cell, AxisOf(side) == 0 ? std::array<Side, 2>{side, end} : std::array<Side, 2>{end, side}));
+      if (it != corner_height_.end()) {
+        fixed[t] = {t, it->second.first / it->second.second};
+      } else if (!area_rings_.empty()) {
+        fixed[t] = {t, 0, false};
+      }
+    }
+    const auto ends = area_ends_.find({AxisOf(side), square.side[side]});
+    if (ends == area_ends_.end()) return fixed;
+    const auto last = ends->second.upper_bound(square.side[low + 1]);
+    for (auto t = ends->second.lower_bound(square.side[low]); t != last; ++t) fixed[*t] = {*t, 0, false};
+    return fixed;
   }
 
   // The stretches of a line where one tile has surface and the other has not are edges of the one that has.
   void AddBorder(const Border& border) {
-    const Coverage of[2] = {CoverageOf(border, 0), CoverageOf(border, 1)};
-    std::set<double> places;  // along the line
-    for (const Coverage& c : of) {
-      for (const auto& [t, step] : c.step) places.insert(t);
-      for (const auto& [t, height] : c.height) places.insert(t);
-      for (const auto& [t, height] : c.crossing) places.insert(t);
-    }
-    std::vector<LineVertex> run;
-    int surface[2] = {0, 0}, owner = -1;
-    for (const double t : places) {
-      for (const int k : {0, 1}) {
-        if (const auto it = of[k].step.find(t); it != of[k].step.end()) surface[k] += it->second;
-      }
-      const int next = surface[0] > 0 && surface[1] <= 0 ? 0 : surface[1] > 0 && surface[0] <= 0 ? 1 : -1;
-      if (owner >= 0 && (next != owner || HasVertex(of[owner], t))) run.push_back(VertexAt(border, of, owner, t));
-      if (next == owner) continue;
-      if (owner >= 0) AddRun(border, owner, run);
-      owner = next;
-      run.clear();
-      if (owner >= 0) run.push_back(VertexAt(border, of, owner, t));
-    }
+    const int tile = ClippedOf(border, 0) != nullptr ? 0 : 1;
+    const auto fixed = FixedOn(TileOf(border, tile), SideOf(border, tile));
+    for (const LineRun& run : FindLineRuns({CoverOf(border, 0), CoverOf(border, 1)}, fixed)) AddRun(border, run);
   }
 
-  static bool HasVertex(const Coverage& coverage, double t) {
-    return coverage.height.contains(t) || coverage.crossing.contains(t);
-  }
-
-  // A place on a line: its height is that of the clipped boundary there, at a grid corner that of all tiles in the
-  // mean, else that of the owner's nearest vertex along the line.
-  LineVertex VertexAt(const Border& border, const Coverage (&of)[2], int owner, double t) const {
-    const CellId tile = TileOf(border, owner);
-    const Side side = SideOf(border, owner), low = AxisOf(side) == 0 ? kSouth : kWest;
-    const ClipSquare& square = joint_.squares.at(tile);
-    const bool at_low = t == square.side[low], at_high = t == square.side[low + 1];
-    if (at_low || at_high) {
-      const auto end = static_cast<Side>(at_low ? low : low + 1);
-      const auto it = corner_height_.find(
-          CornerOf(tile, AxisOf(side) == 0 ? std::array<Side, 2>{side, end} : std::array<Side, 2>{end, side}));
-      if (it != corner_height_.end()) return {t, it->second.first / it->second.second};
-      if (!area_rings_.empty()) return {t, 0};  // outside the area
-    }
-    for (const int k : {owner, 1 - owner}) {
-      if (const auto it = of[k].crossing.find(t); it != of[k].crossing.end()) return {t, it->second};
-    }
-    for (const int k : {owner, 1 - owner}) {
-      if (const auto it = of[k].height.find(t); it != of[k].height.end()) return {t, it->second};
-    }
-    return {t, NearestHeight(of[owner].height, t)};
-  }
-
-  static double NearestHeight(const std::map<double, double>& heights, double t) {
-    const auto above = heights.lower_bound(t);
-    if (heights.empty()) return 0;
-    if (above == heights.begin()) return above->second;
-    const auto below = std::prev(above);
-    return above == heights.end() || t - below->first < above->first - t ? below->second : above->second;
-  }
-
-  void AddRun(const Border& border, int owner, std::vector<LineVertex> run) {
-    const CellId tile = TileOf(border, owner);
-    const Side side = SideOf(border, owner);
-    if (TurnOf(side) < 0) std::reverse(run.begin(), run.end());
-    SurveyRecord& record = joint_.records.at(tile);
+  // What is outside the area has no edges: there it is the edge of the area that bounds the hole in the other cell.
+  void AddRun(const Border& border, const LineRun& run) {
+    std::vector<LineVertex> vertices = run.vertices;
+    if (TurnOf(SideOf(border, run.tile)) < 0) std::reverse(vertices.begin(), vertices.end());
+    const int by = run.outside ? 1 - run.tile : run.tile;
+    const CellId cell = TileOf(border, by);
+    SurveyRecord& record = joint_.records[cell];
+    joint_.edges_through[cell];
     int32_t last = -1;
-    for (const LineVertex& v : run) {
-      const int32_t node = AddLineVertex(tile, side, v);
-      if (last >= 0) record.edges.push_back({last, node});
+    for (const LineVertex& v : vertices) {
+      const int32_t node = AddLineVertex(cell, SideOf(border, by), v);
+      if (last >= 0) record.edges.push_back({last, node, run.outside ? kAreaPiece : 0});
       last = node;
     }
   }
@@ -338,7 +322,8 @@ class Joiner {
   const std::vector<Ring>& area_rings_;
   JointTiles& joint_;
   std::map<CellId, ClippedTile> clipped_;
-  std::map<CellId, std::pair<double, int>> corner_height_;  // by the cell north-east of it: sum and count
+  std::map<std::pair<int, double>, std::set<double>> area_ends_;  // by axis and the place on it: places on the other
+  std::map<CellId, std::pair<double, int>> corner_height_;        // by the cell north-east of it: sum and count
 };
 
 }  // namespace

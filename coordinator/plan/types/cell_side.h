@@ -19,6 +19,8 @@ inline constexpr double kOnLine = 1e-3;
 
 inline int AxisOf(Side side) { return side < kSouth ? 0 : 1; }         // the axis that is constant along the side
 inline double OutwardOf(Side side) { return side % 2 == 0 ? -1 : 1; }  // sign of the outward direction on that axis
+// Which way along a side its cell lies on the left: +1 towards larger coordinates.
+inline int TurnOf(Side side) { return side == kEast || side == kSouth ? 1 : -1; }
 inline Side Opposite(Side side) { return static_cast<Side>(side ^ 1); }
 
 inline CellId Across(CellId cell, Side side) {

@@ -93,5 +93,18 @@ TEST(SpacedRingsTest, KeepCornersOffLinesThatTheyTouch) {
   EXPECT_EQ(std::ranges::count(passing[0], 4, x), 2) << "corners where the ring passes the line";
 }
 
+// Both go off the lines there, across each other.
+TEST(SpacedRingsTest, RingsThatMeetAtACornerOfTheGridBecomeOne) {
+  SeamScene s({"################", "#..............#", "#..............#", "################", "################",
+               "#..............#", "#..............#", "################"},
+              4);
+  s.input.area.rings = {{{0.5, 0.5}, {15.5, 0.5}, {15.5, 7.5}, {0.5, 7.5}},
+                        {{2, 2}, {4, 2}, {4, 4}, {2, 4}},
+                        {{4, 4}, {6, 4}, {6, 6}, {4, 6}}};
+  const std::vector<Ring> rings = SpacedRings(s.Site(), s.input);
+  ASSERT_THAT(rings, SizeIs(2));
+  EXPECT_NEAR(AreaOf(OutsideIn(rings, {0, 16, 0, 8}, kStep)), 16 * 8 - 15 * 7 + 2 * 4, 0.05);
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -92,5 +92,26 @@ TEST(ClipTileTest, MovesAnOutlineShortOfTheSideToIt) {
   for (const SideCover& side : clipped.sides) EXPECT_THAT(Steps(side), ElementsAre(Pair(0, 1), Pair(6, -1)));
 }
 
+// Nothing but what is outside the area: no surface of the tile, and vertices without heights.
+TEST(ClipTileTest, TellsWhatIsOutsideTheAreaFromSurface) {
+  const SurveyRecord record = RecordOf({"######", "######", "......", "......", "......", "......"});
+  const AreaOutside outside{{0, 6, 0, 6}, {{0, 0}, {6, 0}, {6, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
+  const ClippedTile clipped = ClipTile(record, std::vector<bool>(record.edges.size(), false), kSquare, outside);
+  EXPECT_THAT(Steps(clipped.sides[kSouth]), ElementsAre(Pair(0, 1), Pair(6, -1)));
+  for (const auto& [t, step] : clipped.sides[kSouth].of_tile) EXPECT_EQ(step, 0) << t;
+  EXPECT_THAT(Steps(clipped.sides[kNorth]), ElementsAre(Pair(0, 1), Pair(6, -1)));
+  EXPECT_EQ(clipped.sides[kNorth].of_tile, clipped.sides[kNorth].step);
+  for (const ClipVertex& v : clipped.vertices) EXPECT_EQ(v.outside, v.through.empty()) << v.position.transpose();
+}
+
+// A hole that touches a side there takes away what lies beyond it.
+TEST(ClipTileTest, AHoleAtASideTakesAwayFromIt) {
+  AreaOutside outside{{0, 6, 0, 6}, {}, {}};
+  outside.points = {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {2, 0}, {2, 1}, {4, 1}, {4, 0}};
+  outside.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
+  const ClippedTile clipped = ClipTile({}, {}, kSquare, outside);
+  EXPECT_THAT(Steps(clipped.sides[kSouth]), ElementsAre(Pair(0, 1), Pair(2, -1), Pair(4, 1), Pair(6, -1)));
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -1,4 +1,4 @@
-#include "coordinator/report/simple_rings.h"
+#include "common/mesh/winding/simple_rings.h"
 
 #include <algorithm>
 #include <span>

@@ -1,6 +1,6 @@
 // Rings as a GIS wants them.
-#ifndef TILEMEND_COORDINATOR_REPORT_SIMPLE_RINGS_H_
-#define TILEMEND_COORDINATOR_REPORT_SIMPLE_RINGS_H_
+#ifndef TILEMEND_COMMON_MESH_WINDING_SIMPLE_RINGS_H_
+#define TILEMEND_COMMON_MESH_WINDING_SIMPLE_RINGS_H_
 
 #include <vector>
 
@@ -21,4 +21,4 @@ std::vector<std::vector<Point2>> SimpleRings(const std::vector<std::vector<Point
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_COORDINATOR_REPORT_SIMPLE_RINGS_H_
+#endif  // TILEMEND_COMMON_MESH_WINDING_SIMPLE_RINGS_H_
