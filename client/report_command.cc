@@ -24,7 +24,8 @@ int ReportCommand(const Args& args) {
   std::filesystem::path path = args.arguments().front();
   if (path.extension() != ".json") path /= "report.json";
   const auto content = ReadFile(path.string());
-  if (const auto finished = CheckFinished(path.parent_path()); !finished.ok()) return PrintError(finished);
+  const auto finished = path.filename() == "report.json" ? CheckFinished(path.parent_path()) : absl::OkStatus();
+  if (!finished.ok()) return PrintError(finished);
   if (!content.ok()) return PrintError(content.status());
   const Json report = Json::parse(*content, nullptr, false);
   if (!report.is_object() || !report.contains("cells")) {

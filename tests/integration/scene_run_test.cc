@@ -187,6 +187,9 @@ TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   process.Wait();
   EXPECT_FALSE(std::filesystem::exists(out + "/report.json"));
   EXPECT_THAT(Tilemend({"report", out}).err, HasSubstr("not complete"));
+  const std::string kept = folder_.Write("out/kept.json", R"({"cells": 1})");
+  EXPECT_EQ(Tilemend({"report", kept}).code, 0);
+  std::filesystem::remove(kept);
   EXPECT_EQ(Run(scene, out, {"--uniform"}).code, 4);
   const Ended again = Run(scene, out);
   EXPECT_EQ(again.code, 0) << again.err;
