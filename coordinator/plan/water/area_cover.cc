@@ -60,18 +60,26 @@ double CommonLength(const std::vector<double>& a, const std::vector<double>& b) 
 
 }  // namespace
 
-double CoveredShare(std::span<const PlaneSegment> boundary, const WaterArea& area) {
-  const std::vector<PlaneSegment> outline = SegmentsOf(area);
-  const Bounds hole = BoundsOf(boundary), covered = BoundsOf(outline);
-  if ((hole.hi.array() < covered.lo.array()).any() || (covered.hi.array() < hole.lo.array()).any()) return 0;
-  double common = 0, whole = 0;
+CoverLines::CoverLines(std::span<const PlaneSegment> boundary) {
+  const Bounds box = BoundsOf(boundary);
+  lo_ = box.lo, hi_ = box.hi;
   for (int k = 0; k < kLines; ++k) {
-    const double y = hole.lo.y() + (k + 0.5) / kLines * (hole.hi.y() - hole.lo.y());
-    const std::vector<double> in_hole = Crossings(boundary, y);
-    whole += Length(in_hole);
-    common += CommonLength(in_hole, Crossings(outline, y));
+    const double y = lo_.y() + (k + 0.5) / kLines * (hi_.y() - lo_.y());
+    lines_.push_back({y, Crossings(boundary, y)});
+    length_ += Length(lines_.back().inside);
   }
-  return whole > 0 ? common / whole : 0;
+}
+
+double CoverLines::ShareIn(const WaterArea& area) const {
+  const std::vector<PlaneSegment> outline = SegmentsOf(area);
+  const Bounds covered = BoundsOf(outline);
+  if ((hi_.array() < covered.lo.array()).any() || (covered.hi.array() < lo_.array()).any()) return 0;
+  double common = 0;
+  for (const Line& line : lines_) {
+    const bool meets = line.y >= covered.lo.y() && line.y <= covered.hi.y();
+    if (meets) common += CommonLength(line.inside, Crossings(outline, line.y));
+  }
+  return length_ > 0 ? common / length_ : 0;
 }
 
 }  // namespace tilemend

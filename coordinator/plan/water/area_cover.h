@@ -4,6 +4,7 @@
 
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "common/grid/water_areas.h"
 
@@ -11,10 +12,26 @@ namespace tilemend {
 
 using PlaneSegment = std::pair<Point2, Point2>;
 
-// The share, 0 to 1, of the region that `boundary` bounds (even-odd rule, any order) that lies in the area, measured on
-// 128 lines across the region. Segments that occur twice, such as seams inside a cluster, bound nothing. Cost O(128 *
-// (segments + positions of the area)); much less where the bounding boxes lie apart.
-double CoveredShare(std::span<const PlaneSegment> boundary, const WaterArea& area);
+// A region that segments bound (even-odd rule, any order), on 128 lines across it. Segments that occur twice, such as
+// seams inside a cluster, bound nothing. Cost O(128 * segments).
+class CoverLines {
+ public:
+  explicit CoverLines(std::span<const PlaneSegment> boundary);
+
+  // The share, 0 to 1, of the region that lies in the area. Cost O(positions of the area), where the bounding boxes
+  // meet that and the segments of the lines, at most 128 times.
+  double ShareIn(const WaterArea& area) const;
+
+ private:
+  struct Line {
+    double y;
+    std::vector<double> inside;  // where intervals begin and end, ascending
+  };
+
+  Point2 lo_, hi_;
+  std::vector<Line> lines_;
+  double length_ = 0;  // of all intervals
+};
 
 }  // namespace tilemend
 

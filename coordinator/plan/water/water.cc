@@ -175,9 +175,9 @@ std::vector<size_t> AreasOver(const Plan& plan, const std::vector<int32_t>& hole
                               const std::vector<WaterArea>& areas) {
   std::vector<size_t> over;
   if (areas.empty()) return over;
-  const std::vector<PlaneSegment> boundary = BoundaryOf(plan, holes);
+  const CoverLines region(BoundaryOf(plan, holes));
   for (size_t a = 0; a < areas.size(); ++a) {
-    if (CoveredShare(boundary, areas[a]) > 0.5) over.push_back(a);
+    if (region.ShareIn(areas[a]) > 0.5) over.push_back(a);
   }
   return over;
 }

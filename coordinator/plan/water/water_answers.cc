@@ -82,9 +82,10 @@ class Answers {
  public:
   Answers(const std::vector<WaterArea>& areas, Plan& plan) : areas_(areas), plan_(plan), bodies_(BodiesOf(plan)) {
     shares_.resize(areas.size());
-    for (size_t a = 0; a < areas.size(); ++a) {
-      for (size_t b = 0; b < bodies_.size(); ++b) {
-        const double share = CoveredShare(bodies_[b].boundary, areas[a]);
+    for (size_t b = 0; b < bodies_.size(); ++b) {
+      const CoverLines region(bodies_[b].boundary);
+      for (size_t a = 0; a < areas.size(); ++a) {
+        const double share = region.ShareIn(areas[a]);
         if (share > 0) shares_[a].emplace_back(b, share);
         if (share > kDecides) bodies_[b].decided_by = static_cast<int32_t>(a);
       }

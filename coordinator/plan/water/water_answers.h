@@ -8,7 +8,7 @@ namespace tilemend {
 
 // Fills plan.water_answers, one for each of options.areas, from what FindWater has decided: an area is taken if it is
 // the last that covers more than half of some body, and that body is filled as the area says. The reason
-// is about the body of which it covers most, if that is not filled so. Cost O(areas * bodies), and as CoveredShare
+// is about the body of which it covers most, if that is not filled so. Cost O(areas * bodies), and as CoverLines
 // where they meet.
 void AnswerWaterAreas(const WaterOptions& options, Plan& plan);
 
