@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -15,11 +16,14 @@
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
 
 using Json = nlohmann::json;
+
+std::string Text(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 // Typed access to the members of one JSON object, with the place in every message.
 class Fields {
@@ -133,6 +137,21 @@ absl::Status ReadHead(const Fields& fields, Scene* scene) {
   return ReadGrid(fields, scene);
 }
 
+// Other fields are ignored; one that is nearly called as a field that is not there is likely meant for it.
+void WarnOfNearMisses(const Json& json, const std::string& name, Scene* scene) {
+  constexpr std::string_view kOptional[] = {"crs", "origin", "grid_corner", "area", "area_known"};
+  constexpr size_t kLettersForAnEdit = 4, kLongest = 20;
+  for (const auto& [field, value] : json.items()) {
+    for (const std::string_view meant : kOptional) {
+      const bool near = field.size() <= kLongest && field != meant &&
+                        EditDistance(field, meant) <= std::max<size_t>(1, meant.size() / kLettersForAnEdit);
+      if (!near || json.contains(meant) || std::ranges::count(kOptional, field) > 0) continue;
+      scene->warnings.push_back(absl::StrCat(name, ": the field ", Text(field), " has no effect; one that has is ",
+                                             Text(std::string(meant))));
+    }
+  }
+}
+
 // The tile's path, normalised; empty for null.
 absl::StatusOr<std::string> ReadPath(const Fields& tile) {
   const absl::Status wrong_type = tile.Error("path", "expected a file name or null");
@@ -207,8 +226,6 @@ absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene)
 
 std::string Number(double value) { return Json(value).dump(); }
 
-std::string Text(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 // A Polygon whatever the rings are: they are read by the even-odd rule, and do not cross.
 std::string AreaText(const PlanePolygon& area) {
   Json rings = Json::array();
@@ -230,6 +247,7 @@ absl::StatusOr<Scene> ParseSceneJson(const std::string& text, const std::string&
   const Fields fields(json, name + ": ");
   Scene scene;
   TILEMEND_RETURN_IF_ERROR(ReadHead(fields, &scene));
+  WarnOfNearMisses(json, name, &scene);
   if (!fields.Has("tiles")) return fields.Error("tiles", "missing");
   if (!json["tiles"].is_array()) return fields.Error("tiles", "expected an array");
   if (json["tiles"].empty()) return fields.Error("tiles", "no cell is listed");

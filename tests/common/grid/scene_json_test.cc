@@ -15,6 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 constexpr char kScene[] =
     R"({"crs": "EPSG:32650", "origin": [500000, 4100000, 12.5], "cell_size": 250, "cols": 2, "rows": 2,
@@ -124,6 +125,20 @@ TEST_F(SceneJsonTest, AnAreaIsAPolygonOrAFile) {
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << bad;
     EXPECT_THAT(std::string(status.message()), HasSubstr("scene.json: area: ")) << bad;
   }
+}
+
+TEST_F(SceneJsonTest, WarnsOfAFieldThatIsNearlyCalledAsOneThatIsMissing) {
+  std::string json(kScene);
+  absl::StrReplaceAll({{"\"future\"", "\"area_knwon\""}}, &json);
+  const auto scene = Load(json);
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_THAT(
+      scene->warnings,
+      ElementsAre(HasSubstr(R"(scene.json: the field "area_knwon" has no effect; one that has is "area_known")")));
+  const auto both = Load(absl::StrReplaceAll(json, {{"\"cell_size\"", "\"area_known\": true, \"cell_size\""}}));
+  ASSERT_TRUE(both.ok()) << both.status();
+  EXPECT_THAT(both->warnings, IsEmpty());
+  EXPECT_THAT(Load(kScene)->warnings, IsEmpty()) << "other fields";
 }
 
 TEST_F(SceneJsonTest, NamesThePlaceOfASyntaxError) {
