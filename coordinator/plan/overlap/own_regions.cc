@@ -40,6 +40,14 @@ double LengthOf(const Plan& plan, const std::vector<RimSegment>& segments) {
   return length;
 }
 
+// Seen from above, the vertex of the segments that is nearest to a place.
+int32_t NearestOf(const Plan& plan, const std::vector<RimSegment>& segments, const Point3& place) {
+  const auto distance = [&](const RimSegment& s) {
+    return (plan.vertices[s.from].position - place).head<2>().squaredNorm();
+  };
+  return std::ranges::min_element(segments, {}, distance)->from;
+}
+
 // Makes one hole of two of a tile. What is left of `part` has no segments.
 void Absorb(PlannedHole& part, PlannedHole& hole) {
   const auto own = static_cast<double>(hole.segments.size()), more = static_cast<double>(part.segments.size());
@@ -151,7 +159,7 @@ class CellRegions {
       for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
       const std::vector<LineVertex> line = LineVertices(first);
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
-      for (const OutlineGap& gap : members.gaps) AddGap(gap, line, link_parts, region);
+      for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
       if (!region.empty() && IsLostRegion(plan_, first.segments, region)) {
         first.failure = kLost;
@@ -259,14 +267,8 @@ class CellRegions {
   void FollowPicture(int32_t v, const PlannedHole& hole) {
     PlanVertex& vertex = plan_.vertices[v];
     if (vertex.index >= 0 || vertex.follows >= 0 || in_picture_[v]) return;
-    const auto distance = [&](int32_t w) {
-      return (plan_.vertices[w].position - vertex.position).head<2>().squaredNorm();
-    };
-    const RimSegment nearest = *std::min_element(
-        hole.segments.begin(), hole.segments.end(),
-        [&](const RimSegment& s, const RimSegment& t) { return distance(s.from) < distance(t.from); });
-    vertex.follows = nearest.from;
-    vertex.size = plan_.vertices[nearest.from].size;
+    vertex.follows = NearestOf(plan_, hole.segments, vertex.position);
+    vertex.size = plan_.vertices[vertex.follows].size;
   }
 
   void AddRim(int32_t a, int32_t b, std::vector<RimSegment>& region) {
@@ -279,8 +281,8 @@ class CellRegions {
   }
 
   // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines.
-  void AddGap(const OutlineGap& gap, const std::vector<LineVertex>& line, LinkParts& link_parts,
-              std::vector<RimSegment>& region) {
+  void AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
+              LinkParts& link_parts, std::vector<RimSegment>& region) {
     const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
     if (from == to) return;
     std::vector<int32_t> way = {from};
@@ -297,14 +299,15 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
-    if (way.size() == 1) AddLink(gap, link_parts, way);
+    if (way.size() == 1) AddLink(gap, hole, link_parts, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
 
   // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way, as the
-  // surface may have an edge between the two. Between ends on outlines that cross the way goes along both.
-  void AddLink(const OutlineGap& gap, LinkParts& link_parts, std::vector<int32_t>& way) {
+  // surface may have an edge between the two. Between ends on outlines that cross the way goes along both. The edge of
+  // the area has no heights: from there they follow the hole.
+  void AddLink(const OutlineGap& gap, const PlannedHole& hole, LinkParts& link_parts, std::vector<int32_t>& way) {
     const PlanVertex from = plan_.vertices[PlanVertexOf(gap.from)], to = plan_.vertices[PlanVertexOf(gap.to)];
     Point3 middle = (from.position + to.position) / 2;
     if (gap.from_across && gap.to_across && *gap.from_across != *gap.to_across) {
@@ -316,7 +319,7 @@ class CellRegions {
     v.index = -1;
     v.lines = 0;
     v.follows = -1;
-    v.height_known = true;
+    v.height_known = from.index >= 0 && to.index >= 0;
     for (const auto& [a, b] : {std::pair(from.position, middle), std::pair(middle, to.position)}) {
       const Point3 leg = b - a;
       const double length = leg.head<2>().norm();
@@ -324,13 +327,18 @@ class CellRegions {
       v.size = parts == 1 ? std::min(from.size, to.size) : length / static_cast<double>(parts);
       for (int64_t k = 1; k <= parts; ++k) {
         const double share = static_cast<double>(k) / static_cast<double>(parts);
-        v.position = RoundedToLattice(Point3(a + share * leg), plan_.lattice_step);
-        if (v.position == plan_.vertices[way.back()].position || v.position == to.position) continue;
+        v.position = OnLattice(a + share * leg);
+        if (v.position == OnLattice(plan_.vertices[way.back()].position) || v.position == OnLattice(to.position)) {
+          continue;  // the ends may lie beside the lattice
+        }
+        if (!v.height_known) v.follows = NearestOf(plan_, hole.segments, v.position);
         way.push_back(static_cast<int32_t>(plan_.vertices.size()));
         plan_.vertices.push_back(v);
       }
     }
   }
+
+  Point3 OnLattice(const Point3& p) const { return RoundedToLattice(p, plan_.lattice_step); }
 
   std::vector<int32_t> Between(const OutlineGap& gap, const std::vector<LineVertex>& line) {
     const double length = outline_.Length();

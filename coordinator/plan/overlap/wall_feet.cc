@@ -9,8 +9,9 @@
 namespace tilemend {
 namespace {
 
-constexpr double kWallWidth = 0.02;  // metres from the object to the foot
-constexpr double kMostOfWay = 0.25;  // of the way to the next vertex: the foot is not farther
+constexpr double kWallWidth = 0.02;   // metres from the object to the foot
+constexpr double kOffOutline = 2e-3;  // metres: chains end on the outline but for so much
+constexpr double kMostOfWay = 0.25;   // of the way to the next vertex: the foot is not farther
 
 class FootLayer {
  public:
@@ -36,10 +37,11 @@ class FootLayer {
   bool IsWall(int32_t v) const { return plan_.vertices[v].index >= 0 && plan_.vertices[v].on_object; }
   bool IsOnOutline(int32_t v) const { return plan_.vertices[v].index < 0 && plan_.vertices[v].follows >= 0; }
 
-  // For a foot between the ends. Where one is a hair beside the other or above it there is none.
+  // For a foot between the ends. Where one is a hair beside the other or above it there is none; nor is there on the
+  // edge of an area, which needs not run along an axis.
   bool HasRoom(const RimSegment& s) const {
-    const Point3 way = plan_.vertices[s.to].position - plan_.vertices[s.from].position;
-    return kMostOfWay * way.head<2>().cwiseAbs().maxCoeff() >= plan_.lattice_step;
+    const Point2 way = (plan_.vertices[s.to].position - plan_.vertices[s.from].position).head<2>().cwiseAbs();
+    return kMostOfWay * way.maxCoeff() >= plan_.lattice_step && way.minCoeff() <= kOffOutline;
   }
 
   int32_t FootBetween(int32_t wall, int32_t next) {

@@ -71,6 +71,14 @@ TEST(WallFeetTest, AreNoneWhereTheNextVertexIsAHairOff) {
   EXPECT_EQ(plan.vertices[5].position.x(), 2 - 3 * 0x1p-10);
 }
 
+// The edge of an area goes on from the wall in any direction.
+TEST(WallFeetTest, AreNoneOffTheOutline) {
+  Plan plan = PlanOfGap(true);
+  plan.vertices[0].position.y() = 10.01;
+  LayWallFeet(plan);
+  EXPECT_THAT(plan.vertices, SizeIs(5));
+}
+
 TEST(WallFeetTest, AreOfObjectsOnly) {
   Plan plan = PlanOfGap(false);
   LayWallFeet(plan);
