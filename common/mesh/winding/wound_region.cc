@@ -150,6 +150,12 @@ std::vector<std::pair<LatticePoint, LatticePoint>> SidesOf(const Paths& loops) {
   return sides;
 }
 
+std::vector<LatticePoint> PointsOf(const Paths& paths) {
+  std::vector<LatticePoint> points;
+  for (const Path& path : paths) std::ranges::transform(path, std::back_inserter(points), ToLattice);
+  return points;
+}
+
 // Rounds until nothing changes: crossings that rounding made are resolved as well.
 //   points  those of the boundary: Clipper leaves some out of straight edges whatever its options
 Paths Simple(const std::vector<LatticePoint>& points, Paths loops) {
@@ -285,11 +291,20 @@ class Numberer {
 WoundRegion FindWoundRegion(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
                             const std::optional<LatticeBox>& box, Winding winding) {
   const Paths boundary = PathsOf(points, segments);
-  std::vector<LatticePoint> used;
-  for (const Path& path : boundary) {
-    for (const IntPoint& p : path) used.push_back(ToLattice(p));
-  }
-  const Paths loops = Simple(used, Clipped(boundary, box, winding));
+  const Paths loops = Simple(PointsOf(boundary), Clipped(boundary, box, winding));
+  return Numberer(points, segments, box).Run(loops);
+}
+
+WoundRegion UniteWoundRegions(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
+                              size_t first_of_second, const LatticeBox& box) {
+  const Paths first = PathsOf(points, segments.first(first_of_second)),
+              second = PathsOf(points, segments.subspan(first_of_second));
+  Clipper clipper(kOptions);
+  clipper.AddPaths(first, ClipperLib::ptSubject, true);
+  clipper.AddPaths(second, ClipperLib::ptClip, true);
+  std::vector<LatticePoint> used = PointsOf(first), more = PointsOf(second);
+  used.insert(used.end(), more.begin(), more.end());
+  const Paths loops = Simple(used, Clipped(Executed(clipper, ClipperLib::ctUnion), box, Winding::kInside));
   return Numberer(points, segments, box).Run(loops);
 }
 

@@ -41,6 +41,11 @@ enum class Winding {
 WoundRegion FindWoundRegion(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
                             const std::optional<LatticeBox>& box = {}, Winding winding = Winding::kInside);
 
+// The region that either of two boundaries winds around: the segments up to `first_of_second`, and the others. Unlike
+// that of all segments together, a fold of the one that winds the other way takes nothing away from the other.
+WoundRegion UniteWoundRegions(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
+                              size_t first_of_second, const LatticeBox& box);
+
 // What has to be added to boundary `inner` to make it boundary `outer`, as loops: edges of `outer` and edges of `inner`
 // the other way round, those of both left out. Both close. No loop passes a vertex twice; two edges to and fro are no
 // loop.

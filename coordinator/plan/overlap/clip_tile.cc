@@ -93,9 +93,10 @@ class Clipper {
       cut_edges_.push_back(static_cast<int32_t>(e));
       edges.push_back({record_.edges[e].from, record_.edges[e].to});
     }
+    if (outside_.empty()) return FindWoundRegion(points_, edges, Box());
     const auto own = static_cast<int32_t>(record_.vertices.size());
     for (const DirectedEdge& e : outside_.edges) edges.push_back({e.from + own, e.to + own});
-    return FindWoundRegion(points_, edges, Box());
+    return UniteWoundRegions(points_, edges, cut_edges_.size(), Box());
   }
 
   void AddSidesOfTile() {

@@ -81,7 +81,7 @@ class AreaTaker {
     }
     for (const DirectedEdge& e : outside_.edges) edges.push_back({e.from + own_, e.to + own_});
     const WoundRegion region =
-        FindWoundRegion(points, edges, LatticeBox{window_.Round(box_[0]), window_.Round(box_[1])});
+        UniteWoundRegions(points, edges, cut_edges_.size(), {window_.Round(box_[0]), window_.Round(box_[1])});
     for (const DirectedEdge& s : region.segments) AddChain(region, s);
   }
 

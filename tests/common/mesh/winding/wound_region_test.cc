@@ -93,6 +93,23 @@ TEST(WoundRegionTest, HasTheRestOfABoxOutside) {
                                                    ::testing::Field(&RegionCorner::through, SizeIs(1))));
 }
 
+TEST(WoundRegionTest, AFoldOfOneTakesNothingAwayFromTheOther) {
+  // A hole that is wound around twice, under another square.
+  const Boundary both({{{0, 0}, {100, 0}, {100, 100}, {0, 100}},
+                       {{20, 20}, {20, 50}, {50, 50}, {50, 20}},
+                       {{20, 20}, {20, 50}, {50, 50}, {50, 20}},
+                       {{10, 10}, {60, 10}, {60, 40}, {10, 40}}});
+  const LatticeBox box{{0, 0}, {100, 100}};
+  EXPECT_EQ(DoubleArea(both, FindWoundRegion(both.points, both.segments, box)), 2 * (10000 - 900));
+  const WoundRegion united = UniteWoundRegions(both.points, both.segments, 12, box);
+  EXPECT_EQ(DoubleArea(both, united), 2 * (10000 - 300));
+  ExpectSimple(both, united);
+  ASSERT_THAT(united.corners, SizeIs(2));
+  for (const RegionCorner& c : united.corners) EXPECT_EQ(c.through.back(), 14) << "numbered as they were given";
+  EXPECT_EQ(DoubleArea(both, UniteWoundRegions(both.points, both.segments, 16, box)), 2 * (10000 - 900)) << "all first";
+  EXPECT_EQ(DoubleArea(both, UniteWoundRegions(both.points, both.segments, 12, {{0, 0}, {100, 30}})), 2 * 3000);
+}
+
 TEST(WoundRegionTest, ClosesAnOpenChainByAStraightWay) {
   Boundary square({{{0, 0}, {10, 0}, {10, 10}, {0, 10}}});
   square.segments.pop_back();
