@@ -82,7 +82,7 @@ Ring OffGridLines(const Ring& ring, const SeamSite& site) {
 
 // The area's rings off the grid lines. Where two met on a line they cross when they have left it, and are united.
 std::vector<Ring> RingsOffGridLines(const SeamSite& site, const PlanePolygon& area) {
-  const std::vector<Ring> rings = OrientedRings(area);
+  std::vector<Ring> rings = OrientedRings(area);
   std::vector<Ring> off;
   for (const Ring& ring : rings) off.push_back(OffGridLines(ring, site));
   if (off == rings) return rings;
