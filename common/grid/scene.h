@@ -33,6 +33,7 @@ struct SceneTile {
   CellId cell;
   std::string path;         // relative to the scene's folder; empty: the cell has no surface
   std::string output = {};  // of a cell without surface, the file that it gets; empty: one by its number
+  bool added = false;       // of a cell without surface: only the area makes it a part of the scene
 };
 
 struct Scene {

@@ -160,7 +160,7 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
     low = {std::min(low.col, cell.col), std::min(low.row, cell.row)};
     scene.cols = std::max(scene.cols, cell.col + 1);
     scene.rows = std::max(scene.rows, cell.row + 1);
-    scene.tiles.push_back({cell, ""});
+    scene.tiles.push_back({.cell = cell, .path = "", .added = true});
   }
   ShiftNumbering({-low.col, -low.row}, scene);
   SortTiles(&scene.tiles);

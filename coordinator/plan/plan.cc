@@ -26,6 +26,7 @@
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
 #include "coordinator/plan/water/ground_points.h"
+#include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 #include "coordinator/plan/water/water_answers.h"
@@ -214,18 +215,44 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   return plan;
 }
 
-}  // namespace
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines& lines);
 
-Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
+// An area leaves a part of the shore, or makes holes of what lies around the scene: water is known without it as well.
+KnownWater WaterWithoutArea(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
+  if (input.area.empty() && input.added.empty()) return {};
+  if (plan.holes.empty() || (!options.water.find && options.water.areas.empty())) return {};
+  PlanInput whole = input;
+  for (const CellId cell : input.added) whole.cells.erase(cell);
+  whole.area = {};
+  whole.added.clear();
   GridLines lines;
+  return FindKnownWater(PlanWithWater(whole, options, lines), plan);
+}
+
+// All but what follows from the water.
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   LeaveFailedHoles(plan);
-  if (!plan.upright) return options.cancelled() ? Plan() : plan;
+  if (!plan.upright) return plan;
+  KnownWater known;
+  if (!options.cancelled()) known = WaterWithoutArea(input, options, plan);
   FindRimSlopes(plan);
   if (!options.cancelled()) MarkObjects(input, plan);
-  if (!options.cancelled()) FindWater(input, options.water, plan);
+  if (!options.cancelled()) FindWater(input, options.water, known, plan);
+  if (known.bodies.empty() || options.cancelled()) return plan;
+  StoreLayers(plan);
+  FindRimSlopes(plan);
+  return plan;
+}
+
+}  // namespace
+
+Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
+  GridLines lines;
+  Plan plan = PlanWithWater(input, options, lines);
+  if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
   if (!options.cancelled()) FindGroundPoints(plan);

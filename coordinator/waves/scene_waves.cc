@@ -289,7 +289,10 @@ void SceneWaves::MakeThePlan() {
   input_.area_known = scene_.area_known;
   input_.area = scene_.area;
   input_.grid = options_.single_mesh ? GridAround(*records().begin()->second) : scene_.grid;
-  for (const auto& [cell, tile] : tiles_) input_.cells.try_emplace(cell);
+  for (const auto& [cell, tile] : tiles_) {
+    input_.cells.try_emplace(cell);
+    if (tile->added) input_.added.insert(cell);
+  }
   plan_ = MakePlan(input_, options_.plan);
   SettleWater(plan_, heights_);
   plan_.colours = ColourHoles(plan_, input_, options_.plan.water_colour);

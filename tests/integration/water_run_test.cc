@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -147,6 +148,40 @@ TEST_F(AreaOnGridLineTest, WhatItLeavesOutMayMeetAtACornerOfTheGrid) {
 
 INSTANTIATE_TEST_SUITE_P(Cuts, AreaOnGridLineOfCutTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
                          [](const auto& test) { return NameOf(test.param); });
+
+class AreaBeyondSceneTest : public WaterRunTest, public ::testing::WithParamInterface<std::tuple<Cut, const char*>> {};
+
+// The lake goes on to the rim of the scene, and the hole around the scene into it.
+TEST_P(AreaBeyondSceneTest, TheWaterIsThatOfTheScene) {
+  const auto [cut, surface] = GetParam();
+  SceneMakerOptions options = LakeOverNineCells(cut);
+  options.ellipses[0].centre.x() = 0;
+  options.terrain = [](double x, double y) {
+    return kWaterLevel + 0.1 * std::max(0.0, std::hypot(x / 52, (y - 59) / 47) - 1) * 49;
+  };
+  const std::string scene = WriteMade(options, folder_ / "scene"), out = folder_ / "out";
+  const Json known = Run(scene, folder_ / "whole", {"--surface", surface});
+  ASSERT_THAT(known["water"], SizeIs(1));
+  const std::string area = folder_.Write(
+      "area.geojson", R"({"type": "Polygon", "coordinates": [[[-8,-8],[128,-8],[128,128],[-8,128],[-8,-8]]]})");
+  const Json report = Run(scene, out, {"--surface", surface, "--area", area});
+  ASSERT_THAT(report["water"], SizeIs(1));
+  const double level = known["water"][0]["level_m"];
+  EXPECT_EQ(report["water"][0]["level_m"], level);
+  EXPECT_NEAR(report["water"][0]["area_m2"].get<double>(), known["water"][0]["area_m2"].get<double>(), 1);
+  EXPECT_THAT(report["left"], SizeIs(0));
+  ExpectOriginalsKept(scene, out);
+  Run(scene, folder_ / "three", {"--surface", surface, "--area", area, "--workers", "3"});
+  EXPECT_EQ(TilesBelow(folder_ / "three"), TilesBelow(out));
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, AreaBeyondSceneTest,
+                         ::testing::Combine(::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
+                                            ::testing::Values("wang", "thin-plate")),
+                         [](const auto& test) {
+                           return NameOf(std::get<0>(test.param)) +
+                                  (std::string(std::get<1>(test.param)) == "wang" ? "Wang" : "ThinPlate");
+                         });
 
 TEST_F(WaterRunTest, OffAndAreasDecide) {
   const std::string scene = WriteMade(LakeOverNineCells(Cut::kClipped), folder_ / "scene");

@@ -28,7 +28,8 @@ std::vector<std::pair<int32_t, int32_t>> HolesThatTouch(const Plan& plan) {
   std::set<std::pair<int32_t, int32_t>> pairs;
   for (const auto& [key, hole] : hole_at) {
     const auto other = hole_at.find(key << 32 | key >> 32);
-    if (other != hole_at.end() && other->second != hole) pairs.insert(std::minmax(hole, other->second));
+    if (other == hole_at.end() || other->second == hole) continue;
+    if (plan.holes[other->second].water == plan.holes[hole].water) pairs.insert(std::minmax(hole, other->second));
   }
   return {pairs.begin(), pairs.end()};
 }

@@ -11,6 +11,7 @@
 namespace tilemend {
 
 // Pairs of holes, ascending, each once: those on the two sides of one seam segment. Holes that failed take no part.
+// Where one of them is water, both are of the same body.
 std::vector<std::pair<int32_t, int32_t>> HolesThatTouch(const Plan& plan);
 
 }  // namespace tilemend

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,6 +60,7 @@ struct PlanInput {
   bool has_grid = true;                  // false: one mesh, each loop a closed hole or an outer rim
   std::map<CellId, StoredRecord> cells;  // the area; null: no surface
   PlanePolygon area = {};                // what of the cells is to be covered; empty: all (Scene::area)
+  std::set<CellId> added = {};           // cells that only an area made part of the scene (SceneTile::added)
 };
 
 // How the tiles of two neighbouring cells meet (docs/architecture.md, "Two kinds of cut").
@@ -115,8 +117,9 @@ struct PlanVertex {
   Point3 position{0, 0, 0};
   double centroid_height = 0;
   double size = 0;
-  uint8_t lines = 0;          // as RimVertex::lines
-  bool height_given = false;  // of a seam vertex: it takes the height of a rim vertex a hair beside it
+  uint8_t lines = 0;  // as RimVertex::lines
+  // Of a seam vertex: its height is that of a rim vertex a hair beside it, or of the water on one side alone.
+  bool height_given = false;
   bool height_known = false;  // of a new vertex that is on no seam
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
@@ -144,6 +147,10 @@ struct WaterBody {
   bool forced = false;     // an area says that it is water
   double shore_level = 0;  // that the shore has, whatever was given; not of a river
 };
+
+inline double LevelAt(const WaterBody& body, const Point2& p, double lattice_step) {
+  return body.river.stations.empty() ? body.level : LevelAt(body.river, p, lattice_step);
+}
 
 // What became of an area of the user's (water_answers.h).
 struct WaterAnswer {

@@ -70,8 +70,9 @@ CoverLines::CoverLines(std::span<const PlaneSegment> boundary) {
   }
 }
 
-double CoverLines::ShareIn(const WaterArea& area) const {
-  const std::vector<PlaneSegment> outline = SegmentsOf(area);
+double CoverLines::ShareIn(const WaterArea& area) const { return ShareIn(SegmentsOf(area)); }
+
+double CoverLines::ShareIn(std::span<const PlaneSegment> outline) const {
   const Bounds covered = BoundsOf(outline);
   if ((hi_.array() < covered.lo.array()).any() || (covered.hi.array() < lo_.array()).any()) return 0;
   double common = 0;

@@ -21,6 +21,8 @@ class CoverLines {
   // The share, 0 to 1, of the region that lies in the area. Cost O(positions of the area), where the bounding boxes
   // meet that and the segments of the lines, at most 128 times.
   double ShareIn(const WaterArea& area) const;
+  // The same of the region that segments bound.
+  double ShareIn(std::span<const PlaneSegment> outline) const;
 
  private:
   struct Line {

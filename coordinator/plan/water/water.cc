@@ -188,12 +188,14 @@ std::vector<int32_t> GroundOf(const Plan& plan, std::vector<int32_t> shore) {
 }
 
 // All that can be told without the bands.
-std::vector<Candidate> FindCandidates(const WaterOptions& options, const Plan& plan) {
+std::vector<Candidate> FindCandidates(const WaterOptions& options, const Plan& plan, KnownWater& known) {
   std::vector<Candidate> candidates;
   if (!options.find && options.areas.empty()) return candidates;
   for (std::vector<int32_t>& holes : GroupHoles(plan)) {
     const std::vector<size_t> areas = AreasOver(plan, holes, options.areas);
-    if (!(areas.empty() ? options.find : options.areas[areas.back()].water)) continue;
+    const bool may_be = areas.empty() ? options.find : options.areas[areas.back()].water;
+    if (!may_be || (!areas.empty() && options.areas[areas.back()].level)) known.Forget(holes);
+    if (!may_be || known.Decides(plan, holes)) continue;
     Candidate c;
     c.shore = GroundOf(plan, ShoreOf(plan, holes));
     c.body.forced = !areas.empty();
@@ -218,10 +220,6 @@ Reach ReachOf(const Plan& plan, const Candidate& candidate, const ShoreGround& g
 
 double OnLattice(const Plan& plan, double level) { return std::floor(level / plan.lattice_step) * plan.lattice_step; }
 
-double LevelAt(const Plan& plan, const WaterBody& body, const Point2& p) {
-  return body.river.stations.empty() ? body.level : LevelAt(body.river, p, plan.lattice_step);
-}
-
 // What stands so high above the water stands beside or over it: a quay, a pier, a bridge.
 void MarkWalls(const WaterBody& body, Plan& plan) {
   const auto mark = [&](const std::vector<RimSegment>& segments) {
@@ -229,7 +227,7 @@ void MarkWalls(const WaterBody& body, Plan& plan) {
       for (const int32_t v : {s.from, s.to}) {
         PlanVertex& vertex = plan.vertices[v];
         if (vertex.index < 0) continue;
-        const double above = vertex.position.z() - LevelAt(plan, body, vertex.position.head<2>());
+        const double above = vertex.position.z() - LevelAt(body, vertex.position.head<2>(), plan.lattice_step);
         if (above > kWallAtWater) vertex.on_object = true;
       }
     }
@@ -331,11 +329,10 @@ void JoinLakesOfAreas(const Plan& plan, double tolerance, std::vector<Candidate>
   }
 }
 
-}  // namespace
-
-void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) {
-  std::vector<Candidate> candidates = FindCandidates(options, plan);
-  if (candidates.empty()) return;
+// What is water among the candidates.
+std::vector<WaterBody> FindBodies(const PlanInput& input, const WaterOptions& options, const Plan& plan,
+                                  std::vector<Candidate> candidates) {
+  if (candidates.empty()) return {};
   std::vector<std::vector<int32_t>> shores;
   for (const Candidate& c : candidates) shores.push_back(c.shore);
   const std::vector<ShoreGround> grounds = FindGround(plan, input, shores);
@@ -364,9 +361,27 @@ void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) 
   for (size_t i = 0; i < candidates.size(); ++i) {
     if (!is_part[i] && (level[i] || candidates[i].body.forced)) bodies.push_back(std::move(candidates[i].body));
   }
+  return bodies;
+}
+
+void AddPartsOfKnown(const KnownWater& known, const Plan& plan, std::vector<WaterBody>& bodies) {
+  std::vector<bool> is_water(plan.holes.size(), false);
+  for (const WaterBody& body : bodies) {
+    for (const int32_t h : body.holes) is_water[h] = true;
+  }
+  for (WaterBody& part : PartsOfKnown(known, is_water, plan)) bodies.push_back(std::move(part));
+}
+
+}  // namespace
+
+void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan) {
+  std::vector<Candidate> candidates = FindCandidates(options, plan, known);
+  std::vector<WaterBody> bodies = FindBodies(input, options, plan, std::move(candidates));
+  AddPartsOfKnown(known, plan, bodies);
   std::sort(bodies.begin(), bodies.end(),
             [](const WaterBody& a, const WaterBody& b) { return a.holes.front() < b.holes.front(); });
   for (WaterBody& body : bodies) StoreBody(std::move(body), plan);
+  if (!known.bodies.empty()) HoldLevelAtEdges(plan);
 }
 
 void SettleWater(const Plan& plan, SeamHeights& heights) {
@@ -379,7 +394,7 @@ void SettleWater(const Plan& plan, SeamHeights& heights) {
     }
   };
   for (const WaterBody& body : plan.water) {
-    const auto level_at = [&](const Point3& p) { return LevelAt(plan, body, p.head<2>()); };
+    const auto level_at = [&](const Point3& p) { return LevelAt(body, p.head<2>(), plan.lattice_step); };
     for (const int32_t h : body.holes) {
       settle(plan.holes[h].segments, level_at);
       for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) settle(region, level_at);

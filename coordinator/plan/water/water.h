@@ -4,6 +4,7 @@
 
 #include "coordinator/plan/seam/seam_heights.h"
 #include "coordinator/plan/types/plan_types.h"
+#include "coordinator/plan/water/known_water.h"
 
 namespace tilemend {
 
@@ -25,8 +26,11 @@ namespace tilemend {
 // Each figure may be off by three standard errors more, but no more than the tolerance, for the noise that is measured
 // beside the rim (ShoreGround::noise); the ground has to rise by more than that.
 //
+// Where `known` water decides on a cluster it does, unless an area forbids it or gives a level. In clusters that are
+// none by all of this the holes that are parts of it are water.
+//
 // The level is FitRimLevel's, rounded down to the lattice. Cost O(n log n) in rims and bands. Deterministic.
-void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan);
+void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan);
 
 // Gives the seam vertices of all water their level.
 void SettleWater(const Plan& plan, SeamHeights& heights);

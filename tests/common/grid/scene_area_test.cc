@@ -85,6 +85,8 @@ TEST(CoverAreaTest, FilesOfNewCellsAreNumberedAsThoseOfTheTiles) {
   ASSERT_THAT(scene.tiles, SizeIs(3));
   EXPECT_EQ(scene.tiles[0].cell, (CellId{0, 0}));
   EXPECT_EQ(OutputPath(scene.tiles[0]), "tiles/Tile_-001_+000.ply");
+  EXPECT_TRUE(scene.tiles[0].added);
+  EXPECT_FALSE(scene.tiles[1].added);
 }
 
 TEST(CoverAreaTest, AnAreaOfWholeCellsIsTheCells) {

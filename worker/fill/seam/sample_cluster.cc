@@ -116,7 +116,9 @@ class ClusterSampler {
     return result;
   }
 
-  bool IsKnown(int32_t v) const { return cluster_.vertices[v].index >= 0; }
+  bool IsOriginal(int32_t v) const { return cluster_.vertices[v].index >= 0; }
+  // Beside water new vertices are known as well.
+  bool IsKnown(int32_t v) const { return IsOriginal(v) || cluster_.vertices[v].height_known; }
 
   // The segments of the cluster, those at seams between the vertices that are kept.
   std::vector<RimSegment> ThinnedSegments() {
@@ -184,7 +186,8 @@ class ClusterSampler {
     }
     std::vector<RegionSegment> segments = AroundRegion(FindWoundRegion(planar_->points, edges));
     for (const RegionSegment& s : segments) cut_off.erase(s.from);
-    if (!std::all_of(cut_off.begin(), cut_off.end(), [&](int32_t v) { return IsKnown(hole_.vertices[v]); })) return {};
+    if (!std::all_of(cut_off.begin(), cut_off.end(), [&](int32_t v) { return IsOriginal(hole_.vertices[v]); }))
+      return {};
     for (const RegionSegment& s : segments) {
       if (!on_outline.contains({s.from, s.to})) at_fold_.insert({s.from, s.to});
     }
@@ -278,7 +281,11 @@ class ClusterSampler {
       const std::vector<double> l = InterpolatedAlong(knots, laplacians, along);
       const std::vector<double> x = InterpolatedAlong(knots, slopes_x, along);
       const std::vector<double> y = InterpolatedAlong(knots, slopes_y, along);
-      for (size_t i = 0; i < vertices.size(); ++i) values[vertices[i]] = {0, h[i], l[i], {x[i], y[i]}};
+      for (size_t i = 0; i < vertices.size(); ++i) {
+        const int32_t v = vertices[i];
+        const bool stays = IsKnown(v) && !IsOriginal(v);
+        values[v] = {0, stays ? cluster_.vertices[v].position.z() : h[i], l[i], {x[i], y[i]}};
+      }
     }
     return values;
   }
@@ -287,7 +294,7 @@ class ClusterSampler {
   void AddBesideSeams(const ThinPlateProblem& problem, const std::vector<double>& laplacian,
                       const std::vector<Point2>& slope, std::map<int32_t, SurfaceSample>& samples) const {
     for (int32_t v = 0; v < hole_.size(); ++v) {
-      if (IsKnown(hole_.vertices[v])) continue;
+      if (IsOriginal(hole_.vertices[v])) continue;
       samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), laplacian[v], slope[v]});
     }
   }

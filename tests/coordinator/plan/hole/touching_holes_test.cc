@@ -34,6 +34,12 @@ TEST(HolesThatTouchTest, LeavesOutOriginalEdgesAndHolesThatFailed) {
   EXPECT_TRUE(HolesThatTouch(plan).empty());
 }
 
+TEST(HolesThatTouchTest, WaterTouchesOnlyItsOwnBody) {
+  Plan plan = HolesWith({{{0, 1, true}, {4, 5, true}}, {{1, 0, true}, {2, 3, true}}, {{3, 2, true}, {5, 4, true}}});
+  plan.holes[0].water = plan.holes[1].water = 0;
+  EXPECT_EQ(HolesThatTouch(plan), (Pairs{{0, 1}}));
+}
+
 TEST(HolesThatTouchTest, DoesNotDependOnTheOrderOfSegments) {
   Plan plan = HolesWith({{{0, 1, true}, {1, 2, true}, {5, 6, true}}, {{2, 1, true}}, {{6, 5, true}}});
   const Pairs before = HolesThatTouch(plan);

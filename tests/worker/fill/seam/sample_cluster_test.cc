@@ -97,6 +97,27 @@ TEST(SampleClusterTest, AmongObjectsARimThatCrossesTheSeamDoesNoHarm) {
   for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 1e-6);
 }
 
+// As where water ends at a grid line, also where the seam is thinned.
+TEST(SampleClusterTest, KnownHeightsOfASeamStay) {
+  CellHoles cluster = Cluster(0);
+  for (RimVertex& v : cluster.vertices) {
+    if (v.seam_vertex < 0) continue;
+    v.height_known = true;
+    v.position.z() = 2;
+  }
+  for (const int64_t most_unknowns : {1000, 20}) {
+    const auto surface = SampleCluster(cluster, Untaut(), most_unknowns);
+    ASSERT_TRUE(surface.has_value());
+    int64_t known = 0;
+    for (const auto& sample : surface->samples) {
+      if (cluster.vertices[sample.seam_vertex].index >= 0) continue;
+      EXPECT_EQ(sample.height, 2);
+      ++known;
+    }
+    EXPECT_EQ(known, 9);
+  }
+}
+
 // As where the edge of the area runs along a grid line.
 TEST(SampleClusterTest, GivesANewVertexOfTheRimThatNoSeamEndsAtItsHeight) {
   CellHoles cluster = Cluster(0);

@@ -1,0 +1,36 @@
+// Water of the whole scene, where an area takes only a part of it.
+#ifndef TILEMEND_COORDINATOR_PLAN_WATER_KNOWN_WATER_H_
+#define TILEMEND_COORDINATOR_PLAN_WATER_KNOWN_WATER_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+struct KnownWater {
+  std::vector<WaterBody> bodies;  // their `holes` mean nothing here
+  std::vector<int32_t> body_of;   // by hole of the plan: the body that it is a part of; -1: of none
+
+  // Whether holes of one cluster are water as far as it is known: all of them, or the others reach the rim of the area
+  // and may be ground around the scene.
+  bool Decides(const Plan& plan, const std::vector<int32_t>& holes) const;
+  void Forget(const std::vector<int32_t>& holes);
+};
+
+// Finds what the water of `whole`, a plan of the same grid without the area, says of the holes of `plan`: a hole is a
+// part of the body that covers most of it, and more than half, with holes in the same cell. Cost O(128 * segments) for
+// each pair of holes that meet in a cell.
+KnownWater FindKnownWater(const Plan& whole, const Plan& plan);
+
+// The parts of known bodies that lie in holes without water, as bodies of the plan. The level is that of the whole; a
+// river keeps the stations beside the part.
+std::vector<WaterBody> PartsOfKnown(const KnownWater& known, const std::vector<bool>& is_water, const Plan& plan);
+
+// Gives the water's level for good to new vertices between holes that are water and others of their cluster.
+void HoldLevelAtEdges(Plan& plan);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_WATER_KNOWN_WATER_H_
