@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "coordinator/plan/water/area_cover.h"
+#include "coordinator/plan/water/given_line.h"
 #include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/rim_level.h"
 #include "coordinator/plan/water/river.h"
@@ -345,6 +346,7 @@ std::vector<WaterBody> FindBodies(const PlanInput& input, const WaterOptions& op
     reaches.push_back(ReachOf(plan, candidates[i], grounds[i]));
     candidate_of.push_back(i);
   }
+  LeaveOtherWater(options.tolerance, reaches);
   std::vector<WaterBody> bodies;
   std::vector<bool> is_part(candidates.size(), false);
   for (River& river : FindRivers(reaches, options.tolerance, options.profile.least_river)) {

@@ -13,7 +13,8 @@ namespace tilemend {
 // closed hole that faces up and projects, with at least one original vertex on its rim.
 //
 // The last area in options.areas that covers more than half of it decides. Lakes of one area are one body where their
-// shores' levels are no farther from that of the largest than the tolerance and its spread, or two tolerances. Where
+// shores' levels are no farther from that of the largest than the tolerance and its spread, or two tolerances. What a
+// given centreline does not run through is no part of its river if its shore is off that by as much. Where
 // none does and options.find is set, it is water if all of this holds (docs/decisions/2026-11-21-water.md), with a
 // slack of the tolerance, or of 0.1 % of the extent if that is less:
 //   - its rim has at least 24 vertices; their heights spread no more than the tolerance about where they gather, and no

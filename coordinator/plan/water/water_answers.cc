@@ -8,6 +8,7 @@
 
 #include "coordinator/plan/water/area_cover.h"
 #include "coordinator/plan/water/centreline.h"
+#include "coordinator/plan/water/given_line.h"
 
 namespace tilemend {
 namespace {
@@ -45,6 +46,15 @@ std::vector<Body> BodiesOf(const Plan& plan) {
 }
 
 std::string Number(double value) { return std::to_string(static_cast<int64_t>(std::llround(value))); }
+
+std::string Place(const Point2& at) {
+  std::string text(1, '(');
+  text += Number(at.x());
+  text += ", ";
+  text += Number(at.y());
+  text += ')';
+  return text;
+}
 
 std::string Decimals(double value) {
   const int64_t tenths = std::llround(10 * std::abs(value));
@@ -150,11 +160,16 @@ class Answers {
     return doubt;
   }
 
-  // The length of the bodies that are filled as the answer says.
+  bool IsRiver(int32_t h) const {
+    return plan_.holes[h].water >= 0 && !plan_.water[plan_.holes[h].water].river.stations.empty();
+  }
+
+  // The length of the rivers among the bodies that are filled as the answer says.
   double LengthOfWater(const WaterAnswer& answer) const {
     double length = 0;
     for (const Body& body : bodies_) {
       if (std::ranges::find(answer.holes, body.holes.front()) == answer.holes.end()) continue;
+      if (!IsRiver(body.holes.front())) continue;
       for (const Centreline& line : FindCentrelines(body.boundary, kStation)) {
         if (line.length > kStation) length += line.length;
       }
@@ -162,12 +177,27 @@ class Answers {
     return length;
   }
 
+  // Lakes beside the river of a centreline: large ones the line may have missed.
+  std::string OtherWater(const WaterAnswer& answer) const {
+    double lakes = 0, all = 0;  // m2
+    int32_t largest = answer.holes.front();
+    for (const int32_t h : answer.holes) {
+      all += plan_.holes[h].area;
+      if (IsRiver(h)) continue;
+      lakes += plan_.holes[h].area;
+      if (IsRiver(largest) || plan_.holes[h].area > plan_.holes[largest].area) largest = h;
+    }
+    if (lakes <= (1 - kCovers) * all) return "";
+    return "its centreline does not run through " + Number(lakes) +
+           " m2 of its water, which have a level of their own, at " + Place(plan_.holes[largest].centre);
+  }
+
   std::string DoubtOfCentreline(const WaterArea& area, const WaterAnswer& answer) const {
-    const auto along = [&](int32_t h) {
-      return plan_.holes[h].water >= 0 && !plan_.water[plan_.holes[h].water].river.stations.empty();
-    };
-    if (std::ranges::none_of(answer.holes, along))
+    if (std::ranges::none_of(answer.holes, [&](int32_t h) { return IsRiver(h); }))
       return "no level of the shore is known along its centreline, so the water is level";
+    if (const auto place = WhereItTurnsBack(area.centreline)) return "its centreline turns back at " + Place(*place);
+    const std::string other = OtherWater(answer);
+    if (!other.empty()) return other;
     const double water = LengthOfWater(answer), line = LengthInside(area);
     if (line >= kAlong * water) return "";
     return "its centreline runs along " + Number(line) + " m of " + Number(water) +
@@ -178,8 +208,7 @@ class Answers {
   std::string WhyNot(int32_t a, const Body& body, double share) const {
     const Point2 at = plan_.holes[body.holes.front()].centre;
     if (share <= kDecides) {
-      return "it covers " + Number(100 * share) + " % of the hole at (" + Number(at.x()) + ", " + Number(at.y()) +
-             "), and more than half is needed";
+      return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) + ", and more than half is needed";
     }
     if (body.decided_by != a) return "another after it decides on the same hole: " + areas_[body.decided_by].label;
     return areas_[a].water ? WhyNoWater(plan_, body) : "";

@@ -133,6 +133,32 @@ TEST_F(WaterAnswersTest, DoubtsACentrelineThatDoesNotRunAlongTheWater) {
   }
 }
 
+TEST_F(WaterAnswersTest, DoubtsACentrelineThatTurnsBack) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 200, 20), 0).water = 0;
+  plan_.water.resize(1);
+  plan_.water[0].river.stations = {{0, 10, 2}, {200, 10, 1}};
+  const auto& answers = Answer({{true, {{Box(-2, -1, 202, 23)}}, {}, {{5, 10}, {195, 10}, {5, 10}}}});
+  EXPECT_EQ(answers[0].doubt, "its centreline turns back at (195, 10)");
+}
+
+TEST_F(WaterAnswersTest, SaysWhatWaterACentrelineDoesNotRunThrough) {
+  for (const double area : {3000.0, 400.0}) {
+    plan_ = {};
+    PlannedHole& river = AddHole(HoleKind::kOpenI, Box(0, 0, 200, 20), 0);
+    river.water = 0;
+    river.area = 4000;
+    PlannedHole& lake = AddHole(HoleKind::kOpenI, Box(0, 40, 50, 100), 1);
+    lake.water = 1;
+    lake.area = area;
+    plan_.water.resize(2);
+    plan_.water[0].river.stations = {{0, 10, 2}, {200, 10, 1}};
+    const auto& answers = Answer({{true, {{Box(-2, -1, 202, 102)}}, {}, {{5, 10}, {195, 10}}}});
+    EXPECT_EQ(answers[0].doubt, area < 1000 ? ""
+                                            : "its centreline does not run through 3000 m2 of its water, which have a "
+                                              "level of their own, at (25, 70)");
+  }
+}
+
 TEST_F(WaterAnswersTest, SaysWhereACentrelineMakesNoRiver) {
   AddHole(HoleKind::kOpenI, Box(0, 0, 200, 20), 0).water = 0;
   plan_.water.resize(1);

@@ -17,6 +17,7 @@
 namespace tilemend {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
@@ -233,6 +234,22 @@ TEST_P(WaterTest, AnAreaMayGiveTheCentreline) {
   ASSERT_THAT(stations, Not(IsEmpty()));
   EXPECT_GT(stations.front().x(), stations.back().x());
   EXPECT_GT(stations.front().z(), stations.back().z() + 0.3);
+}
+
+TEST_P(WaterTest, ALakeBesideAGivenCentrelineKeepsItsLevel) {
+  SceneMakerOptions scene = LakeOverNineCells(GetParam());
+  scene.ellipses = {{{61, 30}, {55, 14}}, {{61, 90}, {40, 22}}};
+  scene.terrain = [](double x, double y) { return y < 55 ? kWaterLevel - 0.002 * x : kWaterLevel + 1; };
+  WaterOptions water;
+  water.areas = {{true, {{Box(0, 0, 120, 120)}}, std::nullopt, {{10, 30}, {110, 30}}}};
+  const Plan plan = PlanOf(scene, water);
+  ASSERT_THAT(plan.water, SizeIs(2));
+  const bool lake_first = plan.water[0].river.stations.empty();
+  const WaterBody &lake = plan.water[lake_first ? 0 : 1], &river = plan.water[lake_first ? 1 : 0];
+  EXPECT_NEAR(lake.level, kWaterLevel + 1, 0.02);
+  EXPECT_THAT(lake.river.stations, IsEmpty());
+  EXPECT_NEAR(LevelAt(river, {61, 30}, plan.lattice_step), kWaterLevel - 0.12, 0.03);
+  EXPECT_THAT(plan.water_answers[0].doubt, HasSubstr("does not run through"));
 }
 
 TEST_P(WaterTest, SmallLakesAreNotLookedFor) {
