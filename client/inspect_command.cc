@@ -22,8 +22,8 @@
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
+#include "coordinator/plan/rim/area_proposal.h"
 #include "coordinator/report/area_choice.h"
-#include "coordinator/report/area_proposal.h"
 #include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
@@ -157,7 +157,7 @@ absl::Status CheckIsNew(const std::string& path) {
 
 absl::Status WriteProposal(const std::string& path, const SceneWaves& waves) {
   if (path.empty()) return absl::OkStatus();
-  const PlanePolygon area = ProposeArea(waves.scene(), waves.records());
+  const PlanePolygon area = ProposeArea(waves.scene().grid, waves.records());
   if (area.empty()) return absl::FailedPreconditionError(absl::StrCat(path, ": too little surface to propose an area"));
   TILEMEND_RETURN_IF_ERROR(CheckIsNew(path));
   return WriteFileAtomically(path, AreaGeoJson(area, waves.scene()));

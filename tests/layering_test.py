@@ -185,7 +185,7 @@ RULES = {
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
         ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/fill/shape',
-         'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report',
+         'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),
 }

@@ -18,6 +18,7 @@
 #include "coordinator/plan/overlap/own_regions.h"
 #include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
+#include "coordinator/plan/rim/area_proposal.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
@@ -215,29 +216,41 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   return plan;
 }
 
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines& lines);
+// The shore that water is told by.
+enum class Shore { kInArea, kOfScene };
 
-// An area leaves a part of the shore, or makes holes of what lies around the scene: water is known without it as well.
-KnownWater WaterWithoutArea(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines);
+
+// Water of the scene, of which an area leaves a part of the shore, or which the hole around the scene goes on into.
+// Where the surface ends inside the cells there is such a hole without the area too: so up to its outline first.
+KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
   if (input.area.empty() && input.added.empty()) return {};
   if (plan.holes.empty() || (!options.water.find && options.water.areas.empty())) return {};
-  PlanInput whole = input;
-  for (const CellId cell : input.added) whole.cells.erase(cell);
-  whole.area = {};
-  whole.added.clear();
-  GridLines lines;
-  return FindKnownWater(PlanWithWater(whole, options, lines), plan);
+  PlanInput scene = input;
+  for (const CellId cell : input.added) scene.cells.erase(cell);
+  scene.added.clear();
+  KnownWater known{{}, std::vector<int32_t>(plan.holes.size(), -1)};
+  const auto add = [&] {
+    GridLines lines;
+    if (!options.cancelled())
+      AddKnownWater(FindKnownWater(PlanWithWater(scene, options, Shore::kInArea, lines), plan), known);
+  };
+  scene.area = OutlineInsideCells(scene.grid, scene.cells);
+  if (!scene.area.empty()) add();
+  scene.area = {};
+  add();
+  return known;
 }
 
 // All but what follows from the water.
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines) {
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!plan.upright) return plan;
   KnownWater known;
-  if (!options.cancelled()) known = WaterWithoutArea(input, options, plan);
+  if (shore == Shore::kOfScene && !options.cancelled()) known = WaterOfScene(input, options, plan);
   FindRimSlopes(plan);
   if (!options.cancelled()) MarkObjects(input, plan);
   if (!options.cancelled()) FindWater(input, options.water, known, plan);
@@ -251,7 +264,7 @@ Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   GridLines lines;
-  Plan plan = PlanWithWater(input, options, lines);
+  Plan plan = PlanWithWater(input, options, Shore::kOfScene, lines);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);

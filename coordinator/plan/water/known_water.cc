@@ -82,6 +82,14 @@ KnownWater FindKnownWater(const Plan& whole, const Plan& plan) {
   return known;
 }
 
+void AddKnownWater(const KnownWater& more, KnownWater& known) {
+  const auto first = static_cast<int32_t>(known.bodies.size());
+  known.bodies.insert(known.bodies.end(), more.bodies.begin(), more.bodies.end());
+  for (size_t h = 0; h < known.body_of.size(); ++h) {
+    if (known.body_of[h] < 0 && more.body_of[h] >= 0) known.body_of[h] = first + more.body_of[h];
+  }
+}
+
 std::vector<WaterBody> PartsOfKnown(const KnownWater& known, const std::vector<bool>& is_water, const Plan& plan) {
   std::vector<WaterBody> parts;
   for (size_t b = 0; b < known.bodies.size(); ++b) {

@@ -24,6 +24,9 @@ struct KnownWater {
 // each pair of holes that meet in a cell.
 KnownWater FindKnownWater(const Plan& whole, const Plan& plan);
 
+// Takes more of what is known, for holes of which nothing is.
+void AddKnownWater(const KnownWater& more, KnownWater& known);
+
 // The parts of known bodies that lie in holes without water, as bodies of the plan. The level is that of the whole; a
 // river keeps the stations beside the part.
 std::vector<WaterBody> PartsOfKnown(const KnownWater& known, const std::vector<bool>& is_water, const Plan& plan);

@@ -87,6 +87,13 @@ TEST(KnownWaterTest, DecidesWhereTheOthersReachTheRimOfTheArea) {
   EXPECT_FALSE(known.Decides(plan, {1, 2}));
 }
 
+TEST(AddKnownWaterTest, WhatIsKnownStays) {
+  KnownWater known{{Lake(3)}, {0, -1, -1}};
+  AddKnownWater({{Lake(4), Lake(5)}, {1, 1, -1}}, known);
+  EXPECT_THAT(known.bodies, SizeIs(3));
+  EXPECT_THAT(known.body_of, ElementsAre(0, 2, -1));
+}
+
 TEST(PartsOfKnownTest, HolesOfOneBodyAreOneAndWhatIsWaterStaysAsItIs) {
   Plan plan = PlanWithStep();
   for (const double x : {0, 10, 20, 30}) AddSquare(x, kCell, -1, plan);

@@ -1,4 +1,4 @@
-#include "coordinator/report/area_proposal.h"
+#include "coordinator/plan/rim/area_proposal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kSquaresPerCell = 128;
 constexpr double kMostSquares = 32e6;
-constexpr double kMouth = 0.25;  // of a cell: half of the widest mouth that is closed
-constexpr int32_t kInside = 2;   // squares between the surface's outline and the area's
-constexpr double kStraight = 1;  // squares: how far corners may be off the line between others to be left out
+constexpr double kMouth = 0.25;   // of a cell: half of the widest mouth that is closed
+constexpr int32_t kInside = 2;    // squares between the surface's outline and the area's
+constexpr double kFarInside = 2;  // times what is left out along cells that are filled
+constexpr double kStraight = 1;   // squares: how far corners may be off the line between others to be left out
 
 // Squares of the plane that are in or out, with a margin that is out.
 struct Mask {
@@ -27,12 +28,14 @@ struct Mask {
   }
 };
 
-Mask EmptyMask(const Scene& scene) {
-  const Point2 size = scene.grid.cell_size.cwiseProduct(Point2(scene.cols, scene.rows));
+Mask EmptyMask(const Grid& grid, const std::map<CellId, StoredRecord>& records) {
+  CellId last{0, 0};
+  for (const auto& [cell, record] : records) last = {std::max(last.col, cell.col), std::max(last.row, cell.row)};
+  const Point2 size = grid.cell_size.cwiseProduct(Point2(last.col + 1, last.row + 1));
   Mask mask;
-  mask.step = std::max(scene.grid.cell_size.minCoeff() / kSquaresPerCell, std::sqrt(size.prod() / kMostSquares));
-  const double margin = scene.grid.cell_size.maxCoeff() * (kMouth + 0.25);
-  mask.lo = scene.grid.corner - Point2::Constant(margin);
+  mask.step = std::max(grid.cell_size.minCoeff() / kSquaresPerCell, std::sqrt(size.prod() / kMostSquares));
+  const double margin = grid.cell_size.maxCoeff() * (kMouth + 0.25);
+  mask.lo = grid.corner - Point2::Constant(margin);
   mask.columns = static_cast<int32_t>(std::ceil((size.x() + 2 * margin) / mask.step));
   mask.rows = static_cast<int32_t>(std::ceil((size.y() + 2 * margin) / mask.step));
   mask.in.assign(static_cast<size_t>(mask.columns) * mask.rows, 0);
@@ -176,18 +179,44 @@ std::vector<std::vector<Point2>> RingsOf(const Mask& mask) {
   return rings;
 }
 
+// Rings have what is inside on their left.
+double AreaOf(const PlanePolygon& polygon) {
+  double twice = 0;
+  for (const std::vector<Point2>& ring : polygon.rings) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+      twice += a.x() * b.y() - b.x() * a.y();
+    }
+  }
+  return twice / 2;
+}
+
 }  // namespace
 
-PlanePolygon ProposeArea(const Scene& scene, const std::map<CellId, StoredRecord>& records) {
-  Mask mask = EmptyMask(scene);
+PlanePolygon ProposeArea(const Grid& grid, const std::map<CellId, StoredRecord>& records) {
+  Mask mask = EmptyMask(grid, records);
   for (const auto& [cell, record] : records) {
     if (record != nullptr) AddSurface(*record.Outline(), mask);
   }
-  const auto mouth = static_cast<int32_t>(kMouth * scene.grid.cell_size.minCoeff() / mask.step);
+  const auto mouth = static_cast<int32_t>(kMouth * grid.cell_size.minCoeff() / mask.step);
   Grow(1, mouth, mask);
   FillHoles(mask);
   Grow(0, mouth + kInside, mask);
   return {RingsOf(mask)};
+}
+
+PlanePolygon OutlineInsideCells(const Grid& grid, const std::map<CellId, StoredRecord>& records) {
+  const PlanePolygon outline = ProposeArea(grid, records);
+  double missing = -AreaOf(outline), perimeter = 0;
+  for (const auto& [cell, record] : records) {
+    missing += grid.cell_size.prod();
+    const CellId beside[] = {
+        {cell.col - 1, cell.row}, {cell.col + 1, cell.row}, {cell.col, cell.row - 1}, {cell.col, cell.row + 1}};
+    for (int side = 0; side < 4; ++side)
+      perimeter += records.contains(beside[side]) ? 0 : grid.cell_size[side < 2 ? 1 : 0];
+  }
+  const double regular = perimeter * kInside * grid.cell_size.minCoeff() / kSquaresPerCell;
+  return missing > kFarInside * regular ? outline : PlanePolygon();
 }
 
 }  // namespace tilemend
