@@ -78,7 +78,8 @@ RULES = {
         ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'], ['eigen']),
 
     'worker/fill/wang': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole'],
+        ['common/mesh', 'common/mesh/triangulation', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole',
+         'worker/fill/surface'],
         ['eigen']),
 
     'worker/fill/space': rule(

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
 
 namespace {
-
-using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 // Where a symmetric matrix has entries, with room for what the ordering puts there.
 Eigen::SparseMatrix<char> PatternOf(const Eigen::SparseMatrix<double>& lower) {
@@ -33,16 +32,20 @@ Eigen::SparseMatrix<char> PatternOf(const Eigen::SparseMatrix<double>& lower) {
   return pattern;
 }
 
-Order MinimumDegree(Eigen::SparseMatrix<char> pattern) {
-  Order order;
+}  // namespace
+
+EliminationOrder OrderOf(const Eigen::SparseMatrix<double>& lower) {
+  Eigen::SparseMatrix<char> pattern = PatternOf(lower);
+  EliminationOrder order;
   Eigen::internal::minimum_degree_ordering(pattern, order);
   return order;
 }
 
-}  // namespace
-
 SymmetricFactorization::SymmetricFactorization(Eigen::SparseMatrix<double> lower)
-    : back_(MinimumDegree(PatternOf(lower))) {
+    : SymmetricFactorization{OrderOf(lower), std::move(lower)} {}
+
+SymmetricFactorization::SymmetricFactorization(EliminationOrder order, Eigen::SparseMatrix<double> lower)
+    : back_(std::move(order)) {
   Eigen::SparseMatrix<double> ordered(lower.rows(), lower.cols());
   ordered.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(back_.inverse());
   lower = Eigen::SparseMatrix<double>();
@@ -52,6 +55,10 @@ SymmetricFactorization::SymmetricFactorization(Eigen::SparseMatrix<double> lower
 
 Eigen::VectorXd SymmetricFactorization::Solve(const Eigen::VectorXd& right_side) const {
   return back_ * solver_.solve(back_.inverse() * right_side);
+}
+
+Eigen::MatrixXd SymmetricFactorization::Solve(const Eigen::MatrixXd& right_sides) const {
+  return back_ * solver_.solve(back_.inverse() * right_sides);
 }
 
 PlateFactorization::PlateFactorization(const PlateEquations& equations)

@@ -9,17 +9,25 @@
 
 namespace tilemend {
 
-// A sparse Cholesky factorisation of a symmetric matrix, of which `lower` is the lower triangle, in an order of
-// approximate minimum degree (Eigen). Its memory is that of the triangle and of the factor: Eigen's own way to the
-// order would have whole copies of the matrix beside them.
+// From the order in which unknowns are eliminated to their numbers in the matrix.
+using EliminationOrder = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+
+// The order of approximate minimum degree (Eigen) of a symmetric matrix, of which `lower` is the lower triangle. It
+// serves every matrix with entries at the same places.
+EliminationOrder OrderOf(const Eigen::SparseMatrix<double>& lower);
+
+// A sparse Cholesky factorisation of a symmetric matrix, of which `lower` is the lower triangle. Its memory is that of
+// the triangle and of the factor: Eigen's own way to the order would have whole copies of the matrix beside them.
 class SymmetricFactorization {
  public:
   explicit SymmetricFactorization(Eigen::SparseMatrix<double> lower);
+  SymmetricFactorization(EliminationOrder order, Eigen::SparseMatrix<double> lower);
   bool ok() const { return solver_.info() == Eigen::Success; }
   Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) const;
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& right_sides) const;  // each column
 
  private:
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> back_;  // from the order to the numbers of the matrix
+  EliminationOrder back_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
 };
 

@@ -1,9 +1,12 @@
 #include "worker/fill/wang/fair_patch.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "worker/fill/surface/direct_solver.h"
 
 namespace tilemend {
 namespace {
@@ -15,6 +18,12 @@ constexpr double kMostWeight = 1e3;
 constexpr double kLeastSine = 1e-6;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
+
+// Of the new points' places after a step.
+struct Equations {
+  SparseMatrix lower;  // triangle of a symmetric matrix
+  Eigen::MatrixXd right;
+};
 
 // The umbrella operator, times the sum of the weights, at the points that have an equation.
 class Umbrella {
@@ -31,8 +40,7 @@ class Umbrella {
     AddWeights(all);
   }
 
-  // Solves a step; nothing of it is kept.
-  bool Step(Eigen::SimplicialLDLT<SparseMatrix>& solver, bool first, Eigen::MatrixXd& places) const {
+  Equations ForStep() const {
     const int32_t unknowns = patch_.size() - patch_.rim_count;
     SparseMatrix umbrella(weights_.size(), unknowns), mass(unknowns, unknowns);
     umbrella.setFromTriplets(free_.begin(), free_.end());
@@ -41,13 +49,9 @@ class Umbrella {
     mass.setIdentity();
     const SparseMatrix system =
         SparseMatrix(own.asDiagonal() * mass) + kFairingStep * SparseMatrix(umbrella.transpose() * scaled);
-    if (first) solver.analyzePattern(system);
-    solver.factorize(system);
-    if (solver.info() != Eigen::Success) return false;
     Eigen::MatrixXd right = -kFairingStep * (scaled.transpose() * fixed_);
     for (int32_t k = 0; k < unknowns; ++k) right.row(k) += own[k] * patch_.points[patch_.rim_count + k].transpose();
-    places = solver.solve(right);
-    return solver.info() == Eigen::Success && places.allFinite();
+    return {system.triangularView<Eigen::Lower>(), std::move(right)};
   }
 
  private:
@@ -111,11 +115,15 @@ bool FairPatch(const PatchSurroundings& around, int32_t steps, NewPatch& patch,
                const std::function<bool()>& is_cancelled) {
   if (patch.size() == patch.rim_count) return true;
   PointMover mover(patch);
-  Eigen::SimplicialLDLT<SparseMatrix> solver;
+  EliminationOrder order;  // edges stay, so that it serves every step
   for (int32_t step = 0; step < steps; ++step) {
     if (is_cancelled && is_cancelled()) return false;
-    Eigen::MatrixXd places;
-    if (!Umbrella(patch, around).Step(solver, step == 0, places)) return false;
+    Equations equations = Umbrella(patch, around).ForStep();
+    if (step == 0) order = OrderOf(equations.lower);
+    const SymmetricFactorization factorization(order, std::move(equations.lower));
+    if (!factorization.ok()) return false;
+    const Eigen::MatrixXd places = factorization.Solve(equations.right);
+    if (!places.allFinite()) return false;
     for (int32_t v = patch.rim_count; v < patch.size(); ++v) {
       mover.Move(v, places.row(v - patch.rim_count).transpose());
     }

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "tests/worker/fill/surface/plates.h"
 
@@ -16,6 +17,36 @@ using testing::MakePlate;
 using testing::Noise;
 using testing::Nowhere;
 using testing::Plate;
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+// The lower triangle of a grid of 6 x 6 with `diagonal`.
+Matrix Grid(double diagonal) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < 36; ++i) {
+    entries.emplace_back(i, i, diagonal);
+    if (i % 6 < 5) entries.emplace_back(i + 1, i, -1);
+    if (i < 30) entries.emplace_back(i + 6, i, -1);
+  }
+  Matrix lower(36, 36);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+TEST(SymmetricFactorizationTest, SolvesForEachColumnAsAlone) {
+  const SymmetricFactorization factorization(Grid(5));
+  const Eigen::MatrixXd right = Eigen::MatrixXd::Random(36, 3);
+  const Eigen::MatrixXd all = factorization.Solve(right);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(all.col(k), factorization.Solve(Eigen::VectorXd(right.col(k))));
+  const Eigen::MatrixXd back = Matrix(Grid(5).selfadjointView<Eigen::Lower>()) * all;
+  EXPECT_LT((back - right).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(SymmetricFactorizationTest, AnOrderServesAllMatricesWithTheSamePlaces) {
+  const EliminationOrder order = OrderOf(Grid(5));
+  const Eigen::VectorXd right = Eigen::VectorXd::Ones(36);
+  EXPECT_EQ(SymmetricFactorization(order, Grid(7)).Solve(right), SymmetricFactorization(Grid(7)).Solve(right));
+}
 
 TEST(PlateFactorizationTest, IsTheInverseOfTheOperator) {
   for (const double tension : {0.0, 0.3}) {
