@@ -28,6 +28,7 @@ std::vector<FlagSpec> StartFlags() {
 
 std::vector<FlagSpec> LocalFlags() {
   return {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
+          {"task-memory", "MB", "memory that tasks take at once, 64 to 1e6; one alone may take more", "384"},
           {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}};
 }
 

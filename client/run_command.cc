@@ -24,6 +24,7 @@
 #include "coordinator/service/grpc_services.h"
 #include "coordinator/service/scene_pipeline.h"
 #include "worker/service/scene_stages.h"
+#include "worker/service/task_memory.h"
 #include "worker/service/worker.h"
 
 namespace tilemend {
@@ -44,8 +45,26 @@ v1::Job WithoutWaiting(v1::Job job) {
   return job;
 }
 
+// What tasks may take of the machine.
+struct Means {
+  int threads = 1;
+  int64_t memory_bytes = 0;
+};
+
+absl::StatusOr<Means> MeansFromFlags(const Args& args) {
+  Means means{static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), 0};
+  if (args.IsGiven("workers")) {
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t workers, args.Integer("workers", 1, 1024));
+    means.threads = static_cast<int>(workers);
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t megabytes,
+                            args.Integer("task-memory", kLeastTaskMegabytes, kMostTaskMegabytes));
+  means.memory_bytes = megabytes * kMegabyte;
+  return means;
+}
+
 // Runs the job to its end. The first signal cancels it.
-absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const std::string& work_folder,
+absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
                                     SignalWatcher& signals) {
   CoordinatorOptions options;
   options.work_folder = work_folder;
@@ -64,8 +83,8 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   if (!job.ok()) return NotBegun(spec, job.status());
   WorkerOptions worker_options;
   worker_options.id = "embedded";
-  worker_options.threads = threads;
-  worker_options.prefetch = 2 * threads;  // the only worker
+  worker_options.threads = means.threads;
+  worker_options.prefetch = 2 * means.threads;  // the only worker
   // Out of reach in the same process: it has no thread for the calls.
   worker_options.patience = absl::Seconds(10);
   v1::CancelJobRequest cancel;
@@ -74,7 +93,7 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, int threads, const 
   // cancel.
   const auto cancel_job = [&impl, cancel] { impl->CancelJob(cancel).status().IgnoreError(); };
   worker_options.on_end = cancel_job;
-  Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(),
+  Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(means.memory_bytes),
                 *MetricsRegistry::Null());
   signals.Start([&cancel_job](int) { cancel_job(); });
   ProgressDisplay display;
@@ -114,15 +133,13 @@ int RunCommand(const Args& args) {
   if (!format.ok()) return PrintUsageError(format.status());
   const auto spec = SpecFromFlags(args);
   if (!spec.ok()) return PrintUsageError(spec.status());
-  const auto threads = args.IsGiven("workers")
-                           ? args.Integer("workers", 1, 1024)
-                           : absl::StatusOr<int64_t>(std::max(1U, std::thread::hardware_concurrency()));
-  if (!threads.ok()) return PrintUsageError(threads.status());
+  const auto means = MeansFromFlags(args);
+  if (!means.ok()) return PrintUsageError(means.status());
   SignalWatcher signals;  // before any other thread; until the work folder is gone
   const auto work_folder = WorkFolder::Make(args.Text("work"));
   if (!work_folder.ok()) return PrintError(work_folder.status());
-  KeepHeap(static_cast<int>(*threads));
-  const auto job = RunEmbedded(*spec, static_cast<int>(*threads), work_folder->path(), signals);
+  KeepHeap(means->threads);
+  const auto job = RunEmbedded(*spec, *means, work_folder->path(), signals);
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
   if (LeftUnfinished(*job)) {

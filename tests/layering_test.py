@@ -107,7 +107,7 @@ RULES = {
 
     'worker/fill': rule(
         ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/front', 'worker/fill/plane',
-         'worker/fill/crease'],
+         'worker/fill/crease', 'worker/fill/seam'],
         []),
 
     'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),

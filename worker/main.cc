@@ -36,6 +36,7 @@
 #include "common/util/version.h"
 #include "common/util/without_exceptions.h"
 #include "worker/service/scene_stages.h"
+#include "worker/service/task_memory.h"
 #include "worker/service/worker.h"
 
 namespace tilemend {
@@ -47,6 +48,8 @@ std::vector<FlagSpec> WorkerFlags() {
   std::vector<FlagSpec> flags = {
       {"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"},
       {"threads", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
+      {"task-memory", "MB",
+       "memory that tasks take at once, 64 to 1e6; one alone may take more (default: 3/4 of what there is)", ""},
       {"root", "DIR[:DIR]", "read and write files below these folders alone (default: anywhere)", ""},
       {"health", "HOST:PORT", "answer the standard gRPC health check there", ""},
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
@@ -59,6 +62,14 @@ std::vector<FlagSpec> WorkerFlags() {
   const std::vector<FlagSpec> status = StatusFlags();
   flags.insert(flags.end() - 3, status.begin(), status.end());
   return AllAsSettings(std::move(flags));
+}
+
+// Bytes.
+absl::StatusOr<int64_t> TaskMemoryFromFlags(const Flags& flags) {
+  if (!flags.IsGiven("task-memory")) return static_cast<int64_t>(MemoryLimitBytes() * 3 / 4);
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t megabytes,
+                            flags.Integer("task-memory", kLeastTaskMegabytes, kMostTaskMegabytes));
+  return megabytes * kMegabyte;
 }
 
 absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
@@ -114,7 +125,7 @@ absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, c
   return server;
 }
 
-absl::Status Work(const Flags& flags, WorkerOptions options) {
+absl::Status Work(const Flags& flags, WorkerOptions options, int64_t task_memory) {
   SignalWatcher signals;  // before any other thread
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags));
   PrometheusRegistry metrics;
@@ -129,7 +140,7 @@ absl::Status Work(const Flags& flags, WorkerOptions options) {
                             CredentialKeeper::Start(CredentialFilesFromFlags(flags), log, metrics));
   const CredentialFiles& kept = credentials->kept();
   Worker worker(options, NewGrpcWorkLink(Connect(flags.Text("coordinator"), {kept.tls, kept.token})),
-                SceneStageRunner(), metrics);
+                SceneStageRunner(task_memory), metrics);
   std::unique_ptr<RpcServer> health;
   if (flags.IsGiven("health")) {
     TILEMEND_ASSIGN_OR_RETURN(health, RpcServer::Start(flags.Text("health"), {}, kept.tls));
@@ -186,7 +197,9 @@ int Main(const std::vector<std::string>& words) {
   if (!flags.ok()) return Fail(flags.status(), kExitUsage);
   const auto options = OptionsFromFlags(*flags);
   if (!options.ok()) return Fail(options.status(), kExitUsage);
-  const absl::Status status = WithoutExceptions([&] { return Work(*flags, *options); });
+  const auto task_memory = TaskMemoryFromFlags(*flags);
+  if (!task_memory.ok()) return Fail(task_memory.status(), kExitUsage);
+  const absl::Status status = WithoutExceptions([&] { return Work(*flags, *options, *task_memory); });
   return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
 }
 

@@ -1,6 +1,8 @@
 #include "common/util/heap.h"
 
+#include <algorithm>
 #include <limits>  // and with it, whether this is glibc
+#include <thread>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -13,7 +15,8 @@ void KeepHeap([[maybe_unused]] int threads) {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   mallopt(M_TOP_PAD, 1 << 20);
-  mallopt(M_ARENA_MAX, threads + 1);
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  mallopt(M_ARENA_MAX, std::min(threads, cores) + 1);
 #endif
 }
 

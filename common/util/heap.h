@@ -6,7 +6,7 @@ namespace tilemend {
 
 // Keeps freed memory for the next step in place of giving it back to the system, which would hand it out again page by
 // page. Blocks of 32 MiB and more still come and go one by one. What is kept is kept for `threads` that work at once,
-// and all the others together. Without effect where the C library is not glibc.
+// at most as many as there are cores, and all the others together. Without effect where the C library is not glibc.
 void KeepHeap(int threads);
 
 // For a process of many threads of which few take much memory, each for a while: they share what is kept, at most 16

@@ -22,6 +22,7 @@
 #include "common/store/fingerprint.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
+#include "common/util/memory_budget.h"
 #include "common/util/status_macros.h"
 #include "coordinator/check/mesh_outline.h"
 #include "coordinator/check/patch_check.h"
@@ -30,7 +31,6 @@
 #include "coordinator/check/tile_check.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/service/attempt_folder.h"
-#include "coordinator/service/memory_budget.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {

@@ -10,6 +10,6 @@ PipelineFactory ScenePipelineFactory(std::string, TileCheck) { return ToyPipelin
 
 ResultCheck SceneResultCheck(TileCheck) { return {}; }
 
-StageRunner SceneStageRunner() { return ToyStageRunner(); }
+StageRunner SceneStageRunner(int64_t) { return ToyStageRunner(); }
 
 }  // namespace tilemend

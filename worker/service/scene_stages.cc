@@ -1,6 +1,7 @@
 #include "worker/service/scene_stages.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,7 @@
 #include "common/util/status_macros.h"
 #include "tilemend/v1/stages.pb.h"
 #include "worker/fill/fill_holes.h"
+#include "worker/fill/fill_memory.h"
 #include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
 #include "worker/fill/seam/smooth_seam.h"
@@ -35,6 +37,7 @@
 #include "worker/materials/survey_look.h"
 #include "worker/materials/write_materials.h"
 #include "worker/service/attempt_files.h"
+#include "worker/service/task_memory.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -90,7 +93,8 @@ absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   return output.SerializeAsString();
 }
 
-absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input) {
+absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input, TaskMemory& memory) {
+  const HeldMemory held(memory.tasks, SurveyMemory(PathOf(input.tile())));
   absl::StatusOr<std::string> output = Survey(input);
   return output.ok() ? output : WithHint(output.status());
 }
@@ -124,11 +128,14 @@ absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const Cance
                   : absl::InvalidArgumentError("options of the surface wang out of range");
 }
 
-absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input, const CancelToken& cancel) {
+absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input, const CancelToken& cancel,
+                                             TaskMemory& memory) {
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles holes, FromProto(input.holes()));
   v1::SampleClusterOutput output;
   output.set_cluster(input.cluster());
   TILEMEND_ASSIGN_OR_RETURN(const FillOptions options, OptionsOf(input.options(), cancel));
+  const HeldMemory held(memory.tasks, SampleMemory(holes, options));
+  if (cancel.cancelled()) return absl::CancelledError("cancelled");
   const std::optional<ClusterSurface> surface = SampleCluster(holes, options);
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   if (!surface) return output.SerializeAsString();
@@ -178,11 +185,11 @@ absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::str
 // The surface of tiles, read when it is first asked for.
 class TileSurface {
  public:
-  explicit TileSurface(const v1::FillInput& input) : input_(input) {}
+  TileSurface(const v1::FillInput& input, MemoryBudget& memory) : input_(input), memory_(memory) {}
 
   std::vector<SpaceTriangle> Near(const Point3& lo, const Point3& hi) {
     std::vector<SpaceTriangle> found;
-    if (tiles_.empty()) status_ = Read();
+    if (!held_) status_ = Read();
     for (const SurfaceIndex& tile : tiles_) tile.AppendNear(lo, hi, found);
     return found;
   }
@@ -192,6 +199,9 @@ class TileSurface {
 
  private:
   absl::Status Read() {
+    int64_t all = 0;
+    for (const v1::TileRef& tile : input_.surface()) all += SurfaceMemory(PathOf(tile));
+    held_.emplace(memory_, all);
     for (const v1::TileRef& tile : input_.surface()) {
       TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadSurveyed(tile));
       const std::string path = PathOf(tile);
@@ -203,19 +213,23 @@ class TileSurface {
   }
 
   const v1::FillInput& input_;
+  MemoryBudget& memory_;
+  std::optional<HeldMemory> held_;  // goes after the tiles
   std::vector<SurfaceIndex> tiles_;
   absl::Status status_;
 };
 
-absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToken& cancel) {
+absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToken& cancel, TaskMemory& memory) {
   TILEMEND_ASSIGN_OR_RETURN(CellHoles holes, FromProto(input.holes()));
   v1::SampleLayerOutput samples;
   if (input.has_sampled()) {
     TILEMEND_ASSIGN_OR_RETURN(samples, Sample(input.sampled()));
     TakeSampledHeights(Column(samples.seam_vertex()), Column(samples.height()), holes);
   }
-  TileSurface surface(input);
   TILEMEND_ASSIGN_OR_RETURN(const FillOptions options, OptionsOf(input.options(), cancel));
+  const HeldMemory held(memory.tasks, FillMemory(holes, options));
+  if (cancel.cancelled()) return absl::CancelledError("cancelled");
+  TileSurface surface(input, memory.surfaces);
   const std::vector<HolePatch> patches =
       FillHoles(holes, options, [&](const Point3& lo, const Point3& hi) { return surface.Near(lo, hi); });
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
@@ -325,12 +339,13 @@ bool AreThere(const v1::AssembleInput& input) {
          std::all_of(files.begin(), files.end(), [&](const v1::WrittenFile& file) { return IsThere(input, file); });
 }
 
-absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const CancelToken& cancel) {
+absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const CancelToken& cancel, TaskMemory& memory) {
   if (AreThere(input)) {
     v1::AssembleOutput known = input.known();
     known.set_unchanged(true);
     return known.SerializeAsString();
   }
+  const HeldMemory held(memory.tasks, AssembleMemory(input));
   TILEMEND_ASSIGN_OR_RETURN(const Assembled tile, AssembleTile(input));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   v1::AssembleOutput output;
@@ -343,15 +358,16 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
   return output.SerializeAsString();
 }
 
-absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, const CancelToken& cancel) {
+absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, const CancelToken& cancel,
+                                     TaskMemory& memory) {
   switch (stage) {
     case Stage::kSurvey: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(bytes));
-      return RunSurvey(input);
+      return RunSurvey(input, memory);
     }
     case Stage::kSampleCluster: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleClusterInput>(bytes));
-      return RunSampleCluster(input, cancel);
+      return RunSampleCluster(input, cancel, memory);
     }
     case Stage::kSampleLayer: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleLayerInput>(bytes));
@@ -359,7 +375,7 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
     }
     case Stage::kFill: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::FillInput>(bytes));
-      return RunFill(input, cancel);
+      return RunFill(input, cancel, memory);
     }
     case Stage::kSmoothSeam: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SmoothSeamInput>(bytes));
@@ -367,7 +383,7 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
     }
     case Stage::kAssemble: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(bytes));
-      return RunAssemble(input, cancel);
+      return RunAssemble(input, cancel, memory);
     }
   }
   return absl::InvalidArgumentError("unknown stage");
@@ -375,6 +391,11 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
 
 }  // namespace
 
-StageRunner SceneStageRunner() { return RunStage; }
+StageRunner SceneStageRunner(int64_t memory_bytes) {
+  return [memory = std::make_shared<TaskMemory>(memory_bytes)](Stage stage, const std::string& input,
+                                                               const CancelToken& cancel) {
+    return RunStage(stage, input, cancel, *memory);
+  };
+}
 
 }  // namespace tilemend

@@ -2,11 +2,16 @@
 #ifndef TILEMEND_WORKER_SERVICE_SCENE_STAGES_H_
 #define TILEMEND_WORKER_SERVICE_SCENE_STAGES_H_
 
+#include <cstdint>
+#include <limits>
+
 #include "worker/service/stage_runner.h"
 
 namespace tilemend {
 
-StageRunner SceneStageRunner();
+// Tasks wait until what they take, as foretold from their inputs, fits into `memory_bytes` beside what others have; one
+// alone never waits.
+StageRunner SceneStageRunner(int64_t memory_bytes = std::numeric_limits<int64_t>::max());
 
 }  // namespace tilemend
 

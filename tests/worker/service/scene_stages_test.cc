@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/time/clock.h"
@@ -202,6 +203,20 @@ TEST_F(SceneStagesTest, SaysWhichTileCannotBeSurveyed) {
   EXPECT_EQ(status("a.stl").code(), absl::StatusCode::kInvalidArgument);
   folder_.Write("bad.ply", "ply\n");
   EXPECT_THAT(std::string(status("bad.ply").message()), HasSubstr("bad.ply: "));
+}
+
+TEST_F(SceneStagesTest, ATaskAloneRunsHoweverLittleMemoryItMayTake) {
+  const StageRunner thrifty = SceneStageRunner(1);
+  v1::SurveyInput survey;
+  *survey.mutable_tile() = WriteTile(HoledRoof(), "a.ply");
+  v1::FillInput fill = FillInputOf(HoleOf(HoledRoof()));
+  fill.mutable_options()->set_thin_plate(true);
+  for (const auto& [stage, input] :
+       {std::pair(Stage::kSurvey, survey.SerializeAsString()), {Stage::kFill, fill.SerializeAsString()}}) {
+    const auto output = thrifty(stage, input, cancel_);
+    ASSERT_TRUE(output.ok()) << output.status();
+    EXPECT_EQ(*output, *runner_(stage, input, cancel_));
+  }
 }
 
 TEST_F(SceneStagesTest, FillsAHoleSoundly) {

@@ -1,6 +1,6 @@
 // How much memory several threads may take at once for something that each does for a moment.
-#ifndef TILEMEND_COORDINATOR_SERVICE_MEMORY_BUDGET_H_
-#define TILEMEND_COORDINATOR_SERVICE_MEMORY_BUDGET_H_
+#ifndef TILEMEND_COMMON_UTIL_MEMORY_BUDGET_H_
+#define TILEMEND_COMMON_UTIL_MEMORY_BUDGET_H_
 
 #include <condition_variable>
 #include <cstdint>
@@ -37,4 +37,4 @@ class MemoryBudget {
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_COORDINATOR_SERVICE_MEMORY_BUDGET_H_
+#endif  // TILEMEND_COMMON_UTIL_MEMORY_BUDGET_H_

@@ -1,4 +1,4 @@
-#include "coordinator/service/memory_budget.h"
+#include "common/util/memory_budget.h"
 
 namespace tilemend {
 

@@ -1,0 +1,49 @@
+#include "worker/service/task_memory.h"
+
+#include "absl/strings/str_cat.h"
+#include "common/util/cores.h"
+#include "common/util/folders.h"
+#include "common/util/heap.h"
+
+namespace tilemend {
+namespace {
+
+// Heap of less than this is kept for the thread's next task.
+constexpr int64_t kLarge = 64 * kMegabyte;
+
+// Of each byte of a tile's file.
+constexpr int64_t kSurveyed = 3;
+constexpr int64_t kSearched = 5;
+constexpr int64_t kAssembled = 3;
+constexpr int64_t kOfTriangle = 100;  // of a patch that is assembled
+
+// Zero for one that cannot be read: the task fails.
+int64_t SizeOf(const std::string& path) {
+  const auto look = LookAt(path);
+  return look.ok() ? look->size : 0;
+}
+
+}  // namespace
+
+HeldMemory::HeldMemory(MemoryBudget& budget, int64_t bytes) : bytes_(bytes) {
+  const LentCore lent;
+  share_.emplace(budget, bytes);
+}
+
+HeldMemory::~HeldMemory() {
+  if (bytes_ >= kLarge) ReturnHeap();
+}
+
+int64_t SurveyMemory(const std::string& path) { return kSurveyed * SizeOf(path); }
+int64_t SurfaceMemory(const std::string& path) { return kSearched * SizeOf(path); }
+
+int64_t AssembleMemory(const v1::AssembleInput& input) {
+  int64_t triangles = 0;
+  for (const v1::PatchExtent& patch : input.patches().patches()) triangles += patch.triangles();
+  if (triangles == 0) return 0;
+  const std::string& path = input.tile().path();
+  const int64_t of_tile = path.empty() ? 0 : kAssembled * SizeOf(absl::StrCat(input.tile().root(), "/", path));
+  return of_tile + kOfTriangle * triangles;
+}
+
+}  // namespace tilemend
