@@ -9,12 +9,12 @@ namespace tilemend {
 namespace {
 
 // Heap of less than this is kept for the thread's next task.
-constexpr int64_t kLarge = 64 * kMegabyte;
+constexpr int64_t kLarge = 96 * kMegabyte;
 
 // Of each byte of a tile's file.
-constexpr int64_t kSurveyed = 3;
+constexpr int64_t kSurveyed = 5;
 constexpr int64_t kSearched = 5;
-constexpr int64_t kAssembled = 3;
+constexpr int64_t kAssembled = 5;
 constexpr int64_t kOfTriangle = 100;  // of a patch that is assembled
 
 // Zero for one that cannot be read: the task fails.
