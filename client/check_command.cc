@@ -89,9 +89,15 @@ void LeaveUnchosen(const Json& report, Scene& scene) {
 absl::StatusOr<Scene> SceneAt(const std::string& path) {
   const std::string report_path = absl::StrCat(path, "/report.json");
   std::error_code error;
-  if (!std::filesystem::is_regular_file(report_path, error)) return LoadScene(path, ReadTileBounds);
+  if (!std::filesystem::is_regular_file(report_path, error)) {
+    if (IsOutput(path)) return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a file"));
+    return LoadScene(path, ReadTileBounds);
+  }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
   const Json report = Json::parse(text, nullptr, false);
+  if (IsOutput(path) && !(report.is_object() && report.contains("cells"))) {
+    return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report; run the same job again"));
+  }
   const std::string source = Text(Member(report, "scene"));
   auto scene = LoadScene(source.empty() ? path : source, ReadTileBounds);
   if (!scene.ok()) return LoadScene(path, ReadTileBounds);

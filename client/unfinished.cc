@@ -7,13 +7,21 @@
 
 namespace tilemend {
 
+namespace {
+
+bool HasFile(const std::string& folder, const char* name) {
+  std::error_code error;
+  return std::filesystem::exists(std::filesystem::path(folder) / name, error);
+}
+
+}  // namespace
+
 // A job that overwrites a complete output has its marker there, and leaves the report until its first tile.
 bool IsUnfinished(const std::string& output) {
-  const std::filesystem::path folder = output;
-  std::error_code error;
-  return std::filesystem::exists(folder / ".tilemend-job", error) &&
-         !std::filesystem::exists(folder / "report.json", error);
+  return (HasFile(output, ".tilemend-job") || IsOutput(output)) && !HasFile(output, "report.json");
 }
+
+bool IsOutput(const std::string& folder) { return HasFile(folder, ".tilemend-results"); }
 
 absl::Status CheckFinished(const std::string& output) {
   if (!IsUnfinished(output)) return absl::OkStatus();

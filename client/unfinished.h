@@ -8,8 +8,11 @@
 
 namespace tilemend {
 
-// Whether a job writes to the folder, or ended there before its output was complete.
+// Whether a job writes to the folder, or ended there before its output was complete; or its report was taken away.
 bool IsUnfinished(const std::string& output);
+
+// Whether a job has written to the folder.
+bool IsOutput(const std::string& folder);
 
 // kNotFound where it is so, with what to do.
 absl::Status CheckFinished(const std::string& output);

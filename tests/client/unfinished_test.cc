@@ -20,6 +20,16 @@ TEST(Unfinished, WhereThereIsAMarkerAndNoReport) {
   EXPECT_FALSE(IsUnfinished(folder / "out"));
 }
 
+TEST(Unfinished, WhereTheReportWasTakenAway) {
+  TemporaryFolder folder;
+  folder.Write("out/.tilemend-results", "");
+  EXPECT_TRUE(IsOutput(folder / "out"));
+  EXPECT_TRUE(IsUnfinished(folder / "out"));
+  folder.Write("out/report.json", "{}");
+  EXPECT_FALSE(IsUnfinished(folder / "out"));
+  EXPECT_FALSE(IsOutput(folder.path()));
+}
+
 TEST(Unfinished, SaysWhatToDo) {
   TemporaryFolder folder;
   EXPECT_TRUE(CheckFinished(folder.path()).ok());

@@ -174,6 +174,21 @@ TEST_F(SceneRunTest, OfChosenCellsTheOthersAreNoHoles) {
   EXPECT_THAT(checked.out, HasSubstr("        0  holes")) << checked.out;
 }
 
+TEST_F(SceneRunTest, CheckOfAnOutputNeedsItsReport) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, out).code, 0);
+  for (const char* damaged : {"", "{", "{}", "[]", "null"}) {
+    folder_.Write("out/report.json", damaged);
+    const Ended checked = Tilemend({"check", out});
+    EXPECT_EQ(checked.code, 4) << damaged << checked.out;
+    EXPECT_THAT(checked.err, HasSubstr("report.json: not a report"));
+  }
+  std::filesystem::remove(out + "/report.json");
+  EXPECT_EQ(Tilemend({"check", out}).code, 3);
+  std::filesystem::create_directory(out + "/report.json");
+  EXPECT_EQ(Tilemend({"check", out}).code, 4);
+}
+
 TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   SceneMakerOptions options = SmallScene(Cut::kClipped);
   options.cols = options.rows = 16;
