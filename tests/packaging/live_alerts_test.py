@@ -201,13 +201,17 @@ def spoil_a_result(stage):
     """Changes what a worker has written before the coordinator looks at it, while another worker is there. Nobody knows
     which worker it will be: both end."""
     workers = [stage.start_worker() for _ in range(2)]
+    wide = os.path.join(stage.folder, 'wide')
+    subprocess.run([stage.program('tilemend-make-scene'), wide, '--cols', '20', '--rows', '20', '--holes', 'lakes,small'],
+                   check=True, stdout=subprocess.DEVNULL)
     await_('two workers', lambda: stage.ask('tilemend_coordinator_workers_connected >= 2'))
     for attempt in range(20):
-        name = stage.submit(f'lied{attempt}')
+        name = stage.submit(f'lied{attempt}', wide)
         out = os.path.join(stage.folder, f'lied{attempt}')
         attempts = os.path.join(out, '.tilemend-attempts')
-        while stage.job(name)['state'] == 'running' and not os.path.isdir(os.path.join(out, 'tiles')):
-            time.sleep(0.01)
+        tiles = os.path.join(out, 'tiles')
+        while stage.job(name)['state'] == 'running' and not (os.path.isdir(tiles) and os.listdir(tiles)):
+            time.sleep(0.002)
         stage.coordinator.send_signal(signal.SIGSTOP)
         stopped, written = time.time(), []
         while time.time() < stopped + 1 and not written and os.path.isdir(attempts):
