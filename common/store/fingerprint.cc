@@ -34,6 +34,10 @@ absl::StatusOr<bool> FileHasDigest(const std::string& path, std::string_view dig
   return own == digest;
 }
 
+absl::Status ChangedInJob(const std::string& path) {
+  return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
+}
+
 bool HaveSameContent(const std::string& a, const std::string& b) {
   std::error_code error;
   if (std::filesystem::equivalent(a, b, error)) return true;

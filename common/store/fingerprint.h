@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 
 namespace tilemend {
@@ -18,6 +19,9 @@ absl::StatusOr<std::string> DigestOfFile(const std::string& path);
 
 // HasFileDigest of a whole file, as DigestOfFile.
 absl::StatusOr<bool> FileHasDigest(const std::string& path, std::string_view digest);
+
+// Of a file of the input that is not as it was surveyed: kAborted.
+absl::Status ChangedInJob(const std::string& path);
 
 // Whether two regular files are there and have the same bytes. Two names of one file do without reading it.
 bool HaveSameContent(const std::string& a, const std::string& b);

@@ -307,14 +307,29 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
                    Wrong("a tile that is not as it was written"));
 }
 
+bool IsAsSurveyed(const std::string& bytes, const std::string& digest) {
+  return digest.empty() || HasFileDigest(bytes, digest);
+}
+
+// The digest of a carried file; empty if no survey read it.
+std::string SurveyedDigest(const v1::AssembleInput& input, const std::string& path) {
+  if (path == input.library()) return input.library_digest();
+  for (int i = 0; i < std::min(input.carried_size(), input.carried_digests_size()); ++i) {
+    if (input.carried(i) == path) return input.carried_digests(i);
+  }
+  return "";
+}
+
 // The material file of a tile with patches.
 absl::StatusOr<std::string> LibraryOf(const v1::AssembleInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(const FillColours colours, ColoursOf(input));
   std::string original;
   if (!input.new_library()) {
-    const auto read = ReadFile(absl::StrCat(input.tile().root(), "/", input.library()));
+    const std::string path = absl::StrCat(input.tile().root(), "/", input.library());
+    const auto read = ReadFile(path);
     if (!read.ok()) return absl::UnavailableError(read.status().message());
     original = *read;
+    if (!IsAsSurveyed(original, input.library_digest())) return Changed(path);
   }
   std::vector<FillMaterial> materials;
   std::set<std::string> names;
@@ -343,7 +358,10 @@ absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile&
     if (!theirs.ok() || !own.ok()) return absl::UnavailableError("a file beside the tile cannot be read");
     same = *theirs == *own;
   }
-  return same ? absl::OkStatus() : Wrong("a file that is not the original");
+  if (same) return absl::OkStatus();
+  const std::string digest = SurveyedDigest(input, file.path());
+  const bool changed = !digest.empty() && !FileHasDigest(original, digest).value_or(false);
+  return changed ? Changed(original) : Wrong("a file that is not the original");
 }
 
 // The files beside the tile: each is expected, once; what is left out has a warning.

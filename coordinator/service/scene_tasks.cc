@@ -9,6 +9,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/store/fingerprint.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/service/scene_options.h"
@@ -218,6 +219,7 @@ void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
   output_->Adopt({carried.begin(), carried.end()});
   input.mutable_carried()->Add(carried.begin(), carried.end());
+  for (const std::string& path : carried) input.add_carried_digests(file_digests_[path]);
   input.set_link_images(spec_.textures == "link");
   input.set_output_root(spec_.out);
 }
@@ -225,7 +227,7 @@ void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
 void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
   std::string library = files_.LibraryOf(tile.cell);
   input.set_new_library(library.empty());
-  if (!library.empty()) input.set_library_digest(library_digests_[library]);
+  if (!library.empty()) input.set_library_digest(file_digests_[library]);
   if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
   output_->Adopt({library});
   input.set_library(std::move(library));
@@ -260,9 +262,9 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
   TILEMEND_ASSIGN_OR_RETURN(surveyed_[result.cell], PutAside(surveyed));
   for (const FileWitness::Read& read : tile->reads) {
-    const auto& libraries = tile->files.libraries;
-    const bool is_library = std::find(libraries.begin(), libraries.end(), read.path) != libraries.end();
-    if (is_library) library_digests_[read.path] = read.digest;
+    if (read.digest.empty()) continue;
+    const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;
+    if (known != read.digest) return ChangedInJob(absl::StrCat(waves_.scene().root, "/", read.path));
   }
   TILEMEND_ASSIGN_OR_RETURN(StoredRecord stored, scratch_->Keep(tile->record));
   waves_.TakeSurvey(result.cell, std::move(stored));

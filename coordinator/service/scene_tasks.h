@@ -77,7 +77,7 @@ class SceneTasks {
   const std::shared_ptr<ScratchFile> scratch_;
   SceneFiles files_;
   std::map<CellId, ScratchFile::Place> surveyed_;                // digest and stamp of each tile
-  std::map<std::string, std::string> library_digests_;           // by path
+  std::map<std::string, std::string> file_digests_;              // by path: what was read for surveys, beside the tiles
   std::map<CellId, int32_t> clusters_of_;                        // how many were given out, by the first cell of each
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there
   std::map<CellId, std::vector<int32_t>> layers_;                // the plan's numbers of what is sampled

@@ -2,16 +2,20 @@
 
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
+#include "common/store/fingerprint.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 
 namespace tilemend {
 
-absl::StatusOr<std::string> MaterialsAfter(const std::string& from, const std::vector<FillMaterial>& materials) {
+absl::StatusOr<std::string> MaterialsAfter(const std::string& from, const std::vector<FillMaterial>& materials,
+                                           const std::string& digest) {
   std::string text;
   if (!from.empty()) {
     TILEMEND_ASSIGN_OR_RETURN(text, ReadFile(from));
+    if (!digest.empty() && !HasFileDigest(text, digest)) return ChangedInJob(from);
   }
   return AppendToMtl(text, materials);
 }
@@ -35,7 +39,7 @@ absl::StatusOr<std::vector<std::string>> CarryFiles(const std::string& root, con
   for (const std::string& file : files) {
     const Carry how = link_images && !absl::EndsWithIgnoreCase(file, ".mtl") ? Carry::kLink : Carry::kCopy;
     const absl::Status status = carry(absl::StrCat(root, "/", file), file, how);
-    if (absl::IsResourceExhausted(status) || absl::IsUnavailable(status)) return status;
+    if (absl::IsResourceExhausted(status) || absl::IsUnavailable(status) || absl::IsAborted(status)) return status;
     if (!status.ok())
       warnings.push_back(absl::StrCat(Printable(std::string(status.message())), ": it is not in the output"));
   }

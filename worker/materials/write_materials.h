@@ -13,8 +13,10 @@
 
 namespace tilemend {
 
-// A material file: that of `from` (empty: none) with `materials` after it. Errors of ReadFile.
-absl::StatusOr<std::string> MaterialsAfter(const std::string& from, const std::vector<FillMaterial>& materials);
+// A material file: that of `from` (empty: none) with `materials` after it. Errors of ReadFile; kAborted
+// if `from` has not the FileDigest `digest` (empty: any).
+absl::StatusOr<std::string> MaterialsAfter(const std::string& from, const std::vector<FillMaterial>& materials,
+                                           const std::string& digest = "");
 
 // Writes it to `to`. Errors of ReadFile and WriteFileAtomically.
 absl::Status WriteMaterials(const std::string& from, const std::string& to, const std::vector<FillMaterial>& materials);

@@ -7,6 +7,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/store/digest.h"
+#include "common/store/fingerprint.h"
 #include "common/util/cores.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
@@ -76,6 +77,11 @@ absl::Status AttemptFiles::Carry(const std::string& from, const std::string& pat
   file.set_digest(digest);
   files_.push_back(std::move(file));
   return absl::OkStatus();
+}
+
+bool AttemptFiles::LastHas(const std::string& digest) const {
+  const LentCore lent;
+  return !files_.empty() && FileHasDigest(PathOf(files_.back()), digest).value_or(false);
 }
 
 std::vector<v1::WrittenFile> AttemptFiles::Keep() {

@@ -34,6 +34,9 @@ class AttemptFiles {
   absl::Status Carry(const std::string& from, const std::string& path, ::tilemend::Carry how,
                      const std::string& digest = "");
 
+  // Whether the file that was carried last has this FileDigest. Cost: reads it.
+  bool LastHas(const std::string& digest) const;
+
   // What was written, the last first. The coordinator sees to the files from now on.
   std::vector<v1::WrittenFile> Keep();
 

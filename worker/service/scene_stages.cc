@@ -1,6 +1,7 @@
 #include "worker/service/scene_stages.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -170,16 +171,12 @@ std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
   return {values.data(), static_cast<size_t>(values.size())};
 }
 
-absl::Status Changed(const std::string& path) {
-  return absl::AbortedError(absl::StrCat(path, ": changed while the job ran; run the job again"));
-}
-
 // The bytes of a tile as it was surveyed, when it had `stamp`.
 absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp = "") {
   const std::string path = PathOf(tile);
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTile(path));
   return HasStamp(path, stamp) || HasFileDigest(bytes, tile.digest()) ? absl::StatusOr<std::string>(std::move(bytes))
-                                                                      : Changed(path);
+                                                                      : ChangedInJob(path);
 }
 
 // The surface of tiles, read when it is first asked for.
@@ -293,22 +290,37 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
   return result;
 }
 
+// Of the files beside the tile that were read for the survey, by path.
+std::map<std::string, std::string> DigestsBeside(const v1::AssembleInput& input) {
+  std::map<std::string, std::string> digests;
+  const int known = std::min(input.carried_size(), input.carried_digests_size());
+  for (int i = 0; i < known; ++i) digests[input.carried(i)] = input.carried_digests(i);
+  digests[input.library()] = input.library_digest();
+  return digests;
+}
+
 // Writes the material file of the tile's filled faces, and carries what it names.
 absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInput& input,
                                                           const std::vector<FillMaterial>& materials,
                                                           AttemptFiles& files) {
   const std::string& root = input.tile().root();
   std::vector<std::string> carried(input.carried().begin(), input.carried().end());
+  std::map<std::string, std::string> digests = DigestsBeside(input);
   if (!materials.empty()) {
     const std::string from = input.new_library() ? "" : absl::StrCat(root, "/", input.library());
-    TILEMEND_ASSIGN_OR_RETURN(const std::string text, MaterialsAfter(from, materials));
+    TILEMEND_ASSIGN_OR_RETURN(const std::string text, MaterialsAfter(from, materials, input.library_digest()));
     TILEMEND_RETURN_IF_ERROR(files.Write(input.library(), text));
   } else if (!input.new_library() && !input.library().empty()) {
     carried.push_back(input.library());
   }
-  return CarryFiles(
-      root, carried, input.link_images(),
-      [&](const std::string& from, const std::string& path, Carry how) { return files.Carry(from, path, how); });
+  const auto carry = [&](const std::string& from, const std::string& path, Carry how) {
+    TILEMEND_RETURN_IF_ERROR(files.Carry(from, path, how));
+    const std::string& digest = digests[path];
+    // A link shows what becomes of the original anyhow.
+    const bool as_surveyed = how == Carry::kLink || digest.empty() || files.LastHas(digest);
+    return as_surveyed ? absl::OkStatus() : ChangedInJob(from);
+  };
+  return CarryFiles(root, carried, input.link_images(), carry);
 }
 
 // The tile as it is: no byte of it comes here if it is known to be unchanged.
@@ -321,7 +333,7 @@ absl::Status CarryTile(const v1::AssembleInput& input, AttemptFiles& files) {
   const Carry how = input.link_tile() ? Carry::kLink : Carry::kCopy;
   TILEMEND_RETURN_IF_ERROR(files.Carry(path, input.output(), how, input.tile().digest()));
   // A link changes the stamp itself.
-  return how == Carry::kLink || HasStamp(path, input.stamp()) ? absl::OkStatus() : Changed(path);
+  return how == Carry::kLink || HasStamp(path, input.stamp()) ? absl::OkStatus() : ChangedInJob(path);
 }
 
 // Whether the file of an earlier output is still what this one is to have, and no link to it.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "common/store/digest.h"
 #include "common/util/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,6 +25,15 @@ TEST(WriteMaterialsTest, AddsThemToACopy) {
   EXPECT_EQ(ReadFile(from).value(), "newmtl a\n");
   ASSERT_TRUE(WriteMaterials("", folder / "out/new.mtl", {{"b", {1, 2, 3}}}).ok());
   EXPECT_THAT(ReadFile(folder / "out/new.mtl").value(), StartsWith("newmtl b\n"));
+}
+
+TEST(WriteMaterialsTest, AddsThemToNoOtherFileThanWasSurveyed) {
+  const TemporaryFolder folder;
+  const std::string from = folder.Write("T.mtl", "newmtl a\n");
+  EXPECT_TRUE(MaterialsAfter(from, {}, FileDigest("newmtl a\n")).ok());
+  const absl::Status changed = MaterialsAfter(from, {}, FileDigest("newmtl b\n")).status();
+  EXPECT_TRUE(absl::IsAborted(changed));
+  EXPECT_THAT(std::string(changed.message()), StartsWith(from));
 }
 
 TEST(CarryFilesTest, LinksImagesButNeverMaterialFiles) {

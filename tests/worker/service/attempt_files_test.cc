@@ -30,6 +30,8 @@ class AttemptFilesTest : public testing::Test {
 TEST_F(AttemptFilesTest, SaysWhatItWroteTheLastFirst) {
   AttemptFiles files(attempts_, out_);
   ASSERT_TRUE(files.Carry(folder_ / "scene/a.png", "a.png", Carry::kCopy).ok());
+  EXPECT_TRUE(files.LastHas(FileDigest("image")));
+  EXPECT_FALSE(files.LastHas(FileDigest("another")));
   ASSERT_TRUE(files.Write("tiles/a.ply", "tile").ok());
   const auto written = files.Keep();
   ASSERT_EQ(written.size(), 2U);
