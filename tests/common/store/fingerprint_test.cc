@@ -56,5 +56,11 @@ TEST(DigestOfFileTest, IsThatOfTheBytes) {
   EXPECT_TRUE(absl::IsNotFound(FileHasDigest(folder / "none", Sha256Hex("")).status()));
 }
 
+TEST(ChangedInJobTest, NamesTheFileAndMayBeTriedAgain) {
+  const absl::Status changed = ChangedInJob("a.mtl");
+  EXPECT_TRUE(absl::IsAborted(changed));
+  EXPECT_EQ(changed.message().substr(0, 6), "a.mtl:");
+}
+
 }  // namespace
 }  // namespace tilemend
