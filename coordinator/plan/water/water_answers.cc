@@ -123,6 +123,8 @@ class Answers {
       answer.taken = !answer.holes.empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
       if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(answer);
+      if (!answer.water && areas_[a].level)
+        AddDoubt("its level_m has no effect where it says that there is no water", answer);
       if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(areas_[a], answer), answer);
       if (answer.water && under < kCovers * taken) AddDoubt(DoubtOfExtent(taken, under), answer);
       plan_.water_answers.push_back(std::move(answer));

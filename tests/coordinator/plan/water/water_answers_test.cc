@@ -63,6 +63,11 @@ TEST_F(WaterAnswersTest, AnAreaWithoutWaterIsTakenToo) {
   EXPECT_TRUE(Answer({{false, {{Box(-1, -1, 11, 11)}}}})[0].taken);
 }
 
+TEST_F(WaterAnswersTest, DoubtsALevelOfNoWater) {
+  AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));
+  EXPECT_THAT(Answer({{false, {{Box(-1, -1, 11, 11)}}, 3.5, {}, ""}})[0].doubt, HasSubstr("level_m has no effect"));
+}
+
 TEST_F(WaterAnswersTest, SaysWhatIsMissing) {
   AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));  // of a wall: no water though an area says so
   AddHole(HoleKind::kClosed, Box(20, 0, 30, 10)).failure = "its boundary crosses itself";
