@@ -198,7 +198,7 @@ class Answers {
     if (std::ranges::none_of(answer.holes, [&](int32_t h) { return IsRiver(h); }))
       return "no level of the shore is known along its centreline, so the water is level";
     if (const auto place = WhereItTurnsBack(area.centreline)) return "its centreline turns back at " + Place(*place);
-    const std::string other = OtherWater(answer);
+    std::string other = OtherWater(answer);
     if (!other.empty()) return other;
     const double water = LengthOfWater(answer), line = LengthInside(area);
     if (line >= kAlong * water) return "";
