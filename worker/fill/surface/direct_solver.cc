@@ -42,7 +42,7 @@ EliminationOrder OrderOf(const Eigen::SparseMatrix<double>& lower) {
 }
 
 SymmetricFactorization::SymmetricFactorization(Eigen::SparseMatrix<double> lower)
-    : SymmetricFactorization{OrderOf(lower), std::move(lower)} {}
+    : SymmetricFactorization{OrderOf(lower), lower} {}
 
 SymmetricFactorization::SymmetricFactorization(EliminationOrder order, Eigen::SparseMatrix<double> lower)
     : back_(std::move(order)) {
