@@ -10,6 +10,8 @@
 #include "common/mesh/box_tree.h"
 #include "common/mesh/triangulation/point_triangulation.h"
 #include "coordinator/plan/water/hole_groups.h"
+#include "coordinator/plan/water/platforms.h"
+#include "coordinator/plan/water/shore_line.h"
 
 namespace tilemend {
 namespace {
@@ -107,7 +109,11 @@ void FindGroundPoints(Plan& plan) {
     if (!plan.holes[holes.front()].among_objects || plan.holes[holes.front()].water >= 0) continue;
     Eigen::AlignedBox2d places;
     for (const int32_t h : holes) places.extend(ExtentOf(plan, plan.holes[h]));
-    const GroundSurface surface(Lowered(GroundOf(plan, holes), places), places);
+    std::vector<Point3> ground = Lowered(GroundOf(plan, holes), places);
+    const ShoreLine shore = ShoreLineOf(plan, holes);
+    const std::vector<Point3> platforms = FindPlatforms(shore.points, shore.kinds, shore.edges);
+    ground.insert(ground.end(), platforms.begin(), platforms.end());
+    const GroundSurface surface(std::move(ground), places);
     for (const int32_t h : holes) plan.holes[h].ground_points = surface.CornersIn(ExtentOf(plan, plan.holes[h]));
   }
 }

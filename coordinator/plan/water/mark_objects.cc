@@ -9,7 +9,9 @@
 
 #include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/raised_levels.h"
+#include "coordinator/plan/water/shore_line.h"
 #include "coordinator/plan/water/shore_objects.h"
+#include "coordinator/plan/water/terraces.h"
 
 namespace tilemend {
 namespace {
@@ -50,13 +52,6 @@ struct GroupSteps {
   std::vector<double> steps;
 };
 
-// The boundary of a hole and of the regions that tiles fill of it for themselves.
-template <typename Visit>
-void ForRimSegments(const PlannedHole& hole, const Visit& visit) {
-  std::for_each(hole.segments.begin(), hole.segments.end(), visit);
-  for (const std::vector<RimSegment>& region : hole.own_regions) std::for_each(region.begin(), region.end(), visit);
-}
-
 // The original vertices on the rims of the holes; ascending.
 std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes) {
   std::set<int32_t> vertices;
@@ -88,9 +83,7 @@ GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, co
 
 // Where the shore of holes in their cells ends: at the edge of the area, as what goes on in the next cell shares its
 // vertex.
-//   number  of vertices of the plan
-std::vector<int32_t> EndsOfShore(const Plan& plan, const std::vector<int32_t>& holes,
-                                 const std::map<int32_t, int32_t>& number) {
+std::vector<int32_t> EndsOfShore(const Plan& plan, const std::vector<int32_t>& holes, const ShoreLine& shore) {
   std::map<int32_t, int> edges;
   for (const int32_t h : holes) {
     for (const RimSegment& s : plan.holes[h].segments) {
@@ -100,38 +93,25 @@ std::vector<int32_t> EndsOfShore(const Plan& plan, const std::vector<int32_t>& h
     }
   }
   std::vector<int32_t> ends;
-  for (const auto& [v, count] : edges) {
-    if (count == 1) ends.push_back(number.at(v));
+  for (int32_t i = 0; i < std::ssize(shore.vertices); ++i) {
+    const auto it = edges.find(shore.vertices[i]);
+    if (it != edges.end() && it->second == 1) ends.push_back(i);
   }
   return ends;
 }
 
-// Marks what walls lift off the ground of a group's rim.
-void MarkRaisedLevels(const std::vector<int32_t>& holes, Plan& plan) {
-  std::vector<int32_t> vertices;
-  std::vector<Point3> points;
-  std::vector<ShorePoint> kinds;
-  std::map<int32_t, int32_t> number;
-  const auto take = [&](int32_t v) {
-    const auto [it, fresh] = number.try_emplace(v, static_cast<int32_t>(vertices.size()));
-    if (fresh) {
-      const PlanVertex& vertex = plan.vertices[v];
-      vertices.push_back(v);
-      points.push_back(vertex.position);
-      kinds.push_back(vertex.index >= 0 && !vertex.on_object ? ShorePoint::kGround : ShorePoint::kOther);
+// Marks what walls lift off the ground of a group's rim, and its terraces.
+void MarkRaised(const std::vector<int32_t>& holes, Plan& plan) {
+  ShoreLine shore = WholeShoreLineOf(plan, holes);
+  const auto mark = [&](const std::vector<bool>& raised) {
+    for (size_t i = 0; i < raised.size(); ++i) {
+      if (!raised[i]) continue;
+      shore.kinds[i] = ShorePoint::kOther;
+      plan.vertices[shore.vertices[i]].on_object = true;
     }
-    return it->second;
   };
-  std::vector<DirectedEdge> edges;
-  for (const int32_t h : holes) {
-    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
-      if (!s.seam) edges.push_back({take(s.from), take(s.to)});
-    });
-  }
-  const std::vector<bool> raised = OnRaisedLevels(points, kinds, edges, EndsOfShore(plan, holes, number));
-  for (size_t i = 0; i < vertices.size(); ++i) {
-    if (raised[i]) plan.vertices[vertices[i]].on_object = true;
-  }
+  mark(OnRaisedLevels(shore.points, shore.kinds, shore.edges, EndsOfShore(plan, holes, shore)));
+  mark(OnTerraces(shore.points, shore.kinds, shore.edges));
 }
 
 // Edges that run up an object are long in space alone: triangles of that length beside them would carry its wall far
@@ -172,7 +152,7 @@ void MarkObjects(const PlanInput& input, Plan& plan) {
     for (size_t i = 0; i < group.rim.size(); ++i) {
       if (on_object(group.steps[i])) plan.vertices[group.rim[i]].on_object = true;
     }
-    MarkRaisedLevels(group.holes, plan);
+    MarkRaised(group.holes, plan);
     const ptrdiff_t count =
         std::count_if(group.rim.begin(), group.rim.end(), [&](int32_t v) { return plan.vertices[v].on_object; });
     if (kFewObjects * count <= std::ssize(group.steps)) continue;

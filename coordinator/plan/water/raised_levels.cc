@@ -11,23 +11,17 @@
 namespace tilemend {
 namespace {
 
-// Two points of the ground, neighbours along the shore.
-struct Link {
-  int32_t a, b;
-  bool over_object;
-};
-
 class Levels {
  public:
   Levels(std::span<const Point3> points, std::span<const ShorePoint> kinds, std::span<const DirectedEdge> edges,
          std::span<const int32_t> ends, const LevelRule& rule)
       : points_(points), kinds_(kinds), edges_(edges), rule_(rule), levels_(static_cast<int32_t>(points.size())) {
-    objects_ = GroundBesideObjects();
-    const std::vector<Link> links = Links();
-    for (const Link& link : links) {
+    objects_ = GroundBesideObjects(points, kinds, edges);
+    const std::vector<GroundLink> links = LinkGround(kinds, edges, objects_);
+    for (const GroundLink& link : links) {
       if (IsLevel(link)) levels_.Join(link.a, link.b);
     }
-    for (const Link& link : links) {
+    for (const GroundLink& link : links) {
       if (IsWall(link)) Lead(levels_.LowestOf(link.a), levels_.LowestOf(link.b), Rise(link));
     }
     LinkAcross(ends);
@@ -52,50 +46,16 @@ class Levels {
 
  private:
   bool IsGround(size_t v) const { return kinds_[v] == ShorePoint::kGround; }
-  double Rise(const Link& link) const { return points_[link.b].z() - points_[link.a].z(); }
+  double Rise(const GroundLink& link) const { return points_[link.b].z() - points_[link.a].z(); }
   double Distance(int32_t a, int32_t b) const { return (points_[b] - points_[a]).head<2>().norm(); }
 
-  bool IsWall(const Link& link) const {
+  bool IsWall(const GroundLink& link) const {
     const double ground = rule_.noise + rule_.slope * Distance(link.a, link.b);
     return std::abs(Rise(link)) > std::max(rule_.lift, ground);
   }
 
-  bool IsLevel(const Link& link) const {
+  bool IsLevel(const GroundLink& link) const {
     return link.over_object ? std::abs(Rise(link)) <= rule_.same_level : !IsWall(link);
-  }
-
-  // Along edges, and over each object between the lowest point beside it and the others.
-  std::vector<Link> Links() const {
-    std::vector<Link> links;
-    for (const DirectedEdge& e : edges_) {
-      if (IsGround(e.from) && IsGround(e.to)) links.push_back({e.from, e.to, false});
-    }
-    for (const std::vector<int32_t>& ground : objects_) {
-      for (size_t i = 1; i < ground.size(); ++i) links.push_back({ground[0], ground[i], true});
-    }
-    return links;
-  }
-
-  // Of each object, the lowest point first.
-  std::vector<std::vector<int32_t>> GroundBesideObjects() const {
-    DisjointSets objects(static_cast<int32_t>(points_.size()));
-    for (const DirectedEdge& e : edges_) {
-      if (!IsGround(e.from) && !IsGround(e.to)) objects.Join(e.from, e.to);
-    }
-    std::map<int32_t, std::vector<int32_t>> beside;
-    for (const DirectedEdge& e : edges_) {
-      if (IsGround(e.from) != IsGround(e.to)) {
-        beside[objects.LowestOf(IsGround(e.from) ? e.to : e.from)].push_back(IsGround(e.from) ? e.from : e.to);
-      }
-    }
-    std::vector<std::vector<int32_t>> objects_ground;
-    for (auto& [object, ground] : beside) {
-      std::sort(ground.begin(), ground.end(),
-                [&](int32_t a, int32_t b) { return std::pair(points_[a].z(), a) < std::pair(points_[b].z(), b); });
-      ground.erase(std::unique(ground.begin(), ground.end()), ground.end());
-      objects_ground.push_back(std::move(ground));
-    }
-    return objects_ground;
   }
 
   void Lead(int32_t from, int32_t to, double rise) {
@@ -119,7 +79,7 @@ class Levels {
     }
     std::map<std::pair<int32_t, int32_t>, std::pair<double, double>> nearest;  // how far, how much higher the end is
     const auto compare = [&](int32_t v, int32_t other) {
-      const Link link{other, v, true};
+      const GroundLink link{other, v, true};
       const double far = Distance(v, other);
       const std::pair levels(levels_.LowestOf(other), levels_.LowestOf(v));
       const bool leads = std::abs(Rise(link)) <= rule_.same_level || (Rise(link) > 0 && IsWall(link));

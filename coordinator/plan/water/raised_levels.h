@@ -8,6 +8,7 @@
 
 #include "common/mesh/edge_loops.h"
 #include "common/mesh/tri_mesh.h"
+#include "coordinator/plan/water/shore_line.h"
 
 namespace tilemend {
 
@@ -21,8 +22,6 @@ struct LevelRule {
   double ledge = 10;      // metres of shore: a ledge is shorter
   double ledge_lift = 3;  // metres over the ground on the object's other side: a ledge is higher
 };
-
-enum class ShorePoint : uint8_t { kGround, kOther };  // kOther: on an object, or a point without a height
 
 // Which points of a shore stand on raised levels, though they seem to be ground. A level is a stretch of ground along
 // the shore up to the next wall: a rise or fall by `lift` that is steeper than ground. It goes on behind an object with

@@ -15,7 +15,7 @@
 namespace tilemend {
 namespace {
 
-constexpr double kSoftness = 2.5;  // metres: edges are rounded off about so far
+constexpr double kSoftness = 0.7;  // metres: edges are rounded off about so far
 
 // The ground, triangulated.
 class LinearSurface {

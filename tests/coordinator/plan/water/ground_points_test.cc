@@ -60,6 +60,26 @@ TEST_P(GroundPointsTest, AreTheLowestAround) {
   EXPECT_GT(lowered, 5);
 }
 
+// Towers on both shores of a narrow hole, on one podium from 44 to 74 m along y.
+TEST_P(GroundPointsTest, APodiumGoesOnBetweenTowers) {
+  SceneMakerOptions scene = HoleOverNineCells(GetParam(), [](double, double x, double y) {
+    return Ground(x, y) + (y > 44 && y < 66 ? 40 : y >= 66 && y < 74 ? 12 : 0);
+  });
+  scene.ellipses.front().radii = {18, 47};
+  const Plan plan = MakePlan(SurveyScene(MakeScene(scene)).Input(), {});
+  int on_top = 0, at_foot = 0;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const Point3& p : hole.ground_points) {
+      if (std::abs(p.x() - 61) > 12) continue;  // near the shore
+      on_top += p.z() > 12;
+      at_foot += p.z() < 6 && (std::abs(p.y() - 44) < 3 || std::abs(p.y() - 74) < 3);
+      EXPECT_TRUE(p.z() < 12 || (p.y() > 43 && p.y() < 75)) << p.transpose();
+    }
+  }
+  EXPECT_GT(on_top, 20);
+  EXPECT_GT(at_foot, 20);
+}
+
 TEST_P(GroundPointsTest, ThereAreNoneWhereFewObjectsStand) {
   const Plan plan = MakePlan(
       SurveyScene(MakeScene(HoleOverNineCells(GetParam(), [](double, double x, double y) { return Ground(x, y); })))

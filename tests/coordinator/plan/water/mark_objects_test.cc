@@ -68,7 +68,7 @@ TEST_P(MarkObjectsTest, ARoofThatWallsLiftIsMarked) {
 
 // A river through the area. Its northern bank goes up behind towers, to a terrace and then to a roof at the edge of the
 // area: by steps that are no walls. The street across tells.
-TEST_P(MarkObjectsTest, ARoofUpToTheEdgeOfTheAreaIsMarked) {
+TEST_P(MarkObjectsTest, ARoofUpToTheEdgeOfTheAreaIsMarkedAndATerrace) {
   const auto over_street = [](double x, double y) {
     if (y < 60 || x < 40) return 0.0;
     if (x < 46 || (x > 80 && x < 86)) return 30.0;
@@ -79,17 +79,19 @@ TEST_P(MarkObjectsTest, ARoofUpToTheEdgeOfTheAreaIsMarked) {
   scene.ellipses = {};
   scene.strips = {{{{-10, 60}, {130, 60}}, 15}};
   const Plan plan = PlanOf(scene);
-  int wrong = 0, roof = 0;
+  int wrong = 0, terrace = 0, roof = 0;
   for (const PlannedHole& hole : plan.holes) {
     for (const RimSegment& s : hole.segments) {
       const PlanVertex& v = plan.vertices[s.from];
       if (v.index < 0 || s.seam) continue;
       const double height = v.position.z() - Gentle(v.position.x(), 0);
-      wrong += v.on_object != (height > 15);
+      wrong += v.on_object != (height > 4);
+      terrace += v.on_object && height > 7 && height < 9;
       roof += v.on_object && v.position.x() > 90;
     }
   }
   EXPECT_LE(wrong, 4) << "on the towers' walls";
+  EXPECT_GE(terrace, 12);
   EXPECT_GE(roof, 12);
 }
 
