@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
@@ -15,13 +17,16 @@
 #include "client/job_flags.h"
 #include "client/json_access.h"
 #include "client/output.h"
+#include "client/output_tiles.h"
 #include "client/unfinished.h"
 #include "common/codec/mesh_file.h"
 #include "common/grid/cell_choice.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
+#include "coordinator/report/area_choice.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/mesh_defects.h"
 
@@ -63,11 +68,14 @@ absl::StatusOr<Limits> LimitsFromFlags(const Args& args) {
 struct Findings {
   std::map<Defect, DefectFinding> defects;
   int64_t triangles = 0;
+  std::vector<std::string> longer;  // files with bytes after the end of their mesh
+  OutputTiles tiles;                // of an output
 };
 
 absl::Status CheckFile(const std::string& path, const CheckLimits& limits, Findings& all) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
   all.triangles += std::ssize(file.mesh.triangles);
+  if (file.bytes_after_end > 0) all.longer.push_back(path);
   for (const auto& [defect, finding] : FindDefects(file.mesh, limits)) {
     DefectFinding& sum = all.defects[defect];
     sum.count += finding.count;
@@ -78,20 +86,56 @@ absl::Status CheckFile(const std::string& path, const CheckLimits& limits, Findi
   return absl::OkStatus();
 }
 
-// Leaves out the cells without a tile that the job of this report was not to write.
-void LeaveUnchosen(const Json& report, Scene& scene) {
+struct CheckedScene {
+  Scene scene;
+  OutputTiles tiles;  // of an output whose scene is there
+};
+
+// The cells that the job of this report was to write; empty: all.
+std::set<CellId> ChosenCells(const Json& report, const Scene& scene) {
   const auto chosen = ChooseCells(Text(Member(Member(report, "options"), "cells")), scene);
-  if (!chosen.ok() || chosen->empty()) return;
-  std::erase_if(scene.tiles, [&](const SceneTile& t) { return t.path.empty() && !chosen->contains(t.cell); });
+  return chosen.ok() ? *chosen : std::set<CellId>();
+}
+
+// Gives the scene the area that is filled. Where its file cannot be read any more, that is a warning.
+void ApplyArea(const std::string& area, Scene& scene) {
+  const absl::Status status = ApplyAreaChoice(area, scene).status();
+  if (status.ok()) return;
+  PrintWarnings({absl::StrCat(std::string(status.message()),
+                              ": checked without the area; what it leaves out may count as holes")});
+}
+
+// The output in `folder` with this report, of a scene.
+CheckedScene OutputOf(Scene scene, const Json& report, const std::string& folder) {
+  ApplyArea(Text(Member(Member(report, "options"), "area")), scene);
+  const std::set<CellId> chosen = ChosenCells(report, scene);
+  CheckedScene checked{{}, LookForTiles(folder, report, scene, chosen)};
+  scene.root = folder;
+  for (SceneTile& tile : scene.tiles) {
+    std::string output = OutputPath(tile);
+    tile.path = KindOf(absl::StrCat(folder, "/", output)) == PathKind::kNothing ? "" : std::move(output);
+    tile.added = tile.added && tile.path.empty();
+  }
+  // Cells without a tile that the job was not to write are no holes.
+  std::erase_if(scene.tiles,
+                [&](const SceneTile& t) { return t.path.empty() && !chosen.empty() && !chosen.contains(t.cell); });
+  checked.scene = std::move(scene);
+  return checked;
+}
+
+absl::StatusOr<CheckedScene> SceneWithItsArea(const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(path, ReadTileBounds));
+  ApplyArea("", scene);
+  return CheckedScene{std::move(scene), {}};
 }
 
 // The tiles of an output in the cells of the scene that it was made from, as long as that is there; or of any scene.
-absl::StatusOr<Scene> SceneAt(const std::string& path) {
+absl::StatusOr<CheckedScene> SceneAt(const std::string& path) {
   const std::string report_path = absl::StrCat(path, "/report.json");
   std::error_code error;
   if (!std::filesystem::is_regular_file(report_path, error)) {
     if (IsOutput(path)) return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a file"));
-    return LoadScene(path, ReadTileBounds);
+    return SceneWithItsArea(path);
   }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
   const Json report = Json::parse(text, nullptr, false);
@@ -100,14 +144,13 @@ absl::StatusOr<Scene> SceneAt(const std::string& path) {
   }
   const std::string source = Text(Member(report, "scene"));
   auto scene = LoadScene(source.empty() ? path : source, ReadTileBounds);
-  if (!scene.ok()) return LoadScene(path, ReadTileBounds);
-  scene->root = path;
-  for (SceneTile& tile : scene->tiles) {
-    const std::string output = OutputPath(tile);
-    tile.path = std::filesystem::exists(absl::StrCat(path, "/", output), error) ? output : "";
+  if (!scene.ok()) {
+    PrintWarnings(
+        {absl::StrCat(std::string(scene.status().message()),
+                      ": checked without the scene that it was made from; tiles that are missing are not named")});
+    return SceneWithItsArea(path);
   }
-  LeaveUnchosen(report, *scene);
-  return scene;
+  return OutputOf(*std::move(scene), report, path);
 }
 
 Json PlaceJson(const Point3& p) { return {p.x(), p.y(), p.z()}; }
@@ -122,6 +165,12 @@ Json DefectsJson(const Findings& all) {
     json[name] = {{"count", finding.count}, {"at", at}};
   }
   return json;
+}
+
+// How many files, and the first of them.
+Json FilesJson(const std::vector<std::string>& files) {
+  const auto shown = static_cast<ptrdiff_t>(std::min(files.size(), kMostPlaces));
+  return {{"count", files.size()}, {"files", std::vector<std::string>(files.begin(), files.begin() + shown)}};
 }
 
 Json HolesJson(const Plan& plan, int64_t small_hole_edges) {
@@ -159,7 +208,24 @@ Json HolesJson(const Plan& plan, int64_t small_hole_edges) {
 int64_t CountFaults(const Json& json) {
   int64_t count = json["holes"]["all"].get<int64_t>() + json["holes"]["edges_in_no_loop"].get<int64_t>();
   for (const auto& [name, finding] : json["defects"].items()) count += finding["count"].get<int64_t>();
+  for (const char* files : {"missing_tiles", "longer_files"}) count += json[files]["count"].get<int64_t>();
   return count;
+}
+
+// The files that are not as they should be, one line for each kind that there is.
+std::string FilesText(const Json& json) {
+  constexpr std::pair<const char*, const char*> kLines[] = {
+      {"missing_tiles", "missing tiles"},
+      {"longer_files", "files with bytes after the end of their mesh"},
+      {"other_meshes", "other meshes among the tiles (no fault)"}};
+  std::string text;
+  for (const auto& [name, label] : kLines) {
+    const Json& files = json[name];
+    if (files["files"].empty()) continue;
+    absl::StrAppend(&text, absl::StrFormat("%9d  %s, the first ", files["count"].get<int64_t>(), label),
+                    Printable(files["files"][0].get<std::string>()), "\n");
+  }
+  return text;
 }
 
 void PrintTable(const Json& json) {
@@ -182,7 +248,7 @@ void PrintTable(const Json& json) {
   }
   absl::StrAppend(&text, absl::StrFormat("%9d  boundary edges in no loop", holes["edges_in_no_loop"].get<int64_t>()),
                   first(holes["edges_in_no_loop_at"]),
-                  absl::StrFormat("\n%9d  outlines (no fault)\n", json["outlines"].get<int64_t>()));
+                  absl::StrFormat("\n%9d  outlines (no fault)\n", json["outlines"].get<int64_t>()), FilesText(json));
   std::fputs(text.c_str(), stdout);
 }
 
@@ -197,7 +263,10 @@ int Finish(const std::string& path, const Limits& limits, const Findings& all, c
                  {"small_hole_edges", limits.small_hole_edges}}},
                {"defects", DefectsJson(all)},
                {"holes", HolesJson(plan, limits.small_hole_edges)},
-               {"outlines", plan.outer_rims}};
+               {"outlines", plan.outer_rims},
+               {"missing_tiles", FilesJson(all.tiles.missing)},
+               {"longer_files", FilesJson(all.longer)},
+               {"other_meshes", FilesJson(all.tiles.others)}};
   const int64_t faults = CountFaults(json);
   json["faults"] = faults;
   if (format == OutputFormat::kJson) {
@@ -223,13 +292,14 @@ int CheckMesh(const std::string& path, const Limits& limits, OutputFormat format
 
 int CheckScene(const std::string& path, const Limits& limits, OutputFormat format) {
   if (const auto finished = CheckFinished(path); !finished.ok()) return PrintError(finished);
-  auto scene = SceneAt(path);
-  if (!scene.ok()) return PrintError(scene.status());
+  auto checked = SceneAt(path);
+  if (!checked.ok()) return PrintError(checked.status());
   PlanOptions options;
   options.water.find = false;
-  const Inspection inspection = InspectScene(*std::move(scene), options);
+  const Inspection inspection = InspectScene(std::move(checked->scene), options);
   for (const absl::Status& error : inspection.errors) return PrintError(error);
   Findings all;
+  all.tiles = std::move(checked->tiles);
   for (const SceneTile& tile : inspection.waves->scene().tiles) {
     if (tile.path.empty()) continue;
     const std::string file = absl::StrCat(inspection.waves->scene().root, "/", tile.path);

@@ -180,6 +180,8 @@ class BodyReader {
       }
       if (records_ != nullptr) records_->element_ends.push_back(reader_.source().position());
     }
+    const std::string_view rest = bytes_.substr(reader_.source().position());
+    if (!std::all_of(rest.begin(), rest.end(), IsSpace)) file_.bytes_after_end = static_cast<int64_t>(rest.size());
     return absl::OkStatus();
   }
 

@@ -189,6 +189,37 @@ TEST_F(SceneRunTest, CheckOfAnOutputNeedsItsReport) {
   EXPECT_EQ(Tilemend({"check", out}).code, 4);
 }
 
+TEST_F(SceneRunTest, CheckNamesMissingOtherAndLongerTiles) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  ASSERT_EQ(Run(scene, out).code, 0);
+  const Ended whole = Tilemend({"check", out});
+  EXPECT_EQ(whole.code, 0) << whole.out;
+  folder_.Write("out/tiles/Tile_+009_+000.ply", "");
+  const Ended other = Tilemend({"check", out});
+  EXPECT_EQ(other.code, 0) << other.out;
+  EXPECT_THAT(other.out, HasSubstr("1  other meshes among the tiles (no fault), the first tiles/Tile_+009_+000.ply"));
+  const std::string last = out + "/tiles/Tile_+003_+002.ply";
+  folder_.Write("out/tiles/Tile_+003_+002.ply", ReadFile(last).value_or("") + "more");
+  const Ended longer = Tilemend({"check", out, "-o", "json"});
+  EXPECT_EQ(longer.code, 100);
+  EXPECT_THAT(Json::parse(longer.out, nullptr, false)["longer_files"]["files"], Json({last}));
+  std::filesystem::remove(last);
+  const Ended missing = Tilemend({"check", out});
+  EXPECT_EQ(missing.code, 100);
+  EXPECT_THAT(missing.out, HasSubstr("1  missing tiles, the first tiles/Tile_+003_+002.ply"));
+}
+
+TEST_F(SceneRunTest, CheckKnowsTheAreaThatWasFilled) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
+  const std::string area = folder_.Write(
+      "area.geojson", R"({"type": "Polygon", "coordinates": [[[7, 5], [71, 6], [73, 55], [6, 52], [7, 5]]]})");
+  ASSERT_EQ(Run(scene, out, {"--area", area}).code, 0);
+  const Ended checked = Tilemend({"check", out});
+  EXPECT_THAT(checked.out, HasSubstr("        0  holes")) << checked.out;
+  std::filesystem::remove(area);
+  EXPECT_THAT(Tilemend({"check", out}).err, HasSubstr("checked without the area"));
+}
+
 TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   SceneMakerOptions options = SmallScene(Cut::kClipped);
   options.cols = options.rows = 16;

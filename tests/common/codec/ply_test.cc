@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "common/codec/mesh_file.h"
@@ -54,6 +55,19 @@ TEST(PlyAsciiTest, IsDoubleWhateverTheHeaderSays) {
   ASSERT_TRUE(file.ok()) << file.status();
   EXPECT_EQ(file->number_type, NumberType::kFloat64);
   EXPECT_EQ(file->mesh.points[0][0], 0.1);
+}
+
+TEST(PlyTest, CountsBytesBehindTheLastRecord) {
+  const std::string text = std::string(kAsciiHeader) + "0.1 0 0 7 1 0 0 8 0 1 0 9 3 0 1 2 0";
+  const OddPly odd{.big_endian = false, .eol = "\n"};
+  const std::string binary = odd.Header() + Join(odd.Vertices()) + Join(odd.Faces()) + odd.Edges();
+  for (const std::string& bytes : {text, binary}) {
+    for (const auto& [tail, count] : {std::pair("", 0), {" \n\n", 0}, {"\nmore", 5}, {" 0 ", 3}}) {
+      const auto file = Parse(bytes + tail);
+      ASSERT_TRUE(file.ok()) << file.status();
+      EXPECT_EQ(file->bytes_after_end, count) << tail;
+    }
+  }
 }
 
 TEST(PlyTest, KeepsFacesWithoutSurfaceInTheFileOnly) {
