@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kLeastPositions = 4;   // of a ring, the last being the first
 constexpr size_t kMostOfName = 100;  // columns
+constexpr char kUnresolved[] = "the polygon crosses itself in a way that cannot be resolved";
 
 using GeometryPtr = std::unique_ptr<OGRGeometry>;
 
@@ -150,20 +151,36 @@ std::vector<Point2> CentrelineOf(const OGRFeature& feature, const std::string& p
   return LineOf(geometry.get(), place + ", property centreline");
 }
 
+using Combine = OGRGeometry* (OGRGeometry::*)(const OGRGeometry*) const;
+
+// All of them together, by halves: one after another would take n^2 steps. Null where GEOS fails.
+GeometryPtr Together(std::vector<GeometryPtr> parts, Combine combine) {
+  if (parts.empty()) return std::make_unique<OGRMultiPolygon>();
+  while (parts.size() > 1) {
+    std::vector<GeometryPtr> halved;
+    for (size_t i = 0; i + 1 < parts.size(); i += 2) {
+      halved.emplace_back((parts[i].get()->*combine)(parts[i + 1].get()));
+      if (halved.back() == nullptr) return nullptr;
+    }
+    if (parts.size() % 2 == 1) halved.push_back(std::move(parts.back()));
+    parts = std::move(halved);
+  }
+  return std::move(parts.front());
+}
+
 // Null where GEOS fails.
 GeometryPtr RegionOf(const PlanePolygon& polygon) {
-  GeometryPtr region = std::make_unique<OGRMultiPolygon>();
+  std::vector<GeometryPtr> parts;
   for (const std::vector<Point2>& points : polygon.rings) {
     auto ring = std::make_unique<OGRLinearRing>();
     for (const Point2& p : points) ring->addPoint(p.x(), p.y());
     ring->closeRings();
     OGRPolygon inside;
     inside.addRingDirectly(ring.release());
-    const GeometryPtr valid(inside.MakeValid());
-    if (valid && region) region.reset(region->SymDifference(valid.get()));
-    if (!valid) region.reset();
+    parts.emplace_back(inside.MakeValid());
+    if (parts.back() == nullptr) return nullptr;
   }
-  return region;
+  return Together(std::move(parts), &OGRGeometry::SymDifference);
 }
 
 std::string LabelOf(const OGRFeature& feature, const std::string& prefix) {
@@ -223,16 +240,17 @@ std::vector<std::string> NearMisses(OGRLayer& layer, const std::string& prefix) 
 
 VectorFeature Unite(const std::vector<VectorFeature>& features) {
   if (features.size() == 1 && !features[0].polygon.empty()) return features[0];
-  GeometryPtr all = std::make_unique<OGRMultiPolygon>();
+  std::vector<GeometryPtr> parts;
   VectorFeature united;
   for (const VectorFeature& feature : features) {
     if (feature.polygon.empty()) Refuse(feature.label, "a line: expected Polygon or MultiPolygon");
     united.label = feature.label;
-    const GeometryPtr part = RegionOf(feature.polygon);
-    if (part) all.reset(all->Union(part.get()));
-    if (!part || !all) Refuse(feature.label, "the polygon crosses itself in a way that cannot be resolved");
+    parts.push_back(RegionOf(feature.polygon));
+    if (parts.back() == nullptr) Refuse(feature.label, kUnresolved);
   }
   if (features.empty()) throw BadVectors{"holds no polygon"};
+  const GeometryPtr all = Together(std::move(parts), &OGRGeometry::Union);
+  if (all == nullptr) Refuse(united.label, kUnresolved);
   SetGeometry(*all, united);
   return united;
 }

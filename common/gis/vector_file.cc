@@ -4,6 +4,7 @@
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -81,6 +82,22 @@ const OGRSpatialReference* CrsOf(OGRLayer& layer, const VectorRequest& request) 
   return undefined || !request.names_crs ? nullptr : crs;
 }
 
+// Whether a layer of a GeoPackage is to be read. Layers of points have nothing to do with water and areas, and one
+// without features is no second layer for an area.
+bool IsOfUse(OGRLayer& layer, bool unite) {
+  const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+  return type != wkbPoint && type != wkbMultiPoint && (!unite || layer.GetFeatureCount() != 0);
+}
+
+[[noreturn]] void RefuseSeveral(const std::vector<OGRLayer*>& layers) {
+  constexpr size_t kShown = 5;
+  std::string what = "expected one layer of polygons, found " + std::to_string(layers.size()) + ": ";
+  for (size_t i = 0; i < std::min(layers.size(), kShown); ++i) {
+    what += (i > 0 ? ", " : "") + ShownName(layers[i]->GetName());
+  }
+  throw BadVectors{what + (layers.size() > kShown ? ", ..." : "")};
+}
+
 void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string& prefix, VectorFile& file) {
   auto [features, warnings] = RawFeaturesOf(layer, prefix, request.unite ? Crossings::kRefuse : Crossings::kRepair);
   if (request.features >= 0 && std::ssize(features) != request.features)
@@ -104,9 +121,10 @@ void Read(const VectorRequest& request, VectorFile& file) {
   if (data == nullptr) throw BadVectors{"neither GeoJSON nor GeoPackage with polygons"};
   std::vector<OGRLayer*> layers;
   for (OGRLayer* layer : data->GetLayers()) {
-    if (layer->GetGeomType() != wkbNone) layers.push_back(layer);
+    if (layer->GetGeomType() != wkbNone && (!package || IsOfUse(*layer, request.unite))) layers.push_back(layer);
   }
-  if (request.unite && layers.size() != 1) throw BadVectors{"expected one layer of polygons"};
+  if (request.unite && layers.empty()) throw BadVectors{"holds no polygon"};
+  if (request.unite && layers.size() > 1) RefuseSeveral(layers);
   for (OGRLayer* layer : layers) {
     ReadLayer(*layer, request, layers.size() > 1 ? ShownName(layer->GetName()) + ", " : "", file);
   }

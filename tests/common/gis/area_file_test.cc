@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -191,6 +192,20 @@ TEST(ParseAreaFileTest, PolygonsAreUnitedWhereTheyOverlap) {
   EXPECT_THAT(file->area.rings, SizeIs(2));
   for (const double x : {1, 7, 12, 45}) EXPECT_TRUE(Contains(file->area, {x, 5})) << x;
   EXPECT_FALSE(Contains(file->area, {20, 5}));
+}
+
+// As parcels of a register are. Each with all before it would take minutes.
+TEST(ParseAreaFileTest, ManyPolygonsAreUnitedInAMoment) {
+  constexpr int kSide = 100;
+  std::vector<std::string> parcels;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    parcels.push_back(FeatureText(PolygonText(SquareAt(2 * (i % kSide), 2 * (i / kSide), 1))));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto file = ParseAreaFile(CollectionText(parcels), "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1));
+  EXPECT_THAT(file->area.rings, SizeIs(kSide * kSide));
 }
 
 TEST(ParseAreaFileTest, OnePolygonIsTakenAsItIs) {

@@ -80,7 +80,40 @@ TEST(VectorFileTest, ReadsTheLayersOfAGeoPackage) {
   EXPECT_THAT(file->areas[2].centreline, SizeIs(2));
   EXPECT_THAT(file->warnings, IsEmpty());
   const std::string area = ParseAreaFile(*bytes, "lakes.gpkg", kFrame).status().ToString();
-  EXPECT_THAT(area, HasSubstr("expected one layer of polygons"));
+  EXPECT_THAT(area, HasSubstr("expected one layer of polygons, found 2: lakes, lines"));
+}
+
+TEST(VectorFileTest, LayersOfPointsAndEmptyOnesDoNotMatter) {
+  const TemporaryFolder folder;
+  {
+    Package package(folder / "area.gpkg");
+    OGRLayer* const trees = package.AddLayer("trees", 25832, wkbPoint25D);
+    Package::Add(trees, R"({"type":"Point","coordinates":[691100,5334300,5]})", "Oak", true, 0);
+    package.AddLayer("drafts", 4326);
+    Package::Add(package.AddLayer("area", 25832), PolygonText(SquareAt(691100, 5334300, 100)), "", true, 0);
+  }
+  const auto bytes = ReadAreaFile(folder / "area.gpkg");
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  const auto area = ParseAreaFile(*bytes, "area.gpkg", kFrame);
+  ASSERT_TRUE(area.ok()) << area.status();
+  EXPECT_TRUE(Contains(area->area, {150, 350}));
+  const auto water = ParseWaterFile(*bytes, "area.gpkg", kFrame);
+  ASSERT_TRUE(water.ok()) << water.status();
+  EXPECT_THAT(water->areas, SizeIs(1));
+}
+
+TEST(VectorFileTest, AGeoPackageOfPointsHoldsNoPolygon) {
+  const TemporaryFolder folder;
+  {
+    Package package(folder / "trees.gpkg");
+    package.AddLayer("trees", 25832, wkbPoint);
+  }
+  const auto bytes = ReadAreaFile(folder / "trees.gpkg");
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  EXPECT_THAT(ParseAreaFile(*bytes, "trees.gpkg", kFrame).status().ToString(), HasSubstr("holds no polygon"));
+  const auto water = ParseWaterFile(*bytes, "trees.gpkg", kFrame);
+  ASSERT_TRUE(water.ok()) << water.status();
+  EXPECT_THAT(water->warnings, SizeIs(1));
 }
 
 TEST(VectorFileTest, AGeoPackageWithoutACrsIsReadWhereItFits) {
