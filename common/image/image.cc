@@ -86,7 +86,8 @@ absl::StatusOr<Image> DecodePng(std::string_view bytes, const std::string& name)
   const absl::Status size = CheckSize(png.width, png.height, kMostBufferedPixels, static_cast<int64_t>(bytes.size()),
                                       kMostPngPixelsPerByte, name);
   if (!size.ok()) return size;
-  png.format = PNG_FORMAT_RGBA;  // not RGB: that would mix a background into colours
+  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits a sample are no linear light unless the image says so
+  png.format = PNG_FORMAT_RGBA;            // not RGB: that would mix a background into colours
   Image image{static_cast<int32_t>(png.width), static_cast<int32_t>(png.height), 4, {}};
   image.pixels.resize(PNG_IMAGE_SIZE(png));
   if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) return problem();

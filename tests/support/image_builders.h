@@ -42,6 +42,26 @@ inline std::string PngImage(int32_t width, int32_t height, const PixelColour& co
   return bytes;
 }
 
+// The same with 16 bits a sample, and nothing that says how light they are.
+inline std::string WidePngImage(int32_t width, int32_t height, const PixelColour& colour) {
+  std::string bytes;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  const auto append = [](png_structp to, png_bytep data, size_t size) {
+    static_cast<std::string*>(png_get_io_ptr(to))->append(reinterpret_cast<const char*>(data), size);
+  };
+  png_set_write_fn(png, &bytes, append, nullptr);
+  png_set_IHDR(png, info, static_cast<uint32_t>(width), static_cast<uint32_t>(height), 16, PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  std::vector<uint8_t> wide;
+  for (const uint8_t sample : PixelsOf(width, height, colour)) wide.insert(wide.end(), {sample, sample});
+  for (int32_t row = 0; row < height; ++row) png_write_row(png, &wide[static_cast<size_t>(row) * 6 * width]);
+  png_write_end(png, nullptr);
+  png_destroy_write_struct(&png, &info);
+  return bytes;
+}
+
 // `flags`: of TurboJPEG, such as TJFLAG_PROGRESSIVE.
 inline std::string JpegImage(int32_t width, int32_t height, const PixelColour& colour, int flags = 0) {
   const std::vector<uint8_t> pixels = PixelsOf(width, height, colour);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
 #include "common/codec/mtl.h"
@@ -23,9 +24,13 @@ class LookReader {
   // `names`: one name, which may hold blanks, or several.
   void AddLibraries(const std::string& names) {
     if (const SceneFile whole = Find(FolderOf(tile_), names); !whole.path.empty()) return AddLibrary(whole.path);
-    const std::vector<std::string> words = absl::StrSplit(names, ' ', absl::SkipEmpty());
+    const std::vector<std::string> words = absl::StrSplit(names, absl::ByAnyChar(" \t"), absl::SkipEmpty());
     std::vector<SceneFile> files;
-    for (const std::string& word : words) files.push_back(Find(FolderOf(tile_), word));
+    for (const std::string& word : words) {
+      SceneFile file = Find(FolderOf(tile_), word);
+      if (file.path.empty() && word.starts_with('#')) break;  // a comment
+      files.push_back(std::move(file));
+    }
     const auto found = [](const SceneFile& file) { return !file.path.empty(); };
     if (std::none_of(files.begin(), files.end(), found)) {
       return Warn(tile_, names, Find(FolderOf(tile_), names).problem);
@@ -42,9 +47,10 @@ class LookReader {
   // The path of an image that `from` names (in this line; 0: it has none), beside it or beside the tile; empty if it
   // cannot be had.
   std::string AddImage(const std::string& from, int64_t line, const std::string& name) {
-    SceneFile file = Find(FolderOf(from), name);
-    if (file.path.empty() && FolderOf(from) != FolderOf(tile_)) {
-      if (SceneFile beside_tile = Find(FolderOf(tile_), name); !beside_tile.path.empty()) file = std::move(beside_tile);
+    SceneFile file = FindBeside(from, name);
+    if (const size_t comment = name.find(" #"); file.path.empty() && comment != std::string::npos) {
+      const std::string before(absl::StripAsciiWhitespace(name.substr(0, comment)));
+      if (SceneFile found = FindBeside(from, before); !found.path.empty()) file = std::move(found);
     }
     if (file.path.empty()) {
       Warn(line > 0 ? absl::StrCat(from, ": line ", line) : from, name, file.problem);
@@ -63,6 +69,15 @@ class LookReader {
     return file;
   }
 
+  // Beside the file that names it, or beside the tile.
+  SceneFile FindBeside(const std::string& from, const std::string& name) {
+    SceneFile file = Find(FolderOf(from), name);
+    if (file.path.empty() && FolderOf(from) != FolderOf(tile_)) {
+      if (SceneFile beside_tile = Find(FolderOf(tile_), name); !beside_tile.path.empty()) return beside_tile;
+    }
+    return file;
+  }
+
   void AddLibrary(const std::string& path) {
     if (std::find(look_.files.libraries.begin(), look_.files.libraries.end(), path) != look_.files.libraries.end())
       return;
@@ -71,6 +86,10 @@ class LookReader {
     if (!text.ok()) return Warn(tile_, path, "cannot be read");
     look_.files.libraries.push_back(path);
     const MtlFile file = ParseMtl(*text);
+    if (file.materials.empty()) {
+      look_.files.warnings.push_back(
+          absl::StrCat(Printable(path), ": no material in it that can be read: fills get no colour from it"));
+    }
     std::map<std::string, std::string> paths;  // by name
     for (size_t i = 0; i < file.images.size(); ++i) {
       paths[file.images[i]] = AddImage(path, file.image_lines[i], file.images[i]);

@@ -42,6 +42,13 @@ TEST(DecodeImageTest, ReadsPngExactly) {
   ExpectQuarters(*image, 0);
 }
 
+// libpng takes 16 bits a sample for linear light where the image does not say what they are.
+TEST(DecodeImageTest, ReadsPngOf16BitsAsIfOf8) {
+  const auto image = DecodeImage(WidePngImage(16, 16, QuartersOf(16)), "a.png");
+  ASSERT_TRUE(image.ok()) << image.status();
+  ExpectQuarters(*image, 1);
+}
+
 TEST(DecodeImageTest, ReadsSequentialAndProgressiveJpeg) {
   for (const int flags : {0, TJFLAG_PROGRESSIVE}) {
     const auto image = DecodeImage(JpegImage(64, 64, QuartersOf(64), flags), "a.jpg");

@@ -63,6 +63,25 @@ TEST_F(TileLookTest, WarnsOfFilesThatCannotBeHad) {
 }
 
 // It would be written over the other tile.
+TEST_F(TileLookTest, CommentsBehindNamesAreNoPartOfThem) {
+  folder_.Write("Data/x.mtl", "newmtl a\nmap_Kd x.png  # from above\nnewmtl b\nmap_Kd y #2.png\n");
+  folder_.Write("Data/z.mtl", "newmtl c\n");
+  folder_.Write("Data/x.png", "x");
+  folder_.Write("Data/y #2.png", "x");
+  const TileLook look = Read({"x.mtl\tz.mtl # its materials"});
+  EXPECT_THAT(look.files.libraries, ElementsAre("Data/x.mtl", "Data/z.mtl"));
+  EXPECT_THAT(look.files.images, ElementsAre("Data/x.png", "Data/y #2.png"));
+  EXPECT_EQ(look.materials.at("a").image, "Data/x.png");
+  EXPECT_THAT(look.files.warnings, IsEmpty());
+}
+
+TEST_F(TileLookTest, WarnsOfALibraryWithoutMaterials) {
+  folder_.Write("Data/wide.mtl", std::string("\xff\xfen\0e\0w\0m\0t\0l\0 \0a\0", 18));
+  const TileLook look = Read({"wide.mtl"});
+  EXPECT_THAT(look.files.libraries, ElementsAre("Data/wide.mtl"));
+  EXPECT_THAT(look.files.warnings, ElementsAre(HasSubstr("Data/wide.mtl: no material in it")));
+}
+
 TEST_F(TileLookTest, ATileIsNoImageAndNoLibrary) {
   folder_.Write("Data/U.obj", "v 0 0 0\n");
   folder_.Write("report.json", "{}");
