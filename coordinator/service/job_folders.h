@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/status.h"
+
 namespace tilemend {
 
 struct KnownFile {
@@ -16,6 +18,10 @@ struct JobFolders {
   std::vector<KnownFile> files;  // of the scene and of the output
   std::string attempts;          // a folder in which a worker must be able to make a file; empty: none
 };
+
+// Whether this machine sees the files still, whatever is in them, and can make a file among the attempts: OK, kAborted
+// for a file that is gone, or what WriteFileAtomically says. What it makes it removes. Any thread.
+absl::Status TryFolders(const JobFolders& folders);
 
 }  // namespace tilemend
 

@@ -178,7 +178,8 @@ std::vector<std::string> CoordinatorImpl::TakeSeen(const v1::SyncRequest& reques
   return unseen;
 }
 
-// A job whose folders the coordinator does not see either any more has no worker to wait for.
+// A job whose folders the coordinator does not see either any more, or where it cannot write, has no worker to wait
+// for.
 void CoordinatorImpl::FailJobsThatAreGone(const std::vector<std::string>& jobs) {
   for (const std::string& job : jobs) {
     JobFolders folders;
@@ -188,14 +189,12 @@ void CoordinatorImpl::FailJobsThatAreGone(const std::vector<std::string>& jobs) 
       if (known == nullptr) continue;
       folders = *known;
     }
-    absl::Status gone;
-    for (const KnownFile& file : folders.files) gone.Update(FingerprintOf(file.path).status());
-    if (gone.ok()) continue;
+    const absl::Status fault = TryFolders(folders);
+    if (fault.ok()) continue;
     Lock lock(mutex_);
     const auto entry = entries_.find(job);
     if (entry == entries_.end() || entry->second.runner == nullptr) continue;
-    entry->second.runner->Fail(
-        absl::AbortedError(absl::StrCat(std::string(gone.message()), ": was it removed while the job ran?")));
+    entry->second.runner->Fail(fault);
   }
 }
 

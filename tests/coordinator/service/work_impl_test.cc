@@ -344,5 +344,26 @@ TEST_F(LookingWorkerTest, ATaskThatFailedWaitsForItUnlessItSeemsStuck) {
   EXPECT_EQ(AfterAFailure(absl::Seconds(6)).progress().tasks_retried(), 0);
 }
 
+// Its output is where nobody can write.
+class FullPipeline : public SeenPipeline {
+ public:
+  using SeenPipeline::SeenPipeline;
+  absl::StatusOr<JobFolders> Folders() const override { return JobFolders{{}, "/proc/self"}; }
+};
+
+TEST(FullOutputTest, AJobThatTheCoordinatorCannotWriteForEitherFails) {
+  ClusterOptions options;
+  options.factory = [](const JobSpec& spec) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+    auto toy = ToyPipelineFactory()(spec);
+    if (!toy.ok()) return toy.status();
+    return std::make_unique<FullPipeline>(*std::move(toy));
+  };
+  TestCluster cluster(options);
+  cluster.AddWorker("w");
+  const v1::Job job = cluster.WaitFor(cluster.Submit("toy://1x1").name());
+  EXPECT_EQ(job.state(), v1::FAILED);
+  EXPECT_NE(job.error().message().find("/proc/self"), std::string::npos) << job.error().message();
+}
+
 }  // namespace
 }  // namespace tilemend
