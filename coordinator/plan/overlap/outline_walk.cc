@@ -200,15 +200,16 @@ class Walker {
     }
   }
 
-  // Whether the most of the way from one event to another has no surface.
-  bool IsUncovered(const Event& from, const Event& to) const {
+  // How much of the way from one event to another has no surface, where that is most of it; else 0.
+  double LengthUncovered(const Event& from, const Event& to) const {
     double empty = 0, all = 0;
     VisitBetween(from, to, [&](int layers, double length) {
       all += length;
       if (layers == 0) empty += length;
     });
-    return empty > all / 2;
+    return empty > all / 2 ? empty : 0;
   }
+  bool IsUncovered(const Event& from, const Event& to) const { return LengthUncovered(from, to) > 0; }
 
   // Goes around from where most layers are, so that every end has its beginning behind it.
   void Match() {
@@ -223,24 +224,36 @@ class Walker {
     }
     struct End {
       size_t event;
-      bool holds_open;  // an open gap lies between it and its beginning
+      std::vector<size_t> inner;  // open gaps between it and its beginning
     };
     std::vector<End> ends;
     for (size_t k = 1; k <= n; ++k) {
       const size_t i = (start + k) % n;
       if (events_[i].ends) {
-        ends.push_back({i, false});
+        ends.push_back({i, {}});
         continue;
       }
       if (ends.empty()) continue;
       const Event &from = events_[ends.back().event], &to = events_[i];
-      const bool uncovered = IsUncovered(from, to);
-      const bool open = uncovered && !ends.back().holds_open, holds_open = uncovered || ends.back().holds_open;
+      std::vector<size_t> inner = std::move(ends.back().inner);
       ends.pop_back();
-      if (!ends.empty()) ends.back().holds_open |= holds_open;
+      const bool open = IsOpen(from, to, inner);
+      if (open) inner = {walk_.gaps.size()};
       walk_.gaps.push_back(
           {from.vertex, to.vertex, from.place, Beyond(from.place, to.place), open, from.across, to.across});
+      if (!ends.empty()) ends.back().inner.insert(ends.back().inner.end(), inner.begin(), inner.end());
     }
+  }
+
+  // Of two gaps, one in the other, one is open. It is the inner one, as where something lies in the water at the
+  // outline, unless that is but a small part of the way: two pieces that end there one beyond the other.
+  bool IsOpen(const Event& from, const Event& to, const std::vector<size_t>& inner) {
+    const double uncovered = LengthUncovered(from, to);
+    double in_inner = 0;
+    for (const size_t gap : inner) in_inner += walk_.gaps[gap].end - walk_.gaps[gap].begin;
+    if (uncovered <= 2 * in_inner) return uncovered > 0 && inner.empty();
+    for (const size_t gap : inner) walk_.gaps[gap].open = false;
+    return true;
   }
 
   const SurveyRecord& record_;

@@ -151,5 +151,21 @@ TEST(OutlineWalkTest, AGapBeginsWhereTheOutlineOfThePieceLeads) {
   EXPECT_EQ(kWide.At(25.2).second, kEast);
 }
 
+// Two pieces end at a lake one beside the other, the eastern one under the other; the way along the lake is the open
+// one, not that between the two.
+TEST(OutlineWalkTest, AShortWayInALongOneLeavesThatOpen) {
+  PieceRings tile;
+  tile.Add({{0, 0}, {11, 0}, {11, 10}, {10.6, 10}, {8, 9.8}, {0, 4}}, "opocco");
+  tile.Add({{9, 0}, {20, 0}, {20, 10}, {10.8, 10}, {9, 9.4}}, "ooocp");
+  std::vector<bool> taken;
+  for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
+  const OutlineWalk walk = WalkOutline(tile.record, taken, {{0, 20, 0, 10}}, 2);
+  ASSERT_THAT(walk.gaps, SizeIs(2));
+  for (const OutlineGap& gap : walk.gaps) {
+    EXPECT_EQ(gap.to, gap.open ? tile.At(0, 4) : tile.At(9, 9.4)) << gap.begin;
+  }
+  EXPECT_NE(walk.gaps[0].open, walk.gaps[1].open);
+}
+
 }  // namespace
 }  // namespace tilemend
