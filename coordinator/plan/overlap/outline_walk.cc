@@ -16,6 +16,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kOnOutline = 2e-3;  // metres
+constexpr double kApart = 2e-2;      // metres: so far beyond another one a way comes to the outline
 constexpr double kOverlaps = 8;  // the surface of a piece ends at most so many reaches before that of the next begins
 
 // A vertex where a chain off the outline ends or begins, seen along the walk.
@@ -195,8 +196,14 @@ class Walker {
       Event &end = events_[i], &begin = events_[i + 1];
       const bool is_of_pieces = !end.on_outline || !begin.on_outline;
       const bool is_near = begin.place - end.place <= kOverlaps * piece_reach_;
-      if (last.ends && end.ends && !begin.ends && is_of_pieces && is_near && IsUncovered(last, end))
-        std::swap(end, begin);
+      if (!last.ends || !end.ends || begin.ends || !is_of_pieces || !is_near || !IsUncovered(last, end)) continue;
+      // The two ways then part where the surface ends: none runs beside the other.
+      if (end.on_outline) {
+        begin.place = std::max(end.place - kApart, last.place);
+      } else {
+        end.place = std::min(begin.place + kApart, i + 2 < events_.size() ? events_[i + 2].place : outline_.Length());
+      }
+      std::swap(end, begin);
     }
   }
 

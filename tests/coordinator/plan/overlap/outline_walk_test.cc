@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
@@ -165,6 +166,23 @@ TEST(OutlineWalkTest, AShortWayInALongOneLeavesThatOpen) {
     EXPECT_EQ(gap.to, gap.open ? tile.At(0, 4) : tile.At(9, 9.4)) << gap.begin;
   }
   EXPECT_NE(walk.gaps[0].open, walk.gaps[1].open);
+}
+
+// Of a bay in the eastern piece, which ends on the outline, and a corner that the western one lacks, before that end.
+TEST(OutlineWalkTest, WaysOfOverlappingPiecesDoNotRunBesideEachOther) {
+  PieceRings tile;
+  tile.Add({{9, 0}, {20, 0}, {20, 10}, {14, 10}, {14, 7}, {9.5, 8}, {9.3, 10}, {9, 10}}, "ooocccop");
+  tile.Add({{0, 0}, {11, 0}, {11, 9}, {9.2, 10}, {0, 10}}, "opcoo");
+  std::vector<bool> taken;
+  for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
+  OutlineWalk walk = WalkOutline(tile.record, taken, {{0, 20, 0, 10}}, 2);
+  ASSERT_THAT(walk.gaps, SizeIs(2));
+  std::ranges::sort(walk.gaps, {}, &OutlineGap::begin);
+  const OutlineGap &bay = walk.gaps[0], &corner = walk.gaps[1];
+  EXPECT_EQ(std::pair(bay.from, bay.to), std::pair(tile.At(14, 10), tile.At(9.3, 10)));
+  EXPECT_EQ(std::pair(corner.from, corner.to), std::pair(tile.At(11, 9), tile.At(9.2, 10)));
+  EXPECT_GE(corner.begin, bay.end);
+  EXPECT_GE(corner.end, corner.begin);
 }
 
 }  // namespace
