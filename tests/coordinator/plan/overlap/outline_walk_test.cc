@@ -160,7 +160,7 @@ TEST(OutlineWalkTest, AShortWayInALongOneLeavesThatOpen) {
   tile.Add({{9, 0}, {20, 0}, {20, 10}, {10.8, 10}, {9, 9.4}}, "ooocp");
   std::vector<bool> taken;
   for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
-  const OutlineWalk walk = WalkOutline(tile.record, taken, {{0, 20, 0, 10}}, 2);
+  const OutlineWalk walk = WalkOutline(tile.record, taken, {{0, 20, 0, 10}}, 5);
   ASSERT_THAT(walk.gaps, SizeIs(2));
   for (const OutlineGap& gap : walk.gaps) {
     EXPECT_EQ(gap.to, gap.open ? tile.At(0, 4) : tile.At(9, 9.4)) << gap.begin;
