@@ -106,7 +106,8 @@ TEST(VectorFileTest, AGeoPackageOfPointsHoldsNoPolygon) {
   const TemporaryFolder folder;
   {
     Package package(folder / "trees.gpkg");
-    package.AddLayer("trees", 25832, wkbPoint);
+    Package::Add(package.AddLayer("trees", 25832, wkbPoint), R"({"type":"Point","coordinates":[691100,5334300]})",
+                 "Oak", true, 0);
   }
   const auto bytes = ReadAreaFile(folder / "trees.gpkg");
   ASSERT_TRUE(bytes.ok()) << bytes.status();
