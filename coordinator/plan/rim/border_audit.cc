@@ -43,6 +43,21 @@ OutlineOffsets FindOffsets(const PlanInput& input) {
   return offsets;
 }
 
+// Whether most tiles end straight towards their neighbours. Those that were cut from one mesh with a buffer do not;
+// then what lies beyond the lines is shores.
+bool MostEndStraight(const PlanInput& input, const OutlineOffsets& offsets) {
+  int64_t straight = 0, all = 0;
+  for (const auto& [cell, record] : input.cells) {
+    for (const Side side : kSides) {
+      const auto other = input.cells.find(Across(cell, side));
+      if (record == nullptr || other == input.cells.end() || other->second == nullptr) continue;
+      ++all;
+      straight += offsets.contains({cell, side});
+    }
+  }
+  return 2 * straight > all;
+}
+
 struct SharedVertices {
   int64_t count = 0;
   int64_t on_line = 0;
@@ -62,6 +77,7 @@ SharedVertices CountShared(const SurveyRecord& a, const SurveyRecord& b, int axi
 
 // What all borders say of the cut.
 struct CutEvidence {
+  bool no_buffers = false;       // it has none, whatever lies beyond a line
   SharedVertices shared;         // of tiles that do not overlap
   std::vector<double> offsets;   // of outlines towards a neighbour
   int64_t exact = 0, apart = 0;  // borders whose tiles share vertices; that overlap or part
@@ -79,16 +95,17 @@ SurfaceGap CompareOver(const SurveyRecord& record, const SurveyRecord& other, co
 }
 
 // The kind of a border where both tiles have surface, with what belongs to it.
+//   buffers  null: there are none
 void Classify(const SurveyRecord& record, const SurveyRecord& other, const Grid& grid, Side side,
-              const OutlineOffsets& offsets, OutlineOffsets& buffers, BorderAudit& audit) {
+              const OutlineOffsets& offsets, OutlineOffsets* buffers, BorderAudit& audit) {
   const auto mine = offsets.find({audit.a, side}), theirs = offsets.find({audit.b, Opposite(side)});
   const bool straight = mine != offsets.end() && theirs != offsets.end();
   if (straight) {
     audit.margins = {mine->second, theirs->second};
-  } else if (const auto found = FindBuffers(record, other, grid, audit.a, side)) {
+  } else if (const auto found = buffers ? FindBuffers(record, other, grid, audit.a, side) : std::nullopt) {
     const auto& [of_a, of_b] = *found;
-    if (of_a) buffers[{audit.a, side}] = *of_a;
-    if (of_b) buffers[{audit.b, Opposite(side)}] = *of_b;
+    if (of_a) (*buffers)[{audit.a, side}] = *of_a;
+    if (of_b) (*buffers)[{audit.b, Opposite(side)}] = *of_b;
     audit.margins = {of_a.value_or(0), of_b.value_or(0)};
     audit.kind = BorderKind::kOverlap;
   }
@@ -116,7 +133,7 @@ BorderAudit AuditBorder(const PlanInput& input, CellId cell, const SurveyRecord*
   const auto other_record = neighbour.Outline();
   const auto shared = CountShared(*own, *other_record, AxisOf(side), NominalLine(input.grid, cell, side));
   audit.shared_vertices = shared.count;
-  Classify(*own, *other_record, input.grid, side, found.offsets, found.buffers, audit);
+  Classify(*own, *other_record, input.grid, side, found.offsets, evidence.no_buffers ? nullptr : &found.buffers, audit);
   evidence.exact += audit.kind == BorderKind::kExact;
   evidence.apart += audit.kind == BorderKind::kOverlap || std::abs(audit.offset) > kStraight;
   if (audit.kind == BorderKind::kOverlap) {
@@ -141,6 +158,7 @@ BorderFindings AuditBorders(const PlanInput& input) {
   found.offsets = FindOffsets(input);
   found.borders.reserve(2 * input.cells.size());  // each cell has two of its own: growth would take as much again
   CutEvidence evidence;
+  evidence.no_buffers = MostEndStraight(input, found.offsets);
   for (const auto& [cell, record] : input.cells) {
     const auto own = record == nullptr ? nullptr : record.Outline();
     for (const Side side : {kEast, kNorth}) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/surveyed_scene.h"
 
 namespace tilemend {
@@ -42,6 +44,28 @@ TEST(AuditBordersTest, TellsTilesThatOverlap) {
   EXPECT_GT(found.borders[0].apart.places, 40);
   EXPECT_TRUE(found.independent);
   EXPECT_NEAR(found.usual_offset, 0.1, 1e-9);
+}
+
+// Four tiles that overlap by 10 m; water lies along the first border, with shores in the strip of both.
+TEST(AuditBordersTest, ShoresBetweenTilesThatEndStraightAreNoBuffers) {
+  constexpr double kMargin = 5, kCell = 250;
+  std::map<CellId, TriMesh> tiles;
+  for (int32_t col = 0; col < 4; ++col) {
+    const int32_t squares = 25 + col;
+    const auto whole = [](int32_t, int32_t) { return true; };
+    tiles[{col, 0}] = Moved(SquaresMesh(0, squares, 0, squares, whole), [&](const Point3& p) {
+      const double scale = (kCell + 2 * kMargin) / squares, shore = 2 + std::sin(p.y());
+      const double inward = col == 0 && p.x() == squares ? -shore : col == 1 && p.x() == 0 ? shore : 0;
+      return Point3(p * scale + Point3(kCell * col - kMargin + inward, -kMargin, 0));
+    });
+  }
+  Grid grid;
+  grid.cell_size = Point2(kCell, kCell);
+  const SurveyedScene scene = SurveyScene(grid, tiles);
+  const BorderFindings found = AuditBorders(scene.Input());
+  EXPECT_THAT(found.buffers, IsEmpty());
+  EXPECT_FALSE(found.offsets.contains({CellId{0, 0}, kEast}));
+  EXPECT_NEAR(found.usual_offset, kMargin, 1e-9);
 }
 
 TEST(AuditBordersTest, TellsTilesWithAGapBetween) {
