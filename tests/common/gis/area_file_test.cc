@@ -198,8 +198,8 @@ TEST(ParseAreaFileTest, PolygonsAreUnitedWhereTheyOverlap) {
 TEST(ParseAreaFileTest, ManyPolygonsAreUnitedInAMoment) {
   constexpr int kSide = 100;
   std::vector<std::string> parcels;
-  for (int i = 0; i < kSide * kSide; ++i) {
-    parcels.push_back(FeatureText(PolygonText(SquareAt(2 * (i % kSide), 2 * (i / kSide), 1))));
+  for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kSide; ++y) parcels.push_back(FeatureText(PolygonText(SquareAt(2 * x, 2 * y, 1))));
   }
   const auto start = std::chrono::steady_clock::now();
   const auto file = ParseAreaFile(CollectionText(parcels), "f", {});
