@@ -29,7 +29,8 @@ Eigen::AlignedBox2d ExtentOf(const Plan& plan, const PlannedHole& hole) {
   return box;
 }
 
-std::vector<Point3> GroundOf(const Plan& plan, const std::vector<int32_t>& holes) {
+// The original vertices on the rims of the holes that stand on no object.
+std::vector<Point3> GroundAtRims(const Plan& plan, const std::vector<int32_t>& holes) {
   std::set<int32_t> ground;
   for (const int32_t h : holes) {
     for (const RimSegment& s : plan.holes[h].segments) {
@@ -44,7 +45,10 @@ std::vector<Point3> GroundOf(const Plan& plan, const std::vector<int32_t>& holes
 }
 
 // The points, each as high as the lowest around it.
-std::vector<Point3> Lowered(const std::vector<Point3>& points, const Eigen::AlignedBox2d& places) {
+std::vector<Point3> Lowered(const std::vector<Point3>& points) {
+  if (points.empty()) return {};
+  Eigen::AlignedBox2d places;
+  for (const Point3& p : points) places.extend(Point2(p.head<2>()));
   const Point2 reach = Point2::Constant(kLowestWithin);
   const auto place = [&](int32_t i) { return Point2(points[i].head<2>()); };
   const BinGrid bins(places, std::max(kLowestWithin, places.sizes().maxCoeff() / kMostBins),
@@ -102,19 +106,56 @@ class GroundSurface {
   const BoxTree tree_;
 };
 
+// Of the holes of a group those that are parts of known shores, and the others.
+struct KnownParts {
+  std::vector<int32_t> known, others;
+};
+
+KnownParts PartsOf(const KnownObjects& known, const std::vector<int32_t>& holes) {
+  KnownParts parts;
+  for (const int32_t h : holes) (known.ShoreOf({h}) == nullptr ? parts.others : parts.known).push_back(h);
+  return parts;
+}
+
+// The ground of the shores that the holes are parts of.
+std::vector<Point3> KnownGround(const KnownObjects& known, const std::vector<int32_t>& holes) {
+  std::set<int32_t> shores;
+  for (const int32_t h : holes) shores.insert(known.shore_of[h]);
+  std::vector<Point3> ground;
+  for (const int32_t shore : shores) {
+    const std::vector<Point3>& more = known.shores[shore].ground;
+    ground.insert(ground.end(), more.begin(), more.end());
+  }
+  return ground;
+}
+
 }  // namespace
 
-void FindGroundPoints(Plan& plan) {
+std::vector<Point3> GroundOfShore(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::vector<Point3> ground = Lowered(GroundAtRims(plan, holes));
+  const ShoreLine shore = ShoreLineOf(plan, holes);
+  const std::vector<Point3> platforms = FindPlatforms(shore.points, shore.kinds, shore.edges);
+  ground.insert(ground.end(), platforms.begin(), platforms.end());
+  return ground;
+}
+
+void FindGroundPoints(const KnownObjects& known, Plan& plan) {
   for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
     if (!plan.holes[holes.front()].among_objects || plan.holes[holes.front()].water >= 0) continue;
     Eigen::AlignedBox2d places;
     for (const int32_t h : holes) places.extend(ExtentOf(plan, plan.holes[h]));
-    std::vector<Point3> ground = Lowered(GroundOf(plan, holes), places);
-    const ShoreLine shore = ShoreLineOf(plan, holes);
-    const std::vector<Point3> platforms = FindPlatforms(shore.points, shore.kinds, shore.edges);
-    ground.insert(ground.end(), platforms.begin(), platforms.end());
-    const GroundSurface surface(std::move(ground), places);
-    for (const int32_t h : holes) plan.holes[h].ground_points = surface.CornersIn(ExtentOf(plan, plan.holes[h]));
+    const KnownParts parts = PartsOf(known, holes);
+    std::vector<Point3> ground = KnownGround(known, parts.known);
+    for (const Point3& p : ground) places.extend(Point2(p.head<2>()));
+    const auto take = [&](const std::vector<int32_t>& some) {
+      if (ground.empty() || some.empty()) return;
+      const GroundSurface surface(ground, places);
+      for (const int32_t h : some) plan.holes[h].ground_points = surface.CornersIn(ExtentOf(plan, plan.holes[h]));
+    };
+    take(parts.known);
+    const std::vector<Point3> others = GroundOfShore(plan, parts.others);
+    ground.insert(ground.end(), others.begin(), others.end());
+    take(parts.others);
   }
 }
 

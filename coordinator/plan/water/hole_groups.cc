@@ -1,12 +1,15 @@
 #include "coordinator/plan/water/hole_groups.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
+#include <set>
 
 namespace tilemend {
 namespace {
 
 constexpr double kFacesUp = 0.9;  // cosine of a closed hole's slope
+constexpr double kIsPart = 0.5;   // of a hole
 
 }  // namespace
 
@@ -35,6 +38,18 @@ std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan) {
   return groups;
 }
 
+std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::set<int32_t> vertices;
+  for (const int32_t h : holes) {
+    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
+      for (const int32_t v : {s.from, s.to}) {
+        if (plan.vertices[v].index >= 0) vertices.insert(v);
+      }
+    });
+  }
+  return {vertices.begin(), vertices.end()};
+}
+
 std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t>& holes) {
   std::vector<PlaneSegment> boundary;
   for (const int32_t h : holes) {
@@ -43,6 +58,24 @@ std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t
     }
   }
   return boundary;
+}
+
+std::vector<int32_t> GroupsCovering(const Plan& plan, const Plan& whole, const std::vector<int32_t>& group_of) {
+  std::vector<int32_t> covering(plan.holes.size(), -1);
+  std::multimap<CellId, int32_t> holes_in;
+  for (size_t h = 0; h < whole.holes.size(); ++h) {
+    if (group_of[h] >= 0) holes_in.emplace(whole.holes[h].cell, static_cast<int32_t>(h));
+  }
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    const auto [from, to] = holes_in.equal_range(plan.holes[h].cell);
+    if (from == to || !plan.holes[h].failure.empty()) continue;
+    const CoverLines region(BoundaryOf(plan, {static_cast<int32_t>(h)}));
+    std::map<int32_t, double> share;
+    for (auto it = from; it != to; ++it) share[group_of[it->second]] += region.ShareIn(BoundaryOf(whole, {it->second}));
+    const auto most = std::ranges::max_element(share, {}, [](const auto& s) { return s.second; });
+    if (most->second > kIsPart) covering[h] = most->first;
+  }
+  return covering;
 }
 
 }  // namespace tilemend

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_HOLE_GROUPS_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_HOLE_GROUPS_H_
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -14,8 +15,24 @@ namespace tilemend {
 // that can't be filled are in none. Cost O(n log n) in the plan's holes and segments.
 std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan);
 
+// The boundary of a hole and of the regions that tiles fill of it for themselves.
+template <typename Visit>
+void ForRimSegments(const PlannedHole& hole, const Visit& visit) {
+  std::for_each(hole.segments.begin(), hole.segments.end(), visit);
+  for (const std::vector<RimSegment>& region : hole.own_regions) std::for_each(region.begin(), region.end(), visit);
+}
+
+// The original vertices on the rims of the holes; ascending.
+std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes);
+
 // Rims and seams of the holes, seen from above; seams between two of them occur twice.
 std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t>& holes);
+
+// For each hole of `plan` the group of holes of `whole`, a plan of the same grid, that covers most of it, and more than
+// half, with holes in the same cell; else -1. Holes that can't be filled are parts of none.
+//   group_of  for each hole of `whole`; -1: it is in none
+// Cost O(128 * segments) for each pair of holes that meet in a cell.
+std::vector<int32_t> GroupsCovering(const Plan& plan, const Plan& whole, const std::vector<int32_t>& group_of);
 
 }  // namespace tilemend
 

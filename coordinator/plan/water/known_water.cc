@@ -12,8 +12,6 @@
 namespace tilemend {
 namespace {
 
-constexpr double kIsPart = 0.5;  // of a hole
-
 // What stays of a river beside these holes, and a station more on either side.
 void KeepBeside(const Plan& plan, WaterBody& river) {
   const std::vector<Point3>& all = river.river.stations;
@@ -63,23 +61,9 @@ void KnownWater::Forget(const std::vector<int32_t>& holes) {
 }
 
 KnownWater FindKnownWater(const Plan& whole, const Plan& plan) {
-  KnownWater known{whole.water, std::vector<int32_t>(plan.holes.size(), -1)};
-  std::multimap<CellId, int32_t> water_in;
-  for (size_t h = 0; h < whole.holes.size(); ++h) {
-    if (whole.holes[h].water >= 0) water_in.emplace(whole.holes[h].cell, static_cast<int32_t>(h));
-  }
-  for (size_t h = 0; h < plan.holes.size(); ++h) {
-    const auto [from, to] = water_in.equal_range(plan.holes[h].cell);
-    if (from == to || !plan.holes[h].failure.empty()) continue;
-    const CoverLines region(BoundaryOf(plan, {static_cast<int32_t>(h)}));
-    std::map<int32_t, double> share;
-    for (auto it = from; it != to; ++it) {
-      share[whole.holes[it->second].water] += region.ShareIn(BoundaryOf(whole, {it->second}));
-    }
-    const auto most = std::ranges::max_element(share, {}, [](const auto& s) { return s.second; });
-    if (most->second > kIsPart) known.body_of[h] = most->first;
-  }
-  return known;
+  std::vector<int32_t> water;
+  for (const PlannedHole& hole : whole.holes) water.push_back(hole.water);
+  return {whole.water, GroupsCovering(plan, whole, water)};
 }
 
 void AddKnownWater(const KnownWater& more, KnownWater& known) {

@@ -20,8 +20,7 @@ struct KnownWater {
 };
 
 // Finds what the water of `whole`, a plan of the same grid without the area, says of the holes of `plan`: a hole is a
-// part of the body that covers most of it, and more than half, with holes in the same cell. Cost O(128 * segments) for
-// each pair of holes that meet in a cell.
+// part of the body that covers it. Cost as GroupsCovering.
 KnownWater FindKnownWater(const Plan& whole, const Plan& plan);
 
 // Takes more of what is known, for holes of which nothing is.

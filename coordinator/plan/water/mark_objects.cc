@@ -45,25 +45,12 @@ std::vector<Point3> BandPointsIn(const PlanInput& input, const std::set<CellId>&
   return points;
 }
 
-// The rim of a group of holes, and how steep the way down is from each of its vertices.
+// The rim of a group of holes, and how steep the way down is from each of its vertices; of a small one nothing.
 struct GroupSteps {
   std::vector<int32_t> holes;
   std::vector<int32_t> rim;
   std::vector<double> steps;
 };
-
-// The original vertices on the rims of the holes; ascending.
-std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes) {
-  std::set<int32_t> vertices;
-  for (const int32_t h : holes) {
-    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
-      for (const int32_t v : {s.from, s.to}) {
-        if (plan.vertices[v].index >= 0) vertices.insert(v);
-      }
-    });
-  }
-  return {vertices.begin(), vertices.end()};
-}
 
 GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, const ObjectRule& rule,
                    const Plan& plan) {
@@ -74,7 +61,7 @@ GroupSteps StepsOf(const PlanInput& input, const std::vector<int32_t>& holes, co
     rim.push_back(plan.vertices[v].position);
     box.extend(Point2(rim.back().head<2>()));
   }
-  if (rim.empty() || box.diagonal().norm() < kLeastExtent * rule.radius) return {};
+  if (rim.empty() || box.diagonal().norm() < kLeastExtent * rule.radius) return group;
   box.min().array() -= rule.radius;
   box.max().array() += rule.radius;
   group.steps = StepsDown(rim, BandPointsIn(input, CellsAround(plan, holes), box), rule);
@@ -135,9 +122,45 @@ void LowerSizesAtObjects(Plan& plan) {
   }
 }
 
+bool IsUnknown(const KnownObjects& known, int32_t v) { return known.on_object.empty() || !known.on_object[v]; }
+
+void TakeKnown(const KnownObjects& known, Plan& plan) {
+  for (size_t v = 0; v < known.on_object.size(); ++v) {
+    if (known.on_object[v]) plan.vertices[v].on_object = *known.on_object[v];
+  }
+}
+
+// Takes what is known of the shore of a group, if all of it is. Where nothing of the rim is known to be ground, that of
+// the whole shore is what the surface has to go by.
+void TakeKnownShore(const KnownShore& shore, const KnownObjects& known, const std::vector<int32_t>& rim,
+                    const std::vector<int32_t>& holes, Plan& plan) {
+  const auto is_ground = [&](int32_t v) { return known.on_object[v] == false; };
+  const auto is_known = [&](int32_t h) { return known.shore_of[h] >= 0; };
+  bool among = plan.holes[holes.front()].among_objects;
+  if (std::ranges::all_of(holes, is_known)) among = shore.among_objects;
+  if (std::ranges::none_of(rim, is_ground) && !shore.ground.empty()) among = true;
+  for (const int32_t h : holes) plan.holes[h].among_objects = among;
+}
+
+// Marks of the rim of a group what nothing is known of.
+void MarkGroup(const GroupSteps& group, const ObjectRule& rule, const KnownObjects& known, Plan& plan) {
+  const auto on_object = [&](double step) { return step > rule.slope; };
+  if (std::all_of(group.steps.begin(), group.steps.end(), on_object)) return;
+  if (std::ranges::none_of(group.rim, [&](int32_t v) { return IsUnknown(known, v); })) return;
+  for (size_t i = 0; i < group.rim.size(); ++i) {
+    if (on_object(group.steps[i]) && IsUnknown(known, group.rim[i])) plan.vertices[group.rim[i]].on_object = true;
+  }
+  MarkRaised(group.holes, plan);
+  TakeKnown(known, plan);
+  const ptrdiff_t count =
+      std::count_if(group.rim.begin(), group.rim.end(), [&](int32_t v) { return plan.vertices[v].on_object; });
+  if (kFewObjects * count <= std::ssize(group.steps)) return;
+  for (const int32_t h : group.holes) plan.holes[h].among_objects = true;
+}
+
 }  // namespace
 
-void MarkObjects(const PlanInput& input, Plan& plan) {
+void MarkObjects(const PlanInput& input, const KnownObjects& known, Plan& plan) {
   const ObjectRule rule;
   std::vector<GroupSteps> groups;
   std::vector<double> all;
@@ -145,18 +168,12 @@ void MarkObjects(const PlanInput& input, Plan& plan) {
     groups.push_back(StepsOf(input, holes, rule, plan));
     all.insert(all.end(), groups.back().steps.begin(), groups.back().steps.end());
   }
-  if (!AreWalls(all, rule)) return;
+  TakeKnown(known, plan);
+  const bool are_walls = known.any || AreWalls(all, rule);
   for (const GroupSteps& group : groups) {
-    const auto on_object = [&](double step) { return step > rule.slope; };
-    if (std::all_of(group.steps.begin(), group.steps.end(), on_object)) continue;
-    for (size_t i = 0; i < group.rim.size(); ++i) {
-      if (on_object(group.steps[i])) plan.vertices[group.rim[i]].on_object = true;
-    }
-    MarkRaised(group.holes, plan);
-    const ptrdiff_t count =
-        std::count_if(group.rim.begin(), group.rim.end(), [&](int32_t v) { return plan.vertices[v].on_object; });
-    if (kFewObjects * count <= std::ssize(group.steps)) continue;
-    for (const int32_t h : group.holes) plan.holes[h].among_objects = true;
+    if (are_walls) MarkGroup(group, rule, known, plan);
+    const KnownShore* shore = known.ShoreOf(group.holes);
+    if (shore != nullptr) TakeKnownShore(*shore, known, group.rim, group.holes, plan);
   }
   LowerSizesAtObjects(plan);
 }

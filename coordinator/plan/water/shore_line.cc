@@ -1,9 +1,11 @@
 #include "coordinator/plan/water/shore_line.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
+#include "coordinator/plan/water/hole_groups.h"
 
 namespace tilemend {
 namespace {

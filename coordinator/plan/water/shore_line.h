@@ -2,7 +2,6 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_SHORE_LINE_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_SHORE_LINE_H_
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,13 +20,6 @@ struct ShoreLine {
   std::vector<int32_t> vertices;    // of the plan, for each point
   std::vector<DirectedEdge> edges;  // into the points, the hole on their left; none along seams
 };
-
-// The boundary of a hole and of the regions that tiles fill of it for themselves.
-template <typename Visit>
-void ForRimSegments(const PlannedHole& hole, const Visit& visit) {
-  std::for_each(hole.segments.begin(), hole.segments.end(), visit);
-  for (const std::vector<RimSegment>& region : hole.own_regions) std::for_each(region.begin(), region.end(), visit);
-}
 
 // The rims of the holes as the plan has them, and those of the regions that tiles fill for themselves as well.
 ShoreLine ShoreLineOf(const Plan& plan, const std::vector<int32_t>& holes);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "coordinator/plan/plan.h"
 #include "tests/support/surveyed_scene.h"
@@ -17,11 +19,21 @@ double Ground(double x, double y) { return 0.05 * x + 0.5 * std::sin(y / 15); }
 bool InHouse(double y) { return std::fmod(y, 24) < 10; }
 
 // Rows of houses on both shores.
-Plan PlanAmongHouses(Cut cut) {
-  return MakePlan(SurveyScene(MakeScene(HoleOverNineCells(
-                                  cut, [](double, double x, double y) { return Ground(x, y) + (InHouse(y) ? 9 : 0); })))
-                      .Input(),
-                  {});
+Plan PlanAmongHouses(Cut cut, const PlanePolygon& area = {}) {
+  const SurveyedScene scene = SurveyScene(MakeScene(
+      HoleOverNineCells(cut, [](double, double x, double y) { return Ground(x, y) + (InHouse(y) ? 9 : 0); })));
+  PlanInput input = scene.Input();
+  input.area = area;
+  return MakePlan(input, {});
+}
+
+// Every ground point of the plan, once, in order.
+std::vector<std::array<double, 3>> GroundPointsOf(const Plan& plan) {
+  std::set<std::array<double, 3>> points;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const Point3& p : hole.ground_points) points.insert({p.x(), p.y(), p.z()});
+  }
+  return {points.begin(), points.end()};
 }
 
 class GroundPointsTest : public ::testing::TestWithParam<Cut> {};
@@ -44,7 +56,7 @@ TEST_P(GroundPointsTest, AreOnTheGroundOfTheWholeRim) {
 TEST_P(GroundPointsTest, AreTheLowestAround) {
   Plan plan = PlanAmongHouses(GetParam());
   for (size_t v = 0; v < plan.vertices.size(); v += 7) plan.vertices[v].position.z() += 1.5;  // cars, as it were
-  FindGroundPoints(plan);
+  FindGroundPoints({}, plan);
   int lowered = 0;
   for (const PlannedHole& hole : plan.holes) {
     for (const Point3& p : hole.ground_points) {
@@ -78,6 +90,40 @@ TEST_P(GroundPointsTest, APodiumGoesOnBetweenTowers) {
   }
   EXPECT_GT(on_top, 20);
   EXPECT_GT(at_foot, 20);
+}
+
+TEST_P(GroundPointsTest, OfASmallAreaLieFarAround) {
+  const Plan plan = PlanAmongHouses(GetParam(), {{{{60, 58}, {62, 58}, {62, 60}, {60, 60}}}});
+  ASSERT_FALSE(plan.holes.empty());
+  for (const PlannedHole& hole : plan.holes) EXPECT_GE(hole.ground_points.size(), 3u);
+}
+
+// A box that leaves 20 m of the shore, and one in the middle of the hole.
+TEST_P(GroundPointsTest, InAnAreaAreThoseOfTheWholeShore) {
+  const auto whole = GroundPointsOf(PlanAmongHouses(GetParam()));
+  for (const double west : {3, 45}) {
+    const Plan plan = PlanAmongHouses(GetParam(), {{{{west, 50}, {west + 30, 50}, {west + 30, 70}, {west, 70}}}});
+    ASSERT_FALSE(plan.holes.empty());
+    for (const PlannedHole& hole : plan.holes) EXPECT_FALSE(hole.ground_points.empty());
+    const auto points = GroundPointsOf(plan);
+    EXPECT_TRUE(std::includes(whole.begin(), whole.end(), points.begin(), points.end()));
+    const auto is_far = [&](const std::array<double, 3>& p) { return p[0] > west + 40; };
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), is_far));
+  }
+}
+
+// The surface ends 10 m inside the cells, and the area reaches over its western end.
+TEST_P(GroundPointsTest, BeyondTheEndOfTheSurfaceAnAreaHasThoseOfItsOwnShore) {
+  SceneMakerOptions options =
+      HoleOverNineCells(GetParam(), [](double, double x, double y) { return Ground(x, y) + (InHouse(y) ? 9 : 0); });
+  options.ellipses = {};
+  options.boxes = {{{-1, -1}, {10, 121}}, {{110, -1}, {121, 121}}, {{-1, -1}, {121, 10}}, {{-1, 110}, {121, 121}}};
+  const SurveyedScene scene = SurveyScene(MakeScene(options));
+  PlanInput input = scene.Input();
+  input.area.rings = {{{2, 42}, {30, 42}, {30, 78}, {2, 78}}};
+  const auto points = GroundPointsOf(MakePlan(input, {}));
+  EXPECT_FALSE(points.empty());
+  for (const auto& p : points) EXPECT_TRUE(p[1] > 38 && p[1] < 82) << p[1];
 }
 
 TEST_P(GroundPointsTest, ThereAreNoneWhereFewObjectsStand) {

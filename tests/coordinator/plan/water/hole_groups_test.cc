@@ -49,5 +49,31 @@ TEST(BoundaryOfTest, HasTheSegmentsOfAllHoles) {
   }
 }
 
+TEST(RimVerticesOfTest, AreTheOriginalOnesOfTheHoles) {
+  const Plan plan = TwoCells();
+  for (const std::vector<int32_t>& group : GroupHoles(plan)) {
+    const std::vector<int32_t> rim = RimVerticesOf(plan, group);
+    EXPECT_EQ(rim.size(), group.size() == 1 ? 4u : 12u);
+    for (const int32_t v : rim) EXPECT_GE(plan.vertices[v].index, 0);
+  }
+}
+
+TEST(GroupsCoveringTest, AHoleIsInTheGroupThatCoversMostOfItInItsCell) {
+  const Plan whole = TwoCells();
+  std::vector<int32_t> group_of;
+  for (const PlannedHole& hole : whole.holes) group_of.push_back(hole.kind == HoleKind::kClosed ? 4 : 7);
+  EXPECT_EQ(GroupsCovering(whole, whole, group_of), group_of);
+  Plan moved = whole;
+  for (PlannedHole& hole : moved.holes) hole.cell.row += 1;
+  EXPECT_EQ(GroupsCovering(moved, whole, group_of), std::vector<int32_t>(3, -1));
+  moved = whole;
+  for (PlanVertex& v : moved.vertices) v.position.y() += 1.2;  // of the 2 m that the open holes are high
+  EXPECT_EQ(GroupsCovering(moved, whole, group_of), std::vector<int32_t>(3, -1));
+  moved = whole;
+  for (PlannedHole& hole : moved.holes) hole.failure = "it crosses itself";
+  EXPECT_EQ(GroupsCovering(moved, whole, group_of), std::vector<int32_t>(3, -1));
+  EXPECT_EQ(GroupsCovering(whole, whole, {-1, -1, -1}), std::vector<int32_t>(3, -1));
+}
+
 }  // namespace
 }  // namespace tilemend

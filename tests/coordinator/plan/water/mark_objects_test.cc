@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
 
 #include "coordinator/plan/plan.h"
 #include "tests/support/surveyed_scene.h"
@@ -99,6 +103,104 @@ TEST_P(MarkObjectsTest, OnRoughGroundNothingStands) {
   const Plan plan = PlanOf(
       HoleOverNineCells(GetParam(), [](double, double x, double y) { return 8 * std::sin(x / 4) * std::cos(y / 5); }));
   for (const PlanVertex& v : plan.vertices) EXPECT_FALSE(v.on_object);
+}
+
+// Whether something stands at each original vertex on the rims of a plan, by place.
+std::map<std::array<double, 3>, bool> MarksOf(const Plan& plan) {
+  std::map<std::array<double, 3>, bool> marks;
+  for (const PlannedHole& hole : plan.holes) {
+    for (const RimSegment& s : hole.segments) {
+      const PlanVertex& v = plan.vertices[s.from];
+      if (v.index >= 0) marks[{v.position.x(), v.position.y(), v.position.z()}] = v.on_object;
+    }
+  }
+  return marks;
+}
+
+// Inside the area nothing leads down from the roof.
+TEST_P(MarkObjectsTest, ARoofThatAnAreaCutsOutIsWhatItIsInTheScene) {
+  const auto on_roof = [](double x, double y) { return x > 90 && std::abs(y - 59) < 20; };
+  const SurveyedScene scene = SurveyScene(MakeScene(HoleOverNineCells(
+      GetParam(), [&](double, double x, double y) { return Gentle(x, y) + (on_roof(x, y) ? 20 : 0); })));
+  PlanInput input = scene.Input();
+  const auto whole = MarksOf(MakePlan(input, {}));
+  input.area.rings = {{{80, 44}, {118, 44}, {118, 74}, {80, 74}}};
+  const Plan plan = MakePlan(input, {});
+  int marked = 0;
+  for (const auto& [place, mark] : MarksOf(plan)) {
+    const auto known = whole.find(place);
+    if (known == whole.end()) continue;  // a crossing with the area's edge
+    EXPECT_EQ(mark, known->second) << place[0] << ' ' << place[1];
+    marked += mark;
+  }
+  EXPECT_GT(marked, 10);
+  for (const PlannedHole& hole : plan.holes) EXPECT_TRUE(hole.among_objects);
+}
+
+// The house alone, or no shore at all: the surface has the ground of the whole shore to go by.
+TEST_P(MarkObjectsTest, WhereAnAreaLeavesNoGroundTheHoleIsAmongObjects) {
+  const SurveyedScene scene = SurveyScene(MakeScene(HoleOverNineCells(
+      GetParam(), [](double, double x, double y) { return Gentle(x, y) + (InHouse(x, y) ? 9 : 0); })));
+  PlanInput input = scene.Input();
+  const auto among = [&](double west, double south, double east, double north) {
+    input.area.rings = {{{west, south}, {east, south}, {east, north}, {west, north}}};
+    const Plan plan = MakePlan(input, {});
+    EXPECT_FALSE(plan.holes.empty());
+    return std::all_of(plan.holes.begin(), plan.holes.end(), [](const PlannedHole& h) { return h.among_objects; });
+  };
+  EXPECT_TRUE(among(85, 57, 118, 61));
+  EXPECT_TRUE(among(50, 50, 70, 70));
+  EXPECT_FALSE(among(50, 30, 118, 90));
+}
+
+TEST(MarkObjectsOfSceneTest, OfWhatIsKnownItStays) {
+  const SurveyedScene scene = SurveyScene(MakeScene(HoleOverNineCells(
+      Cut::kClipped, [](double, double x, double y) { return Gentle(x, y) + (InHouse(x, y) ? 9 : 0); })));
+  Plan plan = MakePlan(scene.Input(), {});
+  const auto house =
+      std::find_if(plan.vertices.begin(), plan.vertices.end(), [](const auto& v) { return v.on_object; });
+  ASSERT_NE(house, plan.vertices.end());
+  const auto at = house - plan.vertices.begin();
+  KnownObjects known;
+  known.on_object.resize(plan.vertices.size());
+  known.on_object[at] = false;
+  MarkObjects(scene.Input(), known, plan);
+  EXPECT_FALSE(plan.vertices[at].on_object);
+}
+
+TEST(MarkObjectsOfSceneTest, AGroupIsAmongObjectsAsItsShoreIsIfAllOfItIsKnown) {
+  const SurveyedScene scene = SurveyScene(MakeScene(HoleOverNineCells(
+      Cut::kClipped, [](double, double x, double y) { return Gentle(x, y) + (InHouse(x, y) ? 9 : 0); })));
+  Plan plan = MakePlan(scene.Input(), {});
+  KnownObjects known{false,
+                     std::vector<std::optional<bool>>(plan.vertices.size(), false),
+                     {{true, {{0, 0, 0}}}},
+                     std::vector<int32_t>(plan.holes.size(), 0)};
+  const auto among = [&] {
+    MarkObjects(scene.Input(), known, plan);
+    return std::ranges::any_of(plan.holes, [](const PlannedHole& h) { return h.among_objects; });
+  };
+  EXPECT_TRUE(among());
+  known.shores[0].among_objects = false;
+  EXPECT_FALSE(among());
+  known.shores[0].among_objects = true;
+  known.shore_of.back() = -1;
+  EXPECT_FALSE(among());
+}
+
+// What an area leaves of the rims may be too little to tell walls from rough ground by.
+TEST(MarkObjectsOfSceneTest, WhereSomethingStandsInTheSceneItMayInTheArea) {
+  const SurveyedScene scene = SurveyScene(MakeScene(HoleOverNineCells(
+      Cut::kClipped, [](double, double x, double y) { return 8 * std::sin(x / 4) * std::cos(y / 5); })));
+  Plan plan = MakePlan(scene.Input(), {});
+  KnownObjects known;
+  const auto marked = [&] {
+    MarkObjects(scene.Input(), known, plan);
+    return std::any_of(plan.vertices.begin(), plan.vertices.end(), [](const PlanVertex& v) { return v.on_object; });
+  };
+  EXPECT_FALSE(marked());
+  known.any = true;
+  EXPECT_TRUE(marked());
 }
 
 INSTANTIATE_TEST_SUITE_P(Cuts, MarkObjectsTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap),
