@@ -111,7 +111,8 @@ class Divider {
       }
       const StoredRecord& record = part_.input.cells.at(cell);
       boundary.has_surface = record != nullptr && record->triangle_count > 0;
-      if (record != nullptr && !part_.lines.joined) boundary.surface = &record;
+      const StoredRecord& own = part_.own.cells.at(cell);
+      if (own != nullptr) boundary.surface = &own;
       division.holes[cell] = FindHoles(site, boundary);
     }
   }

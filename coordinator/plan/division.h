@@ -18,6 +18,7 @@ namespace tilemend {
 // Cells whose tiles share vertices. All of it must outlive the part.
 struct Part {
   const PlanInput& input;
+  const PlanInput& own;  // the tiles as they are: of joined ones `input` has what their cells have in common
   const GridLines& lines;
   const PlanOptions& options;
   const Rim& rim;

@@ -111,14 +111,15 @@ void CutByPolygon(const PlanInput& input, const GridLines& lines, const PlanOpti
 }
 
 // Plans the holes of cells whose tiles share vertices and stores them.
-void PlanPart(const PlanInput& input, const GridLines& lines, const PlanOptions& options, Plan& plan) {
+void PlanPart(const PlanInput& input, const PlanInput& own, const GridLines& lines, const PlanOptions& options,
+              Plan& plan) {
   // What becomes of tiles that overlap is found on their own outlines.
   Rim rim = BuildRim(input, lines.joined ? RimPoints::kAll : RimPoints::kOfEdges);
   if (!input.area.empty()) CutByPolygon(input, lines, options, rim, plan);
   const ClosingCells closing = FindClosingCells(input, lines, rim);
   RaiseSmallSizes(plan.lattice_step, rim);
   RaiseSizesAtShortEdges(rim);
-  const Part part{input, lines, options, rim, plan.lattice_step};
+  const Part part{input, own, lines, options, rim, plan.lattice_step};
   if (options.cancelled()) return;
   Division division = DivideScene(part, closing);
   const int32_t base = StoreVertices(rim, division.seams, plan);
@@ -145,7 +146,7 @@ JointTiles JoinInArea(const PlanInput& input, const JointTiles& whole, const Gri
 void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
   JointTiles joint = JoinTiles(input, outlines, plan.lattice_step);
   if (!input.area.empty()) joint = JoinInArea(input, joint, outlines, options, plan.lattice_step);
-  PlanPart(joint.input, joint.lines, options, plan);
+  PlanPart(joint.input, input, joint.lines, options, plan);
   LayOwnRegions(input, outlines, joint, plan);
 }
 
@@ -213,7 +214,7 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
     PlanOverlapping(input, lines, options, plan);
     RefuseTilesThatFaceDown(input, plan);
   } else {
-    PlanPart(input, lines, options, plan);
+    PlanPart(input, input, lines, options, plan);
   }
   return plan;
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "coordinator/plan/hole/planar_regions.h"
@@ -39,27 +38,6 @@ bool BoundsHeights(const HoleSite& site, const ClosedLoop& loop) {
   return FindPlanarRegions(around, site.position).triangulation.conflicts.empty();
 }
 
-// Whether the boundary of the piece of surface along a loop reaches beyond the loop, seen from above. Nothing if that
-// is not known.
-std::optional<bool> ReachesBeyond(const HoleSite& site, const CellBoundary& boundary, const ClosedLoop& loop) {
-  if (boundary.surface == nullptr) return std::nullopt;
-  const StoredRecord::Pointer record = boundary.surface->Outline();
-  const auto points = site.rim.point_of.find(boundary.cell);
-  if (points == site.rim.point_of.end()) return std::nullopt;
-  const std::vector<int32_t>& point = points->second;
-  const RimSegment& first = loop.segments.front();  // the other way round than its edge
-  const auto edge = std::find_if(record->edges.begin(), record->edges.end(), [&](const BoundaryEdge& e) {
-    return point[e.from] == first.to && point[e.to] == first.from;
-  });
-  if (edge == record->edges.end()) return std::nullopt;
-  Eigen::AlignedBox2d of_loop, of_piece;
-  for (const RimSegment& s : loop.segments) of_loop.extend(Point2(site.position[s.from].head<2>()));
-  for (const BoundaryEdge& e : record->edges) {
-    if (e.piece == edge->piece) of_piece.extend(Point2(record->vertices[e.from].position.head<2>()));
-  }
-  return !of_loop.contains(of_piece);
-}
-
 Point3 MiddleOf(const HoleSite& site, const ClosedLoop& loop) {
   Point3 middle = Point3::Zero();
   for (const RimSegment& s : loop.segments) {
@@ -87,7 +65,7 @@ double RiseIn(const HoleSite& site, const ClosedLoop& hole) {
 
 }  // namespace
 
-ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, const CellBoundary& boundary) {
+ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, PieceBoundaries& pieces) {
   ClosedLoop loop;
   loop.segments = std::move(segments);
   loop.vector_area = VectorArea(loop.segments, site.position);
@@ -96,13 +74,18 @@ ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, cons
   loop.faces_up = loop.normal.z() > kFacesUp;
   const double along = loop.vector_area.dot(loop.normal), up = loop.vector_area.z();
   loop.outer_rim = along < kOuterRim * loop.vector_area.norm();
-  const bool contradicted = loop.outer_rim != (up < 0);
-  if ((loop.faces_up && !contradicted) || !BoundsHeights(site, loop)) return loop;
-  // Of heights, however steep, the way around seen from above tells a hole from an outline. Along few edges of a rough
-  // wall all normals may point up by chance.
-  const bool many = loop.segments.size() >= kTellingEdges || std::abs(up) > std::abs(along);
-  if (contradicted && (many || ReachesBeyond(site, boundary, loop) == (up > 0))) loop.outer_rim = up < 0;
-  loop.faces_up = true;
+  const bool contradicted = loop.outer_rim != (up < 0), is_short = loop.segments.size() < kTellingEdges;
+  if ((!loop.faces_up || contradicted) && BoundsHeights(site, loop)) {
+    // Of heights, however steep, the way around seen from above tells a hole from an outline. Along few edges of a
+    // rough wall all normals may point up by chance.
+    const bool tells = !is_short || std::abs(up) > std::abs(along);
+    if (contradicted && (tells || pieces.ReachBeyond(loop.segments) == (up > 0))) loop.outer_rim = up < 0;
+    loop.faces_up = true;
+  }
+  if (loop.outer_rim && is_short && pieces.ReachBeyond(loop.segments) == true) {
+    loop.outer_rim = false;
+    loop.faces_up = up > 0;
+  }
   return loop;
 }
 

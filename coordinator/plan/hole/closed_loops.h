@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
-#include "coordinator/plan/hole/cell_boundary.h"
 #include "coordinator/plan/hole/hole_site.h"
+#include "coordinator/plan/hole/piece_boundaries.h"
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
@@ -21,9 +21,10 @@ struct ClosedLoop {
 
 // Reads a loop of rim points inside a cell. It is an outline if it runs the wrong way round for the normals along it;
 // where the surface along it is a height field, if it does so seen from above. Where the two contradict each other
-// along a few edges, the piece of surface tells: its outline has all of its boundary within. Cost O(n log n); in the
-// last case the cell's outline is read.
-ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, const CellBoundary& boundary);
+// along a few edges, the piece of surface tells: its outline has all of its boundary within. So does an outline of few
+// edges; else it is a hole whose patch faces the other way than what is around it, as where a crown hangs over. Cost
+// O(n log n).
+ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, PieceBoundaries& pieces);
 
 // Whether a piece of surface lies in a hole: smaller than it, within its boundary seen along its normal, facing the
 // same way, and between the boundary and where the surface that leans in from there would be, give or take an edge's

@@ -97,8 +97,9 @@ FoundHoles FindHoles(const HoleSite& site, const CellBoundary& boundary) {
   OpenHoles open = FindOpenHoles(site, boundary);
   std::vector<ClosedHole> closed;
   std::vector<ClosedLoop> outlines;
+  PieceBoundaries pieces(site, boundary);
   for (const std::vector<RimSegment>& segments : boundary.closed_loops) {
-    ClosedLoop loop = ReadLoop(site, segments, boundary);
+    ClosedLoop loop = ReadLoop(site, segments, pieces);
     if (loop.outer_rim) {
       outlines.push_back(std::move(loop));
       continue;

@@ -111,7 +111,7 @@ Division DivideSceneOf(const SurveyedScene& scene, Rim& rim, GridLines& lines) {
   const PlanOptions options;
   lines = FindGridLines(input, AuditBorders(input), 0x1p-10);
   rim = BuildRim(input);
-  const Part part{input, lines, options, rim, 0x1p-10};
+  const Part part{input, input, lines, options, rim, 0x1p-10};
   const ClosingCells closing = FindClosingCells(input, lines, rim);
   return DivideScene(part, closing);
 }
