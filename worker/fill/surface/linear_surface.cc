@@ -15,9 +15,7 @@
 namespace tilemend {
 namespace {
 
-constexpr double kSoftness = 2.5;         // metres: edges are rounded off about so far
-constexpr double kSoftnessOfWalls = 0.7;  // the same where the ground is a wall
-constexpr double kWallSlope = 0.6;        // less is ground, as ObjectRule::slope
+constexpr double kSoftness = 0.7;  // metres: edges are rounded off about so far
 
 // The ground, triangulated.
 class LinearSurface {
@@ -97,18 +95,15 @@ std::vector<bool> KnownGround(const std::vector<bool>& on_object, const std::vec
   return settled;
 }
 
-// Rounds off the edges of a surface: minimises |gradient|^2 + (height - its height)^2 / softness^2 over the patch.
+// Rounds off the edges of a surface: minimises |gradient|^2 + (height - its height)^2 / kSoftness^2 over the patch.
 bool Soften(ThinPlateProblem& surface) {
   const PlateEquations equations(surface, false, 1.0);
   if (equations.unknown_count() == 0) return true;
   PointValues heights(surface.points.size()), masses = PointValues::Zero(heights.size());
   for (size_t v = 0; v < surface.points.size(); ++v) heights[static_cast<Eigen::Index>(v)] = surface.points[v].z();
   for (const Triangle& t : surface.patch) {
-    const Eigen::Vector3d normal = TwiceVectorArea(surface.points, t);
-    const double area = std::abs(normal.z()) / 2;
-    const bool is_wall = normal.head<2>().norm() > kWallSlope * std::abs(normal.z());
-    const double softness = is_wall ? kSoftnessOfWalls : kSoftness;
-    for (const int32_t v : t) masses[v] += area / 3 / (softness * softness);
+    const double area = std::abs(TwiceVectorArea(surface.points, t).z()) / 2;
+    for (const int32_t v : t) masses[v] += area / 3 / (kSoftness * kSoftness);
   }
   Eigen::SparseMatrix<double> matrix = equations.LowerMatrix();
   matrix.diagonal() += equations.Gather(masses);

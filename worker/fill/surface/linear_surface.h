@@ -14,7 +14,7 @@ namespace tilemend {
 std::vector<double> LinearHeights(const std::vector<Point3>& ground, const std::vector<Point2>& at);
 
 // Gives every point of the patch whose height is not known that of the surface that is linear between the ground points
-// (CellHole::ground_points), with its edges rounded off over some metres, those of walls over less; and the same to the points that stand on
+// (CellHole::ground_points), with its edges rounded off a little; and the same to the points that stand on
 // objects (`on_object`: for the first points of the problem), whose own heights count nothing. Where the ground under
 // such a point is known (`ground`, as many, or none) it is that one, and the surface passes there too. Returns false,
 // with the heights as they were, if the system cannot be factorised. Precondition: there are ground points. Cost: a
