@@ -3,8 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <deque>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "common/mesh/bin_grid.h"
@@ -23,6 +26,30 @@ Interval Extended(const Interval& i, double x) { return {std::min(i.first, x), s
 
 Point2 Place(const Point3& p) { return p.head<2>(); }
 
+// The lowest and the highest of values in a row, to which new ones come while the first ones leave. Constant cost for
+// each, amortized.
+class SlidingRange {
+ public:
+  void Add(double value) {
+    while (!lows_.empty() && lows_.back().second >= value) lows_.pop_back();
+    while (!highs_.empty() && highs_.back().second <= value) highs_.pop_back();
+    lows_.emplace_back(end_, value);
+    highs_.emplace_back(end_, value);
+    ++end_;
+  }
+  void DropFirst() {
+    if (lows_.front().first == begin_) lows_.pop_front();
+    if (highs_.front().first == begin_) highs_.pop_front();
+    ++begin_;
+  }
+  Interval range() const { return {lows_.front().second, highs_.front().second}; }
+  Interval With(double value) const { return lows_.empty() ? Interval(value, value) : Extended(range(), value); }
+
+ private:
+  std::deque<std::pair<int64_t, double>> lows_, highs_;  // which value it is; those that may become the range's ends
+  int64_t begin_ = 0, end_ = 0;
+};
+
 // Where the shore is ground, and not a shelf: as high above other ground near it.
 std::vector<bool> LowGround(std::span<const Point3> points, std::span<const ShorePoint> kinds,
                             const PlatformRule& rule) {
@@ -34,13 +61,17 @@ std::vector<bool> LowGround(std::span<const Point3> points, std::span<const Shor
   const Point2 reach = Point2::Constant(rule.beside);
   std::vector<bool> low(points.size());
   for (size_t i = 0; i < points.size(); ++i) {
+    if (kinds[i] != ShorePoint::kGround) continue;
     const Point3& p = points[i];
     const auto is_lower_ground = [&](int32_t k) {
       return kinds[k] == ShorePoint::kGround && points[k].z() < p.z() - rule.lift &&
              (Place(points[k]) - Place(p)).norm() <= rule.beside;
     };
-    low[i] = kinds[i] == ShorePoint::kGround &&
-             std::ranges::none_of(bins.In({Place(p) - reach, Place(p) + reach}), is_lower_ground);
+    bool above = false;
+    bins.ForBins({Place(p) - reach, Place(p) + reach}, [&](int64_t, std::span<const int32_t> around) {
+      above = above || std::ranges::any_of(around, is_lower_ground);
+    });
+    low[i] = !above;
   }
   return low;
 }
@@ -61,8 +92,10 @@ class TowerFinder {
               const PlatformRule& rule)
       : points_(points), rule_(rule), is_ground_(LowGround(points, kinds, rule)) {
     for (const EdgeWalk& walk : LinkEdges(edges)) AddTowers(VerticesOf(walk, edges));
+    std::ranges::sort(towers_, {}, [](const Tower& t) { return std::tuple(t.middle.x(), t.middle.y(), t.shelf); });
   }
 
+  // From west to east, in whatever order the edges come.
   const std::vector<Tower>& towers() const { return towers_; }
 
  private:
@@ -110,39 +143,37 @@ class TowerFinder {
     towers_.push_back(std::move(tower));
   }
 
-  // The height of the shelf on the way from the ground at the first point up to the top.
+  // The height of the shelf on the way from the ground at the first point up to the top. Each point of the way in turn
+  // begins a stretch, which goes on as long as its heights are those of a shelf.
   std::optional<double> ShelfFromFirst(const Tower& tower) const {
     const std::vector<Point3>& way = tower.points;
     const double ground = way.front().z();
     const double top = std::ranges::max(way, {}, [](const Point3& p) { return p.z(); }).z();
     double highest = ground;  // so far
+    SlidingRange heights, along;
+    size_t end = 1;
     for (size_t first = 1; first < way.size() && way[first].z() <= top - rule_.tower; ++first) {
-      std::vector<double> heights = LevelFrom(tower, first);
-      const auto [low, high] = std::ranges::minmax(heights);
-      if (low >= ground + rule_.lift && high <= top - rule_.tower && highest <= high) {
-        std::ranges::nth_element(heights, heights.begin() + std::ssize(heights) / 2);
-        return heights[heights.size() / 2];
+      for (; end < way.size() && Length(heights.With(way[end].z())) <= rule_.roughness; ++end) {
+        heights.Add(way[end].z());
+        along.Add(tower.Along(way[end]));
+      }
+      const auto [low, high] = heights.range();
+      const bool is_long = Length(along.range()) >= rule_.extent;
+      if (is_long && low >= ground + rule_.lift && high <= top - rule_.tower && highest <= high) {
+        return MedianHeight({way.begin() + static_cast<ptrdiff_t>(first), way.begin() + static_cast<ptrdiff_t>(end)});
       }
       highest = std::max(highest, way[first].z());
+      heights.DropFirst();
+      along.DropFirst();
     }
     return std::nullopt;
   }
 
-  // The heights from a point of the tower on as long as they are those of a shelf; of a stretch that is too short for
-  // one, that of the ground alone.
-  std::vector<double> LevelFrom(const Tower& tower, size_t first) const {
+  static double MedianHeight(std::span<const Point3> points) {
     std::vector<double> heights;
-    Interval height(tower.points[first].z(), tower.points[first].z());
-    Interval along(tower.Along(tower.points[first]), tower.Along(tower.points[first]));
-    for (size_t k = first; k < tower.points.size(); ++k) {
-      const Point3& p = tower.points[k];
-      height = Extended(height, p.z());
-      if (Length(height) > rule_.roughness) break;
-      along = Extended(along, tower.Along(p));
-      heights.push_back(p.z());
-    }
-    if (Length(along) < rule_.extent) return {tower.points.front().z()};
-    return heights;
+    for (const Point3& p : points) heights.push_back(p.z());
+    std::ranges::nth_element(heights, heights.begin() + std::ssize(heights) / 2);
+    return heights[heights.size() / 2];
   }
 
   const std::span<const Point3> points_;
@@ -176,8 +207,13 @@ class Platform {
  public:
   Platform(const Tower& a, const Tower& b, const PlatformRule& rule)
       : a_(a), b_(b), rule_(rule), height_((a.shelf + b.shelf) / 2) {
-    const std::vector<Point2> ways = {a.along, -a.along};
-    for (const Point2& way : ways) CutAt(way);
+    const Point2 along = (a.along - b.along).normalized();
+    const std::vector<Point2> ways = {along, -along};
+    std::vector<Limit> limits;
+    for (const Point2& way : ways) {
+      if (const std::optional<double> most = MostAlong(way)) limits.push_back({way, *most});
+    }
+    limits_ = std::move(limits);
     for (const Point2& way : ways) {
       const std::optional<End> end_a = EndOf(a, way), end_b = EndOf(b, way);
       if (end_a && end_b) AddWall(*end_a, *end_b, way);
@@ -207,12 +243,13 @@ class Platform {
     return p.z() > height_ - rule_.roughness && std::ranges::all_of(limits_, is_within);
   }
 
-  void CutAt(const Point2& way) {
+  // How far the platform reaches that way, if not from shelf to shelf.
+  std::optional<double> MostAlong(const Point2& way) const {
     const auto has_shelf = [&](const Tower& t) { return way.dot(Place(t.points.front() - t.points.back())) > 0; };
-    if (has_shelf(a_) && has_shelf(b_)) return;
+    if (has_shelf(a_) && has_shelf(b_)) return std::nullopt;
     const std::optional<End> end_a = EndOf(a_, way), end_b = EndOf(b_, way);
-    if (!end_a || !end_b) return;
-    limits_.push_back({way, std::min(way.dot(Place(end_a->top)), way.dot(Place(end_b->top)))});
+    if (!end_a || !end_b) return std::nullopt;
+    return std::min(way.dot(Place(end_a->top)), way.dot(Place(end_b->top)));
   }
 
   std::optional<End> EndOf(const Tower& tower, const Point2& way) const {
@@ -233,11 +270,10 @@ class Platform {
     Point2 outward(across.y() / length, -across.x() / length);
     if (outward.dot(way) < 0) outward = -outward;
     const int steps = static_cast<int>(std::ceil(length / rule_.spacing));
-    for (int k = 0; k <= steps; ++k) {
+    for (int k = 1; k < steps; ++k) {  // both ends are points of the towers
       const double t = static_cast<double>(k) / steps;
       const Point2 top = Place(a.top) + t * across, foot = top + rule_.wall * outward;
       ground_.emplace_back(top.x(), top.y(), height_);
-      if (k == 0 || k == steps) continue;  // there is the shore
       ground_.emplace_back(foot.x(), foot.y(), std::min(height_, a.foot.z() + t * (b.foot.z() - a.foot.z())));
     }
   }

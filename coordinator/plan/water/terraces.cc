@@ -48,14 +48,19 @@ class Terraces {
   }
 
   std::vector<bool> Raised() {
-    std::set<int32_t> terraces;
+    std::set<int32_t> candidates, terraces;
     for (const auto& [level, stretch] : stretches_) {
-      if (MayBeTerrace(stretch) && LiesHigh(stretch)) terraces.insert(level);
+      if (MayBeTerrace(stretch)) candidates.insert(level);
+    }
+    const std::vector<int32_t> may_be_terrace = LevelsOfPoints(candidates);
+    for (const int32_t level : candidates) {
+      if (LiesHigh(stretches_[level], may_be_terrace)) terraces.insert(level);
     }
     std::vector<bool> raised(points_.size());
     if (terraces.empty()) return raised;
+    const std::vector<int32_t> terrace_of = LevelsOfPoints(terraces);
     for (const auto& [level, stretch] : stretches_) {
-      if (!terraces.contains(level) && !IsScrap(stretch, terraces)) continue;
+      if (!terraces.contains(level) && !IsScrap(stretch, terrace_of)) continue;
       for (const int32_t v : stretch.points) raised[v] = true;
     }
     return raised;
@@ -92,35 +97,47 @@ class Terraces {
     return stretch.box.diagonal().norm() >= rule_.extent && stretch.ways_down > 0 && stretch.other_ways == 0;
   }
 
-  // The ground at most so far away.
+  // The ground at most so far away, in any order.
   template <typename Visit>
   void ForGroundAround(int32_t v, double radius, const Visit& visit) const {
     const Point2 p = points_[v].head<2>(), reach = Point2::Constant(radius);
-    for (const int32_t k : bins_.In({p - reach, p + reach})) {
-      if (IsGround(k) && Distance(v, k) < radius) visit(k);
-    }
+    bins_.ForBins({p - reach, p + reach}, [&](int64_t, std::span<const int32_t> around) {
+      for (const int32_t k : around) {
+        if (IsGround(k) && Distance(v, k) < radius) visit(k);
+      }
+    });
   }
 
-  bool LiesHigh(const Stretch& stretch) {
+  // The points of stretches, and of which: its level; of other points -1.
+  std::vector<int32_t> LevelsOfPoints(const std::set<int32_t>& stretches) const {
+    std::vector<int32_t> level_of(points_.size(), -1);
+    for (const int32_t level : stretches) {
+      for (const int32_t v : stretches_.at(level).points) level_of[v] = level;
+    }
+    return level_of;
+  }
+
+  // `may_be_terrace`: LevelsOfPoints of all that may be.
+  bool LiesHigh(const Stretch& stretch, const std::vector<int32_t>& may_be_terrace) const {
     int64_t lower = 0, all = 0;
     for (const int32_t v : stretch.points) {
-      const int32_t own = LevelOf(v);
       ForGroundAround(v, rule_.around, [&](int32_t k) {
         const bool is_lower = IsLower(k, v);
-        const bool is_another = !is_lower && LevelOf(k) != own && MayBeTerrace(stretches_[LevelOf(k)]);
+        const bool is_another = may_be_terrace[k] >= 0 && may_be_terrace[k] != may_be_terrace[v];
         lower += is_lower;
-        all += !is_another;
+        all += is_lower || !is_another;
       });
     }
     return static_cast<double>(lower) >= rule_.share * static_cast<double>(all);
   }
 
-  bool IsScrap(const Stretch& stretch, const std::set<int32_t>& terraces) {
+  // `terrace_of`: LevelsOfPoints of the terraces.
+  bool IsScrap(const Stretch& stretch, const std::vector<int32_t>& terrace_of) const {
     if (stretch.length >= rule_.scrap) return false;
     return std::ranges::any_of(stretch.points, [&](int32_t v) {
       bool near = false;
       ForGroundAround(v, rule_.near, [&](int32_t k) {
-        near = near || (terraces.contains(LevelOf(k)) && points_[v].z() > points_[k].z() - rule_.same_level);
+        near = near || (terrace_of[k] >= 0 && points_[v].z() > points_[k].z() - rule_.same_level);
       });
       return near;
     });

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <tuple>
 #include <vector>
 
 namespace tilemend {
@@ -145,6 +148,58 @@ TEST_F(PlatformsTest, ThereIsNoneBehindTowers) {
   AddShore(0, true, {MadeTower()});
   AddShore(30, false, {MadeTower()});
   EXPECT_TRUE(Platforms().empty());
+}
+
+// The points, in the reverse order, and edges, as another grid would number them.
+TEST_F(PlatformsTest, TheyDoNotDependOnTheOrderOfShores) {
+  const auto add_south = [&] { AddShore(0, false, {MadeTower()}); };
+  const auto add_north = [&] {
+    const size_t first = points_.size();
+    AddShore(30, true, {MadeTower{.end = 50, .shelf = 13}, MadeTower{.begin = 70, .end = 85}});
+    for (size_t v = first; v < points_.size(); ++v) points_[v].y() += points_[v].x() / 8;
+  };
+  add_south();
+  add_north();
+  const std::vector<Point3> platforms = Platforms();
+  ASSERT_FALSE(platforms.empty());
+  points_.clear(), kinds_.clear(), edges_.clear();
+  add_north();
+  add_south();
+  EXPECT_EQ(Platforms(), platforms);
+}
+
+// As many metres in any direction.
+TEST_F(PlatformsTest, TheyTurnWithTheShore) {
+  AddShore(0, false, {MadeTower()});
+  AddShore(30, true, {MadeTower{.begin = 10}});
+  for (size_t v = points_.size() / 2; v < points_.size(); ++v) points_[v].y() += points_[v].x() / 8;
+  std::vector<Point3> platforms = Platforms();
+  ASSERT_FALSE(platforms.empty());
+  for (Point3& p : points_) p.head<2>() *= -1;
+  std::vector<Point3> turned = Platforms();
+  for (Point3& p : turned) p.head<2>() *= -1;
+  const auto by_place = [](const Point3& p) {
+    return std::tuple(std::round(p.x() * 1e6), std::round(p.y() * 1e6), p.z());
+  };
+  std::ranges::sort(platforms, {}, by_place);
+  std::ranges::sort(turned, {}, by_place);
+  ASSERT_EQ(turned.size(), platforms.size());
+  for (size_t i = 0; i < turned.size(); ++i)
+    EXPECT_LT((turned[i] - platforms[i]).norm(), 1e-6) << turned[i].transpose();
+}
+
+// A quay of 5 km that counts as an object, two metres above the ground: level, but no shelf from any of its points.
+TEST_F(PlatformsTest, LongLevelWaysTakeTheirTimeOnce) {
+  constexpr int kPoints = 100000;
+  for (int v = 0; v < kPoints; ++v) {
+    const bool ground = v == 0 || v == kPoints - 1;
+    points_.emplace_back(0.05 * v, 0, ground ? 3 : v > kPoints - 500 ? 40 : 5);
+    kinds_.push_back(ground ? ShorePoint::kGround : ShorePoint::kOther);
+    if (v > 0) edges_.push_back({v - 1, v});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(Platforms().empty());
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST_F(PlatformsTest, NoShoreHasNone) { EXPECT_TRUE(Platforms().empty()); }
