@@ -78,11 +78,22 @@ std::vector<Eigen::AlignedBox3d> BoxesOf(const PointTriangulation& triangulation
   return boxes;
 }
 
-// The surface between the ground points of a group, to be asked for what it is made of in a box.
+// Of points over one place the first.
+std::vector<Point3> FirstOverEachPlace(const std::vector<Point3>& points) {
+  std::set<std::pair<double, double>> places;
+  std::vector<Point3> first;
+  for (const Point3& p : points) {
+    if (places.emplace(p.x(), p.y()).second) first.push_back(p);
+  }
+  return first;
+}
+
+// The surface between the ground points of a group, of those over one place the first, to be asked for what it is made
+// of in a box.
 class GroundSurface {
  public:
-  GroundSurface(std::vector<Point3> points, const Eigen::AlignedBox2d& places)
-      : points_(std::move(points)),
+  GroundSurface(const std::vector<Point3>& points, const Eigen::AlignedBox2d& places)
+      : points_(FirstOverEachPlace(points)),
         triangulation_(TriangulatePoints(points_, places)),
         tree_(BoxesOf(triangulation_)) {}
 
@@ -132,10 +143,11 @@ std::vector<Point3> KnownGround(const KnownObjects& known, const std::vector<int
 }  // namespace
 
 std::vector<Point3> GroundOfShore(const Plan& plan, const std::vector<int32_t>& holes) {
-  std::vector<Point3> ground = Lowered(GroundAtRims(plan, holes));
   const ShoreLine shore = ShoreLineOf(plan, holes);
-  const std::vector<Point3> platforms = FindPlatforms(shore.points, shore.kinds, shore.edges);
-  ground.insert(ground.end(), platforms.begin(), platforms.end());
+  std::vector<Point3> ground = FindPlatforms(shore.points, shore.kinds, shore.edges);
+  std::ranges::stable_sort(ground, {}, [](const Point3& p) { return p.z(); });
+  const std::vector<Point3> rim = Lowered(GroundAtRims(plan, holes));
+  ground.insert(ground.end(), rim.begin(), rim.end());
   return ground;
 }
 

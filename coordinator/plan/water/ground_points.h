@@ -11,7 +11,8 @@ namespace tilemend {
 
 // What the surface of a group of holes (GroupHoles) is linear between: the original vertices of its rim that stand on
 // no object, each as high as the lowest of them within 2 m, since what is narrower than that is a car, a hedge, a kerb;
-// and the platforms that objects stand on (FindPlatforms).
+// and the platforms that objects stand on (FindPlatforms). Of points over one place the first counts: that of the
+// lowest platform there, if there is one.
 std::vector<Point3> GroundOfShore(const Plan& plan, const std::vector<int32_t>& holes);
 
 // Sets PlannedHole::ground_points of the holes among objects. The surface of their group is linear between

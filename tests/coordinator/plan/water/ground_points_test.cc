@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
 
 #include "coordinator/plan/plan.h"
+#include "coordinator/plan/water/platforms.h"
+#include "coordinator/plan/water/shore_line.h"
 #include "tests/support/surveyed_scene.h"
 #include "tests/support/water_scenes.h"
 
@@ -90,6 +94,33 @@ TEST_P(GroundPointsTest, APodiumGoesOnBetweenTowers) {
   }
   EXPECT_GT(on_top, 20);
   EXPECT_GT(at_foot, 20);
+}
+
+// The shelf of the podium as ground that the street beside it lowers.
+TEST_P(GroundPointsTest, WhereAPodiumIsItsHeightCounts) {
+  SceneMakerOptions scene = HoleOverNineCells(GetParam(), [](double, double x, double y) {
+    return Ground(x, y) + (y > 44 && y < 66 ? 40 : y >= 66 && y < 74 ? 12 : 0);
+  });
+  scene.ellipses.front().radii = {18, 47};
+  Plan plan = MakePlan(SurveyScene(MakeScene(scene)).Input(), {});
+  for (PlanVertex& v : plan.vertices) v.on_object = v.on_object && v.position.z() > 20;
+  std::vector<int32_t> holes(plan.holes.size());
+  std::iota(holes.begin(), holes.end(), 0);
+  const ShoreLine shore = ShoreLineOf(plan, holes);
+  std::map<std::pair<double, double>, double> platforms;
+  for (const Point3& p : FindPlatforms(shore.points, shore.kinds, shore.edges)) {
+    platforms.try_emplace({p.x(), p.y()}, p.z());
+  }
+  ASSERT_GT(platforms.size(), 20u);
+  FindGroundPoints({}, plan);
+  int shared = 0;
+  for (const auto& [x, y, z] : GroundPointsOf(plan)) {
+    const auto platform = platforms.find({x, y});
+    if (platform == platforms.end()) continue;
+    EXPECT_EQ(z, platform->second) << x << ' ' << y;
+    ++shared;
+  }
+  EXPECT_GT(shared, 20);
 }
 
 TEST_P(GroundPointsTest, OfASmallAreaLieFarAround) {
