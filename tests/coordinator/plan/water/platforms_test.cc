@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <tuple>
 #include <vector>
@@ -189,7 +188,8 @@ TEST_F(PlatformsTest, TheyTurnWithTheShore) {
 }
 
 // A quay of 5 km that counts as an object, two metres above the ground: level, but no shelf from any of its points.
-TEST_F(PlatformsTest, LongLevelWaysTakeTheirTimeOnce) {
+// 5 km of quay with a tower at its end: quadratic in its points this would take minutes.
+TEST_F(PlatformsTest, ALongLevelWayIsNoShelf) {
   constexpr int kPoints = 100000;
   for (int v = 0; v < kPoints; ++v) {
     const bool ground = v == 0 || v == kPoints - 1;
@@ -197,9 +197,7 @@ TEST_F(PlatformsTest, LongLevelWaysTakeTheirTimeOnce) {
     kinds_.push_back(ground ? ShorePoint::kGround : ShorePoint::kOther);
     if (v > 0) edges_.push_back({v - 1, v});
   }
-  const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(Platforms().empty());
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST_F(PlatformsTest, NoShoreHasNone) { EXPECT_TRUE(Platforms().empty()); }
