@@ -6,9 +6,11 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/grid/area_shares.h"
 #include "common/grid/scene_sources.h"
 #include "common/util/status_macros.h"
 
@@ -20,14 +22,9 @@ constexpr double kWhole = 0.9999;     // of a square: what is drawn along the gr
 constexpr int64_t kMostSquares = 1000000;
 // Squares without a tile that an area may add: so many, and so many for each tile.
 constexpr int64_t kMostAdded = 10000, kMostAddedForTile = 20;
-constexpr int kLines = 16;  // that measure a share
+constexpr double kMuch = 0.25;  // of an area, in cells that have no tile
 
-// The squares [from, to) that the polygon's bounds touch.
-struct Squares {
-  CellId from, to;
-  int64_t count() const { return int64_t{to.col - from.col} * (to.row - from.row); }
-};
-
+// The squares that the polygon's bounds touch.
 absl::StatusOr<Squares> SquaresOf(const PlanePolygon& area, const Grid& grid) {
   Point2 lo = Point2::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
   for (const std::vector<Point2>& ring : area.rings) {
@@ -46,38 +43,6 @@ absl::StatusOr<Squares> SquaresOf(const PlanePolygon& area, const Grid& grid) {
   }
   return Squares{{static_cast<int32_t>(first.x()), static_cast<int32_t>(first.y())},
                  {static_cast<int32_t>(last.x()), static_cast<int32_t>(last.y())}};
-}
-
-// Where the line at `y` is inside, in order: from, to, from, to, ...
-std::vector<double> Crossings(const PlanePolygon& area, double y) {
-  std::vector<double> at;
-  for (const std::vector<Point2>& ring : area.rings) {
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if ((a.y() <= y) == (b.y() <= y)) continue;
-      at.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-    }
-  }
-  std::sort(at.begin(), at.end());
-  return at;
-}
-
-// The share of each square of a row that is inside, in order of the columns.
-std::vector<double> SharesOfRow(const PlanePolygon& area, const Grid& grid, const Squares& squares, int32_t row) {
-  std::vector<double> shares(squares.to.col - squares.from.col);
-  for (int k = 0; k < kLines; ++k) {
-    const double y = grid.corner.y() + (row + (k + 0.5) / kLines) * grid.cell_size.y();
-    const std::vector<double> at = Crossings(area, y);
-    for (size_t i = 0; i + 1 < at.size(); i += 2) {
-      const double from = (at[i] - grid.corner.x()) / grid.cell_size.x() - squares.from.col;
-      const double to = (at[i + 1] - grid.corner.x()) / grid.cell_size.x() - squares.from.col;
-      for (auto c = static_cast<size_t>(std::max(0.0, from)); c < shares.size() && static_cast<double>(c) < to; ++c) {
-        const auto left = static_cast<double>(c);
-        shares[c] += std::max(0.0, std::min(to, left + 1) - std::max(from, left)) / kLines;
-      }
-    }
-  }
-  return shares;
 }
 
 // The files of cells without a tile keep the numbers that go with those of the tiles.
@@ -107,54 +72,71 @@ absl::Status CheckNames(const Scene& scene) {
   return absl::OkStatus();
 }
 
+// What of an area lies where, in squares.
+struct Cover {
+  double all = 0;       // in all squares
+  double of_scene = 0;  // in cells of the scene
+  double added = 0;     // in `missing`
+  int64_t whole = 0;    // squares that are covered whole
+  int64_t slivers = 0;  // squares that are covered too little to become cells
+  std::set<CellId> missing;
+};
+
+Cover CoverOf(const PlanePolygon& area, const Squares& squares, const std::set<CellId>& known, const Grid& grid) {
+  Cover cover;
+  const std::vector<double> shares = SharesOf(area, grid, squares);
+  for (size_t i = 0; i < shares.size(); ++i) {
+    const auto at = static_cast<int32_t>(i);
+    const CellId cell{squares.from.col + at % squares.cols(), squares.from.row + at / squares.cols()};
+    cover.all += shares[i];
+    cover.whole += shares[i] >= kWhole;
+    if (known.contains(cell)) {
+      cover.of_scene += shares[i];
+    } else if (shares[i] >= kLeastShare) {
+      cover.missing.insert(cell);
+      cover.added += shares[i];
+    } else if (shares[i] > 1 - kWhole) {
+      ++cover.slivers;
+    }
+  }
+  return cover;
+}
+
 // Whether an area is of this scene: it covers cells of it, and does not add very many.
-absl::Status CheckReach(double covered, int64_t added, int64_t cells) {
-  if (covered <= 0) {
+absl::Status CheckReach(const Cover& cover, int64_t cells) {
+  if (cover.all <= 0) return absl::InvalidArgumentError("the area is too small: it covers nothing");
+  if (cover.of_scene <= 0) {
     return absl::InvalidArgumentError("the area covers no cell of the scene; are its coordinates those of this scene?");
   }
-  if (added > kMostAdded + kMostAddedForTile * cells) {
+  if (const int64_t added = std::ssize(cover.missing); added > kMostAdded + kMostAddedForTile * cells) {
     return absl::InvalidArgumentError(
         absl::StrCat("the area adds ", added, " cells without a tile to ", cells, "; draw it nearer around the tiles"));
   }
   return absl::OkStatus();
 }
 
-// `covered` and `cells` of the scene in squares.
-void WarnOfLittle(double covered, int64_t cells, int64_t slivers, Scene& scene) {
+// `cells` of the scene.
+void WarnOfReach(const Cover& cover, int64_t cells, Scene& scene) {
   const double square = scene.grid.cell_size.prod(), all = static_cast<double>(cells);
-  if (covered < kLeastShare * all) {
-    scene.warnings.push_back(
-        absl::StrFormat("the area covers %.2f m2 of the %.0f m2 of the scene's cells: nothing else is filled",
-                        covered * square, all * square));
+  if (cover.of_scene < kLeastShare * all) {
+    scene.warnings.push_back(absl::StrFormat(
+        "the area is small: it covers %.2f m2 of the %.0f m2 of the scene's cells: nothing else is filled",
+        cover.of_scene * square, all * square));
   }
-  if (slivers > 0) {
-    scene.warnings.push_back(absl::StrCat("the area covers less than 1 % of ", slivers,
+  if (cover.slivers > 0) {
+    scene.warnings.push_back(absl::StrCat("the area covers less than 1 % of ", cover.slivers,
                                           " squares of the grid without a tile: they stay outside"));
+  }
+  if (cover.added >= kMuch * cover.all) {
+    scene.warnings.push_back(absl::StrFormat(
+        "%.0f %% of the area (%.0f of %.0f m2) lies in cells that have no tile, where the fill has little to go by; "
+        "draw it nearer around the tiles (tilemend inspect --propose-area FILE draws a first one)",
+        100 * cover.added / cover.all, cover.added * square, cover.all * square));
   }
 }
 
-}  // namespace
-
-absl::Status CoverArea(PlanePolygon area, Scene& scene) {
-  const auto squares = SquaresOf(area, scene.grid);
-  if (!squares.ok()) return squares.status();
-  std::set<CellId> missing, known;
-  for (const SceneTile& tile : scene.tiles) known.insert(tile.cell);
-  double over_scene = 0;
-  int64_t whole = 0, slivers = 0;
-  for (int32_t row = squares->from.row; row < squares->to.row; ++row) {
-    const std::vector<double> shares = SharesOfRow(area, scene.grid, *squares, row);
-    for (size_t c = 0; c < shares.size(); ++c) {
-      const CellId cell{squares->from.col + static_cast<int32_t>(c), row};
-      over_scene += known.contains(cell) ? shares[c] : 0;
-      whole += shares[c] >= kWhole;
-      if (shares[c] <= 0 || known.contains(cell)) continue;
-      if (shares[c] < kLeastShare) ++slivers;
-      if (shares[c] >= kLeastShare) missing.insert(cell);
-    }
-  }
-  TILEMEND_RETURN_IF_ERROR(CheckReach(over_scene, std::ssize(missing), std::ssize(known)));
-  scene.area = {};
+// Makes squares cells without surface.
+void AddCells(const std::set<CellId>& missing, Scene& scene) {
   CellId low{0, 0};
   for (const CellId cell : missing) {
     low = {std::min(low.col, cell.col), std::min(low.row, cell.row)};
@@ -164,9 +146,22 @@ absl::Status CoverArea(PlanePolygon area, Scene& scene) {
   }
   ShiftNumbering({-low.col, -low.row}, scene);
   SortTiles(&scene.tiles);
+}
+
+}  // namespace
+
+absl::Status CoverArea(PlanePolygon area, Scene& scene) {
+  const auto squares = SquaresOf(area, scene.grid);
+  if (!squares.ok()) return squares.status();
+  std::set<CellId> known;
+  for (const SceneTile& tile : scene.tiles) known.insert(tile.cell);
+  const Cover cover = CoverOf(area, *squares, known, scene.grid);
+  TILEMEND_RETURN_IF_ERROR(CheckReach(cover, std::ssize(known)));
+  scene.area = {};
+  AddCells(cover.missing, scene);
   TILEMEND_RETURN_IF_ERROR(CheckNames(scene));
-  WarnOfLittle(over_scene, std::ssize(known), slivers, scene);
-  if (whole < std::ssize(scene.tiles)) scene.area = std::move(area);
+  WarnOfReach(cover, std::ssize(known), scene);
+  if (cover.whole < std::ssize(scene.tiles)) scene.area = std::move(area);
   scene.area_known = true;
   return absl::OkStatus();
 }

@@ -11,11 +11,11 @@ namespace tilemend {
 // covers become cells without surface. Squares that it covers by less than 1 % stay outside, since tiles that are
 // larger than their cells reach as far; a warning says so. Where it goes beyond the grid to the west or south, the
 // numbering is shifted, with a warning, so that no index is negative.
-// An area that covers less than 1 % of the scene's cells is a warning as well.
-// An area that covers all cells whole is just these cells: Scene::area is empty then.
+// An area that covers less than 1 % of the scene's cells is a warning as well, and one of which a quarter or more lies
+// in cells that it adds. An area that covers all cells whole is just these cells: Scene::area is empty then.
 //
 // kInvalidArgument if it covers none of the scene's cells, adds more than 10,000 and 20 for each of them, or spans more
-// than 1,000,000 squares. Cost O(squares * points).
+// than 1,000,000 squares. Cost as SharesOf (area_shares.h).
 absl::Status CoverArea(PlanePolygon area, Scene& scene);
 
 }  // namespace tilemend

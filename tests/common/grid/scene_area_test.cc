@@ -68,13 +68,54 @@ TEST(CoverAreaTest, SaysHowLittleItCovers) {
   }
 }
 
+TEST(CoverAreaTest, SmallAreasAreSaidAsTheyAre) {
+  for (const double side : {1.0, 5.0, 10.0, 14.0}) {
+    Scene scene = TwoCells();
+    ASSERT_TRUE(CoverArea(Box(41, 53, 41 + side, 53 + side), scene).ok()) << side;
+    const std::string square = std::to_string(static_cast<int>(side * side));
+    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("small: it covers " + square + ".00 m2 of the 20000 m2")))
+        << side;
+  }
+}
+
+TEST(CoverAreaTest, WhatHasNoExtentIsTooSmall) {
+  Scene scene = TwoCells();
+  const absl::Status status = CoverArea(Box(5, 5, 5, 9), scene);
+  EXPECT_THAT(std::string(status.message()), HasSubstr("too small"));
+}
+
+TEST(CoverAreaTest, SaysHowMuchLiesInCellsWithoutATile) {
+  for (const double beyond : {60.0, 70.0}) {
+    Scene scene = TwoCells();
+    ASSERT_TRUE(CoverArea(Box(0, 0, 200 + beyond, 100), scene).ok());
+    EXPECT_THAT(scene.warnings, SizeIs(beyond < 66 ? 0 : 1)) << beyond;
+    if (beyond < 66) continue;
+    EXPECT_THAT(scene.warnings[0], HasSubstr("26 % of the area (7000 of 27000 m2) lies in cells that have no tile"));
+    EXPECT_THAT(scene.warnings[0], HasSubstr("--propose-area"));
+  }
+}
+
+TEST(CoverAreaTest, CellsThatTheSceneListsWithoutATileAreMeant) {
+  Scene scene = TwoCells();
+  scene.tiles[1].path = "";
+  ASSERT_TRUE(CoverArea(Box(0, 10, 200, 90), scene).ok());
+  EXPECT_THAT(scene.warnings, IsEmpty());
+}
+
+TEST(CoverAreaTest, RoundingMakesNoSlivers) {
+  Scene scene = TwoCells();
+  ASSERT_TRUE(CoverArea(Box(-1e-9, -1e-9, 200 + 1e-9, 100 + 1e-9), scene).ok());
+  EXPECT_THAT(scene.warnings, IsEmpty());
+}
+
 TEST(CoverAreaTest, BeyondTheGridsCornerTheNumberingIsShifted) {
   Scene scene = TwoCells();
   ASSERT_TRUE(CoverArea(Box(-150, 10, 190, 90), scene).ok());
   EXPECT_EQ(scene.grid.corner, Point2(-200, 0));
   EXPECT_EQ(scene.cols, 4);
   EXPECT_THAT(CellsOf(scene), ElementsAre("+000_+000", "+001_+000", "+002_+000a.ply", "+003_+000b.ply"));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("begins 2 columns west and 0 rows south")));
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(HasSubstr("begins 2 columns west and 0 rows south"), HasSubstr("cells that have no tile")));
 }
 
 TEST(CoverAreaTest, FilesOfNewCellsAreNumberedAsThoseOfTheTiles) {
