@@ -62,7 +62,8 @@ absl::StatusOr<std::vector<fs::path>> List(const fs::path& folder) {
 // What was found in the folder, by names only.
 struct Findings {
   std::map<CellId, fs::path> tiles;
-  std::string unread;  // a tile by its name, in a format that is not read
+  bool in_folders = false;  // a tile is a folder, as photogrammetry writes them
+  std::string unread;       // a tile by its name, in a format that is not read
   std::vector<std::string> warnings;
 };
 
@@ -123,6 +124,7 @@ absl::Status FindFolders(const fs::path& folder, Findings* findings) {
       continue;
     }
     TILEMEND_RETURN_IF_ERROR(AddTile(*cell, mesh, findings));
+    findings->in_folders = true;
   }
   return absl::OkStatus();
 }
@@ -153,10 +155,24 @@ bool ParseOrigin(const std::string& text, Point3* origin) {
   return true;
 }
 
+// For people: the scene has none. It may be that of the folder above, if the scene is given as its Data.
+std::string MissingMetadata(const fs::path& root) {
+  std::error_code failure;
+  const fs::path folder = fs::weakly_canonical(root, failure);
+  const std::string above = folder.parent_path().string();
+  const bool is_above = !failure && folder.filename() == "Data" && fs::exists(above + "/metadata.xml", failure);
+  return absl::StrCat(root.string(), ": no metadata.xml; the output has no CRS, and the origin is taken as 0, 0, 0",
+                      is_above ? absl::StrCat("; there is one in ", above, ": give that folder") : "");
+}
+
 // CRS and origin from metadata.xml, which need not be there.
-absl::Status ReadMetadata(const std::string& path, Scene* scene) {
+absl::Status ReadMetadata(const std::string& root, bool expected, Scene* scene) {
+  const std::string path = (fs::path(root) / "metadata.xml").string();
   TILEMEND_ASSIGN_OR_RETURN(const bool is_there, IsThere(path));
-  if (!is_there) return absl::OkStatus();
+  if (!is_there) {
+    if (expected) scene->warnings.push_back(MissingMetadata(root));
+    return absl::OkStatus();
+  }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
   return ParseMetadata(text, path, scene);
 }
@@ -227,7 +243,7 @@ absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& rea
   scene.root = root;
   scene.found_by_name = true;
   scene.warnings = findings.warnings;
-  TILEMEND_RETURN_IF_ERROR(ReadMetadata((fs::path(root) / "metadata.xml").string(), &scene));
+  TILEMEND_RETURN_IF_ERROR(ReadMetadata(root, findings.in_folders, &scene));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<PlacedTile> placed, ReadBounds(findings, read_bounds));
   TILEMEND_ASSIGN_OR_RETURN(scene.grid, FitGrid(std::move(placed)));
   for (const auto& [cell, file] : findings.tiles) {

@@ -152,6 +152,22 @@ TEST_F(SceneFolderTest, WarnsOfMetadataWithoutACrs) {
   }
 }
 
+TEST_F(SceneFolderTest, WarnsOfPhotogrammetryWithoutMetadata) {
+  WriteTile("Data/Tile_+000_+000/Tile_+000_+000.obj", 0, 0);
+  const auto none = Load();
+  ASSERT_TRUE(none.ok()) << none.status();
+  EXPECT_THAT(none->warnings, testing::Contains(AllOf(HasSubstr("no metadata.xml; the output has no CRS"),
+                                                      testing::Not(HasSubstr("there is one")))));
+  folder_.Write("metadata.xml", kMetadata);
+  EXPECT_THAT(Load()->warnings, testing::Each(testing::Not(HasSubstr("no CRS"))));
+  for (const char* name : {"Data", "Data/"}) {
+    const auto data = LoadScene(folder_ / name, TextBounds);
+    ASSERT_TRUE(data.ok()) << data.status();
+    EXPECT_THAT(data->warnings, testing::Contains(AllOf(HasSubstr("no metadata.xml; the output has no CRS"),
+                                                        HasSubstr("there is one in " + folder_.path()))));
+  }
+}
+
 TEST_F(SceneFolderTest, MetadataThatIsALinkToNothingIsAnError) {
   WriteTile("Tile_+000_+000.ply", 0, 0);
   std::filesystem::create_symlink("gone.xml", folder_ / "metadata.xml");
