@@ -215,7 +215,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
   if (const std::string colour = args.Text("water-colour"); !colour.empty()) {
     all.water_colour = ParseColour(colour);
     if (!all.water_colour)
-      return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected R,G,B or #rrggbb"));
+      return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected ", kColourForm));
   }
   options.allow_creases = args.Switch("allow-creases");
   TILEMEND_ASSIGN_OR_RETURN(all.weld, NumberIfGiven(args, "weld", 1e-12, 1e9));

@@ -1,5 +1,6 @@
 #include "common/util/colour.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <system_error>
@@ -18,6 +19,10 @@ std::optional<uint8_t> Channel(std::string_view text, int base) {
   return value;
 }
 
+std::string_view WithoutBlanksBefore(std::string_view text) {
+  return text.substr(std::min(text.size(), text.find_first_not_of(' ')));
+}
+
 }  // namespace
 
 std::optional<Rgb> ParseColour(std::string_view text) {
@@ -30,7 +35,8 @@ std::optional<Rgb> ParseColour(std::string_view text) {
   } else {
     const size_t first = text.find(','), second = text.find(',', first == text.npos ? first : first + 1);
     if (second == text.npos) return std::nullopt;
-    words = {text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+    words = {text.substr(0, first), WithoutBlanksBefore(text.substr(first + 1, second - first - 1)),
+             WithoutBlanksBefore(text.substr(second + 1))};
   }
   const int base = is_hex ? 16 : 10;
   const auto r = Channel(words[0], base), g = Channel(words[1], base), b = Channel(words[2], base);

@@ -16,7 +16,10 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-// "R,G,B" with 0 to 255 each, or "#rrggbb"; nothing for any other text.
+// What ParseColour reads, for people.
+inline constexpr char kColourForm[] = "R,G,B, each 0 to 255, or #rrggbb";
+
+// "R,G,B" with 0 to 255 each, with or without blanks after the commas, or "#rrggbb"; nothing for any other text.
 std::optional<Rgb> ParseColour(std::string_view text);
 
 // "#rrggbb", in small letters.

@@ -100,7 +100,7 @@ absl::Status CheckWater(const JobSpec& spec) {
     return InvalidSpec("water_profile", absl::StrCat("'", Printable(spec.water_profile), "': expected city or usgs"));
   }
   if (!spec.water_colour.empty() && !ParseColour(spec.water_colour)) {
-    return InvalidSpec("water_colour", absl::StrCat("'", Printable(spec.water_colour), "': expected R,G,B or #rrggbb"));
+    return InvalidSpec("water_colour", absl::StrCat("'", Printable(spec.water_colour), "': expected ", kColourForm));
   }
   if (water != "off") return absl::OkStatus();
   const JobSpec defaults;

@@ -241,7 +241,9 @@ class ScenePipeline : public JobPipeline {
     TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, *output_));
     output_->Adopt(tasks_.files().Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
-      absl::StrAppend(&outcome.message, "; ", others, " other files in the folder left as they were");
+      absl::StrAppend(
+          &outcome.message, "; ", others,
+          others == 1 ? " other file in the folder left as it was" : " other files in the folder left as they were");
     }
     const std::string folder = output_->path() + "/";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));

@@ -187,14 +187,13 @@ TEST_F(TexturesRunTest, ABrokenImageIsAWarning) {
 }
 
 TEST_F(TexturesRunTest, AWrongColourIsAUsageError) {
-  const auto code = [&](const std::string& colour) {
-    return Process(folder_.path(), TILEMEND_CLIENT,
-                   {"run", folder_ / "scene", "--out", folder_ / "out", "--water-colour", colour})
-        .Wait()
-        .code;
-  };
-  EXPECT_EQ(code("blue"), 2);
-  EXPECT_EQ(code("1,2,300"), 2);
+  for (const char* colour : {"blue", "1,2,300"}) {
+    Process run(folder_.path(), TILEMEND_CLIENT,
+                {"run", folder_ / "scene", "--out", folder_ / "out", "--water-colour", colour});
+    const Ended ended = run.Wait();
+    EXPECT_EQ(ended.code, 2) << colour;
+    EXPECT_THAT(ended.err, HasSubstr("0 to 255")) << colour;
+  }
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

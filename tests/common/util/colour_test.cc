@@ -8,11 +8,12 @@ namespace {
 TEST(ColourTest, ReadsNumbersAndHexadecimal) {
   EXPECT_EQ(ParseColour("10,20,255"), (Rgb{10, 20, 255}));
   EXPECT_EQ(ParseColour("#0a14FF"), (Rgb{10, 20, 255}));
+  EXPECT_EQ(ParseColour("10, 20,  255"), (Rgb{10, 20, 255}));
 }
 
 TEST(ColourTest, RefusesAnythingElse) {
-  for (const char* text : {"", "#", "#12345", "#1234567", "#12345g", "1,2", "1,2,3,4", "1,2,256", "1,2,-3", "1, 2,3",
-                           "blue", ",,", "1,,3", "+1,2,3", "#+1+2+3"}) {
+  for (const char* text : {"", "#", "#12345", "#1234567", "#12345g", "1,2", "1,2,3,4", "1,2,256", "1,2,-3", "1 ,2,3",
+                           " 1,2,3", "1,2,3 ", "1, ,3", "1,2, ", "blue", ",,", "1,,3", "+1,2,3", "#+1+2+3"}) {
     EXPECT_EQ(ParseColour(text), std::nullopt) << text;
   }
 }
