@@ -16,8 +16,6 @@ namespace tilemend {
 namespace {
 
 constexpr char kFolds[] = "its boundary crosses itself seen from above";
-constexpr char kUnbounded[] =
-    "it reaches the rim of the area, which is not known; list the cells of the area in scene.json to fill it";
 constexpr char kDoesNotClose[] = "its boundary does not close along the grid lines, so that it has no inside";
 
 using Segments = std::vector<BoundarySegment>;
@@ -112,7 +110,7 @@ class OpenHoleFinder {
     } else if (crosses_) {
       hole.failure = kFolds;
     } else {
-      const char* why = site_.lines.left_open.empty() ? kDoesNotClose : kUnbounded;
+      const char* why = site_.lines.left_open.empty() ? kDoesNotClose : kReachesUnknownRim;
       hole.failure = boundary_.seam_failure.empty() ? why : boundary_.seam_failure;
     }
     found_.holes.push_back(std::move(hole));

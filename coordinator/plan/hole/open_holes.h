@@ -11,6 +11,11 @@
 
 namespace tilemend {
 
+// The failure of a hole that nothing bounds at the rim of an area that is not known.
+inline constexpr char kReachesUnknownRim[] =
+    "it reaches the rim of the area, which is not known; to fill it, give --area FILE (inspect --propose-area FILE draws "
+    "one) or a scene.json with all cells of the area and area_known true";
+
 struct OpenHoles {
   // Where a hole lies.
   struct Place {
