@@ -1,11 +1,50 @@
 #include "coordinator/report/plan_warnings.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <utility>
+
 #include "absl/strings/str_format.h"
+#include "absl/strings/str_join.h"
+#include "coordinator/plan/hole/open_holes.h"
 
 namespace tilemend {
 namespace {
 
 constexpr size_t kMostAnswers = 10;  // that are warnings: a file may have the waters of a country
+
+// For each body of water that goes on in a hole that is left at the rim of an unknown area, its first hole. They share
+// a stretch of seam, which the one has forwards and the other backwards.
+std::vector<int32_t> WaterAtUnknownRim(const Plan& plan) {
+  std::set<std::pair<int32_t, int32_t>> left;
+  for (const PlannedHole& hole : plan.holes) {
+    if (hole.failure != kReachesUnknownRim) continue;
+    for (const RimSegment& s : hole.segments) left.insert({s.to, s.from});
+  }
+  const auto reaches_rim = [&](int32_t hole) {
+    return std::ranges::any_of(plan.holes[hole].segments, [&](const RimSegment& s) {
+      return left.contains({s.from, s.to});
+    });
+  };
+  std::vector<int32_t> first_holes;
+  for (const WaterBody& body : plan.water) {
+    if (!left.empty() && std::ranges::any_of(body.holes, reaches_rim)) first_holes.push_back(body.holes.front());
+  }
+  return first_holes;
+}
+
+void WarnOfWaterAtUnknownRim(const Plan& plan, std::vector<std::string>& warnings) {
+  std::vector<int32_t> holes = WaterAtUnknownRim(plan);
+  if (holes.empty()) return;
+  const size_t bodies = holes.size();
+  holes.resize(std::min(bodies, kMostAnswers));
+  warnings.push_back(absl::StrFormat(
+      "water reaches the rim of the area, which is not known, so levels of %d of %d rivers and lakes are doubtful "
+      "(at %s %s%s): their shores in the cells at the rim do not count; --area FILE says what the area is",
+      bodies, plan.water.size(), bodies == 1 ? "hole" : "holes", absl::StrJoin(holes, ", "),
+      bodies > holes.size() ? " and others" : ""));
+}
 
 }  // namespace
 
@@ -22,6 +61,7 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
     warnings.push_back(absl::StrFormat("--water: %d of %d polygons are not taken; the report lists all (water_areas)",
                                        not_taken, plan.water_answers.size()));
   }
+  WarnOfWaterAtUnknownRim(plan, warnings);
   if (plan.has_polygon && plan.holes.empty() && plan.left.empty()) {
     warnings.emplace_back("no hole lies in the area, so nothing is filled");
   }

@@ -13,8 +13,8 @@ namespace tilemend {
 
 // The failure of a hole that nothing bounds at the rim of an area that is not known.
 inline constexpr char kReachesUnknownRim[] =
-    "it reaches the rim of the area, which is not known; to fill it, give --area FILE (inspect --propose-area FILE draws "
-    "one) or a scene.json with all cells of the area and area_known true";
+    "it reaches the rim of the area, which is not known; --area FILE (inspect --propose-area FILE draws one) or "
+    "area_known in a scene.json with all its cells fills it";
 
 struct OpenHoles {
   // Where a hole lies.

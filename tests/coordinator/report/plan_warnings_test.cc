@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "coordinator/plan/hole/open_holes.h"
+
 namespace tilemend {
 namespace {
 
@@ -32,6 +34,41 @@ TEST(PlanWarningsTest, SaysThatNoHoleLiesInTheArea) {
   plan.left.clear();
   plan.holes.emplace_back();
   EXPECT_THAT(PlanWarnings(plan), IsEmpty());
+}
+
+// A river over holes 0 and 1; hole 2 lies beyond the seam from vertex 1 to 2, and a lake in hole 3 touches it at
+// vertex 5.
+Plan RiverToTheRim() {
+  Plan plan;
+  plan.holes.resize(4);
+  plan.holes[0].segments = {{0, 8}, {8, 0}};
+  plan.holes[1].segments = {{0, 1}, {1, 2}, {2, 0}};
+  plan.holes[2].segments = {{2, 1}, {1, 5}};
+  plan.holes[3].segments = {{5, 6}, {6, 7}, {7, 5}};
+  plan.holes[2].failure = kReachesUnknownRim;
+  plan.water.resize(2);
+  plan.water[0].holes = {0, 1};
+  plan.water[1].holes = {3};
+  return plan;
+}
+
+TEST(PlanWarningsTest, SaysThatLevelsOfWaterAtTheRimOfAnUnknownAreaAreDoubtful) {
+  Plan plan = RiverToTheRim();
+  const auto warnings = PlanWarnings(plan);
+  ASSERT_THAT(warnings, SizeIs(1));
+  EXPECT_THAT(warnings[0], HasSubstr("levels of 1 of 2 rivers and lakes are doubtful"));
+  EXPECT_THAT(warnings[0], HasSubstr("(at hole 0)"));
+  EXPECT_THAT(warnings[0], HasSubstr("--area FILE"));
+  plan.holes[2].failure = "its boundary crosses itself seen from above";
+  EXPECT_THAT(PlanWarnings(plan), IsEmpty());
+}
+
+TEST(PlanWarningsTest, NamesTenBodiesOfWaterAtTheRim) {
+  Plan plan = RiverToTheRim();
+  plan.water.assign(12, plan.water[0]);
+  ASSERT_THAT(PlanWarnings(plan), SizeIs(1));
+  EXPECT_THAT(PlanWarnings(plan)[0], HasSubstr("12 of 12 rivers"));
+  EXPECT_THAT(PlanWarnings(plan)[0], HasSubstr("(at holes 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 and others)"));
 }
 
 }  // namespace
