@@ -93,7 +93,8 @@ std::string PlannedHolesText(const Json& plan) {
                     AreaText(Member(hole, "area_m2")), Decimals(Member(hole, "perimeter_m"), 1),
                     level.is_null() ? "" : absl::StrCat("at ", LevelText(level), " m")});
   }
-  return absl::StrCat("\n", Counted(holes.size(), "hole"), " would be filled, the largest first\n",
+  return absl::StrCat("\n", Counted(holes.size(), "hole"),
+                      " to fill, the largest first; filling may find some that stay open\n",
                       Table({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "water"}, rows),
                       MoreText(holes.size(), "-o json lists all"));
 }

@@ -15,7 +15,7 @@ std::string KindsText(const nlohmann::ordered_json& report);
 // How the filled holes were filled: number and area of each method.
 std::string MethodsText(const nlohmann::ordered_json& report);
 
-// The holes of a plan that would be filled, the largest first, at most kMostListedRows.
+// The holes of a plan that are to be filled, the largest first, at most kMostListedRows.
 std::string PlannedHolesText(const nlohmann::ordered_json& plan);
 
 }  // namespace tilemend

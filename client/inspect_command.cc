@@ -86,8 +86,8 @@ std::string HolesLine(const Json& plan) {
 }
 
 std::string PlanText(const Json& plan) {
-  return absl::StrCat(PlannedHolesText(plan), WaterText(plan, "would be filled flat as water"),
-                      LeftText(plan, "would be left open"));
+  return absl::StrCat(PlannedHolesText(plan), WaterText(plan, "to fill flat as water"),
+                      LeftText(plan, "that stay open"));
 }
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {

@@ -7,7 +7,7 @@
 
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
-#include "coordinator/plan/hole/open_holes.h"
+#include "coordinator/plan/types/left_reasons.h"
 
 namespace tilemend {
 namespace {

@@ -89,9 +89,10 @@ struct JobOrigin {
 };
 
 struct JobOutcome {
-  bool partial = false;  // some holes or cells are left
-  std::string message;   // one line for people
-  std::string report;    // path of the report, "" if none was written
+  bool partial = false;                    // some holes or cells are left
+  std::string message;                     // one line for people
+  std::string report;                      // path of the report, "" if none was written
+  std::vector<std::string> warnings = {};  // where there is no report to say them
 };
 
 class JobPipeline {

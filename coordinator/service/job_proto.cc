@@ -148,6 +148,7 @@ v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcom
   proto.set_priority(job.priority);
   proto.set_paused(job.paused);
   proto.mutable_warnings()->Add(job.warnings.begin(), job.warnings.end());
+  proto.mutable_warnings()->Add(outcome.warnings.begin(), outcome.warnings.end());
   return proto;
 }
 

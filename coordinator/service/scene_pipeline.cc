@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
@@ -40,6 +41,16 @@ namespace {
 // What is given out at once. More follows with each result; each input is in memory until it is given out.
 constexpr size_t kEnoughTasks = 256;
 constexpr size_t kEnoughBytes = 16 << 20;
+
+// The job is kept with them, so that they are not many.
+std::vector<std::string> FirstOf(std::vector<std::string> warnings) {
+  constexpr size_t kMost = 20;
+  if (warnings.size() <= kMost) return warnings;
+  const size_t more = warnings.size() - kMost;
+  warnings.resize(kMost);
+  warnings.push_back(absl::StrCat("and ", more, " more; tilemend inspect prints all"));
+  return warnings;
+}
 
 // What says where a folder of photogrammetry tiles lies.
 absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
@@ -120,6 +131,7 @@ class ScenePipeline : public JobPipeline {
     const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
     outcome.partial = holes_left && !spec_.dry_run;
     outcome.message = MessageOf(report, left.empty());
+    if (spec_.dry_run) outcome.warnings = FirstOf(WarningsOf(report));
     if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
     return outcome;
   }
@@ -198,19 +210,24 @@ class ScenePipeline : public JobPipeline {
   // For people. A dry run says what would be done.
   std::string MessageOf(const SceneReportInput& report, bool all_closed) const {
     const size_t all = report.plan->holes.size();
-    int64_t chosen = 0;
+    int64_t chosen = 0, stay_open = 0;
     for (const PlannedHole& hole : report.plan->holes) {
-      chosen += report.outcome.chosen.empty() || report.outcome.chosen.contains(hole.cell) ? 1 : 0;
+      if (!report.outcome.chosen.empty() && !report.outcome.chosen.contains(hole.cell)) continue;
+      ++chosen;
+      stay_open += hole.failure.empty() ? 0 : 1;
     }
-    std::string message = spec_.dry_run ? absl::StrCat(all, " holes found, nothing written")
-                                        : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
-                                                       all_closed ? "" : "; the report lists what is left open");
+    std::string message =
+        spec_.dry_run ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
+                                     " to fill (filling may find some that stay open), ", stay_open, " that stay open")
+                      : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
+                                     all_closed ? "" : "; the report lists what is left open");
     if (!spec_.cells.empty()) {
       absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
                       report.cells, " cells that were chosen");
     }
     if (reuse_->taken_over() == 0) return message;
-    return absl::StrCat(message, "; ", reuse_->taken_over(), " of ", reuse_->tasks(), " tasks taken over");
+    return absl::StrCat(message, "; ", reuse_->taken_over(), " of ", reuse_->tasks(), " results taken over, ",
+                        reuse_->without_worker(), " of them without a task for a worker");
   }
 
   SceneReportInput Report() const {

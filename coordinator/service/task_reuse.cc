@@ -50,6 +50,7 @@ std::optional<std::string> TaskReuse::Recall(NewTask& task, int32_t number) {
     task.input = WithKnownFiles(task.input, *known);
   } else if (known && SceneResultCheck(TileCheck::kSize)(task.stage, task.input, *known).ok()) {
     ++taken_over_;
+    ++without_worker_;
     return known;
   }
   keys_[{task.cell, task.stage, number}] = std::move(key);

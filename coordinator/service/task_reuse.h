@@ -44,13 +44,14 @@ class TaskReuse {
 
   int64_t tasks() const { return tasks_; }  // so far
   int64_t taken_over() const { return taken_over_; }
+  int64_t without_worker() const { return without_worker_; }  // of these: Recall gave the result
 
  private:
   using Name = std::tuple<CellId, Stage, int32_t>;
 
   std::optional<ResultLog> log_;
   std::map<Name, std::string> keys_;  // of the tasks that are given out
-  int64_t tasks_ = 0, taken_over_ = 0;
+  int64_t tasks_ = 0, taken_over_ = 0, without_worker_ = 0;
 };
 
 }  // namespace tilemend

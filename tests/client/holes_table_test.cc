@@ -14,13 +14,13 @@ Json Hole(int id, double area) {
           {"area_m2", area}, {"perimeter_m", 8}};
 }
 
-TEST(PlannedHolesTextTest, ListsWhatWouldBeFilledTheLargestFirst) {
+TEST(PlannedHolesTextTest, ListsWhatIsToBeFilledTheLargestFirstAndDoesNotPromiseIt) {
   Json plan;
   plan["per_hole"] = {Hole(0, 2), Hole(1, 30), Hole(2, 100)};
   plan["per_hole"][1]["level_m"] = 12.5;
   plan["per_hole"][2]["reason"] = "too wild";
   EXPECT_EQ(PlannedHolesText(plan),
-            "\n2 holes would be filled, the largest first\n"
+            "\n2 holes to fill, the largest first; filling may find some that stay open\n"
             "hole  kind    cell   centre, m  area, m2  rim, m  water\n"
             "   1  closed  [0,1]  [1.5,2.5]      30.0     8.0  at 12.500 m\n"
             "   0  closed  [0,1]  [1.5,2.5]       2.0     8.0\n");

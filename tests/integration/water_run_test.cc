@@ -240,7 +240,7 @@ TEST_F(WaterRunTest, InspectAndReportTellOfIt) {
   const Json report = Run(scene, out);
   const std::string level = absl::StrFormat("%.3f", report["water"][0]["level_m"].get<double>());
   const Ended inspected = Tilemend({"inspect", scene});
-  EXPECT_THAT(inspected.out, HasSubstr("1 would be filled flat as water"));
+  EXPECT_THAT(inspected.out, HasSubstr("1 to fill flat as water"));
   EXPECT_THAT(inspected.out, HasSubstr(level));
   EXPECT_THAT(Tilemend({"inspect", scene, "--water", "off"}).out, Not(HasSubstr("flat as water")));
   EXPECT_EQ(Json::parse(Tilemend({"inspect", scene, "-o", "json"}).out)["water"], report["water"]);

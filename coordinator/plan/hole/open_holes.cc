@@ -11,6 +11,7 @@
 #include "common/mesh/disjoint_sets.h"
 #include "coordinator/plan/hole/hole_types.h"
 #include "coordinator/plan/hole/measure_hole.h"
+#include "coordinator/plan/types/left_reasons.h"
 
 namespace tilemend {
 namespace {

@@ -11,11 +11,6 @@
 
 namespace tilemend {
 
-// The failure of a hole that nothing bounds at the rim of an area that is not known.
-inline constexpr char kReachesUnknownRim[] =
-    "it reaches the rim of the area, which is not known; --area FILE (inspect --propose-area FILE draws one) or "
-    "area_known in a scene.json with all its cells fills it";
-
 struct OpenHoles {
   // Where a hole lies.
   struct Place {

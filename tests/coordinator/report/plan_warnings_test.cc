@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "coordinator/plan/hole/open_holes.h"
+#include "coordinator/plan/types/left_reasons.h"
 
 namespace tilemend {
 namespace {

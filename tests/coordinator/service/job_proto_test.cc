@@ -1,5 +1,6 @@
 #include "coordinator/service/job_proto.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "absl/time/time.h"
@@ -66,12 +67,16 @@ TEST(JobProtoTest, TellsOfARunningJob) {
 TEST(JobProtoTest, TellsHowAJobEnded) {
   Job job;
   job.ended = absl::FromUnixSeconds(99);
+  job.warnings = {"a worker"};
   for (const auto& [state, expected] : {std::pair(JobState::kDone, v1::DONE),
                                         {JobState::kPartial, v1::PARTIAL},
                                         {JobState::kFailed, v1::FAILED},
                                         {JobState::kCancelled, v1::CANCELLED}}) {
     job.state = state;
-    const v1::Job proto = JobToProto(job, {}, {true, "3 of 4", "/out/report.json"}, absl::NotFoundError("gone"));
+    const JobOutcome outcome{true, "3 of 4", "/out/report.json", {"the area"}};
+    const v1::Job proto = JobToProto(job, {}, outcome, absl::NotFoundError("gone"));
+    EXPECT_THAT(proto.warnings(), testing::ElementsAre("a worker", "the area"));
+    EXPECT_THAT(JobFromProto(proto).job.warnings, testing::ElementsAre("a worker", "the area"));
     EXPECT_EQ(proto.state(), expected);
     EXPECT_EQ(proto.end_time().seconds(), 99);
     EXPECT_EQ(proto.message(), "3 of 4");

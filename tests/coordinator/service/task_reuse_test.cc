@@ -56,6 +56,7 @@ TEST_F(TaskReuseTest, TakesOverWhatHasTheSameInput) {
   EXPECT_FALSE(Do(second, Layer(0.25), ""));
   EXPECT_EQ(second.tasks(), 2);
   EXPECT_EQ(second.taken_over(), 1);
+  EXPECT_EQ(second.without_worker(), 1);
 }
 
 TEST_F(TaskReuseTest, WhatCannotBeTheResultIsAskedForAgain) {
@@ -85,6 +86,7 @@ TEST_F(TaskReuseTest, ASurveyIsTakenOverWhenAWorkerHasFoundItsTileUnchanged) {
   ASSERT_TRUE(second.Resolve(result, 0).ok());
   EXPECT_EQ(*result.output, Surveyed().SerializeAsString());
   EXPECT_EQ(second.taken_over(), 1);
+  EXPECT_EQ(second.without_worker(), 0);
 }
 
 TEST_F(TaskReuseTest, FilesOfWhichSomeWereMissingAreWrittenAgain) {

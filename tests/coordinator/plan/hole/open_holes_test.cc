@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "coordinator/plan/types/left_reasons.h"
 #include "tests/support/hole_scene.h"
 
 namespace tilemend {
