@@ -33,8 +33,8 @@ std::optional<Rgb> ParseColour(std::string_view text) {
     if (text.size() != kLength) return std::nullopt;
     words = {text.substr(1, 2), text.substr(3, 2), text.substr(5, 2)};
   } else {
-    const size_t first = text.find(','), second = text.find(',', first == text.npos ? first : first + 1);
-    if (second == text.npos) return std::nullopt;
+    const size_t first = text.find(','), second = text.find(',', first == std::string_view::npos ? first : first + 1);
+    if (second == std::string_view::npos) return std::nullopt;
     words = {text.substr(0, first), WithoutBlanksBefore(text.substr(first + 1, second - first - 1)),
              WithoutBlanksBefore(text.substr(second + 1))};
   }
