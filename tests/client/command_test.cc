@@ -96,7 +96,8 @@ TEST_F(CommandTest, SaysOfOptionsThatExcludeEachOtherWhichToLeaveOut) {
     return ended.err;
   };
   EXPECT_THAT(refusal({"--surface", "wang", "--filler", "svm-laplacian"}), HasSubstr("leave one of the two out"));
-  EXPECT_THAT(refusal({"--water-colour", "300,0,0"}), HasSubstr("expected R,G,B, each 0 to 255, or #rrggbb"));
+  EXPECT_THAT(refusal({"--water", "auto", "--water-colour", "300,0,0"}),
+              HasSubstr("expected R,G,B, each 0 to 255, or #rrggbb"));
   EXPECT_THAT(refusal({"--front-bend", "1"}), HasSubstr("leave it out, or choose advancing-front-normal"));
   EXPECT_THAT(refusal({"--filler", "minimum-area", "--tension", "1"}), HasSubstr("leave it out, or choose auto"));
   EXPECT_THAT(refusal({"--fairing-steps", "3"}), HasSubstr("leave them out"));
