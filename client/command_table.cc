@@ -39,6 +39,7 @@ std::vector<FlagSpec> FillFlags() {
   flags = Join(std::move(flags), FillerFlags());
   // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
   flags = Join(std::move(flags), WaterFlags("off"));
+  flags.push_back(ClearFlag());
   flags.push_back(WaterColourFlag());
   flags.push_back({"allow-creases", "", "fill holes also where the surface has to fold back", ""});
   flags.push_back({"weld", "TOLERANCE",
@@ -61,7 +62,7 @@ std::vector<FlagSpec> AggregateFlags() {
 
 std::vector<FlagSpec> InspectFlags() {
   return Join(WaterFlags(""),
-              {AreaFlag(), {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""}});
+              {ClearFlag(), AreaFlag(), {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""}});
 }
 
 std::vector<FlagSpec> CheckFlags() {

@@ -46,6 +46,7 @@ std::vector<FlagSpec> JobFlags();
 std::vector<FlagSpec> SurfaceFlags();
 FlagSpec OutputFlag();
 FlagSpec WaterColourFlag();
+FlagSpec ClearFlag();
 FlagSpec AreaFlag();
 // --water and --water-tolerance. Without a default the command chooses by what it is given.
 std::vector<FlagSpec> WaterFlags(const std::string& default_value);

@@ -247,7 +247,8 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
                                               {"water", args.Text("water")},
                                               {"water-tolerance", water_tolerance},
                                               {"water-profile", args.Text("water-profile")},
-                                              {"water-colour", args.Text("water-colour")}};
+                                              {"water-colour", args.Text("water-colour")},
+                                              {"clear", args.Text("clear")}};
   reported.insert(reported.end(), others.begin(), others.end());
   return reported;
 }
@@ -289,6 +290,9 @@ int FillCommand(const Args& args) {
   CancelOnSignal(signals, [&lock] { lock->Release(); });
   auto water = ReadWaterChoice(args.Text("water"), *water_tolerance, SceneFrame());
   if (!water.ok()) return PrintError(water.status());
+  if (const absl::Status status = AddClearFile(args.Text("clear"), SceneFrame(), *water); !status.ok()) {
+    return PrintError(status);
+  }
   water->options.profile = *profile;
   options->water = water->options;
   auto filled = FillAndShow(in, *options);

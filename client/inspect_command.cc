@@ -127,6 +127,7 @@ struct Request {
   std::string area;          // --area
   std::string propose_area;  // --propose-area
   std::string water;         // --water
+  std::string clear;         // --clear
   double water_tolerance = 0;
   WaterProfile water_profile;
   OutputFormat format = OutputFormat::kTable;
@@ -134,6 +135,7 @@ struct Request {
 
 absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) {
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, request.water_tolerance, FrameOf(scene)));
+  TILEMEND_RETURN_IF_ERROR(AddClearFile(request.clear, FrameOf(scene), water));
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   PlanOptions options;
   options.water = std::move(water.options);
@@ -198,12 +200,10 @@ int InspectMeshAt(const Request& request) {
   Scene scene = SceneOfMesh(path);
   const auto options = PlanOptionsOf(request, scene);
   if (!options.ok()) return PrintError(options.status());
-  WaveOptions wave_options;
-  wave_options.plan = *options;
-  wave_options.single_mesh = wave_options.plan_only = true;
   PrintWarnings(scene.warnings);
-  SceneWaves waves(std::move(scene), wave_options);
-  while (waves.Next()) waves.TakeSurvey({0, 0}, SurveyOf(*file));
+  const Inspection inspection = InspectScene(std::move(scene), *options);
+  if (!inspection.errors.empty()) return PrintError(inspection.errors.front());
+  const SceneWaves& waves = *inspection.waves;
   PrintWarnings(PlanWarnings(waves.plan()));
   const auto record = waves.records().at({0, 0}).Outline();
   const SurveyRecord& r = *record;
@@ -244,7 +244,8 @@ int InspectCommand(const Args& args) {
     return PrintUsageError(absl::InvalidArgumentError("--area, --propose-area: only scenes have an area"));
   }
   const std::string water = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
-  const Request request{path, args.Text("area"), args.Text("propose-area"), water, *tolerance, *profile, *format};
+  const Request request{
+      path, args.Text("area"), args.Text("propose-area"), water, args.Text("clear"), *tolerance, *profile, *format};
   return mesh ? InspectMeshAt(request) : InspectSceneAt(request);
 }
 

@@ -10,6 +10,9 @@
 #include <variant>
 
 #include "absl/strings/str_cat.h"
+#include "common/assemble/clear_tile.h"
+#include "common/mesh/height_tally.h"
+#include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/survey/survey.h"
@@ -17,19 +20,51 @@
 namespace tilemend {
 namespace {
 
-absl::StatusOr<SurveyRecord> SurveyFile(const Scene& scene, const SceneTile& tile) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(absl::StrCat(scene.root, "/", tile.path)));
-  SurveyRecord record = SurveyOf(file);
-  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(record, scene, tile));
-  return record;
+// What comes of a piece of work on one tile.
+struct Looked {
+  std::vector<HeightTally> tallies;  // of MeasureWork
+  SurveyRecord record;               // of SurveyWork, as the next
+  std::vector<int64_t> cleared;
+};
+
+// The tile's file; of a single mesh the scene has no folder.
+std::string PathOf(const Scene& scene, const SceneTile& tile) {
+  return scene.root.empty() ? tile.path : absl::StrCat(scene.root, "/", tile.path);
 }
 
-// The records of the tiles, in order; as many threads as cores.
-std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene, const std::vector<const SceneTile*>& tiles) {
-  std::vector<absl::StatusOr<SurveyRecord>> results(tiles.size());
+absl::StatusOr<Looked> Look(const Scene& scene, const MeasureWork& work) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(PathOf(scene, *work.tile)));
+  Looked looked;
+  for (const PlanePolygon& polygon : work.polygons) looked.tallies.push_back(TallyHeights(file.mesh, polygon));
+  return looked;
+}
+
+absl::StatusOr<Looked> Look(const Scene& scene, const SurveyWork& work) {
+  const std::string path = PathOf(scene, *work.tile);
+  Looked looked;
+  if (work.clear.empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+    looked.record = SurveyOf(file);
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+    TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
+    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format, bytes, work.clear, path));
+    looked.record = SurveyOf(cleared.file);
+    looked.cleared = std::move(cleared.triangles);
+  }
+  if (scene.grid.cell_size.minCoeff() > 0) {
+    TILEMEND_RETURN_IF_ERROR(CheckInsideCell(looked.record, scene, *work.tile));
+  }
+  return looked;
+}
+
+// What comes of the work, in order; as many threads as cores.
+template <typename Work>
+std::vector<absl::StatusOr<Looked>> LookAtAll(const Scene& scene, const std::vector<Work>& tiles) {
+  std::vector<absl::StatusOr<Looked>> results(tiles.size());
   std::atomic<size_t> next{0};
   const auto work = [&] {
-    for (size_t i = next++; i < tiles.size(); i = next++) results[i] = SurveyFile(scene, *tiles[i]);
+    for (size_t i = next++; i < tiles.size(); i = next++) results[i] = Look(scene, tiles[i]);
   };
   std::vector<std::thread> threads;
   for (unsigned t = 1; t < std::max(1U, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
@@ -38,26 +73,47 @@ std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene, const st
   return results;
 }
 
+// All that the waves give out now, which is all of one kind.
+template <typename Work>
+std::vector<Work> AllWork(SceneWaves& waves, std::optional<SceneWork>& next) {
+  std::vector<Work> all;
+  for (; next && std::holds_alternative<Work>(*next); next = waves.Next()) all.push_back(std::get<Work>(*next));
+  return all;
+}
+
+absl::Status Take(CellId cell, Looked looked, SceneWaves& waves) {
+  if (!looked.tallies.empty()) return waves.TakeTallies(cell, looked.tallies);
+  TILEMEND_RETURN_IF_ERROR(waves.TakeCleared(cell, looked.cleared));
+  waves.TakeSurvey(cell, std::move(looked.record));
+  return absl::OkStatus();
+}
+
+template <typename Work>
+void DoAll(const std::vector<Work>& tiles, Inspection& inspection) {
+  auto results = LookAtAll(inspection.waves->scene(), tiles);
+  for (size_t i = 0; i < tiles.size(); ++i) {
+    absl::Status status = results[i].status();
+    if (status.ok()) status = Take(tiles[i].tile->cell, *std::move(results[i]), *inspection.waves);
+    if (!status.ok()) inspection.errors.push_back(status);
+  }
+}
+
 }  // namespace
 
 Inspection InspectScene(Scene scene, const PlanOptions& options) {
   WaveOptions wave_options;
   wave_options.plan = options;
+  wave_options.single_mesh = scene.grid.cell_size.minCoeff() <= 0;
   wave_options.plan_only = true;
   Inspection inspection;
   inspection.waves = std::make_unique<SceneWaves>(std::move(scene), std::move(wave_options));
   SceneWaves& waves = *inspection.waves;
-  std::vector<const SceneTile*> tiles;
-  while (const std::optional<SceneWork> work = waves.Next()) tiles.push_back(std::get<SurveyWork>(*work).tile);
-  auto results = SurveyAll(waves.scene(), tiles);
-  for (size_t i = 0; i < tiles.size(); ++i) {
-    if (results[i].ok()) {
-      waves.TakeSurvey(tiles[i]->cell, *std::move(results[i]));
-    } else {
-      inspection.errors.push_back(results[i].status());
-    }
-  }
-  waves.Next();  // plans, unless a survey is missing
+  std::optional<SceneWork> next = waves.Next();
+  DoAll(AllWork<MeasureWork>(waves, next), inspection);
+  if (!inspection.errors.empty()) return inspection;
+  if (!next) next = waves.Next();
+  DoAll(AllWork<SurveyWork>(waves, next), inspection);
+  if (inspection.errors.empty()) waves.Next();  // plans
   return inspection;
 }
 

@@ -18,7 +18,7 @@ struct Inspection {
   std::vector<absl::Status> errors;   // of tiles that cannot be read or do not fit their cell, in order of the cells
 };
 
-// Surveys all tiles of a scene, as many at once as there are cores, and plans.
+// Surveys all tiles of a scene, or a single mesh (SceneOfMesh), as many at once as there are cores, and plans.
 Inspection InspectScene(Scene scene, const PlanOptions& options);
 
 // Whether `path` is a file and no scene.json: a single mesh.

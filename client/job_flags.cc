@@ -57,6 +57,7 @@ std::vector<FlagSpec> JobFlags() {
   flags.push_back(
       {"closure", "buffers|line", "of wang: how holes are closed along grid lines", ClosureName(wang.closure)});
   for (FlagSpec& flag : WaterFlags(defaults.water)) flags.push_back(std::move(flag));
+  flags.push_back(ClearFlag());
   flags.push_back(AreaFlag());
   flags.push_back({"cells", "CELLS", "fill and write these alone: \"3,4 0,0-5,9\", column,row (default: all)", ""});
   flags.push_back(WaterColourFlag());
@@ -90,6 +91,10 @@ std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
            absl::StrCat(JobSpec().water_tolerance)},
           {"water-profile", "city|usgs", "what auto finds: lakes from 1000 m2, rivers from 6 m, or 8000 m2, 30 m",
            JobSpec().water_profile}};
+}
+
+FlagSpec ClearFlag() {
+  return {"clear", "FILE", "polygons whose surface is taken out and filled anew, GeoJSON or GeoPackage", ""};
 }
 
 FlagSpec AreaFlag() {
@@ -169,6 +174,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.closure = TextIfGiven(args, "closure");
   spec.water = args.Text("water");
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
+  spec.clear = AbsolutePath(args.Text("clear"));
   spec.area = AbsolutePath(args.Text("area"));
   TILEMEND_ASSIGN_OR_RETURN(spec.water_tolerance, WaterToleranceFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(const WaterProfile profile, WaterProfileFromFlags(args));

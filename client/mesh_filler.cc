@@ -10,8 +10,10 @@
 #include "absl/strings/str_cat.h"
 #include "client/inspection.h"
 #include "common/assemble/assemble.h"
+#include "common/assemble/clear_tile.h"
 #include "common/codec/face_edits.h"
 #include "common/codec/mesh_file.h"
+#include "common/mesh/height_tally.h"
 #include "common/util/files.h"
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
@@ -60,9 +62,7 @@ class MeshFiller {
     TILEMEND_ASSIGN_OR_RETURN(format_, MeshFormatOf(path_));
     TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ReadFile(path_));
     if (weld_) TILEMEND_RETURN_IF_ERROR(WeldRimsWithin(*weld_));
-    const std::filesystem::path path(path_);
-    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-    TILEMEND_ASSIGN_OR_RETURN(survey_, SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_));
+    TILEMEND_ASSIGN_OR_RETURN(survey_, Survey(NoFaces::kRefuse));
     filled_.files = std::move(survey_.files);
     if (survey_.record.copied_triangles > 0) {
       filled_.report.warnings.push_back(
@@ -71,6 +71,12 @@ class MeshFiller {
     EndStep("read");
     show_("find holes", 0, 0);
     return absl::OkStatus();
+  }
+
+  absl::StatusOr<LookSurvey> Survey(NoFaces no_faces) const {
+    const std::filesystem::path path(path_);
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    return SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_, PieceAreas::kYes, no_faces);
   }
 
   // A file of needles alone has no hole, and nothing else either.
@@ -108,7 +114,20 @@ class MeshFiller {
     return absl::OkStatus();
   }
 
+  absl::Status Do(const MeasureWork& work) {
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format_, filled_.bytes, path_));
+    std::vector<HeightTally> tallies;
+    for (const PlanePolygon& polygon : work.polygons) tallies.push_back(TallyHeights(file.mesh, polygon));
+    return filled_.waves->TakeTallies(work.tile->cell, tallies);
+  }
+
   absl::Status Do(const SurveyWork& work) {
+    if (!work.clear.empty()) {
+      TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format_, filled_.bytes, work.clear, path_));
+      TILEMEND_RETURN_IF_ERROR(filled_.waves->TakeCleared(work.tile->cell, cleared.triangles));
+      filled_.bytes = std::move(cleared.bytes);
+      TILEMEND_ASSIGN_OR_RETURN(survey_, Survey(NoFaces::kAccept));
+    }
     filled_.waves->TakeSurvey(work.tile->cell, std::move(survey_.record));
     return absl::OkStatus();
   }
@@ -175,7 +194,7 @@ class MeshFiller {
   const std::string library_;
   const ShowStep show_;
   Stopwatch watch_;
-  FilledMesh filled_;  // `bytes` are those of the original until the end
+  FilledMesh filled_;  // `bytes` are those of the original, without what is taken out, until the end
   MeshFormat format_ = MeshFormat::kPly;
   LookSurvey survey_;           // until it is taken
   std::vector<RimVertex> rim_;  // of all holes

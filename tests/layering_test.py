@@ -48,7 +48,7 @@ RULES = {
 
     'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation'], ['absl', 'draco', 'fast_float']),
 
-    'common/assemble': rule(['common/mesh', 'common/records', 'common/codec'], []),
+    'common/assemble': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl']),
 
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
 
@@ -118,7 +118,7 @@ RULES = {
         ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
 
     'worker/service': rule(
-        ['common/util', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
+        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
          'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
@@ -174,7 +174,7 @@ RULES = {
         ['absl', 'json']),
 
     'coordinator/service': rule(
-        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/metrics',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/metrics',
          'common/rpc', 'coordinator/state', 'coordinator/check', 'coordinator/journal', 'coordinator/waves',
          'coordinator/report'],
         ['absl', 'protobuf']),
@@ -185,7 +185,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),

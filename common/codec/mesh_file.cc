@@ -33,12 +33,13 @@ absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path) {
   return ParseMesh(format, bytes, path);
 }
 
-absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, const std::string& name) {
+absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, const std::string& name,
+                                   NoFaces no_faces) {
   switch (format) {
     case MeshFormat::kPly:
       return ParsePly(bytes, name);
     case MeshFormat::kObj:
-      return ParseObj(bytes, name);
+      return ParseObj(bytes, name, {}, no_faces);
     case MeshFormat::kOff:
       return ParseOff(bytes, name);
     case MeshFormat::kStl:

@@ -60,8 +60,12 @@ absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
 // hold, no vertices at all). Time and memory linear in the file.
 absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path);
 
+// What becomes of an OBJ file without faces. All of a tile's faces may have been taken out (drop_faces.h).
+enum class NoFaces { kRefuse, kAccept };
+
 // Parses `bytes` as `format`; `name` stands in messages. What ReadMeshFile does after reading the bytes.
-absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, const std::string& name);
+absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, const std::string& name,
+                                   NoFaces no_faces = NoFaces::kRefuse);
 
 // The bytes of the file `original_bytes` with `patch` appended.
 //   PLY: same encoding and properties; faces get a last property `uchar tilemend_filled` (0 original, 1 filled). The

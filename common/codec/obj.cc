@@ -21,12 +21,13 @@ class ObjReader {
  public:
   // `vertex_tails`, if given, gets for each vertex the offset just after its third coordinate.
   ObjReader(std::string_view bytes, const std::string& name, std::vector<size_t>* vertex_tails,
-            ObjTextures* textures = nullptr, FaceVisitor visit = {})
+            ObjTextures* textures = nullptr, FaceVisitor visit = {}, NoFaces no_faces = NoFaces::kRefuse)
       : bytes_(bytes),
         name_(name),
         vertex_tails_(vertex_tails),
         textures_(textures),
         visit_(std::move(visit)),
+        no_faces_(no_faces),
         newline_(LineEndingOf(bytes) == "\r" ? '\r' : '\n'),
         p_(bytes.data()),
         end_(bytes.data() + bytes.size()) {
@@ -42,7 +43,8 @@ class ObjReader {
     }
     const int64_t vertices = static_cast<int64_t>(file_.mesh.points.size());
     if (vertices == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": ", kNoVertices));
-    if (faces_ == 0) return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no faces"));
+    if (faces_ == 0 && no_faces_ == NoFaces::kRefuse)
+      return absl::InvalidArgumentError(absl::StrCat(name_, ": the file has no faces"));
     if (largest_index_ >= vertices) {
       return LineProblem(name_, bytes_, largest_index_offset_,
                          absl::StrCat("expected a vertex index of at most ", vertices, ", found ", largest_index_ + 1));
@@ -248,6 +250,7 @@ class ObjReader {
   std::vector<size_t>* const vertex_tails_;
   ObjTextures* const textures_;
   const FaceVisitor visit_;
+  const NoFaces no_faces_;
   const char newline_;
   const char* p_;
   const char* const end_;
@@ -281,13 +284,14 @@ void AppendFaces(const FilePatch& patch, std::string_view eol, std::string& out)
 
 }  // namespace
 
-absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {
-  return ObjReader(bytes, name, nullptr, nullptr, visit).Read();
+absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit,
+                                  NoFaces no_faces) {
+  return ObjReader(bytes, name, nullptr, nullptr, visit, no_faces).Read();
 }
 
-absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name) {
+absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name, NoFaces no_faces) {
   ObjFile result;
-  TILEMEND_ASSIGN_OR_RETURN(result.file, ObjReader(bytes, name, nullptr, &result.textures).Read());
+  TILEMEND_ASSIGN_OR_RETURN(result.file, ObjReader(bytes, name, nullptr, &result.textures, {}, no_faces).Read());
   const auto known = static_cast<int32_t>(result.textures.coordinates.size());
   for (Triangle& corners : result.textures.corners) {
     for (int32_t& corner : corners) corner = corner < known ? corner : -1;
@@ -297,7 +301,7 @@ absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::stri
 
 absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch& patch, const std::string& name) {
   std::vector<size_t> tails;
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ObjReader(bytes, name, &tails).Read());
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ObjReader(bytes, name, &tails, nullptr, {}, NoFaces::kAccept).Read());
   TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, file.mesh.points.size(), name));
   const std::string_view eol = LineEndingOf(bytes);
   constexpr size_t kBytesPerLine = 64;  // a usual vertex line, to reserve for

@@ -37,13 +37,15 @@ struct ObjFile {
 
 // Reads `v` and `f` statements; texture and normal indices are checked for form only, further statements are skipped.
 // Positive indices may name vertices that come later in the file. Linear in `bytes`.
-absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {});
+absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {},
+                                  NoFaces no_faces = NoFaces::kRefuse);
 
 // The same with materials and texture coordinates: 8 bytes for each `vt`, 12 for each triangle more.
-absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name);
+absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name,
+                                         NoFaces no_faces = NoFaces::kRefuse);
 
-// `bytes` unchanged, then the patch in group `tilemend_filled`. New vertices take the further columns
-// (weight or colour) of the vertex that they are like.
+// `bytes`, which may have no faces, unchanged, then the patch in group `tilemend_filled`. New vertices take the further
+// columns (weight or colour) of the vertex that they are like.
 absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch& patch, const std::string& name);
 
 }  // namespace tilemend

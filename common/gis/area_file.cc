@@ -165,6 +165,13 @@ void DropIdleCentreline(const std::string& name, WaterArea& area, WaterFile& fil
                    is_short ? "it has no length" : "level_m is given as well, which makes the water level"));
 }
 
+void WarnOfIdleClearHeight(const std::string& name, const VectorFeature& feature, WaterFile& file) {
+  if (!feature.clear_height || (feature.clear && feature.water)) return;
+  file.warnings.push_back(absl::StrCat(
+      name, ": ", feature.label, ": its clear_height has no effect, since ",
+      feature.clear ? "of what is no water all is taken out, however high" : "\"clear\": true is not given as well"));
+}
+
 }  // namespace
 
 SceneFrame FrameOf(const Scene& scene) {
@@ -213,7 +220,9 @@ absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::st
   for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
   for (VectorFeature& f : read.features) {
     if (f.polygon.empty()) continue;
-    file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label});
+    file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.clear,
+                          f.clear_height.value_or(kClearHeight)});
+    WarnOfIdleClearHeight(name, f, file);
     f.line.clear();
     DropStrayCentreline(name, file.areas.back(), file);
   }

@@ -34,7 +34,8 @@ struct WaterFile {
 };
 
 // Reads GeoJSON or a GeoPackage (vector_file.h has the details). A polygon is an area; it may have the properties
-// `water` (true, as without it, or false), `level_m` (a number) and `centreline` (a GeoJSON LineString or its
+// `water` (true, as without it, or false), `level_m` (a number), `clear` (true or false), `clear_height` (metres, 0 to
+// 1000; only beside `clear` and of water, else there is a warning) and `centreline` (a GeoJSON LineString or its
 // coordinates, or WKT, in the coordinates of the file). A LineString that is a feature of its own is the centreline of
 // the area of water that most of its points are in. Centrelines of less than a metre and beside a level are dropped,
 // with a warning.

@@ -9,6 +9,8 @@ namespace tilemend {
 inline constexpr char kWaterProperty[] = "water";
 inline constexpr char kLevelProperty[] = "level_m";
 inline constexpr char kCentrelineProperty[] = "centreline";
+inline constexpr char kClearProperty[] = "clear";
+inline constexpr char kClearHeightProperty[] = "clear_height";
 
 // The one of these that a property of another name is likely meant for, "" if none: the same letters but for case and
 // what is between them ("Centre Line"), other words for it ("elevation"), or one letter in four of it put in, taken out

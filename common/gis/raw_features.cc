@@ -14,8 +14,9 @@
 namespace tilemend {
 namespace {
 
-constexpr int kLeastPositions = 4;   // of a ring, the last being the first
-constexpr size_t kMostOfName = 100;  // columns
+constexpr int kLeastPositions = 4;         // of a ring, the last being the first
+constexpr size_t kMostOfName = 100;        // columns
+constexpr double kMostClearHeight = 1000;  // metres
 constexpr char kUnresolved[] = "the polygon crosses itself in a way that cannot be resolved";
 
 using GeometryPtr = std::unique_ptr<OGRGeometry>;
@@ -110,16 +111,29 @@ int FieldOf(const OGRFeature& feature, const char* name) {
   return index >= 0 && feature.IsFieldSetAndNotNull(index) ? index : -1;
 }
 
-bool WaterOf(const OGRFeature& feature, const std::string& place) {
-  const int index = FieldOf(feature, kWaterProperty);
-  if (index < 0) return true;
+bool BooleanOf(const OGRFeature& feature, const char* name, bool otherwise, const std::string& place) {
+  const int index = FieldOf(feature, name);
+  if (index < 0) return otherwise;
   const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
   const int value = feature.GetFieldAsInteger(index);
   // GeoPackages from programs without booleans hold 0 and 1.
   if (definition.GetType() != OFTInteger || value < 0 || value > 1) {
-    Refuse(place, "property water: expected true or false");
+    Refuse(place, std::string("property ") + name + ": expected true or false");
   }
   return value != 0;
+}
+
+std::optional<double> ClearHeightOf(const OGRFeature& feature, const std::string& place) {
+  const int index = FieldOf(feature, kClearHeightProperty);
+  if (index < 0) return std::nullopt;
+  const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
+  const OGRFieldType type = definition.GetType();
+  const bool number = type == OFTReal || type == OFTInteger64 || type == OFTInteger;
+  const double height = number ? feature.GetFieldAsDouble(index) : -1;
+  if (definition.GetSubType() == OFSTBoolean || !(height >= 0 && height <= kMostClearHeight)) {
+    Refuse(place, "property clear_height: expected a number of metres from 0 to 1000");
+  }
+  return height;
 }
 
 std::optional<double> LevelOf(const OGRFeature& feature, const std::string& place) {
@@ -204,8 +218,10 @@ RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, Crossings 
     const GeometryPtr linear(geometry->getLinearGeometry());  // arcs become chords
     if (linear) geometry = linear.get();
     SetGeometry(*geometry, raw);
-    raw.water = WaterOf(*feature, raw.label);
+    raw.water = BooleanOf(*feature, kWaterProperty, true, raw.label);
     raw.level = LevelOf(*feature, raw.label);
+    raw.clear = BooleanOf(*feature, kClearProperty, false, raw.label);
+    raw.clear_height = ClearHeightOf(*feature, raw.label);
     if (raw.polygon.empty()) continue;
     const std::string repaired = Repair(*geometry, crossings, raw);
     if (!repaired.empty()) read.warnings.push_back(repaired);

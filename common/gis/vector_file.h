@@ -26,11 +26,13 @@ struct SceneFrame {
 
 // A feature of the file, in metres relative to the scene's origin.
 struct VectorFeature {
-  std::string label;            // "feature 3 (Pond)", with its layer if there are several
-  PlanePolygon polygon;         // empty: the feature is a line
-  std::vector<Point2> line;     // of a polygon: its property `centreline`
-  bool water = true;            // property `water`
-  std::optional<double> level;  // property `level_m`
+  std::string label;                                  // "feature 3 (Pond)", with its layer if there are several
+  PlanePolygon polygon;                               // empty: the feature is a line
+  std::vector<Point2> line;                           // of a polygon: its property `centreline`
+  bool water = true;                                  // property `water`
+  std::optional<double> level;                        // property `level_m`
+  bool clear = false;                                 // property `clear`
+  std::optional<double> clear_height = std::nullopt;  // property `clear_height`, metres, >= 0
 };
 
 struct VectorRequest {

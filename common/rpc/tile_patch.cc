@@ -7,6 +7,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/assemble/assemble.h"
 #include "common/records/patch_heights.h"
+#include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -68,7 +69,11 @@ absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const Fi
     return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
   }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
-  return AppendPatch(format, original, patch, absl::StrCat(tile.root(), "/", tile.path()));
+  const std::string name = absl::StrCat(tile.root(), "/", tile.path());
+  if (tile.clear().empty()) return AppendPatch(format, original, patch, name);
+  TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, original));
+  if (patch.triangles.empty()) return std::move(cleared.bytes);
+  return AppendPatch(format, cleared.bytes, patch, name);
 }
 
 }  // namespace tilemend

@@ -23,7 +23,7 @@ struct TilePatch {
 absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input);
 
 // The bytes of the tile with the patch: of a new file if the cell has no tile, else of `original`, which has the
-// format that its path says. Errors as AppendPatch.
+// format that its path says, without what is taken out of it (ClearTile). Errors as ClearTile and AppendPatch.
 absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const FilePatch& patch,
                                         std::string_view original);
 

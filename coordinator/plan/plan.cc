@@ -26,6 +26,7 @@
 #include "coordinator/plan/rim/rim_index.h"
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
+#include "coordinator/plan/water/clear_shores.h"
 #include "coordinator/plan/water/ground_points.h"
 #include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/known_objects.h"
@@ -289,6 +290,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   Known known;
   Plan plan = PlanWithWater(input, options, Shore::kOfScene, lines, known);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
+  MarkClearedShores(options.water.areas, plan);
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
   if (!options.cancelled()) FindGroundPoints(known.objects, plan);

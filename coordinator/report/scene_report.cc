@@ -13,6 +13,7 @@
 #include "absl/strings/str_format.h"
 #include "common/records/filler.h"
 #include "common/util/version.h"
+#include "coordinator/report/cleared_report.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/plan_warnings.h"
 
@@ -380,6 +381,7 @@ const char* BorderName(BorderKind kind) {
 std::vector<std::string> WarningsOf(const SceneReportInput& input) {
   std::vector<std::string> warnings = input.warnings;
   for (std::string& warning : PlanWarnings(*input.plan)) warnings.push_back(std::move(warning));
+  for (std::string& warning : ClearedWarnings(input.outcome.cleared)) warnings.push_back(std::move(warning));
   int64_t holes = 0, edges = 0, crossed = 0;
   for (const auto& [hole, size] : input.outcome.sizes) {
     holes += size.creases > 0 ? 1 : 0;
@@ -419,6 +421,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"outer_rims", plan.outer_rims},
                  {"water", WaterRows(input)},
                  {"water_areas", WaterAreaRows(plan)},
+                 {"cleared", ClearedJson(input.outcome.cleared, input.outcome.chosen)},
                  {"left", LeftRows(left)},
                  {"not_holes", NotHoles(left)},
                  {"quality", QualityJson(input.outcome.quality)},

@@ -22,4 +22,17 @@ absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, double tol
   return choice;
 }
 
+absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, WaterChoice& choice) {
+  if (value.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadAreaFile(value));
+  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame));
+  for (WaterArea& area : file.areas) {
+    area.clear = true;
+    choice.options.areas.push_back(std::move(area));
+  }
+  for (std::string& warning : file.warnings) choice.warnings.push_back(std::move(warning));
+  choice.clear_digest = Sha256Hex(bytes);
+  return absl::OkStatus();
+}
+
 }  // namespace tilemend

@@ -171,7 +171,7 @@ absl::Status CoordinatorImpl::CheckRoots(const JobSpec& spec) const {
   const bool water_is_file = spec.water != "auto" && spec.water != "off";
   for (const auto& [field, path] :
        {std::pair("scene", spec.scene), std::pair("out", spec.out), std::pair("water", water_is_file ? spec.water : ""),
-        std::pair("area", spec.area)}) {
+        std::pair("clear", spec.clear), std::pair("area", spec.area)}) {
     const absl::Status status = path.empty() ? absl::OkStatus() : options_.roots->Check(path);
     if (!status.ok()) {
       return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),

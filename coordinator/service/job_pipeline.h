@@ -41,6 +41,7 @@ struct JobSpec {
   double size_limit = 16;              // [1, 1e6], largest edge over the rim's mean edge
   std::optional<double> tension;       // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
   std::string water = "auto";          // or "off", or a file of polygons: see water_choice.h
+  std::string clear;                   // a file of polygons whose surface is taken out: see water_choice.h
   std::string area;                    // a file with the area to cover: see area_choice.h; empty: as the scene says
   double water_tolerance = 0.1;        // [0.001, 10], metres: see WaterOptions
   std::string water_profile = "city";  // a name that WaterProfileNamed knows

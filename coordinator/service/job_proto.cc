@@ -83,6 +83,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   spec.seam_points = proto.seam_points();
   spec.closure = proto.closure();
   if (!proto.water().empty()) spec.water = proto.water();
+  spec.clear = proto.clear();
   spec.area = proto.area();
   if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
   if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
@@ -113,6 +114,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_seam_points(spec.seam_points);
   proto.set_closure(spec.closure);
   proto.set_water(spec.water);
+  proto.set_clear(spec.clear);
   proto.set_area(spec.area);
   proto.set_water_tolerance(spec.water_tolerance);
   proto.set_water_profile(spec.water_profile);

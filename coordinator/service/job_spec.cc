@@ -134,6 +134,8 @@ absl::Status JobSpec::Check() const {
   }
   TILEMEND_RETURN_IF_ERROR(CheckFiller(*this));
   TILEMEND_RETURN_IF_ERROR(CheckWater(*this));
+  TILEMEND_RETURN_IF_ERROR(CheckAbsolute("clear", clear));
+  if (!IsUtf8(clear)) return InvalidSpec("clear", absl::StrCat("'", Printable(clear), "' is no path in UTF-8"));
   TILEMEND_RETURN_IF_ERROR(CheckAbsolute("area", area));
   if (!IsUtf8(area)) return InvalidSpec("area", absl::StrCat("'", Printable(area), "' is no path in UTF-8"));
   if (textures != "copy" && textures != "link" && textures != "off") {

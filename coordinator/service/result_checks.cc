@@ -12,7 +12,9 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/mtl.h"
+#include "common/mesh/height_tally.h"
 #include "common/records/patch_heights.h"
+#include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -94,6 +96,18 @@ bool HasOutline(const TriMesh& mesh, uint64_t key) {
   return OutlineSumOf(mesh, key).sum != 0 && !OutlineOf(mesh).empty();
 }
 
+// The mesh of a tile with these bytes, without what is taken out of it; `cleared`, if given, gets how much each area
+// took.
+absl::StatusOr<MeshFile> MeshOf(const v1::TileRef& tile, const std::string& bytes, std::vector<int64_t>* cleared) {
+  if (tile.clear().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
+    return ParseMesh(format, bytes, PathOf(tile));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(ClearedTile without, ClearTile(tile, bytes));
+  if (cleared != nullptr) *cleared = std::move(without.triangles);
+  return std::move(without.file);
+}
+
 // Without reading each tile: what only few tiles are said to be, and a look at the tile settles.
 absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& record, TileReading& reading) {
   const bool closed = record.triangle_count > 0 && record.edges.empty();
@@ -105,7 +119,9 @@ absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& reco
   const std::string path = PathOf(input.tile());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
-  const auto file = ReadMeshFile(path);
+  const auto bytes = ReadFile(path);
+  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
+  const auto file = MeshOf(input.tile(), *bytes, nullptr);
   if (!file.ok()) return absl::UnavailableError(file.status().message());
   if (closed && HasOutline(file->mesh, reading.key)) return Wrong("no boundary, where the tile has one");
   if (!outside) return absl::OkStatus();
@@ -145,10 +161,34 @@ absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOut
   const auto bytes = ReadFile(path);
   if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
   if (!HasFileDigest(*bytes, output.digest())) return OtherTile(path, output);
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  const auto file = ParseMesh(format, *bytes, path);
+  std::vector<int64_t> cleared;
+  const auto file = MeshOf(input.tile(), *bytes, &cleared);
   if (!file.ok()) return Wrong("a survey of a tile that cannot be read");
+  if (!std::ranges::equal(cleared, output.cleared())) return Wrong("other triangles taken out than are asked for");
   return AsWrong(CheckAgainstTile(record, file->mesh, file->number_type == NumberType::kFloat32, reading.key));
+}
+
+absl::Status CheckMeasureResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::MeasureInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::MeasureOutput>(output_bytes));
+  if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
+  if (output.tallies_size() != input.areas_size()) return Wrong("heights of other polygons");
+  for (const v1::HeightTally& tally : output.tallies()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(tally).status()));
+  if (reading.how != TileCheck::kContent) return absl::OkStatus();
+  const std::string path = PathOf(input.tile());
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
+  const auto bytes = ReadFile(path);
+  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
+  if (!HasFileDigest(*bytes, output.digest())) return Changed(path);
+  const auto file = MeshOf(input.tile(), *bytes, nullptr);
+  if (!file.ok()) return Wrong("heights of a tile that cannot be read");
+  for (int i = 0; i < input.areas_size(); ++i) {
+    TILEMEND_ASSIGN_OR_RETURN(const ClearArea area, FromProto(input.areas(i)));
+    TILEMEND_ASSIGN_OR_RETURN(const HeightTally told, FromProto(output.tallies(i)));
+    if (TallyHeights(file->mesh, area.polygon).area_of_bin != told.area_of_bin) return Wrong("heights of another tile");
+  }
+  return absl::OkStatus();
 }
 
 absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
@@ -156,6 +196,7 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(output_bytes));
   if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
   if (output.unchanged()) return CheckSameSurvey(input, output, reading.how);
+  if (output.cleared_size() != input.tile().clear_size()) return Wrong("counts of other areas");
   if (output.witness().digest() != output.digest()) return Wrong("a witness of another tile");
   TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
   const auto record = FromProto(output);
@@ -255,7 +296,9 @@ bool HasPatch(const v1::AssembleInput& input) {
 }
 
 // Whether the tile is to be another than the original.
-bool IsPatched(const v1::AssembleInput& input) { return input.tile().path().empty() || HasPatch(input); }
+bool IsPatched(const v1::AssembleInput& input) {
+  return input.tile().path().empty() || !input.tile().clear().empty() || HasPatch(input);
+}
 
 // Whether a file of the attempt has these bytes.
 absl::Status CheckBytes(const std::string& path, std::string_view expected) {
@@ -297,7 +340,8 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
   const bool patched = IsPatched(input);
   if (!input.tile().path().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(PathOf(input.tile())));
-    if (patched ? tile.bytes() <= original : tile.bytes() != original)
+    const bool grows = patched && input.tile().clear().empty();
+    if (grows ? tile.bytes() <= original : !patched && tile.bytes() != original)
       return Wrong("a tile that is not the original with its patches");
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
@@ -423,6 +467,8 @@ ResultCheck SceneResultCheck(TileCheck tiles) {
   return [reading = std::make_shared<TileReading>(tiles)](Stage stage, const std::string& input,
                                                           const std::string& output) {
     switch (stage) {
+      case Stage::kMeasure:
+        return CheckMeasureResult(input, output, *reading);
       case Stage::kSurvey:
         return CheckSurveyResult(input, output, *reading);
       case Stage::kSampleCluster:

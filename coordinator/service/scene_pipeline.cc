@@ -200,7 +200,8 @@ class ScenePipeline : public JobPipeline {
       waves_.LeaveSeam(result.cell, reason);
       return absl::OkStatus();
     }
-    const bool filling = result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
+    const bool filling =
+        result.stage != Stage::kMeasure && result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
     if (!filling || !(given_up || absl::IsInternal(error))) return error;
     waves_.LeaveHoles(result.cell, reason);
     tasks_.Forget(result.cell);
@@ -295,6 +296,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   CheckCrs(scene);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance, FrameOf(scene)));
+  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear, FrameOf(scene), water));
   water.options.profile = *WaterProfileNamed(spec.water_profile);
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells, scene));

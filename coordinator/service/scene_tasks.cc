@@ -6,6 +6,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
 #include "common/records/patch_heights.h"
+#include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -92,6 +93,14 @@ absl::Status SceneTasks::AddHelp(NewTask& task) const {
 }
 
 void SceneTasks::Forget(CellId cell) { rims_.erase(cell); }
+
+absl::StatusOr<NewTask> SceneTasks::Encode(const MeasureWork& work) const {
+  v1::MeasureInput input;
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
+  input.mutable_tile()->clear_clear();
+  for (const PlanePolygon& polygon : work.polygons) *input.add_areas() = ToProto(ClearArea{polygon});
+  return NewTask{work.tile->cell, Stage::kMeasure, input.SerializeAsString()};
+}
 
 absl::StatusOr<NewTask> SceneTasks::Encode(const SurveyWork& work) const {
   v1::SurveyInput input;
@@ -239,6 +248,7 @@ absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
   ref.set_path(tile.path);
   ref.set_col(tile.cell.col);
   ref.set_row(tile.cell.row);
+  for (const ClearArea& area : waves_.clearing().Areas(tile.cell)) *ref.add_clear() = ToProto(area);
   if (const auto place = surveyed_.find(tile.cell); place != surveyed_.end()) {
     TILEMEND_ASSIGN_OR_RETURN(auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));
     ref.set_digest(std::move(*surveyed.mutable_digest()));
@@ -256,6 +266,12 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(*result.output);
   if (!tile.ok()) return Unreadable(result.cell, tile.status());
   TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(result.cell)));
+  if (const auto measured = measured_.extract(result.cell); measured && measured.mapped() != tile->digest) {
+    return ChangedInJob(absl::StrCat(waves_.scene().root, "/", waves_.tile(result.cell).path));
+  }
+  if (const absl::Status taken = waves_.TakeCleared(result.cell, tile->cleared); !taken.ok()) {
+    return Unreadable(result.cell, taken);
+  }
   if (spec_.textures != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
@@ -271,12 +287,25 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   return absl::OkStatus();
 }
 
+absl::Status SceneTasks::TakeMeasure(CellId cell, const v1::MeasureOutput& output) {
+  std::vector<HeightTally> tallies;
+  for (const v1::HeightTally& tally : output.tallies()) {
+    TILEMEND_ASSIGN_OR_RETURN(tallies.emplace_back(), FromProto(tally));
+  }
+  measured_[cell] = output.digest();
+  return waves_.TakeTallies(cell, tallies);
+}
+
 absl::StatusOr<ScratchFile::Place> SceneTasks::PutAside(const google::protobuf::MessageLite& message) {
   return scratch_->Put(message.SerializeAsString());
 }
 
 absl::Status SceneTasks::Decode(const TaskResult& result) {
   switch (result.stage) {
+    case Stage::kMeasure: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::MeasureOutput>(*result.output));
+      return TakeMeasure(result.cell, output);
+    }
     case Stage::kSampleCluster: {
       TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(*result.output));
       return TakeCluster(result.cell, output);

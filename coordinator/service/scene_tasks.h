@@ -47,6 +47,7 @@ class SceneTasks {
   const SceneFiles& files() const { return files_; }
 
  private:
+  absl::StatusOr<NewTask> Encode(const MeasureWork& work) const;
   absl::StatusOr<NewTask> Encode(const SurveyWork& work) const;
   absl::StatusOr<NewTask> Encode(ClusterWork& work);
   absl::StatusOr<NewTask> Encode(LayerWork& work);
@@ -61,6 +62,7 @@ class SceneTasks {
   absl::StatusOr<v1::TileRef> Ref(const SceneTile& tile) const;
 
   absl::Status Decode(const TaskResult& result);
+  absl::Status TakeMeasure(CellId cell, const v1::MeasureOutput& output);
   absl::Status TakeSurvey(const TaskResult& result);
   absl::Status TakeCluster(CellId cell, const v1::SampleClusterOutput& output);
   absl::Status TakeFill(CellId cell, v1::FillOutput output);
@@ -76,9 +78,10 @@ class SceneTasks {
   OutputFolder* const output_;
   const std::shared_ptr<ScratchFile> scratch_;
   SceneFiles files_;
-  std::map<CellId, ScratchFile::Place> surveyed_;                // digest and stamp of each tile
-  std::map<std::string, std::string> file_digests_;              // by path: what was read for surveys, beside the tiles
-  std::map<CellId, int32_t> clusters_of_;                        // how many were given out, by the first cell of each
+  std::map<CellId, std::string> measured_;           // digest of each tile that is measured, until its survey
+  std::map<CellId, ScratchFile::Place> surveyed_;    // digest and stamp of each tile
+  std::map<std::string, std::string> file_digests_;  // by path: what was read for surveys, beside the tiles
+  std::map<CellId, int32_t> clusters_of_;            // how many were given out, by the first cell of each
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there
   std::map<CellId, std::vector<int32_t>> layers_;                // the plan's numbers of what is sampled
   // Of the cells that are filled, until they are assembled.

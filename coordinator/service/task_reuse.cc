@@ -41,7 +41,7 @@ bool IsUnchanged(const TaskResult& result) {
 
 std::optional<std::string> TaskReuse::Recall(NewTask& task, int32_t number) {
   ++tasks_;
-  if (!log_) return std::nullopt;
+  if (!log_ || task.stage == Stage::kMeasure) return std::nullopt;
   std::string key = KeyOf(task);
   std::optional<std::string> known = log_->Find(key);
   if (known && task.stage == Stage::kSurvey) {

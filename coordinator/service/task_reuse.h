@@ -20,6 +20,7 @@ namespace tilemend {
 // A result is known by this build of the program, the stage and the task's input, which holds all that the result
 // depends on:
 //  - sample, fill: the result is taken without a worker.
+//  - measure: never, since the input names the tile, not its content.
 //  - survey: the input names the tile, not its content. A worker is told what the result was made from; it reads these
 //    files, and makes the survey only if one of them has changed.
 //  - assemble: a worker is told which files there were, reads them, and writes only if one is not as it was written.

@@ -12,6 +12,7 @@
 #include "common/mesh/quality_tally.h"
 #include "common/records/cell_holes.h"
 #include "coordinator/plan/types/plan_types.h"
+#include "coordinator/waves/clearing.h"
 
 namespace tilemend {
 
@@ -33,6 +34,7 @@ struct SceneOutcome {
   std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen
   std::set<CellId> chosen;                           // cells that were to be filled; empty: all
   QualityTally quality;                              // of all new triangles
+  std::vector<ClearedArea> cleared;                  // one for each area that asks for surface to be taken out
   // Of borders where fills overlap (BorderAudit::a and b): how far apart they are there.
   std::map<std::pair<CellId, CellId>, SurfaceGap> fill_gaps;
 };

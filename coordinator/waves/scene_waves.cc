@@ -44,9 +44,22 @@ absl::Status CheckSample(const Plan& plan, int32_t vertex, double height) {
 }  // namespace
 
 SceneWaves::SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended)
-    : scene_(std::move(scene)), options_(std::move(options)), step_ended_(std::move(step_ended)) {
+    : scene_(std::move(scene)),
+      options_(std::move(options)),
+      clearing_(options_.plan.water.areas, scene_.grid),
+      step_ended_(std::move(step_ended)) {
   for (const SceneTile& tile : scene_.tiles) {
     tiles_[tile.cell] = &tile;
+    if (!tile.path.empty() && !clearing_.Polygons(tile.cell).empty()) ready_.push_back({Wave::kMeasure, tile.cell});
+  }
+  phase_ = "measure levels";
+  if (ready_.empty()) QueueSurveys();
+}
+
+void SceneWaves::QueueSurveys() {
+  wave_ = Wave::kSurvey;
+  phase_ = "survey";
+  for (const SceneTile& tile : scene_.tiles) {
     if (!tile.path.empty()) ready_.push_back({Wave::kSurvey, tile.cell});
   }
 }
@@ -68,6 +81,8 @@ std::optional<SceneWaves::Item> SceneWaves::NextItem() {
 
 SceneWork SceneWaves::WorkOf(const Item& item) const {
   switch (item.wave) {
+    case Wave::kMeasure:
+      return MeasureWork{tiles_.at(item.cell), clearing_.Polygons(item.cell)};
     case Wave::kCluster:
       return ClusterWork{item.cluster,
                          MakeCellHoles(plan_, input_, heights_, holes_of_clusters_.at(item.cluster), true)};
@@ -80,7 +95,7 @@ SceneWork SceneWaves::WorkOf(const Item& item) const {
     case Wave::kAssemble:
       return AssembleWorkOf(item.cell);
     default:
-      return SurveyWork{tiles_.at(item.cell)};
+      return SurveyWork{tiles_.at(item.cell), clearing_.Areas(item.cell)};
   }
 }
 
@@ -120,6 +135,11 @@ AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
   work.colours.on_vertices =
       std::any_of(plan_.colours.begin(), plan_.colours.end(), [](const FillColour& c) { return c.known; });
   return work;
+}
+
+absl::Status SceneWaves::TakeTallies(CellId cell, std::span<const HeightTally> tallies) {
+  --awaited_;
+  return clearing_.TakeTallies(cell, tallies);
 }
 
 void SceneWaves::TakeSurvey(CellId cell, StoredRecord record) {
@@ -247,6 +267,10 @@ void SceneWaves::LeaveTile(CellId cell, const std::string& reason) {
 
 void SceneWaves::Advance() {
   switch (wave_) {
+    case Wave::kMeasure:
+      EndStep("measure");
+      clearing_.Settle(options_.plan.water.areas);
+      return QueueSurveys();
     case Wave::kSurvey:
       EndStep("survey");
       MakeThePlan();
@@ -285,6 +309,7 @@ void SceneWaves::Advance() {
 
 void SceneWaves::MakeThePlan() {
   phase_ = "plan";
+  outcome_.cleared = clearing_.Cleared();
   input_.has_grid = !options_.single_mesh;
   input_.area_known = scene_.area_known;
   input_.area = scene_.area;

@@ -1,4 +1,5 @@
-// The order of the work on a scene: survey, plan, sample clusters, sample layers, fill, smooth seams, assemble.
+// The order of the work on a scene: measure, survey, plan, sample clusters, sample layers, fill, smooth seams,
+// assemble.
 #ifndef TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
 #define TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
 
@@ -18,6 +19,7 @@
 #include "common/records/surface.h"
 #include "coordinator/plan/plan.h"
 #include "coordinator/plan/seam/seam_heights.h"
+#include "coordinator/waves/clearing.h"
 #include "coordinator/waves/fill_gaps.h"
 #include "coordinator/waves/pair_seams.h"
 #include "coordinator/waves/scene_outcome.h"
@@ -55,8 +57,8 @@ struct WaveOptions {
 // time.
 class SceneWaves {
  public:
-  // Hears of the end of each step: "survey", "plan", "sample" (thin-plate) or "layers" (wang), "fill", "smooth" (wang),
-  // "assemble".
+  // Hears of the end of each step: "measure" (where surface is taken out), "survey", "plan", "sample" (thin-plate) or
+  // "layers" (wang), "fill", "smooth" (wang), "assemble".
   using StepEnded = std::function<void(std::string_view step)>;
 
   SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended = {});
@@ -70,6 +72,9 @@ class SceneWaves {
 
   // The results. kInvalidArgument if one names a hole, a vertex or a cluster that is not there, or a height or
   // Laplacian that is no number; the scene cannot go on then.
+  absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies);
+  // Before TakeSurvey of the cell: as Clearing::TakeCounts.
+  absl::Status TakeCleared(CellId cell, std::span<const int64_t> counts) { return clearing_.TakeCounts(cell, counts); }
   void TakeSurvey(CellId cell, StoredRecord record);
   void TakeSurvey(CellId cell, SurveyRecord record);  // keeps it in memory
   absl::Status TakeCluster(const ClusterSamples& result);
@@ -92,6 +97,8 @@ class SceneWaves {
   const Scene& scene() const { return scene_; }
   const SceneTile& tile(CellId cell) const { return *tiles_.at(cell); }  // of the scene
   const WaveOptions& options() const { return options_; }
+  // What is taken out of the tiles. Levels are known once surveys are given out.
+  const Clearing& clearing() const { return clearing_; }
   bool IsChosen(CellId cell) const { return options_.chosen.empty() || options_.chosen.contains(cell); }
   // By cell, those that have been taken; once the plan is made also null, for cells without surface.
   const std::map<CellId, StoredRecord>& records() const { return input_.cells; }
@@ -105,7 +112,7 @@ class SceneWaves {
   int64_t cells_done() const { return cells_done_; }
 
  private:
-  enum class Wave { kSurvey, kCluster, kLayer, kFill, kSmooth, kAssemble, kDone };
+  enum class Wave { kMeasure, kSurvey, kCluster, kLayer, kFill, kSmooth, kAssemble, kDone };
   struct Item {
     Wave wave = Wave::kSurvey;
     CellId cell = {};
@@ -122,6 +129,7 @@ class SceneWaves {
   void EndStep(std::string_view step) const {
     if (step_ended_) step_ended_(step);
   }
+  void QueueSurveys();
   void MakeThePlan();
   // Of cells that are not chosen, those holes stay whose clusters reach chosen ones.
   void KeepChosenHoles();
@@ -149,10 +157,11 @@ class SceneWaves {
   bool CanBeFilled(CellId cell) const;
 
   const Scene scene_;
-  const WaveOptions options_;
+  WaveOptions options_;  // changed only by the levels that are measured
+  Clearing clearing_;
   const StepEnded step_ended_;
   std::map<CellId, const SceneTile*> tiles_;
-  Wave wave_ = Wave::kSurvey;
+  Wave wave_ = Wave::kMeasure;
   int32_t layer_ = 0;
   std::deque<Item> ready_;
   int64_t awaited_ = 0;  // results, but of tiles that are written

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/grid/scene.h"
+#include "common/mesh/clear_area.h"
 #include "common/mesh/quality_tally.h"
 #include "common/records/cell_holes.h"
 #include "common/records/fill_colour.h"
@@ -17,9 +18,18 @@
 
 namespace tilemend {
 
-// Survey a tile. Gives its SurveyRecord. Pointers to tiles hold as long as the SceneWaves that gave them.
+// Tally the heights of a tile in polygons whose surface is to be taken out. Gives a HeightTally for each. Pointers to
+// tiles hold as long as the SceneWaves that gave them.
+struct MeasureWork {
+  const SceneTile* tile = nullptr;
+  std::vector<PlanePolygon> polygons = {};
+};
+
+// Survey a tile without the surface that is taken out of it. Gives its SurveyRecord, and how many triangles each of
+// `clear` took.
 struct SurveyWork {
   const SceneTile* tile = nullptr;
+  std::vector<ClearArea> clear = {};
 };
 
 // Sample the thin-plate surface of a whole cluster along its seams. Gives ClusterSamples.
@@ -61,7 +71,7 @@ struct AssembleWork {
   std::optional<CellHoles> holes = {};  // of Wang 2021: as filled, with the heights that seams have in the end; no band
 };
 
-using SceneWork = std::variant<SurveyWork, ClusterWork, LayerWork, FillWork, SmoothWork, AssembleWork>;
+using SceneWork = std::variant<MeasureWork, SurveyWork, ClusterWork, LayerWork, FillWork, SmoothWork, AssembleWork>;
 
 struct ClusterSamples {
   int32_t cluster = 0;

@@ -119,6 +119,7 @@ class Workers {
   }
 
  private:
+  absl::Status Answer(const MeasureWork&) { return absl::InternalError("nothing is taken out here"); }
   absl::Status Answer(const SurveyWork& work) {
     const int64_t number = int64_t{work.tile->cell.row} * command_.side + work.tile->cell.col;
     const bool with_hole = std::floor(command_.holes * static_cast<double>(number + 1)) >

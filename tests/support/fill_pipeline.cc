@@ -28,6 +28,8 @@ class LocalStages {
   LocalStages(const SurveyedScene& scene, const PipelineOptions& options, SceneWaves& waves, FilledScene& filled)
       : scene_(scene), options_(options), waves_(waves), filled_(filled) {}
 
+  absl::Status operator()(const MeasureWork&) { return absl::InternalError("records are no meshes to measure"); }
+
   absl::Status operator()(const SurveyWork& work) {
     waves_.TakeSurvey(work.tile->cell, scene_.records.at(work.tile->cell));
     return absl::OkStatus();

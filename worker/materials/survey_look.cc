@@ -19,8 +19,8 @@ SurveyRecord SurveyOf(const MeshFile& file, PieceAreas areas) {
 }
 
 absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std::string& path, std::string_view bytes,
-                                             const std::string& name, PieceAreas areas) {
-  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name));
+                                             const std::string& name, PieceAreas areas, NoFaces no_faces) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, no_faces));
   LookSurvey survey{SurveyOf(obj.file, areas), {}, {}};
   TileLook look = ReadObjLook(root, path, obj.textures);
   const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
@@ -49,12 +49,12 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
 }  // namespace
 
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format, PieceAreas areas) {
+                                          MeshFormat format, PieceAreas areas, NoFaces no_faces) {
   const std::string name = absl::StrCat(root, "/", path);
   if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, areas);
   const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
-  if (textured) return SurveyTexturedObj(root, path, bytes, name, areas);
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name));
+  if (textured) return SurveyTexturedObj(root, path, bytes, name, areas, no_faces);
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name, no_faces));
   return LookSurvey{SurveyOf(file, areas), {}, {}};
 }
 

@@ -23,7 +23,8 @@ struct LookSurvey {
 // boundary (texels or diffuse colours of an OBJ, colours of vertices of a PLY). A tile that names no files and has no
 // colours costs what SurveyTile does. Errors of ParseMesh; files and images that cannot be had are warnings.
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format, PieceAreas areas = PieceAreas::kYes);
+                                          MeshFormat format, PieceAreas areas = PieceAreas::kYes,
+                                          NoFaces no_faces = NoFaces::kRefuse);
 
 }  // namespace tilemend
 

@@ -14,7 +14,9 @@
 #include "absl/time/clock.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/text.h"
+#include "common/mesh/height_tally.h"
 #include "common/records/patch_heights.h"
+#include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -65,6 +67,38 @@ absl::Status WithHint(const absl::Status& status) {
                       absl::StrCat(status.message(), "; a cell without surface has \"path\": null in scene.json"));
 }
 
+// The record of a tile with these bytes, and what it looks like if that is asked for.
+absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const std::string& bytes, NoFaces no_faces) {
+  const std::string path = PathOf(input.tile());
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  if (!input.look()) {
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path, no_faces));
+    return ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey, SurveyWithLook(input.tile().root(), input.tile().path(), bytes,
+                                                                    format, PieceAreas::kNo, no_faces));
+  v1::SurveyOutput output = ToProto(survey.record);
+  *output.mutable_files() = ToProto(survey.files);
+  SetWitness(survey.witness, *output.mutable_witness());
+  return output;
+}
+
+absl::StatusOr<std::string> RunMeasure(const v1::MeasureInput& input, TaskMemory& memory) {
+  const std::string path = PathOf(input.tile());
+  const HeldMemory held(memory.tasks, SurveyMemory(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  absl::StatusOr<MeshFile> file = ParseMesh(format, bytes, path);
+  if (!file.ok()) return WithHint(file.status());
+  v1::MeasureOutput output;
+  output.set_digest(FileDigest(bytes));
+  for (const v1::ClearArea& proto : input.areas()) {
+    TILEMEND_ASSIGN_OR_RETURN(const ClearArea area, FromProto(proto));
+    *output.add_tallies() = ToProto(TallyHeights(file->mesh, area.polygon));
+  }
+  return output.SerializeAsString();
+}
+
 absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
   const std::string stamp = StampOf(path, absl::Now());
@@ -76,16 +110,13 @@ absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
     output.set_unchanged(true);
     return output.SerializeAsString();
   }
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  if (input.look()) {
-    TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey,
-                              SurveyWithLook(input.tile().root(), input.tile().path(), bytes, format, PieceAreas::kNo));
-    output = ToProto(survey.record);
-    *output.mutable_files() = ToProto(survey.files);
-    SetWitness(survey.witness, *output.mutable_witness());
+  if (input.tile().clear().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(output, SurveyOf(input, bytes, NoFaces::kRefuse));
   } else {
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
-    output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo));
+    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(input.tile(), bytes));
+    cleared.file = {};  // its memory is needed
+    TILEMEND_ASSIGN_OR_RETURN(output, SurveyOf(input, cleared.bytes, NoFaces::kAccept));
+    output.mutable_cleared()->Add(cleared.triangles.begin(), cleared.triangles.end());
   }
   output.set_digest(digest);
   output.set_stamp(stamp);
@@ -179,6 +210,17 @@ absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::str
                                                                       : ChangedInJob(path);
 }
 
+// The mesh of a tile with these bytes, without what is taken out of it.
+absl::StatusOr<MeshFile> MeshOf(const v1::TileRef& tile, const std::string& bytes) {
+  if (!tile.clear().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, bytes));
+    return std::move(cleared.file);
+  }
+  const std::string path = PathOf(tile);
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  return ParseMesh(format, bytes, path);
+}
+
 // The surface of tiles, read when it is first asked for.
 class TileSurface {
  public:
@@ -201,9 +243,7 @@ class TileSurface {
     held_.emplace(memory_, all);
     for (const v1::TileRef& tile : input_.surface()) {
       TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadSurveyed(tile));
-      const std::string path = PathOf(tile);
-      TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-      TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, path));
+      TILEMEND_ASSIGN_OR_RETURN(MeshFile file, MeshOf(tile, bytes));
       tiles_.emplace_back(std::move(file.mesh));
     }
     return absl::OkStatus();
@@ -279,7 +319,8 @@ struct Assembled {
 absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(TilePatch added, TilePatchOf(input));
   const bool has_tile = !input.tile().path().empty();
-  if (has_tile && added.patch.triangles.empty()) return Assembled{true, {}, {}};
+  const bool is_cleared = !input.tile().clear().empty();
+  if (has_tile && !is_cleared && added.patch.triangles.empty()) return Assembled{true, {}, {}};
   std::string original;
   if (has_tile) {
     TILEMEND_ASSIGN_OR_RETURN(original, ReadSurveyed(input.tile(), input.stamp()));
@@ -373,6 +414,10 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
 absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, const CancelToken& cancel,
                                      TaskMemory& memory) {
   switch (stage) {
+    case Stage::kMeasure: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::MeasureInput>(bytes));
+      return RunMeasure(input, memory);
+    }
     case Stage::kSurvey: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(bytes));
       return RunSurvey(input, memory);

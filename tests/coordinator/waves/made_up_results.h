@@ -37,6 +37,7 @@ inline WaveOptions Dry(Surface surface = Surface::kThinPlate) {
 }
 
 struct Namer {
+  std::string operator()(const MeasureWork& w) const { return absl::StrCat("measure ", ToString(w.tile->cell)); }
   std::string operator()(const SurveyWork& w) const { return absl::StrCat("survey ", ToString(w.tile->cell)); }
   std::string operator()(const ClusterWork& w) const { return absl::StrCat("cluster ", w.cluster); }
   std::string operator()(const LayerWork& w) const { return absl::StrCat("layer ", ToString(w.holes.cell)); }
@@ -56,6 +57,9 @@ class Stages {
 
   void Do(const SceneWork& work) { std::visit(*this, work); }
 
+  void operator()(const MeasureWork& w) {
+    EXPECT_TRUE(waves_.TakeTallies(w.tile->cell, std::vector<HeightTally>(w.polygons.size())).ok());
+  }
   void operator()(const SurveyWork& w) { waves_.TakeSurvey(w.tile->cell, scene_.records.at(w.tile->cell)); }
   void operator()(const ClusterWork& w) {
     ClusterSamples result{w.cluster, {}, {}};

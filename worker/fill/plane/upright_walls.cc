@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "common/mesh/rounding.h"
+#include "common/records/flat_water.h"
 
 namespace tilemend {
 namespace {
 
-// Of its size: a rim vertex that is closer to the surface needs no wall.
+// Of its size: a rim vertex that is closer to the surface needs no wall; at level water one within kFlatWithin.
 constexpr double kLeastHeight = 0.125;
 
 class WallRaiser {
@@ -32,7 +33,7 @@ class WallRaiser {
     const double most = ExtentFromAbove();
     for (int32_t v = 0; v < hole_.size(); ++v) {
       const double height = std::abs(hole_.positions[v].z() - ground_[v]);
-      if (!hole_.on_object[v] || !simple[v] || height < kLeastHeight * hole_.sizes[v] || height > most) continue;
+      if (!hole_.on_object[v] || !simple[v] || IsShared(v) || height < LeastHeight(v) || height > most) continue;
       foot_[v] = hole_.size() + static_cast<int32_t>(patch_.new_points.size());
       Point3& foot = patch_.new_points.emplace_back(hole_.positions[v]);
       foot.z() = StorableHeight(ground_[v]);
@@ -51,6 +52,13 @@ class WallRaiser {
     for (const int n : passes) simple.push_back(n == 1);
     return simple;
   }
+
+  // Whether the hole of another cell ends at the vertex too, and must see it as this one does.
+  bool IsShared(int32_t v) const {
+    return !hole_.own_outline && hole_.vertices[v] >= 0 && hole_.cell->vertices[hole_.vertices[v]].seam_vertex >= 0;
+  }
+
+  double LeastHeight(int32_t v) const { return hole_.level ? kFlatWithin : kLeastHeight * hole_.sizes[v]; }
 
   double ExtentFromAbove() const {
     Point2 lo = hole_.positions[0].head<2>(), hi = lo;

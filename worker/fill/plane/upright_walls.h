@@ -15,8 +15,8 @@ namespace tilemend {
 //   ground  the height of the surface at every vertex of the hole; it counts at those on objects
 //
 // A vertex stays where the surface is close to it, or further off than the hole is wide, and where the boundary comes
-// by more than once. The patch must be a height field over the ground, and share its seams with no other tile: the
-// walls stand on these as well. O(triangles).
+// by more than once; so does one at the end of a seam that another tile shares (LocalHole::own_outline is false), as
+// that tile may see it otherwise. The patch must be a height field over the ground. O(triangles).
 void RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch);
 
 }  // namespace tilemend

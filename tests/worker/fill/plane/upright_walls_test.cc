@@ -20,6 +20,8 @@ class UprightWallsTest : public ::testing::Test {
   UprightWallsTest() {
     cell_.lattice_step = 1.0 / 1024;
     hole_.cell = &cell_;
+    hole_.own_outline = true;
+    cell_.vertices.resize(5);
     hole_.positions = {{0, 0, 5}, {8, 0, 5.25}, {8, 8, 2}, {0, 8, 1}};
     hole_.on_object = {true, true, false, false};
     for (int32_t v = 0; v < 4; ++v) {
@@ -74,6 +76,24 @@ TEST_F(UprightWallsTest, AreNotNeededWhereTheSurfaceIsClose) {
   RaiseWalls(hole_, std::vector<double>{4.9, 5.2, 2, 1}, patch_);
   EXPECT_THAT(patch_.new_points, SizeIs(1));
   EXPECT_THAT(patch_.triangles, SizeIs(4));
+}
+
+TEST_F(UprightWallsTest, StandAtLevelWaterWhereverTheRimIsOffIt) {
+  hole_.positions[0].z() = 1.33;
+  hole_.positions[1].z() = 1.29;
+  const std::vector<double> level(4, 1.3);
+  RaiseWalls(hole_, level, patch_);
+  EXPECT_THAT(patch_.new_points, SizeIs(1));
+  hole_.level = 1.3;
+  RaiseWalls(hole_, level, patch_);
+  EXPECT_THAT(patch_.new_points, SizeIs(2)) << "vertex 1 is close enough";
+}
+
+TEST_F(UprightWallsTest, StandNowhereAtTheEndsOfSharedSeams) {
+  hole_.own_outline = false;
+  cell_.vertices[0].seam_vertex = 7;
+  RaiseWalls(hole_, ground_, patch_);
+  EXPECT_THAT(patch_.new_points, SizeIs(2)) << "under vertex 1 only";
 }
 
 TEST_F(UprightWallsTest, AreNoHigherThanTheHoleIsWide) {

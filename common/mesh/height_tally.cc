@@ -1,0 +1,76 @@
+#include "common/mesh/height_tally.h"
+
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/polygon_index.h"
+
+namespace tilemend {
+namespace {
+
+constexpr size_t kLastBins = 3;  // as printed: what is left at the end
+
+using Bin = std::pair<int32_t, int64_t>;
+
+int64_t AreaOf(std::span<const Bin> bins) {
+  int64_t area = 0;
+  for (const Bin& bin : bins) area += bin.second;
+  return area;
+}
+
+// The run of bins that spans the fewest heights among those with at least half of the area; of equal spans the one with
+// the most area, then the lowest.
+std::span<const Bin> ShortestHalf(std::span<const Bin> bins) {
+  const int64_t half = (AreaOf(bins) + 1) / 2;
+  std::span<const Bin> best = bins;
+  int64_t area = 0, best_area = 0;
+  for (size_t from = 0, to = 0; from < bins.size(); area -= bins[from++].second) {
+    while (to < bins.size() && area < half) area += bins[to++].second;
+    if (area < half) break;
+    const std::span<const Bin> run = bins.subspan(from, to - from);
+    const auto span_of = [](std::span<const Bin> b) { return int64_t{b.back().first} - b.front().first; };
+    if (span_of(run) > span_of(best) || (span_of(run) == span_of(best) && area <= best_area)) continue;
+    best = run;
+    best_area = area;
+  }
+  return best;
+}
+
+}  // namespace
+
+void HeightTally::Add(const HeightTally& other) {
+  for (const auto& [bin, area] : other.area_of_bin) area_of_bin[bin] += area;
+}
+
+HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon) {
+  const PolygonIndex index(polygon);
+  HeightTally tally;
+  for (const Triangle& t : mesh.triangles) {
+    const Point3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const Point3 centroid = (a + b + c) / 3;
+    if (!index.Contains(centroid.head<2>())) continue;
+    const Point3 u = b - a, v = c - a;
+    const double area = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
+    const auto units = static_cast<int64_t>(std::llround(area / kAreaUnit));
+    if (units > 0) tally.area_of_bin[static_cast<int32_t>(std::floor(centroid.z() / kHeightBin))] += units;
+  }
+  return tally;
+}
+
+std::optional<double> HalfSampleMode(const HeightTally& tally) {
+  if (tally.area_of_bin.empty()) return std::nullopt;
+  const std::vector<Bin> all(tally.area_of_bin.begin(), tally.area_of_bin.end());
+  std::span<const Bin> bins = all;
+  while (bins.size() > kLastBins) {
+    const std::span<const Bin> half = ShortestHalf(bins);
+    if (half.size() == bins.size()) break;
+    bins = half;
+  }
+  double sum = 0;
+  for (const auto& [bin, area] : bins) sum += (bin + 0.5) * static_cast<double>(area);
+  return sum / static_cast<double>(AreaOf(bins)) * kHeightBin;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,37 @@
+// How much surface lies at which height inside a polygon, and the height at which it gathers.
+#ifndef TILEMEND_COMMON_MESH_HEIGHT_TALLY_H_
+#define TILEMEND_COMMON_MESH_HEIGHT_TALLY_H_
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "common/mesh/plane_polygon.h"
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+inline constexpr double kHeightBin = 0.01;  // metres
+
+// A sparse histogram: plan area in units of kAreaUnit by height in bins of kHeightBin; bin k is [k, k + 1) *
+// kHeightBin. Whole numbers, so that sums do not depend on their order.
+struct HeightTally {
+  std::map<int32_t, int64_t> area_of_bin;
+
+  void Add(const HeightTally& other);
+};
+
+inline constexpr double kAreaUnit = 1e-6;  // m2
+
+// The triangles with their centroid in the polygon, each with its area seen from above at the height of its centroid.
+// Cost as AreasThatClear.
+HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon);
+
+// The half-sample mode (Bickel and Fruehwirth 2006, "On a fast, robust estimator of the mode"), weighted by area: the
+// shortest interval that holds half of the area, and of that again, until at most three bins are left; then their
+// weighted mean. nullopt for an empty tally. Deterministic. Cost O(bins log bins).
+std::optional<double> HalfSampleMode(const HeightTally& tally);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_MESH_HEIGHT_TALLY_H_

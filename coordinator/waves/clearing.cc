@@ -1,0 +1,114 @@
+#include "coordinator/waves/clearing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tilemend {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Tiles may reach this share of a cell beyond their cells (coordinator/report/tile_checks.h, ReachOfCell).
+constexpr double kReachBeyondCell = 0.25;
+
+}  // namespace
+
+Clearing::Clearing(const std::vector<WaterArea>& areas, const Grid& grid) : grid_(grid) {
+  for (size_t a = 0; a < areas.size(); ++a) {
+    const WaterArea& area = areas[a];
+    if (!area.clear) continue;
+    Asked asked{a,  area.label, area.water, area.water && !area.level, area.clear_height, area.polygon, {}, {},
+                {}, {},         {}};
+    if (!area.water) asked.top = kInfinity;
+    if (area.water && area.level) asked.top = *area.level + area.clear_height;
+    asked.lo = Point2::Constant(kInfinity);
+    asked.hi = -asked.lo;
+    for (const std::vector<Point2>& ring : area.polygon.rings) {
+      for (const Point2& p : ring) {
+        asked.lo = asked.lo.cwiseMin(p);
+        asked.hi = asked.hi.cwiseMax(p);
+      }
+    }
+    asked_.push_back(std::move(asked));
+  }
+}
+
+bool Clearing::Reaches(const Asked& asked, CellId cell) const {
+  if (grid_.cell_size.minCoeff() <= 0) return true;
+  const Point2 low = grid_.corner + Point2(cell.col, cell.row).cwiseProduct(grid_.cell_size);
+  const Point2 reach = kReachBeyondCell * grid_.cell_size;
+  return (asked.hi.array() >= (low - reach).array()).all() &&
+         (asked.lo.array() <= (low + grid_.cell_size + reach).array()).all();
+}
+
+std::vector<size_t> Clearing::Measured(CellId cell) const {
+  std::vector<size_t> numbers;
+  for (size_t i = 0; i < asked_.size(); ++i) {
+    if (asked_[i].measured && Reaches(asked_[i], cell)) numbers.push_back(i);
+  }
+  return numbers;
+}
+
+std::vector<size_t> Clearing::Cutting(CellId cell) const {
+  std::vector<size_t> numbers;
+  const auto counted = counted_.find(cell);
+  if (counted != counted_.end() && !counted->second) return numbers;
+  for (size_t i = 0; i < asked_.size(); ++i) {
+    if (asked_[i].top && Reaches(asked_[i], cell)) numbers.push_back(i);
+  }
+  return numbers;
+}
+
+std::vector<PlanePolygon> Clearing::Polygons(CellId cell) const {
+  std::vector<PlanePolygon> polygons;
+  for (const size_t i : Measured(cell)) polygons.push_back(asked_[i].polygon);
+  return polygons;
+}
+
+absl::Status Clearing::TakeTallies(CellId cell, std::span<const HeightTally> tallies) {
+  const std::vector<size_t> numbers = Measured(cell);
+  if (numbers.size() != tallies.size()) return absl::InvalidArgumentError("heights of other polygons");
+  for (size_t k = 0; k < numbers.size(); ++k) asked_[numbers[k]].heights.Add(tallies[k]);
+  return absl::OkStatus();
+}
+
+void Clearing::Settle(std::vector<WaterArea>& areas) {
+  for (Asked& asked : asked_) {
+    if (!asked.measured) continue;
+    const std::optional<double> level = HalfSampleMode(asked.heights);
+    asked.heights = {};
+    if (!level) continue;
+    areas[asked.area].level = *level;
+    asked.top = *level + asked.clear_height;
+  }
+}
+
+std::vector<ClearArea> Clearing::Areas(CellId cell) const {
+  std::vector<ClearArea> areas;
+  for (const size_t i : Cutting(cell)) areas.push_back({asked_[i].polygon, *asked_[i].top});
+  return areas;
+}
+
+absl::Status Clearing::TakeCounts(CellId cell, std::span<const int64_t> counts) {
+  const std::vector<size_t> numbers = Cutting(cell);
+  const bool negative = std::any_of(counts.begin(), counts.end(), [](int64_t n) { return n < 0; });
+  if (numbers.size() != counts.size() || negative) return absl::InvalidArgumentError("counts of other areas");
+  bool any = false;
+  for (size_t k = 0; k < numbers.size(); ++k) {
+    if (counts[k] > 0) asked_[numbers[k]].triangles_of[cell] = counts[k];
+    any = any || counts[k] > 0;
+  }
+  counted_[cell] = any;
+  return absl::OkStatus();
+}
+
+std::vector<ClearedArea> Clearing::Cleared() const {
+  std::vector<ClearedArea> cleared;
+  for (const Asked& asked : asked_) {
+    const bool limited = asked.top && std::isfinite(*asked.top);
+    cleared.push_back({asked.label, asked.water, limited ? asked.top : std::nullopt, asked.triangles_of});
+  }
+  return cleared;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,80 @@
+// What surface is taken out of the tiles of a scene, because areas of the user ask for it.
+#ifndef TILEMEND_COORDINATOR_WAVES_CLEARING_H_
+#define TILEMEND_COORDINATOR_WAVES_CLEARING_H_
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/grid/scene.h"
+#include "common/grid/water_areas.h"
+#include "common/mesh/clear_area.h"
+#include "common/mesh/height_tally.h"
+
+namespace tilemend {
+
+// What one area took out.
+struct ClearedArea {
+  std::string label;          // of the area
+  bool water = true;          // as the area says
+  std::optional<double> top;  // nothing above this height was taken out; none: no limit, or no surface
+  std::map<CellId, int64_t> triangles_of = {};  // taken out of each tile, where any were
+};
+
+// First the tiles in reach of areas of water without a level are measured (Polygons, TakeTallies). Then Settle gives
+// each such area one level, the same for all tiles: the half-sample mode of the heights in it. From then on Areas says
+// what is taken out of a tile. Pure. Not thread-safe. Cost O(areas) a tile, and the tallies until Settle.
+class Clearing {
+ public:
+  // Without areas nothing is taken out.
+  Clearing() = default;
+  // `areas` without `clear` are skipped. A scene without a grid has one tile, which all areas reach.
+  Clearing(const std::vector<WaterArea>& areas, const Grid& grid);
+
+  // What is to be measured of the tile of a cell; empty: nothing.
+  std::vector<PlanePolygon> Polygons(CellId cell) const;
+  // The heights in these polygons, in their order. kInvalidArgument for another number of them.
+  absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies);
+  // Sets the level of each of the areas that was measured and has surface inside. `areas` are those of the constructor.
+  void Settle(std::vector<WaterArea>& areas);
+
+  // What is taken out of the tile of a cell. After its TakeCounts: empty if that was nothing.
+  std::vector<ClearArea> Areas(CellId cell) const;
+  // How many triangles each of these took out, in their order. kInvalidArgument for another number of counts, or a
+  // negative one.
+  absl::Status TakeCounts(CellId cell, std::span<const int64_t> counts);
+
+  // One for each area that asks for it, in the order of the areas.
+  std::vector<ClearedArea> Cleared() const;
+
+ private:
+  struct Asked {
+    size_t area = 0;  // its number among all areas
+    std::string label;
+    bool water = true;
+    bool measured = false;  // else its level is given, or it needs none
+    double clear_height = 0;
+    PlanePolygon polygon;
+    Point2 lo, hi;
+    HeightTally heights;
+    std::optional<double> top;  // infinite where everything goes
+    std::map<CellId, int64_t> triangles_of;
+  };
+
+  bool Reaches(const Asked& asked, CellId cell) const;
+  // Numbers in asked_.
+  std::vector<size_t> Measured(CellId cell) const;
+  std::vector<size_t> Cutting(CellId cell) const;
+
+  Grid grid_;
+  std::vector<Asked> asked_;
+  std::map<CellId, bool> counted_;  // whether anything was taken out
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_WAVES_CLEARING_H_

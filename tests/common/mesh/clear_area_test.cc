@@ -1,0 +1,54 @@
+#include "common/mesh/clear_area.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+
+const PlanePolygon kSquare{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}}};
+
+// One triangle with its right angle at (x, y), `side` long, with these heights at its corners.
+void Add(TriMesh& mesh, double x, double y, double side, std::array<double, 3> z) {
+  const auto first = static_cast<int32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), {{x, y, z[0]}, {x + side, y, z[1]}, {x, y + side, z[2]}});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+}
+
+TEST(ClearAreaTest, TakesWhatIsInsideAndLow) {
+  TriMesh mesh;
+  Add(mesh, 2, 2, 1, {1, 1, 1});      // inside and low
+  Add(mesh, 2, 2, 1, {9, 9, 9});      // a deck above it
+  Add(mesh, 20, 2, 1, {1, 1, 1});     // outside
+  Add(mesh, 2, 2, 1, {1, 1, 2.5});    // a wall that rises above the top stays
+  Add(mesh, 2, 2, 1, {-50, -50, 2});  // noise below goes, however deep
+  EXPECT_THAT(AreasThatClear(mesh, std::vector<ClearArea>{{kSquare, 2}}), ElementsAre(0, -1, -1, -1, 0));
+}
+
+TEST(ClearAreaTest, WithoutATopAllGoes) {
+  TriMesh mesh;
+  Add(mesh, 2, 2, 1, {1, 1, 100});
+  const double all = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(AreasThatClear(mesh, std::vector<ClearArea>{{kSquare, all}}), ElementsAre(0));
+}
+
+TEST(ClearAreaTest, TheFirstOfSeveralAreasCounts) {
+  TriMesh mesh;
+  Add(mesh, 2, 2, 1, {1, 1, 1});
+  Add(mesh, 2, 2, 1, {4, 4, 4});
+  EXPECT_THAT(AreasThatClear(mesh, std::vector<ClearArea>{{kSquare, 2}, {kSquare, 5}}), ElementsAre(0, 1));
+}
+
+TEST(ClearAreaTest, UprightTrianglesAreInsideOrNot) {
+  TriMesh mesh;
+  mesh.points = {{3, 3, 0}, {4, 3, 0}, {3, 3, 1}, {13, 3, 0}, {14, 3, 0}, {13, 3, 1}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  EXPECT_THAT(AreasThatClear(mesh, std::vector<ClearArea>{{kSquare, 2}}), ElementsAre(0, -1));
+}
+
+}  // namespace
+}  // namespace tilemend

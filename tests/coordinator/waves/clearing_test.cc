@@ -1,0 +1,93 @@
+#include "coordinator/waves/clearing.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+using ::testing::SizeIs;
+
+const Grid kGrid{{0, 0}, {10, 10}};
+
+PlanePolygon Rectangle(double x0, double x1) { return {{{{x0, 1}, {x1, 1}, {x1, 9}, {x0, 9}}}}; }
+
+// Water over cells (0, 0) and (1, 0) that is measured, water in cell (3, 0) with a level, and ground in cell (1, 0).
+std::vector<WaterArea> Areas() {
+  std::vector<WaterArea> areas(4);
+  areas[0].label = "only told";
+  areas[1] = {true, Rectangle(5, 15), std::nullopt, {}, "pond", true, 1.5};
+  areas[2] = {true, Rectangle(33, 37), 7.0, {}, "basin", true, 0.5};
+  areas[3] = {false, Rectangle(13, 17), std::nullopt, {}, "cars", true, 1.5};
+  return areas;
+}
+
+class ClearingTest : public ::testing::Test {
+ protected:
+  std::vector<WaterArea> areas_ = Areas();
+  Clearing clearing_{areas_, kGrid};
+};
+
+TEST_F(ClearingTest, MeasuresWaterWithoutALevelInTilesThatReachIt) {
+  EXPECT_THAT(clearing_.Polygons({0, 0}), SizeIs(1));
+  EXPECT_THAT(clearing_.Polygons({1, 0}), SizeIs(1));
+  EXPECT_THAT(clearing_.Polygons({2, 0}), IsEmpty()) << "a tile reaches a quarter cell beyond its cell: to 17.5";
+  EXPECT_THAT(clearing_.Polygons({3, 0}), IsEmpty());
+}
+
+TEST_F(ClearingTest, AllTilesTogetherTellOneLevel) {
+  ASSERT_TRUE(clearing_.TakeTallies({1, 0}, std::vector<HeightTally>{{{{300, 5}, {301, 90}}}}).ok());
+  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{301, 50}, {900, 8}}}}).ok());
+  clearing_.Settle(areas_);
+  ASSERT_TRUE(areas_[1].level);
+  EXPECT_NEAR(*areas_[1].level, 3.015, 1e-9);
+  EXPECT_FALSE(areas_[0].level || areas_[3].level);
+  ASSERT_THAT(clearing_.Areas({0, 0}), SizeIs(1));
+  EXPECT_NEAR(clearing_.Areas({0, 0})[0].top, 4.515, 1e-9);
+  ASSERT_THAT(clearing_.Areas({1, 0}), SizeIs(2));
+  EXPECT_EQ(clearing_.Areas({1, 0})[1].top, std::numeric_limits<double>::infinity());
+  ASSERT_THAT(clearing_.Areas({3, 0}), SizeIs(1));
+  EXPECT_EQ(clearing_.Areas({3, 0})[0].top, 7.5);
+}
+
+TEST_F(ClearingTest, WaterWithoutSurfaceInItHasNoLevelAndTakesNothing) {
+  clearing_.Settle(areas_);
+  EXPECT_FALSE(areas_[1].level);
+  EXPECT_THAT(clearing_.Areas({0, 0}), IsEmpty());
+}
+
+TEST_F(ClearingTest, CountsByAreaAndTile) {
+  clearing_.Settle(areas_);
+  ASSERT_TRUE(clearing_.TakeCounts({1, 0}, std::vector<int64_t>{4}).ok());
+  ASSERT_TRUE(clearing_.TakeCounts({3, 0}, std::vector<int64_t>{0}).ok());
+  const std::vector<ClearedArea> cleared = clearing_.Cleared();
+  ASSERT_THAT(cleared, SizeIs(3));
+  EXPECT_THAT(cleared[2].triangles_of, ElementsAre(Pair(CellId{1, 0}, 4)));
+  EXPECT_THAT(cleared[1].triangles_of, IsEmpty());
+  EXPECT_EQ(cleared[1].top, 7.5);
+  EXPECT_EQ(cleared[2].top, std::nullopt);
+  EXPECT_THAT(clearing_.Areas({3, 0}), IsEmpty()) << "nothing was there, so the tile is the file as it is";
+  EXPECT_THAT(clearing_.Areas({1, 0}), SizeIs(1));
+}
+
+TEST_F(ClearingTest, RefusesResultsOfOtherAreas) {
+  EXPECT_FALSE(clearing_.TakeTallies({0, 0}, {}).ok());
+  clearing_.Settle(areas_);
+  EXPECT_FALSE(clearing_.TakeCounts({1, 0}, {}).ok());
+  EXPECT_FALSE(clearing_.TakeCounts({1, 0}, std::vector<int64_t>{-1}).ok());
+}
+
+TEST(ClearingOfAMeshTest, AllAreasReachTheOneTile) {
+  const Clearing clearing(Areas(), Grid());
+  EXPECT_THAT(clearing.Polygons({0, 0}), SizeIs(1));
+  EXPECT_THAT(clearing.Areas({0, 0}), SizeIs(2));
+}
+
+}  // namespace
+}  // namespace tilemend
