@@ -92,7 +92,7 @@ RULES = {
         ['eigen']),
 
     'worker/fill/plane': rule(
-        ['common/mesh', 'common/mesh/winding', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
+        ['common/mesh', 'common/mesh/winding', 'common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
          'worker/fill/shape', 'worker/fill/space', 'worker/fill/wang'],
         []),
 

@@ -1,8 +1,6 @@
 #include "coordinator/service/result_checks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <random>
 #include <set>
@@ -16,7 +14,6 @@
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
-#include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
@@ -33,6 +30,8 @@
 #include "coordinator/check/tile_check.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/service/attempt_folder.h"
+#include "coordinator/service/smooth_check.h"
+#include "coordinator/service/wrong_result.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
@@ -51,18 +50,6 @@ struct TileReading {
 constexpr int64_t kMemoryOfFile = 2;
 
 constexpr int64_t kPieceBytes = int64_t{1} << 18;
-
-absl::Status Wrong(const std::string& what) { return absl::DataLossError(what); }
-
-// The worker's fault, whatever the code.
-absl::Status AsWrong(const absl::Status& status) { return status.ok() ? status : Wrong(std::string(status.message())); }
-
-template <typename Message>
-absl::StatusOr<Message> Parse(const std::string& bytes) {
-  Message message;
-  if (!message.ParseFromString(bytes)) return Wrong("not the expected message");
-  return message;
-}
 
 // As the worker was told, without the band, which no check needs.
 template <typename Input>
@@ -169,8 +156,8 @@ absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOut
 }
 
 absl::Status CheckMeasureResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::MeasureInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::MeasureOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::MeasureInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::MeasureOutput>(output_bytes));
   if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
   if (output.tallies_size() != input.areas_size()) return Wrong("heights of other polygons");
   for (const v1::HeightTally& tally : output.tallies()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(tally).status()));
@@ -192,8 +179,8 @@ absl::Status CheckMeasureResult(const std::string& input_bytes, const std::strin
 }
 
 absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SurveyOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::SurveyInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::SurveyOutput>(output_bytes));
   if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
   if (output.unchanged()) return CheckSameSurvey(input, output, reading.how);
   if (output.cleared_size() != input.tile().clear_size()) return Wrong("counts of other areas");
@@ -212,8 +199,8 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
 }
 
 absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
-  TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::SampleClusterInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(auto input, ParseResult<v1::SampleClusterInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::SampleClusterOutput>(output_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
   if (output.cluster() != input.cluster()) return Wrong("another cluster");
   if (output.has_hold_out()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.hold_out()).status()));
@@ -223,15 +210,15 @@ absl::Status CheckClusterResult(const std::string& input_bytes, const std::strin
 }
 
 absl::Status CheckLayerResult(const std::string& input_bytes, const std::string& output_bytes) {
-  TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::SampleLayerInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleLayerOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(auto input, ParseResult<v1::SampleLayerInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::SampleLayerOutput>(output_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
   return AsWrong(CheckLayerSamples(asked, Column(output.seam_vertex()), Column(output.height())));
 }
 
 absl::Status CheckFillResult(const std::string& input_bytes, const std::string& output_bytes) {
-  TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::FillInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::FillOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(auto input, ParseResult<v1::FillInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::FillOutput>(output_bytes));
   TILEMEND_ASSIGN_OR_RETURN(CellHoles asked, HolesOf(input));
   if (output.has_samples() != input.has_sampled()) return Wrong("samples without their holes, or none");
   if (input.has_sampled()) {
@@ -246,47 +233,6 @@ absl::Status CheckFillResult(const std::string& input_bytes, const std::string& 
   const auto quality = FromProto(output.quality());
   if (!quality.ok()) return AsWrong(quality.status());
   return AsWrong(CheckPatches(asked, *patches, *quality));
-}
-
-struct HeightRange {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-
-  void Add(double z) {
-    low = std::min(low, z);
-    high = std::max(high, z);
-  }
-};
-
-// The heights of what is smoothed, as far as one side tells: means stay between them.
-absl::Status AddHeights(const v1::SeamSide& side, const v1::SmoothedPoints& moved, HeightRange& heights) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(side.vertices()));
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<HolePatch> patches, FromProto(side.patches(), vertices.size()));
-  int64_t points = 0;
-  for (const RimVertex& v : vertices) heights.Add(v.position.z());
-  for (const HolePatch& patch : patches) {
-    points += std::ssize(patch.new_points);
-    for (const Point3& p : patch.new_points) heights.Add(p.z());
-  }
-  return AsWrong(FromProto(moved, points).status());
-}
-
-absl::Status CheckSmoothResult(const std::string& input_bytes, const std::string& output_bytes) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SmoothSeamInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SmoothSeamOutput>(output_bytes));
-  if (output.number() != input.number() || output.height_size() != input.seam_vertex_size()) {
-    return Wrong("another seam");
-  }
-  HeightRange heights;
-  for (const double z : input.height()) heights.Add(z);
-  TILEMEND_RETURN_IF_ERROR(AddHeights(input.a(), output.a(), heights));
-  TILEMEND_RETURN_IF_ERROR(AddHeights(input.b(), output.b(), heights));
-  const double low = heights.low - input.lattice_step(), high = heights.high + input.lattice_step();
-  for (const auto* column : {&output.height(), &output.a().height(), &output.b().height()}) {
-    if (!std::all_of(column->begin(), column->end(), [&](double z) { return z >= low && z <= high; })) {
-      return Wrong("a height beyond those of the patches");
-    }
-  }
-  return absl::OkStatus();
 }
 
 bool HasPatch(const v1::AssembleInput& input) {
@@ -449,8 +395,8 @@ absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOu
 
 absl::Status CheckAssembleResult(const std::string& input_bytes, const std::string& output_bytes,
                                  TileReading& reading) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(output_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::AssembleInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::AssembleOutput>(output_bytes));
   if (output.files().empty()) return Wrong("no tile");
   if (output.unchanged()) return CheckSameFiles(input, output, reading.how);
   for (const v1::WrittenFile& file : output.files()) {

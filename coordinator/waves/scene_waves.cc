@@ -1,7 +1,6 @@
 #include "coordinator/waves/scene_waves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "coordinator/plan/colour/hole_colours.h"
 #include "coordinator/plan/make_cell_holes.h"
 #include "coordinator/plan/water/water.h"
+#include "coordinator/waves/sample_checks.h"
 #include "coordinator/waves/tiles_in_reach.h"
 
 namespace tilemend {
@@ -31,14 +31,6 @@ size_t SegmentsOf(const Plan& plan, const std::vector<int32_t>& holes) {
   size_t count = 0;
   for (const int32_t h : holes) count += plan.holes[h].segments.size();
   return count;
-}
-
-absl::Status CheckSample(const Plan& plan, int32_t vertex, double height) {
-  if (vertex < 0 || vertex >= std::ssize(plan.vertices)) {
-    return absl::InvalidArgumentError(absl::StrCat("vertex ", vertex, " is not in the plan"));
-  }
-  if (std::isfinite(height)) return absl::OkStatus();
-  return absl::InvalidArgumentError(absl::StrCat("the height of vertex ", vertex, " is no number"));
 }
 
 }  // namespace
@@ -137,11 +129,6 @@ AssembleWork SceneWaves::AssembleWorkOf(CellId cell) const {
   return work;
 }
 
-absl::Status SceneWaves::TakeTallies(CellId cell, std::span<const HeightTally> tallies) {
-  --awaited_;
-  return clearing_.TakeTallies(cell, tallies);
-}
-
 void SceneWaves::TakeSurvey(CellId cell, StoredRecord record) {
   input_.cells[cell] = std::move(record);
   --awaited_;
@@ -156,14 +143,7 @@ absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
   if (holes == holes_of_clusters_.end()) {
     return absl::InvalidArgumentError(absl::StrCat("cluster ", result.cluster, " is not in the plan"));
   }
-  for (const ClusterSample& sample : result.samples) {
-    absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
-    if (!status.ok()) return status;
-    if (!std::isfinite(sample.laplacian) || !sample.slope.allFinite()) {
-      return absl::InvalidArgumentError(
-          absl::StrCat("the Laplacian or slope of vertex ", sample.vertex, " is no number"));
-    }
-  }
+  if (absl::Status status = CheckSamples(plan_, result.samples); !status.ok()) return status;
   if (result.hold_out) {
     outcome_.of_clusters[result.cluster] = *result.hold_out;
     heights_.tension[result.cluster] = result.hold_out->tension;
@@ -177,20 +157,14 @@ absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
 }
 
 absl::Status SceneWaves::TakeLayer(const std::vector<SeamSample>& samples) {
-  for (const SeamSample& sample : samples) {
-    absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
-    if (!status.ok()) return status;
-  }
+  if (absl::Status status = CheckSamples(plan_, samples); !status.ok()) return status;
   samples_.insert(samples_.end(), samples.begin(), samples.end());
   --awaited_;
   return absl::OkStatus();
 }
 
 absl::Status SceneWaves::TakeFill(CellId cell, const CellPatches& result) {
-  for (const SeamSample& sample : result.samples) {
-    absl::Status status = CheckSample(plan_, sample.vertex, sample.height);
-    if (!status.ok()) return status;
-  }
+  if (absl::Status status = CheckSamples(plan_, result.samples); !status.ok()) return status;
   samples_.insert(samples_.end(), result.samples.begin(), result.samples.end());
   --awaited_;
   if (!IsChosen(cell)) return absl::OkStatus();
@@ -274,7 +248,6 @@ void SceneWaves::Advance() {
     case Wave::kSurvey:
       EndStep("survey");
       MakeThePlan();
-      EndStep("plan");
       wave_ = options_.plan_only ? Wave::kDone : Wave::kCluster;
       if (!options_.plan_only && options_.surface == Surface::kThinPlate) QueueClusters();
       return;
@@ -332,6 +305,7 @@ void SceneWaves::MakeThePlan() {
     return holes_of_.contains(border.a) && holes_of_.contains(border.b) && IsChosen(border.a) && IsChosen(border.b);
   });
   fill_gaps_ = FillGaps(input_.grid, borders);
+  EndStep("plan");
 }
 
 void SceneWaves::KeepChosenHoles() {

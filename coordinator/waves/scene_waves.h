@@ -72,7 +72,10 @@ class SceneWaves {
 
   // The results. kInvalidArgument if one names a hole, a vertex or a cluster that is not there, or a height or
   // Laplacian that is no number; the scene cannot go on then.
-  absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies);
+  absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies) {
+    --awaited_;
+    return clearing_.TakeTallies(cell, tallies);
+  }
   // Before TakeSurvey of the cell: as Clearing::TakeCounts.
   absl::Status TakeCleared(CellId cell, std::span<const int64_t> counts) { return clearing_.TakeCounts(cell, counts); }
   void TakeSurvey(CellId cell, StoredRecord record);

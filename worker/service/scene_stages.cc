@@ -18,7 +18,6 @@
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
-#include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
@@ -33,13 +32,13 @@
 #include "worker/fill/fill_memory.h"
 #include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
-#include "worker/fill/seam/smooth_seam.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
 #include "worker/materials/file_witness.h"
 #include "worker/materials/survey_look.h"
 #include "worker/materials/write_materials.h"
 #include "worker/service/attempt_files.h"
+#include "worker/service/smooth_stage.h"
 #include "worker/service/task_memory.h"
 #include "worker/survey/survey.h"
 
@@ -274,38 +273,6 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToke
   v1::FillOutput output = ToProto(patches, holes.vertices, holes.lattice_step);
   *output.mutable_quality() = ToProto(TallyQuality(holes, patches));
   if (input.has_sampled()) *output.mutable_samples() = std::move(samples);
-  return output.SerializeAsString();
-}
-
-struct DecodedSide {
-  std::vector<RimVertex> vertices;
-  std::vector<HolePatch> patches;
-  std::vector<int32_t> holes;
-
-  SeamSide View() const { return {vertices, patches, holes}; }
-};
-
-absl::StatusOr<DecodedSide> Decode(const v1::SeamSide& proto) {
-  DecodedSide side;
-  TILEMEND_ASSIGN_OR_RETURN(side.vertices, FromProto(proto.vertices()));
-  TILEMEND_ASSIGN_OR_RETURN(side.patches, FromProto(proto.patches(), side.vertices.size()));
-  side.holes.assign(proto.holes().begin(), proto.holes().end());
-  return side;
-}
-
-absl::StatusOr<std::string> RunSmoothSeam(const v1::SmoothSeamInput& input) {
-  TILEMEND_ASSIGN_OR_RETURN(const DecodedSide a, Decode(input.a()));
-  TILEMEND_ASSIGN_OR_RETURN(const DecodedSide b, Decode(input.b()));
-  if (input.height_size() != input.seam_vertex_size() || !(input.lattice_step() > 0)) {
-    return absl::InvalidArgumentError("malformed payload: seam");
-  }
-  const SmoothedPatches smoothed = SmoothSeam(a.View(), b.View(), {Column(input.seam_vertex()), Column(input.height())},
-                                              {input.smoothing(), input.buffer(), input.lattice_step()});
-  v1::SmoothSeamOutput output;
-  output.set_number(input.number());
-  output.mutable_height()->Add(smoothed.heights.begin(), smoothed.heights.end());
-  *output.mutable_a() = ToProto(smoothed.a);
-  *output.mutable_b() = ToProto(smoothed.b);
   return output.SerializeAsString();
 }
 

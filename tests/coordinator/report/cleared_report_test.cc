@@ -21,9 +21,8 @@ TEST(ClearedReportTest, CountsInAllByTileAndByArea) {
   EXPECT_EQ(json["triangles"], 47);
   EXPECT_EQ(json["tiles"], Json::parse(R"([{"cell": [0, 1], "triangles": 30}, {"cell": [1, 1], "triangles": 17}])"));
   ASSERT_EQ(json["areas"].size(), 4U);
-  EXPECT_EQ(json["areas"][0], Json::parse(R"({"feature": "feature 0 (pond)", "water": true, "top_m": 4.7512,
-      "triangles": 42, "tiles": [{"cell": [0, 1], "triangles": 30}, {"cell": [1, 1], "triangles": 12}]
-})"));
+  EXPECT_EQ(json["areas"][0], Json::parse(R"json({"feature": "feature 0 (pond)", "water": true, "top_m": 4.7512,
+      "triangles": 42, "tiles": [{"cell": [0, 1], "triangles": 30}, {"cell": [1, 1], "triangles": 12}]})json"));
   EXPECT_FALSE(json["areas"][1].contains("top_m"));
 }
 
