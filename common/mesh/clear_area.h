@@ -18,9 +18,9 @@ struct ClearArea {
 };
 
 // A triangle goes if more than this share of it, seen from above, lies in the polygon. Triangles are not cut, so along
-// the outline some surface stays inside or some goes outside. On the water of a photogrammetric city, two levels of
-// detail (share: kept inside, gone outside, in % of the polygon): 0.5: 2.0, 2.1; 0.25: 0.8, 3.8; 0.1: 0.65, 4.8.
-inline constexpr double kClearedShare = 0.25;
+// the outline some surface stays inside and some goes outside: the smaller the share, the less of the one and the more
+// of the other. docs/decisions/2026-11-26-clear-polygons.md has the experiment.
+inline constexpr double kClearedShare = 0.1;
 
 // For each triangle the first area that takes it out, or -1 if it stays. An area takes out a triangle that has no
 // corner above `top` and more than kClearedShare of which lies in the polygon; the share is measured at 36 points.

@@ -19,6 +19,7 @@ constexpr double kLevelOff = 1, kSpreads = 3;
 constexpr double kStation = 25;  // metres: what is no longer is no reach of a river
 constexpr double kAlong = 0.5;   // of a river's length: a centreline that runs along less may run across it
 constexpr int kParts = 64;       // of a piece of centreline: each is in the area or not
+constexpr char kMaybeSurface[] = ". If the water is there as surface, add \"clear\": true";
 constexpr double kCovers = 0.9;  // share of what is made water by it that lies under an area
 
 // Holes that are one body if they are water: a cluster, or a closed hole.
@@ -72,7 +73,7 @@ std::string WhyNoWater(const Plan& plan, const Body& body) {
     if (plan.holes[h].water >= 0) return "";
   }
   if (!first.failure.empty()) return "the hole that it covers is left: " + first.failure;
-  if (first.kind == HoleKind::kClosed) return "the hole that it covers is none of the ground: it does not face up";
+  if (first.kind == HoleKind::kClosed) return "it covers no hole that faces up";
   return "the hole that it covers has no shore";
 }
 
@@ -122,6 +123,7 @@ class Answers {
       }
       answer.taken = !answer.holes.empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
+      if (!answer.taken && answer.water && !areas_[a].clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
       if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(answer);
       if (!answer.water && areas_[a].level)
         AddDoubt("its level_m has no effect where it says that there is no water", answer);
@@ -132,6 +134,13 @@ class Answers {
   }
 
  private:
+  // Whether nothing under an area can be water, so that the water may be there as surface.
+  bool CoversNoWaterHole(size_t a) const {
+    return std::ranges::none_of(shares_[a], [&](const auto& share) {
+      return plan_.holes[bodies_[share.first].holes.front()].kind != HoleKind::kClosed;
+    });
+  }
+
   double AreaOf(const Body& body) const {
     double area = 0;
     for (const int32_t h : body.holes) area += plan_.holes[h].area;

@@ -78,13 +78,28 @@ TEST_F(WaterAnswersTest, SaysWhatIsMissing) {
                                 {true, {{Box(40, 0, 50, 10)}}},
                                 {true, {{Box(60, 0, 63, 10)}}},
                                 {true, {{Box(80, 0, 90, 10)}}}});
-  const std::vector<std::string> reasons = {"does not face up", "is left: its boundary crosses itself", "has no shore",
+  const std::vector<std::string> reasons = {"no hole that faces up", "is left: its boundary crosses itself", "has no shore",
                                             "covers 30 % of the hole at (65, 5)", "no hole lies under it"};
   ASSERT_THAT(answers, SizeIs(reasons.size()));
   for (size_t i = 0; i < reasons.size(); ++i) {
     EXPECT_FALSE(answers[i].taken) << i;
     EXPECT_THAT(answers[i].holes, IsEmpty()) << i;
     EXPECT_THAT(answers[i].reason, HasSubstr(reasons[i])) << i;
+  }
+}
+
+TEST_F(WaterAnswersTest, WhereThereIsNoHoleTheWaterMayBeThereAsSurface) {
+  AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));  // of a wall
+  AddHole(HoleKind::kOpenI, Box(60, 0, 70, 10), 1).water = 0;
+  std::vector<WaterArea> areas = {{true, {{Box(0, 0, 10, 10)}}},
+                                  {true, {{Box(80, 0, 90, 10)}}},
+                                  {true, {{Box(60, 0, 63, 10)}}},
+                                  {false, {{Box(80, 0, 90, 10)}}},
+                                  {true, {{Box(80, 0, 90, 10)}}}};
+  areas[4].clear = true;
+  const auto& answers = Answer(areas);
+  for (size_t i = 0; i < areas.size(); ++i) {
+    EXPECT_EQ(answers[i].reason.find("add \"clear\": true") != std::string::npos, i < 2) << i << answers[i].reason;
   }
 }
 
