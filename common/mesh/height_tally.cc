@@ -10,9 +10,11 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kLastBins = 3;  // as printed: what is left at the end
+constexpr int64_t kLastSpan = 2;  // from the first bin to the last one of what is left: three heights, as printed
 
 using Bin = std::pair<int32_t, int64_t>;
+
+int64_t SpanOf(std::span<const Bin> bins) { return int64_t{bins.back().first} - bins.front().first; }
 
 int64_t AreaOf(std::span<const Bin> bins) {
   int64_t area = 0;
@@ -30,8 +32,7 @@ std::span<const Bin> ShortestHalf(std::span<const Bin> bins) {
     while (to < bins.size() && area < half) area += bins[to++].second;
     if (area < half) break;
     const std::span<const Bin> run = bins.subspan(from, to - from);
-    const auto span_of = [](std::span<const Bin> b) { return int64_t{b.back().first} - b.front().first; };
-    if (span_of(run) > span_of(best) || (span_of(run) == span_of(best) && area <= best_area)) continue;
+    if (SpanOf(run) > SpanOf(best) || (SpanOf(run) == SpanOf(best) && area <= best_area)) continue;
     best = run;
     best_area = area;
   }
@@ -63,7 +64,7 @@ std::optional<double> HalfSampleMode(const HeightTally& tally) {
   if (tally.area_of_bin.empty()) return std::nullopt;
   const std::vector<Bin> all(tally.area_of_bin.begin(), tally.area_of_bin.end());
   std::span<const Bin> bins = all;
-  while (bins.size() > kLastBins) {
+  while (SpanOf(bins) > kLastSpan) {
     const std::span<const Bin> half = ShortestHalf(bins);
     if (half.size() == bins.size()) break;
     bins = half;

@@ -28,7 +28,7 @@ inline constexpr double kAreaUnit = 1e-6;  // m2
 HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon);
 
 // The half-sample mode (Bickel and Fruehwirth 2006, "On a fast, robust estimator of the mode"), weighted by area: the
-// shortest interval that holds half of the area, and of that again, until at most three bins are left; then their
+// shortest interval that holds half of the area, and of that again, until it is at most three bins long; then its
 // weighted mean. nullopt for an empty tally. Deterministic. Cost O(bins log bins).
 std::optional<double> HalfSampleMode(const HeightTally& tally);
 

@@ -47,12 +47,19 @@ def write_polygon(path, origin):
                'geometry': {'type': 'Polygon', 'coordinates': [ring]}}, open(path, 'w'))
 
 
-def lost_triangles(np, check_fill, before, after):
-    """Corners (n x 3 x 3) of the triangles of `before` that `after` lacks."""
-    (v0, t0), (v1, t1) = before, after
-    number = check_fill.ids(np.concatenate([v0, v1]))
-    kept = check_fill.contains(check_fill.tri_key(number[len(v0):][t1]), check_fill.tri_key(number[:len(v0)][t0]))
-    return v0[t0[~kept]]
+def lost_triangles(np, before, after):
+    """Corners (n x 3 x 3) of the faces of the file `before` that `after` lacks; None if any other line is missing or changed."""
+    old, new = (open(path, 'rb').read().split(b'\n') for path in (before, after))
+    vertices = np.array([line.split()[1:4] for line in old if line.startswith(b'v ')], float)
+    lost, at = [], 0
+    for line in old[:-1] if old[-1] == b'' else old:
+        if at < len(new) and new[at] == line:
+            at += 1
+        elif line.startswith(b'f '):
+            lost.append([int(corner.split(b'/')[0]) - 1 for corner in line.split()[1:]])
+        else:
+            return None
+    return vertices[np.array(lost, int)]
 
 
 def check(np, tools, scene, out):
@@ -62,11 +69,13 @@ def check(np, tools, scene, out):
     import check_fill
     report = json.load(open(os.path.join(out, 'report.json')))
     name = f'tiles/Tile_+000_{ROW:+04d}.obj'
-    before, after = (check_fill.read(os.path.join(folder, name)) for folder in (scene, out))
+    before, after = (os.path.join(folder, name) for folder in (scene, out))
     grid = np.stack(np.meshgrid(np.arange(0.1, 100, 0.25), np.arange(1535, 1582, 0.25)), -1).reshape(-1, 2)
     grid = grid[inside(np, grid, CANAL)]
-    heights = check_city.over(grid, *after, 2.)[2]
-    lost = lost_triangles(np, check_fill, before, after)
+    heights = check_city.over(grid, *check_fill.read(after), 2.)[2]
+    lost = lost_triangles(np, before, after)
+    if lost is None:
+        return ['the output tile lacks more than faces']
     area, = report['cleared']['areas']
     level, = [w['level_m'] for w in report['water'] if w['decided_by'] == 'area']
     flat = float((np.abs(heights - level) <= 0.02).mean())
