@@ -153,6 +153,15 @@ class ClearRunTest : public ::testing::Test {
   }
   // Triangles of a tile of the scene that the output lacks, by their corners.
   std::vector<SpaceTriangle> Lost(const std::string& out, const std::string& name) {
+    // What the fill lays may have the corners of a triangle that is gone.
+    const auto originals = [&](const std::string& path) {
+      TriMesh mesh = MeshOf(path);
+      const std::string bytes = FilesBelow(folder_.path()).at(path);
+      const std::string faces = bytes.substr(0, bytes.find("g tilemend_filled"));
+      const std::ptrdiff_t count = std::count(faces.begin(), faces.end(), 'f');
+      mesh.triangles.resize(static_cast<size_t>(count));
+      return mesh;
+    };
     const auto keys = [](const TriMesh& mesh) {
       std::multiset<std::array<std::array<double, 3>, 3>> all;
       for (const Triangle& t : mesh.triangles) {
@@ -162,7 +171,7 @@ class ClearRunTest : public ::testing::Test {
       }
       return all;
     };
-    auto left = keys(MeshOf(absl::StrCat(out, "/tiles/", name)));
+    auto left = keys(originals(absl::StrCat(out, "/tiles/", name)));
     std::vector<SpaceTriangle> lost;
     for (const auto& key : keys(MeshOf(absl::StrCat("scene/tiles/", name)))) {
       if (const auto found = left.find(key); found != left.end()) {
@@ -205,7 +214,9 @@ TEST_F(ClearRunTest, NoisyWaterBecomesLevelAndTheJettyStays) {
       if (!Contains(outline, {x, y})) continue;
       const double top = TopAt(tiles[x < kCell ? 0 : 1], {x, y});
       const bool on_deck = x >= 40 && x <= 50 && y >= 28 && y <= 31;
-      if (on_deck) EXPECT_EQ(top, kDeck);
+      if (on_deck) {
+        EXPECT_EQ(top, kDeck);
+      }
       deck += on_deck ? 1 : 0;
       inside += on_deck ? 0 : 1;
       flat += !on_deck && std::abs(top - level) <= 0.02 ? 1 : 0;

@@ -53,10 +53,8 @@ class WallRaiser {
     return simple;
   }
 
-  // Whether the hole of another cell ends at the vertex too, and must see it as this one does.
-  bool IsShared(int32_t v) const {
-    return !hole_.own_outline && hole_.vertices[v] >= 0 && hole_.cell->vertices[hole_.vertices[v]].seam_vertex >= 0;
-  }
+  // Whether a seam ends at the vertex, which the hole of another cell must see as this one does.
+  bool IsShared(int32_t v) const { return !hole_.own_outline && !hole_.has_equation[v]; }
 
   double LeastHeight(int32_t v) const { return hole_.level ? kFlatWithin : kLeastHeight * hole_.sizes[v]; }
 

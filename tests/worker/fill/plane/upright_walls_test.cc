@@ -21,7 +21,7 @@ class UprightWallsTest : public ::testing::Test {
     cell_.lattice_step = 1.0 / 1024;
     hole_.cell = &cell_;
     hole_.own_outline = true;
-    cell_.vertices.resize(5);
+    hole_.has_equation.assign(5, true);
     hole_.positions = {{0, 0, 5}, {8, 0, 5.25}, {8, 8, 2}, {0, 8, 1}};
     hole_.on_object = {true, true, false, false};
     for (int32_t v = 0; v < 4; ++v) {
@@ -91,7 +91,7 @@ TEST_F(UprightWallsTest, StandAtLevelWaterWhereverTheRimIsOffIt) {
 
 TEST_F(UprightWallsTest, StandNowhereAtTheEndsOfSharedSeams) {
   hole_.own_outline = false;
-  cell_.vertices[0].seam_vertex = 7;
+  hole_.has_equation[0] = false;
   RaiseWalls(hole_, ground_, patch_);
   EXPECT_THAT(patch_.new_points, SizeIs(2)) << "under vertex 1 only";
 }
