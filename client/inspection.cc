@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -12,6 +13,8 @@
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/tile_checks.h"
+#include "worker/ground/lowest_surface.h"
+#include "worker/ground/rim_objects.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -20,22 +23,47 @@ namespace {
 absl::StatusOr<SurveyRecord> SurveyFile(const Scene& scene, const SceneTile& tile) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(absl::StrCat(scene.root, "/", tile.path)));
   SurveyRecord record = SurveyOf(file);
+  const Point2& cell = scene.grid.cell_size;
+  record.lowest = LowestSurface(file.mesh, RasterSquareFor(cell.x(), cell.y()));
   TILEMEND_RETURN_IF_ERROR(CheckInsideCell(record, scene, tile));
   return record;
 }
 
-// The records of the tiles, in order; as many threads as cores.
-std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene, const std::vector<const SceneTile*>& tiles) {
-  std::vector<absl::StatusOr<SurveyRecord>> results(tiles.size());
+// Calls `use` with each number below `count`, on as many threads as there are cores.
+void ForEachOnAllCores(size_t count, const std::function<void(size_t)>& use) {
   std::atomic<size_t> next{0};
   const auto work = [&] {
-    for (size_t i = next++; i < tiles.size(); i = next++) results[i] = SurveyFile(scene, *tiles[i]);
+    for (size_t i = next++; i < count; i = next++) use(i);
   };
   std::vector<std::thread> threads;
   for (unsigned t = 1; t < std::max(1U, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
   work();
   for (std::thread& t : threads) t.join();
+}
+
+// The records of the tiles, in order.
+std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene, const std::vector<const SceneTile*>& tiles) {
+  std::vector<absl::StatusOr<SurveyRecord>> results(tiles.size());
+  ForEachOnAllCores(tiles.size(), [&](size_t i) { results[i] = SurveyFile(scene, *tiles[i]); });
   return results;
+}
+
+// Tells ground from objects in all cells; as many threads as cores.
+void TellGround(SceneWaves& waves) {
+  std::vector<GroundWork> works;
+  while (std::optional<SceneWork> work = waves.Next()) works.push_back(std::get<GroundWork>(*std::move(work)));
+  std::vector<RimGround> ground(works.size());
+  ForEachOnAllCores(works.size(), [&](size_t i) {
+    std::vector<Point3> vertices;
+    for (const BoundaryVertex& v : works[i].record.Outline()->vertices) vertices.push_back(v.position);
+    std::vector<GroundRaster> rasters;
+    for (const CellId cell : works[i].around) rasters.push_back(waves.records().at(cell).Outline()->lowest);
+    ground[i] = GroundAtRim(vertices, rasters);
+  });
+  for (size_t i = 0; i < works.size(); ++i) {
+    // As many values as the vertices: nothing is wrong with them.
+    waves.TakeGround(works[i].cell, std::move(ground[i])).IgnoreError();
+  }
 }
 
 }  // namespace
@@ -57,7 +85,7 @@ Inspection InspectScene(Scene scene, const PlanOptions& options) {
       inspection.errors.push_back(results[i].status());
     }
   }
-  waves.Next();  // plans, unless a survey is missing
+  if (inspection.errors.empty()) TellGround(waves);  // plans at the end
   return inspection;
 }
 

@@ -148,10 +148,11 @@ class MeshFiller {
     return absl::OkStatus();
   }
 
+  absl::Status Do(const GroundWork&) { return NoSeams(); }
   absl::Status Do(const ClusterWork&) { return NoSeams(); }
   absl::Status Do(const LayerWork&) { return NoSeams(); }
   absl::Status Do(const SmoothWork&) { return NoSeams(); }
-  static absl::Status NoSeams() { return absl::InternalError("a mesh without a grid has no seams to sample"); }
+  static absl::Status NoSeams() { return absl::InternalError("a mesh without a grid has neither objects nor seams"); }
 
   static std::vector<PatchExtent> ExtentsOf(const std::vector<HolePatch>& patches) {
     std::vector<PatchExtent> extents;
@@ -165,7 +166,7 @@ class MeshFiller {
 
   // "survey" is told with the plan.
   void EndStep(std::string_view step) {
-    if (step == "survey" || step == "sample") return;
+    if (step == "survey" || step == "ground" || step == "sample") return;
     filled_.report.seconds.emplace_back(step == "plan" ? "survey" : step, watch_.Lap());
   }
 

@@ -9,17 +9,28 @@
 namespace tilemend {
 
 // The values are those of tilemend.v1.Stage and do not change.
-enum class Stage { kSurvey = 1, kSampleCluster = 5, kSampleLayer = 6, kFill = 3, kSmoothSeam = 7, kAssemble = 4 };
+enum class Stage {
+  kSurvey = 1,
+  kGround = 8,
+  kSampleCluster = 5,
+  kSampleLayer = 6,
+  kFill = 3,
+  kSmoothSeam = 7,
+  kAssemble = 4
+};
 
-inline constexpr std::array<Stage, 6> kAllStages = {Stage::kSurvey, Stage::kSampleCluster, Stage::kSampleLayer,
-                                                    Stage::kFill,   Stage::kSmoothSeam,    Stage::kAssemble};
+inline constexpr std::array<Stage, 7> kAllStages = {Stage::kSurvey,      Stage::kGround, Stage::kSampleCluster,
+                                                    Stage::kSampleLayer, Stage::kFill,   Stage::kSmoothSeam,
+                                                    Stage::kAssemble};
 
-// "survey", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a value that names
+// "survey", "ground", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a value that names
 // none.
 constexpr std::string_view StageName(Stage stage) {
   switch (stage) {
     case Stage::kSurvey:
       return "survey";
+    case Stage::kGround:
+      return "ground";
     case Stage::kSampleCluster:
       return "sample_cluster";
     case Stage::kSampleLayer:

@@ -26,9 +26,7 @@
 #include "coordinator/plan/rim/rim_index.h"
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
-#include "coordinator/plan/water/ground_points.h"
 #include "coordinator/plan/water/hole_groups.h"
-#include "coordinator/plan/water/known_objects.h"
 #include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
@@ -219,54 +217,36 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   return plan;
 }
 
-// The shore that water and objects are told by.
+// The shore that water is told by.
 enum class Shore { kInArea, kOfScene };
 
-// What the scene says, of which an area leaves a part of the shore, or which the hole around the scene goes on into.
-struct Known {
-  KnownWater water;
-  KnownObjects objects;
-};
-
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines, Known& known);
-
-// The holes of a plan that no others cover by more than half.
-std::vector<int32_t> HolesOutside(const Plan& plan, const Plan& others) {
-  const std::vector<int32_t> covering = GroupsCovering(plan, others, std::vector<int32_t>(others.holes.size(), 0));
-  std::vector<int32_t> outside;
-  for (size_t h = 0; h < covering.size(); ++h) {
-    if (covering[h] < 0) outside.push_back(static_cast<int32_t>(h));
-  }
-  return outside;
-}
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines,
+                   KnownWater& known);
 
 // Where the surface ends inside the cells there is a hole around it without the area too: so up to its outline first.
-Known KnownOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
+KnownWater KnownOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
   if ((input.area.empty() && input.added.empty()) || plan.holes.empty()) return {};
   PlanInput scene = input;
   for (const CellId cell : input.added) scene.cells.erase(cell);
   scene.added.clear();
-  Known known;
-  known.water.body_of.assign(plan.holes.size(), -1);
+  KnownWater known;
+  known.body_of.assign(plan.holes.size(), -1);
   const auto add_water = [&] {
     GridLines lines;
-    Known of_scene;
-    Plan whole = PlanWithWater(scene, options, Shore::kInArea, lines, of_scene);
-    AddKnownWater(FindKnownWater(whole, plan), known.water);
-    return whole;
+    KnownWater of_scene;
+    const Plan whole = PlanWithWater(scene, options, Shore::kInArea, lines, of_scene);
+    AddKnownWater(FindKnownWater(whole, plan), known);
   };
-  std::vector<int32_t> outside;
   scene.area = OutlineInsideCells(scene.grid, scene.cells);
-  if (!scene.area.empty()) outside = HolesOutside(plan, add_water());
+  if (!scene.area.empty()) add_water();
   scene.area = {};
-  if (options.cancelled()) return known;
-  known.objects = FindKnownObjects(add_water(), plan);
-  known.objects.Forget(plan, outside);
+  if (!options.cancelled()) add_water();
   return known;
 }
 
 // All but what follows from the water.
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines, Known& known) {
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines,
+                   KnownWater& known) {
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
@@ -274,9 +254,9 @@ Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore sho
   if (!plan.upright) return plan;
   if (shore == Shore::kOfScene && !options.cancelled()) known = KnownOfScene(input, options, plan);
   FindRimSlopes(plan);
-  if (!options.cancelled()) MarkObjects(input, known.objects, plan);
-  if (!options.cancelled()) FindWater(input, options.water, known.water, plan);
-  if (known.water.bodies.empty() || options.cancelled()) return plan;
+  if (!options.cancelled()) MarkObjects(input, plan);
+  if (!options.cancelled()) FindWater(input, options.water, known, plan);
+  if (known.bodies.empty() || options.cancelled()) return plan;
   StoreLayers(plan);
   FindRimSlopes(plan);
   return plan;
@@ -286,12 +266,11 @@ Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore sho
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   GridLines lines;
-  Known known;
+  KnownWater known;
   Plan plan = PlanWithWater(input, options, Shore::kOfScene, lines, known);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
-  if (!options.cancelled()) FindGroundPoints(known.objects, plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   DropUnusedVertices(plan);

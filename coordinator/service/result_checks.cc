@@ -170,6 +170,15 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   return CheckUnusual(input, *record, reading);
 }
 
+absl::Status CheckGroundResult(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::GroundInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::GroundOutput>(output_bytes));
+  const int vertices = input.position_size() / 3;
+  return output.on_object_size() == vertices && output.ground_size() == vertices
+             ? absl::OkStatus()
+             : Wrong("not a value for each boundary vertex");
+}
+
 absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
   TILEMEND_ASSIGN_OR_RETURN(auto input, Parse<v1::SampleClusterInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(output_bytes));
@@ -425,6 +434,8 @@ ResultCheck SceneResultCheck(TileCheck tiles) {
     switch (stage) {
       case Stage::kSurvey:
         return CheckSurveyResult(input, output, *reading);
+      case Stage::kGround:
+        return CheckGroundResult(input, output);
       case Stage::kSampleCluster:
         return CheckClusterResult(input, output);
       case Stage::kSampleLayer:

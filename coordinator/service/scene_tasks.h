@@ -48,6 +48,7 @@ class SceneTasks {
 
  private:
   absl::StatusOr<NewTask> Encode(const SurveyWork& work) const;
+  absl::StatusOr<NewTask> Encode(const GroundWork& work) const;
   absl::StatusOr<NewTask> Encode(ClusterWork& work);
   absl::StatusOr<NewTask> Encode(LayerWork& work);
   absl::StatusOr<NewTask> Encode(FillWork& work);
@@ -77,6 +78,7 @@ class SceneTasks {
   const std::shared_ptr<ScratchFile> scratch_;
   SceneFiles files_;
   std::map<CellId, ScratchFile::Place> surveyed_;                // digest and stamp of each tile
+  std::map<CellId, ScratchFile::Place> lowest_;                  // the ground raster of each tile, until the plan
   std::map<std::string, std::string> file_digests_;              // by path: what was read for surveys, beside the tiles
   std::map<CellId, int32_t> clusters_of_;                        // how many were given out, by the first cell of each
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there

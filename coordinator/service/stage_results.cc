@@ -25,6 +25,7 @@ absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output) {
   TILEMEND_ASSIGN_OR_RETURN(tile.files, FromProto(output.files()));
   tile.digest = output.digest();
   tile.stamp = output.stamp();
+  tile.lowest = std::move(*output.mutable_lowest());
   for (const v1::FileRead& read : output.witness().reads()) tile.reads.push_back({read.path(), read.digest()});
   return tile;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/records/ground_raster.h"
 #include "coordinator/plan/colour/hole_colours.h"
 #include "coordinator/plan/make_cell_holes.h"
 #include "coordinator/plan/water/water.h"
@@ -31,6 +32,13 @@ size_t SegmentsOf(const Plan& plan, const std::vector<int32_t>& holes) {
   size_t count = 0;
   for (const int32_t h : holes) count += plan.holes[h].segments.size();
   return count;
+}
+
+constexpr int kMostCellsInReach = 20;  // of the ground filter, along one axis
+
+CellId CellAt(const Grid& grid, const Point2& p) {
+  const Point2 cell = ((p - grid.corner).array() / grid.cell_size.array()).floor();
+  return {static_cast<int32_t>(cell.x()), static_cast<int32_t>(cell.y())};
 }
 
 absl::Status CheckSample(const Plan& plan, int32_t vertex, double height) {
@@ -68,6 +76,8 @@ std::optional<SceneWaves::Item> SceneWaves::NextItem() {
 
 SceneWork SceneWaves::WorkOf(const Item& item) const {
   switch (item.wave) {
+    case Wave::kGround:
+      return GroundWorkOf(item.cell);
     case Wave::kCluster:
       return ClusterWork{item.cluster,
                          MakeCellHoles(plan_, input_, heights_, holes_of_clusters_.at(item.cluster), true)};
@@ -129,6 +139,20 @@ void SceneWaves::TakeSurvey(CellId cell, StoredRecord record) {
 
 void SceneWaves::TakeSurvey(CellId cell, SurveyRecord record) {
   TakeSurvey(cell, StoredRecord(std::make_shared<const SurveyRecord>(std::move(record))));
+}
+
+absl::Status SceneWaves::TakeGround(CellId cell, RimGround rim) {
+  const auto record = records().find(cell);
+  if (record == records().end() || record->second == nullptr) {
+    return absl::InvalidArgumentError(absl::StrCat("cell ", ToString(cell), " has no tile"));
+  }
+  const size_t vertices = record->second.Outline()->vertices.size();
+  if (rim.on_object.size() != vertices || rim.ground.size() != vertices) {
+    return absl::InvalidArgumentError("not a value for each boundary vertex");
+  }
+  input_.rim_ground[cell] = std::move(rim);
+  --awaited_;
+  return absl::OkStatus();
 }
 
 absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
@@ -249,6 +273,10 @@ void SceneWaves::Advance() {
   switch (wave_) {
     case Wave::kSurvey:
       EndStep("survey");
+      wave_ = Wave::kGround;
+      return QueueGround();
+    case Wave::kGround:
+      EndStep("ground");
       MakeThePlan();
       EndStep("plan");
       wave_ = options_.plan_only ? Wave::kDone : Wave::kCluster;
@@ -281,6 +309,36 @@ void SceneWaves::Advance() {
     case Wave::kDone:
       return;
   }
+}
+
+void SceneWaves::QueueGround() {
+  if (!options_.find_objects || options_.single_mesh) return;
+  const Point2& cell = scene_.grid.cell_size;
+  if (cell.minCoeff() * kMostCellsInReach < kGroundReach) return;
+  phase_ = "ground";
+  for (const auto& [id, record] : records()) {
+    if (record != nullptr && record->triangle_count > 0) ready_.push_back({Wave::kGround, id});
+  }
+}
+
+// Tiles may reach beyond their cells: what counts is their extent.
+GroundWork SceneWaves::GroundWorkOf(CellId cell) const {
+  const StoredRecord& own = records().at(cell);
+  GroundWork work{cell, own, {}};
+  const Grid& grid = scene_.grid;
+  const Point2 reach = Point2::Constant(kGroundReach + 2 * RasterSquareFor(grid.cell_size.x(), grid.cell_size.y()));
+  const Point2 lo = own->lo.head<2>() - reach, hi = own->hi.head<2>() + reach;
+  const CellId first = CellAt(grid, lo), last = CellAt(grid, hi);
+  for (int32_t row = first.row - 1; row <= last.row + 1; ++row) {
+    for (int32_t col = first.col - 1; col <= last.col + 1; ++col) {
+      const auto other = records().find({col, row});
+      if (other == records().end() || other->second == nullptr || other->second->triangle_count == 0) continue;
+      if ((other->second->lo.head<2>().array() > hi.array()).any()) continue;
+      if ((other->second->hi.head<2>().array() < lo.array()).any()) continue;
+      work.around.push_back({col, row});
+    }
+  }
+  return work;
 }
 
 void SceneWaves::MakeThePlan() {

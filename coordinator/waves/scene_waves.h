@@ -1,4 +1,4 @@
-// The order of the work on a scene: survey, plan, sample clusters, sample layers, fill, smooth seams, assemble.
+// The order of the work on a scene: survey, ground, plan, sample clusters, sample layers, fill, smooth seams, assemble.
 #ifndef TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
 #define TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "common/records/rim_ground.h"
 #include "common/records/stored_record.h"
 #include "common/records/surface.h"
 #include "coordinator/plan/plan.h"
@@ -34,6 +35,7 @@ struct WaveOptions {
   bool plan_only = false;    // ends with the plan
   bool write_early = false;  // with thin-plate a tile is assembled once its cell is filled, beside other fills
   std::set<CellId> chosen;   // cells that are filled and written; empty: all
+  bool find_objects = true;  // tell ground from objects at the rims; else all is ground. Never in a single mesh
 };
 
 // Gives out the pieces of work of one scene as soon as they can be done, and takes what came of them. It computes the
@@ -55,8 +57,8 @@ struct WaveOptions {
 // time.
 class SceneWaves {
  public:
-  // Hears of the end of each step: "survey", "plan", "sample" (thin-plate) or "layers" (wang), "fill", "smooth" (wang),
-  // "assemble".
+  // Hears of the end of each step: "survey", "ground", "plan", "sample" (thin-plate) or "layers" (wang), "fill",
+  // "smooth" (wang), "assemble".
   using StepEnded = std::function<void(std::string_view step)>;
 
   SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended = {});
@@ -72,6 +74,7 @@ class SceneWaves {
   // Laplacian that is no number; the scene cannot go on then.
   void TakeSurvey(CellId cell, StoredRecord record);
   void TakeSurvey(CellId cell, SurveyRecord record);  // keeps it in memory
+  absl::Status TakeGround(CellId cell, RimGround rim);
   absl::Status TakeCluster(const ClusterSamples& result);
   absl::Status TakeLayer(const std::vector<SeamSample>& samples);
   absl::Status TakeFill(CellId cell, const CellPatches& result);
@@ -105,7 +108,7 @@ class SceneWaves {
   int64_t cells_done() const { return cells_done_; }
 
  private:
-  enum class Wave { kSurvey, kCluster, kLayer, kFill, kSmooth, kAssemble, kDone };
+  enum class Wave { kSurvey, kGround, kCluster, kLayer, kFill, kSmooth, kAssemble, kDone };
   struct Item {
     Wave wave = Wave::kSurvey;
     CellId cell = {};
@@ -122,6 +125,9 @@ class SceneWaves {
   void EndStep(std::string_view step) const {
     if (step_ended_) step_ended_(step);
   }
+  // Where cells are so small that hundreds lie within reach of the filter, all is taken for ground.
+  void QueueGround();
+  GroundWork GroundWorkOf(CellId cell) const;
   void MakeThePlan();
   // Of cells that are not chosen, those holes stay whose clusters reach chosen ones.
   void KeepChosenHoles();

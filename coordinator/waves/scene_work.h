@@ -13,6 +13,7 @@
 #include "common/mesh/quality_tally.h"
 #include "common/records/cell_holes.h"
 #include "common/records/fill_colour.h"
+#include "common/records/stored_record.h"
 #include "coordinator/plan/seam/seam_heights.h"
 
 namespace tilemend {
@@ -20,6 +21,13 @@ namespace tilemend {
 // Survey a tile. Gives its SurveyRecord. Pointers to tiles hold as long as the SceneWaves that gave them.
 struct SurveyWork {
   const SceneTile* tile = nullptr;
+};
+
+// Tell ground from objects at a cell's boundary vertices, by the rasters of these cells. Gives a RimGround.
+struct GroundWork {
+  CellId cell;
+  StoredRecord record;         // of the cell
+  std::vector<CellId> around;  // those with a tile within reach of the filter, the cell itself among them
 };
 
 // Sample the thin-plate surface of a whole cluster along its seams. Gives ClusterSamples.
@@ -61,7 +69,7 @@ struct AssembleWork {
   std::optional<CellHoles> holes = {};  // of Wang 2021: as filled, with the heights that seams have in the end; no band
 };
 
-using SceneWork = std::variant<SurveyWork, ClusterWork, LayerWork, FillWork, SmoothWork, AssembleWork>;
+using SceneWork = std::variant<SurveyWork, GroundWork, ClusterWork, LayerWork, FillWork, SmoothWork, AssembleWork>;
 
 struct ClusterSamples {
   int32_t cluster = 0;

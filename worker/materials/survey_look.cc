@@ -7,6 +7,7 @@
 #include "common/codec/obj.h"
 #include "common/codec/ply_colours.h"
 #include "common/util/status_macros.h"
+#include "worker/ground/lowest_surface.h"
 #include "worker/materials/rim_colours.h"
 #include "worker/materials/tile_look.h"
 #include "worker/survey/rim_spots.h"
@@ -14,14 +15,22 @@
 namespace tilemend {
 namespace {
 
-SurveyRecord SurveyOf(const MeshFile& file, PieceAreas areas) {
-  return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, areas);
+// What of a survey is wanted.
+struct Wanted {
+  PieceAreas areas;
+  double raster_square;  // metres; 0: no raster
+};
+
+SurveyRecord SurveyOf(const MeshFile& file, const Wanted& wanted) {
+  SurveyRecord record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, wanted.areas);
+  if (wanted.raster_square > 0) record.lowest = LowestSurface(file.mesh, wanted.raster_square);
+  return record;
 }
 
 absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std::string& path, std::string_view bytes,
-                                             const std::string& name, PieceAreas areas) {
+                                             const std::string& name, const Wanted& wanted) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name));
-  LookSurvey survey{SurveyOf(obj.file, areas), {}, {}};
+  LookSurvey survey{SurveyOf(obj.file, wanted), {}, {}};
   TileLook look = ReadObjLook(root, path, obj.textures);
   const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
   obj.file = {};  // images need room
@@ -35,10 +44,10 @@ absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std:
 }
 
 absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string& path, std::string_view bytes,
-                                     const std::string& name, PieceAreas areas) {
+                                     const std::string& name, const Wanted& wanted) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kPly, bytes, name));
   TileLook look = ReadPlyLook(root, path, bytes);
-  LookSurvey survey{SurveyOf(file, areas), std::move(look.files), std::move(look.witness)};
+  LookSurvey survey{SurveyOf(file, wanted), std::move(look.files), std::move(look.witness)};
   std::vector<int32_t> vertices;
   for (const BoundaryVertex& v : survey.record.vertices) vertices.push_back(v.index);
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<Rgb> colours, PlyVertexColours(bytes, vertices, name));
@@ -49,13 +58,14 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
 }  // namespace
 
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format, PieceAreas areas) {
+                                          MeshFormat format, PieceAreas areas, double raster_square) {
+  const Wanted wanted{areas, raster_square};
   const std::string name = absl::StrCat(root, "/", path);
-  if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, areas);
+  if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, wanted);
   const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
-  if (textured) return SurveyTexturedObj(root, path, bytes, name, areas);
+  if (textured) return SurveyTexturedObj(root, path, bytes, name, wanted);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name));
-  return LookSurvey{SurveyOf(file, areas), {}, {}};
+  return LookSurvey{SurveyOf(file, wanted), {}, {}};
 }
 
 }  // namespace tilemend

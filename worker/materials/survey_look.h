@@ -21,9 +21,11 @@ struct LookSurvey {
 
 // Surveys `bytes`, the tile `path` of the scene `root`: SurveyTile, the files that it names, and its colours along the
 // boundary (texels or diffuse colours of an OBJ, colours of vertices of a PLY). A tile that names no files and has no
-// colours costs what SurveyTile does. Errors of ParseMesh; files and images that cannot be had are warnings.
+// colours costs what SurveyTile does. With a `raster_square` above 0, metres, the record has the lowest surface
+// (worker/ground/lowest_surface.h). Errors of ParseMesh; files and images that cannot be had are warnings.
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format, PieceAreas areas = PieceAreas::kYes);
+                                          MeshFormat format, PieceAreas areas = PieceAreas::kYes,
+                                          double raster_square = 0);
 
 }  // namespace tilemend
 

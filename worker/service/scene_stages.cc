@@ -15,6 +15,7 @@
 #include "common/codec/mesh_file.h"
 #include "common/codec/text.h"
 #include "common/records/patch_heights.h"
+#include "common/rpc/ground_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -34,6 +35,8 @@
 #include "worker/fill/seam/smooth_seam.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
+#include "worker/ground/lowest_surface.h"
+#include "worker/ground/rim_objects.h"
 #include "worker/materials/file_witness.h"
 #include "worker/materials/survey_look.h"
 #include "worker/materials/write_materials.h"
@@ -78,19 +81,42 @@ absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   if (input.look()) {
-    TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey,
-                              SurveyWithLook(input.tile().root(), input.tile().path(), bytes, format, PieceAreas::kNo));
+    TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey, SurveyWithLook(input.tile().root(), input.tile().path(), bytes,
+                                                                      format, PieceAreas::kNo, input.raster_square()));
     output = ToProto(survey.record);
     *output.mutable_files() = ToProto(survey.files);
     SetWitness(survey.witness, *output.mutable_witness());
   } else {
     TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path));
-    output = ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo));
+    SurveyRecord record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo);
+    if (input.raster_square() > 0) record.lowest = LowestSurface(file.mesh, input.raster_square());
+    output = ToProto(record);
   }
   output.set_digest(digest);
   output.set_stamp(stamp);
   output.mutable_witness()->set_digest(digest);
   output.mutable_witness()->set_bytes(static_cast<int64_t>(bytes.size()));
+  return output.SerializeAsString();
+}
+
+absl::StatusOr<std::string> RunGround(const v1::GroundInput& input, TaskMemory& memory) {
+  if (input.position_size() % 3 != 0) return absl::InvalidArgumentError("malformed payload: positions");
+  std::vector<Point3> vertices;
+  for (int i = 0; i < input.position_size(); i += 3) {
+    vertices.emplace_back(input.position(i), input.position(i + 1), input.position(i + 2));
+  }
+  const HeldMemory held(memory.tasks, GroundMemory(input));
+  std::vector<GroundRaster> rasters;
+  for (const v1::GroundRasterBlob& blob : input.rasters()) {
+    TILEMEND_ASSIGN_OR_RETURN(rasters.emplace_back(), FromProto(blob));
+    if (rasters.back().square != rasters[0].square) {
+      return absl::InvalidArgumentError("malformed payload: ground rasters of several sizes of squares");
+    }
+  }
+  const RimGround rim = GroundAtRim(vertices, rasters);
+  v1::GroundOutput output;
+  output.mutable_on_object()->Add(rim.on_object.begin(), rim.on_object.end());
+  output.mutable_ground()->Add(rim.ground.begin(), rim.ground.end());
   return output.SerializeAsString();
 }
 
@@ -376,6 +402,10 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
     case Stage::kSurvey: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(bytes));
       return RunSurvey(input, memory);
+    }
+    case Stage::kGround: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::GroundInput>(bytes));
+      return RunGround(input, memory);
     }
     case Stage::kSampleCluster: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleClusterInput>(bytes));

@@ -17,6 +17,7 @@
 #include "common/grid/water_profile.h"
 #include "common/records/cell_holes.h"
 #include "common/records/fill_colour.h"
+#include "common/records/rim_ground.h"
 #include "common/records/stored_record.h"
 #include "common/records/surface.h"
 #include "common/records/water_surface.h"
@@ -61,6 +62,8 @@ struct PlanInput {
   std::map<CellId, StoredRecord> cells;  // the area; null: no surface
   PlanePolygon area = {};                // what of the cells is to be covered; empty: all (Scene::area)
   std::set<CellId> added = {};           // cells that only an area made part of the scene (SceneTile::added)
+  // Of the boundary vertices of a cell's record; those of cells that are not there stand on the ground.
+  std::map<CellId, RimGround> rim_ground = {};
 };
 
 // How the tiles of two neighbouring cells meet (docs/architecture.md, "Two kinds of cut").
@@ -92,7 +95,6 @@ struct PlannedHole {
   SingleType single = SingleType::kNone;
   bool continuous = false;     // of a single mesh: touches another hole, or itself, at a vertex
   bool projects = true;        // its boundary is simple seen from above
-  bool among_objects = false;  // more than a tenth of its group\'s rim stands on objects (mark_objects.h)
   int32_t cluster = -1;        // open holes
   int32_t layer = 0;           // open holes: from 1
   double area = 0;             // m2, seen from above (closed holes that do not project: of the boundary's vector area)
@@ -107,7 +109,6 @@ struct PlannedHole {
   // `segments` does.
   std::vector<std::vector<RimSegment>> own_regions;
   std::vector<RimSegment> inner_edges = {};  // of what is filled, between new vertices inside it (strip_edges.h)
-  std::vector<Point3> ground_points = {};    // among objects: what its surface is linear between (ground_points.h)
 };
 
 // A vertex of a hole boundary: a vertex of one or more tiles, or a new one on a seam.
@@ -125,6 +126,7 @@ struct PlanVertex {
   // there; an original one only its Laplacian.
   int32_t follows = -1;
   bool on_object = false;  // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
+  std::optional<float> ground = {};  // of such a vertex: the height of the ground there, metres, where it is known
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along

@@ -7,7 +7,6 @@
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
-#include "worker/fill/surface/linear_surface.h"
 #include "worker/fill/surface/plate_over_slope.h"
 #include "worker/fill/surface/thin_plate.h"
 
@@ -57,13 +56,6 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
   for (size_t v = 0; v < plate.points.size(); ++v) {
     plate.known.push_back(v < rim || v >= all);
     plate.has_equation.push_back(v < rim ? static_cast<bool>(patch.has_equation[v]) : v < all);
-  }
-  if (frame.upright() && !hole.ground_points.empty() && !options.tension) {
-    const bool solved = SolveLinear(hole.ground_points, hole.on_object, hole.ground, plate);
-    patch.points = std::move(plate.points);
-    patch.points.resize(all);
-    patch.triangles = std::move(plate.patch);
-    return solved;
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
   if (frame.upright() && !FreeRim(hole.on_object, hole.ground, plate)) return false;
