@@ -39,7 +39,7 @@ std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillO
     plate.tension = options.tension ? *options.tension : *hole.tension;
     return SolveThinPlate(plate);
   }
-  chosen = ChooseTension(plate, hole.size() < kLeastRimForNoise ? 0 : HoleWidth(plate.points, hole.segments));
+  chosen = ChooseTension(plate, hole.size() < kMinRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments));
   plate.tension = chosen->tension;
   auto laplacian = SolveWithinReach(plate);
   chosen->tension = plate.tension;

@@ -35,7 +35,8 @@ class ClusterSampler {
         options_(options),
         coarsening_(coarsening),
         chains_(SeamChains(cluster)),
-        hole_(NumberVertices(cluster, band, ThinnedSegments())) {}
+        hole_(NumberVertices(cluster, band, ThinnedSegments())),
+        segments_(hole_.segments) {}
 
   // Whether the triangulation has no more unknowns than the budget allows. False also where there is none.
   bool Triangulate(int64_t most_unknowns) {
@@ -122,15 +123,14 @@ class ClusterSampler {
     return segments;
   }
 
-  // The cluster's outline: segments without those that it has on both sides.
+  // The outline of the triangulated region: segments without those that it has on both sides.
   std::vector<RegionSegment> OutlineSegments() const {
     std::set<std::pair<int32_t, int32_t>> directed;
-    for (const RegionSegment& s : hole_.segments) directed.insert({s.from, s.to});
+    for (const RegionSegment& s : segments_) directed.insert({s.from, s.to});
     std::vector<RegionSegment> outline;
-    std::copy_if(hole_.segments.begin(), hole_.segments.end(), std::back_inserter(outline),
-                 [&](const RegionSegment& s) {
-                   return !directed.contains({s.to, s.from});
-                 });
+    std::copy_if(segments_.begin(), segments_.end(), std::back_inserter(outline), [&](const RegionSegment& s) {
+      return !directed.contains({s.to, s.from});
+    });
     return outline;
   }
 
@@ -152,7 +152,9 @@ class ClusterSampler {
     region_ = RefineRegion(planar_->points, hole_.segments, planar_->sizes, refine);
     if (!has_conflicts()) return;
     const std::vector<RegionSegment> simple = WithoutFolds();
-    if (!simple.empty()) region_ = RefineRegion(planar_->points, simple, planar_->sizes, refine);
+    if (simple.empty()) return;
+    region_ = RefineRegion(planar_->points, simple, planar_->sizes, refine);
+    segments_ = simple;
   }
 
   // The segments with what the outline winds around in place of the outline (wound_region.h), and straight where that
@@ -289,6 +291,7 @@ class ClusterSampler {
   std::vector<std::vector<size_t>> kept_;  // of each chain
   std::set<int32_t> external_;             // vertices on seams with the cluster on one side only
   const LocalHole hole_;                   // all holes of the cluster as one
+  std::vector<RegionSegment> segments_;    // of the triangulated region: those of hole_, without its folds
   std::optional<PlanarPoints> planar_;
   RefinedRegion region_;
   std::set<int32_t> at_fold_;  // local vertices at and in the folds that were cut off

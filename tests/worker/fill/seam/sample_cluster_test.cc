@@ -110,7 +110,7 @@ TEST(SampleClusterTest, KnownHeightsOfASeamStay) {
     ASSERT_TRUE(surface.has_value());
     int64_t known = 0;
     for (const auto& sample : surface->samples) {
-      if (cluster.vertices[sample.seam_vertex].index >= 0) continue;
+      if (sample.seam_vertex < 0 || cluster.vertices[sample.seam_vertex].index >= 0) continue;
       EXPECT_EQ(sample.height, 2);
       ++known;
     }
