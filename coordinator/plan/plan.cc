@@ -29,7 +29,6 @@
 #include "coordinator/plan/water/ground_points.h"
 #include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/known_objects.h"
-#include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 #include "coordinator/plan/water/water_answers.h"
@@ -219,16 +218,11 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   return plan;
 }
 
-// The shore that water and objects are told by.
+// The shore that objects are told by.
 enum class Shore { kInArea, kOfScene };
 
-// What the scene says, of which an area leaves a part of the shore, or which the hole around the scene goes on into.
-struct Known {
-  KnownWater water;
-  KnownObjects objects;
-};
-
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines, Known& known);
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines,
+                   KnownObjects& known);
 
 // The holes of a plan that no others cover by more than half.
 std::vector<int32_t> HolesOutside(const Plan& plan, const Plan& others) {
@@ -240,45 +234,41 @@ std::vector<int32_t> HolesOutside(const Plan& plan, const Plan& others) {
   return outside;
 }
 
-// Where the surface ends inside the cells there is a hole around it without the area too: so up to its outline first.
-Known KnownOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
+// The objects that the scene says of, of which an area leaves a part of the shore, or which the hole around the scene
+// goes on into. Where the surface ends inside the cells there is a hole around it without the area too: so up to its
+// outline first.
+KnownObjects ObjectsOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
   if ((input.area.empty() && input.added.empty()) || plan.holes.empty()) return {};
   PlanInput scene = input;
   for (const CellId cell : input.added) scene.cells.erase(cell);
   scene.added.clear();
-  Known known;
-  known.water.body_of.assign(plan.holes.size(), -1);
-  const auto add_water = [&] {
+  const auto plan_scene = [&] {
     GridLines lines;
-    Known of_scene;
-    Plan whole = PlanWithWater(scene, options, Shore::kInArea, lines, of_scene);
-    AddKnownWater(FindKnownWater(whole, plan), known.water);
-    return whole;
+    KnownObjects none;
+    return PlanWithWater(scene, options, Shore::kInArea, lines, none);
   };
   std::vector<int32_t> outside;
   scene.area = OutlineInsideCells(scene.grid, scene.cells);
-  if (!scene.area.empty()) outside = HolesOutside(plan, add_water());
+  if (!scene.area.empty()) outside = HolesOutside(plan, plan_scene());
   scene.area = {};
-  if (options.cancelled()) return known;
-  known.objects = FindKnownObjects(add_water(), plan);
-  known.objects.Forget(plan, outside);
+  if (options.cancelled()) return {};
+  KnownObjects known = FindKnownObjects(plan_scene(), plan);
+  known.Forget(plan, outside);
   return known;
 }
 
 // All but what follows from the water.
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines, Known& known) {
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines,
+                   KnownObjects& known) {
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!plan.upright) return plan;
-  if (shore == Shore::kOfScene && !options.cancelled()) known = KnownOfScene(input, options, plan);
+  if (shore == Shore::kOfScene && !options.cancelled()) known = ObjectsOfScene(input, options, plan);
   FindRimSlopes(plan);
-  if (!options.cancelled()) MarkObjects(input, known.objects, plan);
-  if (!options.cancelled()) FindWater(input, options.water, known.water, plan);
-  if (known.water.bodies.empty() || options.cancelled()) return plan;
-  StoreLayers(plan);
-  FindRimSlopes(plan);
+  if (!options.cancelled()) MarkObjects(input, known, plan);
+  if (!options.cancelled()) FindWater(input, options.water, plan);
   return plan;
 }
 
@@ -286,12 +276,12 @@ Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore sho
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   GridLines lines;
-  Known known;
+  KnownObjects known;
   Plan plan = PlanWithWater(input, options, Shore::kOfScene, lines, known);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
-  if (!options.cancelled()) FindGroundPoints(known.objects, plan);
+  if (!options.cancelled()) FindGroundPoints(known, plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   DropUnusedVertices(plan);
