@@ -156,8 +156,8 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"method", nullptr},
               {"level_m", nullptr},
               {"sigma_m", nullptr},
-              {"water", nullptr},
-              {"water_reason", nullptr},
+              {"taken_for", nullptr},
+              {"because", nullptr},
               {"share_on_objects", Millimetres(ShareOnObjects(*input.plan, hole))}};
   if (const char* type = TypeName(hole.type)) row["type"] = type;
   if (hole.kind != HoleKind::kClosed) {
@@ -168,8 +168,8 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
   if (size != input.outcome.sizes.end() && failure.empty()) row["method"] = WayName(size->second.way);
   if (hole.evidence >= 0) {
     const HoleEvidence& evidence = input.plan->evidence[hole.evidence];
-    row["water"] = VerdictName(evidence.verdict);
-    row["water_reason"] = evidence.reason;
+    row["taken_for"] = VerdictName(evidence.verdict);
+    row["because"] = evidence.reason;
     if (evidence.has_level) row["sigma_m"] = Millimetres(evidence.sigma);
   }
   if (hole.water < 0) return row;

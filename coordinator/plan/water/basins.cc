@@ -18,13 +18,13 @@ std::vector<PlaneSegment> Together(const std::vector<std::vector<PlaneSegment>>&
   return all;
 }
 
-void Judge(double min_river, Basin& basin) {
+void Judge(double min_river, bool is_known_river, Basin& basin) {
   const std::vector<PlaneSegment> outline = Together(basin.outlines);
   basin.evidence = EvidenceOf(basin.rim, outline);
   basin.river.reset();
   if (!basin.evidence.is_enough()) return;
   const std::vector<Point2> axis = RiverAxis(basin.outlines, min_river);
-  if (axis.size() > 1) basin.river = FindFall(axis, basin.rim, outline, basin.evidence);
+  if (axis.size() > 1) basin.river = FindFall(axis, basin.rim, outline, basin.evidence, is_known_river);
 }
 
 Basin Joined(const Basin& a, const Basin& b, double min_river) {
@@ -34,7 +34,7 @@ Basin Joined(const Basin& a, const Basin& b, double min_river) {
   joint.outlines.insert(joint.outlines.end(), b.outlines.begin(), b.outlines.end());
   joint.rim.insert(joint.rim.end(), b.rim.begin(), b.rim.end());
   joint.area += b.area;
-  Judge(min_river, joint);
+  Judge(min_river, a.river || b.river, joint);
   return joint;
 }
 
@@ -111,7 +111,7 @@ std::vector<Pair> NearPairs(const std::vector<Basin>& basins) {
 Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
                 double min_river) {
   Basin basin{{number}, {std::move(outline)}, std::move(rim), area, {}, {}};
-  Judge(min_river, basin);
+  Judge(min_river, false, basin);
   return basin;
 }
 

@@ -10,14 +10,16 @@
 namespace tilemend {
 namespace {
 
-constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges: the first ring lies on the shore itself
-constexpr double kFarthest = 15;                           // metres: half the width of a street
+// Metres: the first rows of triangles lie on the shore itself, which rises slowly; half the width of a street.
+constexpr double kNearest = 3, kFarthest = 15;
+constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges, if that is more
 constexpr int64_t kMinPoints = 10;
 
 // The shore of one rim in squares as wide as its reach.
 class ShoreIndex {
  public:
-  explicit ShoreIndex(const Shore& shore) : nearest_(kNearestEdges * shore.mean_edge) {
+  explicit ShoreIndex(const Shore& shore) : noise_(shore.noise) {
+    nearest_ = std::max(kNearest, kNearestEdges * shore.mean_edge);
     reach_ = std::max(kFarthest, kFarthestEdges * shore.mean_edge);
     for (const Point3& p : shore.edges) {
       squares_[SquareOf(p)].push_back(p);
@@ -34,7 +36,7 @@ class ShoreIndex {
     const auto [distance, level] = NearestEdge(p);
     if (distance < nearest_ || distance > reach_) return;
     ++count_;
-    if (p.z() < level) ++lower_;
+    if (p.z() <= level + noise_) ++lower_;
   }
 
   double LowerShare() const {
@@ -64,7 +66,7 @@ class ShoreIndex {
     return {std::sqrt(nearest.first), nearest.second};
   }
 
-  double nearest_, reach_;
+  double noise_, nearest_ = 0, reach_ = 0;
   std::map<Square, std::vector<Point3>> squares_;
   Eigen::AlignedBox2d box_;
   int64_t count_ = 0, lower_ = 0;
@@ -72,7 +74,7 @@ class ShoreIndex {
 
 }  // namespace
 
-std::vector<double> LowerShares(const PlanInput& input, std::span<const Shore> rims) {
+std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> rims) {
   std::vector<ShoreIndex> shores(rims.begin(), rims.end());
   for (const auto& [cell, record] : input.cells) {
     if (record == nullptr || record->vertex_count == 0) continue;
@@ -80,9 +82,13 @@ std::vector<double> LowerShares(const PlanInput& input, std::span<const Shore> r
     const auto meets = [&](const ShoreIndex& shore) { return shore.box().intersects(tile); };
     if (std::ranges::none_of(shores, meets)) continue;
     const auto band = record.WithBand();
+    const std::span<const int32_t> plan_vertex = plan.VerticesOf(cell);
     for (ShoreIndex& shore : shores) {
       if (!meets(shore)) continue;
-      for (size_t i = band->vertices.size(); i < band->band.points.size(); ++i) shore.Add(band->band.points[i]);
+      for (size_t i = 0; i < band->band.points.size(); ++i) {
+        const bool is_on_rim = i < plan_vertex.size() && plan_vertex[i] >= 0;
+        if (!is_on_rim) shore.Add(band->band.points[i]);
+      }
     }
   }
   std::vector<double> shares;

@@ -12,10 +12,12 @@
 namespace tilemend {
 namespace {
 
-constexpr double kStation = 25;         // metres
-constexpr double kBentEnd = 0.75;       // widths from its end: there a centreline bends into a corner
-constexpr double kFarBetter = 0.2;      // of the level's J: by default a line invents falls of level water
-constexpr size_t kMinStations = 4;      // with a level: a line goes through any two
+constexpr double kStation = 25;    // metres
+constexpr double kBentEnd = 0.75;  // widths from its end: there a centreline bends into a corner
+// How much smaller than the level's J that of the line is, and stations with a level: a line goes through any two, and
+// by default it invents falls of level water.
+constexpr double kFarBetter = 0.2, kBetter = 1.0 / 3;
+constexpr size_t kMinStations = 4, kManyStations = 8;
 constexpr double kLongestPerWidth = 1;  // a reach is longer than wide
 
 // Takes off the bend at the last end of a line.
@@ -79,9 +81,12 @@ std::vector<Point2> RiverAxis(std::span<const std::vector<PlaneSegment>> reaches
 }
 
 std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<const RimChain> rim,
-                                     std::span<const PlaneSegment> outline, const LevelEvidence& level) {
+                                     std::span<const PlaneSegment> outline, const LevelEvidence& level,
+                                     bool is_known_river) {
+  if (level.disagreement <= level.noise) return std::nullopt;
   FallLine fall = FitFall(axis, rim);
   if (fall.with_level < kMinStations || fall.slope == 0) return std::nullopt;
+  const double better = is_known_river ? 1 : fall.with_level < kManyStations ? kFarBetter : kBetter;
   if (fall.slope > 0) {
     std::ranges::reverse(fall.stations);
     fall.slope = -fall.slope;
@@ -97,7 +102,7 @@ std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<
     for (RimEdge& e : chain) e.middle.z() -= LevelAt(river.water, e.middle.head<2>(), 0x1p-20);
   }
   river.evidence = EvidenceOf(moved, outline);
-  if (!river.evidence.is_level() || river.evidence.disagreement >= kFarBetter * level.disagreement) return std::nullopt;
+  if (!river.evidence.is_level() || river.evidence.disagreement >= better * level.disagreement) return std::nullopt;
   for (Point3& s : river.water.stations) s.z() += river.evidence.level;
   return river;
 }

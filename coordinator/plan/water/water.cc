@@ -1,5 +1,6 @@
 #include "coordinator/plan/water/water.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -45,10 +46,19 @@ std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& ho
   return decider;
 }
 
+Eigen::AlignedBox2d SurroundingsOf(const std::vector<PlaneSegment>& outline, double margin) {
+  Eigen::AlignedBox2d box;
+  for (const auto& [a, b] : outline) box.extend(a).extend(b);
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  return box;
+}
+
 Shore ShoreOf(const Basin& basin) {
   Shore shore;
   const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
   const double above = std::max(e.noise, kMinShoreTolerance);
+  shore.noise = e.noise;
   shore.mean_edge = e.length / static_cast<double>(e.edges);
   for (const RimChain& chain : basin.rim) {
     for (const RimEdge& edge : chain) {
@@ -122,21 +132,37 @@ class WaterFinder {
     }
   }
 
+  // Judges the groups that are large enough, and those near water, which may be stubs of it beyond a bridge.
   void FindByEvidence() {
     std::vector<Basin> basins;
     for (size_t g = 0; g < groups_.size(); ++g) {
-      if (groups_[g].decider || !groups_[g].is_judged) continue;
-      std::vector<RimChain> rim = RimChainsOf(plan_, groups_[g].holes);
-      groups_[g].evidence.reason = kNoRim;
-      if (rim.empty()) continue;
-      basins.push_back(MakeBasin(g, BoundaryOf(plan_, groups_[g].holes), std::move(rim), groups_[g].area,
-                                 options_.profile.least_river));
+      if (groups_[g].is_judged) AddBasin(g, basins);
+    }
+    std::vector<Eigen::AlignedBox2d> level;
+    for (const Basin& basin : basins) {
+      if (basin.is_level()) level.push_back(SurroundingsOf(basin.outlines[0], 2 * basin.area / basin.evidence.length));
+    }
+    for (size_t g = 0; g < groups_.size(); ++g) {
+      if (groups_[g].is_judged || groups_[g].holes.empty()) continue;
+      const Eigen::AlignedBox2d box = SurroundingsOf(BoundaryOf(plan_, groups_[g].holes), std::sqrt(groups_[g].area));
+      const auto meets = [&](const Eigen::AlignedBox2d& other) { return other.intersects(box); };
+      if (std::ranges::any_of(level, meets)) AddBasin(g, basins);
     }
     basins = JoinBasins(std::move(basins), options_.profile.least_river);
     std::vector<Shore> shores;
     for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin) : Shore());
-    const std::vector<double> lower = LowerShares(input_, shores);
+    const std::vector<double> lower = LowerShares(plan_, input_, shores);
     for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
+  }
+
+  void AddBasin(size_t g, std::vector<Basin>& basins) {
+    Group& group = groups_[g];
+    if (group.decider) return;
+    std::vector<RimChain> rim = RimChainsOf(plan_, group.holes);
+    group.evidence.reason = kNoRim;
+    if (rim.empty()) return;
+    basins.push_back(
+        MakeBasin(g, BoundaryOf(plan_, group.holes), std::move(rim), group.area, options_.profile.least_river));
   }
 
   void Decide(const Basin& basin, double lower_share) {
@@ -153,6 +179,7 @@ class WaterFinder {
       verdict = Verdict::kLevelGround;
     }
     for (const size_t g : basin.members) {
+      groups_[g].is_judged = groups_[g].is_judged || verdict != Verdict::kNoWater;
       groups_[g].evidence = {verdict, true, e.level, e.sigma(),
                              ReasonFor(verdict, basin, lower_share, options_.profile)};
     }
