@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,11 +15,11 @@
 #include "coordinator/plan/hole/touching_holes.h"
 #include "coordinator/plan/mesh/plan_mesh.h"
 #include "coordinator/plan/overlap/area_outside.h"
+#include "coordinator/plan/overlap/joint_ground.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
 #include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
-#include "coordinator/plan/rim/area_proposal.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
@@ -26,8 +27,6 @@
 #include "coordinator/plan/rim/rim_index.h"
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
-#include "coordinator/plan/water/hole_groups.h"
-#include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 #include "coordinator/plan/water/water_answers.h"
@@ -53,8 +52,18 @@ double LatticeStep(const PlanInput& input) {
   return std::max(kFinestStep, representable);
 }
 
+// Of the vertices of a tile's boundary that are in the plan.
+void StoreGround(const RimGround& rim, std::span<const int32_t> vertices, Plan& plan) {
+  for (size_t i = 0; i < std::min(vertices.size(), rim.on_object.size()); ++i) {
+    if (!rim.on_object[i] || vertices[i] < 0) continue;
+    PlanVertex& vertex = plan.vertices[vertices[i]];
+    vertex.on_object = true;
+    if (!std::isnan(rim.ground[i])) vertex.ground = rim.ground[i];
+  }
+}
+
 // Appends the rim points and seam vertices of a part. Returns the number of the first.
-int32_t StoreVertices(Rim& rim, const SeamLayout& seams, Plan& plan) {
+int32_t StoreVertices(const PlanInput& input, Rim& rim, const SeamLayout& seams, Plan& plan) {
   const auto base = static_cast<int32_t>(plan.vertices.size());
   plan.vertices.reserve(plan.vertices.size() + rim.points.size() + seams.vertices.size());
   for (auto& [cell, points] : rim.point_of) {
@@ -65,6 +74,7 @@ int32_t StoreVertices(Rim& rim, const SeamLayout& seams, Plan& plan) {
     const uint8_t lines = p.index < 0 ? kFixedVertex : 0;
     plan.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, lines});
   }
+  for (const auto& [cell, ground] : input.rim_ground) StoreGround(ground, plan.VerticesOf(cell), plan);
   for (const SeamVertex& v : seams.vertices) {
     const double height = v.beside >= 0 ? rim.points[v.beside].position.z() : 0;
     const Point3 position(v.position.x(), v.position.y(), height);
@@ -120,7 +130,7 @@ void PlanPart(const PlanInput& input, const PlanInput& own, const GridLines& lin
   const Part part{input, own, lines, options, rim, plan.lattice_step};
   if (options.cancelled()) return;
   Division division = DivideScene(part, closing);
-  const int32_t base = StoreVertices(rim, division.seams, plan);
+  const int32_t base = StoreVertices(input, rim, division.seams, plan);
   for (auto& [cell, found] : division.holes) StoreHoles(std::move(found), base, plan);
   for (Seam& seam : division.seams.seams) {
     for (int32_t& v : seam.vertices) v += base;
@@ -144,6 +154,7 @@ JointTiles JoinInArea(const PlanInput& input, const JointTiles& whole, const Gri
 void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
   JointTiles joint = JoinTiles(input, outlines, plan.lattice_step);
   if (!input.area.empty()) joint = JoinInArea(input, joint, outlines, options, plan.lattice_step);
+  joint.input.rim_ground = JointGround(joint, input.rim_ground);
   PlanPart(joint.input, input, joint.lines, options, plan);
   LayOwnRegions(input, outlines, joint, plan);
 }
@@ -217,48 +228,16 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   return plan;
 }
 
-// The shore that water is told by.
-enum class Shore { kInArea, kOfScene };
-
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines,
-                   KnownWater& known);
-
-// Where the surface ends inside the cells there is a hole around it without the area too: so up to its outline first.
-KnownWater KnownOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
-  if ((input.area.empty() && input.added.empty()) || plan.holes.empty()) return {};
-  PlanInput scene = input;
-  for (const CellId cell : input.added) scene.cells.erase(cell);
-  scene.added.clear();
-  KnownWater known;
-  known.body_of.assign(plan.holes.size(), -1);
-  const auto add_water = [&] {
-    GridLines lines;
-    KnownWater of_scene;
-    const Plan whole = PlanWithWater(scene, options, Shore::kInArea, lines, of_scene);
-    AddKnownWater(FindKnownWater(whole, plan), known);
-  };
-  scene.area = OutlineInsideCells(scene.grid, scene.cells);
-  if (!scene.area.empty()) add_water();
-  scene.area = {};
-  if (!options.cancelled()) add_water();
-  return known;
-}
-
 // All but what follows from the water.
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines,
-                   KnownWater& known) {
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!plan.upright) return plan;
-  if (shore == Shore::kOfScene && !options.cancelled()) known = KnownOfScene(input, options, plan);
   FindRimSlopes(plan);
-  if (!options.cancelled()) MarkObjects(input, plan);
-  if (!options.cancelled()) FindWater(input, options.water, known, plan);
-  if (known.bodies.empty() || options.cancelled()) return plan;
-  StoreLayers(plan);
-  FindRimSlopes(plan);
+  if (!options.cancelled()) MarkObjects(plan);
+  if (!options.cancelled()) FindWater(input, options.water, plan);
   return plan;
 }
 
@@ -266,8 +245,7 @@ Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore sho
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   GridLines lines;
-  KnownWater known;
-  Plan plan = PlanWithWater(input, options, Shore::kOfScene, lines, known);
+  Plan plan = PlanWithWater(input, options, lines);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);

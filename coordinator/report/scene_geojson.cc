@@ -155,6 +155,9 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"reason", failure.empty() ? Json() : Json(failure)},
               {"method", nullptr},
               {"level_m", nullptr},
+              {"sigma_m", nullptr},
+              {"taken_for", nullptr},
+              {"because", nullptr},
               {"share_on_objects", Millimetres(ShareOnObjects(*input.plan, hole))}};
   if (const char* type = TypeName(hole.type)) row["type"] = type;
   if (hole.kind != HoleKind::kClosed) {
@@ -163,6 +166,12 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
   }
   const auto size = input.outcome.sizes.find(h);
   if (size != input.outcome.sizes.end() && failure.empty()) row["method"] = WayName(size->second.way);
+  if (hole.evidence >= 0) {
+    const HoleEvidence& evidence = input.plan->evidence[hole.evidence];
+    row["taken_for"] = VerdictName(evidence.verdict);
+    row["because"] = evidence.reason;
+    if (evidence.has_level) row["sigma_m"] = Millimetres(evidence.sigma);
+  }
   if (hole.water < 0) return row;
   const WaterBody& body = input.plan->water[hole.water];
   if (body.river.stations.empty()) row["level_m"] = Millimetres(body.level + scene.origin.z());
@@ -194,7 +203,7 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
       segments.insert(segments.end(), plan.holes[h].segments.begin(), plan.holes[h].segments.end());
       area += plan.holes[h].area;
     }
-    if (segments.empty()) continue;
+    if (segments.empty() || plan.water[w].kind != WaterKind::kWater) continue;
     const std::vector<Point3>& stations = plan.water[w].river.stations;
     const Json level = Millimetres(plan.water[w].level + scene.origin.z());
     const Json highest = stations.empty() ? level : Json(Millimetres(stations.front().z() + scene.origin.z()));

@@ -69,6 +69,17 @@ Json LevelJson(const WaterBody& body) {
   return stations.empty() ? Json(body.level) : Json{Rounded(stations.front().z(), 4), body.level};
 }
 
+// What a hole was taken for, at which level, how sure, and why.
+Json EvidenceJson(const HoleEvidence& evidence) {
+  Json json = {{"taken_for", VerdictName(evidence.verdict)}};
+  if (evidence.has_level) {
+    json["level_m"] = Rounded(evidence.level, 4);
+    json["sigma_m"] = Rounded(evidence.sigma, 4);
+  }
+  json["reason"] = evidence.reason;
+  return json;
+}
+
 // Where a hole is, and how large: to the millimetre, or if it is small to a thousandth of its perimeter.
 void AddMeasures(const Plan& plan, const PlannedHole& hole, Json& row) {
   const double power = hole.perimeter > 0 ? -std::floor(std::log10(hole.perimeter)) : 0;
@@ -97,6 +108,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   AddMeasures(*input.plan, hole, row);
   row["boundary_vertices"] = hole.boundary_vertices;
   if (hole.water >= 0) row["level_m"] = LevelJson(input.plan->water[hole.water]);
+  if (hole.evidence >= 0) row["water"] = EvidenceJson(input.plan->evidence[hole.evidence]);
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
@@ -150,6 +162,7 @@ void AddRiver(const WaterBody& body, Json& row) {
 Json WaterRows(const SceneReportInput& input) {
   Json rows = Json::array();
   for (const WaterBody& body : input.plan->water) {
+    if (body.kind != WaterKind::kWater) continue;
     Json holes = Json::array();
     double area = 0;
     std::set<CellId> cells;
@@ -164,7 +177,7 @@ Json WaterRows(const SceneReportInput& input) {
     Json row;
     if (open != body.holes.end()) row["cluster"] = input.plan->holes[*open].cluster;
     row.update({{"level_m", LevelJson(body)},
-                {"spread_m", Rounded(body.spread, 4)},
+                {"sigma_m", Rounded(body.sigma, 4)},
                 {"rim_m", {Rounded(body.lowest, 4), Rounded(body.highest, 4)}},
                 {"rim_vertices", body.rim_vertices},
                 {"area_m2", Rounded(area, 3)},
@@ -349,6 +362,20 @@ const char* WayName(FillWay way) {
       return FillerName(Filler::kMinimumArea);
   }
   return "unknown";
+}
+
+const char* VerdictName(HoleEvidence::Verdict verdict) {
+  switch (verdict) {
+    case HoleEvidence::Verdict::kLake:
+      return "lake";
+    case HoleEvidence::Verdict::kRiver:
+      return "river";
+    case HoleEvidence::Verdict::kLevelGround:
+      return "level ground";
+    case HoleEvidence::Verdict::kNoWater:
+      return "ground";
+  }
+  return "";
 }
 
 const char* KindName(HoleKind kind) {

@@ -94,7 +94,7 @@ TEST_P(WaterSurfaceTest, ALakeOverNineCellsIsFlat) {
   EXPECT_EQ(lake["cells"], 9);
   EXPECT_EQ(lake["cluster"], 0);
   EXPECT_EQ(lake["decided_by"], "rim");
-  EXPECT_LT(lake["spread_m"], 0.03);
+  EXPECT_LT(lake["sigma_m"], 0.06);
   EXPECT_NEAR(lake["area_m2"], 3.14159 * 52 * 47, 200);
   for (const Json& hole : report["per_hole"]) EXPECT_EQ(hole["method"], "water");
   EXPECT_THAT(HeightsOfNewVertices(scene, out), AllOf(SizeIs(Gt(50)), Each(level)));

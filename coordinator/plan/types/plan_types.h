@@ -27,7 +27,7 @@ namespace tilemend {
 // What is taken for water (water.h).
 struct WaterOptions {
   bool find = true;                          // else only where an area says so
-  double tolerance = 0.1;                    // metres, > 0: how far the rim of water may be off its level
+  double tolerance = 0.1;                    // not used
   WaterProfile profile = kWaterProfiles[0];  // what `find` finds
   std::vector<WaterArea> areas;              // the last one that covers more than half of a hole decides on it
 };
@@ -103,6 +103,7 @@ struct PlannedHole {
   Point2 centre{0, 0};
   Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)
   int32_t water = -1;                // into Plan::water; -1: no water
+  int32_t evidence = -1;             // into Plan::evidence; -1: too small to be judged
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
   // Where tiles end at outlines of their own: what bounds the parts that are filled, each up to such an outline. None:
@@ -136,14 +137,17 @@ struct Seam {
   std::vector<int32_t> vertices;  // into Plan::vertices
 };
 
-// A body of water: a cluster of open holes, or a closed hole, that is filled flat, or several under one area of the
-// user's; or a river, over one or more of them.
+enum class WaterKind { kWater, kLevelGround };
+
+// What is filled flat: a cluster of open holes, or a closed hole, or several that hold one water; or a river, over one
+// or more of them.
 struct WaterBody {
+  WaterKind kind = WaterKind::kWater;  // kLevelGround: nothing says that it is water; never a river
   std::vector<int32_t> holes;  // into Plan::holes, ascending
   double level = 0;            // metres, on the lattice; of a river at its lower end
   WaterSurface river;          // no stations: level water
   std::vector<RemovedRise> removed_rises;
-  double spread = 0;               // metres: of the rim's heights (RimLevel::spread)
+  double sigma = 0;                // metres: standard deviation of the level (LevelEvidence::sigma)
   double lowest = 0, highest = 0;  // of the rim's heights
   int64_t rim_vertices = 0;
   bool forced = false;     // an area says that it is water
@@ -153,6 +157,16 @@ struct WaterBody {
 inline double LevelAt(const WaterBody& body, const Point2& p, double lattice_step) {
   return body.river.stations.empty() ? body.level : LevelAt(body.river, p, lattice_step);
 }
+
+// What a hole or cluster of more than 100 m2 was taken for, and why (water.h).
+struct HoleEvidence {
+  enum class Verdict { kLake, kRiver, kLevelGround, kNoWater };
+  Verdict verdict = Verdict::kNoWater;
+  bool has_level = false;  // of its rim
+  double level = 0;        // metres: of the water; else that its rim tells
+  double sigma = 0;        // metres: standard deviation of `level`
+  std::string reason;      // what the verdict follows from, in words
+};
 
 // What became of an area of the user's (water_answers.h).
 struct WaterAnswer {
@@ -182,6 +196,7 @@ struct Plan {
   std::vector<FillColour> colours;  // of the holes
   std::vector<Seam> seams;
   std::vector<WaterBody> water;            // in order of their first hole
+  std::vector<HoleEvidence> evidence;      // in order of the first holes that it is about
   std::vector<WaterAnswer> water_answers;  // one for each of WaterOptions::areas
   std::vector<BorderAudit> borders;        // in order of a; of one a that to the east first
   std::vector<LeftOpen> left;

@@ -6,11 +6,11 @@
 
 namespace tilemend {
 
-// Sets PlanVertex::on_object of the original vertices on the rims of open clusters, and of closed holes that face up
-// and project, from PlanInput::rim_ground, and their PlanVertex::ground. If all vertices of such a rim stand on
-// objects, none is marked: a hole in a roof or a crown is filled as these go on. Lowers the sizes of marked vertices to
-// the lengths of their edges seen from above. Cost O(n log n) in the holes' segments.
-void MarkObjects(const PlanInput& input, Plan& plan);
+// Leaves PlanVertex::on_object and PlanVertex::ground to the original vertices on the rims of open clusters, and of
+// closed holes that face up and project. If all vertices of such a rim stand on objects, none keeps them: a hole in a
+// roof or a crown is filled as these go on. Lowers the sizes of vertices on objects to the lengths of their edges seen
+// from above. Cost O(n log n) in the holes' segments.
+void MarkObjects(Plan& plan);
 
 }  // namespace tilemend
 

@@ -33,7 +33,7 @@ class SceneGeoJsonTest : public ::testing::Test {
     AddHole({0, 0}, HoleKind::kOpenI, {{0, 1}, {1, 2, true}, {2, 3}, {3, 0}, {6, 7}, {7, 8}, {8, 9}, {9, 6}}).water = 0;
     AddHole({1, 0}, HoleKind::kOpenII, {{1, 4}, {4, 5}, {5, 2}, {2, 1, true}}).water = 0;
     AddHole({0, 0}, HoleKind::kClosed, {{10, 11}, {11, 12}, {12, 13}, {13, 10}});
-    plan_.water = {{{0, 1}, 12.5, {}, {}}};
+    plan_.water = {{WaterKind::kWater, {0, 1}, 12.5, {}, {}}};
     plan_.lattice_step = 0x1p-10;
     input_.plan = &plan_;
     input_.outcome.sizes = {{0, {11, 22, FillWay::kWater}}, {1, {33, 44, FillWay::kWater}}};
@@ -92,6 +92,23 @@ TEST_F(SceneGeoJsonTest, GdalReadsTheHolesInTheCrsOfTheScene) {
   left->GetGeometryRef()->getEnvelope(&box);
   EXPECT_EQ(box.MinX, 600010);
   EXPECT_EQ(box.MaxY, 5000020);
+}
+
+TEST_F(SceneGeoJsonTest, SaysWhatAHoleWasTakenForAndWhy) {
+  plan_.holes[0].evidence = 0;
+  plan_.evidence = {{HoleEvidence::Verdict::kLake, true, 12.5, 0.04, "the sides agree"}};
+  const auto data = Read(HolesGeoJson(input_, scene_));
+  const std::unique_ptr<OGRFeature> lake(data->GetLayer(0)->GetNextFeature()),
+      beyond(data->GetLayer(0)->GetNextFeature());
+  EXPECT_STREQ(lake->GetFieldAsString("taken_for"), "lake");
+  EXPECT_STREQ(lake->GetFieldAsString("because"), "the sides agree");
+  EXPECT_EQ(lake->GetFieldAsDouble("sigma_m"), 0.04);
+  EXPECT_FALSE(beyond->IsFieldSetAndNotNull(beyond->GetFieldIndex("taken_for")));
+}
+
+TEST_F(SceneGeoJsonTest, LevelGroundHasNoShore) {
+  plan_.water[0].kind = WaterKind::kLevelGround;
+  EXPECT_EQ(BreaklinesGeoJson(input_, scene_).find("shore"), std::string::npos);
 }
 
 TEST_F(SceneGeoJsonTest, ALakeOverTwoCellsHasOneShore) {

@@ -49,7 +49,8 @@ TEST_P(WaterTest, ALakeOverNineCellsHasOneLevel) {
     EXPECT_EQ(std::fmod(lake.level, plan.lattice_step), 0);
     EXPECT_FALSE(lake.forced);
     EXPECT_GT(lake.rim_vertices, 100);
-    EXPECT_LT(lake.spread, 0.03);
+    EXPECT_LT(lake.sigma, 0.06);
+    EXPECT_EQ(lake.kind, WaterKind::kWater);
     std::set<CellId> cells;
     for (const int32_t h : lake.holes) cells.insert(plan.holes[h].cell);
     EXPECT_THAT(cells, SizeIs(9));
@@ -192,14 +193,6 @@ TEST_P(WaterTest, NoiseOfTheSurfaceHidesNoLake) {
   const Plan plan = PlanOf(scene);
   ASSERT_THAT(plan.water, SizeIs(1));
   EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.1);
-}
-
-TEST_P(WaterTest, TheToleranceSaysHowFarAShoreMayFall) {
-  const SceneMakerOptions valley = ValleyOverNineCells(GetParam(), 0.0006);
-  WaterOptions narrow;
-  narrow.tolerance = 0.02;
-  EXPECT_THAT(PlanOf(valley, narrow).water, IsEmpty());
-  EXPECT_THAT(PlanOf(valley).water, SizeIs(1));
 }
 
 TEST_P(WaterTest, AreasForceAndForbid) {
