@@ -40,7 +40,7 @@ class ShoreIndex {
   }
 
   double LowerShare() const {
-    return count_ < kMinPoints ? 1 : static_cast<double>(lower_) / static_cast<double>(count_);
+    return count_ < kMinPoints ? 0 : static_cast<double>(lower_) / static_cast<double>(count_);
   }
 
  private:

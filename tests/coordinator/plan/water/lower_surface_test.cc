@@ -50,7 +50,7 @@ TEST(LowerSharesTest, WithoutSurfaceAroundNothingIsKnown) {
   Shore shore;
   shore.mean_edge = 1;
   shore.edges = {Point3(0, 0, 5)};
-  EXPECT_EQ(LowerShares(Plan(), PlanInput(), std::vector<Shore>{shore})[0], 1);
+  EXPECT_EQ(LowerShares(Plan(), PlanInput(), std::vector<Shore>{shore})[0], 0);
 }
 
 }  // namespace
