@@ -212,7 +212,7 @@ class WaterFinder {
   }
 
   void StoreBody(WaterBody body) {
-    MarkWalls(body, plan_);
+    if (body.kind == WaterKind::kWater) MarkWalls(body, plan_);
     for (const int32_t h : body.holes) plan_.holes[h].water = static_cast<int32_t>(plan_.water.size());
     plan_.water.push_back(std::move(body));
   }
