@@ -13,6 +13,7 @@
 #include "absl/strings/str_split.h"
 #include "common/mesh/winding/simple_rings.h"
 #include "common/records/water_surface.h"
+#include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/ring_chains.h"
 

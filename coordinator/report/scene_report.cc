@@ -13,6 +13,7 @@
 #include "absl/strings/str_format.h"
 #include "common/records/filler.h"
 #include "common/util/version.h"
+#include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/plan_warnings.h"
 
@@ -69,17 +70,6 @@ Json LevelJson(const WaterBody& body) {
   return stations.empty() ? Json(body.level) : Json{Rounded(stations.front().z(), 4), body.level};
 }
 
-// What a hole was taken for, at which level, how sure, and why.
-Json EvidenceJson(const HoleEvidence& evidence) {
-  Json json = {{"taken_for", VerdictName(evidence.verdict)}};
-  if (evidence.has_level) {
-    json["level_m"] = Rounded(evidence.level, 4);
-    json["sigma_m"] = Rounded(evidence.sigma, 4);
-  }
-  json["reason"] = evidence.reason;
-  return json;
-}
-
 // Where a hole is, and how large: to the millimetre, or if it is small to a thousandth of its perimeter.
 void AddMeasures(const Plan& plan, const PlannedHole& hole, Json& row) {
   const double power = hole.perimeter > 0 ? -std::floor(std::log10(hole.perimeter)) : 0;
@@ -108,7 +98,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   AddMeasures(*input.plan, hole, row);
   row["boundary_vertices"] = hole.boundary_vertices;
   if (hole.water >= 0) row["level_m"] = LevelJson(input.plan->water[hole.water]);
-  if (hole.evidence >= 0) row["water"] = EvidenceJson(input.plan->evidence[hole.evidence]);
+  if (hole.evidence >= 0) row["water"] = HoleEvidenceJson(input.plan->evidence[hole.evidence]);
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
@@ -362,20 +352,6 @@ const char* WayName(FillWay way) {
       return FillerName(Filler::kMinimumArea);
   }
   return "unknown";
-}
-
-const char* VerdictName(HoleEvidence::Verdict verdict) {
-  switch (verdict) {
-    case HoleEvidence::Verdict::kLake:
-      return "lake";
-    case HoleEvidence::Verdict::kRiver:
-      return "river";
-    case HoleEvidence::Verdict::kLevelGround:
-      return "level ground";
-    case HoleEvidence::Verdict::kNoWater:
-      return "ground";
-  }
-  return "";
 }
 
 const char* KindName(HoleKind kind) {

@@ -41,7 +41,6 @@ std::vector<std::string> WarningsOf(const SceneReportInput& input);
 const char* BorderName(BorderKind kind);
 const char* KindName(HoleKind kind);
 const char* WayName(FillWay way);
-const char* VerdictName(HoleEvidence::Verdict verdict);
 // "A" to "D", or null.
 const char* TypeName(HoleType type);
 

@@ -34,13 +34,13 @@ class ShoreIndex {
   void Add(const Point3& p) {
     if (!box_.contains(p.head<2>())) return;
     const auto [distance, level] = NearestEdge(p);
-    if (distance < nearest_ || distance > reach_) return;
+    if (distance < nearest_ || distance > reach_ || std::isnan(level)) return;
     ++count_;
     if (p.z() <= level + noise_) ++lower_;
   }
 
   double LowerShare() const {
-    return count_ < kMinPoints ? 1 : static_cast<double>(lower_) / static_cast<double>(count_);
+    return count_ < kMinPoints ? 0 : static_cast<double>(lower_) / static_cast<double>(count_);
   }
 
  private:
@@ -59,7 +59,8 @@ class ShoreIndex {
         const auto square = squares_.find({column, row});
         if (square == squares_.end()) continue;
         for (const Point3& q : square->second) {
-          nearest = std::min(nearest, std::pair((q - p).head<2>().squaredNorm(), q.z()));
+          const double squared = (q - p).head<2>().squaredNorm();
+          if (squared < nearest.first) nearest = {squared, q.z()};
         }
       }
     }

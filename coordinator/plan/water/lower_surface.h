@@ -13,15 +13,15 @@ namespace tilemend {
 
 // The rim of what may be water.
 struct Shore {
-  std::vector<Point3> edges;  // middles of those at the level or below, with the height of the water there
+  std::vector<Point3> edges;  // middles, with the height of the water there; NaN: the edge is higher
   double mean_edge = 0;       // metres, of the rim
   double noise = 0;           // metres: what is no more than that above the water is no higher
 };
 
-// For each shore the share (0 to 1) of the surface around it that is no higher than the water at the nearest edge: of
-// the vertices in the survey's bands, off the rims of holes, that are 3 to 15 m from the shore (where edges are long,
-// 1.5 to 3 mean edges). 1 where there are fewer than ten. Cost O(n log n) in the bands' vertices of the cells around,
-// and the shores.
+// For each shore the share (0 to 1) of the surface around it that is no higher than the water at the nearest edge,
+// where that edge is at the water: of the vertices in the survey's bands, off the rims of holes, that are 3 to 15 m
+// from the shore (where edges are long, 1.5 to 3 mean edges). 0 where there are fewer than ten: nothing is known. Cost
+// O(n log n) in the bands' vertices of the cells around, and the shores.
 std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);
 
 }  // namespace tilemend

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -64,7 +65,8 @@ Shore ShoreOf(const Basin& basin) {
     for (const RimEdge& edge : chain) {
       const Point2 at = edge.middle.head<2>();
       const double level = basin.river ? LevelAt(basin.river->water, at, 0x1p-20) : e.level;
-      if (edge.middle.z() <= level + above) shore.edges.emplace_back(at.x(), at.y(), level);
+      const bool is_at_water = edge.middle.z() <= level + above;
+      shore.edges.emplace_back(at.x(), at.y(), is_at_water ? level : std::numeric_limits<double>::quiet_NaN());
     }
   }
   return shore;
@@ -210,7 +212,7 @@ class WaterFinder {
   }
 
   void StoreBody(WaterBody body) {
-    MarkWalls(body, plan_);
+    if (body.kind == WaterKind::kWater) MarkWalls(body, plan_);
     for (const int32_t h : body.holes) plan_.holes[h].water = static_cast<int32_t>(plan_.water.size());
     plan_.water.push_back(std::move(body));
   }

@@ -37,16 +37,18 @@ TEST(JoinBasinsTest, WaterOfAnotherLevelOrFarAwayIsAnother) {
   EXPECT_EQ(Join(lake, BasinOf(1, {290, 0}, {350, 40}, Level)).size(), 2u);
 }
 
-// A slope along three sides of the second, whose far half is at the water.
+// Rising ground along most of the second, whose foot is at the water.
 TEST(JoinBasinsTest, ARimOnTheBankTakesTheLevelOfItsNeighbour) {
-  const auto bank = [](double x, double y) { return 10 + (x < 140 ? std::max(0.0, 140 - x) * 0.04 : 0) + 0 * y; };
-  const Basin beyond = BasinOf(1, {90, 0}, {150, 30}, bank);
-  const Basin lake = BasinOf(0, {0, 0}, {80, 40}, Level);
-  if (!beyond.is_level()) EXPECT_EQ(Join(lake, beyond).size(), 1u);
+  const auto bank = [](double x, double) { return 10 + 0.1 * std::max(0.0, std::abs(x - 120) - 5); };
+  const Basin lake = BasinOf(0, {0, 0}, {80, 40}, Level), beyond = BasinOf(1, {90, 0}, {150, 30}, bank);
+  ASSERT_FALSE(beyond.is_level());
+  const std::vector<Basin> joined = Join(lake, beyond);
+  ASSERT_EQ(joined.size(), 1u);
+  EXPECT_NEAR(joined[0].evidence.level, 10, 0.03);
 }
 
 TEST(JoinBasinsTest, HillsideBesideALakeIsNoWater) {
-  const auto hill = [](double x, double y) { return 12 + 0.2 * (x - 90) + 0.1 * y; };
+  const auto hill = [](double x, double y) { return 20 + 0.2 * (x - 90) + 0.1 * y; };
   const std::vector<Basin> apart = Join(BasinOf(0, {0, 0}, {80, 40}, Level), BasinOf(1, {90, 0}, {150, 40}, hill));
   ASSERT_EQ(apart.size(), 2u);
   EXPECT_TRUE(apart[0].is_level());

@@ -31,7 +31,7 @@ TEST(HalfSampleModeTest, OfEqualHeightsIsExact) {
 }
 
 TEST(HalfSampleModeTest, HeightsWithoutWeightDoNotCount) {
-  EXPECT_DOUBLE_EQ(HalfSampleMode(Sorted({{1, 1, 0}, {1.01, 1, 0}, {1.02, 1, 0}, {4, 1, 1}, {4.5, 1, 1}})), 4.25);
+  EXPECT_DOUBLE_EQ(HalfSampleMode(Sorted({{1, 1, 0}, {1.01, 1, 0}, {1.02, 1, 0}, {4, 1, 1}, {4.5, 1, 2}})), 4.5);
   EXPECT_DOUBLE_EQ(HalfSampleMode(Sorted({{1, 0, 0}, {2, 0, 0}})), 2);
 }
 

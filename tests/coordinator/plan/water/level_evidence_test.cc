@@ -57,9 +57,9 @@ TEST(LevelEvidenceTest, AFewPlacesTellTooLittle) {
   EXPECT_NEAR(e.level, 3, 0.03);
 }
 
-// Rough heights half a metre below the level, along as much of the rim as the level itself.
+// Rough heights half a metre below the level, along two fifths of the rim.
 TEST(LevelEvidenceTest, SmoothEdgesWeighMoreThanRoughOnes) {
-  const auto height = [](double x, double y) { return y < 20 ? 12 : 11.5 + 0.2 * std::sin(40 * x + 3 * y); };
+  const auto height = [](double x, double y) { return y < 30 ? 12 : 11.5 + 0.2 * std::sin(40 * x + 41 * y); };
   EXPECT_NEAR(EvidenceOfBox(height, 0).level, 12, 0.01);
 }
 
