@@ -127,13 +127,12 @@ struct Request {
   std::string area;          // --area
   std::string propose_area;  // --propose-area
   std::string water;         // --water
-  double water_tolerance = 0;
   WaterProfile water_profile;
   OutputFormat format = OutputFormat::kTable;
 };
 
 absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) {
-  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, request.water_tolerance, FrameOf(scene)));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, FrameOf(scene)));
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   PlanOptions options;
   options.water = std::move(water.options);
@@ -235,8 +234,6 @@ int InspectCommand(const Args& args) {
   std::error_code error;
   if (!std::filesystem::exists(path, error) && !error)
     return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
-  const auto tolerance = WaterToleranceFromFlags(args);
-  if (!tolerance.ok()) return PrintUsageError(tolerance.status());
   const auto profile = WaterProfileFromFlags(args);
   if (!profile.ok()) return PrintUsageError(profile.status());
   const bool mesh = IsSingleMesh(path);
@@ -244,7 +241,7 @@ int InspectCommand(const Args& args) {
     return PrintUsageError(absl::InvalidArgumentError("--area, --propose-area: only scenes have an area"));
   }
   const std::string water = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
-  const Request request{path, args.Text("area"), args.Text("propose-area"), water, *tolerance, *profile, *format};
+  const Request request{path, args.Text("area"), args.Text("propose-area"), water, *profile, *format};
   return mesh ? InspectMeshAt(request) : InspectSceneAt(request);
 }
 

@@ -140,12 +140,15 @@ double ShareOnObjects(const Plan& plan, const PlannedHole& hole) {
   return whole > 0 ? on_objects / whole : 0;
 }
 
+// As ParseWaterFile takes it.
+const char* KindOf(const WaterBody& body) { return body.river.stations.empty() ? "lake" : "river"; }
+
 Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h) {
   const PlannedHole& hole = input.plan->holes[h];
   const std::string failure = FailureOf(input, h);
   Json row = {{"hole", h},
               {"cell", ToString(hole.cell)},
-              {"kind", KindName(hole.kind)},
+              {"hole_kind", KindName(hole.kind)},
               {"type", nullptr},
               {"cluster", nullptr},
               {"layer", nullptr},
@@ -154,7 +157,10 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"outcome", failure.empty() ? "filled" : "left"},
               {"reason", failure.empty() ? Json() : Json(failure)},
               {"method", nullptr},
+              {"water", nullptr},
+              {"kind", nullptr},
               {"level_m", nullptr},
+              {"body", nullptr},
               {"share_on_objects", Millimetres(ShareOnObjects(*input.plan, hole))}};
   if (const char* type = TypeName(hole.type)) row["type"] = type;
   if (hole.kind != HoleKind::kClosed) {
@@ -165,7 +171,10 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
   if (size != input.outcome.sizes.end() && failure.empty()) row["method"] = WayName(size->second.way);
   if (hole.water < 0) return row;
   const WaterBody& body = input.plan->water[hole.water];
-  if (body.river.stations.empty()) row["level_m"] = Millimetres(body.level + scene.origin.z());
+  row["water"] = true;
+  row["kind"] = KindOf(body);
+  row["body"] = hole.water;
+  if (body.river.stations.empty()) row["level_m"] = body.level + scene.origin.z();  // exact: it can be given back
   return row;
 }
 
@@ -196,15 +205,21 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
     }
     if (segments.empty()) continue;
     const std::vector<Point3>& stations = plan.water[w].river.stations;
-    const Json level = Millimetres(plan.water[w].level + scene.origin.z());
+    const Json level = plan.water[w].level + scene.origin.z();  // exact: it can be given back
     const Json highest = stations.empty() ? level : Json(Millimetres(stations.front().z() + scene.origin.z()));
-    Json row = {{"kind", "shore"},      {"body", w},         {"level_m", stations.empty() ? level : Json()},
-                {"highest_m", highest}, {"lowest_m", level}, {"area_m2", Millimetres(area)}};
+    Json row = {{"line", "shore"},
+                {"kind", KindOf(plan.water[w])},
+                {"body", w},
+                {"level_m", stations.empty() ? level : Json()},
+                {"highest_m", highest},
+                {"lowest_m", level},
+                {"area_m2", Millimetres(area)}};
     features.AddPolygons(plan, segments, Wound::kLeft, row, [&](const Point2& p) {
       return stations.empty() ? plan.water[w].level : LevelAt(plan.water[w].river, p, plan.lattice_step);
     });
     if (stations.empty()) continue;
-    row["kind"] = "centreline";
+    row["line"] = "centreline";
+    row["kind"] = nullptr;
     features.AddLine(stations, row);
   }
   return std::move(features).Text();
@@ -212,7 +227,7 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
 
 std::string AreaGeoJson(const PlanePolygon& area, const Scene& scene) {
   Features features(scene);
-  features.AddRings(area.rings, {{"kind", "area"}});
+  features.AddRings(area.rings, Json::object());
   return std::move(features).Text();
 }
 

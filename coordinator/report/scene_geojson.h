@@ -14,7 +14,7 @@ namespace tilemend {
 
 // Every hole: valid Polygons, or MultiPolygons, with islands, of what its boundary winds around seen from above;
 // MultiLineStrings of the rim of those that are not closed, as where a tile is missing, or less than a millimetre wide.
-// docs/user-guide.md, "Files for a GIS", has the properties.
+// docs/user-guide.md, "Files for a GIS", has the properties. ParseWaterFile reads those that are water.
 std::string HolesGeoJson(const SceneReportInput& input, const Scene& scene);
 
 // The waters that were levelled: of each its shore, as a polygon; of rivers the centreline as well. Every point has the
