@@ -181,8 +181,19 @@ void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string&
   file.features.insert(file.features.end(), features.begin(), features.end());
 }
 
+// The DXF driver of GDAL 3.6 never ends on some drawings that are cut off.
+void CheckDrawingEnds(const VectorRequest& request) {
+  if (!EQUAL(CPLGetExtension(request.opened.c_str()), "dxf") || request.parts.empty()) return;
+  const std::string_view text = request.parts.front().bytes;
+  const size_t end = text.find_last_not_of(" \t\r\n");
+  if (!text.substr(0, end == std::string_view::npos ? 0 : end + 1).ends_with("EOF")) {
+    throw BadVectors{"a drawing that is cut off: its last line is not EOF"};
+  }
+}
+
 void Read(const VectorRequest& request, VectorFile& file) {
   CheckCrsName(request.crs_name);
+  CheckDrawingEnds(request);
   const MemoryFolder folder(request);
   const Datasets data = Open(folder, request.format);
   std::vector<std::pair<OGRLayer*, LayerRules>> layers;

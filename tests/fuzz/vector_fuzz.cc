@@ -1,4 +1,5 @@
-// Formats beside GeoJSON, as text: the first byte chooses one.
+// Formats beside GeoJSON: the first byte chooses one. DXF is not among them: GDAL 3.6 never ends on some of it, which
+// the limits of the process end (gdal_main.cc).
 #include <array>
 #include <string>
 
@@ -7,7 +8,7 @@
 
 namespace {
 
-constexpr std::array<const char*, 5> kNames = {"lakes.kml", "lakes.gml", "lakes.dxf", "lakes.mif", "lakes.shp"};
+constexpr std::array<const char*, 4> kNames = {"lakes.kml", "lakes.gml", "lakes.mif", "lakes.shp"};
 
 }  // namespace
 
@@ -33,9 +34,7 @@ std::vector<std::string> FuzzSeeds() {
           ring +
           "</gml:coordinates></gml:LinearRing></gml:outerBoundaryIs></gml:Polygon></w:geometry><w:kind>lake</w:kind>"
           "</w:lake></gml:featureMember></w:FeatureCollection>",
-      "\2  0\nSECTION\n  2\nENTITIES\n  0\nLWPOLYLINE\n  8\n0\n 90\n3\n 70\n1\n 10\n0\n 20\n0\n 10\n9\n 20\n0\n"
-      " 10\n9\n 20\n9\n  0\nENDSEC\n  0\nEOF\n",
-      "\3Version 300\nCharset \"Neutral\"\nDelimiter \",\"\nColumns 1\n  water Char(5)\nData\n\nRegion 1\n  4\n0 0\n9 "
+      "\2Version 300\nCharset \"Neutral\"\nDelimiter \",\"\nColumns 1\n  water Char(5)\nData\n\nRegion 1\n  4\n0 0\n9 "
       "0\n"
       "9 9\n0 0\n"};
 }

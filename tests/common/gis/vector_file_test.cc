@@ -347,6 +347,16 @@ TEST_F(VectorFormatTest, OpenLinesOfADrawingAreLeftOut) {
   EXPECT_THAT(file->warnings, ::testing::ElementsAre(HasSubstr("and 1 more: neither polygons nor closed lines")));
 }
 
+TEST_F(VectorFormatTest, ADrawingThatIsCutOffIsRefused) {
+  WriteLakes({"DXF", "", 0, false}, folder_ / "lakes.dxf");
+  auto bytes = ReadAreaFile(folder_ / "lakes.dxf");
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  bytes->bytes.resize(bytes->bytes.size() / 2);
+  const absl::Status status = ParseWaterFile(*bytes, "lakes.dxf", kFrame).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("lakes.dxf: a drawing that is cut off"));
+}
+
 // A file may name others, on this machine or on another one. None is opened.
 TEST_F(VectorFormatTest, WhatAFileRefersToIsNotRead) {
   WriteLakes({"ESRI Shapefile", "lakes.shp"}, folder_ / "lakes.shp");
