@@ -114,6 +114,8 @@ RULES = {
 
     'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),
 
+    'worker/propose': rule(['common/mesh', 'common/records'], [], pure=True),
+
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
 
     'worker/materials': rule(
