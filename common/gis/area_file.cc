@@ -177,6 +177,13 @@ void DropIdleCentreline(const std::string& name, WaterArea& area, WaterFile& fil
   file.warnings.push_back(absl::StrCat(name, ": ", area.label, ": its centreline has no effect, since ", reason));
 }
 
+void WarnOfIdleClearHeight(const std::string& name, const VectorFeature& feature, WaterFile& file) {
+  if (!feature.clear_height || (feature.clear && feature.water)) return;
+  file.warnings.push_back(absl::StrCat(
+      name, ": ", feature.label, ": its clear_height has no effect, since ",
+      feature.clear ? "of what is no water all is taken out, however high" : "\"clear\": true is not given as well"));
+}
+
 // What the properties of an area say together.
 absl::Status CheckKind(const std::string& name, WaterArea& area, WaterFile& file) {
   if (area.kind == WaterKind::kRiver && area.level && area.water) {
@@ -224,7 +231,9 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
   for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
   for (VectorFeature& f : read.features) {
     if (f.polygon.empty()) continue;
-    file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.kind});
+    file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.kind, f.clear,
+                          f.clear_height.value_or(kClearHeight)});
+    WarnOfIdleClearHeight(name, f, file);
     f.line.clear();
     DropStrayCentreline(name, file.areas.back(), file);
     TILEMEND_RETURN_IF_ERROR(CheckKind(name, file.areas.back(), file));

@@ -31,7 +31,8 @@ struct WaterFile {
 };
 
 // Reads a file of polygons in any of the formats of vector_file.h. A polygon is an area; it may have the properties
-// `water` (true, as without it, or false), `level_m` (a number, or text: "3.25 m"), `kind` ("lake" or "river") and
+// `water` (true, as without it, or false), `level_m` (a number, or text: "3.25 m"), `kind` ("lake" or "river"), `clear`
+// (true or false), `clear_height` (metres, 0 to 1000; only beside `clear` and of water, else there is a warning) and
 // `centreline` (a GeoJSON LineString or its coordinates, or WKT, in the coordinates of the file). A LineString that is
 // a feature of its own is the centreline of the area of water that most of its points are in. Centrelines of less than
 // a metre, beside a level, and of a lake are dropped, with a warning; so are kinds of what is no water.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <initializer_list>
 #include <string_view>
 
@@ -14,8 +13,9 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kMostOfName = 100;  // columns
-constexpr double kMostHeight = 1e5;  // metres
+constexpr size_t kMostOfName = 100;        // columns
+constexpr double kMostHeight = 1e5;        // metres
+constexpr double kMostClearHeight = 1000;  // metres
 constexpr std::string_view kBlanks = " \t\r\n";
 
 std::string_view Trimmed(std::string_view text) {
@@ -41,15 +41,15 @@ bool IsOneOf(std::string_view word, std::initializer_list<std::string_view> word
   Refuse(place, std::string("property ") + property + ": '" + ShownName(value) + "': expected " + expected);
 }
 
-bool WaterOf(const OGRFeature& feature, const std::string& place) {
-  const int index = FieldOf(feature, kWaterProperty);
-  if (index < 0) return true;
+bool BooleanOf(const OGRFeature& feature, const char* property, bool otherwise, const std::string& place) {
+  const int index = FieldOf(feature, property);
+  if (index < 0) return otherwise;
   const OGRFieldType type = feature.GetFieldDefnRef(index)->GetType();
   const std::string word = WordOf(feature, index);  // of a boolean: 0 or 1
   const bool may_be = type == OFTInteger || type == OFTInteger64 || type == OFTString;
   if (may_be && IsOneOf(word, {"1", "true", "t", "yes", "y"})) return true;
   if (may_be && IsOneOf(word, {"0", "false", "f", "no", "n"})) return false;
-  RefuseValue(place, kWaterProperty, feature.GetFieldAsString(index), "true or false");
+  RefuseValue(place, property, feature.GetFieldAsString(index), "true or false");
 }
 
 // A decimal number, with or without the unit "m"; none for anything else. A decimal comma is none: "1,250" would be
@@ -64,17 +64,19 @@ std::optional<double> MetresOf(std::string_view text) {
   return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
 }
 
-std::optional<double> LevelOf(const OGRFeature& feature, const std::string& place) {
-  const int index = FieldOf(feature, kLevelProperty);
+// A number between two bounds, or text for one.
+std::optional<double> MetresOf(const OGRFeature& feature, const char* property, double low, double high,
+                               const char* expected, const std::string& place) {
+  const int index = FieldOf(feature, property);
   if (index < 0) return std::nullopt;
   const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
   const OGRFieldType type = definition.GetType();
   const bool is_number = type == OFTReal || type == OFTInteger64 || type == OFTInteger;
-  std::optional<double> level;
-  if (is_number && definition.GetSubType() != OFSTBoolean) level = feature.GetFieldAsDouble(index);
-  if (type == OFTString) level = MetresOf(feature.GetFieldAsString(index));
-  if (level && std::abs(*level) <= kMostHeight) return level;
-  RefuseValue(place, kLevelProperty, feature.GetFieldAsString(index), "a height in metres, such as 3.25 or \"3.25 m\"");
+  std::optional<double> metres;
+  if (is_number && definition.GetSubType() != OFSTBoolean) metres = feature.GetFieldAsDouble(index);
+  if (type == OFTString) metres = MetresOf(feature.GetFieldAsString(index));
+  if (metres && *metres >= low && *metres <= high) return metres;
+  RefuseValue(place, property, feature.GetFieldAsString(index), expected);
 }
 
 WaterKind KindOf(const OGRFeature& feature, const std::string& place) {
@@ -114,8 +116,12 @@ std::string LabelOf(const OGRFeature& feature, const std::string& prefix) {
 }
 
 void SetProperties(const OGRFeature& feature, VectorFeature& to) {
-  to.water = WaterOf(feature, to.label);
-  to.level = LevelOf(feature, to.label);
+  to.water = BooleanOf(feature, kWaterProperty, true, to.label);
+  to.level = MetresOf(feature, kLevelProperty, -kMostHeight, kMostHeight,
+                      "a height in metres, such as 3.25 or \"3.25 m\"", to.label);
+  to.clear = BooleanOf(feature, kClearProperty, false, to.label);
+  to.clear_height =
+      MetresOf(feature, kClearHeightProperty, 0, kMostClearHeight, "a number of metres from 0 to 1000", to.label);
   to.kind = KindOf(feature, to.label);
   to.body = BodyOf(feature);
 }

@@ -6,12 +6,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <new>
 #include <string>
 
+#include "common/gis/package_writing.h"
 #include "common/gis/vector_file.h"
 #include "common/gis/vector_message.h"
 
@@ -75,6 +77,10 @@ std::string Answer(std::string_view input) {
   const auto task = static_cast<GdalTask>(input.front());
   input.remove_prefix(1);
   if (task == GdalTask::kFaultOfCrs) return FaultOfCrs(std::string(input));
+  if (task == GdalTask::kWritePackage) {
+    const size_t end = std::min(input.find('\n'), input.size());
+    return PackageOf(std::string(input.substr(std::min(end + 1, input.size()))), std::string(input.substr(0, end)));
+  }
   VectorRequest request;
   if (task != GdalTask::kReadVectors || !Decode(input, request)) return "";
   return Encode(ReadVectors(request));

@@ -10,6 +10,8 @@ inline constexpr char kWaterProperty[] = "water";
 inline constexpr char kLevelProperty[] = "level_m";
 inline constexpr char kCentrelineProperty[] = "centreline";
 inline constexpr char kKindProperty[] = "kind";
+inline constexpr char kClearProperty[] = "clear";
+inline constexpr char kClearHeightProperty[] = "clear_height";
 
 // Of holes.geojson: the number of the hole, and of the water that it is part of.
 inline constexpr char kHoleProperty[] = "hole";

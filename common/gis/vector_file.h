@@ -33,6 +33,8 @@ struct VectorFeature {
   bool water = true;                    // property `water`
   std::optional<double> level;          // property `level_m`
   WaterKind kind = WaterKind::kUnsaid;  // property `kind`
+  bool clear = false;                   // property `clear`
+  std::optional<double> clear_height;   // property `clear_height`, metres, >= 0
   std::optional<int64_t> body;          // of a hole in holes.geojson: property `body`
 };
 

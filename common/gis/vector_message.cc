@@ -104,7 +104,7 @@ void Each(Archive& archive, T& item) {
     archive(item.name), archive(item.bytes);
   } else if constexpr (std::is_same_v<Type, VectorFeature>) {
     archive(item.label), archive(item.polygon.rings), archive(item.line), archive(item.water), archive(item.level);
-    archive(item.kind), archive(item.body);
+    archive(item.kind), archive(item.clear), archive(item.clear_height), archive(item.body);
   } else {
     archive(item);
   }

@@ -225,6 +225,37 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
   return std::move(features).Text();
 }
 
+std::string ProposalsGeoJson(const Plan& plan, const std::vector<ProposedSurface>& surfaces, const Scene& scene) {
+  Features features(scene);
+  const auto properties = [&](const char* name, const char* kind, double level, double sigma, double area, bool clear,
+                              const std::string& reason) {
+    return Json{{"name", name},
+                {"water", true},
+                {"kind", kind == nullptr ? Json() : Json(kind)},
+                {"level_m", nullptr},
+                {"clear", clear},
+                {"proposed_level_m", Millimetres(level + scene.origin.z())},
+                {"sigma_m", Millimetres(sigma)},
+                {"area_m2", std::round(area)},
+                {"reason", reason}};
+  };
+  for (const WaterBody& body : plan.water) {
+    std::vector<RimSegment> segments;
+    double area = 0;
+    for (const int32_t h : body.holes) {
+      segments.insert(segments.end(), plan.holes[h].segments.begin(), plan.holes[h].segments.end());
+      area += plan.holes[h].area;
+    }
+    features.AddPolygons(plan, segments, Wound::kLeft,
+                         properties("hole", KindOf(body), body.level, body.spread, area, false,
+                                    "a hole whose rim tells the level of water"));
+  }
+  for (const ProposedSurface& s : surfaces) {
+    features.AddRings(s.outline.rings, properties("surface", nullptr, s.level, s.sigma, s.area, true, s.reason));
+  }
+  return std::move(features).Text();
+}
+
 std::string AreaGeoJson(const PlanePolygon& area, const Scene& scene) {
   Features features(scene);
   features.AddRings(area.rings, Json::object());

@@ -196,6 +196,17 @@ TEST(ParseWaterFileTest, LinesInNoWaterAreCounted) {
   EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0 and 2 more: a line that lies in no polygon")));
 }
 
+TEST(ParseWaterFileTest, AClearHeightWithoutEffectIsAWarning) {
+  const std::string square = PolygonText(SquareAt(0, 0, 10));
+  for (const auto& [properties, reason] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"clear_height": 2})", "is not given as well"},
+           {R"({"clear_height": 2, "clear": true, "water": false})", "of what is no water all is taken out"}}) {
+    const auto file = ParseWaterFile({FeatureText(square, properties)}, "f", {});
+    ASSERT_TRUE(file.ok()) << file.status();
+    EXPECT_THAT(file->warnings, ElementsAre(HasSubstr(reason)));
+  }
+}
+
 TEST(ParseWaterFileTest, AKindMustAgreeWithTheRest) {
   const std::string square = PolygonText(SquareAt(0, 0, 10));
   const auto with = [&](const char* properties) { return ParseWaterFile({FeatureText(square, properties)}, "f", {}); };

@@ -75,6 +75,17 @@ TEST(FeaturePropertiesTest, AKindIsLakeOrRiver) {
   }
 }
 
+TEST(FeaturePropertiesTest, SurfaceIsTakenOutWhereAPolygonSaysSo) {
+  const auto none = AreaWith("{}"), some = AreaWith(R"({"clear": "yes", "clear_height": "2 m"})");
+  ASSERT_TRUE(none.ok() && some.ok()) << none.status() << some.status();
+  EXPECT_FALSE(none->clear);
+  EXPECT_EQ(none->clear_height, kClearHeight);
+  EXPECT_TRUE(some->clear);
+  EXPECT_EQ(some->clear_height, 2);
+  for (const char* bad : {R"({"clear": 3})", R"({"clear": true, "clear_height": -1})", R"({"clear_height": "high"})"})
+    EXPECT_TRUE(absl::IsInvalidArgument(AreaWith(bad).status())) << bad;
+}
+
 TEST(FeaturePropertiesTest, WaterIsABooleanOrAWordForOne) {
   for (const char* yes : {"true", "1", "\"true\"", "\"T\"", "\"Yes\"", "\"y\"", "\"1\"", "null", "\"\""}) {
     const auto area = AreaWith(absl::StrCat(R"({"water": )", yes, "}"));
