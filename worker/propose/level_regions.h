@@ -13,7 +13,7 @@ namespace tilemend {
 // looked at on five further sites without water (docs/decisions/2026-11-26-water-proposals.md).
 struct LevelRegionOptions {
   double bank = 0.5;          // metres: how far the shore rises at least, and the heights of water scatter at most
-  double growth = 1.25;       // how much larger the region may be at `bank` above its own level
+  double growth = 1.35;       // how much larger the region may be at `bank` above its own level
   double depth_share = 0.45;  // how much of it may lie more than `bank` below its own level: noise of water
   double shore_share = 0.5;   // along how much of its rim ground must be higher than the water by `bank`
   double shore_reach = 10;    // metres: how far behind the rim that ground may be: trees and walls stand before it

@@ -24,7 +24,7 @@ TEST(GeoPackageOfTest, IsReadBackAsWater) {
   EXPECT_EQ(file->coordinates, "EPSG:25832");
   ASSERT_THAT(file->areas, SizeIs(1));
   EXPECT_TRUE(file->areas[0].water && file->areas[0].clear);
-  EXPECT_EQ(file->areas[0].label, "feature 1 (Pond)");
+  EXPECT_EQ(file->areas[0].label, "feature 0 (Pond)");
   EXPECT_TRUE(Contains(file->areas[0].polygon, {150, 350}));
 }
 
