@@ -16,9 +16,12 @@ constexpr size_t kLongest = 20;  // letters: longer names are near none
 struct Word {
   std::string_view letters, property;
 };
-// Words that are not in the first three are taken as they are.
-constexpr std::array<Word, 3> kProperties = {
-    {{"water", kWaterProperty}, {"levelm", kLevelProperty}, {"centreline", kCentrelineProperty}}};
+// Words that are not in the first list are taken as they are.
+constexpr std::array<Word, 5> kProperties = {{{"water", kWaterProperty},
+                                              {"levelm", kLevelProperty},
+                                              {"centreline", kCentrelineProperty},
+                                              {"clear", kClearProperty},
+                                              {"clearheight", kClearHeightProperty}}};
 constexpr std::array<Word, 4> kOtherWords = {
     {{"level", kLevelProperty}, {"z", kLevelProperty}, {"height", kLevelProperty}, {"elevation", kLevelProperty}}};
 

@@ -152,7 +152,7 @@ void AddRiver(const WaterBody& body, Json& row) {
 Json WaterRows(const SceneReportInput& input) {
   Json rows = Json::array();
   for (const WaterBody& body : input.plan->water) {
-    if (body.kind != WaterKind::kWater) continue;
+    if (body.kind != BodyKind::kWater) continue;
     Json holes = Json::array();
     double area = 0;
     std::set<CellId> cells;

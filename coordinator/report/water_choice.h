@@ -17,14 +17,14 @@ inline constexpr char kNoWater[] = "off";
 
 struct WaterChoice {
   WaterOptions options;
-  std::string digest;       // SHA-256 of the file, hex; empty without one
+  std::string digest;       // SHA-256 of the file and what belongs to it, hex; empty without one
   std::string coordinates;  // what those of the file were taken for; empty without one
   std::vector<std::string> warnings;
 };
 
 // kFindWater, kNoWater, or a file of exceptions from kFindWater (common/gis/area_file.h). `frame` says where the
 // scene's coordinates lie. Errors of ReadAreaFile and ParseWaterFile, with the file in their text.
-absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, double tolerance, const SceneFrame& frame);
+absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const SceneFrame& frame);
 
 }  // namespace tilemend
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "worker/ground/join_rasters.h"
+
 namespace tilemend {
 namespace {
 
@@ -28,19 +30,6 @@ GroundRaster Frame(std::span<const Point3> vertices, std::span<const GroundRaste
   high = (high + more).min(hi);
   if ((low > high).any()) return {};
   return EmptyRaster(square, low.x(), low.y(), high.x() - low.x() + 1, high.y() - low.y() + 1);
-}
-
-void LowerTo(const GroundRaster& other, GroundRaster& joined) {
-  const int32_t first = std::max(other.col, joined.col),
-                end = std::min(other.col + other.cols, joined.col + joined.cols);
-  for (int32_t r = std::max(other.row, joined.row); r < std::min(other.row + other.rows, joined.row + joined.rows);
-       ++r) {
-    for (int32_t c = first; c < end; ++c) {
-      float& lowest = joined.heights[joined.IndexOf(c, r)];
-      const float height = other.heights[other.IndexOf(c, r)];
-      if (!std::isnan(height) && !(lowest <= height)) lowest = height;
-    }
-  }
 }
 
 }  // namespace

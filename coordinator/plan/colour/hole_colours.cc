@@ -89,7 +89,7 @@ std::vector<FillColour> ColourHoles(const Plan& plan, const PlanInput& input, co
   std::vector<FillColour> colours(plan.holes.size());
   for (const auto& [group, holes] : GroupsOf(plan)) {
     const int32_t body = plan.holes[holes.front()].water;
-    const bool is_water = body >= 0 && plan.water[body].kind == WaterKind::kWater;
+    const bool is_water = body >= 0 && plan.water[body].kind == BodyKind::kWater;
     MedianColour ground, all;
     for (const int32_t v : RimOf(plan, holes)) {
       if (!of_vertices[v]) continue;

@@ -27,7 +27,6 @@ namespace tilemend {
 // What is taken for water (water.h).
 struct WaterOptions {
   bool find = true;                          // else only where an area says so
-  double tolerance = 0.1;                    // not used
   WaterProfile profile = kWaterProfiles[0];  // what `find` finds
   std::vector<WaterArea> areas;              // the last one that covers more than half of a hole decides on it
 };
@@ -137,12 +136,12 @@ struct Seam {
   std::vector<int32_t> vertices;  // into Plan::vertices
 };
 
-enum class WaterKind { kWater, kLevelGround };
+enum class BodyKind { kWater, kLevelGround };
 
 // What is filled flat: a cluster of open holes, or a closed hole, or several that hold one water; or a river, over one
 // or more of them.
 struct WaterBody {
-  WaterKind kind = WaterKind::kWater;  // kLevelGround: nothing says that it is water; never a river
+  BodyKind kind = BodyKind::kWater;  // kLevelGround: nothing says that it is water; never a river
   std::vector<int32_t> holes;  // into Plan::holes, ascending
   double level = 0;            // metres, on the lattice; of a river at its lower end
   WaterSurface river;          // no stations: level water

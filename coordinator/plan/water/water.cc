@@ -187,7 +187,7 @@ class WaterFinder {
     }
     if (verdict == Verdict::kNoWater) return;
     WaterBody body;
-    body.kind = verdict == Verdict::kLevelGround ? WaterKind::kLevelGround : WaterKind::kWater;
+    body.kind = verdict == Verdict::kLevelGround ? BodyKind::kLevelGround : BodyKind::kWater;
     DescribeRim(basin.evidence, e.sigma(), body);
     body.level = body.shore_level = e.level;
     if (verdict == Verdict::kRiver) body.river = basin.river->water;
@@ -212,7 +212,7 @@ class WaterFinder {
   }
 
   void StoreBody(WaterBody body) {
-    if (body.kind == WaterKind::kWater) MarkWalls(body, plan_);
+    if (body.kind == BodyKind::kWater) MarkWalls(body, plan_);
     for (const int32_t h : body.holes) plan_.holes[h].water = static_cast<int32_t>(plan_.water.size());
     plan_.water.push_back(std::move(body));
   }

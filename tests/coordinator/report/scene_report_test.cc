@@ -111,7 +111,7 @@ TEST_F(SceneReportTest, SaysOfWhatWithWhatAndWhenItIsMade) {
 TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   plan_.holes[1].water = 0;
   input_.outcome.sizes[1].way = FillWay::kWater;
-  plan_.water = {{WaterKind::kWater, {1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
+  plan_.water = {{BodyKind::kWater, {1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
   const Json report = Report();
   EXPECT_EQ(report["per_hole"][1]["method"], "water");
   EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);
@@ -123,7 +123,7 @@ TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
 
 TEST_F(SceneReportTest, LevelGroundIsNoWater) {
   plan_.holes[1].water = 0;
-  plan_.water = {{WaterKind::kLevelGround, {1}, 12.5}};
+  plan_.water = {{BodyKind::kLevelGround, {1}, 12.5}};
   const Json report = Report();
   EXPECT_TRUE(report["water"].empty());
   EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);
@@ -143,7 +143,7 @@ TEST_F(SceneReportTest, SaysWhatAHoleWasTakenForAndWhy) {
 
 TEST_F(SceneReportTest, NamesTheClusterOfALakeThatAClosedHoleIsAPartOf) {
   plan_.holes[0].water = plan_.holes[1].water = 0;
-  plan_.water = {{WaterKind::kWater, {0, 1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, true}};
+  plan_.water = {{BodyKind::kWater, {0, 1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, true}};
   EXPECT_EQ(Report()["water"][0]["cluster"], 0);
 }
 
@@ -157,7 +157,7 @@ TEST_F(SceneReportTest, GivesHolesOfARiverTheLevelsOfItsEnds) {
 
 TEST_F(SceneReportTest, LeavesOutWaterWhoseHolesAllFailed) {
   plan_.holes[2].water = 0;
-  plan_.water = {{WaterKind::kWater, {2}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
+  plan_.water = {{BodyKind::kWater, {2}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
   EXPECT_TRUE(Report()["water"].empty());
 }
 
@@ -198,7 +198,7 @@ TEST_F(SceneReportTest, WarnsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
 }
 
 TEST_F(SceneReportTest, AnswersEveryAreaOfWater) {
-  plan_.water = {{WaterKind::kWater, {1}, 12.5, {}, {}}};
+  plan_.water = {{BodyKind::kWater, {1}, 12.5, {}, {}}};
   plan_.holes[1].water = 0;
   plan_.water_answers = {{"feature 0", true, true, {1}, ""}, {"feature 1", false, false, {}, "why"}};
   const Json rows = Report()["water_areas"];

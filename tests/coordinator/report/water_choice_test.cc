@@ -12,18 +12,17 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(WaterChoiceTest, FindsWaterOrDoesNot) {
-  const auto find = ReadWaterChoice(kFindWater, 0.2, {}), off = ReadWaterChoice(kNoWater, 0.2, {});
+  const auto find = ReadWaterChoice(kFindWater, {}), off = ReadWaterChoice(kNoWater, {});
   ASSERT_TRUE(find.ok() && off.ok());
   EXPECT_TRUE(find->options.find);
   EXPECT_FALSE(off->options.find);
-  EXPECT_EQ(find->options.tolerance, 0.2);
   EXPECT_EQ(find->digest, "");
 }
 
 TEST(WaterChoiceTest, AFileGivesExceptionsAndCountsByItsContent) {
   const TemporaryFolder folder;
   const std::string text = R"({"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]})";
-  const auto choice = ReadWaterChoice(folder.Write("areas.geojson", text), 0.1, {});
+  const auto choice = ReadWaterChoice(folder.Write("areas.geojson", text), {});
   ASSERT_TRUE(choice.ok()) << choice.status();
   EXPECT_TRUE(choice->options.find);
   EXPECT_EQ(choice->options.areas.size(), 1U);
@@ -32,10 +31,10 @@ TEST(WaterChoiceTest, AFileGivesExceptionsAndCountsByItsContent) {
 
 TEST(WaterChoiceTest, NamesAFileThatCannotBeUsed) {
   const TemporaryFolder folder;
-  const absl::Status missing = ReadWaterChoice(folder / "none.geojson", 0.1, {}).status();
+  const absl::Status missing = ReadWaterChoice(folder / "none.geojson", {}).status();
   EXPECT_TRUE(absl::IsNotFound(missing)) << missing;
   EXPECT_THAT(std::string(missing.message()), HasSubstr("none.geojson"));
-  const absl::Status broken = ReadWaterChoice(folder.Write("broken.geojson", "{"), 0.1, {}).status();
+  const absl::Status broken = ReadWaterChoice(folder.Write("broken.geojson", "{"), {}).status();
   EXPECT_TRUE(absl::IsInvalidArgument(broken)) << broken;
   EXPECT_THAT(std::string(broken.message()), HasSubstr("broken.geojson"));
 }

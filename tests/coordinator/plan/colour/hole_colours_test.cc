@@ -76,7 +76,7 @@ TEST(ColourHolesTest, LevelGroundHasTheColourOfGround) {
   const SurveyedScene scene = Lake();
   Plan plan = PlanOf(scene);
   plan.water.resize(1);
-  plan.water[0].kind = WaterKind::kLevelGround;
+  plan.water[0].kind = BodyKind::kLevelGround;
   for (PlannedHole& hole : plan.holes) hole.water = 0;
   EXPECT_EQ(ColourHoles(plan, scene.Input(), Rgb{1, 2, 3})[0].colour, kGroundColour);
 }

@@ -28,7 +28,7 @@ Plan PlanOf(const SceneMakerOptions& scene, const WaterOptions& water = {}) {
   return MakePlan(SurveyScene(MakeScene(scene)).Input(), options);
 }
 
-int64_t WatersOf(const Plan& plan) { return std::ranges::count(plan.water, WaterKind::kWater, &WaterBody::kind); }
+int64_t WatersOf(const Plan& plan) { return std::ranges::count(plan.water, BodyKind::kWater, &WaterBody::kind); }
 
 std::vector<Point2> Box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
@@ -52,7 +52,7 @@ TEST_P(WaterTest, ALakeOverNineCellsHasOneLevel) {
     EXPECT_FALSE(lake.forced);
     EXPECT_GT(lake.rim_vertices, 100);
     EXPECT_LT(lake.sigma, 0.06);
-    EXPECT_EQ(lake.kind, bank > 0 ? WaterKind::kWater : WaterKind::kLevelGround) << bank;
+    EXPECT_EQ(lake.kind, bank > 0 ? BodyKind::kWater : BodyKind::kLevelGround) << bank;
     std::set<CellId> cells;
     for (const int32_t h : lake.holes) cells.insert(plan.holes[h].cell);
     EXPECT_THAT(cells, SizeIs(9));
