@@ -48,7 +48,7 @@ class WaterProposalTest : public ::testing::Test {
     folder_.Write("scene.json",
                   R"({"crs": "EPSG:25832", "origin": [691000, 5334000, 500], "cell_size": 80, "cols": 2, "rows": 1,
                       "tiles": [{"col": 0, "row": 0, "path": "tile0.ply"}, {"col": 1, "row": 0, "path": "tile1.ply"}]})");
-    auto scene = LoadScene(folder_.path().string(), {});
+    auto scene = LoadScene(folder_.path(), {});
     EXPECT_TRUE(scene.ok()) << scene.status();
     inspection_ = InspectScene(*std::move(scene), {});
     EXPECT_THAT(inspection_.errors, SizeIs(0));

@@ -123,7 +123,7 @@ TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
 
 TEST_F(SceneReportTest, LevelGroundIsNoWater) {
   plan_.holes[1].water = 0;
-  plan_.water = {{BodyKind::kLevelGround, {1}, 12.5}};
+  plan_.water = {{BodyKind::kLevelGround, {1}, 12.5, {}, {}}};
   const Json report = Report();
   EXPECT_TRUE(report["water"].empty());
   EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);

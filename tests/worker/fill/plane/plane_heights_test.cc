@@ -58,10 +58,6 @@ TEST(PlaneHeightsTest, AmongObjectsTheSurfaceIsLinearUnlessATensionIsGiven) {
   };
   const auto plate = middle(0.01), chosen = middle(std::nullopt);
   EXPECT_TRUE(chosen.second);
-  hole.ground_points = hole.positions;
-  const auto linear = middle(std::nullopt);
-  EXPECT_FALSE(linear.second);
-  EXPECT_GT(std::abs(linear.first - chosen.first), 0.01);
   EXPECT_EQ(middle(0.01).first, plate.first);
 }
 
