@@ -48,7 +48,7 @@ std::vector<absl::StatusOr<SurveyRecord>> SurveyAll(const Scene& scene, const st
   return results;
 }
 
-// Tells ground from objects in all cells; as many threads as cores.
+// Tells ground from objects in all cells, and plans; as many threads as cores.
 void TellGround(SceneWaves& waves) {
   std::vector<GroundWork> works;
   while (std::optional<SceneWork> work = waves.Next()) works.push_back(std::get<GroundWork>(*std::move(work)));
@@ -64,6 +64,7 @@ void TellGround(SceneWaves& waves) {
     // As many values as the vertices: nothing is wrong with them.
     waves.TakeGround(works[i].cell, std::move(ground[i])).IgnoreError();
   }
+  waves.Next();
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ Inspection InspectScene(Scene scene, const PlanOptions& options) {
       inspection.errors.push_back(results[i].status());
     }
   }
-  if (inspection.errors.empty()) TellGround(waves);  // plans at the end
+  if (inspection.errors.empty()) TellGround(waves);
   return inspection;
 }
 

@@ -148,8 +148,7 @@ RULES = {
         ['eigen'], pure=True),
 
     'coordinator/plan/water': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'common/grid', 'common/records', 'coordinator/plan/types',
-         'coordinator/plan/seam'],
+        ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam'],
         ['eigen'], pure=True),
 
     'coordinator/plan/colour': rule(['common/records', 'common/util', 'coordinator/plan/types'], [], pure=True),

@@ -144,6 +144,23 @@ double ShareOnObjects(const Plan& plan, const PlannedHole& hole) {
 // As ParseWaterFile takes it.
 const char* KindOf(const WaterBody& body) { return body.river.stations.empty() ? "lake" : "river"; }
 
+// What a hole was taken for.
+void AddWater(const Plan& plan, const PlannedHole& hole, double origin, Json& row) {
+  if (hole.evidence >= 0) {
+    const HoleEvidence& evidence = plan.evidence[hole.evidence];
+    row["taken_for"] = VerdictName(evidence.verdict);
+    row["because"] = evidence.reason;
+    if (evidence.has_level) row["sigma_m"] = Millimetres(evidence.sigma);
+  }
+  if (hole.water < 0) return;
+  const WaterBody& body = plan.water[hole.water];
+  if (body.river.stations.empty()) row["level_m"] = body.level + origin;  // exact: it can be given back
+  if (body.kind != BodyKind::kWater) return;
+  row["water"] = true;
+  row["kind"] = KindOf(body);
+  row["body"] = hole.water;
+}
+
 Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h) {
   const PlannedHole& hole = input.plan->holes[h];
   const std::string failure = FailureOf(input, h);
@@ -173,20 +190,7 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
   }
   const auto size = input.outcome.sizes.find(h);
   if (size != input.outcome.sizes.end() && failure.empty()) row["method"] = WayName(size->second.way);
-  if (hole.evidence >= 0) {
-    const HoleEvidence& evidence = input.plan->evidence[hole.evidence];
-    row["taken_for"] = VerdictName(evidence.verdict);
-    row["because"] = evidence.reason;
-    if (evidence.has_level) row["sigma_m"] = Millimetres(evidence.sigma);
-  }
-  if (hole.water < 0) return row;
-  const WaterBody& body = input.plan->water[hole.water];
-  if (body.kind == BodyKind::kWater) {
-    row["water"] = true;
-    row["kind"] = KindOf(body);
-  }
-  row["body"] = hole.water;
-  if (body.river.stations.empty()) row["level_m"] = body.level + scene.origin.z();  // exact: it can be given back
+  AddWater(*input.plan, hole, scene.origin.z(), row);
   return row;
 }
 

@@ -82,14 +82,12 @@ absl::StatusOr<int64_t> SizeOf(const std::string& path) {
   return look->size;
 }
 
-// That the file has the digest; else `otherwise`.
 absl::Status CheckFile(const std::string& path, const std::string& digest, const absl::Status& otherwise) {
   const auto same = FileHasDigest(path, digest);
   if (!same.ok()) return absl::UnavailableError(same.status().message());
   return *same ? absl::OkStatus() : otherwise;
 }
 
-// Sorts the edges only where some have three triangles, or there is an outline.
 bool HasOutline(const TriMesh& mesh, uint64_t key) {
   return OutlineSumOf(mesh, key).sum != 0 && !OutlineOf(mesh).empty();
 }
@@ -130,7 +128,6 @@ absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutpu
   return CheckFile(PathOf(input.tile()), output.digest(), changed);
 }
 
-// Of a tile with another digest than the survey tells.
 absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) {
   if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
   return Changed(path);
@@ -173,10 +170,9 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
 absl::Status CheckGroundResult(const std::string& input_bytes, const std::string& output_bytes) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::GroundInput>(input_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::GroundOutput>(output_bytes));
-  const int vertices = input.position_size() / 3;
-  return output.on_object_size() == vertices && output.ground_size() == vertices
-             ? absl::OkStatus()
-             : Wrong("not a value for each boundary vertex");
+  const int n = input.position_size() / 3;
+  if (output.on_object_size() == n && output.ground_size() == n) return absl::OkStatus();
+  return Wrong("not a value for each boundary vertex");
 }
 
 absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
@@ -225,7 +221,7 @@ struct HeightRange {
   }
 };
 
-// The heights of what is smoothed, as far as one side tells: means stay between them.
+// Of what is smoothed, as far as one side tells: means stay between them.
 absl::Status AddHeights(const v1::SeamSide& side, const v1::SmoothedPoints& moved, HeightRange& heights) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(side.vertices()));
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<HolePatch> patches, FromProto(side.patches(), vertices.size()));

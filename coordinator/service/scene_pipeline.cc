@@ -200,6 +200,10 @@ class ScenePipeline : public JobPipeline {
       waves_.LeaveSeam(result.cell, reason);
       return absl::OkStatus();
     }
+    if (result.stage == Stage::kGround && (given_up || absl::IsInternal(error))) {
+      waves_.LeaveGround(result.cell, reason);
+      return absl::OkStatus();
+    }
     const bool filling = result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
     if (!filling || !(given_up || absl::IsInternal(error))) return error;
     waves_.LeaveHoles(result.cell, reason);

@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/records/ground_raster.h"
 #include "coordinator/plan/colour/hole_colours.h"
 #include "coordinator/plan/make_cell_holes.h"
 #include "coordinator/plan/water/water.h"
+#include "coordinator/waves/ground_reach.h"
+#include "coordinator/waves/holes_of_cells.h"
 #include "coordinator/waves/tiles_in_reach.h"
 
 namespace tilemend {
@@ -20,25 +21,6 @@ namespace {
 Grid GridAround(const SurveySummary& record) {
   const Point2 extent = (record.hi - record.lo).head<2>().cwiseMax(Point2(1, 1));
   return {record.lo.head<2>() - extent, 3 * extent};
-}
-
-std::set<CellId> CellsOf(const Plan& plan, const std::vector<int32_t>& holes) {
-  std::set<CellId> cells;
-  for (const int32_t h : holes) cells.insert(plan.holes[h].cell);
-  return cells;
-}
-
-size_t SegmentsOf(const Plan& plan, const std::vector<int32_t>& holes) {
-  size_t count = 0;
-  for (const int32_t h : holes) count += plan.holes[h].segments.size();
-  return count;
-}
-
-constexpr int kMostCellsInReach = 20;  // of the ground filter, along one axis
-
-CellId CellAt(const Grid& grid, const Point2& p) {
-  const Point2 cell = ((p - grid.corner).array() / grid.cell_size.array()).floor();
-  return {static_cast<int32_t>(cell.x()), static_cast<int32_t>(cell.y())};
 }
 
 absl::Status CheckSample(const Plan& plan, int32_t vertex, double height) {
@@ -77,7 +59,7 @@ std::optional<SceneWaves::Item> SceneWaves::NextItem() {
 SceneWork SceneWaves::WorkOf(const Item& item) const {
   switch (item.wave) {
     case Wave::kGround:
-      return GroundWorkOf(item.cell);
+      return GroundWork{item.cell, records().at(item.cell), CellsInGroundReach(records(), scene_.grid, item.cell)};
     case Wave::kCluster:
       return ClusterWork{item.cluster,
                          MakeCellHoles(plan_, input_, heights_, holes_of_clusters_.at(item.cluster), true)};
@@ -153,6 +135,11 @@ absl::Status SceneWaves::TakeGround(CellId cell, RimGround rim) {
   input_.rim_ground[cell] = std::move(rim);
   --awaited_;
   return absl::OkStatus();
+}
+
+void SceneWaves::LeaveGround(CellId cell, const std::string& reason) {
+  outcome_.unsmoothed.push_back({cell, absl::StrCat("all at its rims is taken for ground: ", reason)});
+  --awaited_;
 }
 
 absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
@@ -277,11 +264,7 @@ void SceneWaves::Advance() {
       return QueueGround();
     case Wave::kGround:
       EndStep("ground");
-      MakeThePlan();
-      EndStep("plan");
-      wave_ = options_.plan_only ? Wave::kDone : Wave::kCluster;
-      if (!options_.plan_only && options_.surface == Surface::kThinPlate) QueueClusters();
-      return;
+      return MakeThePlan();
     case Wave::kCluster:
       wave_ = Wave::kLayer;
       return QueueLayer(1);
@@ -312,33 +295,11 @@ void SceneWaves::Advance() {
 }
 
 void SceneWaves::QueueGround() {
-  if (!options_.find_objects || options_.single_mesh) return;
-  const Point2& cell = scene_.grid.cell_size;
-  if (cell.minCoeff() * kMostCellsInReach < kGroundReach) return;
+  if (!options_.find_objects || options_.single_mesh || !IsGroundTold(scene_.grid)) return;
   phase_ = "ground";
-  for (const auto& [id, record] : records()) {
-    if (record != nullptr && record->triangle_count > 0) ready_.push_back({Wave::kGround, id});
+  for (const auto& [cell, record] : records()) {
+    if (record != nullptr && record->triangle_count > 0) ready_.push_back({Wave::kGround, cell});
   }
-}
-
-// Tiles may reach beyond their cells: what counts is their extent.
-GroundWork SceneWaves::GroundWorkOf(CellId cell) const {
-  const StoredRecord& own = records().at(cell);
-  GroundWork work{cell, own, {}};
-  const Grid& grid = scene_.grid;
-  const Point2 reach = Point2::Constant(kGroundReach + 2 * RasterSquareFor(grid.cell_size.x(), grid.cell_size.y()));
-  const Point2 lo = own->lo.head<2>() - reach, hi = own->hi.head<2>() + reach;
-  const CellId first = CellAt(grid, lo), last = CellAt(grid, hi);
-  for (int32_t row = first.row - 1; row <= last.row + 1; ++row) {
-    for (int32_t col = first.col - 1; col <= last.col + 1; ++col) {
-      const auto other = records().find({col, row});
-      if (other == records().end() || other->second == nullptr || other->second->triangle_count == 0) continue;
-      if ((other->second->lo.head<2>().array() > hi.array()).any()) continue;
-      if ((other->second->hi.head<2>().array() < lo.array()).any()) continue;
-      work.around.push_back({col, row});
-    }
-  }
-  return work;
 }
 
 void SceneWaves::MakeThePlan() {
@@ -356,31 +317,16 @@ void SceneWaves::MakeThePlan() {
   plan_.colours = ColourHoles(plan_, input_, options_.plan.water_colour);
   float32_ = std::any_of(records().begin(), records().end(),
                          [](const auto& r) { return r.second != nullptr && r.second->float32; });
-  for (size_t h = 0; h < plan_.holes.size(); ++h) {
-    if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
-  }
-  KeepChosenHoles();
+  outcome_.chosen = options_.chosen;
+  holes_of_ = HolesToFill(plan_, options_.chosen);
   std::vector<BorderAudit> borders;
   std::copy_if(plan_.borders.begin(), plan_.borders.end(), std::back_inserter(borders), [&](const BorderAudit& border) {
     return holes_of_.contains(border.a) && holes_of_.contains(border.b) && IsChosen(border.a) && IsChosen(border.b);
   });
   fill_gaps_ = FillGaps(input_.grid, borders);
-}
-
-void SceneWaves::KeepChosenHoles() {
-  outcome_.chosen = options_.chosen;
-  if (options_.chosen.empty()) return;
-  std::set<int32_t> clusters;
-  for (const auto& [cell, holes] : holes_of_) {
-    if (!IsChosen(cell)) continue;
-    for (const int32_t h : holes) clusters.insert(plan_.holes[h].cluster);
-  }
-  clusters.erase(-1);
-  for (auto& [cell, holes] : holes_of_) {
-    if (IsChosen(cell)) continue;
-    std::erase_if(holes, [&](int32_t h) { return !clusters.contains(plan_.holes[h].cluster); });
-  }
-  std::erase_if(holes_of_, [](const auto& of_cell) { return of_cell.second.empty(); });
+  EndStep("plan");
+  wave_ = options_.plan_only ? Wave::kDone : Wave::kCluster;
+  if (!options_.plan_only && options_.surface == Surface::kThinPlate) QueueClusters();
 }
 
 // Cells that need no surface of a cluster are filled meanwhile.
@@ -415,16 +361,8 @@ void SceneWaves::QueueLayer(int32_t layer) {
 }
 
 void SceneWaves::QueueCellOfLayer(CellId cell, const std::vector<int32_t>& holes) {
-  if (is_wang() && LastLayerOf(holes) == layer_ && IsFilled(cell)) return QueueFill(cell);
+  if (is_wang() && LastLayerOf(plan_, holes) == layer_ && IsFilled(cell)) return QueueFill(cell);
   if (!HolesOfLayer(holes).empty()) ready_.push_back({Wave::kLayer, cell});
-}
-
-int32_t SceneWaves::LastLayerOf(const std::vector<int32_t>& holes) const {
-  int32_t last = 1;
-  for (const int32_t h : holes) {
-    if (plan_.holes[h].water < 0) last = std::max(last, plan_.holes[h].layer);
-  }
-  return last;
 }
 
 bool SceneWaves::IsFilled(CellId cell) const {

@@ -87,6 +87,8 @@ class SceneWaves {
 
   // In place of a result of ClusterWork, LayerWork or FillWork: the holes of `cell` stay open, for this reason.
   void LeaveHoles(CellId cell, const std::string& reason);
+  // In place of a result of GroundWork: nothing at the boundary of `cell` is taken for an object.
+  void LeaveGround(CellId cell, const std::string& reason);
   // In place of a result of SmoothWork: the seams of `cell` that are given out with it keep what its cells gave.
   void LeaveSeam(CellId cell, const std::string& reason);
   // In place of a result of AssembleWork: the tile is not written, and so its holes are not filled.
@@ -125,12 +127,8 @@ class SceneWaves {
   void EndStep(std::string_view step) const {
     if (step_ended_) step_ended_(step);
   }
-  // Where cells are so small that hundreds lie within reach of the filter, all is taken for ground.
   void QueueGround();
-  GroundWork GroundWorkOf(CellId cell) const;
   void MakeThePlan();
-  // Of cells that are not chosen, those holes stay whose clusters reach chosen ones.
-  void KeepChosenHoles();
   void QueueClusters();
   void QueueLayer(int32_t layer);
   void QueueCellOfLayer(CellId cell, const std::vector<int32_t>& holes);
@@ -140,7 +138,6 @@ class SceneWaves {
   bool IsFilled(CellId cell) const;
   // Whether both have a corner in common with a chosen cell: so the seam between them has.
   bool TouchesChosen(CellId a, CellId b) const;
-  int32_t LastLayerOf(const std::vector<int32_t>& holes) const;
   void QueueFills();
   void QueueFill(CellId cell);
   void QueueAssembles();

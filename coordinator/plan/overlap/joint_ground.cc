@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -40,6 +42,38 @@ OnEdge At(const Point3& place, const SurveyRecord& own, const BoundaryEdge& edge
   return result;
 }
 
+using Values = std::vector<std::optional<VertexGround>>;  // none: no edge of the tile's own passes
+
+Values OnOwnEdges(const SurveyRecord& record, const SurveyRecord& own, const std::vector<std::vector<int32_t>>& through,
+                  const RimGround& rim) {
+  Values values;
+  for (size_t v = 0; v < own.vertices.size(); ++v) values.emplace_back(Of(rim, static_cast<int32_t>(v)));
+  for (size_t v = own.vertices.size(); v < record.vertices.size(); ++v) {
+    std::optional<OnEdge> best;
+    for (const int32_t e : through[v - own.vertices.size()]) {
+      const OnEdge here = At(record.vertices[v].position, own, own.edges[e], rim);
+      if (!best || here.off < best->off) best = here;
+    }
+    values.push_back(best ? std::optional(best->value) : std::nullopt);
+  }
+  return values;
+}
+
+// Where two outlines meet on a grid line: what the vertex before or after it along the boundary has, the nearer one.
+Values WithNeighbours(const SurveyRecord& record, const Values& values) {
+  Values result = values;
+  std::vector<double> nearest(values.size(), std::numeric_limits<double>::infinity());
+  for (const BoundaryEdge& e : record.edges) {
+    const double length = (record.vertices[e.to].position - record.vertices[e.from].position).head<2>().squaredNorm();
+    for (const auto& [v, other] : {std::pair(e.from, e.to), std::pair(e.to, e.from)}) {
+      if (values[v] || !values[other] || !(length < nearest[v])) continue;
+      nearest[v] = length;
+      result[v] = values[other];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::map<CellId, RimGround> JointGround(const JointTiles& joint, const std::map<CellId, RimGround>& rim_ground) {
@@ -50,17 +84,9 @@ std::map<CellId, RimGround> JointGround(const JointTiles& joint, const std::map<
     const SurveyRecord& own = *joint.own.at(cell);
     const auto& through = joint.edges_through.at(cell);
     RimGround& rim = result[cell];
-    for (size_t v = 0; v < record.vertices.size(); ++v) {
-      OnEdge best{Of(known->second, static_cast<int32_t>(v)), 0};
-      if (v >= own.vertices.size()) {
-        best = {};
-        for (const int32_t e : through[v - own.vertices.size()]) {
-          const OnEdge here = At(record.vertices[v].position, own, own.edges[e], known->second);
-          if (here.off < best.off) best = here;
-        }
-      }
-      rim.on_object.push_back(best.value.on_object);
-      rim.ground.push_back(best.value.ground);
+    for (const auto& value : WithNeighbours(record, OnOwnEdges(record, own, through, known->second))) {
+      rim.on_object.push_back(value.value_or(VertexGround()).on_object);
+      rim.ground.push_back(value.value_or(VertexGround()).ground);
     }
   }
   return result;

@@ -106,12 +106,24 @@ class WaterFinder {
       Group group;
       for (const int32_t h : holes) group.area += plan_.holes[h].area;
       group.decider = DeciderOf(plan_, holes, options_.areas);
+      if (!group.decider) DropAddedCells(holes, group);
+      if (holes.empty()) continue;
       group.is_judged = group.decider || group.area >= kJudged;
       group.holes = std::move(holes);
       if (!options_.find) group.evidence.reason = kNotLookedFor;
       if (group.decider) group.evidence.reason = DecidedBy(options_.areas[*group.decider]);
       groups_.push_back(std::move(group));
     }
+  }
+
+  // What lies in cells that only the area made part of the scene is no water unless an area says so: the hole around a
+  // scene goes on into lakes at its rim.
+  void DropAddedCells(std::vector<int32_t>& holes, Group& group) const {
+    std::erase_if(holes, [&](int32_t h) {
+      const bool is_added = input_.added.contains(plan_.holes[h].cell);
+      if (is_added) group.area -= plan_.holes[h].area;
+      return is_added;
+    });
   }
 
   // The water that areas tell of.

@@ -9,7 +9,8 @@ namespace tilemend {
 
 // Fills plan.water, plan.evidence, PlannedHole::water and PlannedHole::evidence, and sets PlanVertex::on_object of the
 // original rim vertices that stand more than a metre above their water. Judged are clusters of open holes, and closed
-// holes that face up and project, with an edge of original surface on their rim.
+// holes that face up and project, with an edge of original surface on their rim. Without an area over it no hole in a
+// cell that only the reconstruction area made part of the scene (PlanInput::added) is water.
 //
 // The last area in options.areas that covers more than half of one decides on it: none is filled flat where the area
 // says that there is no water; else its level is the area's, or LevelEvidence::level. Those of one area are one body
