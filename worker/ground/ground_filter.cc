@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "worker/ground/disk_opening.h"
@@ -13,6 +12,7 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr int32_t kUnitRadii = 10;      // squares: up to here radii grow by one
+constexpr double kMinSight = 2.5;       // squares: the window has at most two where these are large
 constexpr double kFinestStep = 0x1p-6;  // metres
 constexpr double kMostSteps = 0x7ff0;   // to either side of the middle, of an int16
 
@@ -96,13 +96,16 @@ float FilteredGround::At(const GroundRaster& raster, int32_t col, int32_t row) {
 }
 
 FilteredGround::Place FilteredGround::GroundAt(int32_t col, int32_t row) const {
-  auto [height, slope] = std::pair(At(ground_, col, row), 0.0F);
-  if (std::isnan(height)) {
-    std::tie(height, slope) = UnderObject(col, row);
-  } else {
-    slope = SlopeOfGround(col, row);
-  }
-  return {height, static_cast<float>(options_.threshold + options_.slope_factor * slope)};
+  const float height = At(ground_, col, row);
+  if (std::isnan(height)) return UnderObject(col, row);
+  Place place = WithTolerance(height, SlopeOfGround(col, row));
+  place.is_between = true;
+  return place;
+}
+
+FilteredGround::Place FilteredGround::WithTolerance(double height, double slope, double distance) const {
+  return {static_cast<float>(height),
+          static_cast<float>(options_.threshold + slope * (options_.slope_factor + distance))};
 }
 
 float FilteredGround::SlopeOfGround(int32_t col, int32_t row) const {
@@ -112,30 +115,39 @@ float FilteredGround::SlopeOfGround(int32_t col, int32_t row) const {
   return std::hypot(rise_x, rise_y) / static_cast<float>(ground_.square);
 }
 
-std::pair<float, float> FilteredGround::UnderObject(int32_t col, int32_t row) const {
+FilteredGround::Place FilteredGround::UnderObject(int32_t col, int32_t row) const {
   constexpr int kDirections[8][2] = {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}};
   double weights = 0, heights = 0, slopes = 0;
+  Sight nearest;
   for (const auto& [dx, dy] : kDirections) {
-    const auto [before, height_before] = Nearest(col, row, -dx, -dy);
-    const auto [behind, height_behind] = Nearest(col, row, dx, dy);
-    if (std::isnan(height_before) || std::isnan(height_behind)) continue;
-    const double way = before + behind, weight = 1 / way;
+    const Sight before = Look(col, row, -dx, -dy), behind = Look(col, row, dx, dy);
+    for (const Sight& sight : {before, behind}) {
+      if (sight.distance < nearest.distance) nearest = sight;
+    }
+    if (std::isnan(before.height) || std::isnan(behind.height)) continue;
+    const double way = before.distance + behind.distance, weight = 1 / way;
     weights += weight;
-    heights += weight * (behind * height_before + before * height_behind) / way;
-    slopes += weight * std::abs(height_behind - height_before) / way;
+    heights += weight * (behind.distance * before.height + before.distance * behind.height) / way;
+    slopes += weight * std::abs(behind.height - before.height) / way;
   }
-  if (weights == 0) return {kNone, 0.0F};
-  return {static_cast<float>(heights / weights), static_cast<float>(slopes / weights)};
+  if (weights > 0) {
+    Place between = WithTolerance(heights / weights, slopes / weights);
+    between.is_between = true;
+    return between;
+  }
+  if (std::isnan(nearest.height)) return WithTolerance(kNone, 0);
+  return WithTolerance(nearest.height, SlopeOfGround(nearest.col, nearest.row), nearest.distance);
 }
 
-// The first ground in a direction, and how far off it is, in metres.
-std::pair<double, float> FilteredGround::Nearest(int32_t col, int32_t row, int32_t dx, int32_t dy) const {
+// The first ground in a direction.
+FilteredGround::Sight FilteredGround::Look(int32_t col, int32_t row, int32_t dx, int32_t dy) const {
   const double step = std::hypot(dx, dy) * ground_.square;
-  for (int32_t k = 1; k * step <= kGroundSight; ++k) {
+  const double sight = std::max(kGroundSight, kMinSight * ground_.square);
+  for (int32_t k = 1; k * step <= sight; ++k) {
     const float height = At(ground_, col + k * dx, row + k * dy);
-    if (!std::isnan(height)) return {k * step, height};
+    if (!std::isnan(height)) return {k * step, height, col + k * dx, row + k * dy};
   }
-  return {0, kNone};
+  return {};
 }
 
 }  // namespace tilemend

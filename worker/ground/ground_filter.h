@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <limits>
 
 #include "common/records/ground_raster.h"
 
@@ -32,7 +32,9 @@ inline double FilterReach(const GroundFilterOptions& options) { return 2 * optio
 //
 // Under objects the ground is linear between the nearest ground squares in opposite directions, the mean of eight pairs
 // of directions weighted by their distance (the paper has an interpolation over the whole raster, which is no local
-// one). So what was taken for an object but lies on that ground is ground again (step 4).
+// one). So what was taken for an object but lies on that ground is ground again (step 4). Where ground is seen on one
+// side alone, at the edge of the surface, it is that of the nearest square, and the tolerance grows by its slope times
+// the distance.
 //
 // The tolerance is that of step 4: threshold + slope_factor * slope of the ground. On ground the slope is the smaller
 // of those to either side, so that ground beside a wall is not steep; under objects the mean one of the pairs.
@@ -47,19 +49,27 @@ class FilteredGround {
   bool IsGround(int32_t col, int32_t row) const { return !std::isnan(At(ground_, col, row)); }
 
   struct Place {
-    float height;     // of the ground, metres, also under objects; NaN where nothing is known of it
-    float tolerance;  // metres: what lies higher is no ground
+    float height;             // of the ground, metres, also under objects; NaN where nothing is known of it
+    float tolerance;          // metres: what lies higher is no ground
+    bool is_between = false;  // the square has ground, or lies between such; else the height is that of the nearest one
   };
 
   // Of a square with surface. O(1) on ground, else O(kGroundSight / side of a square).
   Place GroundAt(int32_t col, int32_t row) const;
 
  private:
+  // Ground that is seen from a square.
+  struct Sight {
+    double distance = std::numeric_limits<double>::infinity();  // metres
+    float height = std::numeric_limits<float>::quiet_NaN();     // metres
+    int32_t col = 0, row = 0;
+  };
+
   static float At(const GroundRaster& raster, int32_t col, int32_t row);
-  std::pair<double, float> Nearest(int32_t col, int32_t row, int32_t dx, int32_t dy) const;
+  Sight Look(int32_t col, int32_t row, int32_t dx, int32_t dy) const;
   float SlopeOfGround(int32_t col, int32_t row) const;
-  // Height and slope.
-  std::pair<float, float> UnderObject(int32_t col, int32_t row) const;
+  Place UnderObject(int32_t col, int32_t row) const;
+  Place WithTolerance(double height, double slope, double distance = 0) const;
 
   const GroundFilterOptions options_;
   GroundRaster ground_;  // NaN where an object stands, or there is no surface

@@ -24,7 +24,7 @@ GroundRaster Frame(std::span<const Point3> vertices, std::span<const GroundRaste
     lo = lo.min(Eigen::Array2i(r.col, r.row));
     hi = hi.max(Eigen::Array2i(r.col + r.cols - 1, r.row + r.rows - 1));
   }
-  const auto more = static_cast<int32_t>(std::ceil(reach / square)) + 1;
+  const auto more = static_cast<int32_t>(std::ceil(reach / square)) + 3;
   if ((low > high).any() || (lo > hi).any()) return {};
   low = (low - more).max(lo);
   high = (high + more).min(hi);
@@ -47,9 +47,9 @@ RimGround GroundAtRim(std::span<const Point3> vertices, std::span<const GroundRa
   for (size_t v = 0; v < vertices.size(); ++v) {
     const int32_t col = SquareAt(vertices[v].x(), square), row = SquareAt(vertices[v].y(), square);
     if (!lowest.Contains(col, row) || std::isnan(lowest.heights[lowest.IndexOf(col, row)])) continue;
-    const auto [ground, tolerance] = filtered.GroundAt(col, row);
-    result.ground[v] = ground;
-    result.on_object[v] = !(std::abs(vertices[v].z() - ground) <= tolerance);
+    const FilteredGround::Place place = filtered.GroundAt(col, row);
+    if (place.is_between) result.ground[v] = place.height;
+    result.on_object[v] = !(std::abs(vertices[v].z() - place.height) <= place.tolerance);
   }
   return result;
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -42,36 +40,22 @@ OnEdge At(const Point3& place, const SurveyRecord& own, const BoundaryEdge& edge
   return result;
 }
 
-using Values = std::vector<std::optional<VertexGround>>;  // none: no edge of the tile's own passes
-
-Values OnOwnEdges(const SurveyRecord& record, const SurveyRecord& own, const std::vector<std::vector<int32_t>>& through,
-                  const RimGround& rim) {
-  Values values;
-  for (size_t v = 0; v < own.vertices.size(); ++v) values.emplace_back(Of(rim, static_cast<int32_t>(v)));
-  for (size_t v = own.vertices.size(); v < record.vertices.size(); ++v) {
-    std::optional<OnEdge> best;
-    for (const int32_t e : through[v - own.vertices.size()]) {
-      const OnEdge here = At(record.vertices[v].position, own, own.edges[e], rim);
-      if (!best || here.off < best->off) best = here;
-    }
-    values.push_back(best ? std::optional(best->value) : std::nullopt);
-  }
-  return values;
+VertexGround OfNearest(const Point3& place, const SurveyRecord& own, const RimGround& rim) {
+  const auto distance = [&](const BoundaryVertex& v) { return (v.position - place).head<2>().squaredNorm(); };
+  const auto nearest = std::ranges::min_element(own.vertices, {}, distance);
+  return nearest == own.vertices.end() ? VertexGround() : Of(rim, static_cast<int32_t>(nearest - own.vertices.begin()));
 }
 
-// Where two outlines meet on a grid line: what the vertex before or after it along the boundary has, the nearer one.
-Values WithNeighbours(const SurveyRecord& record, const Values& values) {
-  Values result = values;
-  std::vector<double> nearest(values.size(), std::numeric_limits<double>::infinity());
-  for (const BoundaryEdge& e : record.edges) {
-    const double length = (record.vertices[e.to].position - record.vertices[e.from].position).head<2>().squaredNorm();
-    for (const auto& [v, other] : {std::pair(e.from, e.to), std::pair(e.to, e.from)}) {
-      if (values[v] || !values[other] || !(length < nearest[v])) continue;
-      nearest[v] = length;
-      result[v] = values[other];
-    }
+// Of a new vertex, which these edges pass.
+VertexGround OfNew(const Point3& place, const SurveyRecord& own, const std::vector<int32_t>& through,
+                   const RimGround& rim) {
+  if (through.empty()) return OfNearest(place, own, rim);
+  OnEdge best;
+  for (const int32_t e : through) {
+    const OnEdge here = At(place, own, own.edges[e], rim);
+    if (here.off < best.off) best = here;
   }
-  return result;
+  return best.value;
 }
 
 }  // namespace
@@ -84,9 +68,13 @@ std::map<CellId, RimGround> JointGround(const JointTiles& joint, const std::map<
     const SurveyRecord& own = *joint.own.at(cell);
     const auto& through = joint.edges_through.at(cell);
     RimGround& rim = result[cell];
-    for (const auto& value : WithNeighbours(record, OnOwnEdges(record, own, through, known->second))) {
-      rim.on_object.push_back(value.value_or(VertexGround()).on_object);
-      rim.ground.push_back(value.value_or(VertexGround()).ground);
+    for (size_t v = 0; v < record.vertices.size(); ++v) {
+      const bool is_new = v >= own.vertices.size();
+      const VertexGround value =
+          is_new ? OfNew(record.vertices[v].position, own, through[v - own.vertices.size()], known->second)
+                 : Of(known->second, static_cast<int32_t>(v));
+      rim.on_object.push_back(value.on_object);
+      rim.ground.push_back(value.ground);
     }
   }
   return result;

@@ -291,7 +291,7 @@ TEST(StagePayloadsTest, PointsBeyondAllNumbersAreRefused) {
 }
 
 TEST(StagePayloadsTest, TruncatedSegmentsAreRefused) {
-  for (const char* column : {"from", "to", "seam", "inner_from", "inner_to", "ground_point"}) {
+  for (const char* column : {"from", "to", "seam", "inner_from", "inner_to"}) {
     v1::CellHolesBlob proto = ToProto(SomeHoles());
     v1::HoleBoundary* hole = proto.mutable_holes(0);
     v1::HoleBoundary::GetReflection()->RemoveLast(hole, v1::HoleBoundary::GetDescriptor()->FindFieldByName(column));

@@ -30,8 +30,8 @@ Counts Compare(const GroundRaster& raster, const std::function<bool(double, doub
   for (int32_t r = 0; r < raster.rows; ++r) {
     for (int32_t c = 0; c < raster.cols; ++c) {
       if (std::isnan(raster.heights[raster.IndexOf(c, r)])) continue;
-      const auto [height, tolerance] = filtered.GroundAt(c, r);
-      const bool ground = std::abs(raster.heights[raster.IndexOf(c, r)] - height) <= tolerance;
+      const FilteredGround::Place place = filtered.GroundAt(c, r);
+      const bool ground = std::abs(raster.heights[raster.IndexOf(c, r)] - place.height) <= place.tolerance;
       counts.objects += is_object(c, r);
       counts.wrong_ground += ground && is_object(c, r);
       counts.wrong_objects += !ground && !is_object(c, r);
