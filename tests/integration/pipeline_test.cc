@@ -410,7 +410,8 @@ TEST(AmongHousesTest, TheSurfaceDoesNotDependOnWhereTheGridCuts) {
   options.cols = options.rows = 1;
   options.cell_size *= 3;
   const auto whole = Filled(options);
-  const double relief = 0.05 * 100 + 2 * 2;
+  // Of the rim, houses too: the walls up to them stand in the first row of triangles, which differs with the grid.
+  const double relief = 0.05 * 100 + 2 * 2 + 9;
   EXPECT_LT(MeanApart(cut, [&](const Point2& p) { return HeightOver(whole, p); }), 0.01 * relief);
 }
 
