@@ -23,9 +23,9 @@ std::string RisesOf(const Json& body) {
 }
 
 std::vector<std::string> Row(const Json& body) {
-  return {Text(Member(body, "kind")),         LevelText(Member(body, "level_m")),  AreaText(Member(body, "area_m2")),
+  return {Text(Member(body, "kind")),         LevelText(Member(body, "level_m")), AreaText(Member(body, "area_m2")),
           Text(Member(body, "cells")),        LevelText(Member(body, "sigma_m")), LevelText(Member(body, "rim_m")),
-          Text(Member(body, "rim_vertices")), Text(Member(body, "decided_by")),    RisesOf(body)};
+          Text(Member(body, "rim_vertices")), Text(Member(body, "decided_by")),   RisesOf(body)};
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ struct CellHole {
   std::optional<double> tension = {};        // that of its cluster, where it has been chosen
   std::optional<double> level = {};          // water: the height of every new vertex, metres, on the lattice
   WaterSurface river = {};                   // with stations: water whose heights are LevelAt these; level is set too
-  bool own_outline = false;  // it ends at the tile's own outline: no other tile shares its seams
+  bool own_outline = false;                  // it ends at the tile's own outline: no other tile shares its seams
 };
 
 struct CellHoles {

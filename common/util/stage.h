@@ -23,8 +23,8 @@ inline constexpr std::array<Stage, 7> kAllStages = {Stage::kSurvey,      Stage::
                                                     Stage::kSampleLayer, Stage::kFill,   Stage::kSmoothSeam,
                                                     Stage::kAssemble};
 
-// "survey", "ground", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a value that names
-// none.
+// "survey", "ground", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a value that
+// names none.
 constexpr std::string_view StageName(Stage stage) {
   switch (stage) {
     case Stage::kSurvey:

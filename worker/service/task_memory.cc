@@ -15,7 +15,7 @@ constexpr int64_t kLarge = 96 * kMegabyte;
 constexpr int64_t kSurveyed = 5;
 constexpr int64_t kSearched = 5;
 constexpr int64_t kAssembled = 5;
-constexpr int64_t kFiltered = 24;  // of each byte of rasters
+constexpr int64_t kFiltered = 24;     // of each byte of rasters
 constexpr int64_t kOfTriangle = 100;  // of a patch that is assembled
 
 // Zero for one that cannot be read: the task fails.

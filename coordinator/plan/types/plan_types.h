@@ -92,12 +92,12 @@ struct PlannedHole {
   HoleKind kind = HoleKind::kClosed;
   HoleType type = HoleType::kNone;
   SingleType single = SingleType::kNone;
-  bool continuous = false;     // of a single mesh: touches another hole, or itself, at a vertex
-  bool projects = true;        // its boundary is simple seen from above
-  int32_t cluster = -1;        // open holes
-  int32_t layer = 0;           // open holes: from 1
-  double area = 0;             // m2, seen from above (closed holes that do not project: of the boundary's vector area)
-  double perimeter = 0;        // metres of original boundary
+  bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
+  bool projects = true;     // its boundary is simple seen from above
+  int32_t cluster = -1;     // open holes
+  int32_t layer = 0;        // open holes: from 1
+  double area = 0;          // m2, seen from above (closed holes that do not project: of the boundary's vector area)
+  double perimeter = 0;     // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
   Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)
@@ -125,7 +125,7 @@ struct PlanVertex {
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
   int32_t follows = -1;
-  bool on_object = false;  // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
+  bool on_object = false;            // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
   std::optional<float> ground = {};  // of such a vertex: the height of the ground there, metres, where it is known
 };
 
@@ -142,9 +142,9 @@ enum class BodyKind { kWater, kLevelGround };
 // or more of them.
 struct WaterBody {
   BodyKind kind = BodyKind::kWater;  // kLevelGround: nothing says that it is water; never a river
-  std::vector<int32_t> holes;  // into Plan::holes, ascending
-  double level = 0;            // metres, on the lattice; of a river at its lower end
-  WaterSurface river;          // no stations: level water
+  std::vector<int32_t> holes;        // into Plan::holes, ascending
+  double level = 0;                  // metres, on the lattice; of a river at its lower end
+  WaterSurface river;                // no stations: level water
   std::vector<RemovedRise> removed_rises;
   double sigma = 0;                // metres: standard deviation of the level (LevelEvidence::sigma)
   double lowest = 0, highest = 0;  // of the rim's heights
