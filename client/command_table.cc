@@ -62,7 +62,11 @@ std::vector<FlagSpec> AggregateFlags() {
 
 std::vector<FlagSpec> InspectFlags() {
   return Join(WaterFlags(""),
-              {ClearFlag(), AreaFlag(), {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""}});
+              {ClearFlag(),
+               AreaFlag(),
+               {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""},
+               {"propose-water", "FILE", "write what may be water as polygons for --water: .gpkg or .geojson", ""},
+               {"overwrite", "", "replace the FILE of --propose-water if it exists", ""}});
 }
 
 std::vector<FlagSpec> CheckFlags() {

@@ -48,7 +48,7 @@ FlagSpec OutputFlag();
 FlagSpec WaterColourFlag();
 FlagSpec ClearFlag();
 FlagSpec AreaFlag();
-// --water and --water-tolerance. Without a default the command chooses by what it is given.
+// --water and --water-profile. Without a default the command chooses by what it is given.
 std::vector<FlagSpec> WaterFlags(const std::string& default_value);
 
 // All above, for the table of main.

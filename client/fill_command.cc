@@ -225,7 +225,7 @@ absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
 }
 
 // The options that the result depends on, under the names of their flags.
-std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOptions& all, double water_tolerance) {
+std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOptions& all) {
   const FillOptions& options = all.fill;
   ReportedOption tension{"tension", std::string("auto")}, largest{"largest-hole", std::string("any")};
   if (options.tension) tension.value = *options.tension;
@@ -245,7 +245,6 @@ std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOp
                                               {"fill-outlines", all.holes.fill_outlines},
                                               largest,
                                               {"water", args.Text("water")},
-                                              {"water-tolerance", water_tolerance},
                                               {"water-profile", args.Text("water-profile")},
                                               {"water-colour", args.Text("water-colour")},
                                               {"clear", args.Text("clear")}};
@@ -276,8 +275,6 @@ int FillCommand(const Args& args) {
   if (!format.ok()) return PrintUsageError(format.status());
   auto options = OptionsFromFlags(args);
   if (!options.ok()) return PrintUsageError(options.status());
-  const auto water_tolerance = WaterToleranceFromFlags(args);
-  if (!water_tolerance.ok()) return PrintUsageError(water_tolerance.status());
   const auto profile = WaterProfileFromFlags(args);
   if (!profile.ok()) return PrintUsageError(profile.status());
   const std::string& in = args.arguments().front();
@@ -288,7 +285,7 @@ int FillCommand(const Args& args) {
   auto lock = OutputLock::Take(out);
   if (!lock.ok()) return PrintError(lock.status());
   CancelOnSignal(signals, [&lock] { lock->Release(); });
-  auto water = ReadWaterChoice(args.Text("water"), *water_tolerance, SceneFrame());
+  auto water = ReadWaterChoice(args.Text("water"), SceneFrame());
   if (!water.ok()) return PrintError(water.status());
   if (const absl::Status status = AddClearFile(args.Text("clear"), SceneFrame(), *water); !status.ok()) {
     return PrintError(status);
@@ -306,7 +303,7 @@ int FillCommand(const Args& args) {
   filled->report.warnings.insert(filled->report.warnings.end(), warnings->begin(), warnings->end());
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
-  filled->report.options = ReportedOptionsOf(args, *options, *water_tolerance);
+  filled->report.options = ReportedOptionsOf(args, *options);
   return PrintEnd(filled->report, out, *format);
 }
 

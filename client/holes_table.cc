@@ -44,6 +44,16 @@ std::vector<std::string> Row(const std::string& name, const Tally& tally) {
   return {name, absl::StrCat(tally.holes), absl::StrCat(tally.filled), absl::StrFormat("%.1f", tally.area)};
 }
 
+// "lake at 3.250 m, sigma 0.020 m", "ground", or the level alone of a hole that was not judged.
+std::string WaterOf(const Json& hole) {
+  const Json &water = Member(hole, "water"), &level = Member(hole, "level_m");
+  const std::string at = level.is_null() ? "" : absl::StrCat("at ", LevelText(level), " m");
+  if (water.is_null()) return at;
+  const std::string taken_for = Text(Member(water, "taken_for"));
+  if (at.empty()) return taken_for;
+  return absl::StrCat(taken_for, " ", at, ", sigma ", Decimals(Member(water, "sigma_m"), 3), " m");
+}
+
 }  // namespace
 
 std::string KindsText(const Json& report) {
@@ -88,14 +98,13 @@ std::string PlannedHolesText(const Json& plan) {
   std::vector<std::vector<std::string>> rows;
   for (size_t i = 0; i < std::min(holes.size(), kMostListedRows); ++i) {
     const Json& hole = *holes[i];
-    const Json& level = Member(hole, "level_m");
     rows.push_back({Text(Member(hole, "id")), KindOf(hole), Text(Member(hole, "cell")), Text(Member(hole, "centre")),
-                    AreaText(Member(hole, "area_m2")), Decimals(Member(hole, "perimeter_m"), 1),
-                    level.is_null() ? "" : absl::StrCat("at ", LevelText(level), " m")});
+                    AreaText(Member(hole, "area_m2")), Decimals(Member(hole, "perimeter_m"), 1), WaterOf(hole),
+                    Text(Member(Member(hole, "water"), "reason"))});
   }
   return absl::StrCat("\n", Counted(holes.size(), "hole"),
                       " to fill, the largest first; filling may find some that stay open\n",
-                      Table({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "water"}, rows),
+                      Table({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "taken for", "because"}, rows),
                       MoreText(holes.size(), "-o json lists all"));
 }
 

@@ -17,6 +17,7 @@
 #include "client/job_flags.h"
 #include "client/left_table.h"
 #include "client/output.h"
+#include "client/water_proposal.h"
 #include "client/water_table.h"
 #include "common/gis/area_file.h"
 #include "common/util/files.h"
@@ -124,17 +125,18 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
 // What is to be looked at, and how.
 struct Request {
   std::string path;
-  std::string area;          // --area
-  std::string propose_area;  // --propose-area
-  std::string water;         // --water
-  std::string clear;         // --clear
-  double water_tolerance = 0;
+  std::string area;           // --area
+  std::string propose_area;   // --propose-area
+  std::string propose_water;  // --propose-water
+  bool overwrite = false;     // --overwrite
+  std::string water;          // --water
+  std::string clear;          // --clear
   WaterProfile water_profile;
   OutputFormat format = OutputFormat::kTable;
 };
 
 absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) {
-  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, request.water_tolerance, FrameOf(scene)));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(request.clear, FrameOf(scene), water));
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   PlanOptions options;
@@ -165,8 +167,24 @@ absl::Status WriteProposal(const std::string& path, const SceneWaves& waves) {
   return WriteFileAtomically(path, AreaGeoJson(area, waves.scene()));
 }
 
+absl::Status ProposeWater(const Request& request, const SceneWaves& waves) {
+  if (request.propose_water.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const size_t count, WriteWaterProposal(request.propose_water, request.overwrite, waves));
+  std::fputs(absl::StrFormat("%s: %d polygons; delete what is no water, then: --water %s\n", request.propose_water,
+                             count, request.propose_water)
+                 .c_str(),
+             stderr);
+  return absl::OkStatus();
+}
+
+absl::Status CheckOutputs(const Request& request) {
+  TILEMEND_RETURN_IF_ERROR(CheckIsNew(request.propose_area));
+  return request.propose_water.empty() ? absl::OkStatus()
+                                       : CheckWaterProposal(request.propose_water, request.overwrite);
+}
+
 int InspectSceneAt(const Request& request) {
-  if (const absl::Status status = CheckIsNew(request.propose_area); !status.ok()) return PrintError(status);
+  if (const absl::Status status = CheckOutputs(request); !status.ok()) return PrintError(status);
   const auto inspection = InspectSceneOf(request);
   if (!inspection.ok()) return PrintError(inspection.status());
   const SceneWaves& waves = *inspection->waves;
@@ -175,6 +193,7 @@ int InspectSceneAt(const Request& request) {
   for (const absl::Status& error : inspection->errors) code = PrintError(error);
   if (!inspection->errors.empty()) return code;
   if (const absl::Status status = WriteProposal(request.propose_area, waves); !status.ok()) return PrintError(status);
+  if (const absl::Status status = ProposeWater(request, waves); !status.ok()) return PrintError(status);
   PrintWarnings(PlanWarnings(waves.plan()));
   Json plan = PlanJson(waves.plan(), static_cast<int64_t>(waves.scene().tiles.size()));
   if (request.format == OutputFormat::kTable) {
@@ -235,17 +254,22 @@ int InspectCommand(const Args& args) {
   std::error_code error;
   if (!std::filesystem::exists(path, error) && !error)
     return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
-  const auto tolerance = WaterToleranceFromFlags(args);
-  if (!tolerance.ok()) return PrintUsageError(tolerance.status());
   const auto profile = WaterProfileFromFlags(args);
   if (!profile.ok()) return PrintUsageError(profile.status());
   const bool mesh = IsSingleMesh(path);
-  if (mesh && (args.IsGiven("area") || args.IsGiven("propose-area"))) {
-    return PrintUsageError(absl::InvalidArgumentError("--area, --propose-area: only scenes have an area"));
+  if (mesh && (args.IsGiven("area") || args.IsGiven("propose-area") || args.IsGiven("propose-water"))) {
+    return PrintUsageError(absl::InvalidArgumentError("--area, --propose-area, --propose-water: only for scenes"));
   }
   const std::string water = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
-  const Request request{
-      path, args.Text("area"), args.Text("propose-area"), water, args.Text("clear"), *tolerance, *profile, *format};
+  const Request request{path,
+                        args.Text("area"),
+                        args.Text("propose-area"),
+                        args.Text("propose-water"),
+                        args.Switch("overwrite"),
+                        water,
+                        args.Text("clear"),
+                        *profile,
+                        *format};
   return mesh ? InspectMeshAt(request) : InspectSceneAt(request);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -15,6 +16,8 @@
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/tile_checks.h"
+#include "worker/ground/lowest_surface.h"
+#include "worker/ground/rim_objects.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -39,37 +42,49 @@ absl::StatusOr<Looked> Look(const Scene& scene, const MeasureWork& work) {
   return looked;
 }
 
+// The record of the mesh that a tile has. A single mesh has no grid, and no raster of its ground.
+absl::StatusOr<SurveyRecord> RecordOf(const MeshFile& file, const Scene& scene, const SceneTile& tile) {
+  SurveyRecord record = SurveyOf(file);
+  const Point2& cell = scene.grid.cell_size;
+  if (cell.minCoeff() <= 0) return record;
+  record.lowest = LowestSurface(file.mesh, RasterSquareFor(cell.x(), cell.y()));
+  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(record, scene, tile));
+  return record;
+}
+
 absl::StatusOr<Looked> Look(const Scene& scene, const SurveyWork& work) {
   const std::string path = PathOf(scene, *work.tile);
   Looked looked;
   if (work.clear.empty()) {
     TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
-    looked.record = SurveyOf(file);
-  } else {
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-    TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
-    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format, bytes, work.clear, path));
-    looked.record = SurveyOf(cleared.file);
-    looked.cleared = std::move(cleared.triangles);
+    TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(file, scene, *work.tile));
+    return looked;
   }
-  if (scene.grid.cell_size.minCoeff() > 0) {
-    TILEMEND_RETURN_IF_ERROR(CheckInsideCell(looked.record, scene, *work.tile));
-  }
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format, bytes, work.clear, path));
+  TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(cleared.file, scene, *work.tile));
+  looked.cleared = std::move(cleared.triangles);
   return looked;
 }
 
-// What comes of the work, in order; as many threads as cores.
-template <typename Work>
-std::vector<absl::StatusOr<Looked>> LookAtAll(const Scene& scene, const std::vector<Work>& tiles) {
-  std::vector<absl::StatusOr<Looked>> results(tiles.size());
+// Calls `use` with each number below `count`, on as many threads as there are cores.
+void ForEachOnAllCores(size_t count, const std::function<void(size_t)>& use) {
   std::atomic<size_t> next{0};
   const auto work = [&] {
-    for (size_t i = next++; i < tiles.size(); i = next++) results[i] = Look(scene, tiles[i]);
+    for (size_t i = next++; i < count; i = next++) use(i);
   };
   std::vector<std::thread> threads;
   for (unsigned t = 1; t < std::max(1U, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
   work();
   for (std::thread& t : threads) t.join();
+}
+
+// What comes of the work, in order.
+template <typename Work>
+std::vector<absl::StatusOr<Looked>> LookAtAll(const Scene& scene, const std::vector<Work>& tiles) {
+  std::vector<absl::StatusOr<Looked>> results(tiles.size());
+  ForEachOnAllCores(tiles.size(), [&](size_t i) { results[i] = Look(scene, tiles[i]); });
   return results;
 }
 
@@ -98,6 +113,25 @@ void DoAll(const std::vector<Work>& tiles, Inspection& inspection) {
   }
 }
 
+// Tells ground from objects in all cells, and plans; as many threads as cores.
+void TellGround(SceneWaves& waves) {
+  std::vector<GroundWork> works;
+  while (std::optional<SceneWork> work = waves.Next()) works.push_back(std::get<GroundWork>(*std::move(work)));
+  std::vector<RimGround> ground(works.size());
+  ForEachOnAllCores(works.size(), [&](size_t i) {
+    std::vector<Point3> vertices;
+    for (const BoundaryVertex& v : works[i].record.Outline()->vertices) vertices.push_back(v.position);
+    std::vector<GroundRaster> rasters;
+    for (const CellId cell : works[i].around) rasters.push_back(waves.records().at(cell).Outline()->lowest);
+    ground[i] = GroundAtRim(vertices, rasters);
+  });
+  for (size_t i = 0; i < works.size(); ++i) {
+    // As many values as the vertices: nothing is wrong with them.
+    waves.TakeGround(works[i].cell, std::move(ground[i])).IgnoreError();
+  }
+  waves.Next();
+}
+
 }  // namespace
 
 Inspection InspectScene(Scene scene, const PlanOptions& options) {
@@ -113,7 +147,7 @@ Inspection InspectScene(Scene scene, const PlanOptions& options) {
   if (!inspection.errors.empty()) return inspection;
   if (!next) next = waves.Next();
   DoAll(AllWork<SurveyWork>(waves, next), inspection);
-  if (inspection.errors.empty()) waves.Next();  // plans
+  if (inspection.errors.empty()) TellGround(waves);
   return inspection;
 }
 

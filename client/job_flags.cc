@@ -84,11 +84,9 @@ std::vector<FlagSpec> SurfaceFlags() {
 }
 
 std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
-  std::string help = "fill level water flat; FILE: polygons with and without water, GeoJSON or GeoPackage";
+  std::string help = "fill level water flat; FILE: polygons with and without water, as a GIS writes them";
   if (default_value.empty()) help += " (default: auto, for single meshes off)";
   return {{"water", "auto|off|FILE", help, default_value},
-          {"water-tolerance", "METRES", "how far the rim of water may be off its level, 0.001 to 10",
-           absl::StrCat(JobSpec().water_tolerance)},
           {"water-profile", "city|usgs", "what auto finds: lakes from 1000 m2, rivers from 6 m, or 8000 m2, 30 m",
            JobSpec().water_profile}};
 }
@@ -98,10 +96,8 @@ FlagSpec ClearFlag() {
 }
 
 FlagSpec AreaFlag() {
-  return {"area", "FILE", "polygon of what is to be covered, GeoJSON or GeoPackage (default: the scene's cells)", ""};
+  return {"area", "FILE", "polygon of what is to be covered, as a GIS writes it (default: the scene's cells)", ""};
 }
-
-absl::StatusOr<double> WaterToleranceFromFlags(const Args& args) { return args.Number("water-tolerance", 0.001, 10); }
 
 absl::StatusOr<WaterProfile> WaterProfileFromFlags(const Args& args) {
   const WaterProfile* profile = WaterProfileNamed(args.Text("water-profile"));
@@ -144,7 +140,7 @@ absl::Status CheckHaveEffect(const Args& args) {
           absl::StrCat("--", flag, ": --uniform triangles do not grow; leave one of the two out"));
     }
   }
-  for (const char* flag : {"water-tolerance", "water-profile", "water-colour"}) {
+  for (const char* flag : {"water-profile", "water-colour"}) {
     if (args.IsGiven(flag) && args.Text("water") == kNoWater) {
       return absl::InvalidArgumentError(
           absl::StrCat("--", flag, ": no water is looked for; leave it out, or give --water auto or a file"));
@@ -176,7 +172,6 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   if (spec.water != kFindWater && spec.water != kNoWater) spec.water = AbsolutePath(spec.water);
   spec.clear = AbsolutePath(args.Text("clear"));
   spec.area = AbsolutePath(args.Text("area"));
-  TILEMEND_ASSIGN_OR_RETURN(spec.water_tolerance, WaterToleranceFromFlags(args));
   TILEMEND_ASSIGN_OR_RETURN(const WaterProfile profile, WaterProfileFromFlags(args));
   spec.water_profile = profile.name;
   spec.water_colour = args.Text("water-colour");

@@ -27,7 +27,6 @@ absl::StatusOr<std::optional<int32_t>> WholeNumberIfGiven(const Args& args, cons
 // --tension auto|X; none for auto.
 absl::StatusOr<Filler> FillerFromFlags(const Args& args);
 absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args);
-absl::StatusOr<double> WaterToleranceFromFlags(const Args& args);
 absl::StatusOr<WaterProfile> WaterProfileFromFlags(const Args& args);
 
 absl::StatusOr<OutputFormat> FormatFromFlags(const Args& args);

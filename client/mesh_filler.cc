@@ -76,7 +76,7 @@ class MeshFiller {
   absl::StatusOr<LookSurvey> Survey(NoFaces no_faces) const {
     const std::filesystem::path path(path_);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-    return SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_, PieceAreas::kYes, no_faces);
+    return SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_, {PieceAreas::kYes, 0, no_faces});
   }
 
   // A file of needles alone has no hole, and nothing else either.
@@ -167,10 +167,11 @@ class MeshFiller {
     return absl::OkStatus();
   }
 
+  absl::Status Do(const GroundWork&) { return NoSeams(); }
   absl::Status Do(const ClusterWork&) { return NoSeams(); }
   absl::Status Do(const LayerWork&) { return NoSeams(); }
   absl::Status Do(const SmoothWork&) { return NoSeams(); }
-  static absl::Status NoSeams() { return absl::InternalError("a mesh without a grid has no seams to sample"); }
+  static absl::Status NoSeams() { return absl::InternalError("a mesh without a grid has neither objects nor seams"); }
 
   static std::vector<PatchExtent> ExtentsOf(const std::vector<HolePatch>& patches) {
     std::vector<PatchExtent> extents;
@@ -184,7 +185,7 @@ class MeshFiller {
 
   // "survey" is told with the plan.
   void EndStep(std::string_view step) {
-    if (step == "survey" || step == "sample") return;
+    if (step == "survey" || step == "ground" || step == "sample") return;
     filled_.report.seconds.emplace_back(step == "plan" ? "survey" : step, watch_.Lap());
   }
 

@@ -23,9 +23,9 @@ std::string RisesOf(const Json& body) {
 }
 
 std::vector<std::string> Row(const Json& body) {
-  return {Text(Member(body, "kind")),         LevelText(Member(body, "level_m")),  AreaText(Member(body, "area_m2")),
-          Text(Member(body, "cells")),        LevelText(Member(body, "spread_m")), LevelText(Member(body, "rim_m")),
-          Text(Member(body, "rim_vertices")), Text(Member(body, "decided_by")),    RisesOf(body)};
+  return {Text(Member(body, "kind")),         LevelText(Member(body, "level_m")), AreaText(Member(body, "area_m2")),
+          Text(Member(body, "cells")),        LevelText(Member(body, "sigma_m")), LevelText(Member(body, "rim_m")),
+          Text(Member(body, "rim_vertices")), Text(Member(body, "decided_by")),   RisesOf(body)};
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::string WaterText(const Json& report, const std::string& title) {
   std::vector<std::vector<std::string>> rows;
   for (size_t i = 0; i < std::min(bodies.size(), kMostListedRows); ++i) rows.push_back(Row(bodies[i]));
   return absl::StrCat("\n", bodies.size(), " ", title, "\n",
-                      Table({"water", "level, m", "area, m2", "cells", "spread, m", "rim, m", "rim vertices",
+                      Table({"water", "level, m", "area, m2", "cells", "sigma, m", "rim, m", "rim vertices",
                              "decided by", "rises removed"},
                             rows),
                       MoreText(bodies.size(), "see `water` in the report"));

@@ -60,6 +60,8 @@ RULES = {
 
     'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec', 'common/assemble'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
+    'worker/ground': rule(['common/mesh', 'common/records'], ['eigen'], pure=True),
+
     'worker/survey': rule(['common/mesh', 'common/records'], []),
 
     'worker/fill/mesh': rule(['common/mesh'], ['openmesh']),
@@ -112,13 +114,15 @@ RULES = {
 
     'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),
 
+    'worker/propose': rule(['common/mesh', 'common/records', 'worker/ground'], [], pure=True),
+
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
 
     'worker/materials': rule(
-        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey'], ['absl']),
+        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey', 'worker/ground'], ['absl']),
 
     'worker/service': rule(
-        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey',
+        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey', 'worker/ground',
          'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
@@ -144,8 +148,7 @@ RULES = {
         ['eigen'], pure=True),
 
     'coordinator/plan/water': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'common/grid', 'common/records', 'coordinator/plan/types',
-         'coordinator/plan/seam'],
+        ['common/mesh', 'common/grid', 'common/records', 'coordinator/plan/types', 'coordinator/plan/seam'],
         ['eigen'], pure=True),
 
     'coordinator/plan/colour': rule(['common/records', 'common/util', 'coordinator/plan/types'], [], pure=True),
@@ -185,7 +188,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),

@@ -1,7 +1,5 @@
 #include "common/gis/area_file.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -12,51 +10,22 @@
 #include <system_error>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
+#include "common/gis/gdal_process.h"
+#include "common/gis/vector_message.h"
 #include "common/grid/json_text.h"
-#include "common/util/files.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
 
-constexpr char kModule[] = "tilemend-gdal.so";
 constexpr std::string_view kSqlite("SQLite format 3\0", 16);
+constexpr size_t kSqliteHeader = 100;  // bytes, at least
+constexpr std::string_view kZip = "PK\3\4";
+constexpr char kStem[] = "polygons";                                              // of the name that GDAL sees
 constexpr double kLeastCentreline = 1;                                            // metres: a shorter one is a slip
 constexpr int kUtmCodes[][2] = {{32601, 32660}, {32701, 32760}, {25828, 25838}};  // EPSG, first and last
-
-struct Module {
-  void (*read_vectors)(const VectorRequest&, VectorFile&) = nullptr;
-  void (*fault_of_crs)(const std::string&, std::string&) = nullptr;
-};
-
-// Loads the module that lies beside the program; for a program in another folder of the build, beside the others; for
-// one that is installed, in its libraries.
-absl::StatusOr<Module> LoadModule() {
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  std::string reason;
-  for (const std::filesystem::path& path :
-       {folder / kModule, folder / "../bin" / kModule, folder / "../lib/tilemend" / kModule}) {
-    void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* const read_vectors = module == nullptr ? nullptr : ::dlsym(module, "TilemendReadVectors");
-    void* const fault_of_crs = module == nullptr ? nullptr : ::dlsym(module, "TilemendFaultOfCrs");
-    if (read_vectors != nullptr && fault_of_crs != nullptr) {
-      return Module{reinterpret_cast<void (*)(const VectorRequest&, VectorFile&)>(read_vectors),
-                    reinterpret_cast<void (*)(const std::string&, std::string&)>(fault_of_crs)};
-    }
-    if (const char* const said = ::dlerror();
-        said != nullptr && (reason.empty() || std::filesystem::exists(path, error))) {
-      reason = said;
-    }
-  }
-  return absl::InternalError(absl::StrCat("cannot load ", kModule, ", which reads GeoJSON and GeoPackage: ", reason));
-}
-
-const absl::StatusOr<Module>& TheModule() {
-  static const absl::StatusOr<Module> module = LoadModule();
-  return module;
-}
 
 // The name that the member `crs` of GeoJSON 2008 gives; "" if it gives none.
 std::string NameOfCrs(const nlohmann::json& crs) {
@@ -75,13 +44,8 @@ bool LooksLikeJson(std::string_view text) {
 }
 
 // What JSON tells that GDAL does not.
-absl::Status LookIntoJson(VectorRequest& request) {
-  if (!LooksLikeJson(request.bytes)) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(request.name, ": neither GeoJSON nor GeoPackage, and no other format is read; to convert it: ",
-                     "ogr2ogr polygons.gpkg ", request.name));
-  }
-  TILEMEND_ASSIGN_OR_RETURN(const nlohmann::json json, ParseJson(std::string(request.bytes), request.name));
+absl::Status LookIntoJson(const std::string& bytes, VectorRequest& request) {
+  TILEMEND_ASSIGN_OR_RETURN(const nlohmann::json json, ParseJson(bytes, request.name));
   if (!json.is_object()) return absl::InvalidArgumentError(absl::StrCat(request.name, ": GeoJSON: expected an object"));
   const auto crs = json.find("crs");
   request.names_crs = crs != json.end() && !crs->is_null();
@@ -97,17 +61,52 @@ absl::Status LookIntoJson(VectorRequest& request) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<VectorFile> Read(const std::string& bytes, const std::string& name, const SceneFrame& frame,
-                                bool unite) {
+VectorFormat FormatOf(const VectorBytes& file) {
+  if (file.bytes.starts_with(kSqlite) && file.bytes.size() >= kSqliteHeader) return VectorFormat::kGeoPackage;
+  if (file.bytes.starts_with(kZip)) return VectorFormat::kArchive;
+  const bool is_folder = file.bytes.empty() && !file.beside.empty();
+  return !is_folder && LooksLikeJson(file.bytes) ? VectorFormat::kGeoJson : VectorFormat::kOther;
+}
+
+// What GDAL is to see the file as.
+std::string SuffixFor(VectorFormat format, const std::string& name) {
+  switch (format) {
+    case VectorFormat::kGeoJson:
+      return ".geojson";
+    case VectorFormat::kGeoPackage:
+      return ".gpkg";
+    case VectorFormat::kArchive:
+      return ".zip";
+    case VectorFormat::kOther:
+      break;
+  }
+  return absl::AsciiStrToLower(std::filesystem::path(name).extension().string());
+}
+
+VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const SceneFrame& frame, bool unite) {
   VectorRequest request;
-  request.bytes = bytes;
   request.name = name;
   request.unite = unite;
   request.frame = frame;
-  if (!request.bytes.starts_with(kSqlite)) TILEMEND_RETURN_IF_ERROR(LookIntoJson(request));
-  TILEMEND_RETURN_IF_ERROR(TheModule().status());
+  request.format = FormatOf(file);
+  request.opened = kStem + SuffixFor(request.format, name);
+  const bool is_folder = file.bytes.empty() && !file.beside.empty();
+  if (!is_folder) request.parts.push_back({request.opened, file.bytes});
+  for (const SideFile& side : file.beside) {
+    const std::string before = is_folder ? request.opened + "/" : absl::StrCat(kStem, ".");
+    request.parts.push_back({before + side.name, side.bytes});
+  }
+  return request;
+}
+
+absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                bool unite) {
+  VectorRequest request = RequestFor(bytes, name, frame, unite);
+  if (request.format == VectorFormat::kGeoJson) TILEMEND_RETURN_IF_ERROR(LookIntoJson(bytes.bytes, request));
+  const std::string message = static_cast<char>(GdalTask::kReadVectors) + Encode(request);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string answer, AskGdal(message, name));
   VectorFile file;
-  TheModule()->read_vectors(request, file);
+  if (!Decode(answer, file)) return absl::InternalError(absl::StrCat(name, ": tilemend-gdal is of another release"));
   if (!file.error.empty()) return absl::InvalidArgumentError(file.error);
   return file;
 }
@@ -126,8 +125,8 @@ void DropStrayCentreline(const std::string& name, WaterArea& area, WaterFile& fi
                                        "it has to be in the coordinates of the file"));
 }
 
-// Gives a line to the area of water that most of its points are in.
-absl::Status GiveCentreline(VectorFeature line, const std::string& name, WaterFile& file) {
+// Gives a line to the area of water that most of its points are in. False: there is none.
+absl::StatusOr<bool> GiveCentreline(VectorFeature line, const std::string& name, WaterFile& file) {
   WaterArea* best = nullptr;
   ptrdiff_t most = 0;
   for (WaterArea& area : file.areas) {
@@ -136,15 +135,27 @@ absl::Status GiveCentreline(VectorFeature line, const std::string& name, WaterFi
     most = inside;
     best = &area;
   }
-  if (2 * most <= std::ssize(line.line)) {
-    file.warnings.push_back(
-        absl::StrCat(name, ": ", line.label, ": a line that lies in no polygon of water, so it has no effect"));
-    return absl::OkStatus();
-  }
+  if (2 * most <= std::ssize(line.line)) return false;
   if (!best->centreline.empty()) {
     return absl::InvalidArgumentError(absl::StrCat(name, ": ", line.label, ": a second centreline of ", best->label));
   }
   best->centreline = std::move(line.line);
+  return true;
+}
+
+absl::Status GiveCentrelines(std::vector<VectorFeature> features, const std::string& name, WaterFile& file) {
+  std::string first;
+  int64_t stray = 0;
+  for (VectorFeature& f : features) {
+    if (f.line.empty()) continue;
+    const std::string label = f.label;
+    TILEMEND_ASSIGN_OR_RETURN(const bool given, GiveCentreline(std::move(f), name, file));
+    if (!given && ++stray == 1) first = label;
+  }
+  if (stray == 0) return absl::OkStatus();
+  const std::string more = stray > 1 ? absl::StrCat(" and ", stray - 1, " more") : "";
+  file.warnings.push_back(
+      absl::StrCat(name, ": ", first, more, ": a line that lies in no polygon of water, so it has no effect"));
   return absl::OkStatus();
 }
 
@@ -157,12 +168,13 @@ double LengthOf(const std::vector<Point2>& line) {
 // Takes a centreline away that can have no effect.
 void DropIdleCentreline(const std::string& name, WaterArea& area, WaterFile& file) {
   if (area.centreline.empty()) return;
-  const bool is_short = LengthOf(area.centreline) < kLeastCentreline;
-  if (!is_short && !area.level) return;
+  const char* reason = nullptr;
+  if (LengthOf(area.centreline) < kLeastCentreline) reason = "it has no length";
+  if (area.level) reason = "level_m is given as well, which makes the water level";
+  if (area.kind == WaterKind::kLake) reason = "kind is lake, which makes the water level";
+  if (reason == nullptr) return;
   area.centreline.clear();
-  file.warnings.push_back(
-      absl::StrCat(name, ": ", area.label, ": its centreline has no effect, since ",
-                   is_short ? "it has no length" : "level_m is given as well, which makes the water level"));
+  file.warnings.push_back(absl::StrCat(name, ": ", area.label, ": its centreline has no effect, since ", reason));
 }
 
 void WarnOfIdleClearHeight(const std::string& name, const VectorFeature& feature, WaterFile& file) {
@@ -172,7 +184,32 @@ void WarnOfIdleClearHeight(const std::string& name, const VectorFeature& feature
       feature.clear ? "of what is no water all is taken out, however high" : "\"clear\": true is not given as well"));
 }
 
+// What the properties of an area say together.
+absl::Status CheckKind(const std::string& name, WaterArea& area, WaterFile& file) {
+  if (area.kind == WaterKind::kRiver && area.level && area.water) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        name, ": ", area.label, ": kind is river, but level_m makes the water level; leave one of the two out"));
+  }
+  if (area.kind == WaterKind::kUnsaid || area.water) return absl::OkStatus();
+  area.kind = WaterKind::kUnsaid;
+  file.warnings.push_back(absl::StrCat(name, ": ", area.label, ": kind has no effect, since water is false"));
+  return absl::OkStatus();
+}
+
 }  // namespace
+
+absl::Status CheckClear(const std::string& name, WaterArea& area, std::vector<std::string>& warnings) {
+  if (area.kind == WaterKind::kRiver) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        name, ": ", area.label, ": kind is river, but clear makes the water level; leave one of the two out"));
+  }
+  if (area.centreline.empty()) return absl::OkStatus();
+  area.centreline.clear();
+  warnings.push_back(absl::StrCat(name, ": ", area.label,
+                                  ": its centreline has no effect, since the area is cleared, which makes its water "
+                                  "level"));
+  return absl::OkStatus();
+}
 
 SceneFrame FrameOf(const Scene& scene) {
   SceneFrame frame{scene.crs, scene.origin};
@@ -181,16 +218,6 @@ SceneFrame FrameOf(const Scene& scene) {
   frame.lo = grid.corner;
   frame.hi = grid.corner + grid.cell_size.cwiseProduct(Point2(scene.cols, scene.rows));
   return frame;
-}
-
-absl::StatusOr<std::string> ReadAreaFile(const std::string& path) {
-  const std::string log = path + "-wal";
-  std::error_code error;
-  if (const auto size = std::filesystem::file_size(log, error); !error && size > 0) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": has changes that are still in ", log,
-                                                   "; close the program that has it open, or save to another file"));
-  }
-  return ReadFile(path);
 }
 
 bool IsInMetres(const std::string& crs) {
@@ -208,33 +235,32 @@ bool IsInMetres(const std::string& crs) {
 
 absl::StatusOr<std::string> CrsFaultOf(const Scene& scene) {
   if (scene.crs.empty() || IsInMetres(scene.crs)) return std::string();
-  TILEMEND_RETURN_IF_ERROR(TheModule().status());
-  std::string fault;
-  TheModule()->fault_of_crs(scene.crs, fault);
-  return fault;
+  return AskGdal(static_cast<char>(GdalTask::kFaultOfCrs) + scene.crs, "crs");
 }
 
-absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::string& name, const SceneFrame& frame) {
+absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame) {
   TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, false));
   WaterFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
   for (VectorFeature& f : read.features) {
     if (f.polygon.empty()) continue;
-    file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.clear,
+    file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.kind, f.clear,
                           f.clear_height.value_or(kClearHeight)});
     WarnOfIdleClearHeight(name, f, file);
     f.line.clear();
     DropStrayCentreline(name, file.areas.back(), file);
+    TILEMEND_RETURN_IF_ERROR(CheckKind(name, file.areas.back(), file));
   }
   if (read.features.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no polygon, so it has no effect"));
-  for (VectorFeature& f : read.features) {
-    if (!f.line.empty()) TILEMEND_RETURN_IF_ERROR(GiveCentreline(std::move(f), name, file));
+  TILEMEND_RETURN_IF_ERROR(GiveCentrelines(std::move(read.features), name, file));
+  for (WaterArea& area : file.areas) {
+    DropIdleCentreline(name, area, file);
+    if (area.clear) TILEMEND_RETURN_IF_ERROR(CheckClear(name, area, file.warnings));
   }
-  for (WaterArea& area : file.areas) DropIdleCentreline(name, area, file);
   return file;
 }
 
-absl::StatusOr<AreaFile> ParseAreaFile(const std::string& bytes, const std::string& name, const SceneFrame& frame) {
+absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame) {
   TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, true));
   AreaFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   if (read.features.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": holds no polygon"));

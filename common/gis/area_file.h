@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/gis/vector_bytes.h"
 #include "common/gis/vector_file.h"
 #include "common/grid/scene.h"
 #include "common/grid/water_areas.h"
@@ -15,16 +16,12 @@ namespace tilemend {
 // Where a scene's coordinates lie. Of a single mesh (no cell size) nothing is known.
 SceneFrame FrameOf(const Scene& scene);
 
-// The bytes of a file of polygons. As ReadFile; kInvalidArgument for a GeoPackage with changes that are still in its
-// log (`path`-wal), because another program has it open.
-absl::StatusOr<std::string> ReadAreaFile(const std::string& path);
-
 // Whether a CRS is in metres by its very name: a zone of UTM by its code (WGS 84: EPSG:32601 to 32660, 32701 to 32760;
 // ETRS89: EPSG:25828 to 25838), or a place on Earth ("ENU:48.1,11.5").
 bool IsInMetres(const std::string& crs);
 
-// What is wrong with the CRS of a scene, for people; "" if nothing is. PROJ is asked unless the name tells: to load it
-// takes 35 MB. kInternal as below.
+// What is wrong with the CRS of a scene, for people; "" if nothing is. PROJ is asked unless the name tells. kInternal
+// as below.
 absl::StatusOr<std::string> CrsFaultOf(const Scene& scene);
 
 struct WaterFile {
@@ -33,16 +30,20 @@ struct WaterFile {
   std::vector<std::string> warnings;
 };
 
-// Reads GeoJSON or a GeoPackage (vector_file.h has the details). A polygon is an area; it may have the properties
-// `water` (true, as without it, or false), `level_m` (a number), `clear` (true or false), `clear_height` (metres, 0 to
-// 1000; only beside `clear` and of water, else there is a warning) and `centreline` (a GeoJSON LineString or its
-// coordinates, or WKT, in the coordinates of the file). A LineString that is a feature of its own is the centreline of
-// the area of water that most of its points are in. Centrelines of less than a metre and beside a level are dropped,
-// with a warning.
+// Reads a file of polygons in any of the formats of vector_file.h. A polygon is an area; it may have the properties
+// `water` (true, as without it, or false), `level_m` (a number, or text: "3.25 m"), `kind` ("lake" or "river"), `clear`
+// (true or false), `clear_height` (metres, 0 to 1000; only beside `clear` and of water, else there is a warning) and
+// `centreline` (a GeoJSON LineString or its coordinates, or WKT, in the coordinates of the file). A LineString that is
+// a feature of its own is the centreline of the area of water that most of its points are in. Centrelines of less than
+// a metre, beside a level or `clear`, and of a lake are dropped, with a warning; so are kinds of what is no water.
 //
-// kInvalidArgument with `name` and the place: what ReadVectors refuses, two centrelines for one area. kInternal if the
-// module with GDAL cannot be loaded. The first call of a process loads it (some 40 ms).
-absl::StatusOr<WaterFile> ParseWaterFile(const std::string& bytes, const std::string& name, const SceneFrame& frame);
+// kInvalidArgument with `name` and the place: what ReadVectors refuses, two centrelines for one area, a river with a
+// level or `clear`. Errors of AskGdal. Takes some 40 ms more than the reading.
+absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame);
+
+// What `clear` says together with the other properties of an area that has it: its water is level, so that a centreline
+// is dropped, with a warning. kInvalidArgument with `name` for a river.
+absl::Status CheckClear(const std::string& name, WaterArea& area, std::vector<std::string>& warnings);
 
 struct AreaFile {
   PlanePolygon area;  // not empty
@@ -50,8 +51,9 @@ struct AreaFile {
   std::vector<std::string> warnings;
 };
 
-// Reads one area: all polygons of one layer of such a file, united. Lines are refused, properties ignored.
-absl::StatusOr<AreaFile> ParseAreaFile(const std::string& bytes, const std::string& name, const SceneFrame& frame);
+// Reads one area: all polygons of one layer of such a file, united. Lines are refused (of drawings left out),
+// properties ignored.
+absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame);
 
 }  // namespace tilemend
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/gis/feature_geometry.h"
+
 namespace tilemend {
 namespace {
 
@@ -242,8 +244,6 @@ std::string FaultOfCrs(const std::string& crs) {
   if (!known) return "PROJ knows no such CRS";
   return known->IsGeographic() ? "has degrees and cannot be that of tiles in metres" : "";
 }
-
-void TilemendFaultOfCrs(const std::string& crs, std::string& fault) { fault = FaultOfCrs(crs); }
 
 std::string PlaceInScene(const SceneFrame& frame, const OGRSpatialReference* named,
                          std::vector<VectorFeature>& features, std::vector<std::string>& warnings) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "common/gis/raw_features.h"
 #include "common/gis/vector_file.h"
 
 namespace tilemend {

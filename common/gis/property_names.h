@@ -9,8 +9,13 @@ namespace tilemend {
 inline constexpr char kWaterProperty[] = "water";
 inline constexpr char kLevelProperty[] = "level_m";
 inline constexpr char kCentrelineProperty[] = "centreline";
+inline constexpr char kKindProperty[] = "kind";
 inline constexpr char kClearProperty[] = "clear";
 inline constexpr char kClearHeightProperty[] = "clear_height";
+
+// Of holes.geojson: the number of the hole, and of the water that it is part of.
+inline constexpr char kHoleProperty[] = "hole";
+inline constexpr char kBodyProperty[] = "body";
 
 // The one of these that a property of another name is likely meant for, "" if none: the same letters but for case and
 // what is between them ("Centre Line"), other words for it ("elevation"), or one letter in four of it put in, taken out

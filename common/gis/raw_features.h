@@ -4,38 +4,34 @@
 
 #include <ogrsf_frmts.h>
 
+#include <string>
 #include <vector>
 
 #include "common/gis/vector_file.h"
 
 namespace tilemend {
 
-// Why a file cannot be read.
-struct BadVectors {
-  std::string what;
-};
-
 struct RawFeatures {
   std::vector<VectorFeature> features;
   std::vector<std::string> warnings;
 };
 
-enum class Crossings { kRepair, kRefuse };
-
-// A name out of the file as messages show it: on one line, and no more than 100 columns of it.
-std::string ShownName(const std::string& name);
+// How the features of a layer are taken.
+struct LayerRules {
+  bool is_area = false;         // crossings are refused and properties ignored
+  bool is_drawing = false;      // closed lines are polygons, and there are no other lines
+  bool needs_geometry = false;  // a feature without one is refused: GDAL leaves out what it cannot read of GeoJSON
+};
 
 // The features of a layer; `prefix` stands before their labels. A polygon that is not valid (outlines that cross, parts
-// that lie over each other) is repaired, with a warning that says where: what any part surrounds is inside. With
-// kRefuse outlines that cross are not. Throws BadVectors.
-RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, Crossings crossings);
+// that lie over each other) is repaired, with a warning that says where: what any part surrounds is inside. Features
+// that are no polygon and no line are left out, with a warning that counts them; so are those of holes.geojson that are
+// no water. Those of one body there that say the same are one feature. Throws BadVectors.
+RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, const LayerRules& rules);
 
 // Warnings of properties that polygons have in vain: their names are near one that has an effect (property_names.h),
 // which the polygon does not have. One warning for each name, with the first polygon.
 std::vector<std::string> NearMisses(OGRLayer& layer, const std::string& prefix);
-
-// All polygons as one. Throws BadVectors if there is a line, or no polygon.
-VectorFeature Unite(const std::vector<VectorFeature>& features);
 
 }  // namespace tilemend
 

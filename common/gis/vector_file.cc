@@ -1,21 +1,34 @@
 #include "common/gis/vector_file.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
+#include <iterator>
 #include <mutex>
+#include <utility>
 
 #include "common/gis/coordinate_reading.h"
+#include "common/gis/feature_geometry.h"
+#include "common/gis/feature_properties.h"
 #include "common/gis/raw_features.h"
 
 namespace tilemend {
 namespace {
 
-constexpr std::string_view kSqlite("SQLite format 3\0", 16);
 constexpr size_t kJournalBytes = 18;  // of SQLite's header: two that are 2 where the database has a write-ahead log
+constexpr size_t kMostWarnings = 5;   // of one file that GDAL gives: drawings have thousands
+
+// What GDAL is to open a file as. No other driver is registered.
+constexpr const char* kJsonDrivers[] = {"GeoJSON", nullptr};
+constexpr const char* kPackageDrivers[] = {"GPKG", nullptr};
+constexpr const char* kOtherDrivers[] = {"ESRI Shapefile", "OpenFileGDB", "LIBKML", "GML",  "FlatGeobuf",
+                                         "MapInfo File",   "DXF",         "DGN",    nullptr};
+constexpr const char* kArchivedSuffixes[] = {"shp", "kml", "gml", "fgb", "tab", "mif", "dxf", "dgn", "gdb"};
 
 // Collects what GDAL says on this thread, instead of printing it.
 class Messages {
@@ -32,38 +45,90 @@ class Messages {
   static void CPL_STDCALL Take(CPLErr kind, CPLErrorNum, const char* text) {
     auto* self = static_cast<Messages*>(CPLGetErrorHandlerUserData());
     const bool of_memory = std::string_view(text).find("/vsimem/") != std::string_view::npos;  // no name of the user's
-    if (kind != CE_Debug && !of_memory) (kind == CE_Warning ? self->warnings_ : self->failures_).emplace_back(text);
+    if (kind == CE_Debug || of_memory) return;
+    std::vector<std::string>& said = kind == CE_Warning ? self->warnings_ : self->failures_;
+    if (said.size() < kMostWarnings && std::find(said.begin(), said.end(), text) == said.end()) said.emplace_back(text);
   }
   std::vector<std::string> warnings_;
   std::vector<std::string> failures_;
 };
 
-// A file in memory: GDAL writes beside what it opens, and would take some names for something else than a file.
-class MemoryFile {
+// A folder in memory: GDAL writes beside what it opens, and would take some names for something else than a file.
+class MemoryFolder {
  public:
-  MemoryFile(std::string_view bytes, const std::string& suffix) : bytes_(bytes) {
+  explicit MemoryFolder(const VectorRequest& request) {
     static std::atomic<int> count{0};
-    path_ = "/vsimem/tilemend/" + std::to_string(count++) + suffix;
-    VSIFCloseL(VSIFileFromMemBuffer(path_.c_str(), reinterpret_cast<GByte*>(bytes_.data()), bytes_.size(), FALSE));
+    path_ = "/vsimem/tilemend/" + std::to_string(count++);
+    for (const MemoryPart& part : request.parts) {
+      std::string& bytes = bytes_.emplace_back(part.bytes);
+      // Nothing that is in a log would be here: vector_bytes.h has seen that there is none.
+      if (request.format == VectorFormat::kGeoPackage) bytes.replace(kJournalBytes, 2, 2, '\1');
+      const std::string path = path_ + "/" + part.name;
+      VSIMkdirRecursive(CPLGetPath(path.c_str()), 0700);
+      VSIFCloseL(VSIFileFromMemBuffer(path.c_str(), reinterpret_cast<GByte*>(bytes.data()), bytes.size(), FALSE));
+    }
+    opened_ = path_ + "/" + request.opened;
   }
-  ~MemoryFile() { VSIUnlink(path_.c_str()); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFolder() { VSIRmdirRecursive(path_.c_str()); }
+  MemoryFolder(const MemoryFolder&) = delete;
+  MemoryFolder& operator=(const MemoryFolder&) = delete;
 
-  std::string& bytes() { return bytes_; }
-  const std::string& path() const { return path_; }
+  const std::string& opened() const { return opened_; }
 
  private:
-  std::string bytes_;
-  std::string path_;
+  std::deque<std::string> bytes_;  // where they are stays
+  std::string path_, opened_;
 };
 
-GDALDatasetUniquePtr Open(MemoryFile& file, bool package) {
-  // Nothing that is in a log would be here: area_file.h has seen that there is none.
-  if (package) file.bytes().replace(kJournalBytes, 2, 2, '\1');
-  const char* const drivers[] = {package ? "GPKG" : "GeoJSON", nullptr};
+GDALDatasetUniquePtr OpenAs(const char* const* drivers, const std::string& path) {
   return GDALDatasetUniquePtr(
-      GDALDataset::Open(file.path().c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers));
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers));
+}
+
+// What in an archive is to be opened, in order of name: a File Geodatabase is a folder.
+std::vector<std::string> OpenableIn(const std::string& archive) {
+  const CPLStringList names(VSIReadDirRecursive(archive.c_str()));
+  std::vector<std::string> found;
+  for (int i = 0; i < names.size(); ++i) {
+    std::string name = names[i];
+    if (name.ends_with('/')) name.pop_back();
+    const std::string suffix = CPLGetExtension(name.c_str());
+    const bool is_known = std::any_of(std::begin(kArchivedSuffixes), std::end(kArchivedSuffixes),
+                                      [&](const char* known) { return EQUAL(known, suffix.c_str()); });
+    if (is_known && !name.starts_with("__MACOSX/")) found.push_back(name);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+using Datasets = std::vector<GDALDatasetUniquePtr>;
+
+void OpenArchive(const std::string& path, Datasets& data) {
+  const std::string archive = "/vsizip/{" + path + "}";
+  const std::vector<std::string> names = OpenableIn(archive);
+  for (const std::string& name : names) {
+    data.push_back(OpenAs(kOtherDrivers, archive + "/" + name));
+    if (data.back() == nullptr) throw BadVectors{"'" + ShownName(name) + "' in it cannot be read"};
+  }
+  if (names.empty())
+    throw BadVectors{"an archive without a file of polygons that can be read in one (shapefile, KML, ...)"};
+}
+
+Datasets Open(const MemoryFolder& folder, VectorFormat format) {
+  Datasets data;
+  if (format == VectorFormat::kArchive) {
+    OpenArchive(folder.opened(), data);
+    return data;
+  }
+  const CPLConfigOptionSetter mended("SHAPE_RESTORE_SHX", "YES", false);  // a shapefile without its index
+  const char* const* drivers = format == VectorFormat::kGeoJson      ? kJsonDrivers
+                               : format == VectorFormat::kGeoPackage ? kPackageDrivers
+                                                                     : kOtherDrivers;
+  data.push_back(OpenAs(drivers, folder.opened()));
+  if (data.back() == nullptr) {
+    throw BadVectors{"a file of no format that is read (GeoJSON, GeoPackage, shapefile, KML, DXF, ...), or damaged"};
+  }
+  return data;
 }
 
 // GDAL takes GeoJSON with a CRS that it does not know for WGS 84 as well.
@@ -82,51 +147,82 @@ const OGRSpatialReference* CrsOf(OGRLayer& layer, const VectorRequest& request) 
   return undefined || !request.names_crs ? nullptr : crs;
 }
 
-// Whether a layer of a GeoPackage is to be read. Layers of points have nothing to do with water and areas, and one
-// without features is no second layer for an area.
-bool IsOfUse(OGRLayer& layer, bool unite) {
+// Whether a layer is to be read. Layers of points have nothing to do with water and areas, and one without features is
+// no second layer for an area. GeoJSON is one layer, of which all features are read.
+bool IsOfUse(OGRLayer& layer, const VectorRequest& request) {
   const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
-  return type != wkbPoint && type != wkbMultiPoint && (!unite || layer.GetFeatureCount() != 0);
+  if (type == wkbNone) return false;
+  return request.format == VectorFormat::kGeoJson ||
+         (type != wkbPoint && type != wkbMultiPoint && (!request.unite || layer.GetFeatureCount() != 0));
 }
 
-[[noreturn]] void RefuseSeveral(const std::vector<OGRLayer*>& layers) {
+[[noreturn]] void RefuseSeveral(const std::vector<std::pair<OGRLayer*, LayerRules>>& layers) {
   constexpr size_t kShown = 5;
   std::string what = "expected one layer of polygons, found " + std::to_string(layers.size()) + ": ";
   for (size_t i = 0; i < std::min(layers.size(), kShown); ++i) {
-    what += (i > 0 ? ", " : "") + ShownName(layers[i]->GetName());
+    what += (i > 0 ? ", " : "") + ShownName(layers[i].first->GetName());
   }
   throw BadVectors{what + (layers.size() > kShown ? ", ..." : "")};
 }
 
-void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string& prefix, VectorFile& file) {
-  auto [features, warnings] = RawFeaturesOf(layer, prefix, request.unite ? Crossings::kRefuse : Crossings::kRepair);
-  if (request.features >= 0 && std::ssize(features) != request.features)
+void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string& prefix, const LayerRules& rules,
+               VectorFile& file) {
+  auto [features, warnings] = RawFeaturesOf(layer, prefix, rules);
+  if (request.features >= 0 && layer.GetFeatureCount() != request.features)
     throw BadVectors{"not all members of \"features\" are Features"};
   if (request.unite) {
     features = {Unite(features)};
   } else {
     for (std::string& warning : NearMisses(layer, prefix)) warnings.push_back(std::move(warning));
   }
-  if (features.empty()) return;
   file.warnings.insert(file.warnings.end(), warnings.begin(), warnings.end());
+  if (features.empty()) return;
   file.coordinates = PlaceInScene(request.frame, CrsOf(layer, request), features, file.warnings);
   file.features.insert(file.features.end(), features.begin(), features.end());
 }
 
+// The DXF driver of GDAL 3.6 never ends on some drawings that are cut off.
+void CheckDrawingEnds(const VectorRequest& request) {
+  if (!EQUAL(CPLGetExtension(request.opened.c_str()), "dxf") || request.parts.empty()) return;
+  const std::string_view text = request.parts.front().bytes;
+  const size_t end = text.find_last_not_of(" \t\r\n");
+  if (!text.substr(0, end == std::string_view::npos ? 0 : end + 1).ends_with("EOF")) {
+    throw BadVectors{"a drawing that is cut off: its last line is not EOF"};
+  }
+}
+
 void Read(const VectorRequest& request, VectorFile& file) {
   CheckCrsName(request.crs_name);
-  const bool package = request.bytes.starts_with(kSqlite) && request.bytes.size() > kJournalBytes + 2;
-  MemoryFile memory(request.bytes, package ? ".gpkg" : ".geojson");
-  const GDALDatasetUniquePtr data = Open(memory, package);
-  if (data == nullptr) throw BadVectors{"neither GeoJSON nor GeoPackage with polygons"};
-  std::vector<OGRLayer*> layers;
-  for (OGRLayer* layer : data->GetLayers()) {
-    if (layer->GetGeomType() != wkbNone && (!package || IsOfUse(*layer, request.unite))) layers.push_back(layer);
+  CheckDrawingEnds(request);
+  const MemoryFolder folder(request);
+  const Datasets data = Open(folder, request.format);
+  std::vector<std::pair<OGRLayer*, LayerRules>> layers;
+  for (const GDALDatasetUniquePtr& set : data) {
+    const bool is_drawing = EQUAL(set->GetDriverName(), "DXF") || EQUAL(set->GetDriverName(), "DGN");
+    for (OGRLayer* layer : set->GetLayers()) {
+      if (IsOfUse(*layer, request)) {
+        layers.push_back({layer, {request.unite, is_drawing, request.format == VectorFormat::kGeoJson}});
+      }
+    }
   }
   if (request.unite && layers.empty()) throw BadVectors{"holds no polygon"};
   if (request.unite && layers.size() > 1) RefuseSeveral(layers);
-  for (OGRLayer* layer : layers) {
-    ReadLayer(*layer, request, layers.size() > 1 ? ShownName(layer->GetName()) + ", " : "", file);
+  for (const auto& [layer, rules] : layers) {
+    ReadLayer(*layer, request, layers.size() > 1 ? ShownName(layer->GetName()) + ", " : "", rules, file);
+  }
+}
+
+// What no driver may do in this process.
+void Configure() {
+  static constexpr std::pair<const char*, const char*> kOptions[] = {
+      {"GML_DOWNLOAD_SCHEMA", "NO"},   // from where the file says
+      {"LIBKML_RESOLVE_STYLE", "NO"},  // likewise
+      {"CPL_VSIL_CURL_ALLOWED_FILENAME", "none"}};
+  for (const auto& [name, value] : kOptions) CPLSetConfigOption(name, value);
+  for (void (*add)() :
+       {&RegisterOGRGeoJSON, &RegisterOGRGeoPackage, &RegisterOGRShape, &RegisterOGROpenFileGDB, &RegisterOGRLIBKML,
+        &RegisterOGRGML, &RegisterOGRFlatGeobuf, &RegisterOGRTAB, &RegisterOGRDXF, &RegisterOGRDGN}) {
+    add();
   }
 }
 
@@ -134,10 +230,7 @@ void Read(const VectorRequest& request, VectorFile& file) {
 
 VectorFile ReadVectors(const VectorRequest& request) {
   static std::once_flag registered;
-  std::call_once(registered, [] {
-    RegisterOGRGeoJSON();
-    RegisterOGRGeoPackage();
-  });
+  std::call_once(registered, Configure);
   const Messages messages;
   VectorFile file;
   try {
@@ -155,7 +248,5 @@ VectorFile ReadVectors(const VectorRequest& request) {
   }
   return file;
 }
-
-void TilemendReadVectors(const VectorRequest& request, VectorFile& file) { file = ReadVectors(request); }
 
 }  // namespace tilemend

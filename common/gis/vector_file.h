@@ -1,7 +1,7 @@
-// Polygons and lines that users draw in a GIS: GeoJSON and GeoPackage, by GDAL; coordinate systems by PROJ.
+// Polygons and lines that users draw in a GIS or a CAD program, read by GDAL; coordinate systems by PROJ.
 //
-// GDAL brings more than a hundred shared libraries. So these sources are linked into a module of their own, which
-// area_file.h loads when a file is to be read. Only plain types pass between the two.
+// GDAL brings more than a hundred shared libraries, and reads files of others: these sources are those of a program of
+// their own, which area_file.h starts when a file is to be read (gdal_process.h).
 #ifndef TILEMEND_COMMON_GIS_VECTOR_FILE_H_
 #define TILEMEND_COMMON_GIS_VECTOR_FILE_H_
 
@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/grid/water_areas.h"
 #include "common/mesh/plane_polygon.h"
 
 namespace tilemend {
@@ -26,22 +27,35 @@ struct SceneFrame {
 
 // A feature of the file, in metres relative to the scene's origin.
 struct VectorFeature {
-  std::string label;                                  // "feature 3 (Pond)", with its layer if there are several
-  PlanePolygon polygon;                               // empty: the feature is a line
-  std::vector<Point2> line;                           // of a polygon: its property `centreline`
-  bool water = true;                                  // property `water`
-  std::optional<double> level;                        // property `level_m`
-  bool clear = false;                                 // property `clear`
-  std::optional<double> clear_height = std::nullopt;  // property `clear_height`, metres, >= 0
+  std::string label;                    // "feature 3 (Pond)", with its layer if there are several
+  PlanePolygon polygon;                 // empty: the feature is a line
+  std::vector<Point2> line;             // of a polygon: its property `centreline`
+  bool water = true;                    // property `water`
+  std::optional<double> level;          // property `level_m`
+  WaterKind kind = WaterKind::kUnsaid;  // property `kind`
+  bool clear = false;                   // property `clear`
+  std::optional<double> clear_height;   // property `clear_height`, metres, >= 0
+  std::optional<int64_t> body;          // of a hole in holes.geojson: property `body`
+};
+
+// How the bytes begin. Of kOther GDAL finds out the format, with the help of the suffix.
+enum class VectorFormat { kGeoJson, kGeoPackage, kArchive, kOther };
+
+// A file that GDAL sees, in a folder of its own in memory.
+struct MemoryPart {
+  std::string name;  // "polygons.shp"; may begin with the name of a folder: "polygons.gdb/gdb"
+  std::string_view bytes;
 };
 
 struct VectorRequest {
-  std::string_view bytes;  // of the file
-  std::string name;        // of the file, for messages
-  bool names_crs = true;   // false: GeoJSON without the member `crs`
-  std::string crs_name;    // of GeoJSON that names one: as it does
-  int64_t features = -1;   // that the file must have; -1: not known
-  bool unite = false;      // one polygon of all; lines and outlines that cross are refused
+  VectorFormat format = VectorFormat::kOther;
+  std::string opened;             // the name that GDAL opens: that of a part, or of a folder of parts
+  std::vector<MemoryPart> parts;  // of the file
+  std::string name;               // of the file, for messages
+  bool names_crs = true;          // false: GeoJSON without the member `crs`
+  std::string crs_name;           // of GeoJSON that names one: as it does
+  int64_t features = -1;          // that the file must have; -1: not known
+  bool unite = false;             // one polygon of all; lines and outlines that cross are refused
   SceneFrame frame;
 };
 
@@ -52,26 +66,30 @@ struct VectorFile {
   std::string error;  // not empty: why there are none; begins with the name
 };
 
-// Reads Polygons, MultiPolygons and LineStrings of all layers. A polygon that is not valid is repaired, with a warning
-// that names it and the place: what any of its parts surrounds is inside.
+// Reads Polygons, MultiPolygons and LineStrings of all layers, and of all files in an archive. A polygon that is not
+// valid is repaired, with a warning that names it and the place: what any of its parts surrounds is inside. Of drawings
+// (DXF, DGN) closed lines are polygons and nothing else is read. Other geometries are left out, with one warning that
+// counts them.
+//
+// Formats: GeoJSON, GeoPackage, ESRI Shapefile and File Geodatabase, KML, GML, FlatGeobuf, MapInfo, DXF, DGN; in a ZIP
+// archive (or KMZ) all of these but the first two. No other driver of GDAL is registered: none that opens a further
+// file or a URL that its input names.
+//
+// holes.geojson: features with a property `hole` are left out, with one warning that counts them, unless they have a
+// value of `water`. Those of one `body` that say the same are parts of one feature.
 //
 // What coordinates are. Those of a layer that names its CRS are transformed to the scene's. Others are taken for
 // longitude and latitude (WGS 84), for coordinates of the scene, or of its CRS, in this order, whichever puts the layer
 // into the scene; between the first two the better fit decides. Heights are never transformed: level_m is relative to
 // the origin if coordinates are, else it is a height of the scene's CRS.
 //
-// Errors: bytes that are neither, a geometry of another kind or none, a ring with fewer than four positions or not
-// closed, a coordinate that is no number or ends up beyond 1e9 m, a property of another type, a CRS that is not known,
-// coordinates that cannot be those of this scene (also: that would be, with x and y exchanged).
+// Errors: bytes of no such format, a geometry that cannot be read, a ring with fewer than four positions or not
+// closed, a coordinate that is no number or ends up beyond 1e9 m, a property of another type or value, a CRS that is
+// not known, coordinates that cannot be those of this scene (also: that would be, with x and y exchanged).
 VectorFile ReadVectors(const VectorRequest& request);
-
-// The same, under a name that is found in the module.
-extern "C" __attribute__((visibility("default"))) void TilemendReadVectors(const VectorRequest& request,
-                                                                           VectorFile& file);
 
 // What is wrong with the CRS of a scene, for people; "" if nothing is, or there is none.
 std::string FaultOfCrs(const std::string& crs);
-extern "C" __attribute__((visibility("default"))) void TilemendFaultOfCrs(const std::string& crs, std::string& fault);
 
 }  // namespace tilemend
 

@@ -10,6 +10,9 @@
 
 namespace tilemend {
 
+// What a user says that the water in an area is. A lake has one level; a river falls along a line.
+enum class WaterKind { kUnsaid, kLake, kRiver };
+
 inline constexpr double kClearHeight = 1.5;  // metres, of WaterArea::clear_height where none is given
 
 // All in metres relative to the scene's origin, as the tiles' coordinates.
@@ -19,6 +22,7 @@ struct WaterArea {
   std::optional<double> level = std::nullopt;  // height of the water; none: from its shore
   std::vector<Point2> centreline = {};         // of a river, in either direction; empty or at least two points
   std::string label = {};                      // of the feature in the file, for people
+  WaterKind kind = WaterKind::kUnsaid;         // kRiver has no level, kLake no centreline, both have water
   // Surface inside is taken out before holes are looked for: of water what stands no higher than clear_height above the
   // level; where `water` is false everything.
   bool clear = false;

@@ -12,11 +12,12 @@ struct WaterProfile {
   const char* name;
   double least_lake;   // m2
   double least_river;  // metres, mean width
+  double least_level;  // m2: smaller holes with a level rim are filled like the surface around them
 };
 
 // The default first. usgs: the thresholds of the USGS Lidar Base Specification 2024, "Hydro-flattening": ponds and
 // lakes of 2 acres (8,000 m2), rivers 100 feet (30 m) wide.
-inline constexpr WaterProfile kWaterProfiles[] = {{"city", 1000, 6}, {"usgs", 8000, 30}};
+inline constexpr WaterProfile kWaterProfiles[] = {{"city", 1000, 6, 100}, {"usgs", 8000, 30, 8000}};
 
 // nullptr: there is none of this name.
 inline const WaterProfile* WaterProfileNamed(std::string_view name) {

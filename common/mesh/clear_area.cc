@@ -25,7 +25,8 @@ Bounds BoundsOf(const TriMesh& mesh, const Triangle& t) {
 
 double ShareInside(const TriMesh& mesh, const Triangle& t, const PolygonIndex& polygon) {
   const Point2 a = mesh.points[t[0]].head<2>();
-  const Point2 u = (mesh.points[t[1]].head<2>() - a) / kPartsOfSide, v = (mesh.points[t[2]].head<2>() - a) / kPartsOfSide;
+  const Point2 u = (mesh.points[t[1]].head<2>() - a) / kPartsOfSide,
+               v = (mesh.points[t[2]].head<2>() - a) / kPartsOfSide;
   int inside = 0, all = 0;
   for (int i = 0; i < kPartsOfSide; ++i) {
     for (int j = 0; i + j < kPartsOfSide; ++j, ++all) {

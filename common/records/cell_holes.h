@@ -58,10 +58,7 @@ struct CellHole {
   std::optional<double> tension = {};        // that of its cluster, where it has been chosen
   std::optional<double> level = {};          // water: the height of every new vertex, metres, on the lattice
   WaterSurface river = {};                   // with stations: water whose heights are LevelAt these; level is set too
-  // Where much of its cluster's rim stands on objects: the surface is linear between these. They are what the surface
-  // of the whole cluster goes by within this hole (coordinator/plan/water/ground_points.h).
-  std::vector<Point3> ground_points = {};
-  bool own_outline = false;  // it ends at the tile's own outline: no other tile shares its seams
+  bool own_outline = false;                  // it ends at the tile's own outline: no other tile shares its seams
 };
 
 struct CellHoles {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "common/records/ground_raster.h"
 #include "common/util/colour.h"
 
 namespace tilemend {
@@ -66,6 +67,10 @@ struct SurveyRecord : SurveySummary {
 
   // What the surface looks like at the boundary vertices; empty: the tile has no colours.
   std::vector<std::optional<Rgb>> colours;
+
+  // The lowest surface (worker/ground/lowest_surface.h), where it was asked for. Sent, but not decoded by FromProto and
+  // not stored: the coordinator passes it on as it comes.
+  GroundRaster lowest;
 };
 
 }  // namespace tilemend

@@ -8,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/draco_mesh.h"
 #include "common/mesh/rounding.h"
+#include "common/rpc/ground_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/util/status_macros.h"
 
@@ -115,6 +116,7 @@ v1::SurveyOutput ToProto(const SurveyRecord& record) {
     proto.add_pieces(e.piece);
   }
   *proto.mutable_band() = EncodeMesh(record.band.points, record.band.triangles, kFinestStep);
+  if (!record.lowest.empty()) *proto.mutable_lowest() = ToProto(record.lowest);
   return proto;
 }
 
@@ -231,7 +233,6 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
     h->set_own_outline(hole.own_outline);
-    for (const Point3& point : hole.ground_points) AddPoint(point, h->mutable_ground_point());
     for (const RimSegment& s : hole.inner_edges) {
       h->add_inner_from(s.from);
       h->add_inner_to(s.to);
@@ -246,15 +247,6 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     *proto.mutable_band() = EncodeMesh(holes.band.points, holes.band.triangles, kFinestStep);
   }
   return proto;
-}
-
-absl::Status ReadGroundPoints(const v1::HoleBoundary& h, CellHole& hole) {
-  if (h.ground_point_size() % 3 != 0) return Malformed("ground points");
-  for (int i = 0; i < h.ground_point_size() / 3; ++i) {
-    hole.ground_points.push_back(PointAt(h.ground_point(), i));
-    if (!IsPlace(hole.ground_points.back())) return Malformed("ground points");
-  }
-  return absl::OkStatus();
 }
 
 absl::Status ReadEdges(const v1::HoleBoundary& h, int64_t vertices, CellHole& hole) {
@@ -295,7 +287,6 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
       if (!hole.river.stations.back().allFinite()) return Malformed("river stations");
     }
     hole.own_outline = h.own_outline();
-    TILEMEND_RETURN_IF_ERROR(ReadGroundPoints(h, hole));
     TILEMEND_RETURN_IF_ERROR(ReadEdges(h, n, hole));
     holes.holes.push_back(std::move(hole));
   }

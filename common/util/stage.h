@@ -12,6 +12,7 @@ namespace tilemend {
 enum class Stage {
   kMeasure = 9,
   kSurvey = 1,
+  kGround = 8,
   kSampleCluster = 5,
   kSampleLayer = 6,
   kFill = 3,
@@ -19,18 +20,20 @@ enum class Stage {
   kAssemble = 4
 };
 
-inline constexpr std::array<Stage, 7> kAllStages = {Stage::kMeasure,     Stage::kSurvey, Stage::kSampleCluster,
-                                                    Stage::kSampleLayer, Stage::kFill,   Stage::kSmoothSeam,
-                                                    Stage::kAssemble};
+inline constexpr std::array<Stage, 8> kAllStages = {Stage::kMeasure,       Stage::kSurvey,      Stage::kGround,
+                                                    Stage::kSampleCluster, Stage::kSampleLayer, Stage::kFill,
+                                                    Stage::kSmoothSeam,    Stage::kAssemble};
 
-// "measure", "survey", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a value
-// that names none.
+// "measure", "survey", "ground", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a
+// value that names none.
 constexpr std::string_view StageName(Stage stage) {
   switch (stage) {
     case Stage::kMeasure:
       return "measure";
     case Stage::kSurvey:
       return "survey";
+    case Stage::kGround:
+      return "ground";
     case Stage::kSampleCluster:
       return "sample_cluster";
     case Stage::kSampleLayer:

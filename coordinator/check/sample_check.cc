@@ -29,6 +29,7 @@ absl::Status CheckHeights(const CellHoles& asked, std::span<const int32_t> seam_
   for (const RimVertex& v : asked.vertices) {
     extent.extend(Point2(v.position.head<2>()));
     if (v.height_known) heights.extend(Eigen::Matrix<double, 1, 1>(v.position.z()));
+    if (v.ground) heights.extend(Eigen::Matrix<double, 1, 1>(*v.ground));
   }
   if (heights.isEmpty()) return absl::OkStatus();
   const double size = kOvershoot * (extent.diagonal().norm() + heights.diagonal().norm());

@@ -124,6 +124,7 @@ class CellHolesBuilder {
     const auto ground = heights_.ground.find({cluster, plan_vertex});
     if (ground != heights_.ground.end()) return ground->second;
     const PlanVertex& p = plan_.vertices[plan_vertex];
+    if (p.ground) return *p.ground;
     if (p.follows < 0) return std::nullopt;
     const auto beside = heights_.ground.find({cluster, p.follows});
     if (beside != heights_.ground.end()) return beside->second + RiseFrom(p.follows, p.position);
@@ -160,7 +161,6 @@ class CellHolesBuilder {
     hole.open = planned.kind != HoleKind::kClosed || (!planned.own_regions.empty() && HasSeam(segments));
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
     hole.slope = planned.slope;
-    hole.ground_points = planned.ground_points;
     if (planned.water >= 0) {
       hole.level = plan_.water[planned.water].level;
       hole.river = plan_.water[planned.water].river;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,11 +15,11 @@
 #include "coordinator/plan/hole/touching_holes.h"
 #include "coordinator/plan/mesh/plan_mesh.h"
 #include "coordinator/plan/overlap/area_outside.h"
+#include "coordinator/plan/overlap/joint_ground.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
 #include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
-#include "coordinator/plan/rim/area_proposal.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
@@ -27,10 +28,6 @@
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
 #include "coordinator/plan/water/clear_shores.h"
-#include "coordinator/plan/water/ground_points.h"
-#include "coordinator/plan/water/hole_groups.h"
-#include "coordinator/plan/water/known_objects.h"
-#include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 #include "coordinator/plan/water/water_answers.h"
@@ -56,8 +53,18 @@ double LatticeStep(const PlanInput& input) {
   return std::max(kFinestStep, representable);
 }
 
+// Of the vertices of a tile's boundary that are in the plan.
+void StoreGround(const RimGround& rim, std::span<const int32_t> vertices, Plan& plan) {
+  for (size_t i = 0; i < std::min(vertices.size(), rim.on_object.size()); ++i) {
+    if (!rim.on_object[i] || vertices[i] < 0) continue;
+    PlanVertex& vertex = plan.vertices[vertices[i]];
+    vertex.on_object = true;
+    if (!std::isnan(rim.ground[i])) vertex.ground = rim.ground[i];
+  }
+}
+
 // Appends the rim points and seam vertices of a part. Returns the number of the first.
-int32_t StoreVertices(Rim& rim, const SeamLayout& seams, Plan& plan) {
+int32_t StoreVertices(const PlanInput& input, Rim& rim, const SeamLayout& seams, Plan& plan) {
   const auto base = static_cast<int32_t>(plan.vertices.size());
   plan.vertices.reserve(plan.vertices.size() + rim.points.size() + seams.vertices.size());
   for (auto& [cell, points] : rim.point_of) {
@@ -68,6 +75,7 @@ int32_t StoreVertices(Rim& rim, const SeamLayout& seams, Plan& plan) {
     const uint8_t lines = p.index < 0 ? kFixedVertex : 0;
     plan.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, lines});
   }
+  for (const auto& [cell, ground] : input.rim_ground) StoreGround(ground, plan.VerticesOf(cell), plan);
   for (const SeamVertex& v : seams.vertices) {
     const double height = v.beside >= 0 ? rim.points[v.beside].position.z() : 0;
     const Point3 position(v.position.x(), v.position.y(), height);
@@ -123,7 +131,7 @@ void PlanPart(const PlanInput& input, const PlanInput& own, const GridLines& lin
   const Part part{input, own, lines, options, rim, plan.lattice_step};
   if (options.cancelled()) return;
   Division division = DivideScene(part, closing);
-  const int32_t base = StoreVertices(rim, division.seams, plan);
+  const int32_t base = StoreVertices(input, rim, division.seams, plan);
   for (auto& [cell, found] : division.holes) StoreHoles(std::move(found), base, plan);
   for (Seam& seam : division.seams.seams) {
     for (int32_t& v : seam.vertices) v += base;
@@ -147,6 +155,7 @@ JointTiles JoinInArea(const PlanInput& input, const JointTiles& whole, const Gri
 void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
   JointTiles joint = JoinTiles(input, outlines, plan.lattice_step);
   if (!input.area.empty()) joint = JoinInArea(input, joint, outlines, options, plan.lattice_step);
+  joint.input.rim_ground = JointGround(joint, input.rim_ground);
   PlanPart(joint.input, input, joint.lines, options, plan);
   LayOwnRegions(input, outlines, joint, plan);
 }
@@ -220,66 +229,16 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   return plan;
 }
 
-// The shore that water and objects are told by.
-enum class Shore { kInArea, kOfScene };
-
-// What the scene says, of which an area leaves a part of the shore, or which the hole around the scene goes on into.
-struct Known {
-  KnownWater water;
-  KnownObjects objects;
-};
-
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines, Known& known);
-
-// The holes of a plan that no others cover by more than half.
-std::vector<int32_t> HolesOutside(const Plan& plan, const Plan& others) {
-  const std::vector<int32_t> covering = GroupsCovering(plan, others, std::vector<int32_t>(others.holes.size(), 0));
-  std::vector<int32_t> outside;
-  for (size_t h = 0; h < covering.size(); ++h) {
-    if (covering[h] < 0) outside.push_back(static_cast<int32_t>(h));
-  }
-  return outside;
-}
-
-// Where the surface ends inside the cells there is a hole around it without the area too: so up to its outline first.
-Known KnownOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
-  if ((input.area.empty() && input.added.empty()) || plan.holes.empty()) return {};
-  PlanInput scene = input;
-  for (const CellId cell : input.added) scene.cells.erase(cell);
-  scene.added.clear();
-  Known known;
-  known.water.body_of.assign(plan.holes.size(), -1);
-  const auto add_water = [&] {
-    GridLines lines;
-    Known of_scene;
-    Plan whole = PlanWithWater(scene, options, Shore::kInArea, lines, of_scene);
-    AddKnownWater(FindKnownWater(whole, plan), known.water);
-    return whole;
-  };
-  std::vector<int32_t> outside;
-  scene.area = OutlineInsideCells(scene.grid, scene.cells);
-  if (!scene.area.empty()) outside = HolesOutside(plan, add_water());
-  scene.area = {};
-  if (options.cancelled()) return known;
-  known.objects = FindKnownObjects(add_water(), plan);
-  known.objects.Forget(plan, outside);
-  return known;
-}
-
 // All but what follows from the water.
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore shore, GridLines& lines, Known& known) {
+Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   LeaveFailedHoles(plan);
   if (!plan.upright) return plan;
-  if (shore == Shore::kOfScene && !options.cancelled()) known = KnownOfScene(input, options, plan);
   FindRimSlopes(plan);
-  if (!options.cancelled()) MarkObjects(input, known.objects, plan);
-  if (!options.cancelled()) FindWater(input, options.water, known.water, plan);
-  if (known.water.bodies.empty() || options.cancelled()) return plan;
-  StoreLayers(plan);
-  FindRimSlopes(plan);
+  if (!options.cancelled()) MarkObjects(plan);
+  if (!options.cancelled()) FindWater(input, options.water, plan);
   return plan;
 }
 
@@ -287,13 +246,11 @@ Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, Shore sho
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   GridLines lines;
-  Known known;
-  Plan plan = PlanWithWater(input, options, Shore::kOfScene, lines, known);
+  Plan plan = PlanWithWater(input, options, lines);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   MarkClearedShores(options.water.areas, plan);
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
-  if (!options.cancelled()) FindGroundPoints(known.objects, plan);
   if (options.cancelled()) return {};
   AnswerWaterAreas(options.water, plan);
   DropUnusedVertices(plan);

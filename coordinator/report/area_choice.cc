@@ -39,11 +39,11 @@ absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& sce
     if (scene.found_by_name && !scene.area_known) scene.warnings.emplace_back(kUnknownArea);
     return std::string();
   }
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadAreaFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(path));
   TILEMEND_ASSIGN_OR_RETURN(AreaFile file, ParseAreaFile(bytes, path, FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(Cover(std::move(file.area), path, scene));
   for (std::string& warning : file.warnings) scene.warnings.push_back(std::move(warning));
-  return Sha256Hex(bytes);
+  return Sha256Hex(ContentOf(bytes));
 }
 
 }  // namespace tilemend

@@ -13,8 +13,8 @@ namespace tilemend {
 void CheckCrs(Scene& scene);
 
 // Gives the scene the area of the file `value` (common/gis/area_file.h); with "" the one that scene.json names, if any.
-// Returns the SHA-256 of the file, hex; "" if none was read. Errors of ReadAreaFile, ParseAreaFile and CoverArea, with
-// the file in their text.
+// Returns the SHA-256 of the file and what belongs to it, hex; "" if none was read. Errors of ReadAreaFile,
+// ParseAreaFile and CoverArea, with the file in their text.
 absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& scene);
 
 }  // namespace tilemend

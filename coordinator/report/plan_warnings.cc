@@ -29,6 +29,7 @@ std::vector<int32_t> WaterAtUnknownRim(const Plan& plan) {
   };
   std::vector<int32_t> first_holes;
   for (const WaterBody& body : plan.water) {
+    if (body.kind != BodyKind::kWater) continue;
     if (!left.empty() && std::ranges::any_of(body.holes, reaches_rim)) first_holes.push_back(body.holes.front());
   }
   return first_holes;

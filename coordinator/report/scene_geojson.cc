@@ -13,6 +13,7 @@
 #include "absl/strings/str_split.h"
 #include "common/mesh/winding/simple_rings.h"
 #include "common/records/water_surface.h"
+#include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/ring_chains.h"
 
@@ -140,12 +141,32 @@ double ShareOnObjects(const Plan& plan, const PlannedHole& hole) {
   return whole > 0 ? on_objects / whole : 0;
 }
 
+// As ParseWaterFile takes it.
+const char* KindOf(const WaterBody& body) { return body.river.stations.empty() ? "lake" : "river"; }
+
+// What a hole was taken for.
+void AddWater(const Plan& plan, const PlannedHole& hole, double origin, Json& row) {
+  if (hole.evidence >= 0) {
+    const HoleEvidence& evidence = plan.evidence[hole.evidence];
+    row["taken_for"] = VerdictName(evidence.verdict);
+    row["because"] = evidence.reason;
+    if (evidence.has_level) row["sigma_m"] = Millimetres(evidence.sigma);
+  }
+  if (hole.water < 0) return;
+  const WaterBody& body = plan.water[hole.water];
+  if (body.river.stations.empty()) row["level_m"] = body.level + origin;  // exact: it can be given back
+  if (body.kind != BodyKind::kWater) return;
+  row["water"] = true;
+  row["kind"] = KindOf(body);
+  row["body"] = hole.water;
+}
+
 Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h) {
   const PlannedHole& hole = input.plan->holes[h];
   const std::string failure = FailureOf(input, h);
   Json row = {{"hole", h},
               {"cell", ToString(hole.cell)},
-              {"kind", KindName(hole.kind)},
+              {"hole_kind", KindName(hole.kind)},
               {"type", nullptr},
               {"cluster", nullptr},
               {"layer", nullptr},
@@ -154,7 +175,13 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"outcome", failure.empty() ? "filled" : "left"},
               {"reason", failure.empty() ? Json() : Json(failure)},
               {"method", nullptr},
+              {"water", nullptr},
+              {"kind", nullptr},
               {"level_m", nullptr},
+              {"sigma_m", nullptr},
+              {"taken_for", nullptr},
+              {"because", nullptr},
+              {"body", nullptr},
               {"share_on_objects", Millimetres(ShareOnObjects(*input.plan, hole))}};
   if (const char* type = TypeName(hole.type)) row["type"] = type;
   if (hole.kind != HoleKind::kClosed) {
@@ -163,9 +190,7 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
   }
   const auto size = input.outcome.sizes.find(h);
   if (size != input.outcome.sizes.end() && failure.empty()) row["method"] = WayName(size->second.way);
-  if (hole.water < 0) return row;
-  const WaterBody& body = input.plan->water[hole.water];
-  if (body.river.stations.empty()) row["level_m"] = Millimetres(body.level + scene.origin.z());
+  AddWater(*input.plan, hole, scene.origin.z(), row);
   return row;
 }
 
@@ -194,25 +219,63 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
       segments.insert(segments.end(), plan.holes[h].segments.begin(), plan.holes[h].segments.end());
       area += plan.holes[h].area;
     }
-    if (segments.empty()) continue;
+    if (segments.empty() || plan.water[w].kind != BodyKind::kWater) continue;
     const std::vector<Point3>& stations = plan.water[w].river.stations;
-    const Json level = Millimetres(plan.water[w].level + scene.origin.z());
+    const Json level = plan.water[w].level + scene.origin.z();  // exact: it can be given back
     const Json highest = stations.empty() ? level : Json(Millimetres(stations.front().z() + scene.origin.z()));
-    Json row = {{"kind", "shore"},      {"body", w},         {"level_m", stations.empty() ? level : Json()},
-                {"highest_m", highest}, {"lowest_m", level}, {"area_m2", Millimetres(area)}};
+    Json row = {{"line", "shore"},
+                {"kind", KindOf(plan.water[w])},
+                {"body", w},
+                {"level_m", stations.empty() ? level : Json()},
+                {"highest_m", highest},
+                {"lowest_m", level},
+                {"area_m2", Millimetres(area)}};
     features.AddPolygons(plan, segments, Wound::kLeft, row, [&](const Point2& p) {
       return stations.empty() ? plan.water[w].level : LevelAt(plan.water[w].river, p, plan.lattice_step);
     });
     if (stations.empty()) continue;
-    row["kind"] = "centreline";
+    row["line"] = "centreline";
+    row["kind"] = nullptr;
     features.AddLine(stations, row);
+  }
+  return std::move(features).Text();
+}
+
+std::string ProposalsGeoJson(const Plan& plan, const std::vector<ProposedSurface>& surfaces, const Scene& scene) {
+  Features features(scene);
+  const auto properties = [&](const char* name, const char* kind, double level, double sigma, double area, bool clear,
+                              const std::string& reason) {
+    return Json{{"name", name},
+                {"water", true},
+                {"kind", kind == nullptr ? Json() : Json(kind)},
+                {"level_m", nullptr},
+                {"clear", clear},
+                {"proposed_level_m", Millimetres(level + scene.origin.z())},
+                {"sigma_m", Millimetres(sigma)},
+                {"area_m2", std::round(area)},
+                {"reason", reason}};
+  };
+  for (const WaterBody& body : plan.water) {
+    if (body.kind != BodyKind::kWater) continue;
+    std::vector<RimSegment> segments;
+    double area = 0;
+    for (const int32_t h : body.holes) {
+      segments.insert(segments.end(), plan.holes[h].segments.begin(), plan.holes[h].segments.end());
+      area += plan.holes[h].area;
+    }
+    features.AddPolygons(plan, segments, Wound::kLeft,
+                         properties("hole", KindOf(body), body.level, body.sigma, area, false,
+                                    "a hole whose rim tells the level of water"));
+  }
+  for (const ProposedSurface& s : surfaces) {
+    features.AddRings(s.outline.rings, properties("surface", nullptr, s.level, s.sigma, s.area, true, s.reason));
   }
   return std::move(features).Text();
 }
 
 std::string AreaGeoJson(const PlanePolygon& area, const Scene& scene) {
   Features features(scene);
-  features.AddRings(area.rings, {{"kind", "area"}});
+  features.AddRings(area.rings, Json::object());
   return std::move(features).Text();
 }
 

@@ -14,6 +14,7 @@
 #include "common/records/filler.h"
 #include "common/util/version.h"
 #include "coordinator/report/cleared_report.h"
+#include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/plan_warnings.h"
 
@@ -98,6 +99,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   AddMeasures(*input.plan, hole, row);
   row["boundary_vertices"] = hole.boundary_vertices;
   if (hole.water >= 0) row["level_m"] = LevelJson(input.plan->water[hole.water]);
+  if (hole.evidence >= 0) row["water"] = HoleEvidenceJson(input.plan->evidence[hole.evidence]);
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
@@ -151,6 +153,7 @@ void AddRiver(const WaterBody& body, Json& row) {
 Json WaterRows(const SceneReportInput& input) {
   Json rows = Json::array();
   for (const WaterBody& body : input.plan->water) {
+    if (body.kind != BodyKind::kWater) continue;
     Json holes = Json::array();
     double area = 0;
     std::set<CellId> cells;
@@ -165,7 +168,7 @@ Json WaterRows(const SceneReportInput& input) {
     Json row;
     if (open != body.holes.end()) row["cluster"] = input.plan->holes[*open].cluster;
     row.update({{"level_m", LevelJson(body)},
-                {"spread_m", Rounded(body.spread, 4)},
+                {"sigma_m", Rounded(body.sigma, 4)},
                 {"rim_m", {Rounded(body.lowest, 4), Rounded(body.highest, 4)}},
                 {"rim_vertices", body.rim_vertices},
                 {"area_m2", Rounded(area, 3)},

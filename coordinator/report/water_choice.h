@@ -17,7 +17,7 @@ inline constexpr char kNoWater[] = "off";
 
 struct WaterChoice {
   WaterOptions options;
-  std::string digest;             // SHA-256 of the file, hex; empty without one
+  std::string digest;             // SHA-256 of the file and what belongs to it, hex; empty without one
   std::string clear_digest = {};  // likewise of the file of AddClearFile
   std::string coordinates;        // what those of the file were taken for; empty without one
   std::vector<std::string> warnings;
@@ -25,7 +25,7 @@ struct WaterChoice {
 
 // kFindWater, kNoWater, or a file of exceptions from kFindWater (common/gis/area_file.h). `frame` says where the
 // scene's coordinates lie. Errors of ReadAreaFile and ParseWaterFile, with the file in their text.
-absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, double tolerance, const SceneFrame& frame);
+absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const SceneFrame& frame);
 
 // The value of --clear: adds the areas of the file, all with `clear`, behind those that are there. "" adds none. Errors
 // as above.

@@ -43,7 +43,6 @@ struct JobSpec {
   std::string water = "auto";          // or "off", or a file of polygons: see water_choice.h
   std::string clear;                   // a file of polygons whose surface is taken out: see water_choice.h
   std::string area;                    // a file with the area to cover: see area_choice.h; empty: as the scene says
-  double water_tolerance = 0.1;        // [0.001, 10], metres: see WaterOptions
   std::string water_profile = "city";  // a name that WaterProfileNamed knows
   std::string water_colour;            // "R,G,B" or "#rrggbb" (ParseColour); empty: as its rim has it
   std::string cells;                   // those that are filled and written: see ParseCells; empty: all

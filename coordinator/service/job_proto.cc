@@ -85,7 +85,6 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (!proto.water().empty()) spec.water = proto.water();
   spec.clear = proto.clear();
   spec.area = proto.area();
-  if (proto.water_tolerance() != 0) spec.water_tolerance = proto.water_tolerance();
   if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
   spec.water_colour = proto.water_colour();
   if (!proto.textures().empty()) spec.textures = proto.textures();
@@ -116,7 +115,6 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_water(spec.water);
   proto.set_clear(spec.clear);
   proto.set_area(spec.area);
-  proto.set_water_tolerance(spec.water_tolerance);
   proto.set_water_profile(spec.water_profile);
   proto.set_water_colour(spec.water_colour);
   proto.set_textures(spec.textures);

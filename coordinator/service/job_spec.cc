@@ -95,7 +95,6 @@ absl::Status CheckWater(const JobSpec& spec) {
     return InvalidSpec("water", absl::StrCat("'", Printable(water), "' is neither auto, off nor a path in UTF-8"));
   }
   if (water != "auto" && water != "off") TILEMEND_RETURN_IF_ERROR(CheckAbsolute("water", water));
-  TILEMEND_RETURN_IF_ERROR(CheckRange("water_tolerance", spec.water_tolerance, 0.001, 10));
   if (WaterProfileNamed(spec.water_profile) == nullptr) {
     return InvalidSpec("water_profile", absl::StrCat("'", Printable(spec.water_profile), "': expected city or usgs"));
   }
@@ -104,7 +103,6 @@ absl::Status CheckWater(const JobSpec& spec) {
   }
   if (water != "off") return absl::OkStatus();
   const JobSpec defaults;
-  if (spec.water_tolerance != defaults.water_tolerance) return InvalidSpec("water_tolerance", kNotWithoutWater);
   if (spec.water_profile != defaults.water_profile) return InvalidSpec("water_profile", kNotWithoutWater);
   return spec.water_colour.empty() ? absl::OkStatus() : InvalidSpec("water_colour", kNotWithoutWater);
 }

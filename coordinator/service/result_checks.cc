@@ -71,14 +71,12 @@ absl::StatusOr<int64_t> SizeOf(const std::string& path) {
   return look->size;
 }
 
-// That the file has the digest; else `otherwise`.
 absl::Status CheckFile(const std::string& path, const std::string& digest, const absl::Status& otherwise) {
   const auto same = FileHasDigest(path, digest);
   if (!same.ok()) return absl::UnavailableError(same.status().message());
   return *same ? absl::OkStatus() : otherwise;
 }
 
-// Sorts the edges only where some have three triangles, or there is an outline.
 bool HasOutline(const TriMesh& mesh, uint64_t key) {
   return OutlineSumOf(mesh, key).sum != 0 && !OutlineOf(mesh).empty();
 }
@@ -133,7 +131,6 @@ absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutpu
   return CheckFile(PathOf(input.tile()), output.digest(), changed);
 }
 
-// Of a tile with another digest than the survey tells.
 absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) {
   if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
   return Changed(path);
@@ -196,6 +193,14 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
     TILEMEND_RETURN_IF_ERROR(CheckFile(path, output.digest(), OtherTile(path, output)));
   }
   return CheckUnusual(input, *record, reading);
+}
+
+absl::Status CheckGroundResult(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::GroundInput>(input_bytes));
+  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::GroundOutput>(output_bytes));
+  const int n = input.position_size() / 3;
+  if (output.on_object_size() == n && output.ground_size() == n) return absl::OkStatus();
+  return Wrong("not a value for each boundary vertex");
 }
 
 absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
@@ -417,6 +422,8 @@ ResultCheck SceneResultCheck(TileCheck tiles) {
         return CheckMeasureResult(input, output, *reading);
       case Stage::kSurvey:
         return CheckSurveyResult(input, output, *reading);
+      case Stage::kGround:
+        return CheckGroundResult(input, output);
       case Stage::kSampleCluster:
         return CheckClusterResult(input, output);
       case Stage::kSampleLayer:

@@ -61,7 +61,6 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
                                          {"size-limit", spec.size_limit},
                                          {"uniform", spec.uniform},
                                          {"water", spec.water},
-                                         {"water-tolerance", spec.water_tolerance},
                                          {"water-profile", spec.water_profile},
                                          {"water-colour", spec.water_colour},
                                          {"textures", spec.textures},
@@ -87,13 +86,11 @@ std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::str
       "scene %s\nsurface %s\nfiller %s %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d "
       "%s %s\ntension "
       "%s\n"
-      "water %s %s\nwater_tolerance %.17g\nwater_profile %s\nwater_colour %s\ntextures %s\nclear %s\narea %s\ncells "
-      "%s\n",
+      "water %s %s\nwater_profile %s\nwater_colour %s\ntextures %s\nclear %s\narea %s\ncells %s\n",
       spec.scene, spec.surface, spec.filler, spec.front_steps, spec.uniform, spec.gradation, spec.size_limit,
       wang.seam_smoothing, wang.seam_buffer, wang.longest_loop, wang.fairing_steps, SeamPointsName(wang.seam_points),
       ClosureName(wang.closure), spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water,
-      water.digest, spec.water_tolerance, spec.water_profile, spec.water_colour, spec.textures, water.clear_digest,
-      area_digest, spec.cells);
+      water.digest, spec.water_profile, spec.water_colour, spec.textures, water.clear_digest, area_digest, spec.cells);
 }
 
 }  // namespace tilemend

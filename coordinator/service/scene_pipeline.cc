@@ -200,6 +200,10 @@ class ScenePipeline : public JobPipeline {
       waves_.LeaveSeam(result.cell, reason);
       return absl::OkStatus();
     }
+    if (result.stage == Stage::kGround && (given_up || absl::IsInternal(error))) {
+      waves_.LeaveGround(result.cell, reason);
+      return absl::OkStatus();
+    }
     const bool filling =
         result.stage != Stage::kMeasure && result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
     if (!filling || !(given_up || absl::IsInternal(error))) return error;
@@ -295,7 +299,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
   CheckCrs(scene);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
-  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, spec.water_tolerance, FrameOf(scene)));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear, FrameOf(scene), water));
   water.options.profile = *WaterProfileNamed(spec.water_profile);
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));

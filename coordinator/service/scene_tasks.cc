@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/records/ground_raster.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
@@ -108,7 +109,21 @@ absl::StatusOr<NewTask> SceneTasks::Encode(const SurveyWork& work) const {
   input.set_look(!spec_.dry_run);
   const Box2 reach = ReachOfCell(waves_.scene(), work.tile->cell);
   for (const double x : {reach.lo.x(), reach.lo.y(), reach.hi.x(), reach.hi.y()}) input.add_reach(x);
+  const Point2& cell = waves_.scene().grid.cell_size;
+  input.set_raster_square(RasterSquareFor(cell.x(), cell.y()));
   return NewTask{work.tile->cell, Stage::kSurvey, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(const GroundWork& work) const {
+  v1::GroundInput input;
+  const auto record = work.record.Outline();
+  for (const BoundaryVertex& v : record->vertices) {
+    for (int k = 0; k < 3; ++k) input.add_position(v.position[k]);
+  }
+  for (const CellId cell : work.around) {
+    TILEMEND_ASSIGN_OR_RETURN(*input.add_rasters(), TakeUp<v1::GroundRasterBlob>(*scratch_, lowest_.at(cell)));
+  }
+  return NewTask{work.cell, Stage::kGround, input.SerializeAsString()};
 }
 
 absl::StatusOr<NewTask> SceneTasks::Encode(ClusterWork& work) {
@@ -277,6 +292,7 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
   TILEMEND_ASSIGN_OR_RETURN(surveyed_[result.cell], PutAside(surveyed));
+  TILEMEND_ASSIGN_OR_RETURN(lowest_[result.cell], PutAside(tile->lowest));
   for (const FileWitness::Read& read : tile->reads) {
     if (read.digest.empty()) continue;
     const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;
@@ -305,6 +321,11 @@ absl::Status SceneTasks::Decode(const TaskResult& result) {
     case Stage::kMeasure: {
       TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::MeasureOutput>(*result.output));
       return TakeMeasure(result.cell, output);
+    }
+    case Stage::kGround: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::GroundOutput>(*result.output));
+      return waves_.TakeGround(result.cell, {{output.on_object().begin(), output.on_object().end()},
+                                             {output.ground().begin(), output.ground().end()}});
     }
     case Stage::kSampleCluster: {
       TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(*result.output));

@@ -49,6 +49,7 @@ class SceneTasks {
  private:
   absl::StatusOr<NewTask> Encode(const MeasureWork& work) const;
   absl::StatusOr<NewTask> Encode(const SurveyWork& work) const;
+  absl::StatusOr<NewTask> Encode(const GroundWork& work) const;
   absl::StatusOr<NewTask> Encode(ClusterWork& work);
   absl::StatusOr<NewTask> Encode(LayerWork& work);
   absl::StatusOr<NewTask> Encode(FillWork& work);
@@ -78,10 +79,11 @@ class SceneTasks {
   OutputFolder* const output_;
   const std::shared_ptr<ScratchFile> scratch_;
   SceneFiles files_;
-  std::map<CellId, std::string> measured_;           // digest of each tile that is measured, until its survey
   std::map<CellId, ScratchFile::Place> surveyed_;    // digest and stamp of each tile
+  std::map<CellId, ScratchFile::Place> lowest_;      // the ground raster of each tile, until the plan
   std::map<std::string, std::string> file_digests_;  // by path: what was read for surveys, beside the tiles
   std::map<CellId, int32_t> clusters_of_;            // how many were given out, by the first cell of each
+  std::map<CellId, std::string> measured_;           // digest of each tile that is measured, until its survey
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there
   std::map<CellId, std::vector<int32_t>> layers_;                // the plan's numbers of what is sampled
   // Of the cells that are filled, until they are assembled.

@@ -26,6 +26,7 @@ absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output) {
   tile.digest = output.digest();
   tile.stamp = output.stamp();
   tile.cleared.assign(output.cleared().begin(), output.cleared().end());
+  tile.lowest = std::move(*output.mutable_lowest());
   for (const v1::FileRead& read : output.witness().reads()) tile.reads.push_back({read.path(), read.digest()});
   return tile;
 }

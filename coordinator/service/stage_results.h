@@ -19,6 +19,7 @@ struct SurveyedTile {
   std::string digest;                    // of the tile
   std::string stamp;                     // likewise; may be empty
   std::vector<FileWitness::Read> reads;  // of its survey, beside the tile
+  v1::GroundRasterBlob lowest;           // as it came
   std::vector<int64_t> cleared;          // triangles that each area took out
 };
 

@@ -9,6 +9,8 @@
 #include "coordinator/plan/colour/hole_colours.h"
 #include "coordinator/plan/make_cell_holes.h"
 #include "coordinator/plan/water/water.h"
+#include "coordinator/waves/ground_reach.h"
+#include "coordinator/waves/holes_of_cells.h"
 #include "coordinator/waves/sample_checks.h"
 #include "coordinator/waves/tiles_in_reach.h"
 
@@ -19,18 +21,6 @@ namespace {
 Grid GridAround(const SurveySummary& record) {
   const Point2 extent = (record.hi - record.lo).head<2>().cwiseMax(Point2(1, 1));
   return {record.lo.head<2>() - extent, 3 * extent};
-}
-
-std::set<CellId> CellsOf(const Plan& plan, const std::vector<int32_t>& holes) {
-  std::set<CellId> cells;
-  for (const int32_t h : holes) cells.insert(plan.holes[h].cell);
-  return cells;
-}
-
-size_t SegmentsOf(const Plan& plan, const std::vector<int32_t>& holes) {
-  size_t count = 0;
-  for (const int32_t h : holes) count += plan.holes[h].segments.size();
-  return count;
 }
 
 }  // namespace
@@ -75,6 +65,8 @@ SceneWork SceneWaves::WorkOf(const Item& item) const {
   switch (item.wave) {
     case Wave::kMeasure:
       return MeasureWork{tiles_.at(item.cell), clearing_.Polygons(item.cell)};
+    case Wave::kGround:
+      return GroundWork{item.cell, records().at(item.cell), CellsInGroundReach(records(), scene_.grid, item.cell)};
     case Wave::kCluster:
       return ClusterWork{item.cluster,
                          MakeCellHoles(plan_, input_, heights_, holes_of_clusters_.at(item.cluster), true)};
@@ -136,6 +128,25 @@ void SceneWaves::TakeSurvey(CellId cell, StoredRecord record) {
 
 void SceneWaves::TakeSurvey(CellId cell, SurveyRecord record) {
   TakeSurvey(cell, StoredRecord(std::make_shared<const SurveyRecord>(std::move(record))));
+}
+
+absl::Status SceneWaves::TakeGround(CellId cell, RimGround rim) {
+  const auto record = records().find(cell);
+  if (record == records().end() || record->second == nullptr) {
+    return absl::InvalidArgumentError(absl::StrCat("cell ", ToString(cell), " has no tile"));
+  }
+  const size_t vertices = record->second.Outline()->vertices.size();
+  if (rim.on_object.size() != vertices || rim.ground.size() != vertices) {
+    return absl::InvalidArgumentError("not a value for each boundary vertex");
+  }
+  input_.rim_ground[cell] = std::move(rim);
+  --awaited_;
+  return absl::OkStatus();
+}
+
+void SceneWaves::LeaveGround(CellId cell, const std::string& reason) {
+  outcome_.unsmoothed.push_back({cell, absl::StrCat("all at its rims is taken for ground: ", reason)});
+  --awaited_;
 }
 
 absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
@@ -247,10 +258,10 @@ void SceneWaves::Advance() {
       return QueueSurveys();
     case Wave::kSurvey:
       EndStep("survey");
-      MakeThePlan();
-      wave_ = options_.plan_only ? Wave::kDone : Wave::kCluster;
-      if (!options_.plan_only && options_.surface == Surface::kThinPlate) QueueClusters();
-      return;
+      return QueueGround();
+    case Wave::kGround:
+      EndStep("ground");
+      return MakeThePlan();
     case Wave::kCluster:
       wave_ = Wave::kLayer;
       return QueueLayer(1);
@@ -280,6 +291,15 @@ void SceneWaves::Advance() {
   }
 }
 
+void SceneWaves::QueueGround() {
+  wave_ = Wave::kGround;
+  if (!options_.find_objects || options_.single_mesh || !IsGroundTold(scene_.grid)) return;
+  phase_ = "ground";
+  for (const auto& [cell, record] : records()) {
+    if (record != nullptr && record->triangle_count > 0) ready_.push_back({Wave::kGround, cell});
+  }
+}
+
 void SceneWaves::MakeThePlan() {
   phase_ = "plan";
   outcome_.cleared = clearing_.Cleared();
@@ -296,32 +316,16 @@ void SceneWaves::MakeThePlan() {
   plan_.colours = ColourHoles(plan_, input_, options_.plan.water_colour);
   float32_ = std::any_of(records().begin(), records().end(),
                          [](const auto& r) { return r.second != nullptr && r.second->float32; });
-  for (size_t h = 0; h < plan_.holes.size(); ++h) {
-    if (plan_.holes[h].failure.empty()) holes_of_[plan_.holes[h].cell].push_back(static_cast<int32_t>(h));
-  }
-  KeepChosenHoles();
+  outcome_.chosen = options_.chosen;
+  holes_of_ = HolesToFill(plan_, options_.chosen);
   std::vector<BorderAudit> borders;
   std::copy_if(plan_.borders.begin(), plan_.borders.end(), std::back_inserter(borders), [&](const BorderAudit& border) {
     return holes_of_.contains(border.a) && holes_of_.contains(border.b) && IsChosen(border.a) && IsChosen(border.b);
   });
   fill_gaps_ = FillGaps(input_.grid, borders);
   EndStep("plan");
-}
-
-void SceneWaves::KeepChosenHoles() {
-  outcome_.chosen = options_.chosen;
-  if (options_.chosen.empty()) return;
-  std::set<int32_t> clusters;
-  for (const auto& [cell, holes] : holes_of_) {
-    if (!IsChosen(cell)) continue;
-    for (const int32_t h : holes) clusters.insert(plan_.holes[h].cluster);
-  }
-  clusters.erase(-1);
-  for (auto& [cell, holes] : holes_of_) {
-    if (IsChosen(cell)) continue;
-    std::erase_if(holes, [&](int32_t h) { return !clusters.contains(plan_.holes[h].cluster); });
-  }
-  std::erase_if(holes_of_, [](const auto& of_cell) { return of_cell.second.empty(); });
+  wave_ = options_.plan_only ? Wave::kDone : Wave::kCluster;
+  if (!options_.plan_only && options_.surface == Surface::kThinPlate) QueueClusters();
 }
 
 // Cells that need no surface of a cluster are filled meanwhile.
@@ -356,16 +360,8 @@ void SceneWaves::QueueLayer(int32_t layer) {
 }
 
 void SceneWaves::QueueCellOfLayer(CellId cell, const std::vector<int32_t>& holes) {
-  if (is_wang() && LastLayerOf(holes) == layer_ && IsFilled(cell)) return QueueFill(cell);
+  if (is_wang() && LastLayerOf(plan_, holes) == layer_ && IsFilled(cell)) return QueueFill(cell);
   if (!HolesOfLayer(holes).empty()) ready_.push_back({Wave::kLayer, cell});
-}
-
-int32_t SceneWaves::LastLayerOf(const std::vector<int32_t>& holes) const {
-  int32_t last = 1;
-  for (const int32_t h : holes) {
-    if (plan_.holes[h].water < 0) last = std::max(last, plan_.holes[h].layer);
-  }
-  return last;
 }
 
 bool SceneWaves::IsFilled(CellId cell) const {

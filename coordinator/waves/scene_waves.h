@@ -1,4 +1,4 @@
-// The order of the work on a scene: measure, survey, plan, sample clusters, sample layers, fill, smooth seams,
+// The order of the work on a scene: measure, survey, ground, plan, sample clusters, sample layers, fill, smooth seams,
 // assemble.
 #ifndef TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
 #define TILEMEND_COORDINATOR_WAVES_SCENE_WAVES_H_
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "common/records/rim_ground.h"
 #include "common/records/stored_record.h"
 #include "common/records/surface.h"
 #include "coordinator/plan/plan.h"
@@ -36,6 +37,7 @@ struct WaveOptions {
   bool plan_only = false;    // ends with the plan
   bool write_early = false;  // with thin-plate a tile is assembled once its cell is filled, beside other fills
   std::set<CellId> chosen;   // cells that are filled and written; empty: all
+  bool find_objects = true;  // tell ground from objects at the rims; else all is ground. Never in a single mesh
 };
 
 // Gives out the pieces of work of one scene as soon as they can be done, and takes what came of them. It computes the
@@ -57,8 +59,8 @@ struct WaveOptions {
 // time.
 class SceneWaves {
  public:
-  // Hears of the end of each step: "measure" (where surface is taken out), "survey", "plan", "sample" (thin-plate) or
-  // "layers" (wang), "fill", "smooth" (wang), "assemble".
+  // Hears of the end of each step: "measure" (where surface is taken out), "survey", "ground", "plan", "sample"
+  // (thin-plate) or "layers" (wang), "fill", "smooth" (wang), "assemble".
   using StepEnded = std::function<void(std::string_view step)>;
 
   SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended = {});
@@ -80,6 +82,7 @@ class SceneWaves {
   absl::Status TakeCleared(CellId cell, std::span<const int64_t> counts) { return clearing_.TakeCounts(cell, counts); }
   void TakeSurvey(CellId cell, StoredRecord record);
   void TakeSurvey(CellId cell, SurveyRecord record);  // keeps it in memory
+  absl::Status TakeGround(CellId cell, RimGround rim);
   absl::Status TakeCluster(const ClusterSamples& result);
   absl::Status TakeLayer(const std::vector<SeamSample>& samples);
   absl::Status TakeFill(CellId cell, const CellPatches& result);
@@ -92,6 +95,8 @@ class SceneWaves {
 
   // In place of a result of ClusterWork, LayerWork or FillWork: the holes of `cell` stay open, for this reason.
   void LeaveHoles(CellId cell, const std::string& reason);
+  // In place of a result of GroundWork: nothing at the boundary of `cell` is taken for an object.
+  void LeaveGround(CellId cell, const std::string& reason);
   // In place of a result of SmoothWork: the seams of `cell` that are given out with it keep what its cells gave.
   void LeaveSeam(CellId cell, const std::string& reason);
   // In place of a result of AssembleWork: the tile is not written, and so its holes are not filled.
@@ -115,7 +120,7 @@ class SceneWaves {
   int64_t cells_done() const { return cells_done_; }
 
  private:
-  enum class Wave { kMeasure, kSurvey, kCluster, kLayer, kFill, kSmooth, kAssemble, kDone };
+  enum class Wave { kMeasure, kSurvey, kGround, kCluster, kLayer, kFill, kSmooth, kAssemble, kDone };
   struct Item {
     Wave wave = Wave::kSurvey;
     CellId cell = {};
@@ -133,9 +138,8 @@ class SceneWaves {
     if (step_ended_) step_ended_(step);
   }
   void QueueSurveys();
+  void QueueGround();
   void MakeThePlan();
-  // Of cells that are not chosen, those holes stay whose clusters reach chosen ones.
-  void KeepChosenHoles();
   void QueueClusters();
   void QueueLayer(int32_t layer);
   void QueueCellOfLayer(CellId cell, const std::vector<int32_t>& holes);
@@ -145,7 +149,6 @@ class SceneWaves {
   bool IsFilled(CellId cell) const;
   // Whether both have a corner in common with a chosen cell: so the seam between them has.
   bool TouchesChosen(CellId a, CellId b) const;
-  int32_t LastLayerOf(const std::vector<int32_t>& holes) const;
   void QueueFills();
   void QueueFill(CellId cell);
   void QueueAssembles();

@@ -14,6 +14,7 @@
 #include "common/mesh/quality_tally.h"
 #include "common/records/cell_holes.h"
 #include "common/records/fill_colour.h"
+#include "common/records/stored_record.h"
 #include "coordinator/plan/seam/seam_heights.h"
 
 namespace tilemend {
@@ -30,6 +31,13 @@ struct MeasureWork {
 struct SurveyWork {
   const SceneTile* tile = nullptr;
   std::vector<ClearArea> clear = {};
+};
+
+// Tell ground from objects at a cell's boundary vertices, by the rasters of these cells. Gives a RimGround.
+struct GroundWork {
+  CellId cell;
+  StoredRecord record;         // of the cell
+  std::vector<CellId> around;  // those with a tile within reach of the filter, the cell itself among them
 };
 
 // Sample the thin-plate surface of a whole cluster along its seams. Gives ClusterSamples.
@@ -71,7 +79,8 @@ struct AssembleWork {
   std::optional<CellHoles> holes = {};  // of Wang 2021: as filled, with the heights that seams have in the end; no band
 };
 
-using SceneWork = std::variant<MeasureWork, SurveyWork, ClusterWork, LayerWork, FillWork, SmoothWork, AssembleWork>;
+using SceneWork =
+    std::variant<MeasureWork, SurveyWork, GroundWork, ClusterWork, LayerWork, FillWork, SmoothWork, AssembleWork>;
 
 struct ClusterSamples {
   int32_t cluster = 0;

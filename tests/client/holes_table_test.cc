@@ -19,10 +19,17 @@ TEST(PlannedHolesTextTest, ListsWhatIsToBeFilledTheLargestFirstAndDoesNotPromise
   plan["per_hole"] = {Hole(0, 2), Hole(1, 30), Hole(2, 100)};
   plan["per_hole"][1]["level_m"] = 12.5;
   plan["per_hole"][2]["reason"] = "too wild";
+  plan["per_hole"].push_back(Hole(3, 20));
+  plan["per_hole"][3]["water"] = {{"taken_for", "ground"}, {"reason", "it falls"}};
+  plan["per_hole"].push_back(Hole(4, 10));
+  plan["per_hole"][4]["level_m"] = 3;
+  plan["per_hole"][4]["water"] = {{"taken_for", "lake"}, {"level_m", 3}, {"sigma_m", 0.02}, {"reason", "it agrees"}};
   EXPECT_EQ(PlannedHolesText(plan),
-            "\n2 holes to fill, the largest first; filling may find some that stay open\n"
-            "hole  kind    cell   centre, m  area, m2  rim, m  water\n"
+            "\n4 holes to fill, the largest first; filling may find some that stay open\n"
+            "hole  kind    cell   centre, m  area, m2  rim, m  taken for                       because\n"
             "   1  closed  [0,1]  [1.5,2.5]      30.0     8.0  at 12.500 m\n"
+            "   3  closed  [0,1]  [1.5,2.5]      20.0     8.0  ground                          it falls\n"
+            "   4  closed  [0,1]  [1.5,2.5]      10.0     8.0  lake at 3.000 m, sigma 0.020 m  it agrees\n"
             "   0  closed  [0,1]  [1.5,2.5]       2.0     8.0\n");
 }
 

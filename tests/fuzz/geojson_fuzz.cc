@@ -1,26 +1,11 @@
-#include <cmath>
-#include <cstdlib>
 #include <string>
 
-#include "common/gis/area_file.h"
 #include "tests/fuzz/fuzz_target.h"
+#include "tests/fuzz/vector_checks.h"
 
-// Whatever the bytes: areas with finite coordinates and rings of at least three points, or an error that names the
-// file.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  const auto areas = tilemend::ParseWaterFile({reinterpret_cast<const char*>(data), size}, "lakes.geojson", {});
-  if (!areas.ok()) {
-    if (areas.status().message().find("lakes.geojson: ") != 0) std::abort();
-    return 0;
-  }
-  for (const tilemend::WaterArea& area : areas->areas) {
-    for (const auto& ring : area.polygon.rings) {
-      if (ring.size() < 3) std::abort();
-      for (const tilemend::Point2& p : ring) {
-        if (!p.allFinite()) std::abort();
-      }
-    }
-  }
+  tilemend::ReadAndCheck(tilemend::VectorFormat::kGeoJson, "lakes.geojson",
+                         {reinterpret_cast<const char*>(data), size});
   return 0;
 }
 

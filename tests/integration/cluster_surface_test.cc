@@ -21,7 +21,9 @@ class ClusterSurfaceTest : public testing::Test {
  protected:
   ClusterSurfaceTest() {
     const SurveyedScene scene = SurveyScene(MakeScene(Options()));
-    SceneWaves waves(scene.AsScene(), {});
+    WaveOptions options;
+    options.find_objects = false;
+    SceneWaves waves(scene.AsScene(), options);
     while (std::optional<SceneWork> work = waves.Next()) {
       if (const auto* survey = std::get_if<SurveyWork>(&*work)) {
         waves.TakeSurvey(survey->tile->cell, scene.records.at(survey->tile->cell));

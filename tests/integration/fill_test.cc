@@ -338,7 +338,7 @@ TEST(FillCommandTest, ExitCodes) {
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--uniform", "--gradation", "2"}), 2);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--filler", "svm-laplacian", "--size-limit", "2"}), 2);
   EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--filler", "minimum-area", "--allow-creases"}), 2);
-  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--water-tolerance", "1"}), 2) << "water is off";
+  EXPECT_EQ(code({"fill", in, "--out", folder / "o.obj", "--water-profile", "usgs"}), 2) << "water is off";
   EXPECT_EQ(code({"run", in, "--out", folder / "o", "--front-steps", "printed"}), 2) << "auto has no front";
   EXPECT_EQ(code({"fill", folder.Write("empty.obj", ""), "--out", folder / "o.obj"}), 4);
   EXPECT_EQ(code({"fill", folder.Write("bad.obj", "v 0 0 0\nf -1 -2 -3\n"), "--out", folder / "o.obj"}), 4);

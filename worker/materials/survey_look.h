@@ -19,12 +19,19 @@ struct LookSurvey {
   FileWitness witness;  // of the files and the colours
 };
 
+// What of a survey is wanted, and of which tiles.
+struct SurveyChoice {
+  PieceAreas areas = PieceAreas::kYes;
+  double raster_square = 0;  // metres, of the ground raster; 0: none
+  NoFaces no_faces = NoFaces::kRefuse;
+};
+
 // Surveys `bytes`, the tile `path` of the scene `root`: SurveyTile, the files that it names, and its colours along the
 // boundary (texels or diffuse colours of an OBJ, colours of vertices of a PLY). A tile that names no files and has no
-// colours costs what SurveyTile does. Errors of ParseMesh; files and images that cannot be had are warnings.
+// colours costs what SurveyTile does. With a `raster_square` above 0 the record has the lowest surface
+// (worker/ground/lowest_surface.h). Errors of ParseMesh; files and images that cannot be had are warnings.
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
-                                          MeshFormat format, PieceAreas areas = PieceAreas::kYes,
-                                          NoFaces no_faces = NoFaces::kRefuse);
+                                          MeshFormat format, const SurveyChoice& choice = {});
 
 }  // namespace tilemend
 

@@ -9,14 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
-#include "absl/time/clock.h"
 #include "common/codec/mesh_file.h"
-#include "common/codec/text.h"
-#include "common/mesh/height_tally.h"
 #include "common/records/patch_heights.h"
-#include "common/rpc/clear_payloads.h"
+#include "common/rpc/ground_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/tile_patch.h"
@@ -34,23 +30,16 @@
 #include "worker/fill/seam/sample_heights.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
-#include "worker/materials/file_witness.h"
-#include "worker/materials/survey_look.h"
+#include "worker/ground/rim_objects.h"
 #include "worker/materials/write_materials.h"
 #include "worker/service/attempt_files.h"
 #include "worker/service/smooth_stage.h"
+#include "worker/service/survey_stage.h"
 #include "worker/service/task_memory.h"
-#include "worker/survey/survey.h"
+#include "worker/service/tile_reading.h"
 
 namespace tilemend {
 namespace {
-
-std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
-
-absl::StatusOr<std::string> ReadTile(const std::string& path) {
-  const LentCore lent;
-  return ReadFile(path);
-}
 
 template <typename Message>
 absl::StatusOr<Message> Parse(const std::string& bytes) {
@@ -59,75 +48,25 @@ absl::StatusOr<Message> Parse(const std::string& bytes) {
   return message;
 }
 
-// What a scene can do about a tile that holds nothing.
-absl::Status WithHint(const absl::Status& status) {
-  if (!absl::EndsWith(status.message(), kNoVertices)) return status;
-  return absl::Status(status.code(),
-                      absl::StrCat(status.message(), "; a cell without surface has \"path\": null in scene.json"));
-}
-
-// The record of a tile with these bytes, and what it looks like if that is asked for.
-absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const std::string& bytes, NoFaces no_faces) {
-  const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  if (!input.look()) {
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path, no_faces));
-    return ToProto(SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo));
+absl::StatusOr<std::string> RunGround(const v1::GroundInput& input, TaskMemory& memory) {
+  if (input.position_size() % 3 != 0) return absl::InvalidArgumentError("malformed payload: positions");
+  std::vector<Point3> vertices;
+  for (int i = 0; i < input.position_size(); i += 3) {
+    vertices.emplace_back(input.position(i), input.position(i + 1), input.position(i + 2));
   }
-  TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey, SurveyWithLook(input.tile().root(), input.tile().path(), bytes,
-                                                                    format, PieceAreas::kNo, no_faces));
-  v1::SurveyOutput output = ToProto(survey.record);
-  *output.mutable_files() = ToProto(survey.files);
-  SetWitness(survey.witness, *output.mutable_witness());
-  return output;
-}
-
-absl::StatusOr<std::string> RunMeasure(const v1::MeasureInput& input, TaskMemory& memory) {
-  const std::string path = PathOf(input.tile());
-  const HeldMemory held(memory.tasks, SurveyMemory(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(path));
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  absl::StatusOr<MeshFile> file = ParseMesh(format, bytes, path);
-  if (!file.ok()) return WithHint(file.status());
-  v1::MeasureOutput output;
-  output.set_digest(FileDigest(bytes));
-  for (const v1::ClearArea& proto : input.areas()) {
-    TILEMEND_ASSIGN_OR_RETURN(const ClearArea area, FromProto(proto));
-    *output.add_tallies() = ToProto(TallyHeights(file->mesh, area.polygon));
+  const HeldMemory held(memory.tasks, GroundMemory(input));
+  std::vector<GroundRaster> rasters;
+  for (const v1::GroundRasterBlob& blob : input.rasters()) {
+    TILEMEND_ASSIGN_OR_RETURN(rasters.emplace_back(), FromProto(blob));
+    if (rasters.back().square != rasters[0].square) {
+      return absl::InvalidArgumentError("malformed payload: ground rasters of several sizes of squares");
+    }
   }
+  const RimGround rim = GroundAtRim(vertices, rasters);
+  v1::GroundOutput output;
+  output.mutable_on_object()->Add(rim.on_object.begin(), rim.on_object.end());
+  output.mutable_ground()->Add(rim.ground.begin(), rim.ground.end());
   return output.SerializeAsString();
-}
-
-absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
-  const std::string path = PathOf(input.tile());
-  const std::string stamp = StampOf(path, absl::Now());
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(path));
-  const std::string digest = FileDigest(bytes);
-  v1::SurveyOutput output;
-  if (input.known().digest() == digest && Holds(input.tile().root(), WitnessOf(input.known()))) {
-    output.set_digest(digest);
-    output.set_unchanged(true);
-    return output.SerializeAsString();
-  }
-  if (input.tile().clear().empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(output, SurveyOf(input, bytes, NoFaces::kRefuse));
-  } else {
-    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(input.tile(), bytes));
-    cleared.file = {};  // its memory is needed
-    TILEMEND_ASSIGN_OR_RETURN(output, SurveyOf(input, cleared.bytes, NoFaces::kAccept));
-    output.mutable_cleared()->Add(cleared.triangles.begin(), cleared.triangles.end());
-  }
-  output.set_digest(digest);
-  output.set_stamp(stamp);
-  output.mutable_witness()->set_digest(digest);
-  output.mutable_witness()->set_bytes(static_cast<int64_t>(bytes.size()));
-  return output.SerializeAsString();
-}
-
-absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input, TaskMemory& memory) {
-  const HeldMemory held(memory.tasks, SurveyMemory(PathOf(input.tile())));
-  absl::StatusOr<std::string> output = Survey(input);
-  return output.ok() ? output : WithHint(output.status());
 }
 
 absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
@@ -199,25 +138,6 @@ absl::StatusOr<std::string> RunSampleLayer(const v1::SampleLayerInput& input) {
 template <typename T>
 std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
   return {values.data(), static_cast<size_t>(values.size())};
-}
-
-// The bytes of a tile as it was surveyed, when it had `stamp`.
-absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp = "") {
-  const std::string path = PathOf(tile);
-  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTile(path));
-  return HasStamp(path, stamp) || HasFileDigest(bytes, tile.digest()) ? absl::StatusOr<std::string>(std::move(bytes))
-                                                                      : ChangedInJob(path);
-}
-
-// The mesh of a tile with these bytes, without what is taken out of it.
-absl::StatusOr<MeshFile> MeshOf(const v1::TileRef& tile, const std::string& bytes) {
-  if (!tile.clear().empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, bytes));
-    return std::move(cleared.file);
-  }
-  const std::string path = PathOf(tile);
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  return ParseMesh(format, bytes, path);
 }
 
 // The surface of tiles, read when it is first asked for.
@@ -388,6 +308,10 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
     case Stage::kSurvey: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SurveyInput>(bytes));
       return RunSurvey(input, memory);
+    }
+    case Stage::kGround: {
+      TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::GroundInput>(bytes));
+      return RunGround(input, memory);
     }
     case Stage::kSampleCluster: {
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::SampleClusterInput>(bytes));

@@ -15,6 +15,7 @@ constexpr int64_t kLarge = 96 * kMegabyte;
 constexpr int64_t kSurveyed = 5;
 constexpr int64_t kSearched = 5;
 constexpr int64_t kAssembled = 5;
+constexpr int64_t kFiltered = 24;     // of each byte of rasters
 constexpr int64_t kOfTriangle = 100;  // of a patch that is assembled
 
 // Zero for one that cannot be read: the task fails.
@@ -36,6 +37,12 @@ HeldMemory::~HeldMemory() {
 
 int64_t SurveyMemory(const std::string& path) { return kSurveyed * SizeOf(path); }
 int64_t SurfaceMemory(const std::string& path) { return kSearched * SizeOf(path); }
+
+int64_t GroundMemory(const v1::GroundInput& input) {
+  int64_t bytes = 0;
+  for (const v1::GroundRasterBlob& raster : input.rasters()) bytes += static_cast<int64_t>(raster.heights().size());
+  return kFiltered * bytes;
+}
 
 int64_t AssembleMemory(const v1::AssembleInput& input) {
   int64_t triangles = 0;

@@ -42,6 +42,7 @@ class HeldMemory {
 // Bytes that a task takes at most beside its input, by measurement (docs/reliability.md).
 int64_t SurveyMemory(const std::string& path);   // of a tile that is surveyed
 int64_t SurfaceMemory(const std::string& path);  // of one that is searched for triangles near a place
+int64_t GroundMemory(const v1::GroundInput& input);
 int64_t AssembleMemory(const v1::AssembleInput& input);
 
 }  // namespace tilemend

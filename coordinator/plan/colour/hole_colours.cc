@@ -88,7 +88,8 @@ std::vector<FillColour> ColourHoles(const Plan& plan, const PlanInput& input, co
   const std::vector<std::optional<Rgb>> of_vertices = VertexColours(plan, input);
   std::vector<FillColour> colours(plan.holes.size());
   for (const auto& [group, holes] : GroupsOf(plan)) {
-    const bool is_water = plan.holes[holes.front()].water >= 0;
+    const int32_t body = plan.holes[holes.front()].water;
+    const bool is_water = body >= 0 && plan.water[body].kind == BodyKind::kWater;
     MedianColour ground, all;
     for (const int32_t v : RimOf(plan, holes)) {
       if (!of_vertices[v]) continue;

@@ -17,6 +17,7 @@
 #include "common/grid/water_profile.h"
 #include "common/records/cell_holes.h"
 #include "common/records/fill_colour.h"
+#include "common/records/rim_ground.h"
 #include "common/records/stored_record.h"
 #include "common/records/surface.h"
 #include "common/records/water_surface.h"
@@ -26,7 +27,6 @@ namespace tilemend {
 // What is taken for water (water.h).
 struct WaterOptions {
   bool find = true;                          // else only where an area says so
-  double tolerance = 0.1;                    // metres, > 0: how far the rim of water may be off its level
   WaterProfile profile = kWaterProfiles[0];  // what `find` finds
   std::vector<WaterArea> areas;              // the last one that covers more than half of a hole decides on it
 };
@@ -61,6 +61,8 @@ struct PlanInput {
   std::map<CellId, StoredRecord> cells;  // the area; null: no surface
   PlanePolygon area = {};                // what of the cells is to be covered; empty: all (Scene::area)
   std::set<CellId> added = {};           // cells that only an area made part of the scene (SceneTile::added)
+  // Of the boundary vertices of a cell's record; those of cells that are not there stand on the ground.
+  std::map<CellId, RimGround> rim_ground = {};
 };
 
 // How the tiles of two neighbouring cells meet (docs/architecture.md, "Two kinds of cut").
@@ -90,24 +92,23 @@ struct PlannedHole {
   HoleKind kind = HoleKind::kClosed;
   HoleType type = HoleType::kNone;
   SingleType single = SingleType::kNone;
-  bool continuous = false;     // of a single mesh: touches another hole, or itself, at a vertex
-  bool projects = true;        // its boundary is simple seen from above
-  bool among_objects = false;  // more than a tenth of its group\'s rim stands on objects (mark_objects.h)
-  int32_t cluster = -1;        // open holes
-  int32_t layer = 0;           // open holes: from 1
-  double area = 0;             // m2, seen from above (closed holes that do not project: of the boundary's vector area)
-  double perimeter = 0;        // metres of original boundary
+  bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
+  bool projects = true;     // its boundary is simple seen from above
+  int32_t cluster = -1;     // open holes
+  int32_t layer = 0;        // open holes: from 1
+  double area = 0;          // m2, seen from above (closed holes that do not project: of the boundary's vector area)
+  double perimeter = 0;     // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
   Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)
   int32_t water = -1;                // into Plan::water; -1: no water
+  int32_t evidence = -1;             // into Plan::evidence; -1: too small to be judged
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
   // Where tiles end at outlines of their own: what bounds the parts that are filled, each up to such an outline. None:
   // `segments` does.
   std::vector<std::vector<RimSegment>> own_regions;
   std::vector<RimSegment> inner_edges = {};  // of what is filled, between new vertices inside it (strip_edges.h)
-  std::vector<Point3> ground_points = {};    // among objects: what its surface is linear between (ground_points.h)
 };
 
 // A vertex of a hole boundary: a vertex of one or more tiles, or a new one on a seam.
@@ -124,7 +125,8 @@ struct PlanVertex {
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
   int32_t follows = -1;
-  bool on_object = false;  // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
+  bool on_object = false;            // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
+  std::optional<float> ground = {};  // of such a vertex: the height of the ground there, metres, where it is known
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along
@@ -134,14 +136,17 @@ struct Seam {
   std::vector<int32_t> vertices;  // into Plan::vertices
 };
 
-// A body of water: a cluster of open holes, or a closed hole, that is filled flat, or several under one area of the
-// user's; or a river, over one or more of them.
+enum class BodyKind { kWater, kLevelGround };
+
+// What is filled flat: a cluster of open holes, or a closed hole, or several that hold one water; or a river, over one
+// or more of them.
 struct WaterBody {
-  std::vector<int32_t> holes;  // into Plan::holes, ascending
-  double level = 0;            // metres, on the lattice; of a river at its lower end
-  WaterSurface river;          // no stations: level water
+  BodyKind kind = BodyKind::kWater;  // kLevelGround: nothing says that it is water; never a river
+  std::vector<int32_t> holes;        // into Plan::holes, ascending
+  double level = 0;                  // metres, on the lattice; of a river at its lower end
+  WaterSurface river;                // no stations: level water
   std::vector<RemovedRise> removed_rises;
-  double spread = 0;               // metres: of the rim's heights (RimLevel::spread)
+  double sigma = 0;                // metres: standard deviation of the level (LevelEvidence::sigma)
   double lowest = 0, highest = 0;  // of the rim's heights
   int64_t rim_vertices = 0;
   bool forced = false;     // an area says that it is water
@@ -151,6 +156,16 @@ struct WaterBody {
 inline double LevelAt(const WaterBody& body, const Point2& p, double lattice_step) {
   return body.river.stations.empty() ? body.level : LevelAt(body.river, p, lattice_step);
 }
+
+// What a hole or cluster of more than 100 m2 was taken for, and why (water.h).
+struct HoleEvidence {
+  enum class Verdict { kLake, kRiver, kLevelGround, kNoWater };
+  Verdict verdict = Verdict::kNoWater;
+  bool has_level = false;  // of its rim
+  double level = 0;        // metres: of the water; else that its rim tells
+  double sigma = 0;        // metres: standard deviation of `level`
+  std::string reason;      // what the verdict follows from, in words
+};
 
 // What became of an area of the user's (water_answers.h).
 struct WaterAnswer {
@@ -180,6 +195,7 @@ struct Plan {
   std::vector<FillColour> colours;  // of the holes
   std::vector<Seam> seams;
   std::vector<WaterBody> water;            // in order of their first hole
+  std::vector<HoleEvidence> evidence;      // in order of the first holes that it is about
   std::vector<WaterAnswer> water_answers;  // one for each of WaterOptions::areas
   std::vector<BorderAudit> borders;        // in order of a; of one a that to the east first
   std::vector<LeftOpen> left;

@@ -9,10 +9,10 @@
 
 namespace tilemend {
 
-// Sets PlanVertex::on_object of the original rim vertices of bodies that an area with `clear` decides on (it covers more
-// than half of the body, and no area after it does), where they are more than kFlatWithin off the water. So the water
-// is level up to its rim, which is the outline of whole triangles here and no shore. Call it when plan.water is known.
-// Cost O(segments of these bodies * areas).
+// Sets PlanVertex::on_object of the original rim vertices of bodies that an area with `clear` decides on (it covers
+// more than half of the body, and no area after it does), where they are more than kFlatWithin off the water. So the
+// water is level up to its rim, which is the outline of whole triangles here and no shore. Call it when plan.water is
+// known. Cost O(segments of these bodies * areas).
 void MarkClearedShores(const std::vector<WaterArea>& areas, Plan& plan);
 
 }  // namespace tilemend

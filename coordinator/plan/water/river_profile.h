@@ -8,49 +8,33 @@
 
 #include "common/mesh/tri_mesh.h"
 #include "common/records/water_surface.h"
+#include "coordinator/plan/water/level_evidence.h"
 
 namespace tilemend {
 
-struct RiverStation {
-  double along = 0;   // metres from the upstream end
-  int64_t count = 0;  // shore heights of the station, both sides
-  double level = 0;   // metres, as its shores have it; meaningless if count is 0
-  int64_t left_count = 0, right_count = 0;
-  double left = 0, right = 0;  // metres: the levels of the two shores alone, looking downstream
-  bool on_banks = false;       // left out of the profile: no shore is at the water
+// A straight fall along a centreline.
+struct FallLine {
+  std::vector<Point3> stations;  // evenly on the centreline, in its direction, both ends included; z is 0
+  double slope = 0;              // metres of height for each station
+  size_t with_level = 0;         // stations that have a level of their own
 };
+
+// The line through the levels of stations 25 m apart (Theil 1950, Sen 1968), each the LowerMode of the edges nearest to
+// it, of eight at least; fitted twice, so that the fall within a station does not count. The second time its edges are
+// moved to the station along the first line. No stations: fewer than two have a level.
+// Precondition: at least two points.
+FallLine FitFall(const std::vector<Point2>& line, std::span<const RimChain> rim);
 
 struct RiverProfile {
-  WaterSurface water;                  // downstream; no stations: too few shore heights
-  std::vector<RiverStation> stations;  // likewise
-  double fall = 0;                     // metres from the first station with shore heights to the last one
-  bool straight = false;               // the stations' levels lie on one line
-  std::vector<RemovedRise> removed;    // rises of more than three standard errors
+  WaterSurface water;                // downstream; no stations: too few have a level
+  std::vector<RemovedRise> removed;  // rises of the shores that the water does not follow
 };
 
-struct StationRule {
-  double spacing = 25;     // metres
-  int64_t least = 8;       // heights: stations with fewer, or half as many at one shore, have no level of their own
-  double tolerance = 0.1;  // metres: by how much the two shores may differ
-};
-
-// Stations lie `spacing` metres apart along the line. The level of a station is FitRimLevel's of the shore heights
-// beside it, of both shores; where the whole (Theil, Sen) falls by more than noise from one to the next, each moved to
-// the station along that slope; where the two shores' own levels differ by more than the tolerance and what noise
-// explains, that of the lower one, as banks and quays only rise above the water. Stations with less than `least`
-// heights have none of their own, nor have those that lie above a line through all (Theil 1950, Sen 1968) by three
-// times the tolerance and three deviations: both shores have banks alone there. The profile is the straight one that
-// fits best, weighted by the counts, if seven in eight stations lie on it within the tolerance and three errors, level
-// if it falls by less than three standard errors of its slope; else levels are made to fall in the direction in which
-// they fall on the whole (NotRising) and lie on a line between stations. Before the first and after the last one they
-// stay. Station levels do not depend on objects and banks as long as a third of the heights there is at the water
-// (FitRimLevel).
-//
-//   line    at least two points
-//   shore   rim points that stand on no object
-//   noise   metres: standard deviation of their heights
-RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const Point3> shore, double noise,
-                      const StationRule& rule);
+// The profile along a centreline that is known to be a river's: stations as in FitFall; those that lie above the line
+// through all by three deviations have banks alone and no level; the others are made to fall in the direction in which
+// the line falls (NotRising), and lie on a line between them. Before the first and after the last the level stays.
+// Precondition: at least two points. Cost O(stations^2 + edges * stations).
+RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const RimChain> rim);
 
 // The values, not rising, that are nearest to `values` in weighted least squares (pool adjacent violators). Weights >
 // 0. Cost linear.

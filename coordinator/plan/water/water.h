@@ -4,36 +4,28 @@
 
 #include "coordinator/plan/seam/seam_heights.h"
 #include "coordinator/plan/types/plan_types.h"
-#include "coordinator/plan/water/known_water.h"
 
 namespace tilemend {
 
-// Fills plan.water and PlannedHole::water, and sets PlanVertex::on_object of the original rim vertices that stand more
-// than a metre above their water. A body of water is a cluster of open holes or a
-// closed hole that faces up and projects, with at least one original vertex on its rim.
+// Fills plan.water, plan.evidence, PlannedHole::water and PlannedHole::evidence, and sets PlanVertex::on_object of the
+// original rim vertices that stand more than a metre above their water. Judged are clusters of open holes, and closed
+// holes that face up and project, with an edge of original surface on their rim. Without an area over it no hole in a
+// cell that only the reconstruction area made part of the scene (PlanInput::added) is water.
 //
-// The last area in options.areas that covers more than half of it decides. Lakes of one area are one body where their
-// shores' levels are no farther from that of the largest than the tolerance and its spread, or two tolerances. What a
-// given centreline does not run through is no part of its river if its shore is off that by as much. Where
-// none does and options.find is set, it is water if all of this holds (docs/decisions/2026-11-21-water.md), with a
-// slack of the tolerance, or of 0.1 % of the extent if that is less:
-//   - its rim has at least 24 vertices; their heights spread no more than the tolerance about where they gather, and no
-//     more than the slack and two standard deviations of noise;
-//   - the plane fitted to them falls over the whole extent no more than the slack;
-//   - in at least seven of eight stretches of the rim the lower quartile is that of the whole rim, within the slack,
-//   and
-//     the ground one edge landward is not below the level in the median; nor is it so in the median of the whole rim;
-//   - if the rim has fewer than 96 vertices, the ground rises from it.
-// Each figure may be off by three standard errors more, but no more than the tolerance, for the noise that is measured
-// beside the rim (ShoreGround::noise); the ground has to rise by more than that.
+// The last area in options.areas that covers more than half of one decides on it: none is filled flat where the area
+// says that there is no water; else its level is the area's, or LevelEvidence::level. Those of one area are one body
+// where their levels differ by no more than three sigmas. Along a given centreline the water falls (FitRiver).
 //
-// Where `known` water decides on a cluster it does, unless an area forbids it or gives a level. In clusters that are
-// none by all of this the holes that are parts of it are water.
-//
-// The level is FitRimLevel's, rounded down to the lattice. Cost O(n log n) in rims and bands. Deterministic.
-void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan);
+// Where none decides and options.find is set (docs/decisions/2026-11-26-water-by-evidence.md):
+//   water         its rim is level (LevelEvidence::is_level), or a river's (FindFall), alone or with that of others
+//                 across a bridge (JoinBasins); no more than 5 % of the surface around it is as low (LowerShares); it
+//                 is as large as options.profile asks
+//   level ground  not water, but level and dry surface differ by less than noise, or it is smaller water, of
+//                 profile.least_level at least: filled flat too
+// Levels are rounded down to the lattice. Cost as EvidenceOf, JoinBasins and LowerShares. Deterministic.
+void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan);
 
-// Gives the seam vertices of all water their level.
+// Gives the seam vertices of all that is filled flat their level.
 void SettleWater(const Plan& plan, SeamHeights& heights);
 
 }  // namespace tilemend

@@ -14,8 +14,8 @@ namespace tilemend {
 namespace {
 
 constexpr double kDecides = 0.5;  // share of a body
-// Metres, and times the spread of its heights: a given level farther from the shore's own may be a mistake.
-constexpr double kLevelOff = 1, kSpreads = 3;
+// Metres, and standard deviations: a given level farther from the shore's own may be a mistake.
+constexpr double kLevelOff = 1, kSigmas = 3;
 constexpr double kStation = 25;  // metres: what is no longer is no reach of a river
 constexpr double kAlong = 0.5;   // of a river's length: a centreline that runs along less may run across it
 constexpr int kParts = 64;       // of a piece of centreline: each is in the area or not
@@ -164,7 +164,7 @@ class Answers {
       if (plan_.holes[h].water < 0) continue;
       const WaterBody& body = plan_.water[plan_.holes[h].water];
       const double off = body.level - body.shore_level;
-      if (std::abs(off) <= std::max(kLevelOff + kSpreads * body.spread, most)) continue;
+      if (std::abs(off) <= std::max(kLevelOff + kSigmas * body.sigma, most)) continue;
       most = std::abs(off);
       doubt = "its level_m puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") + " its shore";
     }

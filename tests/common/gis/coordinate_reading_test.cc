@@ -1,4 +1,4 @@
-// What ReadVectors takes coordinates for (coordinate_reading.h), through the module as the programs load it.
+// What ReadVectors takes coordinates for (coordinate_reading.h), through the process that the programs start.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ const std::vector<Point2> kPondInDegrees = {{11.568530034, 48.133236781},
                                             {11.568574890, 48.134135573}};
 
 absl::StatusOr<WaterFile> Read(const std::vector<Point2>& ring, const std::string& crs, const SceneFrame& frame) {
-  return ParseWaterFile(CollectionText({FeatureText(PolygonText(ring), R"({"level_m":512.5})")}, crs), "f", frame);
+  return ParseWaterFile({CollectionText({FeatureText(PolygonText(ring), R"({"level_m":512.5})")}, crs)}, "f", frame);
 }
 
 std::string MessageOf(const absl::StatusOr<WaterFile>& file) {
@@ -117,8 +117,9 @@ TEST(CoordinateReadingTest, ACrsThatIsNotKnownIsAnError) {
   EXPECT_THAT(MessageOf(Read(SquareAt(691100, 5334300, 100), "EPSG:999999", Munich())),
               HasSubstr("f: it names a CRS that is not known: 'EPSG:999999'"));
   EXPECT_THAT(MessageOf(Read(kPondInDegrees, "EPGS:4326", Munich())), HasSubstr("'EPGS:4326'")) << "and not degrees";
-  EXPECT_THAT(MessageOf(ParseWaterFile(R"({"type":"Polygon","crs":{"type":"link"},"coordinates":[]})", "f", Munich())),
-              HasSubstr("f: crs: expected"));
+  EXPECT_THAT(
+      MessageOf(ParseWaterFile({R"({"type":"Polygon","crs":{"type":"link"},"coordinates":[]})"}, "f", Munich())),
+      HasSubstr("f: crs: expected"));
 }
 
 TEST(CoordinateReadingTest, CoordinatesThatAreNoneOfTheirCrsAreAnError) {

@@ -1,4 +1,4 @@
-// What ReadVectors makes of geometries and properties (raw_features.h), through the module as the programs load it.
+// What ReadVectors makes of geometries and properties (raw_features.h), through the process that the programs start.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ const std::string kSquare = PolygonText(SquareAt(0, 0, 4));  // NOLINT(cert-err5
 std::string PolygonOf(const std::string& ring) { return R"({"type": "Polygon", "coordinates": [)" + ring + "]}"; }
 
 TEST(RawFeaturesTest, ABarePolygonIsWater) {
-  const auto file = ParseWaterFile(kSquare, "f", {});
+  const auto file = ParseWaterFile({kSquare}, "f", {});
   ASSERT_TRUE(file.ok()) << file.status();
   ASSERT_THAT(file->areas, SizeIs(1));
   EXPECT_TRUE(file->areas[0].water);
@@ -33,9 +33,9 @@ TEST(RawFeaturesTest, ABarePolygonIsWater) {
 
 TEST(RawFeaturesTest, FeaturesKeepTheirOrderAndSayWhatTheyAre) {
   const auto file =
-      ParseWaterFile(CollectionText({FeatureText(kSquare, R"({"water": false})"), FeatureText(kSquare, "null"),
-                                     FeatureText(kSquare, R"({"name": "Pond", "water": null, "level_m": null})"),
-                                     FeatureText(kSquare, R"({"water": true, "level_m": -3, "depth": [1, 2]})")}),
+      ParseWaterFile({CollectionText({FeatureText(kSquare, R"({"water": false})"), FeatureText(kSquare, "null"),
+                                      FeatureText(kSquare, R"({"name": "Pond", "water": null, "level_m": null})"),
+                                      FeatureText(kSquare, R"({"water": true, "level_m": -3, "depth": [1, 2]})")})},
                      "f", {});
   ASSERT_TRUE(file.ok()) << file.status();
   ASSERT_THAT(file->areas, SizeIs(4));
@@ -49,46 +49,16 @@ TEST(RawFeaturesTest, FeaturesKeepTheirOrderAndSayWhatTheyAre) {
 TEST(RawFeaturesTest, PropertiesThatAreNearKnownOnesAreTold) {
   const std::string line = FeatureText(LineText({{1, 1}, {3, 3}}), R"({"elevation": 5})");
   const auto file = ParseWaterFile(
-      CollectionText(
+      {CollectionText(
           {FeatureText(kSquare, R"({"layer": "lakes", "Water": true})"), FeatureText(kSquare, R"({"watr": false})"),
            FeatureText(kSquare, R"({"name": "Pond", "level": 11.5})"), FeatureText(kSquare, R"({"level": 3})"),
-           FeatureText(kSquare, R"({"level": 3, "level_m": 4})"), line}),
+           FeatureText(kSquare, R"({"level": 3, "level_m": 4})"), line})},
       "f", {});
   ASSERT_TRUE(file.ok()) << file.status();
   EXPECT_THAT(file->warnings,
               UnorderedElementsAre(
                   "f: feature 1: property 'watr' has no effect; the name that has is 'water'",
                   "f: feature 2 (Pond) and 1 more: property 'level' has no effect; the name that has is 'level_m'"));
-}
-
-TEST(RawFeaturesTest, LongNamesAreCut) {
-  const std::string name(1000000, 'n');
-  const auto file = ParseWaterFile(FeatureText(kSquare, absl::StrCat(R"({"name": "\u001b)", name, "\"}")), "f", {});
-  ASSERT_TRUE(file.ok()) << file.status();
-  EXPECT_THAT(file->areas[0].label, StartsWith("feature 0 (\\x1bnnn"));
-  EXPECT_LT(file->areas[0].label.size(), 120U);
-  const absl::Status status = ParseWaterFile(CollectionText({FeatureText(kSquare)}, name), "f", {}).status();
-  EXPECT_THAT(std::string(status.message()), HasSubstr("a CRS that is not known: 'nnn"));
-  EXPECT_LT(status.message().size(), 300U);
-}
-
-TEST(RawFeaturesTest, AMultiPolygonIsOneArea) {
-  const auto file = ParseWaterFile(
-      FeatureText(R"({"type": "MultiPolygon", "coordinates": [[[[0, 0, 9], [1, 0, 9], [1, 1, 9], [0, 0, 9]]],
-                      [[[5, 5], [6, 5], [6, 6], [5, 5]], [[5.5, 5.1], [5.7, 5.1], [5.7, 5.2], [5.5, 5.1]]]]})"),
-      "f", {});
-  ASSERT_TRUE(file.ok()) << file.status();
-  ASSERT_THAT(file->areas, SizeIs(1));
-  EXPECT_THAT(file->areas[0].polygon.rings, SizeIs(3));
-}
-
-TEST(RawFeaturesTest, ACentrelineIsALineItsCoordinatesOrWkt) {
-  for (const char* line : {R"({"type": "LineString", "coordinates": [[1, 1], [3, 2.5, 7]]})", "[[1, 1], [3, 2.5]]",
-                           "\"LINESTRING (1 1, 3 2.5)\"", "\"MULTILINESTRING ((1 1, 3 2.5))\""}) {
-    const auto file = ParseWaterFile(FeatureText(kSquare, absl::StrCat(R"({"centreline": )", line, "}")), "f", {});
-    ASSERT_TRUE(file.ok()) << file.status();
-    EXPECT_THAT(file->areas[0].centreline, ElementsAre(Point2(1, 1), Point2(3, 2.5))) << line;
-  }
 }
 
 struct BadCase {
@@ -98,15 +68,9 @@ struct BadCase {
 
 TEST(RawFeaturesTest, ErrorsNameTheFileAndThePlace) {
   const BadCase cases[] = {
-      {R"({"type": "Point", "coordinates": [0, 0]})", "feature 0: POINT: expected Polygon, MultiPolygon or LineString"},
       {CollectionText({FeatureText(kSquare), kSquare}), "feature 1: no geometry"},
       {CollectionText({FeatureText("null")}), "feature 0: no geometry"},
       {CollectionText({FeatureText(kSquare), "7"}), "not all members"},
-      {FeatureText(kSquare, R"({"water": "lake"})"), "feature 0: property water: expected true or false"},
-      {FeatureText(kSquare, R"({"water": 2})"), "feature 0: property water: expected true or false"},
-      {FeatureText(kSquare, R"({"level_m": "high"})"), "feature 0: property level_m: expected a height"},
-      {FeatureText(kSquare, R"({"level_m": true})"), "feature 0: property level_m: expected a height"},
-      {FeatureText(kSquare, R"({"level_m": 1e6})"), "feature 0: property level_m: expected a height"},
       {FeatureText(kSquare, R"({"centreline": "along"})"), "feature 0, property centreline: expected one LineString"},
       {FeatureText(kSquare, R"({"centreline": [[1, 1]]})"), "property centreline"},
       {FeatureText(LineText({{1, 1}})), "feature 0: expected a line of at least 2 positions"},
@@ -119,74 +83,61 @@ TEST(RawFeaturesTest, ErrorsNameTheFileAndThePlace) {
       {PolygonOf("[[0, 0], [1, \"2\"], [1, 1], [0, 0]]"), "f: "},
       {R"({"type": "MultiPolygon", "coordinates": []})", "feature 0: a MultiPolygon without polygons"}};
   for (const BadCase& bad : cases) {
-    const absl::Status status = ParseWaterFile(bad.text, "f", {}).status();
+    const absl::Status status = ParseWaterFile({bad.text}, "f", {}).status();
     ASSERT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << bad.text;
     EXPECT_THAT(std::string(status.message()), StartsWith("f: ")) << bad.text;
     EXPECT_THAT(std::string(status.message()), HasSubstr(bad.message)) << bad.text;
   }
 }
 
-TEST(RawFeaturesTest, AnAreaThatCrossesItselfIsRefusedWithThePlace) {
-  const std::string bow_tie = PolygonText({{0, 0}, {8, 8}, {8, 0}, {0, 8}});
-  for (const std::string& text : {bow_tie, CollectionText({FeatureText(kSquare), FeatureText(bow_tie)})}) {
-    const absl::Status status = ParseAreaFile(text, "f", {}).status();
-    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
-    EXPECT_THAT(std::string(status.message()), HasSubstr("ring 0 crosses itself at (4, 4)"));
-  }
-  EXPECT_TRUE(
-      ParseAreaFile(CollectionText({FeatureText(kSquare), FeatureText(PolygonText(SquareAt(2, 2, 4)))}), "f", {}).ok())
-      << "features may overlap";
-}
-
-struct InvalidCase {
-  std::string geometry;
-  std::string warning;
-  std::vector<Point2> inside, outside;
-};
-
-// Of a MultiPolygon, the rings of its parts.
-std::string PartsOf(const std::vector<std::vector<Point2>>& outlines) {
-  std::string parts;
-  for (std::vector<Point2> ring : outlines) {
-    ring.push_back(ring.front());
-    absl::StrAppend(&parts, parts.empty() ? "" : ",", "[", PositionsText(ring), "]");
-  }
-  return absl::StrCat(R"({"type":"MultiPolygon","coordinates":[)", parts, "]}");
-}
-
-TEST(RawFeaturesTest, WaterThatIsNotValidIsRepairedAndSaysWhere) {
-  const std::string hole_beyond = "[[0,0],[8,0],[8,8],[0,8],[0,0]],[[6,2],[12,2],[12,6],[6,6],[6,2]]";
-  const InvalidCase cases[] = {
-      {PolygonText({{0, 0}, {8, 8}, {8, 0}, {0, 8}}), "ring 0 crosses itself at (4, 4)", {{1, 4}, {7, 4}}, {{4, 1}}},
-      {PartsOf({SquareAt(0, 0, 4), SquareAt(2, 2, 4)}), "ring 0 crosses ring 1", {{1, 1}, {3, 3}, {5, 5}}, {{5, 1}}},
-      {PartsOf({SquareAt(0, 0, 8), SquareAt(2, 2, 4)}), "Nested shells", {{1, 1}, {4, 4}}, {{9, 4}}},
-      {PolygonOf(hole_beyond), "ring 0 crosses ring 1", {{1, 1}}, {{7, 4}, {10, 4}}}};
-  for (const InvalidCase& invalid : cases) {
-    const auto file = ParseWaterFile(
-        CollectionText({FeatureText(kSquare), FeatureText(invalid.geometry, R"({"name": "Pond"})")}), "f", {});
-    ASSERT_TRUE(file.ok()) << file.status();
-    ASSERT_THAT(file->areas, SizeIs(2));
-    for (const Point2& p : invalid.inside) EXPECT_TRUE(Contains(file->areas[1].polygon, p)) << invalid.geometry << p;
-    for (const Point2& p : invalid.outside) EXPECT_FALSE(Contains(file->areas[1].polygon, p)) << invalid.geometry << p;
-    ASSERT_THAT(file->warnings, SizeIs(1)) << invalid.geometry;
-    EXPECT_THAT(file->warnings[0], StartsWith("f: feature 1 (Pond): "));
-    EXPECT_THAT(file->warnings[0], HasSubstr(invalid.warning));
-  }
-}
-
-TEST(RawFeaturesTest, WhatSurroundsNothingIsRefused) {
-  const absl::Status status = ParseWaterFile(PolygonText({{0, 0}, {4, 4}, {2, 2}}), "f", {}).status();
-  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
-  EXPECT_THAT(std::string(status.message()), HasSubstr("feature 0: "));
-  EXPECT_THAT(std::string(status.message()), HasSubstr("surrounds nothing"));
-}
-
-TEST(RawFeaturesTest, PartsOfAnAreaThatLieInEachOtherAreUnitedWithAWarning) {
-  const auto file = ParseAreaFile(PartsOf({SquareAt(0, 0, 8), SquareAt(2, 2, 4)}), "f", {});
+TEST(RawFeaturesTest, OtherGeometriesAreCountedAndLeftOut) {
+  const std::string point = FeatureText(R"({"type": "Point", "coordinates": [0, 0]})", R"({"name": "Gauge"})");
+  const auto file = ParseWaterFile({CollectionText({point, FeatureText(kSquare), point})}, "f", {});
   ASSERT_TRUE(file.ok()) << file.status();
-  EXPECT_TRUE(Contains(file->area, {4, 4}));
-  ASSERT_THAT(file->warnings, SizeIs(1));
-  EXPECT_THAT(file->warnings[0], HasSubstr("feature 0: Nested shells"));
+  EXPECT_THAT(file->areas, SizeIs(1));
+  EXPECT_THAT(file->warnings,
+              ElementsAre("f: feature 0 (Gauge) and 1 more: neither polygons nor lines, so they have no effect"));
+  EXPECT_TRUE(ParseAreaFile({CollectionText({point, FeatureText(kSquare)})}, "f", {}).ok());
+  const absl::Status none = ParseAreaFile({CollectionText({point})}, "f", {}).status();
+  EXPECT_THAT(std::string(none.message()), HasSubstr("f: holds no polygon"));
+}
+
+TEST(RawFeaturesTest, AnAreaHasNoProperties) {
+  EXPECT_TRUE(ParseAreaFile({FeatureText(kSquare, R"({"kind": "town", "water": "none"})")}, "f", {}).ok());
+}
+
+// As holes.geojson has them.
+std::string HoleText(double x, const std::string& properties) {
+  return FeatureText(PolygonText(SquareAt(x, 0, 4)), absl::StrCat(R"({"hole": 1, )", properties, "}"));
+}
+
+TEST(RawFeaturesTest, HolesAreWaterWhereTheySaySo) {
+  const std::string lines = R"({"type":"MultiLineString","coordinates":[[[0,0],[1,1]],[[2,2],[3,3]]]})";
+  const auto file = ParseWaterFile(
+      {CollectionText({HoleText(0, R"("water": null, "kind": null)"),
+                       FeatureText(lines, R"({"hole": 3, "water": null})"), HoleText(8, R"("water": false)"),
+                       HoleText(16, R"("water": true, "level_m": 3)")})},
+      "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  ASSERT_THAT(file->areas, SizeIs(2));
+  EXPECT_FALSE(file->areas[0].water);
+  EXPECT_EQ(file->areas[1].level, 3);
+  EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0 and 1 more: holes that were not filled as water")));
+}
+
+TEST(RawFeaturesTest, HolesOfOneBodyAreOneAreaIfTheySayTheSame) {
+  const std::string same = R"("water": true, "level_m": 3, "body": 7)";
+  const auto file =
+      ParseWaterFile({CollectionText({HoleText(0, same), HoleText(8, R"("water": true, "body": 8)"), HoleText(4, same),
+                                      HoleText(3, same), HoleText(16, R"("water": true, "level_m": 4, "body": 7)")})},
+                     "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  ASSERT_THAT(file->areas, SizeIs(3));
+  EXPECT_EQ(file->areas[0].label, "feature 0 and 2 more of its body");
+  for (const double x : {1., 3.5, 5., 7.}) EXPECT_TRUE(Contains(file->areas[0].polygon, {x, 1})) << x;
+  EXPECT_FALSE(Contains(file->areas[0].polygon, {9, 1}));
+  EXPECT_EQ(file->areas[2].level, 4);
+  EXPECT_EQ(file->areas[2].label, "feature 4");
 }
 
 }  // namespace

@@ -76,7 +76,6 @@ CellHoles SomeHoles() {
                   .tension = 0.1},
                  {.id = 9, .segments = {{3, 2, false}}, .level = 12.25}};
   holes.holes[0].inner_edges = {{2, 3, true}, {3, 1, true}};
-  holes.holes[0].ground_points = {{0.1, 1.0 / 3, 2}, {3, 4, 5}};
   holes.band.points.emplace_back(-1, -1, -1);
   holes.band.triangles = {{0, 1, 4}, {2, 3, 4}};
   return holes;
@@ -169,8 +168,6 @@ TEST(StagePayloadsTest, CellHolesComeBackBitForBit) {
   EXPECT_EQ(back->holes[0].inner_edges[1].from, 3);
   EXPECT_EQ(back->holes[0].inner_edges[1].to, 1);
   EXPECT_TRUE(back->holes[1].inner_edges.empty());
-  EXPECT_EQ(back->holes[0].ground_points, holes.holes[0].ground_points);
-  EXPECT_TRUE(back->holes[1].ground_points.empty());
   EXPECT_EQ(back->holes[0].slope, Point2(0.7, -0.2));
   EXPECT_EQ(back->holes[1].slope, Point2(0, 0));
   EXPECT_EQ(back->holes[0].tension, 0.1);
@@ -294,7 +291,7 @@ TEST(StagePayloadsTest, PointsBeyondAllNumbersAreRefused) {
 }
 
 TEST(StagePayloadsTest, TruncatedSegmentsAreRefused) {
-  for (const char* column : {"from", "to", "seam", "inner_from", "inner_to", "ground_point"}) {
+  for (const char* column : {"from", "to", "seam", "inner_from", "inner_to"}) {
     v1::CellHolesBlob proto = ToProto(SomeHoles());
     v1::HoleBoundary* hole = proto.mutable_holes(0);
     v1::HoleBoundary::GetReflection()->RemoveLast(hole, v1::HoleBoundary::GetDescriptor()->FindFieldByName(column));

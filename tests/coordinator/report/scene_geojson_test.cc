@@ -15,6 +15,9 @@
 namespace tilemend {
 namespace {
 
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 // A lake of two cells with an island, filled, and a closed hole that is left.
@@ -33,7 +36,7 @@ class SceneGeoJsonTest : public ::testing::Test {
     AddHole({0, 0}, HoleKind::kOpenI, {{0, 1}, {1, 2, true}, {2, 3}, {3, 0}, {6, 7}, {7, 8}, {8, 9}, {9, 6}}).water = 0;
     AddHole({1, 0}, HoleKind::kOpenII, {{1, 4}, {4, 5}, {5, 2}, {2, 1, true}}).water = 0;
     AddHole({0, 0}, HoleKind::kClosed, {{10, 11}, {11, 12}, {12, 13}, {13, 10}});
-    plan_.water = {{{0, 1}, 12.5, {}, {}}};
+    plan_.water = {{BodyKind::kWater, {0, 1}, 12.5, {}, {}}};
     plan_.lattice_step = 0x1p-10;
     input_.plan = &plan_;
     input_.outcome.sizes = {{0, {11, 22, FillWay::kWater}}, {1, {33, 44, FillWay::kWater}}};
@@ -78,7 +81,11 @@ TEST_F(SceneGeoJsonTest, GdalReadsTheHolesInTheCrsOfTheScene) {
   EXPECT_EQ(polygon.getNumInteriorRings(), 1);
   EXPECT_NEAR(polygon.get_Area(), 40 * 80 - 100, 1e-6);
   EXPECT_STREQ(lake->GetFieldAsString("cell"), "+000_+000");
-  EXPECT_STREQ(lake->GetFieldAsString("kind"), "I");
+  EXPECT_STREQ(lake->GetFieldAsString("hole_kind"), "I");
+  EXPECT_STREQ(lake->GetFieldAsString("kind"), "lake");
+  EXPECT_EQ(lake->GetFieldAsInteger("water"), 1);
+  EXPECT_EQ(lake->GetFieldAsInteger("body"), 0);
+  EXPECT_FALSE(left->IsFieldSetAndNotNull(left->GetFieldIndex("water")));
   EXPECT_STREQ(lake->GetFieldAsString("type"), "B");
   EXPECT_STREQ(lake->GetFieldAsString("method"), "water");
   EXPECT_STREQ(lake->GetFieldAsString("outcome"), "filled");
@@ -94,6 +101,23 @@ TEST_F(SceneGeoJsonTest, GdalReadsTheHolesInTheCrsOfTheScene) {
   EXPECT_EQ(box.MaxY, 5000020);
 }
 
+TEST_F(SceneGeoJsonTest, SaysWhatAHoleWasTakenForAndWhy) {
+  plan_.holes[0].evidence = 0;
+  plan_.evidence = {{HoleEvidence::Verdict::kLake, true, 12.5, 0.04, "the sides agree"}};
+  const auto data = Read(HolesGeoJson(input_, scene_));
+  const std::unique_ptr<OGRFeature> lake(data->GetLayer(0)->GetNextFeature()),
+      beyond(data->GetLayer(0)->GetNextFeature());
+  EXPECT_STREQ(lake->GetFieldAsString("taken_for"), "lake");
+  EXPECT_STREQ(lake->GetFieldAsString("because"), "the sides agree");
+  EXPECT_EQ(lake->GetFieldAsDouble("sigma_m"), 0.04);
+  EXPECT_FALSE(beyond->IsFieldSetAndNotNull(beyond->GetFieldIndex("taken_for")));
+}
+
+TEST_F(SceneGeoJsonTest, LevelGroundHasNoShore) {
+  plan_.water[0].kind = BodyKind::kLevelGround;
+  EXPECT_EQ(BreaklinesGeoJson(input_, scene_).find("shore"), std::string::npos);
+}
+
 TEST_F(SceneGeoJsonTest, ALakeOverTwoCellsHasOneShore) {
   const std::string text = BreaklinesGeoJson(input_, scene_);
   const auto data = Read(text);
@@ -104,12 +128,44 @@ TEST_F(SceneGeoJsonTest, ALakeOverTwoCellsHasOneShore) {
   EXPECT_NEAR(lake->GetGeometryRef()->toPolygon()->get_Area(), 80 * 80 - 100, 1e-6);
   EXPECT_EQ(lake->GetFieldAsDouble("level_m"), 412.5);
   EXPECT_EQ(lake->GetGeometryRef()->toPolygon()->getExteriorRing()->getZ(0), 412.5);
-  const auto again = ParseWaterFile(text, "breaklines.geojson", FrameOf(scene_));
+  const auto again = ParseWaterFile({text}, "breaklines.geojson", FrameOf(scene_));
   ASSERT_TRUE(again.ok()) << again.status();
   ASSERT_THAT(again->areas, SizeIs(1));
   EXPECT_EQ(again->areas[0].level, 12.5);
-  EXPECT_TRUE(Contains(again->areas[0].polygon, {120, 50}));
-  EXPECT_FALSE(Contains(again->areas[0].polygon, {75, 25})) << "the island";
+  EXPECT_EQ(again->areas[0].kind, WaterKind::kLake);
+  EXPECT_TRUE(tilemend::Contains(again->areas[0].polygon, {120, 50}));
+  EXPECT_FALSE(tilemend::Contains(again->areas[0].polygon, {75, 25})) << "the island";
+}
+
+TEST_F(SceneGeoJsonTest, HolesCanBeGivenBackAsWater) {
+  plan_.holes[2].segments.pop_back();  // lines; of no effect, as it is dry
+  const auto again = ParseWaterFile({HolesGeoJson(input_, scene_)}, "holes.geojson", FrameOf(scene_));
+  ASSERT_TRUE(again.ok()) << again.status();
+  ASSERT_THAT(again->areas, SizeIs(1)) << "one body";
+  EXPECT_EQ(again->areas[0].label, "feature 0 and 1 more of its body");
+  EXPECT_EQ(again->areas[0].level, 12.5);
+  EXPECT_EQ(again->areas[0].kind, WaterKind::kLake);
+  for (const double x : {65, 120}) EXPECT_TRUE(tilemend::Contains(again->areas[0].polygon, {x, 50})) << x;
+  EXPECT_FALSE(tilemend::Contains(again->areas[0].polygon, {75, 25})) << "the island";
+  EXPECT_THAT(again->warnings, ElementsAre(HasSubstr("holes.geojson: feature 2: holes that were not filled as water")));
+}
+
+TEST_F(SceneGeoJsonTest, ARiverAmongTheHolesIsOneWhenItIsGivenBack) {
+  plan_.water[0].river.stations = {{65, 50, 13.5}, {135, 50, 12.5}};
+  const auto again = ParseWaterFile({HolesGeoJson(input_, scene_)}, "holes.geojson", FrameOf(scene_));
+  ASSERT_TRUE(again.ok()) << again.status();
+  ASSERT_THAT(again->areas, SizeIs(1));
+  EXPECT_EQ(again->areas[0].kind, WaterKind::kRiver);
+  EXPECT_EQ(again->areas[0].level, std::nullopt);
+}
+
+TEST_F(SceneGeoJsonTest, HolesOfAReportWithoutWaterChangeNothing) {
+  plan_.water.clear();
+  for (PlannedHole& hole : plan_.holes) hole.water = -1;
+  const auto again = ParseWaterFile({HolesGeoJson(input_, scene_)}, "holes.geojson", FrameOf(scene_));
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_THAT(again->areas, SizeIs(0));
+  EXPECT_THAT(again->warnings, Contains(HasSubstr("feature 0 and 2 more: holes that were not filled as water")));
 }
 
 TEST_F(SceneGeoJsonTest, ARiverHasACentrelineThatFalls) {
@@ -131,10 +187,11 @@ TEST_F(SceneGeoJsonTest, ARiverHasACentrelineThatFalls) {
   EXPECT_EQ(stations.getX(0), 600065);
   EXPECT_EQ(stations.getZ(0), 413.5);
   EXPECT_EQ(stations.getZ(1), 412.5);
-  const auto again = ParseWaterFile(text, "breaklines.geojson", FrameOf(scene_));
+  const auto again = ParseWaterFile({text}, "breaklines.geojson", FrameOf(scene_));
   ASSERT_TRUE(again.ok()) << again.status();
   ASSERT_THAT(again->areas, SizeIs(1));
   EXPECT_THAT(again->areas[0].centreline, SizeIs(2));
+  EXPECT_EQ(again->areas[0].kind, WaterKind::kRiver);
 }
 
 TEST_F(SceneGeoJsonTest, AHoleThatIsNotClosedIsItsRim) {
@@ -193,11 +250,11 @@ TEST_F(SceneGeoJsonTest, NamesWhateverCrsTheSceneHas) {
 
 TEST_F(SceneGeoJsonTest, AnAreaIsReadBack) {
   const PlanePolygon area{{{{0, 0}, {200, 0}, {200, 100}, {0, 100}}, {{50, 50}, {50, 60}, {60, 60}, {60, 50}}}};
-  const auto again = ParseAreaFile(AreaGeoJson(area, scene_), "area.geojson", FrameOf(scene_));
+  const auto again = ParseAreaFile({AreaGeoJson(area, scene_)}, "area.geojson", FrameOf(scene_));
   ASSERT_TRUE(again.ok()) << again.status();
   EXPECT_EQ(again->area.rings, area.rings);
   scene_.crs = "";
-  const auto local = ParseAreaFile(AreaGeoJson(area, scene_), "area.geojson", FrameOf(scene_));
+  const auto local = ParseAreaFile({AreaGeoJson(area, scene_)}, "area.geojson", FrameOf(scene_));
   ASSERT_TRUE(local.ok()) << local.status();
   EXPECT_EQ(local->area.rings, area.rings);
 }

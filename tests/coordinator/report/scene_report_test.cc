@@ -111,7 +111,7 @@ TEST_F(SceneReportTest, SaysOfWhatWithWhatAndWhenItIsMade) {
 TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   plan_.holes[1].water = 0;
   input_.outcome.sizes[1].way = FillWay::kWater;
-  plan_.water = {{{1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
+  plan_.water = {{BodyKind::kWater, {1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
   const Json report = Report();
   EXPECT_EQ(report["per_hole"][1]["method"], "water");
   EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);
@@ -121,9 +121,29 @@ TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
   EXPECT_EQ(report["water"][0]["decided_by"], "rim");
 }
 
+TEST_F(SceneReportTest, LevelGroundIsNoWater) {
+  plan_.holes[1].water = 0;
+  plan_.water = {{BodyKind::kLevelGround, {1}, 12.5, {}, {}}};
+  const Json report = Report();
+  EXPECT_TRUE(report["water"].empty());
+  EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);
+}
+
+TEST_F(SceneReportTest, SaysWhatAHoleWasTakenForAndWhy) {
+  plan_.holes[1].evidence = 0;
+  plan_.holes[2].evidence = 1;
+  plan_.evidence = {{HoleEvidence::Verdict::kLake, true, 12.5, 0.04, "the sides agree"}, {}};
+  plan_.evidence[1].reason = "no rim";
+  const Json rows = Report()["per_hole"];
+  EXPECT_FALSE(rows[0].contains("water"));
+  EXPECT_EQ(rows[1]["water"],
+            Json::parse(R"({"taken_for": "lake", "level_m": 12.5, "sigma_m": 0.04, "reason": "the sides agree"})"));
+  EXPECT_EQ(rows[2]["water"], Json::parse(R"({"taken_for": "ground", "reason": "no rim"})"));
+}
+
 TEST_F(SceneReportTest, NamesTheClusterOfALakeThatAClosedHoleIsAPartOf) {
   plan_.holes[0].water = plan_.holes[1].water = 0;
-  plan_.water = {{{0, 1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, true}};
+  plan_.water = {{BodyKind::kWater, {0, 1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, true}};
   EXPECT_EQ(Report()["water"][0]["cluster"], 0);
 }
 
@@ -137,7 +157,7 @@ TEST_F(SceneReportTest, GivesHolesOfARiverTheLevelsOfItsEnds) {
 
 TEST_F(SceneReportTest, LeavesOutWaterWhoseHolesAllFailed) {
   plan_.holes[2].water = 0;
-  plan_.water = {{{2}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
+  plan_.water = {{BodyKind::kWater, {2}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
   EXPECT_TRUE(Report()["water"].empty());
 }
 
@@ -178,7 +198,7 @@ TEST_F(SceneReportTest, WarnsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
 }
 
 TEST_F(SceneReportTest, AnswersEveryAreaOfWater) {
-  plan_.water = {{{1}, 12.5, {}, {}}};
+  plan_.water = {{BodyKind::kWater, {1}, 12.5, {}, {}}};
   plan_.holes[1].water = 0;
   plan_.water_answers = {{"feature 0", true, true, {1}, ""}, {"feature 1", false, false, {}, "why"}};
   const Json rows = Report()["water_areas"];

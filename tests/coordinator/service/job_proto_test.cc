@@ -24,13 +24,22 @@ TEST(JobProtoTest, ASpecComesBackAsItWas) {
   spec.water = "/water.geojson";
   spec.area = "/area.gpkg";
   spec.cells = "3,4";
-  spec.water_tolerance = 0.25;
   spec.water_profile = "usgs";
   EXPECT_EQ(SpecFromProto(SpecToProto(spec)), spec);
   EXPECT_EQ(SpecFromProto(SpecToProto(JobSpec())), JobSpec());
 }
 
 TEST(JobProtoTest, FieldsThatAreNotSetHaveTheDefaults) { EXPECT_EQ(SpecFromProto(v1::JobSpec()), JobSpec()); }
+
+// As journals of earlier releases have it.
+TEST(JobProtoTest, TheToleranceOfWaterIsReadOver) {
+  const std::string field("\x61\x9a\x99\x99\x99\x99\x99\xc9\x3f", 9);  // 12, a double: 0.2
+  JobSpec spec;
+  spec.scene = "/scene";
+  v1::JobSpec read;
+  ASSERT_TRUE(read.ParseFromString(SpecToProto(spec).SerializeAsString() + field));
+  EXPECT_EQ(SpecFromProto(read), spec);
+}
 
 TEST(JobProtoTest, TellsOfARunningJob) {
   Job job;

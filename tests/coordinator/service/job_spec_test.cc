@@ -113,7 +113,6 @@ TEST(JobSpecTest, RefusesWhatHasNoEffect) {
   EXPECT_EQ(Fault([](JobSpec& s) { s.uniform = true, s.gradation = 2; }), "gradation");
   EXPECT_EQ(Fault([](JobSpec& s) { s.uniform = true, s.size_limit = 2; }), "size_limit");
   EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off"; }), "");
-  EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off", s.water_tolerance = 0.2; }), "water_tolerance");
   EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off", s.water_profile = "usgs"; }), "water_profile");
   EXPECT_EQ(Fault([](JobSpec& s) { s.water = "off", s.water_colour = "1,2,3"; }), "water_colour");
 }
@@ -179,8 +178,7 @@ TEST_P(JobSpecRangeTest, TakesBothEndsAndNothingBeyond) {
 
 INSTANTIATE_TEST_SUITE_P(Fields, JobSpecRangeTest,
                          ::testing::Values(Range{"gradation", &JobSpec::gradation, 1, 10},
-                                           Range{"size_limit", &JobSpec::size_limit, 1, 1e6},
-                                           Range{"water_tolerance", &JobSpec::water_tolerance, 0.001, 10}),
+                                           Range{"size_limit", &JobSpec::size_limit, 1, 1e6}),
                          [](const auto& test) { return std::string(test.param.field); });
 
 }  // namespace

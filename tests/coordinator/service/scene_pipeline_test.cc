@@ -104,7 +104,7 @@ TEST_F(ScenePipelineTest, FillsASceneAndReportsIt) {
   EXPECT_TRUE(absl::ParseTime(absl::RFC3339_full, report["date"].get<std::string>(), &made, nullptr));
   std::vector<std::string> steps;
   for (const auto& [step, seconds] : report["seconds"].items()) steps.push_back(step);
-  EXPECT_THAT(steps, ::testing::UnorderedElementsAre("survey", "plan", "sample", "fill", "assemble"));
+  EXPECT_THAT(steps, ::testing::UnorderedElementsAre("survey", "ground", "plan", "sample", "fill", "assemble"));
 }
 
 TEST_F(ScenePipelineTest, HoldsTasksBackWhileManyAreOut) {
@@ -159,7 +159,7 @@ TEST_F(ScenePipelineTest, ADryRunPlansAndWritesNothing) {
   const auto outcome = Run();
   ASSERT_TRUE(outcome.ok()) << outcome.status();
   EXPECT_THAT(outcome->message, HasSubstr("holes found, nothing written: "));
-  EXPECT_EQ(stages_.size(), 1U);
+  EXPECT_EQ(stages_.size(), 2U) << "survey and ground";
   EXPECT_FALSE(std::filesystem::exists(spec_.out));
 }
 

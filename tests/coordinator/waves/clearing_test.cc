@@ -22,9 +22,9 @@ PlanePolygon Rectangle(double x0, double x1) { return {{{{x0, 1}, {x1, 1}, {x1, 
 std::vector<WaterArea> Areas() {
   std::vector<WaterArea> areas(4);
   areas[0].label = "only told";
-  areas[1] = {true, Rectangle(5, 15), std::nullopt, {}, "pond", true, 1.5};
-  areas[2] = {true, Rectangle(33, 37), 7.0, {}, "basin", true, 0.5};
-  areas[3] = {false, Rectangle(13, 17), std::nullopt, {}, "cars", true, 1.5};
+  areas[1] = {true, Rectangle(5, 15), std::nullopt, {}, "pond", WaterKind::kUnsaid, true, 1.5};
+  areas[2] = {true, Rectangle(33, 37), 7.0, {}, "basin", WaterKind::kUnsaid, true, 0.5};
+  areas[3] = {false, Rectangle(13, 17), std::nullopt, {}, "cars", WaterKind::kUnsaid, true, 1.5};
   return areas;
 }
 

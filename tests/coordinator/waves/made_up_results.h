@@ -39,6 +39,7 @@ inline WaveOptions Dry(Surface surface = Surface::kThinPlate) {
 struct Namer {
   std::string operator()(const MeasureWork& w) const { return absl::StrCat("measure ", ToString(w.tile->cell)); }
   std::string operator()(const SurveyWork& w) const { return absl::StrCat("survey ", ToString(w.tile->cell)); }
+  std::string operator()(const GroundWork& w) const { return absl::StrCat("ground ", ToString(w.cell)); }
   std::string operator()(const ClusterWork& w) const { return absl::StrCat("cluster ", w.cluster); }
   std::string operator()(const LayerWork& w) const { return absl::StrCat("layer ", ToString(w.holes.cell)); }
   std::string operator()(const FillWork& w) const { return absl::StrCat("fill ", ToString(w.holes.cell)); }
@@ -61,6 +62,10 @@ class Stages {
     EXPECT_TRUE(waves_.TakeTallies(w.tile->cell, std::vector<HeightTally>(w.polygons.size())).ok());
   }
   void operator()(const SurveyWork& w) { waves_.TakeSurvey(w.tile->cell, scene_.records.at(w.tile->cell)); }
+  void operator()(const GroundWork& w) {
+    const size_t vertices = scene_.records.at(w.cell).vertices.size();
+    EXPECT_TRUE(waves_.TakeGround(w.cell, {std::vector<bool>(vertices), std::vector<float>(vertices)}).ok());
+  }
   void operator()(const ClusterWork& w) {
     ClusterSamples result{w.cluster, {}, {}};
     for (const RimVertex& v : w.holes.vertices) {

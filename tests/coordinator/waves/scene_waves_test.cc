@@ -203,7 +203,7 @@ TEST(SceneWavesTest, EndsWithThePlanIfThatIsAll) {
   EXPECT_THAT(AllNow(waves), IsEmpty());
   EXPECT_TRUE(waves.done());
   EXPECT_EQ(waves.plan().holes.size(), 9U);
-  EXPECT_THAT(steps, ElementsAre("survey", "plan"));
+  EXPECT_THAT(steps, ElementsAre("survey", "ground", "plan"));
 }
 
 TEST(SceneWavesTest, TellsTheEndOfEveryStepOnce) {
@@ -212,7 +212,7 @@ TEST(SceneWavesTest, TellsTheEndOfEveryStepOnce) {
   SceneWaves waves(scene.AsScene(), Dry(), [&](std::string_view step) { steps.emplace_back(step); });
   Stages stages(waves, scene);
   while (const std::optional<SceneWork> work = waves.Next()) stages.Do(*work);
-  EXPECT_THAT(steps, ElementsAre("survey", "plan", "sample", "fill", "assemble"));
+  EXPECT_THAT(steps, ElementsAre("survey", "ground", "plan", "sample", "fill", "assemble"));
 }
 
 TEST(SceneWavesTest, WritesNoTileForACellThatNothingFills) {

@@ -116,7 +116,6 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.level = hole.level;
   local.river = hole.river;
   local.own_outline = hole.own_outline;
-  local.ground_points = hole.ground_points;
   local.normals.assign(local.vertices.size(), Vector3d::Zero());
   if (hole.open) return local;
   for (std::vector<int32_t>& loop : LoopsOf(local.segments)) local.loops.push_back(LoopOver(local, std::move(loop)));

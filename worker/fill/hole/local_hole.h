@@ -29,7 +29,6 @@ struct LocalHole {
   std::optional<double> tension, level;  // likewise
   WaterSurface river;                    // likewise
   bool own_outline = false;              // likewise
-  std::vector<Point3> ground_points;     // likewise
 
   // One for each vertex.
   std::vector<int32_t> vertices;  // in CellHoles::vertices; -1: a new point on a crease

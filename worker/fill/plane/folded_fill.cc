@@ -196,7 +196,6 @@ class FoldedFiller {
     like.level = hole_.level;
     like.river = hole_.river;
     like.own_outline = hole_.own_outline;
-    like.ground_points = hole_.ground_points;
     return like;
   }
 

@@ -7,7 +7,6 @@
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
-#include "worker/fill/surface/linear_surface.h"
 #include "worker/fill/surface/plate_over_slope.h"
 #include "worker/fill/surface/thin_plate.h"
 
@@ -40,7 +39,7 @@ std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillO
     plate.tension = options.tension ? *options.tension : *hole.tension;
     return SolveThinPlate(plate);
   }
-  chosen = ChooseTension(plate, hole.size() < kLeastRimForNoise ? 0 : HoleWidth(plate.points, hole.segments));
+  chosen = ChooseTension(plate, hole.size() < kMinRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments));
   plate.tension = chosen->tension;
   auto laplacian = SolveWithinReach(plate);
   chosen->tension = plate.tension;
@@ -57,13 +56,6 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
   for (size_t v = 0; v < plate.points.size(); ++v) {
     plate.known.push_back(v < rim || v >= all);
     plate.has_equation.push_back(v < rim ? static_cast<bool>(patch.has_equation[v]) : v < all);
-  }
-  if (frame.upright() && !hole.ground_points.empty() && !options.tension) {
-    const bool solved = SolveLinear(hole.ground_points, hole.on_object, hole.ground, plate);
-    patch.points = std::move(plate.points);
-    patch.points.resize(all);
-    patch.triangles = std::move(plate.patch);
-    return solved;
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
   if (frame.upright() && !FreeRim(hole.on_object, hole.ground, plate)) return false;

@@ -16,7 +16,6 @@
 #include "worker/fill/surface/edge_heights.h"
 #include "worker/fill/surface/free_rim.h"
 #include "worker/fill/surface/hole_width.h"
-#include "worker/fill/surface/linear_surface.h"
 #include "worker/fill/surface/plate_over_slope.h"
 #include "worker/fill/surface/thin_plate.h"
 
@@ -28,16 +27,6 @@ constexpr int kMostCoarsenings = 28;
 // Coarse triangles grow at least as fast.
 constexpr double kCoarseGradation = 1.3;
 
-// What its surface is linear between; none: it is no such surface.
-std::vector<Point3> GroundPoints(const CellHoles& cluster, const FillOptions& options) {
-  std::vector<Point3> ground;
-  if (options.tension) return ground;
-  for (const CellHole& hole : cluster.holes) {
-    ground.insert(ground.end(), hole.ground_points.begin(), hole.ground_points.end());
-  }
-  return ground;
-}
-
 // The cluster with its triangles and seam vertices `coarsening` times as large and far apart as the options say.
 class ClusterSampler {
  public:
@@ -46,7 +35,8 @@ class ClusterSampler {
         options_(options),
         coarsening_(coarsening),
         chains_(SeamChains(cluster)),
-        hole_(NumberVertices(cluster, band, ThinnedSegments())) {}
+        hole_(NumberVertices(cluster, band, ThinnedSegments())),
+        segments_(hole_.segments) {}
 
   // Whether the triangulation has no more unknowns than the budget allows. False also where there is none.
   bool Triangulate(int64_t most_unknowns) {
@@ -60,16 +50,10 @@ class ClusterSampler {
 
   bool has_conflicts() const { return !region_.triangulation.conflicts.empty(); }
 
-  // `ground`: as GroundPoints.
-  std::optional<ClusterSurface> Solve(const std::vector<Point3>& ground) const {
+  std::optional<ClusterSurface> Solve() const {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
-    if (!ground.empty()) {
-      if (!SolveLinear(ground, hole_.on_object, {}, problem)) return std::nullopt;
-      surface.samples = Samples(problem, std::vector<double>(problem.points.size(), 0));
-      return surface;
-    }
-    if (!FreeRim(hole_.on_object, {}, problem)) return std::nullopt;
+    if (!FreeRim(hole_.on_object, hole_.ground, problem)) return std::nullopt;
     const std::optional<std::vector<double>> laplacian =
         SolveOverSlope(cluster_.holes[0].slope, problem, [&] { return SolvePlate(problem, surface.hold_out); });
     if (!laplacian) return std::nullopt;
@@ -139,15 +123,14 @@ class ClusterSampler {
     return segments;
   }
 
-  // The cluster's outline: segments without those that it has on both sides.
+  // The outline of the triangulated region: segments without those that it has on both sides.
   std::vector<RegionSegment> OutlineSegments() const {
     std::set<std::pair<int32_t, int32_t>> directed;
-    for (const RegionSegment& s : hole_.segments) directed.insert({s.from, s.to});
+    for (const RegionSegment& s : segments_) directed.insert({s.from, s.to});
     std::vector<RegionSegment> outline;
-    std::copy_if(hole_.segments.begin(), hole_.segments.end(), std::back_inserter(outline),
-                 [&](const RegionSegment& s) {
-                   return !directed.contains({s.to, s.from});
-                 });
+    std::copy_if(segments_.begin(), segments_.end(), std::back_inserter(outline), [&](const RegionSegment& s) {
+      return !directed.contains({s.to, s.from});
+    });
     return outline;
   }
 
@@ -169,7 +152,9 @@ class ClusterSampler {
     region_ = RefineRegion(planar_->points, hole_.segments, planar_->sizes, refine);
     if (!has_conflicts()) return;
     const std::vector<RegionSegment> simple = WithoutFolds();
-    if (!simple.empty()) region_ = RefineRegion(planar_->points, simple, planar_->sizes, refine);
+    if (simple.empty()) return;
+    region_ = RefineRegion(planar_->points, simple, planar_->sizes, refine);
+    segments_ = simple;
   }
 
   // The segments with what the outline winds around in place of the outline (wound_region.h), and straight where that
@@ -306,40 +291,23 @@ class ClusterSampler {
   std::vector<std::vector<size_t>> kept_;  // of each chain
   std::set<int32_t> external_;             // vertices on seams with the cluster on one side only
   const LocalHole hole_;                   // all holes of the cluster as one
+  std::vector<RegionSegment> segments_;    // of the triangulated region: those of hole_, without its folds
   std::optional<PlanarPoints> planar_;
   RefinedRegion region_;
   std::set<int32_t> at_fold_;  // local vertices at and in the folds that were cut off
 };
-
-// The surface that is linear between the ground points: it takes no triangulation of the cluster.
-ClusterSurface SampleGround(const CellHoles& cluster, const std::vector<Point3>& ground) {
-  std::vector<int32_t> asked;
-  std::vector<Point2> at;
-  for (const RimVertex& v : cluster.vertices) {
-    if (v.seam_vertex < 0) continue;
-    asked.push_back(v.seam_vertex);
-    at.emplace_back(v.position.head<2>());
-  }
-  const std::vector<double> heights = LinearHeights(ground, at);
-  ClusterSurface surface;
-  for (size_t i = 0; i < asked.size(); ++i) surface.samples.push_back({asked[i], heights[i], 0, {0, 0}});
-  return surface;
-}
 
 }  // namespace
 
 std::optional<ClusterSurface> SampleCluster(const CellHoles& cluster, const FillOptions& options,
                                             int64_t most_unknowns) {
   const CellBand band(cluster);
-  const std::vector<Point3> ground = GroundPoints(cluster, options);
   double coarsening = 1;
   for (int round = 0; round < kMostCoarsenings; ++round, coarsening *= 2) {
     ClusterSampler sampler(cluster, band, options, coarsening);
     const bool fits = sampler.Triangulate(most_unknowns);
-    if (sampler.has_conflicts()) {
-      return ground.empty() ? std::nullopt : std::make_optional(SampleGround(cluster, ground));
-    }
-    if (fits) return sampler.Solve(ground);
+    if (sampler.has_conflicts()) return std::nullopt;
+    if (fits) return sampler.Solve();
   }
   return std::nullopt;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,11 +13,9 @@
 namespace tilemend {
 namespace {
 
-// Times 1 / width^2, rising; the last one is for rims that are nothing but noise, and is no step of the ladder.
-constexpr std::array<double, 7> kCandidates = {0, 3, 10, 30, 100, 300, 1e5};
-constexpr size_t kTaut = kCandidates.size() - 1;
-constexpr size_t kStart = 2;                               // the likeliest candidate before any height is known
-constexpr double kStepPenalty = 1;                         // of log-likelihood, for each step away from it
+// Times 1 / width^2, rising. The last one is a membrane's.
+constexpr std::array<double, 8> kCandidates = {0, 3, 10, 30, 100, 300, 1000, 1e5};
+constexpr size_t kStart = 5;  // the search begins here; from 30 to 1000 all starts give the same errors to within 1 %
 constexpr std::array<double, 2> kBlockSides = {0.5, 1.0};  // times width
 constexpr std::array<std::pair<double, double>, 4> kBlockOffsets = {
     {{0, 0}, {0.5, 0.5}, {0.5, 0}, {0, 0.5}}};  // times the side
@@ -36,10 +33,21 @@ SampleBlocks Blocks(const std::vector<Point3>& samples, double side, double x_of
   return list;
 }
 
-double Mean(const std::vector<Eigen::VectorXd>& errors) {
+// Mean |error| of blocks over divisions: each division counts as much.
+double MeanError(const std::vector<Eigen::VectorXd>& errors) {
   double sum = 0;
   for (const Eigen::VectorXd& e : errors) sum += e.mean();
   return sum / static_cast<double>(errors.size());
+}
+
+// Mean over all blocks of the root of their |error|: a block behind a car or a wall weighs little.
+double RobustError(const std::vector<Eigen::VectorXd>& errors) {
+  double sum = 0, blocks = 0;
+  for (const Eigen::VectorXd& e : errors) {
+    sum += e.cwiseSqrt().sum();
+    blocks += static_cast<double>(e.size());
+  }
+  return sum / blocks;
 }
 
 // All divisions of the samples that have enough blocks.
@@ -54,52 +62,33 @@ std::vector<SampleBlocks> Divisions(const std::vector<Point3>& samples, double w
   return divisions;
 }
 
-// The candidate tensions by how well they foretell the samples; each kriging is made when it is first asked for.
+// The errors of the candidate tensions at blocks that are left out. Each kriging is made when it is first asked for.
 class Candidates {
  public:
-  Candidates(const std::vector<Point3>& samples, double width)
-      : samples_(samples), width_(width), noise_(At(kStart).LikeliestNoise()) {}
+  Candidates(const std::vector<Point3>& samples, double width, const std::vector<SampleBlocks>& divisions)
+      : samples_(samples), width_(width), divisions_(divisions) {}
 
-  // Whether a plane and a variance of each height's own tell all, to within a step: slopes at the rim say nothing then.
-  bool IsAllNoise() {
-    return At(kStart).LogLikelihood(Kriging::kMostNoise) > At(kStart).LogLikelihood(noise_) - kStepPenalty;
-  }
-
-  // The best of the ladder, tried from kStart on as long as the score rises.
+  // The first least robust error on the way from kStart, towards 0 or else towards the membrane.
   size_t Choose() {
-    if (IsAllNoise()) return kTaut;
     size_t chosen = kStart;
-    while (chosen > 0 && Score(chosen - 1) > Score(chosen)) --chosen;
-    while (chosen >= kStart && chosen + 1 < kTaut && Score(chosen + 1) > Score(chosen)) ++chosen;
+    while (chosen > 0 && RobustError(At(chosen - 1)) < RobustError(At(chosen))) --chosen;
+    if (chosen < kStart) return chosen;
+    while (chosen + 1 < kCandidates.size() && RobustError(At(chosen + 1)) < RobustError(At(chosen))) ++chosen;
     return chosen;
   }
 
-  // The mean |error| at samples whose block is left out.
-  double Error(size_t candidate, const std::vector<SampleBlocks>& divisions) {
-    return Mean(At(candidate).BlockErrors(divisions));
+  // The error of each block of each division.
+  const std::vector<Eigen::VectorXd>& At(size_t candidate) {
+    std::vector<Eigen::VectorXd>& errors = errors_[candidate];
+    if (errors.empty()) errors = Kriging(samples_, width_, kCandidates[candidate]).BlockErrors(divisions_);
+    return errors;
   }
 
  private:
-  const Kriging& At(size_t candidate) {
-    std::optional<Kriging>& kriging = krigings_[candidate];
-    if (!kriging) kriging.emplace(samples_, width_, kCandidates[candidate]);
-    return *kriging;
-  }
-
-  double Score(size_t candidate) {
-    std::optional<double>& score = scores_[candidate];
-    if (!score) {
-      const auto steps = static_cast<double>(candidate < kStart ? kStart - candidate : candidate - kStart);
-      score = At(candidate).LogLikelihood(noise_) - kStepPenalty * steps;
-    }
-    return *score;
-  }
-
   const std::vector<Point3>& samples_;
   const double width_;
-  std::array<std::optional<Kriging>, kCandidates.size()> krigings_;
-  std::array<std::optional<double>, kCandidates.size()> scores_;
-  const double noise_;
+  const std::vector<SampleBlocks>& divisions_;
+  std::array<std::vector<Eigen::VectorXd>, kCandidates.size()> errors_;
 };
 
 }  // namespace
@@ -109,15 +98,14 @@ HoldOut ChooseTension(const ThinPlateProblem& problem, double width) {
   if (!(width > 0)) return choice;
   const RimSamples rim = SampleRim(problem, width, kMostRimPoints);
   const std::vector<Point3>& samples = rim.samples;
-  if (rim.rim_points < kLeastRimForNoise || rim.in_a_plane) return choice;
+  if (rim.rim_points < kMinRimForHoldOut || rim.in_a_plane) return choice;
   const std::vector<SampleBlocks> divisions = Divisions(samples, width, 2 * rim.spacing);
   if (divisions.empty()) return choice;
-  Candidates candidates(samples, width);
-  if (rim.rim_points < kLeastRimForHoldOut && !candidates.IsAllNoise()) return choice;
+  Candidates candidates(samples, width, divisions);
   const size_t chosen = candidates.Choose();
   choice.tension = kCandidates[chosen] / (width * width);
-  choice.error = candidates.Error(chosen, divisions);
-  choice.error_at_start = chosen == kStart ? choice.error : candidates.Error(kStart, divisions);
+  choice.error = MeanError(candidates.At(chosen));
+  choice.error_at_start = MeanError(candidates.At(kStart));
   for (const SampleBlocks& blocks : divisions) choice.blocks += static_cast<int32_t>(blocks.size());
   return choice;
 }

@@ -1,4 +1,4 @@
-// The tension of a thin-plate surface: the likeliest for the heights of the rim.
+// The tension of a thin-plate surface, by cross-validation on the heights of the rim.
 #ifndef TILEMEND_WORKER_FILL_SURFACE_CHOOSE_TENSION_H_
 #define TILEMEND_WORKER_FILL_SURFACE_CHOOSE_TENSION_H_
 
@@ -7,25 +7,24 @@
 
 namespace tilemend {
 
-// A smaller rim is not tested for a tension, or not even for noise.
-inline constexpr int kLeastRimForHoldOut = 64, kLeastRimForNoise = 20;
+// Rims of fewer points are not tested.
+inline constexpr int kMinRimForHoldOut = 20;
 
-// Chooses the tension for `problem` (its own is ignored) from the heights of its rim and of the vertices beside it, by
-// how well the thin plate with each candidate tension foretells them (kriging.h). Candidates are 0 and steps of a
-// ladder of 1 / width^2, tried from 10 / width^2 on as long as they score better. The score is the log-likelihood of
-// the heights, less 1 for each step of the ladder: a step must make the heights e times as likely. Each height has a
-// variance of its own, noise, the likeliest at 10 / width^2.
+// Chooses the tension for `problem` (its own is ignored) by cross-validation on the heights of its rim and of the
+// vertices beside it. Blocks of the rim, as long as the hole is wide and half as long, are left out in turn and
+// predicted from the rest, by kriging with the covariance of the thin plate under that tension (kriging.h). The
+// candidates are a ladder from 0 to 1000 / width^2, and 1e5 / width^2, a membrane. The choice has the least mean root
+// of the blocks' errors, searched from 300 / width^2 on.
 //
-// Where the largest noise of its ladder is as likely as that, to within a step, the rim is rough but even at large: its
-// slopes go on nowhere, and the tension is 1e5 / width^2, a membrane's.
+// The prediction passes through every height that is kept, and goes on with the slopes there, as the surface does. So
+// noise of the rim, white or correlated, raises the errors of the tensions that let slopes go on, and the choice is a
+// membrane where the rim is rough; on smooth ground it is the plate. The root bounds the weight of outliers: cars,
+// walls, trees.
 //
-// HoldOut tells beside it what the choice is worth: stretches of the rim, about as long as the hole is wide, are left
-// out in turn and foretold from the rest.
-//
-// The problem's known points with an equation are its rim, its band's other points lie beside it. A rim of fewer than
-// kLeastRimForHoldOut points (of kLeastRimForNoise where it is all noise), or too short for several blocks, gets
-// tension 0 untested; so does one in a plane. The choice does not depend on the order of points. Cost bounded: at most
-// 100 rim points are looked at.
+// The result has the mean |error| of the blocks beside the choice. The problem's known points with an equation are its
+// rim, its band's other points lie beside it. A rim of fewer than kMinRimForHoldOut points, or too short for four
+// blocks, gets tension 0 untested; so does one in a plane. The choice does not depend on the order of points. Cost
+// bounded: at most 100 rim points are looked at, and each of eight candidates takes one inverse (Dubrule 1983).
 //   width  of the hole, metres (hole_width.h); 0: not tested
 HoldOut ChooseTension(const ThinPlateProblem& problem, double width);
 

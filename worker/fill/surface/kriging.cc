@@ -12,7 +12,6 @@ namespace {
 // Variance of a sample, over the largest of the kernel: the matrix stays positive definite where points all but
 // coincide.
 constexpr double kNugget = 1e-12;
-constexpr double kLeastNoise = 1e-7, kNoiseStep = 10;
 
 // The inverse of a positive definite matrix. Both halves of the work, L^-1 and L^-T L^-1, leave out what is zero.
 Eigen::MatrixXd InverseOfPositive(const Eigen::MatrixXd& matrix) {
@@ -58,28 +57,6 @@ Kriging::Kriging(const std::vector<Point3>& samples, double width, double tensio
   reflections_.compute(terms.leftCols(drift_terms_));
   matrix_.applyOnTheLeft(reflections_.householderQ().adjoint());
   matrix_.applyOnTheRight(reflections_.householderQ());
-}
-
-double Kriging::LogLikelihood(double noise) const {
-  const Eigen::Index free = matrix_.rows() - drift_terms_;
-  Eigen::MatrixXd covariance = matrix_.bottomRightCorner(free, free);
-  covariance.diagonal().array() += noise;
-  const Eigen::LLT<Eigen::MatrixXd> factors(covariance);
-  const Eigen::VectorXd reflected = reflections_.householderQ().adjoint() * heights_;
-  const Eigen::VectorXd whitened = factors.matrixL().solve(reflected.tail(free));
-  const auto n = static_cast<double>(free);
-  return -n / 2 * std::log(whitened.squaredNorm() / n) - factors.matrixLLT().diagonal().array().log().sum();
-}
-
-double Kriging::LikeliestNoise() const {
-  double best = 0, likelihood = LogLikelihood(0);
-  for (double noise = kLeastNoise; noise <= kMostNoise; noise *= kNoiseStep) {
-    const double next = LogLikelihood(noise);
-    if (next <= likelihood) break;
-    best = noise;
-    likelihood = next;
-  }
-  return best;
 }
 
 HeightTrend Kriging::Trend(double noise) const {

@@ -43,16 +43,8 @@ class Kriging {
   enum class Drift { kConstant = 1, kLinear = 3 };
   Kriging(const std::vector<Point3>& samples, double width, double tension, Drift drift = Drift::kLinear);
 
-  // The restricted log-likelihood (Patterson and Thompson 1971): of the heights but for what the drift explains, and
-  // but for a constant; with the scale of heights that suits them best.
-  //   noise  variance of each height by itself, over that scale
-  double LogLikelihood(double noise) const;
-
-  // The first noise of a ladder of tens from 1e-7 to kMostNoise that the next one does not better; 0 if that is none.
-  static constexpr double kMostNoise = 1;
-  double LikeliestNoise() const;
-
-  // The likeliest heights elsewhere. A noise draws them away from those of the samples, towards the drift.
+  // The likeliest heights elsewhere.
+  //   noise  variance of each height by itself, over the kernel's scale: draws them away from the samples to the drift
   HeightTrend Trend(double noise) const;
 
   // The mean |error| of each block of each division, when it is left out: (C_BB)^-1 (C z)_B with C the inverse of the

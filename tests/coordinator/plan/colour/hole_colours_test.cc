@@ -56,6 +56,7 @@ TEST(ColourHolesTest, WithoutColoursThereIsOneForGroundAndOneForWater) {
   for (PlannedHole& hole : plan.holes) hole.water = -1;
   EXPECT_EQ(ColourHoles(plan, scene.Input(), {})[0].colour, kGroundColour);
   EXPECT_FALSE(ColourHoles(plan, scene.Input(), {})[0].known);
+  plan.water.resize(1);
   for (PlannedHole& hole : plan.holes) hole.water = 0;
   EXPECT_EQ(ColourHoles(plan, scene.Input(), {})[0].colour, kWaterColour);
 }
@@ -64,15 +65,26 @@ TEST(ColourHolesTest, TheChosenColourIsForWaterAlone) {
   SurveyedScene scene = Lake();
   Paint(scene, [](const Point3&) -> std::optional<Rgb> { return Rgb{9, 9, 9}; });
   Plan plan = PlanOf(scene);
+  plan.water.resize(1);
   for (PlannedHole& hole : plan.holes) hole.water = 0;
   EXPECT_EQ(ColourHoles(plan, scene.Input(), Rgb{1, 2, 3})[0].colour, (Rgb{1, 2, 3}));
   for (PlannedHole& hole : plan.holes) hole.water = -1;
   EXPECT_EQ(ColourHoles(plan, scene.Input(), Rgb{1, 2, 3})[0].colour, (Rgb{9, 9, 9}));
 }
 
+TEST(ColourHolesTest, LevelGroundHasTheColourOfGround) {
+  const SurveyedScene scene = Lake();
+  Plan plan = PlanOf(scene);
+  plan.water.resize(1);
+  plan.water[0].kind = BodyKind::kLevelGround;
+  for (PlannedHole& hole : plan.holes) hole.water = 0;
+  EXPECT_EQ(ColourHoles(plan, scene.Input(), Rgb{1, 2, 3})[0].colour, kGroundColour);
+}
+
 TEST(ColourHolesTest, HolesOfOneBodyOfWaterShareTheirColour) {
   const SurveyedScene scene = Lake();
   Plan plan = PlanOf(scene);
+  plan.water.resize(1);
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     plan.holes[h].water = 0;
     plan.holes[h].cluster = static_cast<int32_t>(h);

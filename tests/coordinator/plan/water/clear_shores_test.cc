@@ -36,7 +36,7 @@ class ClearShoresTest : public ::testing::Test {
   }
 
   static WaterArea Over(double x0, double x1, bool clear) {
-    return {true, {{{{x0, -1}, {x1, -1}, {x1, 11}, {x0, 11}}}}, 2.0, {}, "pond", clear};
+    return {true, {{{{x0, -1}, {x1, -1}, {x1, 11}, {x0, 11}}}}, 2.0, {}, "pond", WaterKind::kUnsaid, clear};
   }
 
   Plan plan_;

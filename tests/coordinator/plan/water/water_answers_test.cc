@@ -78,8 +78,9 @@ TEST_F(WaterAnswersTest, SaysWhatIsMissing) {
                                 {true, {{Box(40, 0, 50, 10)}}},
                                 {true, {{Box(60, 0, 63, 10)}}},
                                 {true, {{Box(80, 0, 90, 10)}}}});
-  const std::vector<std::string> reasons = {"no hole that faces up", "is left: its boundary crosses itself", "has no shore",
-                                            "covers 30 % of the hole at (65, 5)", "no hole lies under it"};
+  const std::vector<std::string> reasons = {"no hole that faces up", "is left: its boundary crosses itself",
+                                            "has no shore", "covers 30 % of the hole at (65, 5)",
+                                            "no hole lies under it"};
   ASSERT_THAT(answers, SizeIs(reasons.size()));
   for (size_t i = 0; i < reasons.size(); ++i) {
     EXPECT_FALSE(answers[i].taken) << i;

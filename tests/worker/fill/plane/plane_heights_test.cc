@@ -37,33 +37,5 @@ TEST(PlaneHeightsTest, GoesOnWithAPlane) {
   }
 }
 
-// Ground with a bend along x = 2, in the hole: a plate goes on with the slopes, the linear surface cuts across.
-TEST(PlaneHeightsTest, AmongObjectsTheSurfaceIsLinearUnlessATensionIsGiven) {
-  const auto shape = [](const Point3& p) { return Point3(p.x(), p.y(), std::max(0.0, p.x() - 2)); };
-  const CellHoles work = WorkOfSheet(Disc(2, 5, 4), shape, 0);
-  const CellBand band(work);
-  LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  PlanePatch start;
-  start.points = hole.positions;
-  start.points.emplace_back(2, 5, 99);
-  for (const RegionSegment& s : hole.segments) start.triangles.push_back({s.from, s.to, hole.size()});
-  start.has_equation = hole.has_equation;
-  const auto middle = [&](std::optional<double> tension) {
-    PlanePatch patch = start;
-    std::optional<HoldOut> chosen;
-    FillOptions options;
-    options.tension = tension;
-    EXPECT_TRUE(FindHeights(hole, ProjectionFrame::Upright(), options, RimUse::kWhole, patch, chosen));
-    return std::pair(patch.points.back().z(), chosen.has_value());
-  };
-  const auto plate = middle(0.01), chosen = middle(std::nullopt);
-  EXPECT_TRUE(chosen.second);
-  hole.ground_points = hole.positions;
-  const auto linear = middle(std::nullopt);
-  EXPECT_FALSE(linear.second);
-  EXPECT_GT(std::abs(linear.first - chosen.first), 0.01);
-  EXPECT_EQ(middle(0.01).first, plate.first);
-}
-
 }  // namespace
 }  // namespace tilemend

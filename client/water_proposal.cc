@@ -1,0 +1,62 @@
+#include "client/water_proposal.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "common/gis/geo_package.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "coordinator/report/scene_geojson.h"
+#include "worker/propose/water_surfaces.h"
+
+namespace tilemend {
+namespace {
+
+constexpr char kPackage[] = ".gpkg";
+constexpr char kGeoJson[] = ".geojson";
+constexpr char kLayer[] = "water";
+
+std::vector<ProposedSurface> SurfacesOf(const SceneWaves& waves) {
+  std::vector<GroundRaster> rasters;
+  for (const auto& [cell, stored] : waves.records()) {
+    if (stored != nullptr) rasters.push_back(stored.Outline()->lowest);
+  }
+  std::vector<ProposedSurface> surfaces;
+  for (LevelRegion& region : FindWaterSurfaces(rasters)) {
+    const std::string reason =
+        absl::StrFormat("level surface; ground along %.0f %% of its rim is higher by %g m or more",
+                        100 * region.shore_share, LevelRegionOptions().bank);
+    surfaces.push_back({std::move(region.outline), region.level, region.sigma, region.area, reason});
+  }
+  return surfaces;
+}
+
+}  // namespace
+
+absl::Status CheckWaterProposal(const std::string& path, bool overwrite) {
+  if (!absl::EndsWithIgnoreCase(path, kPackage) && !absl::EndsWithIgnoreCase(path, kGeoJson)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(path, ": expected a name that ends in ", kPackage, " or ", kGeoJson));
+  }
+  std::error_code error;
+  if (overwrite || !std::filesystem::exists(path, error)) return absl::OkStatus();
+  return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; --overwrite replaces it"));
+}
+
+absl::StatusOr<size_t> WriteWaterProposal(const std::string& path, bool overwrite, const SceneWaves& waves) {
+  TILEMEND_RETURN_IF_ERROR(CheckWaterProposal(path, overwrite));
+  const std::vector<ProposedSurface> surfaces = SurfacesOf(waves);
+  std::string content = ProposalsGeoJson(waves.plan(), surfaces, waves.scene());
+  if (absl::EndsWithIgnoreCase(path, kPackage)) {
+    TILEMEND_ASSIGN_OR_RETURN(content, GeoPackageOf(content, kLayer, path));
+  }
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(path, content));
+  return surfaces.size() + waves.plan().water.size();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,23 @@
+// What `tilemend inspect --propose-water` writes.
+#ifndef TILEMEND_CLIENT_WATER_PROPOSAL_H_
+#define TILEMEND_CLIENT_WATER_PROPOSAL_H_
+
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "coordinator/waves/scene_waves.h"
+
+namespace tilemend {
+
+// Whether a file can be written there: kInvalidArgument for a name that ends neither in .gpkg nor in .geojson,
+// kAlreadyExists for one that is there unless `overwrite`.
+absl::Status CheckWaterProposal(const std::string& path, bool overwrite);
+
+// Writes polygons for --water: the waters that the plan fills, and surface that looks like water (water_surfaces.h).
+// Returns how many. Precondition: the waves are planned. Errors of CheckWaterProposal, AskGdal and WriteFileAtomically.
+absl::StatusOr<size_t> WriteWaterProposal(const std::string& path, bool overwrite, const SceneWaves& waves);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_WATER_PROPOSAL_H_

@@ -1,0 +1,144 @@
+#include "common/gis/feature_properties.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <initializer_list>
+#include <string_view>
+
+#include "common/gis/feature_geometry.h"
+#include "common/gis/property_names.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+namespace {
+
+constexpr size_t kMostOfName = 100;        // columns
+constexpr double kMostHeight = 1e5;        // metres
+constexpr double kMostClearHeight = 1000;  // metres
+constexpr std::string_view kBlanks = " \t\r\n";
+
+std::string_view Trimmed(std::string_view text) {
+  const size_t first = text.find_first_not_of(kBlanks);
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+}
+
+// Without blanks around, in lower case.
+std::string WordOf(const OGRFeature& feature, int index) {
+  std::string word(Trimmed(feature.GetFieldAsString(index)));
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  return word;
+}
+
+bool IsOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// "`place`: property level_m: 'high': expected ..."
+[[noreturn]] void RefuseValue(const std::string& place, const char* property, const std::string& value,
+                              const char* expected) {
+  Refuse(place, std::string("property ") + property + ": '" + ShownName(value) + "': expected " + expected);
+}
+
+bool BooleanOf(const OGRFeature& feature, const char* property, bool otherwise, const std::string& place) {
+  const int index = FieldOf(feature, property);
+  if (index < 0) return otherwise;
+  const OGRFieldType type = feature.GetFieldDefnRef(index)->GetType();
+  const std::string word = WordOf(feature, index);  // of a boolean: 0 or 1
+  const bool may_be = type == OFTInteger || type == OFTInteger64 || type == OFTString;
+  if (may_be && IsOneOf(word, {"1", "true", "t", "yes", "y"})) return true;
+  if (may_be && IsOneOf(word, {"0", "false", "f", "no", "n"})) return false;
+  RefuseValue(place, property, feature.GetFieldAsString(index), "true or false");
+}
+
+// A decimal number, with or without the unit "m"; none for anything else. A decimal comma is none: "1,250" would be
+// a thousand to others.
+std::optional<double> MetresOf(std::string_view text) {
+  text = Trimmed(text);
+  if (text.ends_with('m')) text = Trimmed(text.substr(0, text.size() - 1));
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value, std::chars_format::fixed);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+}
+
+// A number between two bounds, or text for one.
+std::optional<double> MetresOf(const OGRFeature& feature, const char* property, double low, double high,
+                               const char* expected, const std::string& place) {
+  const int index = FieldOf(feature, property);
+  if (index < 0) return std::nullopt;
+  const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
+  const OGRFieldType type = definition.GetType();
+  const bool is_number = type == OFTReal || type == OFTInteger64 || type == OFTInteger;
+  std::optional<double> metres;
+  if (is_number && definition.GetSubType() != OFSTBoolean) metres = feature.GetFieldAsDouble(index);
+  if (type == OFTString) metres = MetresOf(feature.GetFieldAsString(index));
+  if (metres && *metres >= low && *metres <= high) return metres;
+  RefuseValue(place, property, feature.GetFieldAsString(index), expected);
+}
+
+WaterKind KindOf(const OGRFeature& feature, const std::string& place) {
+  const int index = FieldOf(feature, kKindProperty);
+  if (index < 0) return WaterKind::kUnsaid;
+  const std::string word = WordOf(feature, index);
+  if (word == "lake") return WaterKind::kLake;
+  if (word == "river") return WaterKind::kRiver;
+  RefuseValue(place, kKindProperty, feature.GetFieldAsString(index), "lake or river, or no value");
+}
+
+// Nothing for a property that is no whole number: it is not that of holes.geojson.
+std::optional<int64_t> BodyOf(const OGRFeature& feature) {
+  const int index = FieldOf(feature, kBodyProperty);
+  if (index < 0 || FieldOf(feature, kHoleProperty) < 0) return std::nullopt;
+  const OGRFieldType type = feature.GetFieldDefnRef(index)->GetType();
+  if (type != OFTInteger && type != OFTInteger64) return std::nullopt;
+  return feature.GetFieldAsInteger64(index);
+}
+
+}  // namespace
+
+int FieldOf(const OGRFeature& feature, const char* name) {
+  const int index = feature.GetFieldIndex(name);
+  if (index < 0 || !feature.IsFieldSetAndNotNull(index)) return -1;
+  const bool is_text = feature.GetFieldDefnRef(index)->GetType() == OFTString;
+  return is_text && Trimmed(feature.GetFieldAsString(index)).empty() ? -1 : index;
+}
+
+std::string ShownName(const std::string& name) { return SqueezedTo(Printable(name), kMostOfName); }
+
+std::string LabelOf(const OGRFeature& feature, const std::string& prefix) {
+  std::string label = prefix + "feature " + std::to_string(feature.GetFID());
+  const int index = FieldOf(feature, "name");
+  if (index >= 0) label += " (" + ShownName(feature.GetFieldAsString(index)) + ")";
+  return label;
+}
+
+void SetProperties(const OGRFeature& feature, VectorFeature& to) {
+  to.water = BooleanOf(feature, kWaterProperty, true, to.label);
+  to.level = MetresOf(feature, kLevelProperty, -kMostHeight, kMostHeight,
+                      "a height in metres, such as 3.25 or \"3.25 m\"", to.label);
+  to.clear = BooleanOf(feature, kClearProperty, false, to.label);
+  to.clear_height =
+      MetresOf(feature, kClearHeightProperty, 0, kMostClearHeight, "a number of metres from 0 to 1000", to.label);
+  to.kind = KindOf(feature, to.label);
+  to.body = BodyOf(feature);
+}
+
+std::vector<Point2> CentrelineOf(const OGRFeature& feature, const std::string& place) {
+  const int index = FieldOf(feature, kCentrelineProperty);
+  if (index < 0) return {};
+  std::string text = feature.GetFieldAsString(index);
+  if (text.starts_with('[')) text = R"({"type": "LineString", "coordinates": )" + text + "}";
+  GeometryPtr geometry;
+  if (text.starts_with('{')) {
+    geometry.reset(OGRGeometryFactory::createFromGeoJson(text.c_str()));
+  } else if (OGRGeometry* read = nullptr;
+             OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &read) == OGRERR_NONE) {
+    geometry.reset(read);
+  }
+  return LineOf(geometry.get(), place + ", property centreline");
+}
+
+}  // namespace tilemend

@@ -1,0 +1,138 @@
+#include "coordinator/plan/water/basins.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace tilemend {
+namespace {
+
+constexpr double kSigmas = 3;
+
+std::vector<PlaneSegment> Together(const std::vector<std::vector<PlaneSegment>>& outlines) {
+  std::vector<PlaneSegment> all;
+  for (const std::vector<PlaneSegment>& outline : outlines) all.insert(all.end(), outline.begin(), outline.end());
+  return all;
+}
+
+void Judge(double min_river, bool is_known_river, Basin& basin) {
+  const std::vector<PlaneSegment> outline = Together(basin.outlines);
+  basin.evidence = EvidenceOf(basin.rim, outline);
+  basin.river.reset();
+  if (!basin.evidence.is_enough()) return;
+  const std::vector<Point2> axis = RiverAxis(basin.outlines, min_river);
+  if (axis.size() > 1) basin.river = FindFall(axis, basin.rim, outline, basin.evidence, is_known_river);
+}
+
+Basin Joined(const Basin& a, const Basin& b, double min_river) {
+  Basin joint = a;
+  joint.members.insert(joint.members.end(), b.members.begin(), b.members.end());
+  std::ranges::sort(joint.members);
+  joint.outlines.insert(joint.outlines.end(), b.outlines.begin(), b.outlines.end());
+  joint.rim.insert(joint.rim.end(), b.rim.begin(), b.rim.end());
+  joint.area += b.area;
+  Judge(min_river, a.river || b.river, joint);
+  return joint;
+}
+
+bool IsNear(const Basin& part, const Basin& joint) {
+  return std::abs(part.evidence.level - joint.evidence.level) <= kSigmas * part.evidence.sigma();
+}
+
+// Whether a basin whose own rim tells no level has its foot at that of both.
+bool HasFootAt(const Basin& part, double level) {
+  const LevelEvidence& e = part.evidence;
+  return level <= e.median && e.second_percentile - level < (e.median - e.second_percentile) / 2;
+}
+
+bool IsOneWater(const Basin& a, const Basin& b, const Basin& joint) {
+  if (joint.river) return true;
+  if (a.river || b.river) return false;
+  if (a.is_level() && b.is_level()) return joint.is_level() && IsNear(a, joint) && IsNear(b, joint);
+  return joint.evidence.agrees() && HasFootAt(a.is_level() ? b : a, joint.evidence.level);
+}
+
+// Where a basin is, for the search of others near it.
+struct Extent {
+  explicit Extent(const Basin& basin) : width(2 * basin.area / basin.evidence.length) {
+    for (const auto& [a, b] : basin.outlines[0]) {
+      corners.push_back(a);
+      box.extend(a);
+    }
+  }
+
+  std::vector<Point2> CornersIn(Eigen::AlignedBox2d other, double margin) const {
+    other.min().array() -= margin;
+    other.max().array() += margin;
+    std::vector<Point2> inside;
+    for (const Point2& p : corners) {
+      if (other.contains(p)) inside.push_back(p);
+    }
+    return inside;
+  }
+
+  double width;  // metres
+  Eigen::AlignedBox2d box;
+  std::vector<Point2> corners;
+};
+
+// Between the corners of two outlines; none: it is wider than both together.
+std::optional<double> GapBetween(const Extent& a, const Extent& b) {
+  const double most = a.width + b.width;
+  if (a.box.exteriorDistance(b.box) > most) return std::nullopt;
+  const std::vector<Point2> of_a = a.CornersIn(b.box, most), of_b = b.CornersIn(a.box, most);
+  double gap = std::numeric_limits<double>::infinity();
+  for (const Point2& p : of_a) {
+    for (const Point2& q : of_b) gap = std::min(gap, (p - q).norm());
+  }
+  return gap <= most ? std::optional(gap) : std::nullopt;
+}
+
+using Pair = std::tuple<double, size_t, size_t>;  // the gap, two basins
+
+std::vector<Pair> NearPairs(const std::vector<Basin>& basins) {
+  const std::vector<Extent> extents(basins.begin(), basins.end());
+  std::vector<Pair> pairs;
+  for (size_t i = 0; i < basins.size(); ++i) {
+    for (size_t k = i + 1; k < basins.size(); ++k) {
+      if (!basins[i].evidence.is_enough() || !basins[k].evidence.is_enough()) continue;
+      if (const auto gap = GapBetween(extents[i], extents[k])) pairs.emplace_back(*gap, i, k);
+    }
+  }
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+}  // namespace
+
+Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
+                double min_river) {
+  Basin basin{{number}, {std::move(outline)}, std::move(rim), area, {}, {}};
+  Judge(min_river, false, basin);
+  return basin;
+}
+
+std::vector<Basin> JoinBasins(std::vector<Basin> basins, double min_river) {
+  std::vector<size_t> joined_into(basins.size());
+  for (size_t i = 0; i < basins.size(); ++i) joined_into[i] = i;
+  for (const auto& [gap, i, k] : NearPairs(basins)) {
+    const size_t a = joined_into[i], b = joined_into[k];
+    if (a == b || !(basins[a].is_level() || basins[b].is_level())) continue;
+    Basin joint = Joined(basins[a], basins[b], min_river);
+    if (!IsOneWater(basins[a], basins[b], joint)) continue;
+    basins[a] = std::move(joint);
+    for (size_t& into : joined_into) {
+      if (into == b) into = a;
+    }
+  }
+  std::vector<Basin> result;
+  for (size_t i = 0; i < basins.size(); ++i) {
+    if (joined_into[i] == i) result.push_back(std::move(basins[i]));
+  }
+  return result;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,113 @@
+#include "coordinator/plan/water/given_water.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "coordinator/plan/water/basins.h"
+#include "coordinator/plan/water/given_line.h"
+#include "coordinator/plan/water/river_profile.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kSigmas = 3;
+constexpr double kMinSigma = 0.02;  // metres: heights of two rims agree no better
+
+using Parts = std::vector<GivenPart>;
+
+LevelEvidence EvidenceOfPart(const GivenPart& part) { return EvidenceOf(part.rim, {}); }
+
+// The rims of several parts.
+std::vector<RimChain> RimOf(const Parts& parts) {
+  std::vector<RimChain> rim;
+  for (const GivenPart& part : parts) rim.insert(rim.end(), part.rim.begin(), part.rim.end());
+  return rim;
+}
+
+// The same rim above the water of a river.
+std::vector<RimChain> AboveRiver(const WaterSurface& river, std::vector<RimChain> rim) {
+  for (RimChain& chain : rim) {
+    for (RimEdge& e : chain) e.middle.z() -= LevelAt(river, e.middle.head<2>(), 0x1p-20);
+  }
+  return rim;
+}
+
+bool AreAlike(double difference, const LevelEvidence& a, const LevelEvidence& b) {
+  return std::abs(difference) <= kSigmas * std::max(kMinSigma, std::hypot(a.sigma(), b.sigma()));
+}
+
+// Takes the river along the given line out of the parts.
+std::vector<GivenWater> TakeRiver(const std::vector<Point2>& line, Parts& parts) {
+  const auto beside = std::stable_partition(parts.begin(), parts.end(),
+                                            [&](const GivenPart& part) { return RunsThrough(line, part.outline); });
+  Parts on(std::make_move_iterator(parts.begin()), std::make_move_iterator(beside));
+  parts.erase(parts.begin(), beside);
+  GivenWater river;
+  RiverProfile profile;
+  if (!on.empty()) profile = FitRiver(line, RimOf(on));
+  if (profile.water.stations.empty()) {
+    parts.insert(parts.end(), std::make_move_iterator(on.begin()), std::make_move_iterator(on.end()));
+    return {};
+  }
+  const LevelEvidence evidence = EvidenceOf(AboveRiver(profile.water, RimOf(on)), {});
+  std::erase_if(parts, [&](GivenPart& part) {
+    const LevelEvidence own = EvidenceOf(AboveRiver(profile.water, part.rim), {});
+    if (own.is_enough() && !AreAlike(own.level, own, evidence)) return false;
+    on.push_back(std::move(part));
+    return true;
+  });
+  for (const GivenPart& part : on) river.parts.push_back(part.number);
+  DescribeRim(EvidenceOf(RimOf(on), {}), evidence.sigma(), river.body);
+  river.body.river = std::move(profile.water);
+  river.body.removed_rises = std::move(profile.removed);
+  return {std::move(river)};
+}
+
+GivenWater LakeOf(const WaterArea& area, const GivenPart& part, double min_river) {
+  GivenWater water{{part.number}, {}};
+  const Basin basin = MakeBasin(part.number, part.outline, part.rim, part.area, min_river);
+  water.body.level = area.level.value_or(basin.evidence.level);
+  water.body.shore_level = basin.evidence.level;
+  DescribeRim(basin.evidence, basin.evidence.sigma(), water.body);
+  if (!area.level && basin.river) {
+    water.body.river = basin.river->water;
+    water.body.sigma = basin.river->evidence.sigma();
+  }
+  return water;
+}
+
+}  // namespace
+
+void DescribeRim(const LevelEvidence& evidence, double sigma, WaterBody& body) {
+  body.sigma = sigma;
+  body.lowest = evidence.lowest;
+  body.highest = evidence.highest;
+}
+
+std::vector<GivenWater> WaterOfArea(const WaterArea& area, std::vector<GivenPart> parts, double min_river) {
+  std::vector<GivenWater> all;
+  if (!area.level && area.centreline.size() > 1) all = TakeRiver(area.centreline, parts);
+  std::ranges::stable_sort(parts, [](const GivenPart& a, const GivenPart& b) { return a.area > b.area; });
+  const size_t first = all.size();
+  LevelEvidence largest;
+  for (const GivenPart& part : parts) {
+    GivenWater water = LakeOf(area, part, min_river);
+    const LevelEvidence own = EvidenceOfPart(part);
+    if (all.size() == first) {
+      largest = own;
+    } else if (GivenWater& lake = all[first]; lake.body.river.stations.empty() && water.body.river.stations.empty() &&
+                                              AreAlike(own.level - largest.level, own, largest)) {
+      lake.parts.push_back(part.number);
+      lake.body.lowest = std::min(lake.body.lowest, own.lowest);
+      lake.body.highest = std::max(lake.body.highest, own.highest);
+      continue;
+    }
+    all.push_back(std::move(water));
+  }
+  for (GivenWater& water : all) water.body.forced = true;
+  return all;
+}
+
+}  // namespace tilemend

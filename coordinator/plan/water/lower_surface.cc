@@ -1,0 +1,100 @@
+#include "coordinator/plan/water/lower_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace tilemend {
+namespace {
+
+// Metres: the first rows of triangles lie on the shore itself, which rises slowly; half the width of a street.
+constexpr double kNearest = 3, kFarthest = 15;
+constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges, if that is more
+constexpr int64_t kMinPoints = 10;
+
+// The shore of one rim in squares as wide as its reach.
+class ShoreIndex {
+ public:
+  explicit ShoreIndex(const Shore& shore) : noise_(shore.noise) {
+    nearest_ = std::max(kNearest, kNearestEdges * shore.mean_edge);
+    reach_ = std::max(kFarthest, kFarthestEdges * shore.mean_edge);
+    for (const Point3& p : shore.edges) {
+      squares_[SquareOf(p)].push_back(p);
+      box_.extend(p.head<2>());
+    }
+    box_.min().array() -= reach_;
+    box_.max().array() += reach_;
+  }
+
+  const Eigen::AlignedBox2d& box() const { return box_; }
+
+  void Add(const Point3& p) {
+    if (!box_.contains(p.head<2>())) return;
+    const auto [distance, level] = NearestEdge(p);
+    if (distance < nearest_ || distance > reach_ || std::isnan(level)) return;
+    ++count_;
+    if (p.z() <= level + noise_) ++lower_;
+  }
+
+  double LowerShare() const {
+    return count_ < kMinPoints ? 0 : static_cast<double>(lower_) / static_cast<double>(count_);
+  }
+
+ private:
+  using Square = std::pair<int64_t, int64_t>;
+
+  Square SquareOf(const Point3& p) const {
+    return {std::llround(std::floor(p.x() / reach_)), std::llround(std::floor(p.y() / reach_))};
+  }
+
+  // How far away it is, and the height of the water there.
+  std::pair<double, double> NearestEdge(const Point3& p) const {
+    const Square middle = SquareOf(p);
+    std::pair<double, double> nearest(std::numeric_limits<double>::infinity(), 0);
+    for (int64_t column = middle.first - 1; column <= middle.first + 1; ++column) {
+      for (int64_t row = middle.second - 1; row <= middle.second + 1; ++row) {
+        const auto square = squares_.find({column, row});
+        if (square == squares_.end()) continue;
+        for (const Point3& q : square->second) {
+          const double squared = (q - p).head<2>().squaredNorm();
+          if (squared < nearest.first) nearest = {squared, q.z()};
+        }
+      }
+    }
+    return {std::sqrt(nearest.first), nearest.second};
+  }
+
+  double noise_, nearest_ = 0, reach_ = 0;
+  std::map<Square, std::vector<Point3>> squares_;
+  Eigen::AlignedBox2d box_;
+  int64_t count_ = 0, lower_ = 0;
+};
+
+}  // namespace
+
+std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> rims) {
+  std::vector<ShoreIndex> shores(rims.begin(), rims.end());
+  for (const auto& [cell, record] : input.cells) {
+    if (record == nullptr || record->vertex_count == 0) continue;
+    const Eigen::AlignedBox2d tile(record->lo.head<2>(), record->hi.head<2>());
+    const auto meets = [&](const ShoreIndex& shore) { return shore.box().intersects(tile); };
+    if (std::ranges::none_of(shores, meets)) continue;
+    const auto band = record.WithBand();
+    const std::span<const int32_t> plan_vertex = plan.VerticesOf(cell);
+    for (ShoreIndex& shore : shores) {
+      if (!meets(shore)) continue;
+      for (size_t i = 0; i < band->band.points.size(); ++i) {
+        const bool is_on_rim = i < plan_vertex.size() && plan_vertex[i] >= 0;
+        if (!is_on_rim) shore.Add(band->band.points[i]);
+      }
+    }
+  }
+  std::vector<double> shares;
+  for (const ShoreIndex& shore : shores) shares.push_back(shore.LowerShare());
+  return shares;
+}
+
+}  // namespace tilemend

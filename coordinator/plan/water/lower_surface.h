@@ -1,0 +1,29 @@
+// How much of the surface around a hole lies lower than the water that may be in it.
+#ifndef TILEMEND_COORDINATOR_PLAN_WATER_LOWER_SURFACE_H_
+#define TILEMEND_COORDINATOR_PLAN_WATER_LOWER_SURFACE_H_
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coordinator/plan/types/plan_types.h"
+#include "coordinator/plan/water/level_evidence.h"
+
+namespace tilemend {
+
+// The rim of what may be water.
+struct Shore {
+  std::vector<Point3> edges;  // middles, with the height of the water there; NaN: the edge is higher
+  double mean_edge = 0;       // metres, of the rim
+  double noise = 0;           // metres: what is no more than that above the water is no higher
+};
+
+// For each shore the share (0 to 1) of the surface around it that is no higher than the water at the nearest edge,
+// where that edge is at the water: of the vertices in the survey's bands, off the rims of holes, that are 3 to 15 m
+// from the shore (where edges are long, 1.5 to 3 mean edges). 0 where there are fewer than ten: nothing is known. Cost
+// O(n log n) in the bands' vertices of the cells around, and the shores.
+std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_WATER_LOWER_SURFACE_H_

@@ -1,0 +1,59 @@
+#include "coordinator/plan/water/verdict_words.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace tilemend {
+namespace {
+
+std::string Rounded(double value) { return std::to_string(std::llround(value)); }
+
+std::string Centimetres(double metres) {
+  const int64_t cm = std::llround(100 * std::abs(metres));
+  const std::string rest = std::to_string(cm % 100);
+  return std::to_string(cm / 100) + "." + (rest.size() < 2 ? "0" : "") + rest + " m";
+}
+
+std::string LowerSurface(double share) {
+  return Rounded(100 * share) + " % of the surface around it is lower than its rim";
+}
+
+std::string Agreement(const LevelEvidence& e) {
+  if (!e.agrees()) return "level and dry surface differ by " + Centimetres(e.dry_difference) + ", less than noise";
+  return "the far sides of the rim tell the same level within " + Centimetres(e.disagreement);
+}
+
+}  // namespace
+
+std::string DecidedBy(const WaterArea& area) {
+  return area.label + (area.water ? " says that it is water" : " says that it is no water");
+}
+
+std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double lower_share,
+                      const WaterProfile& profile) {
+  const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
+  switch (verdict) {
+    case HoleEvidence::Verdict::kLake:
+      return Agreement(e);
+    case HoleEvidence::Verdict::kRiver:
+      return "its rim falls evenly, within " + Centimetres(e.disagreement);
+    case HoleEvidence::Verdict::kLevelGround:
+      if (basin.area < profile.least_lake)
+        return Agreement(e) + "; smaller than " + Rounded(profile.least_lake) + " m2";
+      return Agreement(e) + "; " + LowerSurface(lower_share);
+    case HoleEvidence::Verdict::kNoWater:
+      break;
+  }
+  if (!basin.evidence.is_enough()) {
+    return "its rim is too short: " + std::to_string(basin.evidence.windows) + " places tell its level, " +
+           std::to_string(kMinWindows) + " are needed";
+  }
+  if (!basin.is_level()) {
+    return "the far sides of the rim differ by " + Centimetres(e.disagreement) +
+           " in their level, and a dry surface by " + Centimetres(e.dry_difference);
+  }
+  const bool is_lower = lower_share > 0;
+  return is_lower ? LowerSurface(lower_share) : "smaller than " + Rounded(profile.least_level) + " m2";
+}
+
+}  // namespace tilemend

@@ -1,0 +1,38 @@
+#include "coordinator/report/hole_evidence.h"
+
+#include <cmath>
+
+namespace tilemend {
+namespace {
+
+constexpr double kDigits = 1e4;  // tenths of millimetres
+
+double Rounded(double metres) { return std::round(metres * kDigits) / kDigits; }
+
+}  // namespace
+
+const char* VerdictName(HoleEvidence::Verdict verdict) {
+  switch (verdict) {
+    case HoleEvidence::Verdict::kLake:
+      return "lake";
+    case HoleEvidence::Verdict::kRiver:
+      return "river";
+    case HoleEvidence::Verdict::kLevelGround:
+      return "level ground";
+    case HoleEvidence::Verdict::kNoWater:
+      return "ground";
+  }
+  return "";
+}
+
+nlohmann::ordered_json HoleEvidenceJson(const HoleEvidence& evidence) {
+  nlohmann::ordered_json json = {{"taken_for", VerdictName(evidence.verdict)}};
+  if (evidence.has_level) {
+    json["level_m"] = Rounded(evidence.level);
+    json["sigma_m"] = Rounded(evidence.sigma);
+  }
+  json["reason"] = evidence.reason;
+  return json;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,57 @@
+#include "coordinator/plan/water/lower_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/support/surveyed_scene.h"
+
+namespace tilemend {
+namespace {
+
+// A hole of 10 x 10 squares of 1 m in the middle of 40 x 40, and the share around it that is lower than its rim.
+double ShareAround(const HeightFunction& height) {
+  std::vector<std::string> picture(40, std::string(40, '#'));
+  for (int row = 15; row < 25; ++row) picture[row].replace(15, 10, 10, '.');
+  SurveyedScene scene = PictureScene(picture, 40, height);
+  Shore shore;
+  shore.mean_edge = 1;
+  for (double k = 15.5; k < 25; ++k) {
+    for (const Point2& p : {Point2(k, 15), Point2(k, 25), Point2(15, k), Point2(25, k)}) {
+      shore.edges.emplace_back(p.x(), p.y(), 5);
+    }
+  }
+  return LowerShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0];
+}
+
+TEST(LowerSharesTest, IsTheShareOfTheSurfaceAround) {
+  EXPECT_EQ(ShareAround([](double, double) { return 6; }), 0);
+  EXPECT_EQ(ShareAround([](double, double) { return 4; }), 1);
+  EXPECT_NEAR(ShareAround([](double x, double) { return x < 20 ? 4 : 6; }), 0.5, 0.1);
+}
+
+// East of the hole its rim is a quay: what lies behind that does not count.
+TEST(LowerSharesTest, SurfaceBehindQuaysDoesNotCount) {
+  std::vector<std::string> picture(40, std::string(40, '#'));
+  for (int row = 15; row < 25; ++row) picture[row].replace(15, 10, 10, '.');
+  SurveyedScene scene = PictureScene(picture, 40, [](double x, double) { return x < 24 ? 6 : 4; });
+  Shore shore;
+  shore.mean_edge = 1;
+  for (double k = 15.5; k < 25; ++k) {
+    for (const Point2& p : {Point2(k, 15), Point2(k, 25), Point2(15, k)}) shore.edges.emplace_back(p.x(), p.y(), 5);
+    shore.edges.emplace_back(25, k, std::numeric_limits<double>::quiet_NaN());
+  }
+  EXPECT_LT(LowerShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0], 0.25);
+}
+
+TEST(LowerSharesTest, WithoutSurfaceAroundNothingIsKnown) {
+  Shore shore;
+  shore.mean_edge = 1;
+  shore.edges = {Point3(0, 0, 5)};
+  EXPECT_EQ(LowerShares(Plan(), PlanInput(), std::vector<Shore>{shore})[0], 0);
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,86 @@
+#include "worker/ground/disk_opening.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+namespace tilemend {
+namespace {
+
+// Half the length of each row of a disk, from its middle row on.
+std::vector<int32_t> HalfWidths(int32_t radius) {
+  std::vector<int32_t> widths;
+  for (int32_t dy = 0; dy <= radius; ++dy) {
+    widths.push_back(static_cast<int32_t>(std::sqrt(static_cast<double>(radius) * radius - dy * dy)));
+  }
+  return widths;
+}
+
+void LowerTo(const int16_t* other, int32_t count, int16_t* values) {
+  for (int32_t i = 0; i < count; ++i) values[i] = std::min(values[i], other[i]);
+}
+
+// Rows with `radius` squares more on both sides, and their minima over 2^k squares from each square on.
+class RunMinima {
+ public:
+  RunMinima(const StepRaster& raster, int32_t radius) : radius_(radius), width_(raster.cols + 2 * radius) {
+    const auto levels = static_cast<size_t>(std::bit_width(static_cast<uint32_t>(2 * radius + 1)));
+    rows_.assign(levels, std::vector<int16_t>(static_cast<size_t>(width_) * raster.rows, kNoSurface));
+    for (int32_t r = 0; r < raster.rows; ++r) {
+      const auto* from = raster.heights.data() + static_cast<size_t>(r) * raster.cols;
+      std::copy(from, from + raster.cols, Row(0, r) + radius);
+      for (size_t k = 1; k < levels; ++k) {
+        const int32_t half = 1 << (k - 1);
+        std::copy(Row(k - 1, r), Row(k - 1, r) + width_, Row(k, r));
+        LowerTo(Row(k - 1, r) + half, width_ - half, Row(k, r));
+      }
+    }
+  }
+
+  // Lowers each value to the minimum of row r from `half` squares before it to as many behind it.
+  void Lower(int32_t r, int32_t half, int32_t cols, int16_t* values) const {
+    const auto k = static_cast<size_t>(std::bit_width(static_cast<uint32_t>(2 * half + 1)) - 1);
+    const int16_t* row = rows_[k].data() + static_cast<size_t>(r) * width_ + radius_;
+    LowerTo(row - half, cols, values);
+    LowerTo(row + half + 1 - (1 << k), cols, values);
+  }
+
+ private:
+  int16_t* Row(size_t level, int32_t r) { return rows_[level].data() + static_cast<size_t>(r) * width_; }
+
+  const int32_t radius_, width_;
+  std::vector<std::vector<int16_t>> rows_;
+};
+
+// The lowest over each disk.
+StepRaster ErodedByDisk(const StepRaster& raster, int32_t radius) {
+  const RunMinima minima(raster, radius);
+  const std::vector<int32_t> half_widths = HalfWidths(radius);
+  StepRaster lowest{raster.cols, raster.rows, std::vector<int16_t>(raster.heights.size(), kNoSurface)};
+  for (int32_t r = 0; r < raster.rows; ++r) {
+    int16_t* values = lowest.heights.data() + static_cast<size_t>(r) * raster.cols;
+    for (int32_t dy = -radius; dy <= radius; ++dy) {
+      if (r + dy < 0 || r + dy >= raster.rows) continue;
+      minima.Lower(r + dy, half_widths[std::abs(dy)], raster.cols, values);
+    }
+  }
+  return lowest;
+}
+
+// What is no surface stays so.
+void Negate(StepRaster& raster) {
+  for (int16_t& h : raster.heights) h = h == kNoSurface ? kNoSurface : static_cast<int16_t>(-h);
+}
+
+}  // namespace
+
+StepRaster OpenedByDisk(const StepRaster& raster, int32_t radius) {
+  StepRaster opened = ErodedByDisk(raster, radius);
+  Negate(opened);
+  opened = ErodedByDisk(opened, radius);
+  Negate(opened);
+  return opened;
+}
+
+}  // namespace tilemend
