@@ -20,6 +20,7 @@
 #include "coordinator/plan/overlap/own_regions.h"
 #include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
+#include "coordinator/plan/rim/area_proposal.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
@@ -28,6 +29,7 @@
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
 #include "coordinator/plan/water/clear_shores.h"
+#include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
 #include "coordinator/plan/water/water_answers.h"
@@ -229,26 +231,56 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lin
   return plan;
 }
 
-// All but what follows from the water.
-Plan PlanWithWater(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
+// Holes, clusters, layers: all that does not depend on objects and water.
+Plan PlanHoles(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   LeaveFailedHoles(plan);
-  if (!plan.upright) return plan;
+  return plan;
+}
+
+// Adds objects and water.
+void TellWater(const PlanInput& input, const PlanOptions& options, const KnownWater& known, Plan& plan) {
   FindRimSlopes(plan);
   if (!options.cancelled()) MarkObjects(plan);
-  if (!options.cancelled()) FindWater(input, options.water, plan);
-  return plan;
+  if (!options.cancelled()) FindWater(input, options.water, known, plan);
+  if (known.bodies.empty() || options.cancelled()) return;
+  StoreLayers(plan);
+  FindRimSlopes(plan);
+}
+
+// The water of the scene without its area, where there is one: the area may leave too little of a shore, and the hole
+// around a scene goes on into its lakes. Where the surface ends inside the cells there is such a hole without the area,
+// too: so up to the outline of the surface first.
+KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
+  if ((input.area.empty() && input.added.empty()) || plan.holes.empty()) return {};
+  PlanInput scene = input;
+  for (const CellId cell : input.added) scene.cells.erase(cell);
+  scene.added.clear();
+  KnownWater known;
+  known.body_of.assign(plan.holes.size(), -1);
+  const auto add_water_up_to = [&](const PlanePolygon& area) {
+    scene.area = area;
+    GridLines lines;
+    Plan whole = PlanHoles(scene, options, lines);
+    if (!options.cancelled()) TellWater(scene, options, {}, whole);
+    AddKnownWater(FindKnownWater(whole, plan), known);
+  };
+  const PlanePolygon outline = OutlineInsideCells(scene.grid, scene.cells);
+  if (!outline.empty()) add_water_up_to(outline);
+  if (!options.cancelled()) add_water_up_to({});
+  return known;
 }
 
 }  // namespace
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   GridLines lines;
-  Plan plan = PlanWithWater(input, options, lines);
+  Plan plan = PlanHoles(input, options, lines);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
-  MarkClearedShores(options.water.areas, plan);
+  if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, plan), plan);
+  if (!options.cancelled()) MarkClearedShores(options.water.areas, plan);
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
   if (options.cancelled()) return {};

@@ -23,7 +23,7 @@ std::vector<CellId> CellsInGroundReach(const std::map<CellId, StoredRecord>& rec
   std::vector<CellId> around;
   const StoredRecord& own = records.at(cell);
   const double square = RasterSquareFor(grid.cell_size.x(), grid.cell_size.y());
-  const Point2 reach = Point2::Constant(kGroundReach + 3 * square);
+  const Point2 reach = Point2::Constant(kGroundReach + 5 * square);
   const Point2 lo = own->lo.head<2>() - reach, hi = own->hi.head<2>() + reach;
   const CellId first = CellAt(grid, lo), last = CellAt(grid, hi);
   for (int32_t row = first.row - 1; row <= last.row + 1; ++row) {

@@ -14,7 +14,7 @@ namespace tilemend {
 // look at more than 20 of them in each direction, all is taken for ground.
 bool IsGroundTold(const Grid& grid);
 
-// The cells whose tiles come within kGroundReach and three squares of the raster of that of `cell`, itself among them,
+// The cells whose tiles come within kGroundReach and five squares of the raster of that of `cell`, itself among them,
 // by row and column. Tiles may reach beyond their cells by up to one cell. Precondition: `cell` has a tile.
 std::vector<CellId> CellsInGroundReach(const std::map<CellId, StoredRecord>& records, const Grid& grid, CellId cell);
 

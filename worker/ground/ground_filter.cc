@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr int32_t kUnitRadii = 10;      // squares: up to here radii grow by one
-constexpr double kMinSight = 2.5;       // squares: the window has at most two where these are large
+constexpr double kMinSight = 4.5;       // squares: the window has at most two where these are large
 constexpr double kFinestStep = 0x1p-6;  // metres
 constexpr double kMostSteps = 0x7ff0;   // to either side of the middle, of an int16
 
@@ -98,14 +98,17 @@ float FilteredGround::At(const GroundRaster& raster, int32_t col, int32_t row) {
 FilteredGround::Place FilteredGround::GroundAt(int32_t col, int32_t row) const {
   const float height = At(ground_, col, row);
   if (std::isnan(height)) return UnderObject(col, row);
-  Place place = WithTolerance(height, SlopeOfGround(col, row));
+  Mean here;
+  here.Add(height, SlopeOfGround(col, row), 1);
+  Place place = WithTolerance(here);
   place.is_between = true;
   return place;
 }
 
-FilteredGround::Place FilteredGround::WithTolerance(double height, double slope, double distance) const {
-  return {static_cast<float>(height),
-          static_cast<float>(options_.threshold + slope * (options_.slope_factor + distance))};
+FilteredGround::Place FilteredGround::WithTolerance(const Mean& mean) const {
+  if (mean.weights == 0) return {kNone, 0};
+  return {static_cast<float>(mean.heights / mean.weights),
+          static_cast<float>(options_.threshold + options_.slope_factor * mean.slopes / mean.weights)};
 }
 
 float FilteredGround::SlopeOfGround(int32_t col, int32_t row) const {
@@ -117,35 +120,33 @@ float FilteredGround::SlopeOfGround(int32_t col, int32_t row) const {
 
 FilteredGround::Place FilteredGround::UnderObject(int32_t col, int32_t row) const {
   constexpr int kDirections[8][2] = {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}};
-  double weights = 0, heights = 0, slopes = 0;
-  Sight nearest;
+  Mean between, beyond;
   for (const auto& [dx, dy] : kDirections) {
     const Sight before = Look(col, row, -dx, -dy), behind = Look(col, row, dx, dy);
-    for (const Sight& sight : {before, behind}) {
-      if (sight.distance < nearest.distance) nearest = sight;
+    const double way = before.distance + behind.distance;
+    if (!std::isnan(way)) {
+      between.Add((behind.distance * before.height + before.distance * behind.height) / way,
+                  std::abs(behind.height - before.height) / way, way);
     }
-    if (std::isnan(before.height) || std::isnan(behind.height)) continue;
-    const double way = before.distance + behind.distance, weight = 1 / way;
-    weights += weight;
-    heights += weight * (behind.distance * before.height + before.distance * behind.height) / way;
-    slopes += weight * std::abs(behind.height - before.height) / way;
+    for (const Sight& sight : {before, behind}) {
+      if (std::isnan(sight.height) || std::isnan(sight.farther)) continue;
+      beyond.Add(2 * sight.height - sight.farther, std::abs(sight.height - sight.farther) / sight.distance,
+                 sight.distance);
+    }
   }
-  if (weights > 0) {
-    Place between = WithTolerance(heights / weights, slopes / weights);
-    between.is_between = true;
-    return between;
-  }
-  if (std::isnan(nearest.height)) return WithTolerance(kNone, 0);
-  return WithTolerance(nearest.height, SlopeOfGround(nearest.col, nearest.row), nearest.distance);
+  Place place = between.weights > 0 ? WithTolerance(between) : WithTolerance(beyond);
+  place.is_between = between.weights > 0;
+  return place;
 }
 
-// The first ground in a direction.
+// The first ground in a direction, and the ground twice as far off.
 FilteredGround::Sight FilteredGround::Look(int32_t col, int32_t row, int32_t dx, int32_t dy) const {
   const double step = std::hypot(dx, dy) * ground_.square;
   const double sight = std::max(kGroundSight, kMinSight * ground_.square);
   for (int32_t k = 1; k * step <= sight; ++k) {
     const float height = At(ground_, col + k * dx, row + k * dy);
-    if (!std::isnan(height)) return {k * step, height, col + k * dx, row + k * dy};
+    if (std::isnan(height)) continue;
+    return {k * step, height, 2 * k * step <= sight ? At(ground_, col + 2 * k * dx, row + 2 * k * dy) : kNone};
   }
   return {};
 }

@@ -28,13 +28,14 @@ inline double FilterReach(const GroundFilterOptions& options) { return 2 * optio
 // Tells ground from objects. The raster is opened with disks of growing radius; what an opening takes away by more than
 // slope * radius is an object (section 2.1, steps 2 and 3). Squares without surface neither lower nor lift (as printed,
 // the paper interpolates them first, which spreads roofs into holes). Radii grow by one square up to 10 and by a tenth
-// to a fifth then: on made and real scenes no square in 1,000 differs from growth by one.
+// to a fifth then: against growth by one 0 to 1.2 % of the squares differ on nine real and made sites, in a third of the
+// time.
 //
 // Under objects the ground is linear between the nearest ground squares in opposite directions, the mean of eight pairs
 // of directions weighted by their distance (the paper has an interpolation over the whole raster, which is no local
-// one). So what was taken for an object but lies on that ground is ground again (step 4). Where ground is seen on one
-// side alone, at the edge of the surface, it is that of the nearest square, and the tolerance grows by its slope times
-// the distance.
+// one). So what was taken for an object but lies on that ground is ground again (step 4). Where ground is
+// seen on one side alone, at the edge of the surface, it goes on as far as it is seen: from the nearest square and that
+// twice as far off.
 //
 // The tolerance is that of step 4: threshold + slope_factor * slope of the ground. On ground the slope is the smaller
 // of those to either side, so that ground beside a wall is not steep; under objects the mean one of the pairs.
@@ -51,25 +52,36 @@ class FilteredGround {
   struct Place {
     float height;             // of the ground, metres, also under objects; NaN where nothing is known of it
     float tolerance;          // metres: what lies higher is no ground
-    bool is_between = false;  // the square has ground, or lies between such; else the height is that of the nearest one
+    bool is_between = false;  // the square has ground, or lies between such; else it goes on from one side
   };
 
   // Of a square with surface. O(1) on ground, else O(kGroundSight / side of a square).
   Place GroundAt(int32_t col, int32_t row) const;
 
  private:
-  // Ground that is seen from a square.
+  // Ground that is seen from a square; metres, NaN where there is none.
   struct Sight {
-    double distance = std::numeric_limits<double>::infinity();  // metres
-    float height = std::numeric_limits<float>::quiet_NaN();     // metres
-    int32_t col = 0, row = 0;
+    double distance = std::numeric_limits<double>::quiet_NaN();
+    float height = std::numeric_limits<float>::quiet_NaN();
+    float farther = std::numeric_limits<float>::quiet_NaN();  // height of the ground twice as far off
+  };
+
+  // Weighted by the inverse of distances.
+  struct Mean {
+    double weights = 0, heights = 0, slopes = 0;
+
+    void Add(double height, double slope, double distance) {
+      weights += 1 / distance;
+      heights += height / distance;
+      slopes += slope / distance;
+    }
   };
 
   static float At(const GroundRaster& raster, int32_t col, int32_t row);
   Sight Look(int32_t col, int32_t row, int32_t dx, int32_t dy) const;
   float SlopeOfGround(int32_t col, int32_t row) const;
   Place UnderObject(int32_t col, int32_t row) const;
-  Place WithTolerance(double height, double slope, double distance = 0) const;
+  Place WithTolerance(const Mean& mean) const;
 
   const GroundFilterOptions options_;
   GroundRaster ground_;  // NaN where an object stands, or there is no surface

@@ -24,7 +24,7 @@ GroundRaster Frame(std::span<const Point3> vertices, std::span<const GroundRaste
     lo = lo.min(Eigen::Array2i(r.col, r.row));
     hi = hi.max(Eigen::Array2i(r.col + r.cols - 1, r.row + r.rows - 1));
   }
-  const auto more = static_cast<int32_t>(std::ceil(reach / square)) + 3;
+  const auto more = static_cast<int32_t>(std::ceil(reach / square)) + 5;
   if ((low > high).any() || (lo > hi).any()) return {};
   low = (low - more).max(lo);
   high = (high + more).min(hi);

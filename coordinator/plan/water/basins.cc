@@ -43,16 +43,23 @@ bool IsNear(const Basin& part, const Basin& joint) {
 }
 
 // Whether a basin whose own rim tells no level has its foot at that of both.
-bool HasFootAt(const Basin& part, double level) {
-  const LevelEvidence& e = part.evidence;
+bool HasFootAt(const LevelEvidence& e, double level) {
   return level <= e.median && e.second_percentile - level < (e.median - e.second_percentile) / 2;
 }
 
+// Whether a basin alone has its water at that of the river.
+bool IsReachOf(const FallingWater& river, const Basin& part) {
+  const LevelEvidence above = EvidenceOf(AboveRiver(river.water, part.rim), {});
+  const LevelEvidence& alone = part.river ? part.river->evidence : part.evidence;
+  if (part.is_level()) return CanBeOneLevel(above.level, alone, {});
+  return HasFootAt(above, 0);
+}
+
 bool IsOneWater(const Basin& a, const Basin& b, const Basin& joint) {
-  if (joint.river) return true;
+  if (joint.river) return IsReachOf(*joint.river, a) && IsReachOf(*joint.river, b);
   if (a.river || b.river) return false;
   if (a.is_level() && b.is_level()) return joint.is_level() && IsNear(a, joint) && IsNear(b, joint);
-  return joint.evidence.agrees() && HasFootAt(a.is_level() ? b : a, joint.evidence.level);
+  return joint.evidence.agrees() && HasFootAt((a.is_level() ? b : a).evidence, joint.evidence.level);
 }
 
 // Where a basin is, for the search of others near it.

@@ -28,11 +28,13 @@ Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<Ri
                 double min_river);
 
 // Joins basins that hold one water: the nearest first, no farther apart than they are wide together (area over half
-// the rim), if their rims together are a river's, or
-//   both alone are level: level together, at a level that is no farther from that of either than three times its sigma;
+// the rim). They do in these cases:
+//   both alone are level: they are level together, at a level that is no farther from that of either than three times
+//                         its sigma
 //   one alone is level:   J < D / 2 for both together, at a level in the lower half of the other's rim, and close to
 //   the
-//                         foot of it (its 2 % quantile; closer than half the way from there to its median).
+//                         foot of it (its 2 % quantile; closer than half the way from there to its median)
+//   a river together:     the same holds for the rim of each above that river
 // Cost: for basins that are near, the product of their outlines where these are near, and MakeBasin's for both.
 // Deterministic.
 std::vector<Basin> JoinBasins(std::vector<Basin> basins, double min_river);

@@ -12,9 +12,6 @@
 namespace tilemend {
 namespace {
 
-constexpr double kSigmas = 3;
-constexpr double kMinSigma = 0.02;  // metres: heights of two rims agree no better
-
 using Parts = std::vector<GivenPart>;
 
 LevelEvidence EvidenceOfPart(const GivenPart& part) { return EvidenceOf(part.rim, {}); }
@@ -24,18 +21,6 @@ std::vector<RimChain> RimOf(const Parts& parts) {
   std::vector<RimChain> rim;
   for (const GivenPart& part : parts) rim.insert(rim.end(), part.rim.begin(), part.rim.end());
   return rim;
-}
-
-// The same rim above the water of a river.
-std::vector<RimChain> AboveRiver(const WaterSurface& river, std::vector<RimChain> rim) {
-  for (RimChain& chain : rim) {
-    for (RimEdge& e : chain) e.middle.z() -= LevelAt(river, e.middle.head<2>(), 0x1p-20);
-  }
-  return rim;
-}
-
-bool AreAlike(double difference, const LevelEvidence& a, const LevelEvidence& b) {
-  return std::abs(difference) <= kSigmas * std::max(kMinSigma, std::hypot(a.sigma(), b.sigma()));
 }
 
 // Takes the river along the given line out of the parts.
@@ -54,7 +39,7 @@ std::vector<GivenWater> TakeRiver(const std::vector<Point2>& line, Parts& parts)
   const LevelEvidence evidence = EvidenceOf(AboveRiver(profile.water, RimOf(on)), {});
   std::erase_if(parts, [&](GivenPart& part) {
     const LevelEvidence own = EvidenceOf(AboveRiver(profile.water, part.rim), {});
-    if (own.is_enough() && !AreAlike(own.level, own, evidence)) return false;
+    if (own.is_enough() && !CanBeOneLevel(own.level, own, evidence)) return false;
     on.push_back(std::move(part));
     return true;
   });
@@ -98,7 +83,7 @@ std::vector<GivenWater> WaterOfArea(const WaterArea& area, std::vector<GivenPart
     if (all.size() == first) {
       largest = own;
     } else if (GivenWater& lake = all[first]; lake.body.river.stations.empty() && water.body.river.stations.empty() &&
-                                              AreAlike(own.level - largest.level, own, largest)) {
+                                              CanBeOneLevel(own.level - largest.level, own, largest)) {
       lake.parts.push_back(part.number);
       lake.body.lowest = std::min(lake.body.lowest, own.lowest);
       lake.body.highest = std::max(lake.body.highest, own.highest);

@@ -19,6 +19,8 @@ constexpr double kBentEnd = 0.75;  // widths from its end: there a centreline be
 constexpr double kFarBetter = 0.2, kBetter = 1.0 / 3;
 constexpr size_t kMinStations = 4, kManyStations = 8;
 constexpr double kLongestPerWidth = 1;  // a reach is longer than wide
+constexpr double kSigmas = 3;
+constexpr double kMinSigma = 0.02;  // metres: heights of two rims agree no better
 
 // Takes off the bend at the last end of a line.
 void TakeOffBend(double bend, std::vector<Point2>& points) {
@@ -105,6 +107,17 @@ std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<
   if (!river.evidence.is_level() || river.evidence.disagreement >= better * level.disagreement) return std::nullopt;
   for (Point3& s : river.water.stations) s.z() += river.evidence.level;
   return river;
+}
+
+std::vector<RimChain> AboveRiver(const WaterSurface& river, std::vector<RimChain> rim) {
+  for (RimChain& chain : rim) {
+    for (RimEdge& e : chain) e.middle.z() -= LevelAt(river, e.middle.head<2>(), 0x1p-20);
+  }
+  return rim;
+}
+
+bool CanBeOneLevel(double apart, const LevelEvidence& a, const LevelEvidence& b) {
+  return std::abs(apart) <= kSigmas * std::max(kMinSigma, std::hypot(a.sigma(), b.sigma()));
 }
 
 }  // namespace tilemend

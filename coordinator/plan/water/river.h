@@ -31,6 +31,12 @@ std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<
                                      std::span<const PlaneSegment> outline, const LevelEvidence& level,
                                      bool is_known_river = false);
 
+// The same rim with heights above the water of a river.
+std::vector<RimChain> AboveRiver(const WaterSurface& river, std::vector<RimChain> rim);
+
+// Whether levels that are so far apart (metres) can be one: no farther than three sigmas of both, or 6 cm.
+bool CanBeOneLevel(double apart, const LevelEvidence& a, const LevelEvidence& b);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_WATER_RIVER_H_

@@ -34,6 +34,7 @@ struct Group {
   std::optional<size_t> decider;  // the last area over more than half of it
   HoleEvidence evidence;
   bool is_judged = false;
+  bool is_known = false;  // the scene as a whole says what of it is water
 };
 
 std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& holes,
@@ -88,42 +89,61 @@ void MarkWalls(const WaterBody& body, Plan& plan) {
 
 class WaterFinder {
  public:
-  WaterFinder(const PlanInput& input, const WaterOptions& options, Plan& plan)
-      : input_(input), options_(options), plan_(plan) {}
+  WaterFinder(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan)
+      : input_(input), options_(options), known_(std::move(known)), plan_(plan) {}
 
   void Run() {
     CollectGroups();
     FindGiven();
     if (options_.find) FindByEvidence();
+    AddKnown();
     std::ranges::sort(bodies_, {}, [](const WaterBody& body) { return body.holes.front(); });
     for (WaterBody& body : bodies_) StoreBody(std::move(body));
     for (Group& group : groups_) StoreEvidence(std::move(group));
+    if (!known_.bodies.empty()) HoldLevelAtEdges(plan_);
   }
 
  private:
   void CollectGroups() {
     for (std::vector<int32_t>& holes : GroupHoles(plan_)) {
-      Group group;
-      for (const int32_t h : holes) group.area += plan_.holes[h].area;
-      group.decider = DeciderOf(plan_, holes, options_.areas);
-      if (!group.decider) DropAddedCells(holes, group);
-      if (holes.empty()) continue;
-      group.is_judged = group.decider || group.area >= kJudged;
-      group.holes = std::move(holes);
-      if (!options_.find) group.evidence.reason = kNotLookedFor;
-      if (group.decider) group.evidence.reason = DecidedBy(options_.areas[*group.decider]);
-      groups_.push_back(std::move(group));
+      const std::optional<size_t> decider = DeciderOf(plan_, holes, options_.areas);
+      const WaterArea* area = decider ? &options_.areas[*decider] : nullptr;
+      if (area != nullptr && (!area->water || area->level)) known_.Forget(holes);
+      const auto rest = std::ranges::stable_partition(holes, [&](int32_t h) { return known_.IsPart(h); });
+      if (rest.begin() != holes.begin()) groups_.push_back(KnownGroup({holes.begin(), rest.begin()}));
+      if (!rest.empty()) groups_.push_back(OpenGroup({rest.begin(), rest.end()}, decider));
     }
   }
 
-  // What lies in cells that only the area made part of the scene is no water unless an area says so: the hole around a
-  // scene goes on into lakes at its rim.
-  void DropAddedCells(std::vector<int32_t>& holes, Group& group) const {
-    std::erase_if(holes, [&](int32_t h) {
-      const bool is_added = input_.added.contains(plan_.holes[h].cell);
-      if (is_added) group.area -= plan_.holes[h].area;
-      return is_added;
-    });
+  Group OpenGroup(std::vector<int32_t> holes, std::optional<size_t> decider) const {
+    Group group;
+    for (const int32_t h : holes) group.area += plan_.holes[h].area;
+    group.holes = std::move(holes);
+    group.decider = decider;
+    group.is_judged = decider || group.area >= kJudged;
+    if (!options_.find) group.evidence.reason = kNotLookedFor;
+    if (decider) group.evidence.reason = DecidedBy(options_.areas[*decider]);
+    return group;
+  }
+
+  // Holes that are parts of water of the whole scene.
+  Group KnownGroup(std::vector<int32_t> holes) const {
+    const WaterBody& body = known_.bodies[known_.body_of[holes.front()]];
+    Verdict verdict = body.river.stations.empty() ? Verdict::kLake : Verdict::kRiver;
+    if (body.kind == BodyKind::kLevelGround) verdict = Verdict::kLevelGround;
+    Group group = OpenGroup(std::move(holes), std::nullopt);
+    group.is_known = true;
+    group.evidence = {verdict, true, body.level, body.sigma, kPartOfScene};
+    return group;
+  }
+
+  // The parts of the scene's water in holes that are none yet.
+  void AddKnown() {
+    std::vector<bool> is_water(plan_.holes.size(), false);
+    for (const WaterBody& body : bodies_) {
+      for (const int32_t h : body.holes) is_water[h] = true;
+    }
+    for (WaterBody& part : PartsOfKnown(known_, is_water, plan_)) bodies_.push_back(std::move(part));
   }
 
   // The water that areas tell of.
@@ -171,7 +191,7 @@ class WaterFinder {
 
   void AddBasin(size_t g, std::vector<Basin>& basins) {
     Group& group = groups_[g];
-    if (group.decider) return;
+    if (group.decider || group.is_known) return;
     std::vector<RimChain> rim = RimChainsOf(plan_, group.holes);
     group.evidence.reason = kNoRim;
     if (rim.empty()) return;
@@ -237,6 +257,7 @@ class WaterFinder {
 
   const PlanInput& input_;
   const WaterOptions& options_;
+  KnownWater known_;
   Plan& plan_;
   std::vector<Group> groups_;
   std::vector<WaterBody> bodies_;
@@ -244,8 +265,8 @@ class WaterFinder {
 
 }  // namespace
 
-void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan) {
-  WaterFinder(input, options, plan).Run();
+void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan) {
+  WaterFinder(input, options, std::move(known), plan).Run();
 }
 
 void SettleWater(const Plan& plan, SeamHeights& heights) {

@@ -4,13 +4,13 @@
 
 #include "coordinator/plan/seam/seam_heights.h"
 #include "coordinator/plan/types/plan_types.h"
+#include "coordinator/plan/water/known_water.h"
 
 namespace tilemend {
 
 // Fills plan.water, plan.evidence, PlannedHole::water and PlannedHole::evidence, and sets PlanVertex::on_object of the
 // original rim vertices that stand more than a metre above their water. Judged are clusters of open holes, and closed
-// holes that face up and project, with an edge of original surface on their rim. Without an area over it no hole in a
-// cell that only the reconstruction area made part of the scene (PlanInput::added) is water.
+// holes that face up and project, with an edge of original surface on their rim.
 //
 // The last area in options.areas that covers more than half of one decides on it: none is filled flat where the area
 // says that there is no water; else its level is the area's, or LevelEvidence::level. Those of one area are one body
@@ -22,8 +22,12 @@ namespace tilemend {
 //                 is as large as options.profile asks
 //   level ground  not water, but level and dry surface differ by less than noise, or it is smaller water, of
 //                 profile.least_level at least: filled flat too
+// Holes that are parts of `known` water of the whole scene are that water first, unless an area forbids water there or
+// gives its level: a reconstruction area may leave too little of a shore. The others of their group are judged by
+// themselves.
+//
 // Levels are rounded down to the lattice. Cost as EvidenceOf, JoinBasins and LowerShares. Deterministic.
-void FindWater(const PlanInput& input, const WaterOptions& options, Plan& plan);
+void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan);
 
 // Gives the seam vertices of all that is filled flat their level.
 void SettleWater(const Plan& plan, SeamHeights& heights);
