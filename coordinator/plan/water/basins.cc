@@ -116,9 +116,9 @@ std::vector<Pair> NearPairs(const std::vector<Basin>& basins) {
 }  // namespace
 
 Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
-                double min_river) {
+                double min_river, bool is_known_river) {
   Basin basin{{number}, {std::move(outline)}, std::move(rim), area, {}, {}};
-  Judge(min_river, false, basin);
+  Judge(min_river, is_known_river, basin);
   return basin;
 }
 

@@ -23,9 +23,10 @@ struct Basin {
   bool is_level() const { return river || evidence.is_level(); }
 };
 
-// A basin with its evidence. `min_river`: of rivers, metres in the mean. Precondition: the rim has an edge.
+// A basin with its evidence. `min_river`: of rivers, metres in the mean. `is_known_river`: as for FindFall.
+// Precondition: the rim has an edge.
 Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
-                double min_river);
+                double min_river, bool is_known_river = false);
 
 // Joins basins that hold one water: the nearest first, no farther apart than they are wide together (area over half
 // the rim). They do in these cases:

@@ -52,11 +52,12 @@ std::vector<GivenWater> TakeRiver(const std::vector<Point2>& line, Parts& parts)
 
 GivenWater LakeOf(const WaterArea& area, const GivenPart& part, double min_river) {
   GivenWater water{{part.number}, {}};
-  const Basin basin = MakeBasin(part.number, part.outline, part.rim, part.area, min_river);
+  const Basin basin =
+      MakeBasin(part.number, part.outline, part.rim, part.area, min_river, area.kind == WaterKind::kRiver);
   water.body.level = area.level.value_or(basin.evidence.level);
   water.body.shore_level = basin.evidence.level;
   DescribeRim(basin.evidence, basin.evidence.sigma(), water.body);
-  if (!area.level && basin.river) {
+  if (!area.level && area.kind != WaterKind::kLake && basin.river) {
     water.body.river = basin.river->water;
     water.body.sigma = basin.river->evidence.sigma();
   }
@@ -73,7 +74,8 @@ void DescribeRim(const LevelEvidence& evidence, double sigma, WaterBody& body) {
 
 std::vector<GivenWater> WaterOfArea(const WaterArea& area, std::vector<GivenPart> parts, double min_river) {
   std::vector<GivenWater> all;
-  if (!area.level && area.centreline.size() > 1) all = TakeRiver(area.centreline, parts);
+  if (!area.level && area.kind != WaterKind::kLake && area.centreline.size() > 1)
+    all = TakeRiver(area.centreline, parts);
   std::ranges::stable_sort(parts, [](const GivenPart& a, const GivenPart& b) { return a.area > b.area; });
   const size_t first = all.size();
   LevelEvidence largest;

@@ -26,6 +26,7 @@ struct GivenWater {
 // The bodies of water in the parts that an area decides on:
 //   with a centreline  a river (FitRiver) of the parts that it runs through
 //   others             each a lake at the area's level, or that of its rim; or a river, if FindFall finds one
+// An area of kind kLake has no river; one of kind kRiver says that its water falls.
 // A part whose level is no farther from the river there, or from that of the largest lake, than three sigmas of both
 // belongs to that. Precondition: area.water. Cost: EvidenceOf's for each part, and those of the rivers.
 std::vector<GivenWater> WaterOfArea(const WaterArea& area, std::vector<GivenPart> parts, double min_river);

@@ -127,6 +127,7 @@ class Answers {
       if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(answer);
       if (!answer.water && areas_[a].level)
         AddDoubt("its level_m has no effect where it says that there is no water", answer);
+      if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
       if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(areas_[a], answer), answer);
       if (answer.water && under < kCovers * taken) AddDoubt(DoubtOfExtent(taken, under), answer);
       plan_.water_answers.push_back(std::move(answer));
@@ -173,6 +174,19 @@ class Answers {
 
   bool IsRiver(int32_t h) const {
     return plan_.holes[h].water >= 0 && !plan_.water[plan_.holes[h].water].river.stations.empty();
+  }
+
+  // Water of which the user did not say that it falls.
+  std::string DoubtOfKind(const WaterArea& area, const WaterAnswer& answer) const {
+    if (area.kind == WaterKind::kLake || area.centreline.size() > 1) return "";
+    const auto river = std::ranges::find_if(answer.holes, [&](int32_t h) { return IsRiver(h); });
+    if (area.kind == WaterKind::kRiver) {
+      return river == answer.holes.end() ? "its shore tells of no fall, so the water is level" : "";
+    }
+    if (river == answer.holes.end()) return "";
+    const std::vector<Point3>& stations = plan_.water[plan_.holes[*river].water].river.stations;
+    return "its water falls by " + Decimals(stations.front().z() - stations.back().z()) +
+           " m; \"kind\": \"lake\" makes it level";
   }
 
   // The length of the rivers among the bodies that are filled as the answer says.

@@ -52,6 +52,28 @@ TEST(WaterOfAreaTest, WhatFallsFarIsARiver) {
   EXPECT_FALSE(water[0].body.river.stations.empty());
 }
 
+TEST(WaterOfAreaTest, ALakeIsLevelWhateverItsRimSays) {
+  WaterArea area;
+  area.kind = WaterKind::kLake;
+  for (const bool has_line : {false, true}) {
+    if (has_line) area.centreline = {{0, 12}, {400, 12}};
+    const std::vector<GivenWater> water = WaterOfArea(area, {PartOf(0, {0, 0}, {400, 24}, Falling)}, kMinRiver);
+    ASSERT_EQ(water.size(), 1u);
+    EXPECT_TRUE(water[0].body.river.stations.empty());
+  }
+}
+
+// Too short for a fall to be believed of a rim alone: it has fewer than eight stations.
+TEST(WaterOfAreaTest, ARiverFallsWhereItsRimAloneWouldNotTell) {
+  WaterArea area;
+  MadeRim rim = BoxRim(
+      {0, 0}, {110, 24}, [](double x, double) { return 10 - 0.0006 * x; }, 0.02);
+  const std::vector<GivenPart> parts = {{0, 2640, rim.outline, rim.chains}};
+  EXPECT_TRUE(WaterOfArea(area, parts, kMinRiver)[0].body.river.stations.empty());
+  area.kind = WaterKind::kRiver;
+  EXPECT_FALSE(WaterOfArea(area, parts, kMinRiver)[0].body.river.stations.empty());
+}
+
 TEST(WaterOfAreaTest, AGivenCentrelineMakesARiverOfAnyShape) {
   WaterArea area;
   area.centreline = {{60, 30}, {0, 30}};

@@ -34,6 +34,9 @@ class WaterAnswersTest : public ::testing::Test {
   const std::vector<WaterAnswer>& Answer(std::vector<WaterArea> areas) {
     WaterOptions options;
     options.areas = std::move(areas);
+    for (const PlannedHole& hole : plan_.holes) {
+      if (hole.water >= std::ssize(plan_.water)) plan_.water.resize(hole.water + 1);
+    }
     AnswerWaterAreas(options, plan_);
     return plan_.water_answers;
   }
@@ -61,6 +64,20 @@ TEST_F(WaterAnswersTest, AnAreaIsTakenForAllHolesOfTheBody) {
 TEST_F(WaterAnswersTest, AnAreaWithoutWaterIsTakenToo) {
   AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));
   EXPECT_TRUE(Answer({{false, {{Box(-1, -1, 11, 11)}}}})[0].taken);
+}
+
+TEST_F(WaterAnswersTest, SaysThatWaterFallsUnlessTheUserSaidSo) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 200, 20), 0).water = 0;
+  plan_.water.resize(1);
+  plan_.water[0].river.stations = {{0, 10, 2}, {200, 10, 1}};
+  WaterArea area{true, {{Box(-1, -1, 201, 21)}}};
+  EXPECT_THAT(Answer({area})[0].doubt, HasSubstr("its water falls by 1.0"));
+  plan_.water_answers.clear();
+  area.kind = WaterKind::kRiver;
+  EXPECT_EQ(Answer({area})[0].doubt, "");
+  plan_.water_answers.clear();
+  plan_.water[0].river.stations.clear();
+  EXPECT_THAT(Answer({area})[0].doubt, HasSubstr("no fall"));
 }
 
 TEST_F(WaterAnswersTest, DoubtsALevelOfNoWater) {
