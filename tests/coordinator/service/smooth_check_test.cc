@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/rpc/stage_payloads.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
@@ -13,6 +14,8 @@ class SmoothCheckTest : public ::testing::Test {
   SmoothCheckTest() {
     input_.set_number(4);
     input_.set_lattice_step(0.5);
+    for (v1::SeamSide* side : {input_.mutable_a(), input_.mutable_b()})
+      *side->mutable_patches() = ToProto({}, {}, input_.lattice_step());
     for (const double z : {1.0, 2.0}) {
       input_.add_seam_vertex(0);
       input_.add_height(z);
