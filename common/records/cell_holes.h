@@ -58,6 +58,7 @@ struct CellHole {
   std::optional<double> tension = {};        // that of its cluster, where it has been chosen
   std::optional<double> level = {};          // water: the height of every new vertex, metres, on the lattice
   WaterSurface river = {};                   // with stations: water whose heights are LevelAt these; level is set too
+  bool in_ground = false;                    // closed, and filled as an open one: its rim lies on the ground
   bool own_outline = false;                  // it ends at the tile's own outline: no other tile shares its seams
 };
 

@@ -232,6 +232,7 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     if (hole.tension) h->set_tension(*hole.tension);
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
+    h->set_in_ground(hole.in_ground);
     h->set_own_outline(hole.own_outline);
     for (const RimSegment& s : hole.inner_edges) {
       h->add_inner_from(s.from);
@@ -286,6 +287,7 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
       hole.river.stations.push_back(PointAt(h.station(), i));
       if (!hole.river.stations.back().allFinite()) return Malformed("river stations");
     }
+    hole.in_ground = h.in_ground();
     hole.own_outline = h.own_outline();
     TILEMEND_RETURN_IF_ERROR(ReadEdges(h, n, hole));
     holes.holes.push_back(std::move(hole));

@@ -161,6 +161,7 @@ class CellHolesBuilder {
     hole.open = planned.kind != HoleKind::kClosed || (!planned.own_regions.empty() && HasSeam(segments));
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
     hole.slope = planned.slope;
+    hole.in_ground = planned.in_ground;
     if (planned.water >= 0) {
       hole.level = plan_.water[planned.water].level;
       hole.river = plan_.water[planned.water].river;

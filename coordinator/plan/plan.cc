@@ -58,10 +58,10 @@ double LatticeStep(const PlanInput& input) {
 // Of the vertices of a tile's boundary that are in the plan.
 void StoreGround(const RimGround& rim, std::span<const int32_t> vertices, Plan& plan) {
   for (size_t i = 0; i < std::min(vertices.size(), rim.on_object.size()); ++i) {
-    if (!rim.on_object[i] || vertices[i] < 0) continue;
+    if (vertices[i] < 0) continue;
     PlanVertex& vertex = plan.vertices[vertices[i]];
-    vertex.on_object = true;
-    if (!std::isnan(rim.ground[i])) vertex.ground = rim.ground[i];
+    (rim.on_object[i] ? vertex.on_object : vertex.on_ground) = true;
+    if (rim.on_object[i] && !std::isnan(rim.ground[i])) vertex.ground = rim.ground[i];
   }
 }
 

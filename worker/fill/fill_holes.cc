@@ -158,7 +158,7 @@ class HoleFiller {
     std::vector<Way> ways;
     if (FillsOverGround()) {
       AddPlanes(false, ways);
-      if (!hole_.open) ways.push_back(InSpace());
+      if (!IsHoleInGround()) ways.push_back(InSpace());
       AddPlanes(true, ways);
       return ways;
     }
@@ -167,6 +167,10 @@ class HoleFiller {
     const Way unrolled{FillWay::kUnrolled, Check::kFreely, [&] { return FillUnrolled(FreeHole(), options_); }};
     if (steep) ways.push_back(unrolled);
     AddPlanes(false, ways);
+    if (hole_.in_ground) {
+      AddPlanes(true, ways);
+      return ways;
+    }
     if (smooth) {
       ways.push_back(
           {FillWay::kFacingPlane, Check::kFreely, [&] { return FillOverFacingPlane(FreeHole(), options_); }});
@@ -179,6 +183,9 @@ class HoleFiller {
 
   // Water, open holes, and holes whose rim stands on objects.
   bool FillsOverGround() const { return hole_.open || hole_.level || !hole_.on_object.empty(); }
+
+  // Filled as heights even where the rim folds: the surface around them crosses itself there as well.
+  bool IsHoleInGround() const { return hole_.open || hole_.level || hole_.in_ground; }
 
   Way AsNamed() {
     return {WayOf(options_.filler), Check::kPublished, [&] {
@@ -193,13 +200,13 @@ class HoleFiller {
 
   void AddPlanes(bool cut_folds, std::vector<Way>& ways) {
     const auto add = [&](FillWay name, Check check, const ProjectionFrame& frame) {
-      ways.push_back({cut_folds && !hole_.level ? FillWay::kFoldsCut : name, check, [this, frame, cut_folds] {
+      ways.push_back({cut_folds ? FillWay::kFoldsCut : name, check, [this, frame, cut_folds] {
                         return cut_folds ? FillFolded(hole_, frame, options_)
                                          : FillOverPlane(hole_, frame, options_, {});
                       }});
     };
-    const Check over_ground = cut_folds && !hole_.open ? Check::kCrossings : Check::kNothing;
-    if (FillsOverGround()) {
+    const Check over_ground = cut_folds && !IsHoleInGround() ? Check::kCrossings : Check::kNothing;
+    if (FillsOverGround() || hole_.in_ground) {
       add(hole_.level ? FillWay::kWater : FillWay::kGround, over_ground, ProjectionFrame::Upright());
       return;
     }

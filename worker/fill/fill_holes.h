@@ -18,18 +18,18 @@ namespace tilemend {
 //   FillWay       holes                                     see
 //   kCreases      closed, thin plate                        crease_fill.h
 //   kUnrolled     closed, thin plate, steep                unrolled_fill.h
-//   kGround       open; closed if all around it faces up    plane_fill.h (kWater with CellHole::level)
+//   kGround       open, in the ground; closed if all around it faces up    plane_fill.h (kWater with CellHole::level)
 //   kOwnPlane     closed                                    plane_fill.h
 //   kFacingPlane  closed, thin plate                        plane_fill.h
 //   kUnrolled     closed, thin plate, not steep             unrolled_fill.h
 //   kSpace        closed                                    space_fill.h
-//   kFoldsCut     all but water, same planes                folded_fill.h
+//   kFoldsCut     all, same planes                          folded_fill.h
 //
 // With options.filler but kAuto closed holes without a level are filled by that one alone (front_fill.h,
 // least_area_fill.h), their patches checked for crossings.
 //
-// A closed hole with a level (CellHole::level) is filled as kWater, over the ground, its folds cut off if need be, else
-// in space. New vertices of water all get its level.
+// A closed hole in the ground (CellHole::in_ground), or with a level, is filled as an open one: over the ground, its
+// folds cut off if need be. New vertices of water all get its level.
 //
 // A patch of a closed hole that is no height over the ground is taken only if it crosses neither itself, nor `near`,
 // nor the patches of the cell's holes before it, and folds back on none (patch_soundness.h); else the next way is

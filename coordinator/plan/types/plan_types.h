@@ -94,6 +94,7 @@ struct PlannedHole {
   SingleType single = SingleType::kNone;
   bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
   bool projects = true;     // its boundary is simple seen from above
+  bool in_ground = false;   // closed holes: most of the rim lies on the ground (mark_objects.h)
   int32_t cluster = -1;     // open holes
   int32_t layer = 0;        // open holes: from 1
   double area = 0;          // m2, seen from above (closed holes that do not project: of the boundary's vector area)
@@ -125,6 +126,7 @@ struct PlanVertex {
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
   int32_t follows = -1;
+  bool on_ground = false;            // of an original vertex: the ground filter says so
   bool on_object = false;            // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
   std::optional<float> ground = {};  // of such a vertex: the height of the ground there, metres, where it is known
 };

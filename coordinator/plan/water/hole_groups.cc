@@ -28,7 +28,7 @@ std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan) {
     const PlannedHole& hole = plan.holes[h];
     if (!hole.failure.empty()) continue;
     if (hole.kind == HoleKind::kClosed) {
-      if (hole.projects && faces_up(hole)) groups.push_back({static_cast<int32_t>(h)});
+      if (plan.upright && faces_up(hole)) groups.push_back({static_cast<int32_t>(h)});
       continue;
     }
     const auto [it, fresh] = group_of_cluster.try_emplace(hole.cluster, groups.size());

@@ -11,7 +11,7 @@
 
 namespace tilemend {
 
-// The clusters of open holes, and the closed holes that face up and project; each in order of their first hole. Holes
+// The clusters of open holes, and the closed holes that face up; each in order of their first hole. Holes
 // that can't be filled are in none. Cost O(n log n) in the plan's holes and segments.
 std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan);
 

@@ -34,9 +34,19 @@ void LowerSizesAtObjects(Plan& plan) {
   }
 }
 
+void MarkHolesInGround(Plan& plan) {
+  for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
+    PlannedHole& hole = plan.holes[holes.front()];
+    const std::vector<int32_t> rim = RimVerticesOf(plan, holes);
+    hole.in_ground = hole.kind == HoleKind::kClosed &&
+                     std::ranges::any_of(rim, [&](int32_t v) { return plan.vertices[v].on_ground; });
+  }
+}
+
 }  // namespace
 
 void MarkObjects(Plan& plan) {
+  MarkHolesInGround(plan);
   std::vector<bool> counts(plan.vertices.size(), false);
   for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
     const std::vector<int32_t> rim = RimVerticesOf(plan, holes);

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/support/folded_meshes.h"
 #include "tests/support/mesh_builders.h"
 #include "tests/support/patch_checks.h"
 
@@ -67,12 +68,6 @@ CellHoles MovedWork(CellHoles work, const std::function<Point3(const Point3&)>& 
   for (RimVertex& v : work.vertices) v.position = f(v.position);
   for (Point3& p : work.band.points) p = f(p);
   return work;
-}
-
-FillOptions With(Surface surface) {
-  FillOptions options;
-  options.surface = surface;
-  return options;
 }
 
 double Waves(double x, double y) { return std::sin(x * 0.7) + 0.5 * std::cos(y * 0.9 + x * 0.2); }
@@ -188,6 +183,21 @@ TEST_P(FillHolesTest, FillsAFacadeLikeTheGround) {
   const HolePatch flat = Fill(ground), upright = Fill(facade);
   ExpectClosesHole(facade, facade.holes[0], upright);
   EXPECT_NEAR(PatchArea(facade, upright), PatchArea(ground, flat), 0.02 * PatchArea(ground, flat));
+}
+
+// The rim of the hole runs over a house.
+TEST_P(FillHolesTest, FillsAHoleInTheGroundAsAnOpenOne) {
+  CellHoles work = WorkOfSheet(Disc(1, kWallHeight / 3, 6), FoldToBuilding, kNoise);
+  for (RimVertex& v : work.vertices) v.on_object = v.position.z() > 1;
+  work.holes[0].in_ground = true;
+  const HolePatch closed = Fill(work);
+  ASSERT_THAT(closed.failure, IsEmpty());
+  EXPECT_EQ(closed.way, FillWay::kFoldsCut);
+  work.holes[0].in_ground = false;
+  work.holes[0].open = true;
+  const HolePatch open = Fill(work);
+  EXPECT_EQ(closed.new_points, open.new_points);
+  EXPECT_EQ(closed.triangles, open.triangles);
 }
 
 TEST_P(FillHolesTest, LeavesAnIslandInTheHole) {

@@ -115,6 +115,7 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.tension = hole.tension;
   local.level = hole.level;
   local.river = hole.river;
+  local.in_ground = hole.in_ground;
   local.own_outline = hole.own_outline;
   local.normals.assign(local.vertices.size(), Vector3d::Zero());
   if (hole.open) return local;

@@ -28,6 +28,7 @@ struct LocalHole {
   Point2 slope{0, 0};                    // as in CellHole
   std::optional<double> tension, level;  // likewise
   WaterSurface river;                    // likewise
+  bool in_ground = false;                // likewise
   bool own_outline = false;              // likewise
 
   // One for each vertex.

@@ -153,7 +153,8 @@ class FoldedFiller {
     return AddVertex(frame_.ToScene(Point3(place.x(), place.y(), height - kDrop * size)), size);
   }
 
-  // An edge between two rim vertices that the surface has already gets a new vertex in its middle.
+  // An edge between two rim vertices that the surface has already gets a vertex in its middle: a new one, or the one
+  // that is there.
   void PartTakenChords() {
     std::set<std::pair<int32_t, int32_t>> rim;
     for (const RegionSegment& s : hole_.segments) rim.insert({s.from, s.to});
@@ -161,7 +162,10 @@ class FoldedFiller {
       const auto [from, to] = segments_[k];
       if (std::max(from, to) >= hole_.size() || rim.contains({from, to}) || hole_.MayJoin(from, to)) continue;
       const Point3 a = whole_.positions[from], b = whole_.positions[to];
-      const int32_t middle = AddVertex((a + b) / 2, std::min(whole_.sizes[from], whole_.sizes[to]));
+      const auto there = std::ranges::find(whole_.positions, Storable((a + b) / 2));
+      const int32_t middle = there != whole_.positions.end()
+                                 ? static_cast<int32_t>(there - whole_.positions.begin())
+                                 : AddVertex((a + b) / 2, std::min(whole_.sizes[from], whole_.sizes[to]));
       segments_[k].to = middle;
       segments_.push_back({middle, to});
     }
@@ -195,6 +199,7 @@ class FoldedFiller {
     like.tension = hole_.tension;
     like.level = hole_.level;
     like.river = hole_.river;
+    like.in_ground = hole_.in_ground;
     like.own_outline = hole_.own_outline;
     return like;
   }

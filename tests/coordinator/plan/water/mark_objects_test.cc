@@ -70,6 +70,38 @@ TEST_P(MarkObjectsTest, WithoutFlagsNothingIsMarked) {
   for (const PlanVertex* v : OriginalRim(MakePlan(scene.Input(), {}))) EXPECT_FALSE(v->on_object);
 }
 
+// A closed hole of the middle cell.
+Plan PlanOfClosed(const std::function<bool(const Point3&)>& on_object, bool is_filtered) {
+  SceneMakerOptions options = HoleOverNineCells(Cut::kClipped, [](double, double x, double y) { return Gentle(x, y); });
+  options.ellipses = {{{61, 59}, {15, 12}}};
+  const SurveyedScene scene = SurveyScene(MakeScene(options));
+  PlanInput input = scene.Input();
+  for (const auto& [cell, record] : scene.records) {
+    if (!is_filtered) break;
+    RimGround& rim = input.rim_ground[cell];
+    for (const BoundaryVertex& v : record.vertices) {
+      rim.on_object.push_back(on_object(v.position));
+      rim.ground.push_back(0.5F);
+    }
+  }
+  return MakePlan(input, {});
+}
+
+TEST(HolesInGroundTest, AClosedHoleWithGroundOnItsRimIsOne) {
+  const auto nowhere = [](const Point3&) { return false; };
+  const auto everywhere = [](const Point3&) { return true; };
+  const auto in_west = [](const Point3& p) { return p.x() < 55; };
+  const auto is_in_ground = [](const Plan& plan) {
+    EXPECT_EQ(plan.holes.size(), 1u);
+    EXPECT_EQ(plan.holes[0].kind, HoleKind::kClosed);
+    return plan.holes[0].in_ground;
+  };
+  EXPECT_TRUE(is_in_ground(PlanOfClosed(nowhere, true)));
+  EXPECT_TRUE(is_in_ground(PlanOfClosed(in_west, true)));
+  EXPECT_FALSE(is_in_ground(PlanOfClosed(everywhere, true)));
+  EXPECT_FALSE(is_in_ground(PlanOfClosed(nowhere, false)));
+}
+
 INSTANTIATE_TEST_SUITE_P(Cuts, MarkObjectsTest, ::testing::Values(Cut::kClipped, Cut::kRagged, Cut::kOverlap));
 
 }  // namespace
