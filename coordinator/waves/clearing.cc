@@ -76,9 +76,12 @@ void Clearing::Settle(std::vector<WaterArea>& areas) {
   for (Asked& asked : asked_) {
     if (!asked.measured) continue;
     const std::optional<double> level = HalfSampleMode(asked.heights);
+    if (level) {
+      areas[asked.area].level = *level;
+      areas[asked.area].level_sigma = SpreadAbout(asked.heights, *level);
+    }
     asked.heights = {};
     if (!level) continue;
-    areas[asked.area].level = *level;
     asked.top = *level + asked.clear_height;
   }
 }

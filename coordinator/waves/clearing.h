@@ -39,7 +39,7 @@ class Clearing {
   std::vector<PlanePolygon> Polygons(CellId cell) const;
   // The heights in these polygons, in their order. kInvalidArgument for another number of them.
   absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies);
-  // Sets the level of each of the areas that was measured and has surface inside. `areas` are those of the constructor.
+  // Sets the level, and its sigma, of each of the areas that was measured and has surface inside. `areas` are those of the constructor.
   void Settle(std::vector<WaterArea>& areas);
 
   // What is taken out of the tile of a cell. After its TakeCounts: empty if that was nothing.

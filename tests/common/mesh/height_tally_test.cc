@@ -66,5 +66,17 @@ TEST(HalfSampleModeTest, FindsWaterBesideABridgeAndTrees) {
   EXPECT_NEAR(*HalfSampleMode(tally), 3.25, 0.1);
 }
 
+TEST(SpreadAboutTest, IsTheDeviationOfNormalHeightsWhateverStandsInThem) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> waves(-3.25, 0.15);
+  HeightTally tally;
+  for (int k = 0; k < 4000; ++k)
+    tally.area_of_bin[static_cast<int32_t>(std::floor(waves(random) / kHeightBin))] += 1000;
+  EXPECT_NEAR(SpreadAbout(tally, -3.25), 0.15, 0.01);
+  tally.area_of_bin[2000] = 400'000;  // a tree
+  EXPECT_NEAR(SpreadAbout(tally, -3.25), 0.17, 0.02);
+  EXPECT_EQ(SpreadAbout({{{325, 7}}}, 3.255), 0);
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -47,6 +47,7 @@ TEST_F(ClearingTest, AllTilesTogetherTellOneLevel) {
   clearing_.Settle(areas_);
   ASSERT_TRUE(areas_[1].level);
   EXPECT_NEAR(*areas_[1].level, 3.015, 1e-9);
+  EXPECT_EQ(areas_[1].level_sigma, 0);
   EXPECT_FALSE(areas_[0].level || areas_[3].level);
   ASSERT_THAT(clearing_.Areas({0, 0}), SizeIs(1));
   EXPECT_NEAR(clearing_.Areas({0, 0})[0].top, 4.515, 1e-9);

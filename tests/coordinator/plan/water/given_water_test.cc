@@ -46,6 +46,13 @@ TEST(WaterOfAreaTest, TheAreaMayGiveTheLevel) {
   EXPECT_TRUE(water[0].body.river.stations.empty());
 }
 
+TEST(WaterOfAreaTest, ALevelThatWasMeasuredHasItsOwnSigma) {
+  WaterArea area;
+  area.level = 9.25;
+  area.level_sigma = 0.125;
+  EXPECT_EQ(WaterOfArea(area, {PartOf(0, {0, 0}, {400, 24}, Falling)}, kMinRiver)[0].body.sigma, 0.125);
+}
+
 TEST(WaterOfAreaTest, WhatFallsFarIsARiver) {
   const std::vector<GivenWater> water = WaterOfArea({}, {PartOf(0, {0, 0}, {400, 24}, Falling)}, kMinRiver);
   ASSERT_EQ(water.size(), 1u);
