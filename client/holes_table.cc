@@ -47,9 +47,9 @@ std::vector<std::string> Row(const std::string& name, const Tally& tally) {
 // "lake at 3.250 m, sigma 0.020 m", "ground", or the level alone of a hole that was not judged.
 std::string WaterOf(const Json& hole) {
   const Json &water = Member(hole, "water"), &level = Member(hole, "level_m");
-  const std::string at = level.is_null() ? "" : absl::StrCat("at ", LevelText(level), " m");
+  std::string at = level.is_null() ? "" : absl::StrCat("at ", LevelText(level), " m");
   if (water.is_null()) return at;
-  const std::string taken_for = Text(Member(water, "taken_for"));
+  std::string taken_for = Text(Member(water, "taken_for"));
   if (at.empty()) return taken_for;
   return absl::StrCat(taken_for, " ", at, ", sigma ", Decimals(Member(water, "sigma_m"), 3), " m");
 }

@@ -107,7 +107,9 @@ void OpenArchive(const std::string& path, Datasets& data) {
   const std::string archive = "/vsizip/{" + path + "}";
   const std::vector<std::string> names = OpenableIn(archive);
   for (const std::string& name : names) {
-    data.push_back(OpenAs(kOtherDrivers, archive + "/" + name));
+    std::string inside = archive;
+    inside.append("/").append(name);
+    data.push_back(OpenAs(kOtherDrivers, inside));
     if (data.back() == nullptr) throw BadVectors{"'" + ShownName(name) + "' in it cannot be read"};
   }
   if (names.empty())

@@ -78,7 +78,7 @@ PlanePolygon OutlineOf(const SquareSet& set, double square) {
       if (before == side.direction && after == side.direction) continue;  // on a straight line
       const Point2 from(side.from.first, side.from.second);
       const Point2 step(kSteps[side.direction].first, kSteps[side.direction].second);
-      ring.push_back(square * (from + 0.5 * step));
+      ring.emplace_back(square * (from + 0.5 * step));
     }
   }
   return outline;

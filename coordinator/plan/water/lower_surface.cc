@@ -75,16 +75,16 @@ class ShoreIndex {
 
 }  // namespace
 
-std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> rims) {
-  std::vector<ShoreIndex> shores(rims.begin(), rims.end());
+std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores) {
+  std::vector<ShoreIndex> indices(shores.begin(), shores.end());
   for (const auto& [cell, record] : input.cells) {
     if (record == nullptr || record->vertex_count == 0) continue;
     const Eigen::AlignedBox2d tile(record->lo.head<2>(), record->hi.head<2>());
     const auto meets = [&](const ShoreIndex& shore) { return shore.box().intersects(tile); };
-    if (std::ranges::none_of(shores, meets)) continue;
+    if (std::ranges::none_of(indices, meets)) continue;
     const auto band = record.WithBand();
     const std::span<const int32_t> plan_vertex = plan.VerticesOf(cell);
-    for (ShoreIndex& shore : shores) {
+    for (ShoreIndex& shore : indices) {
       if (!meets(shore)) continue;
       for (size_t i = 0; i < band->band.points.size(); ++i) {
         const bool is_on_rim = i < plan_vertex.size() && plan_vertex[i] >= 0;
@@ -93,7 +93,7 @@ std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::s
     }
   }
   std::vector<double> shares;
-  for (const ShoreIndex& shore : shores) shares.push_back(shore.LowerShare());
+  for (const ShoreIndex& shore : indices) shares.push_back(shore.LowerShare());
   return shares;
 }
 

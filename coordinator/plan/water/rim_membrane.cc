@@ -62,7 +62,8 @@ class Membrane {
 
  private:
   Point2 Middle(size_t square) const {
-    const auto column = static_cast<double>(square % columns_), row = static_cast<double>(square / columns_);
+    const size_t whole_rows = square / columns_;
+    const auto column = static_cast<double>(square % columns_), row = static_cast<double>(whole_rows);
     return lo_ + step_ * Point2(column + 0.5, row + 0.5);
   }
 

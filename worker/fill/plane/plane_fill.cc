@@ -31,7 +31,7 @@ class PlaneFiller {
     std::vector<Point2> flat;
     for (const Point3& p : hole.positions) {
       rim_.push_back(frame.ToFrame(p));
-      flat.push_back(rim_.back().head<2>());
+      flat.emplace_back(rim_.back().head<2>());
     }
     planar_.emplace(RoundToWindow(flat, hole.sizes));
     fixed_edges_.insert(fixed_edges_.end(), hole.inner_edges.begin(), hole.inner_edges.end());
