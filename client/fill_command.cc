@@ -140,6 +140,11 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
                       Counted(static_cast<size_t>(plan.outer_rims), "outline"), Printable(out))
           .c_str(),
       stdout);
+  size_t taken_out = 0;
+  for (const ClearedArea& area : report.outcome.cleared) {
+    for (const auto& [cell, count] : area.triangles_of) taken_out += static_cast<size_t>(count);
+  }
+  if (taken_out > 0) std::fputs(absl::StrCat(Counted(taken_out, "original triangle"), " taken out\n").c_str(), stdout);
   PrintWarnings(WarningsOf(report));
   std::fputs(LeftLines(report).c_str(), stderr);
 }

@@ -92,7 +92,7 @@ std::vector<FlagSpec> WaterFlags(const std::string& default_value) {
 }
 
 FlagSpec ClearFlag() {
-  return {"clear", "FILE", "polygons whose surface is taken out and filled anew, GeoJSON or GeoPackage", ""};
+  return {"clear", "FILE", "polygons whose surface is taken out and filled anew, a file of a GIS", ""};
 }
 
 FlagSpec AreaFlag() {

@@ -32,6 +32,22 @@ std::string WarningsText(const Json& report) {
   return text + MoreText(warnings.size(), "see report.json");
 }
 
+// The original triangles that polygons with `clear` took out.
+std::string ClearedText(const Json& report) {
+  const Json& cleared = Member(report, "cleared");
+  if (!cleared.is_object() || Number(Member(cleared, "triangles")) == 0) return "";
+  Rows rows;
+  for (const Json& area : Member(cleared, "areas")) {
+    const Json& top = Member(area, "top_m");
+    rows.push_back({Printable(Text(Member(area, "feature"))), Text(Member(area, "triangles")),
+                    top.is_null() ? "any" : Decimals(top, 2)});
+  }
+  const size_t polygons = rows.size();
+  if (rows.size() > kMostListedRows) rows.resize(kMostListedRows);
+  return absl::StrCat("\n", Text(Member(cleared, "triangles")), " original triangles taken out\n",
+                      Table({"polygon", "triangles", "up to, m"}, rows), MoreText(polygons, "see report.json"));
+}
+
 // "surface thin-plate, tension auto, ..."; switches that are off are left out.
 std::string OptionsText(const Json& options) {
   std::vector<std::string> parts;
@@ -96,7 +112,7 @@ std::string FiguresText(const Json& report) {
 }  // namespace
 
 std::string SummaryText(const Json& report) {
-  return absl::StrCat(WarningsText(report), KindsText(report), MethodsText(report),
+  return absl::StrCat(WarningsText(report), ClearedText(report), KindsText(report), MethodsText(report),
                       WaterText(report, "filled flat as water"), BordersText(report), LeftText(report, "left"));
 }
 

@@ -27,7 +27,8 @@ struct WaterArea {
   // level; where `water` is false everything.
   bool clear = false;
   double clear_height = kClearHeight;
-  // How far the surface inside scatters about `level`, metres, where that was measured on it (waves/clearing.h).
+  // How far the surface inside that is taken out scatters about `level`, metres, where that was measured on it
+  // (waves/clearing.h).
   std::optional<double> level_sigma = std::nullopt;
 };
 

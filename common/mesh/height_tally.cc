@@ -11,7 +11,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kOfNormal = 1.4826;  // standard deviation over median distance
-constexpr int64_t kLastSpan = 2;  // from the first bin to the last one of what is left: three heights, as printed
+constexpr int64_t kLastSpan = 2;      // from the first bin to the last one of what is left: three heights, as printed
 
 using Bin = std::pair<int32_t, int64_t>;
 
@@ -75,14 +75,16 @@ std::optional<double> HalfSampleMode(const HeightTally& tally) {
   return sum / static_cast<double>(AreaOf(bins)) * kHeightBin;
 }
 
-double SpreadAbout(const HeightTally& tally, double level) {
+double SpreadAbout(const HeightTally& tally, double level, double top) {
   std::map<int64_t, int64_t> area_within;  // by distance in bins
   int64_t all = 0;
   const auto middle = static_cast<int64_t>(std::floor(level / kHeightBin));
   for (const auto& [bin, area] : tally.area_of_bin) {
+    if (bin * kHeightBin > top) break;
     area_within[std::abs(bin - middle)] += area;
     all += area;
   }
+  if (area_within.empty()) return 0;
   int64_t area = 0;
   auto it = area_within.begin();
   while ((area += it->second) * 2 < all) ++it;

@@ -32,9 +32,10 @@ HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon);
 // weighted mean. nullopt for an empty tally. Deterministic. Cost O(bins log bins).
 std::optional<double> HalfSampleMode(const HeightTally& tally);
 
-// How far the heights scatter about a level: 1.4826 times the distance that half of the area lies within, the standard
-// deviation of normal heights (metres, whole bins). Precondition: the tally is not empty. Cost O(bins log bins).
-double SpreadAbout(const HeightTally& tally, double level);
+// How far the heights up to `top` scatter about a level: 1.4826 times the distance that half of their area lies within,
+// the standard deviation of normal heights (metres, whole bins). 0 where no height is up to there. Cost O(bins log
+// bins).
+double SpreadAbout(const HeightTally& tally, double level, double top);
 
 }  // namespace tilemend
 

@@ -78,7 +78,7 @@ void Clearing::Settle(std::vector<WaterArea>& areas) {
     const std::optional<double> level = HalfSampleMode(asked.heights);
     if (level) {
       areas[asked.area].level = *level;
-      areas[asked.area].level_sigma = SpreadAbout(asked.heights, *level);
+      areas[asked.area].level_sigma = SpreadAbout(asked.heights, *level, *level + asked.clear_height);
     }
     asked.heights = {};
     if (!level) continue;

@@ -9,6 +9,7 @@
 namespace tilemend {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::ordered_json;
@@ -59,6 +60,17 @@ TEST(SummaryTextTest, TellsEachBodyOfWaterWithItsLevelTheLargestFirst) {
   const std::string text = SummaryText(Report());
   EXPECT_LT(text.find("river  5.500 to 4.250     900.0"), text.find("lake   1.235"));
   EXPECT_THAT(text, HasSubstr("2, 0.500 m at most"));
+}
+
+TEST(SummaryTextTest, TellsWhatPolygonsTookOut) {
+  const Json report = Json::parse(R"({"cleared": {"triangles": 477, "tiles": [], "areas": [
+      {"feature": "canal", "water": true, "top_m": 2.4, "triangles": 473, "tiles": []},
+      {"feature": "crane", "water": false, "triangles": 4, "tiles": []}]}})");
+  const std::string text = SummaryText(report);
+  EXPECT_THAT(text, HasSubstr("477 original triangles taken out"));
+  EXPECT_THAT(text, ContainsRegex("canal +473 +2.40"));
+  EXPECT_THAT(text, ContainsRegex("crane +4 +any"));
+  EXPECT_EQ(SummaryText(Json::parse(R"({"cleared": {"triangles": 0, "tiles": [], "areas": []}})")), "");
 }
 
 TEST(SummaryTextTest, TellsPairsOfTilesThatAreApart) {

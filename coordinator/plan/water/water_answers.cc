@@ -124,7 +124,7 @@ class Answers {
       answer.taken = !answer.holes.empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
       if (!answer.taken && answer.water && !areas_[a].clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
-      if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(answer);
+      if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(areas_[a], answer);
       if (!answer.water && areas_[a].level)
         AddDoubt("its level_m has no effect where it says that there is no water", answer);
       if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
@@ -158,7 +158,8 @@ class Answers {
            " m2 of that lie outside it, as the hole goes on there";
   }
 
-  std::string DoubtOfLevel(const WaterAnswer& answer) const {
+  std::string DoubtOfLevel(const WaterArea& area, const WaterAnswer& answer) const {
+    const std::string level = area.level_sigma ? "the level of the surface in it" : "its level_m";
     std::string doubt;
     double most = 0;
     for (const int32_t h : answer.holes) {
@@ -167,7 +168,7 @@ class Answers {
       const double off = body.level - body.shore_level;
       if (std::abs(off) <= std::max(kLevelOff + kSigmas * body.sigma, most)) continue;
       most = std::abs(off);
-      doubt = "its level_m puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") + " its shore";
+      doubt = level + " puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") + " its shore";
     }
     return doubt;
   }

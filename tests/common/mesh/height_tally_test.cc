@@ -72,10 +72,12 @@ TEST(SpreadAboutTest, IsTheDeviationOfNormalHeightsWhateverStandsInThem) {
   HeightTally tally;
   for (int k = 0; k < 4000; ++k)
     tally.area_of_bin[static_cast<int32_t>(std::floor(waves(random) / kHeightBin))] += 1000;
-  EXPECT_NEAR(SpreadAbout(tally, -3.25), 0.15, 0.01);
-  tally.area_of_bin[2000] = 400'000;  // a tree
-  EXPECT_NEAR(SpreadAbout(tally, -3.25), 0.17, 0.02);
-  EXPECT_EQ(SpreadAbout({{{325, 7}}}, 3.255), 0);
+  EXPECT_NEAR(SpreadAbout(tally, -3.25, -1.75), 0.15, 0.01);
+  tally.area_of_bin[-200] = 400'000;    // a bank
+  tally.area_of_bin[2000] = 9'000'000;  // trees
+  EXPECT_NEAR(SpreadAbout(tally, -3.25, -1.75), 0.17, 0.02);
+  EXPECT_EQ(SpreadAbout({{{325, 7}}}, 3.255, 4.755), 0);
+  EXPECT_EQ(SpreadAbout({{{325, 7}}}, 3.255, 3), 0);
 }
 
 }  // namespace
