@@ -3,6 +3,20 @@
 #include <algorithm>
 
 namespace tilemend {
+namespace {
+
+// Those of the segments, and those whose heights they follow.
+void AddNewVertices(const Plan& plan, const std::vector<RimSegment>& segments, std::set<int32_t>& vertices) {
+  for (const RimSegment& s : segments) {
+    for (const int32_t end : {s.from, s.to}) {
+      for (const int32_t v : {end, plan.vertices[end].follows}) {
+        if (v >= 0 && plan.vertices[v].index < 0) vertices.insert(v);
+      }
+    }
+  }
+}
+
+}  // namespace
 
 std::map<CellId, std::vector<int32_t>> HolesToFill(const Plan& plan, const std::set<CellId>& chosen) {
   std::map<CellId, std::vector<int32_t>> holes_of;
@@ -26,6 +40,32 @@ std::set<CellId> CellsOf(const Plan& plan, const std::vector<int32_t>& holes) {
   std::set<CellId> cells;
   for (const int32_t h : holes) cells.insert(plan.holes[h].cell);
   return cells;
+}
+
+std::map<int32_t, std::set<CellId>> CellsThatAwait(const Plan& plan,
+                                                   const std::map<CellId, std::vector<int32_t>>& holes_of,
+                                                   const std::map<int32_t, std::vector<int32_t>>& holes_of_clusters) {
+  std::map<int32_t, std::set<CellId>> awaiting;
+  std::multimap<int32_t, int32_t> clusters_at;  // by new vertex
+  for (const auto& [cluster, holes] : holes_of_clusters) {
+    awaiting[cluster] = CellsOf(plan, holes);
+    std::set<int32_t> vertices;
+    for (const int32_t h : holes) AddNewVertices(plan, plan.holes[h].segments, vertices);
+    for (const int32_t v : vertices) clusters_at.emplace(v, cluster);
+  }
+  for (const auto& [cell, holes] : holes_of) {
+    std::set<int32_t> vertices;
+    for (const int32_t h : holes) {
+      AddNewVertices(plan, plan.holes[h].segments, vertices);
+      AddNewVertices(plan, plan.holes[h].inner_edges, vertices);
+      for (const std::vector<RimSegment>& region : plan.holes[h].own_regions) AddNewVertices(plan, region, vertices);
+    }
+    for (const int32_t v : vertices) {
+      const auto [from, to] = clusters_at.equal_range(v);
+      for (auto it = from; it != to; ++it) awaiting[it->second].insert(cell);
+    }
+  }
+  return awaiting;
 }
 
 size_t SegmentsOf(const Plan& plan, const std::vector<int32_t>& holes) {

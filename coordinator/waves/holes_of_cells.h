@@ -20,6 +20,16 @@ std::map<CellId, std::vector<int32_t>> HolesToFill(const Plan& plan, const std::
 
 std::set<CellId> CellsOf(const Plan& plan, const std::vector<int32_t>& holes);
 
+// For each cluster the cells whose fill needs its heights: those of its own holes, and those whose patches have a new
+// vertex of its boundary. A tile that overlaps its neighbour may have one though no hole of the cluster lies in its
+// cell.
+//   holes_of           by cell, the holes to fill
+//   holes_of_clusters  by cluster
+// Cost O(n log n) in the holes' segments.
+std::map<int32_t, std::set<CellId>> CellsThatAwait(const Plan& plan,
+                                                   const std::map<CellId, std::vector<int32_t>>& holes_of,
+                                                   const std::map<int32_t, std::vector<int32_t>>& holes_of_clusters);
+
 // How many segments their boundaries have.
 size_t SegmentsOf(const Plan& plan, const std::vector<int32_t>& holes);
 

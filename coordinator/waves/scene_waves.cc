@@ -160,7 +160,7 @@ absl::Status SceneWaves::TakeCluster(const ClusterSamples& result) {
     heights_.tension[result.cluster] = result.hold_out->tension;
   }
   SettleCluster(plan_, result.cluster, result.samples, heights_);
-  for (const CellId cell : CellsOf(plan_, holes->second)) {
+  for (const CellId cell : awaiting_.at(result.cluster)) {
     if (--clusters_left_[cell] == 0 && CanBeFilled(cell)) QueueFill(cell);
   }
   --awaited_;
@@ -340,7 +340,10 @@ void SceneWaves::QueueClusters() {
   std::vector<std::pair<size_t, Item>> clusters;
   for (const auto& [cluster, holes] : holes_of_clusters_) {
     clusters.push_back({SegmentsOf(plan_, holes), {Wave::kCluster, plan_.holes[holes.front()].cell, cluster}});
-    for (const CellId cell : CellsOf(plan_, holes)) ++clusters_left_[cell];
+  }
+  awaiting_ = CellsThatAwait(plan_, holes_of_, holes_of_clusters_);
+  for (const auto& [cluster, cells] : awaiting_) {
+    for (const CellId cell : cells) ++clusters_left_[cell];
   }
   std::stable_sort(clusters.begin(), clusters.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [size, item] : clusters) ready_.push_back(item);

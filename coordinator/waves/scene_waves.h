@@ -180,6 +180,7 @@ class SceneWaves {
   SeamHeights heights_;
   std::map<CellId, std::vector<int32_t>> holes_of_;            // those that the plan finds no fault with
   std::map<int32_t, std::vector<int32_t>> holes_of_clusters_;  // of the clusters that are sampled as a whole
+  std::map<int32_t, std::set<CellId>> awaiting_;               // by cluster, the cells that await its surface
   std::map<CellId, int32_t> clusters_left_;                    // of which a cell awaits the surface
   std::set<CellId> filling_;                                   // cells with a FillWork
   std::set<CellId> filled_;                                    // cells with a patch

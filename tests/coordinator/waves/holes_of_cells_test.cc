@@ -37,6 +37,27 @@ TEST(HolesOfCellsTest, OfCellsThatAreNotChosenThoseOfClustersThatReachChosenOnes
               ElementsAre(Pair(CellId{0, 0}, ElementsAre(0)), Pair(CellId{1, 0}, ElementsAre(1))));
 }
 
+// The patch of a closed hole may end at a seam of a cluster in the next cell.
+TEST(HolesOfCellsTest, ACellAwaitsTheClustersWhoseVerticesItHas) {
+  Plan plan = Made();
+  plan.vertices.resize(6);  // new ones, but 4
+  plan.vertices[4].index = 7;
+  plan.vertices[5].follows = 3;
+  plan.holes[0].segments = {{0, 1}, {1, 4}};
+  plan.holes[1].segments = {{1, 2}};
+  plan.holes[2].segments = {{4, 4}};
+  plan.holes[3].segments = {{3, 3}};
+  const std::map<int32_t, std::vector<int32_t>> clusters = {{0, {0, 1}}, {1, {3}}};
+  const auto await = [&] { return CellsThatAwait(plan, HolesToFill(plan, {}), clusters); };
+  EXPECT_THAT(await(),
+              ElementsAre(Pair(0, ElementsAre(CellId{0, 0}, CellId{1, 0})), Pair(1, ElementsAre(CellId{2, 0}))));
+  plan.holes[2].own_regions = {{{4, 5}}};
+  EXPECT_THAT(await().at(1), ElementsAre(CellId{1, 0}, CellId{2, 0})) << "it follows a vertex of that cluster";
+  plan.holes[2].own_regions.clear();
+  plan.holes[3].inner_edges = {{4, 0}};
+  EXPECT_THAT(await().at(0), ElementsAre(CellId{0, 0}, CellId{1, 0}, CellId{2, 0}));
+}
+
 TEST(HolesOfCellsTest, CountsCellsSegmentsAndLayers) {
   Plan plan = Made();
   EXPECT_THAT(CellsOf(plan, {0, 1, 2}), ElementsAre(CellId{0, 0}, CellId{1, 0}));
