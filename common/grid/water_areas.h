@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/grid/scene.h"
 #include "common/mesh/plane_polygon.h"
 
 namespace tilemend {
@@ -30,6 +31,7 @@ struct WaterArea {
   // How far the surface inside that is taken out scatters about `level`, metres, where that was measured on it
   // (waves/clearing.h).
   std::optional<double> level_sigma = std::nullopt;
+  std::vector<CellId> cleared_cells = {};  // of whose tiles triangles were taken out
 };
 
 }  // namespace tilemend

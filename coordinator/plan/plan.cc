@@ -206,6 +206,15 @@ void RefuseTilesThatFaceDown(const PlanInput& input, Plan& plan) {
   }
 }
 
+// Where areas have taken all surface out, nothing tells how high anything lies.
+void RefuseWithoutSurface(const PlanInput& input, const std::vector<WaterArea>& areas, Plan& plan) {
+  if (std::ranges::all_of(areas, [](const WaterArea& area) { return area.cleared_cells.empty(); })) return;
+  const bool has_surface = std::ranges::any_of(
+      input.cells, [](const auto& cell) { return cell.second != nullptr && cell.second->triangle_count > 0; });
+  if (has_surface) return;
+  for (PlannedHole& hole : plan.holes) hole.failure = "no surface is left in the scene to tell its height";
+}
+
 void LeaveFailedHoles(Plan& plan) {
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     const PlannedHole& hole = plan.holes[h];
@@ -236,6 +245,7 @@ Plan PlanHoles(const PlanInput& input, const PlanOptions& options, GridLines& li
   Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
+  RefuseWithoutSurface(input, options.water.areas, plan);
   LeaveFailedHoles(plan);
   return plan;
 }
@@ -284,6 +294,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(lines, plan);
   if (options.cancelled()) return {};
+  if (input.has_grid) LeaveClearedCells(input.grid, options.water.areas, plan);
   AnswerWaterAreas(options.water, plan);
   DropUnusedVertices(plan);
   return plan;

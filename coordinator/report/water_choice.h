@@ -31,6 +31,11 @@ absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const Scen
 // as above.
 absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, WaterChoice& choice);
 
+// Takes polygons with `clear` out of the choice that lie outside the area that is to be covered, with a warning: what
+// they took out would not be filled again. kInvalidArgument for one that lies across the area's edge. An empty area is
+// everywhere.
+absl::Status KeepClearInside(const PlanePolygon& area, WaterChoice& choice);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_

@@ -301,6 +301,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear, FrameOf(scene), water));
+  TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
   water.options.profile = *WaterProfileNamed(spec.water_profile);
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells, scene));

@@ -105,6 +105,12 @@ absl::Status Clearing::TakeCounts(CellId cell, std::span<const int64_t> counts) 
   return absl::OkStatus();
 }
 
+void Clearing::TellCells(std::vector<WaterArea>& areas) const {
+  for (const Asked& asked : asked_) {
+    for (const auto& [cell, triangles] : asked.triangles_of) areas[asked.area].cleared_cells.push_back(cell);
+  }
+}
+
 std::vector<ClearedArea> Clearing::Cleared() const {
   std::vector<ClearedArea> cleared;
   for (const Asked& asked : asked_) {

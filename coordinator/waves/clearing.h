@@ -39,7 +39,8 @@ class Clearing {
   std::vector<PlanePolygon> Polygons(CellId cell) const;
   // The heights in these polygons, in their order. kInvalidArgument for another number of them.
   absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies);
-  // Sets the level, and its sigma, of each of the areas that was measured and has surface inside. `areas` are those of the constructor.
+  // Sets the level, and its sigma, of each of the areas that was measured and has surface inside. `areas` are those of
+  // the constructor.
   void Settle(std::vector<WaterArea>& areas);
 
   // What is taken out of the tile of a cell. After its TakeCounts: empty if that was nothing.
@@ -47,6 +48,9 @@ class Clearing {
   // How many triangles each of these took out, in their order. kInvalidArgument for another number of counts, or a
   // negative one.
   absl::Status TakeCounts(CellId cell, std::span<const int64_t> counts);
+
+  // Sets the cells that each of the areas took triangles out of. Call it after all TakeCounts.
+  void TellCells(std::vector<WaterArea>& areas) const;
 
   // One for each area that asks for it, in the order of the areas.
   std::vector<ClearedArea> Cleared() const;

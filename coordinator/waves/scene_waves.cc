@@ -303,6 +303,7 @@ void SceneWaves::QueueGround() {
 void SceneWaves::MakeThePlan() {
   phase_ = "plan";
   outcome_.cleared = clearing_.Cleared();
+  clearing_.TellCells(options_.plan.water.areas);
   input_.has_grid = !options_.single_mesh;
   input_.area_known = scene_.area_known;
   input_.area = scene_.area;

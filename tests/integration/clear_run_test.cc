@@ -261,6 +261,16 @@ TEST_F(ClearRunTest, WhatStandsOnGroundGoesWhateverItsHeight) {
   for (double x = 3.5; x < 9; x += 1) EXPECT_NEAR(TopAt(left, {x, 5.25}), kGround, 0.05) << x;
 }
 
+TEST_F(ClearRunTest, WhereAllSurfaceIsTakenOutNothingIsFilled) {
+  const PlanePolygon all{{{{-50, -50}, {200, -50}, {200, 100}, {-50, 100}}}};
+  const std::string polygons = folder_.Write("all.geojson", FeatureOf(all, R"({"water": false, "clear": true})"));
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", polygons});
+  EXPECT_EQ(ended.code, 100) << ended.err;
+  const Json report = ReportOf(folder_ / "out");
+  EXPECT_THAT(report["left"].dump(), HasSubstr("no surface is left in the scene"));
+  EXPECT_GT(report["cleared"]["triangles"], 0);
+}
+
 TEST_F(ClearRunTest, APolygonOverNoSurfaceIsAWarning) {
   PlanePolygon beyond{{{{-12, 3}, {0, 3}, {-2, 9}}}};
   const std::string polygons = folder_.Write("water.geojson", FeatureOf(beyond, R"({"name": "pond", "clear": true})"));

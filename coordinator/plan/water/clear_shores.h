@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "common/grid/scene.h"
 #include "common/grid/water_areas.h"
 #include "coordinator/plan/types/plan_types.h"
 
@@ -14,6 +15,10 @@ namespace tilemend {
 // water is level up to its rim, which is the outline of whole triangles here and no shore. Call it when plan.water is
 // known. Cost O(segments of these bodies * areas).
 void MarkClearedShores(const std::vector<WaterArea>& areas, Plan& plan);
+
+// Adds to plan.left the cells that an area took surface out of, and covers by more than a hundredth, where it lies over
+// no hole: what was taken out there is not filled again. Cost O(cleared cells * holes of the cell), as CoverLines.
+void LeaveClearedCells(const Grid& grid, const std::vector<WaterArea>& areas, Plan& plan);
 
 }  // namespace tilemend
 

@@ -22,6 +22,21 @@ void ForRimSegments(const PlannedHole& hole, const Visit& visit) {
   for (const std::vector<RimSegment>& region : hole.own_regions) std::for_each(region.begin(), region.end(), visit);
 }
 
+// Visits the original vertices on the rim of a body of water, each with its height above the water, metres. Vertices of
+// two edges are visited twice.
+template <typename Visit>
+void ForRimAboveWater(const WaterBody& body, Plan& plan, const Visit& visit) {
+  for (const int32_t h : body.holes) {
+    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
+      for (const int32_t v : {s.from, s.to}) {
+        PlanVertex& vertex = plan.vertices[v];
+        if (vertex.index < 0) continue;
+        visit(vertex, vertex.position.z() - LevelAt(body, vertex.position.head<2>(), plan.lattice_step));
+      }
+    });
+  }
+}
+
 // The original vertices on the rims of the holes; ascending.
 std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes);
 

@@ -37,13 +37,21 @@ struct Group {
   bool is_known = false;  // the scene as a whole says what of it is water
 };
 
+// Whether a whole rim stands higher than the surface that the area takes out, as on a bridge over cleared water.
+bool LiesAbove(const Plan& plan, const std::vector<int32_t>& holes, const WaterArea& area) {
+  if (!area.clear || !area.water || !area.level) return false;
+  const std::vector<int32_t> rim = RimVerticesOf(plan, holes);
+  const double top = *area.level + area.clear_height;
+  return !rim.empty() && std::ranges::all_of(rim, [&](int32_t v) { return plan.vertices[v].position.z() > top; });
+}
+
 std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& holes,
                                 const std::vector<WaterArea>& areas) {
   std::optional<size_t> decider;
   if (areas.empty()) return decider;
   const CoverLines region(BoundaryOf(plan, holes));
   for (size_t a = 0; a < areas.size(); ++a) {
-    if (region.ShareIn(areas[a]) > 0.5) decider = a;
+    if (region.ShareIn(areas[a]) > 0.5 && !LiesAbove(plan, holes, areas[a])) decider = a;
   }
   return decider;
 }
@@ -75,16 +83,9 @@ Shore ShoreOf(const Basin& basin) {
 
 // What stands so high above the water stands beside or over it: a quay, a pier, a bridge.
 void MarkWalls(const WaterBody& body, Plan& plan) {
-  for (const int32_t h : body.holes) {
-    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
-      for (const int32_t v : {s.from, s.to}) {
-        PlanVertex& vertex = plan.vertices[v];
-        if (vertex.index < 0) continue;
-        const double above = vertex.position.z() - LevelAt(body, vertex.position.head<2>(), plan.lattice_step);
-        if (above > kWallAtWater) vertex.on_object = true;
-      }
-    });
-  }
+  ForRimAboveWater(body, plan, [](PlanVertex& vertex, double above) {
+    if (above > kWallAtWater) vertex.on_object = true;
+  });
 }
 
 class WaterFinder {

@@ -20,6 +20,7 @@ constexpr double kStation = 25;  // metres: what is no longer is no reach of a r
 constexpr double kAlong = 0.5;   // of a river's length: a centreline that runs along less may run across it
 constexpr int kParts = 64;       // of a piece of centreline: each is in the area or not
 constexpr char kMaybeSurface[] = ". If the water is there as surface, add \"clear\": true";
+constexpr char kTakenOut[] = "; surface was taken out under it all the same";
 constexpr double kCovers = 0.9;  // share of what is made water by it that lies under an area
 
 // Holes that are one body if they are water: a cluster, or a closed hole.
@@ -124,6 +125,7 @@ class Answers {
       answer.taken = !answer.holes.empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
       if (!answer.taken && answer.water && !areas_[a].clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
+      if (!answer.taken && !areas_[a].cleared_cells.empty()) answer.reason += kTakenOut;
       if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(areas_[a], answer);
       if (!answer.water && areas_[a].level)
         AddDoubt("its level_m has no effect where it says that there is no water", answer);

@@ -47,6 +47,32 @@ TEST(WaterChoiceTest, AllOfASecondFileIsCleared) {
   EXPECT_THAT(std::string(refused.message()), HasSubstr("kind is river, but clear"));
 }
 
+// What was taken out beyond the area would stay open.
+TEST(WaterChoiceTest, WhatIsClearedHasToLieInTheArea) {
+  const auto box = [](double lo, double hi) { return PlanePolygon{{{{lo, lo}, {hi, lo}, {hi, hi}, {lo, hi}}}}; };
+  const auto choice_of = [&](const PlanePolygon& polygon, bool clear) {
+    WaterChoice choice;
+    WaterArea& area = choice.options.areas.emplace_back();
+    area.polygon = polygon;
+    area.label = "feature 7";
+    area.clear = clear;
+    return choice;
+  };
+  WaterChoice inside = choice_of(box(2, 4), true), across = choice_of(box(8, 12), true),
+              around = choice_of(box(-5, 20), true), beyond = choice_of(box(20, 30), true),
+              plain = choice_of(box(8, 12), false);
+  EXPECT_TRUE(KeepClearInside(box(0, 10), inside).ok());
+  EXPECT_EQ(inside.options.areas.size(), 1U);
+  EXPECT_THAT(std::string(KeepClearInside(box(0, 10), across).message()), HasSubstr("feature 7: lies across the edge"));
+  EXPECT_TRUE(absl::IsInvalidArgument(KeepClearInside(box(0, 10), around)));
+  EXPECT_TRUE(KeepClearInside(box(0, 10), beyond).ok());
+  EXPECT_TRUE(beyond.options.areas.empty());
+  ASSERT_EQ(beyond.warnings.size(), 1U);
+  EXPECT_THAT(beyond.warnings[0], HasSubstr("feature 7: lies outside the area"));
+  EXPECT_TRUE(KeepClearInside(box(0, 10), plain).ok());
+  EXPECT_TRUE(KeepClearInside({}, across).ok());
+}
+
 TEST(WaterChoiceTest, NamesAFileThatCannotBeUsed) {
   const TemporaryFolder folder;
   const absl::Status missing = ReadWaterChoice(folder / "none.geojson", {}).status();

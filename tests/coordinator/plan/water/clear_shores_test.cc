@@ -53,5 +53,26 @@ TEST_F(ClearShoresTest, LeavesOtherWaterAsItIs) {
   EXPECT_THAT(Marked({Over(-1, 11, true), Over(-1, 11, false)}), ElementsAre(false, false, false, false));
 }
 
+// A cell of 100 m: surface was taken out of it under the area.
+TEST_F(ClearShoresTest, ACellWithoutAHoleWhereSurfaceWentIsLeft) {
+  const Grid grid{{0, 0}, {100, 100}};
+  WaterArea area = Over(-1, 30, true);
+  const auto left = [&] {
+    plan_.left.clear();
+    LeaveClearedCells(grid, {area}, plan_);
+    return plan_.left.size();
+  };
+  EXPECT_EQ(left(), 0U) << "nothing was taken out";
+  area.cleared_cells = {{0, 0}};
+  EXPECT_EQ(left(), 0U) << "the hole is there";
+  plan_.holes.clear();
+  ASSERT_EQ(left(), 1U);
+  EXPECT_EQ(plan_.left[0].cell, (CellId{0, 0}));
+  EXPECT_TRUE(plan_.left[0].is_hole);
+  EXPECT_THAT(plan_.left[0].reason, ::testing::HasSubstr("pond took surface out of it"));
+  area.cleared_cells = {{0, 1}};
+  EXPECT_EQ(left(), 0U) << "the area does not reach that cell: an overlap of its tile does";
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 std::vector<Point2> Box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
@@ -64,6 +65,15 @@ TEST_F(WaterAnswersTest, AnAreaIsTakenForAllHolesOfTheBody) {
 TEST_F(WaterAnswersTest, AnAreaWithoutWaterIsTakenToo) {
   AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));
   EXPECT_TRUE(Answer({{false, {{Box(-1, -1, 11, 11)}}}})[0].taken);
+}
+
+TEST_F(WaterAnswersTest, SaysOfWhatIsNotTakenThatItsSurfaceWent) {
+  WaterArea area{true, {{Box(50, 50, 60, 60)}}};
+  area.clear = true;
+  EXPECT_THAT(Answer({area})[0].reason, Not(HasSubstr("taken out")));
+  plan_.water_answers.clear();
+  area.cleared_cells = {{0, 0}};
+  EXPECT_THAT(Answer({area})[0].reason, HasSubstr("; surface was taken out under it all the same"));
 }
 
 TEST_F(WaterAnswersTest, SaysThatWaterFallsUnlessTheUserSaidSo) {
