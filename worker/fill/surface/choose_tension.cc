@@ -91,6 +91,16 @@ class Candidates {
   std::array<std::vector<Eigen::VectorXd>, kCandidates.size()> errors_;
 };
 
+// Whether most of the rim tells no slope, since it stands on objects or walls: what is left is not enough to test, and
+// a plate from it may go anywhere.
+bool IsMostlyWithoutSlope(const ThinPlateProblem& problem, int32_t rim_points) {
+  std::vector<bool> without(problem.points.size(), false);
+  for (const Triangle& t : problem.patch) {
+    for (const int32_t v : t) without[v] = problem.known[v] && !problem.has_equation[v];
+  }
+  return std::ranges::count(without, true) > rim_points;
+}
+
 }  // namespace
 
 HoldOut ChooseTension(const ThinPlateProblem& problem, double width) {
@@ -98,9 +108,12 @@ HoldOut ChooseTension(const ThinPlateProblem& problem, double width) {
   if (!(width > 0)) return choice;
   const RimSamples rim = SampleRim(problem, width, kMostRimPoints);
   const std::vector<Point3>& samples = rim.samples;
-  if (rim.rim_points < kMinRimForHoldOut || rim.in_a_plane) return choice;
+  if (rim.in_a_plane) return choice;
   const std::vector<SampleBlocks> divisions = Divisions(samples, width, 2 * rim.spacing);
-  if (divisions.empty()) return choice;
+  if (rim.rim_points < kMinRimForHoldOut || divisions.empty()) {
+    if (IsMostlyWithoutSlope(problem, rim.rim_points)) choice.tension = kCandidates[kStart] / (width * width);
+    return choice;
+  }
   Candidates candidates(samples, width, divisions);
   const size_t chosen = candidates.Choose();
   choice.tension = kCandidates[chosen] / (width * width);

@@ -23,8 +23,10 @@ inline constexpr int kMinRimForHoldOut = 20;
 //
 // The result has the mean |error| of the blocks beside the choice. The problem's known points with an equation are its
 // rim, its band's other points lie beside it. A rim of fewer than kMinRimForHoldOut points, or too short for four
-// blocks, gets tension 0 untested; so does one in a plane. The choice does not depend on the order of points. Cost
-// bounded: at most 100 rim points are looked at, and each of eight candidates takes one inverse (Dubrule 1983).
+// blocks, gets tension 0 untested; so does one in a plane. If more points of the whole rim are known without an
+// equation than with one, an untested rim gets 300 / width^2, where the search begins. The choice does not depend on
+// the order of points. Cost bounded: at most 100 rim points are looked at, and each of eight candidates takes one
+// inverse (Dubrule 1983).
 //   width  of the hole, metres (hole_width.h); 0: not tested
 HoldOut ChooseTension(const ThinPlateProblem& problem, double width);
 

@@ -141,6 +141,20 @@ TEST(ChooseTensionTest, ASmallRimIsNotTested) {
   EXPECT_EQ(choice.tension, 0);
 }
 
+// As where all but a corner of the rim stands on houses and trees.
+TEST(ChooseTensionTest, ARimThatTellsHardlyAnySlopeWantsTension) {
+  const ThinPlateProblem whole = SquareHole(8, Rough);
+  ThinPlateProblem problem = whole;
+  for (size_t v = 0; v < problem.points.size(); ++v) {
+    const Point3& p = problem.points[v];
+    if (problem.known[v] && p.x() + p.y() < 12) problem.has_equation[v] = false;
+  }
+  const HoldOut choice = ChooseTension(problem, 16);
+  EXPECT_EQ(choice.blocks, 0);
+  EXPECT_EQ(choice.tension, 300.0 / (16 * 16));
+  EXPECT_GT(ChooseTension(whole, 16).blocks, 0);
+}
+
 TEST(ChooseTensionTest, HeightsFarFromZeroChangeNothing) {
   const HoldOut choice = ChooseTension(SquareHole(16, Rough), 32);
   const HoldOut high = ChooseTension(SquareHole(16, [](double x, double y) { return Rough(x, y) + 4096; }), 32);
