@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,7 +14,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <initializer_list>
 #include <new>
 #include <system_error>
 
@@ -58,12 +58,12 @@ void RemoveIn(int folder, int depth) {
 }
 
 [[noreturn]] void End(const char* what) {
-  const char* const program = program_invocation_short_name;
-  for (const char* text : {program, ": cannot go on: ", what,
-                           "; memory or threads are short here (see `ulimit -a`): give it more, or fewer --workers "
-                           "or --threads, and try again\n"}) {
-    if (write(STDERR_FILENO, text, std::strlen(text)) < 0) break;
-  }
+  std::array<iovec, 4> line{};  // written at once: another thread may be at work on its progress
+  const std::array<const char*, 4> texts = {program_invocation_short_name, ": cannot go on: ", what,
+                                            "; memory or threads are short here (see `ulimit -a`): give it more, or "
+                                            "fewer --workers or --threads, and try again\n"};
+  for (size_t k = 0; k < texts.size(); ++k) line[k] = {const_cast<char*>(texts[k]), std::strlen(texts[k])};
+  [[maybe_unused]] const ssize_t written = writev(STDERR_FILENO, line.data(), static_cast<int>(line.size()));
   constexpr int kDeepest = 8;
   if (folder_to_remove[0] != '\0') Remove(AT_FDCWD, folder_to_remove.data(), kDeepest);
   _exit(kExitRetryable);
