@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace tilemend {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Rows = std::vector<std::vector<std::string>>;
 
 constexpr char kLegend[] =
     "closed: inside one cell. I, II: over a grid line, counted in every cell; II reaches the rim of the area.\n"
@@ -51,7 +53,21 @@ std::string WaterOf(const Json& hole) {
   if (water.is_null()) return at;
   std::string taken_for = Text(Member(water, "taken_for"));
   if (at.empty()) return taken_for;
-  return absl::StrCat(taken_for, " ", at, ", sigma ", Decimals(Member(water, "sigma_m"), 3), " m");
+  const Json& sigma = Member(water, "sigma_m");
+  if (sigma.is_null()) return absl::StrCat(taken_for, " ", at);
+  return absl::StrCat(taken_for, " ", at, ", sigma ", Decimals(sigma, 3), " m");
+}
+
+// Those of per_hole that `is_wanted`, the largest first.
+std::vector<const Json*> HolesByArea(const Json& report, const std::function<bool(const Json&)>& is_wanted) {
+  std::vector<const Json*> holes;
+  for (const Json& hole : Member(report, "per_hole")) {
+    if (is_wanted(hole)) holes.push_back(&hole);
+  }
+  std::stable_sort(holes.begin(), holes.end(), [](const Json* a, const Json* b) {
+    return Number(Member(*a, "area_m2")) > Number(Member(*b, "area_m2"));
+  });
+  return holes;
 }
 
 }  // namespace
@@ -86,16 +102,40 @@ std::string MethodsText(const Json& report) {
   return rows.empty() ? "" : absl::StrCat("\n", Table({"how filled", "holes", "area, m2"}, rows));
 }
 
-std::string PlannedHolesText(const Json& plan) {
-  std::vector<const Json*> holes;
-  for (const Json& hole : Member(plan, "per_hole")) {
-    if (Member(hole, "reason").is_null()) holes.push_back(&hole);
-  }
+std::string LargeHolesText(const Json& report) {
+  const std::vector<const Json*> holes =
+      HolesByArea(report, [](const Json& hole) { return IsFilled(hole) && !Member(hole, "water").is_null(); });
   if (holes.empty()) return "";
-  std::stable_sort(holes.begin(), holes.end(), [](const Json* a, const Json* b) {
-    return Number(Member(*a, "area_m2")) > Number(Member(*b, "area_m2"));
-  });
-  std::vector<std::vector<std::string>> rows;
+  Rows rows;
+  for (size_t i = 0; i < std::min(holes.size(), kMostListedRows); ++i) {
+    const Json& hole = *holes[i];
+    rows.push_back({Text(Member(hole, "id")), Text(Member(hole, "cell")), Text(Member(hole, "centre")),
+                    AreaText(Member(hole, "area_m2")), WaterOf(hole), Text(Member(Member(hole, "water"), "reason"))});
+  }
+  return absl::StrCat("\n", Counted(holes.size(), "large hole"), "\n",
+                      Table({"hole", "cell", "centre, m", "area, m2", "filled as", "because"}, rows),
+                      MoreText(holes.size(), "see `water` of per_hole in the report"));
+}
+
+std::string LookAtText(const Json& report) {
+  const Json& items = Member(report, "look_at");
+  Rows rows;
+  for (const Json& item : items) {
+    if (rows.size() == kMostListedRows || !item.is_object()) break;
+    rows.push_back({Text(Member(item, "hole")), Text(Member(item, "cell")), Text(Member(item, "centre")),
+                    AreaText(Member(item, "area_m2")), Text(Member(item, "why"))});
+  }
+  if (rows.empty()) return "";
+  return absl::StrCat("\n", rows.size() == 1 ? "1 place" : absl::StrCat(items.size(), " places"), " to look at\n",
+                      Table({"hole", "cell", "centre, m", "area, m2", "why"}, rows),
+                      MoreText(items.size(), "see `look_at` in the report"));
+}
+
+std::string PlannedHolesText(const Json& plan) {
+  const std::vector<const Json*> holes =
+      HolesByArea(plan, [](const Json& hole) { return Member(hole, "reason").is_null(); });
+  if (holes.empty()) return "";
+  Rows rows;
   for (size_t i = 0; i < std::min(holes.size(), kMostListedRows); ++i) {
     const Json& hole = *holes[i];
     rows.push_back({Text(Member(hole, "id")), KindOf(hole), Text(Member(hole, "cell")), Text(Member(hole, "centre")),

@@ -15,6 +15,12 @@ std::string KindsText(const nlohmann::ordered_json& report);
 // How the filled holes were filled: number and area of each method.
 std::string MethodsText(const nlohmann::ordered_json& report);
 
+// The filled holes of clusters of more than 100 m2: what they were filled as, and why. At most kMostListedRows.
+std::string LargeHolesText(const nlohmann::ordered_json& report);
+
+// The fills that a person should look at (coordinator/report/look_at.h).
+std::string LookAtText(const nlohmann::ordered_json& report);
+
 // The holes of a plan that are to be filled, the largest first, at most kMostListedRows.
 std::string PlannedHolesText(const nlohmann::ordered_json& plan);
 

@@ -113,7 +113,8 @@ std::string FiguresText(const Json& report) {
 
 std::string SummaryText(const Json& report) {
   return absl::StrCat(WarningsText(report), ClearedText(report), KindsText(report), MethodsText(report),
-                      WaterText(report, "filled flat as water"), BordersText(report), LeftText(report, "left"));
+                      LargeHolesText(report), WaterText(report, "filled flat as water"), BordersText(report),
+                      LookAtText(report), LeftText(report, "left"));
 }
 
 std::string ReportText(const Json& report) {

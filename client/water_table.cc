@@ -22,9 +22,11 @@ std::string RisesOf(const Json& body) {
   return rises.empty() ? "" : absl::StrCat(rises.size(), ", ", absl::StrFormat("%.3f", most), " m at most");
 }
 
+std::string SigmaText(const Json& sigma) { return sigma.is_null() ? "given" : Decimals(sigma, 3); }
+
 std::vector<std::string> Row(const Json& body) {
   return {Text(Member(body, "kind")),         LevelText(Member(body, "level_m")), AreaText(Member(body, "area_m2")),
-          Text(Member(body, "cells")),        LevelText(Member(body, "sigma_m")), LevelText(Member(body, "rim_m")),
+          Text(Member(body, "cells")),        SigmaText(Member(body, "sigma_m")), LevelText(Member(body, "rim_m")),
           Text(Member(body, "rim_vertices")), Text(Member(body, "decided_by")),   RisesOf(body)};
 }
 

@@ -29,7 +29,7 @@ nlohmann::ordered_json HoleEvidenceJson(const HoleEvidence& evidence) {
   nlohmann::ordered_json json = {{"taken_for", VerdictName(evidence.verdict)}};
   if (evidence.has_level) {
     json["level_m"] = Rounded(evidence.level);
-    json["sigma_m"] = Rounded(evidence.sigma);
+    if (evidence.sigma) json["sigma_m"] = Rounded(*evidence.sigma);
   }
   json["reason"] = evidence.reason;
   return json;

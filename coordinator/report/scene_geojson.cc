@@ -144,13 +144,22 @@ double ShareOnObjects(const Plan& plan, const PlannedHole& hole) {
 // As ParseWaterFile takes it.
 const char* KindOf(const WaterBody& body) { return body.river.stations.empty() ? "lake" : "river"; }
 
+// What the user's area says, so that the file says it again.
+void AddAnswer(const WaterAnswer& answer, Json& row) {
+  row["water"] = answer.water;
+  if (!answer.clear_height) return;
+  row["clear"] = true;
+  row["clear_height"] = *answer.clear_height;
+}
+
 // What a hole was taken for.
 void AddWater(const Plan& plan, const PlannedHole& hole, double origin, Json& row) {
   if (hole.evidence >= 0) {
     const HoleEvidence& evidence = plan.evidence[hole.evidence];
     row["taken_for"] = VerdictName(evidence.verdict);
     row["because"] = evidence.reason;
-    if (evidence.has_level) row["sigma_m"] = Millimetres(evidence.sigma);
+    if (evidence.has_level && evidence.sigma) row["sigma_m"] = Millimetres(*evidence.sigma);
+    if (evidence.area >= 0) AddAnswer(plan.water_answers[evidence.area], row);
   }
   if (hole.water < 0) return;
   const WaterBody& body = plan.water[hole.water];
@@ -178,6 +187,8 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"water", nullptr},
               {"kind", nullptr},
               {"level_m", nullptr},
+              {"clear", nullptr},
+              {"clear_height", nullptr},
               {"sigma_m", nullptr},
               {"taken_for", nullptr},
               {"because", nullptr},
@@ -189,7 +200,8 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
     row["layer"] = hole.layer;
   }
   const auto size = input.outcome.sizes.find(h);
-  if (size != input.outcome.sizes.end() && failure.empty()) row["method"] = WayName(size->second.way);
+  if (size != input.outcome.sizes.end() && failure.empty())
+    row["method"] = MethodOf(*input.plan, hole, size->second.way);
   AddWater(*input.plan, hole, scene.origin.z(), row);
   return row;
 }

@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "absl/strings/str_format.h"
+#include "absl/strings/str_join.h"
 #include "common/records/filler.h"
 #include "common/util/version.h"
 #include "coordinator/report/cleared_report.h"
 #include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/left_open.h"
+#include "coordinator/report/look_at.h"
 #include "coordinator/report/plan_warnings.h"
 
 namespace tilemend {
@@ -23,6 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr size_t kMostNamed = 10;  // holes in a warning
 constexpr std::array<const char*, 4> kTypes = {"A", "B", "C", "D"};
 
 const char* SingleName(SingleType type) {
@@ -103,7 +106,8 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
-    row["method"] = WayName(size->second.way);
+    row["method"] = MethodOf(*input.plan, hole, size->second.way);
+    if (hole.water >= 0 && size->second.way == FillWay::kFoldsCut) row["folds_cut"] = true;
     if (size->second.loop_cuts > 0) row["loop_cuts"] = size->second.loop_cuts;
     if (size->second.creases > 0) row["creases"] = size->second.creases;
     if (size->second.rim_is_crossed) row["rim_crossed"] = true;
@@ -152,7 +156,8 @@ void AddRiver(const WaterBody& body, Json& row) {
 // The bodies of water that were filled so.
 Json WaterRows(const SceneReportInput& input) {
   Json rows = Json::array();
-  for (const WaterBody& body : input.plan->water) {
+  for (size_t b = 0; b < input.plan->water.size(); ++b) {
+    const WaterBody& body = input.plan->water[b];
     if (body.kind != BodyKind::kWater) continue;
     Json holes = Json::array();
     double area = 0;
@@ -167,8 +172,9 @@ Json WaterRows(const SceneReportInput& input) {
     const auto open = std::ranges::find_if(body.holes, [&](int32_t h) { return input.plan->holes[h].cluster >= 0; });
     Json row;
     if (open != body.holes.end()) row["cluster"] = input.plan->holes[*open].cluster;
-    row.update({{"level_m", LevelJson(body)},
-                {"sigma_m", Rounded(body.sigma, 4)},
+    row.update({{"body", b},
+                {"level_m", LevelJson(body)},
+                {"sigma_m", body.level_is_given ? Json() : Json(Rounded(body.sigma, 4))},
                 {"rim_m", {Rounded(body.lowest, 4), Rounded(body.highest, 4)}},
                 {"rim_vertices", body.rim_vertices},
                 {"area_m2", Rounded(area, 3)},
@@ -319,12 +325,12 @@ int64_t PeakRssBytes() {
 
 const char* TypeName(HoleType type) { return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1]; }
 
-const char* WayName(FillWay way) {
+const char* MethodOf(const Plan& plan, const PlannedHole& hole, FillWay way) {
+  if (hole.water >= 0) return plan.water[hole.water].kind == BodyKind::kWater ? "water" : "level ground";
   switch (way) {
     case FillWay::kNone:
-      break;
     case FillWay::kWater:
-      return "water";
+      break;
     case FillWay::kGround:
       return "over the ground";
     case FillWay::kOwnPlane:
@@ -385,20 +391,24 @@ std::vector<std::string> WarningsOf(const SceneReportInput& input) {
   std::vector<std::string> warnings = input.warnings;
   for (std::string& warning : PlanWarnings(*input.plan)) warnings.push_back(std::move(warning));
   for (std::string& warning : ClearedWarnings(input.outcome.cleared)) warnings.push_back(std::move(warning));
-  int64_t holes = 0, edges = 0, crossed = 0;
+  int64_t holes = 0, edges = 0;
+  std::vector<int32_t> crossed;
   for (const auto& [hole, size] : input.outcome.sizes) {
     holes += size.creases > 0 ? 1 : 0;
     edges += size.creases;
-    crossed += size.rim_is_crossed ? 1 : 0;
+    if (size.rim_is_crossed) crossed.push_back(hole);
   }
   if (holes > 0) {
     const char* fold = holes == 1 ? "patch folds" : "patches fold";
     warnings.push_back(absl::StrFormat("%d %s back, at %d edges (creases)", holes, fold, edges));
   }
-  if (crossed > 0) {
-    const char* patch = crossed == 1 ? "patch crosses" : "patches cross";
-    warnings.push_back(
-        absl::StrFormat("%d %s the surface, which passes through the boundary there (rim_crossed)", crossed, patch));
+  if (!crossed.empty()) {
+    const size_t all = crossed.size();
+    crossed.resize(std::min(all, kMostNamed));
+    warnings.push_back(absl::StrFormat("%d %s the surface, which passes through the boundary there: %s %s%s", all,
+                                       all == 1 ? "patch crosses" : "patches cross", all == 1 ? "hole" : "holes",
+                                       absl::StrJoin(crossed, ", "),
+                                       all > crossed.size() ? " and others (rim_crossed)" : " (rim_crossed)"));
   }
   return warnings;
 }
@@ -424,6 +434,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"outer_rims", plan.outer_rims},
                  {"water", WaterRows(input)},
                  {"water_areas", WaterAreaRows(plan)},
+                 {"look_at", LookAtJson(input)},
                  {"cleared", ClearedJson(input.outcome.cleared, input.outcome.chosen)},
                  {"left", LeftRows(left)},
                  {"not_holes", NotHoles(left)},

@@ -40,7 +40,8 @@ std::vector<std::string> WarningsOf(const SceneReportInput& input);
 // Names as the report and the command line print them.
 const char* BorderName(BorderKind kind);
 const char* KindName(HoleKind kind);
-const char* WayName(FillWay way);
+// How a hole was filled: "water" or "level ground" of what is filled flat, else the way.
+const char* MethodOf(const Plan& plan, const PlannedHole& hole, FillWay way);
 // "A" to "D", or null.
 const char* TypeName(HoleType type);
 

@@ -151,8 +151,10 @@ struct WaterBody {
   double sigma = 0;                // metres: standard deviation of the level (LevelEvidence::sigma)
   double lowest = 0, highest = 0;  // of the rim's heights
   int64_t rim_vertices = 0;
-  bool forced = false;     // an area says that it is water
-  double shore_level = 0;  // that the shore has, whatever was given; not of a river
+  bool forced = false;          // an area says that it is water
+  bool level_is_given = false;  // as `level_m` of that area
+  double shore_level = 0;       // that the shore has, whatever was given; not of a river
+  std::string reason = {};      // as HoleEvidence::reason
 };
 
 inline double LevelAt(const WaterBody& body, const Point2& p, double lattice_step) {
@@ -163,20 +165,22 @@ inline double LevelAt(const WaterBody& body, const Point2& p, double lattice_ste
 struct HoleEvidence {
   enum class Verdict { kLake, kRiver, kLevelGround, kNoWater };
   Verdict verdict = Verdict::kNoWater;
-  bool has_level = false;  // of its rim
-  double level = 0;        // metres: of the water; else that its rim tells
-  double sigma = 0;        // metres: standard deviation of `level`
-  std::string reason;      // what the verdict follows from, in words
+  bool has_level = false;             // of its rim
+  double level = 0;                   // metres: of the water; else that its rim tells
+  std::optional<double> sigma = 0.0;  // metres: standard deviation of `level`; none: the user gave the level
+  std::string reason;                 // what the verdict follows from, in words
+  int32_t area = -1;                  // into Plan::water_answers: that of the user's area that decides on it
 };
 
 // What became of an area of the user's (water_answers.h).
 struct WaterAnswer {
-  std::string label;           // of the area
-  bool water = true;           // what the area says
-  bool taken = false;          // some hole is filled as it says
-  std::vector<int32_t> holes;  // those, into Plan::holes
-  std::string reason;          // not taken, or not for the hole of which it covers most: why
-  std::string doubt = {};      // not empty: taken, but likely wrong
+  std::string label;                        // of the area
+  bool water = true;                        // what the area says
+  std::optional<double> clear_height = {};  // of an area with `clear`
+  bool taken = false;                       // some hole is filled as it says
+  std::vector<int32_t> holes;               // those, into Plan::holes
+  std::string reason;                       // not taken, or not for the hole of which it covers most: why
+  std::string doubt = {};                   // not empty: taken, but likely wrong
 };
 
 // A reason of LeftOpen, of holes that nobody wants filled.

@@ -58,6 +58,7 @@ GivenWater LakeOf(const WaterArea& area, const GivenPart& part, double min_river
   water.body.shore_level = basin.evidence.level;
   DescribeRim(basin.evidence, basin.evidence.sigma(), water.body);
   if (area.level_sigma) water.body.sigma = *area.level_sigma;
+  water.body.level_is_given = area.level && !area.level_sigma;
   if (!area.level && area.kind != WaterKind::kLake && basin.river) {
     water.body.river = basin.river->water;
     water.body.sigma = basin.river->evidence.sigma();

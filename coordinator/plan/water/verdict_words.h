@@ -10,7 +10,6 @@
 namespace tilemend {
 
 inline constexpr char kNotLookedFor[] = "water is not looked for";
-inline constexpr char kPartOfScene[] = "it is a part of water that the whole scene tells of";
 inline constexpr char kNoRim[] = "no original surface bounds it, so no level is known";
 
 // Of a hole that an area of the user decides on.

@@ -123,7 +123,9 @@ class WaterFinder {
     group.decider = decider;
     group.is_judged = decider || group.area >= kJudged;
     if (!options_.find) group.evidence.reason = kNotLookedFor;
-    if (decider) group.evidence.reason = DecidedBy(options_.areas[*decider]);
+    if (!decider) return group;
+    group.evidence.reason = DecidedBy(options_.areas[*decider]);
+    group.evidence.area = static_cast<int32_t>(*decider);
     return group;
   }
 
@@ -134,7 +136,7 @@ class WaterFinder {
     if (body.kind == BodyKind::kLevelGround) verdict = Verdict::kLevelGround;
     Group group = OpenGroup(std::move(holes), std::nullopt);
     group.is_known = true;
-    group.evidence = {verdict, true, body.level, body.sigma, kPartOfScene};
+    group.evidence = {verdict, true, body.level, body.sigma, body.reason};
     return group;
   }
 
@@ -223,6 +225,7 @@ class WaterFinder {
     body.kind = verdict == Verdict::kLevelGround ? BodyKind::kLevelGround : BodyKind::kWater;
     DescribeRim(basin.evidence, e.sigma(), body);
     body.level = body.shore_level = e.level;
+    body.reason = groups_[basin.members.front()].evidence.reason;
     if (verdict == Verdict::kRiver) body.river = basin.river->water;
     AddBody(basin.members, std::move(body));
   }
@@ -235,12 +238,13 @@ class WaterFinder {
       evidence.verdict = body.river.stations.empty() ? Verdict::kLake : Verdict::kRiver;
       evidence.has_level = true;
       evidence.level = body.level;
-      evidence.sigma = body.sigma;
+      evidence.sigma = body.level_is_given ? std::nullopt : std::optional(body.sigma);
     }
+    if (body.reason.empty()) body.reason = groups_[groups.front()].evidence.reason;
     std::ranges::sort(body.holes);
     body.rim_vertices = std::ssize(RimVerticesOf(plan_, body.holes));
     if (!body.river.stations.empty()) body.level = body.river.stations.back().z();
-    body.level = std::floor(body.level / plan_.lattice_step) * plan_.lattice_step;
+    body.level = std::round(body.level / plan_.lattice_step) * plan_.lattice_step;
     bodies_.push_back(std::move(body));
   }
 

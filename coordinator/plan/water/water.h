@@ -26,7 +26,7 @@ namespace tilemend {
 // gives its level: a reconstruction area may leave too little of a shore. The others of their group are judged by
 // themselves.
 //
-// Levels are rounded down to the lattice. Cost as EvidenceOf, JoinBasins and LowerShares. Deterministic.
+// Levels are rounded to the lattice. Cost as EvidenceOf, JoinBasins and LowerShares. Deterministic.
 void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan);
 
 // Gives the seam vertices of all that is filled flat their level.

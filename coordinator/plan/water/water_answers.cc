@@ -109,6 +109,7 @@ class Answers {
       WaterAnswer answer;
       answer.label = areas_[a].label;
       answer.water = areas_[a].water;
+      if (areas_[a].clear) answer.clear_height = areas_[a].clear_height;
       double most = -1, taken = 0, under = 0;  // m2
       for (const auto& [b, share] : shares_[a]) {
         std::string reason = WhyNot(static_cast<int32_t>(a), bodies_[b], share);

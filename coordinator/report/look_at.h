@@ -1,0 +1,22 @@
+// The fills that a person should look at before the result is delivered.
+#ifndef TILEMEND_COORDINATOR_REPORT_LOOK_AT_H_
+#define TILEMEND_COORDINATOR_REPORT_LOOK_AT_H_
+
+#include <nlohmann/json.hpp>
+
+#include "coordinator/report/scene_report.h"
+
+namespace tilemend {
+
+// One row for each judged cluster or closed hole (HoleEvidence) that no area of the user decides on and of which one of
+// these is true, the largest first: "hole" (its largest), "cell" and "centre" of that, "area_m2" of all, "taken_for",
+// "level_m" and "sigma_m" where there is a level, and "why":
+//   - it is filled flat, and sigma is more than 0.25 m;
+//   - it is filled flat, and its rim is shorter than a circle of its area: most of it ends at the edge of the area;
+//   - it is as large as a lake (WaterProfile), and filled as ground or level ground.
+// Holes that are left open are not among them: they are in `left`. Cost O(holes).
+nlohmann::ordered_json LookAtJson(const SceneReportInput& input);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_REPORT_LOOK_AT_H_
