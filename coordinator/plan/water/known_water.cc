@@ -54,7 +54,10 @@ void KnownWater::Forget(const std::vector<int32_t>& holes) {
 
 KnownWater FindKnownWater(const Plan& whole, const Plan& plan) {
   std::vector<int32_t> water;
-  for (const PlannedHole& hole : whole.holes) water.push_back(hole.water);
+  for (const PlannedHole& hole : whole.holes) {
+    const bool is_water = hole.water >= 0 && whole.water[hole.water].kind == BodyKind::kWater;
+    water.push_back(is_water ? hole.water : -1);
+  }
   return {whole.water, GroupsCovering(plan, whole, water)};
 }
 
