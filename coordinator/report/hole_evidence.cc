@@ -1,13 +1,11 @@
 #include "coordinator/report/hole_evidence.h"
 
-#include <cmath>
+#include "coordinator/report/rounded.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kDigits = 1e4;  // tenths of millimetres
-
-double Rounded(double metres) { return std::round(metres * kDigits) / kDigits; }
+constexpr int kDigits = 4;  // tenths of millimetres
 
 }  // namespace
 
@@ -28,8 +26,8 @@ const char* VerdictName(HoleEvidence::Verdict verdict) {
 nlohmann::ordered_json HoleEvidenceJson(const HoleEvidence& evidence) {
   nlohmann::ordered_json json = {{"taken_for", VerdictName(evidence.verdict)}};
   if (evidence.has_level) {
-    json["level_m"] = Rounded(evidence.level);
-    if (evidence.sigma) json["sigma_m"] = Rounded(*evidence.sigma);
+    json["level_m"] = Rounded(evidence.level, kDigits);
+    if (evidence.sigma) json["sigma_m"] = Rounded(*evidence.sigma, kDigits);
   }
   json["reason"] = evidence.reason;
   return json;

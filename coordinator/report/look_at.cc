@@ -12,6 +12,7 @@
 #include "common/grid/water_profile.h"
 #include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/left_open.h"
+#include "coordinator/report/rounded.h"
 
 namespace tilemend {
 namespace {
@@ -76,7 +77,7 @@ Json LookAtJson(const SceneReportInput& input) {
     const PlannedHole& hole = plan.holes[judged[e].largest];
     Json row = {{"hole", judged[e].largest},
                 {"cell", {hole.cell.col, hole.cell.row}},
-                {"centre", {std::round(hole.centre.x() * 10) / 10, std::round(hole.centre.y() * 10) / 10}},
+                {"centre", {Rounded(hole.centre.x(), 1), Rounded(hole.centre.y(), 1)}},
                 {"area_m2", std::round(judged[e].area)}};
     row.update(HoleEvidenceJson(evidence));
     row.erase("reason");

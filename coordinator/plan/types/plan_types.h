@@ -176,11 +176,11 @@ struct HoleEvidence {
 struct WaterAnswer {
   std::string label;                        // of the area
   bool water = true;                        // what the area says
-  std::optional<double> clear_height = {};  // of an area with `clear`
   bool taken = false;                       // some hole is filled as it says
   std::vector<int32_t> holes;               // those, into Plan::holes
   std::string reason;                       // not taken, or not for the hole of which it covers most: why
   std::string doubt = {};                   // not empty: taken, but likely wrong
+  std::optional<double> clear_height = {};  // of an area with `clear`
 };
 
 // A reason of LeftOpen, of holes that nobody wants filled.

@@ -237,7 +237,8 @@ class Answers {
   std::string WhyNot(int32_t a, const Body& body, double share) const {
     const Point2 at = plan_.holes[body.holes.front()].centre;
     if (share <= kDecides) {
-      return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) + ", and more than half is needed";
+      return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) +
+             ", which is filled as one; to decide on it, draw it over more than half";
     }
     if (body.decided_by != a) return "another after it decides on the same hole: " + areas_[body.decided_by].label;
     return areas_[a].water ? WhyNoWater(plan_, body) : "";

@@ -141,24 +141,12 @@ TEST_F(SceneReportTest, SaysWhatAHoleWasTakenForAndWhy) {
   EXPECT_EQ(rows[2]["water"], Json::parse(R"({"taken_for": "ground", "reason": "no rim"})"));
 }
 
-TEST_F(SceneReportTest, NamesTheClusterOfALakeThatAClosedHoleIsAPartOf) {
-  plan_.holes[0].water = plan_.holes[1].water = 0;
-  plan_.water = {{BodyKind::kWater, {0, 1}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, true}};
-  EXPECT_EQ(Report()["water"][0]["cluster"], 0);
-}
-
 TEST_F(SceneReportTest, GivesHolesOfARiverTheLevelsOfItsEnds) {
   plan_.holes[1].water = 0;
   plan_.water.resize(1);
   plan_.water[0].level = 4.25;
   plan_.water[0].river.stations = {{0, 0, 5.5}, {1, 0, 5}, {2, 0, 4.25}};
   EXPECT_EQ(Report()["per_hole"][1]["level_m"], Json::array({5.5, 4.25}));
-}
-
-TEST_F(SceneReportTest, LeavesOutWaterWhoseHolesAllFailed) {
-  plan_.holes[2].water = 0;
-  plan_.water = {{BodyKind::kWater, {2}, 12.5, {}, {}, 0.01, 12.4, 12.6, 9, false}};
-  EXPECT_TRUE(Report()["water"].empty());
 }
 
 TEST_F(SceneReportTest, TellsTheTensionsThatWerePutToATest) {
@@ -192,18 +180,10 @@ TEST_F(SceneReportTest, WarnsOfPatchesThatFoldBack) {
 
 TEST_F(SceneReportTest, WarnsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
   input_.outcome.sizes[0].rim_is_crossed = true;
-  EXPECT_THAT(WarningsOf(input_),
-              ElementsAre("1 patch crosses the surface, which passes through the boundary there (rim_crossed)"));
+  EXPECT_THAT(
+      WarningsOf(input_),
+      ElementsAre("1 patch crosses the surface, which passes through the boundary there: hole 0 (rim_crossed)"));
   EXPECT_EQ(Report()["per_hole"][0]["rim_crossed"], true);
-}
-
-TEST_F(SceneReportTest, AnswersEveryAreaOfWater) {
-  plan_.water = {{BodyKind::kWater, {1}, 12.5, {}, {}}};
-  plan_.holes[1].water = 0;
-  plan_.water_answers = {{"feature 0", true, true, {1}, ""}, {"feature 1", false, false, {}, "why"}};
-  const Json rows = Report()["water_areas"];
-  EXPECT_EQ(rows, Json::parse(R"([{"feature": "feature 0", "water": true, "taken": true, "holes": [1], "level_m": 12.5},
-                                  {"feature": "feature 1", "water": false, "taken": false, "reason": "why"}])"));
 }
 
 TEST_F(SceneReportTest, TextThatIsNotUtf8DoesNotBreakIt) {

@@ -1,0 +1,74 @@
+#include "coordinator/report/look_at.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+using Verdict = HoleEvidence::Verdict;
+
+class LookAtTest : public ::testing::Test {
+ protected:
+  LookAtTest() { input_.plan = &plan_; }
+
+  // A judged hole of that area, with that much of original rim.
+  void Add(const HoleEvidence& evidence, double area, double rim) {
+    PlannedHole hole;
+    hole.area = area;
+    hole.perimeter = rim;
+    hole.evidence = static_cast<int32_t>(plan_.evidence.size());
+    plan_.holes.push_back(hole);
+    plan_.evidence.push_back(evidence);
+  }
+
+  Plan plan_;
+  SceneReportInput input_;
+};
+
+TEST_F(LookAtTest, LeavesOutWhatIsSure) {
+  Add({Verdict::kLake, true, 3.25, 0.02, "the sides agree"}, 5000, 400);
+  Add({Verdict::kNoWater, true, 3.25, 0.9, "the sides differ"}, 900, 200);
+  EXPECT_EQ(LookAtJson(input_), Json::array());
+}
+
+TEST_F(LookAtTest, SaysWhichLevelIsDoubtful) {
+  Add({Verdict::kLake, true, 3.25, 0.3, "the sides agree"}, 5000, 400);
+  const Json rows = LookAtJson(input_);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["hole"], 0);
+  EXPECT_EQ(rows[0]["taken_for"], "lake");
+  EXPECT_EQ(rows[0]["sigma_m"], 0.3);
+  EXPECT_THAT(rows[0]["why"], HasSubstr("0.30 m"));
+}
+
+TEST_F(LookAtTest, SaysWhereTheRimIsShorterThanACircle) {
+  Add({Verdict::kLevelGround, true, 3.25, 0.02, "noise"}, 314.2, 62);  // a circle of 10 m has 62.8 m
+  Add({Verdict::kLevelGround, true, 3.25, 0.02, "noise"}, 314.1, 63);
+  const Json rows = LookAtJson(input_);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_THAT(rows[0]["why"], HasSubstr("62 m of rim"));
+}
+
+TEST_F(LookAtTest, ListsLargeGroundTheLargestFirst) {
+  Add({Verdict::kNoWater, false, 0, 0.0, "no rim"}, 1000, 200);
+  Add({Verdict::kLevelGround, true, 1, 0.02, "noise"}, 2000, 200);
+  const Json rows = LookAtJson(input_);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["hole"], 1);
+  EXPECT_EQ(rows[1]["hole"], 0);
+}
+
+TEST_F(LookAtTest, LeavesOutWhatTheUserDecidedAndWhatStaysOpen) {
+  HoleEvidence given = {Verdict::kLake, true, 3.25, std::nullopt, "a polygon says so"};
+  given.area = 0;
+  Add(given, 5000, 20);
+  Add({Verdict::kNoWater, true, 1, 0.02, "the sides differ"}, 5000, 400);
+  input_.outcome.failures = {{1, "no way was found"}};
+  EXPECT_EQ(LookAtJson(input_), Json::array());
+}
+
+}  // namespace
+}  // namespace tilemend
