@@ -15,6 +15,7 @@
 #include "client/holes_table.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
+#include "client/json_access.h"
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_proposal.h"
@@ -156,7 +157,7 @@ absl::StatusOr<Inspection> InspectSceneOf(const Request& request) {
 
 absl::Status CheckIsNew(const std::string& path) {
   std::error_code error;
-  if (path.empty() || !std::filesystem::exists(path, error)) return absl::OkStatus();
+  if (path.empty() || !std::filesystem::exists(std::filesystem::symlink_status(path, error))) return absl::OkStatus();
   return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; choose another --propose-area"));
 }
 
@@ -169,10 +170,18 @@ absl::Status WriteProposal(const std::string& path, const SceneWaves& waves) {
 }
 
 absl::Status ProposeWater(const Request& request, const SceneWaves& waves) {
-  if (request.propose_water.empty()) return absl::OkStatus();
-  TILEMEND_ASSIGN_OR_RETURN(const size_t count, WriteWaterProposal(request.propose_water, request.overwrite, waves));
-  std::fputs(absl::StrFormat("%s: %d polygons; delete what is no water, then: --water %s\n", request.propose_water,
-                             count, request.propose_water)
+  const std::string& path = request.propose_water;
+  if (path.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const Json proposed, WriteWaterProposal(path, request.overwrite, waves));
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& p : proposed) {
+    if (rows.size() == kMostListedRows) break;
+    rows.push_back(
+        {p["name"], LevelText(p["proposed_level_m"]), LevelText(p["sigma_m"]), AreaText(p["area_m2"]), p["reason"]});
+  }
+  const std::string table = rows.empty() ? "" : Table({"polygon", "level, m", "sigma, m", "area, m2", "because"}, rows);
+  std::fputs(absl::StrCat(table, MoreText(proposed.size(), path), path, ": ", Counted(proposed.size(), "polygon"),
+                          "; a guess: delete what is no water, then: --water ", path, "\n")
                  .c_str(),
              stderr);
   return absl::OkStatus();

@@ -17,6 +17,8 @@
 namespace tilemend {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr char kPackage[] = ".gpkg";
 constexpr char kGeoJson[] = ".geojson";
 constexpr char kLayer[] = "water";
@@ -44,19 +46,23 @@ absl::Status CheckWaterProposal(const std::string& path, bool overwrite) {
         absl::StrCat(path, ": expected a name that ends in ", kPackage, " or ", kGeoJson));
   }
   std::error_code error;
-  if (overwrite || !std::filesystem::exists(path, error)) return absl::OkStatus();
+  const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+  if (overwrite || !std::filesystem::exists(status)) return absl::OkStatus();
   return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; --overwrite replaces it"));
 }
 
-absl::StatusOr<size_t> WriteWaterProposal(const std::string& path, bool overwrite, const SceneWaves& waves) {
+absl::StatusOr<Json> WriteWaterProposal(const std::string& path, bool overwrite, const SceneWaves& waves) {
   TILEMEND_RETURN_IF_ERROR(CheckWaterProposal(path, overwrite));
   const std::vector<ProposedSurface> surfaces = SurfacesOf(waves);
   std::string content = ProposalsGeoJson(waves.plan(), surfaces, waves.scene());
+  Json proposed = Json::array();
+  const Json file = Json::parse(content);
+  for (const Json& feature : file["features"]) proposed.push_back(feature["properties"]);
   if (absl::EndsWithIgnoreCase(path, kPackage)) {
     TILEMEND_ASSIGN_OR_RETURN(content, GeoPackageOf(content, kLayer, path));
   }
   TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(path, content));
-  return surfaces.size() + waves.plan().water.size();
+  return proposed;
 }
 
 }  // namespace tilemend

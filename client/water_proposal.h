@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_WATER_PROPOSAL_H_
 #define TILEMEND_CLIENT_WATER_PROPOSAL_H_
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "absl/status/status.h"
@@ -15,8 +16,10 @@ namespace tilemend {
 absl::Status CheckWaterProposal(const std::string& path, bool overwrite);
 
 // Writes polygons for --water: the waters that the plan fills, and surface that looks like water (water_surfaces.h).
-// Returns how many. Precondition: the waves are planned. Errors of CheckWaterProposal, AskGdal and WriteFileAtomically.
-absl::StatusOr<size_t> WriteWaterProposal(const std::string& path, bool overwrite, const SceneWaves& waves);
+// Returns the properties of each. Precondition: the waves are planned. Errors of CheckWaterProposal, AskGdal and
+// WriteFileAtomically.
+absl::StatusOr<nlohmann::ordered_json> WriteWaterProposal(const std::string& path, bool overwrite,
+                                                          const SceneWaves& waves);
 
 }  // namespace tilemend
 

@@ -16,11 +16,13 @@
 #include "common/gis/vector_message.h"
 #include "common/grid/json_text.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
 
 constexpr std::string_view kSqlite("SQLite format 3\0", 16);
+constexpr size_t kMostWarnings = 20;   // of a file: it may have the waters of a country
 constexpr size_t kSqliteHeader = 100;  // bytes, at least
 constexpr std::string_view kZip = "PK\3\4";
 constexpr char kStem[] = "polygons";                                              // of the name that GDAL sees
@@ -257,6 +259,7 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
     DropIdleCentreline(name, area, file);
     if (area.clear) TILEMEND_RETURN_IF_ERROR(CheckClear(name, area, file.warnings));
   }
+  KeepFirst(kMostWarnings, name, file.warnings);
   return file;
 }
 
@@ -266,6 +269,7 @@ absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::stri
   if (read.features.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": holds no polygon"));
   file.area = std::move(read.features.front().polygon);
   for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
+  KeepFirst(kMostWarnings, name, file.warnings);
   return file;
 }
 

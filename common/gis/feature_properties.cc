@@ -1,6 +1,7 @@
 #include "common/gis/feature_properties.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <initializer_list>
@@ -16,12 +17,19 @@ namespace {
 constexpr size_t kMostOfName = 100;        // columns
 constexpr double kMostHeight = 1e5;        // metres
 constexpr double kMostClearHeight = 1000;  // metres
-constexpr std::string_view kBlanks = " \t\r\n";
+// The last three: no-break, thin and narrow no-break space, which editors put between a number and its unit.
+constexpr std::array<std::string_view, 7> kBlanks = {" ", "\t", "\r", "\n", "\xC2\xA0", "\xE2\x80\x89", "\xE2\x80\xAF"};
 
 std::string_view Trimmed(std::string_view text) {
-  const size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+  const auto at_start = [&](std::string_view blank) { return text.starts_with(blank); };
+  const auto at_end = [&](std::string_view blank) { return text.ends_with(blank); };
+  for (const auto* b = kBlanks.end(); (b = std::ranges::find_if(kBlanks, at_start)) != kBlanks.end();) {
+    text.remove_prefix(b->size());
+  }
+  for (const auto* b = kBlanks.end(); (b = std::ranges::find_if(kBlanks, at_end)) != kBlanks.end();) {
+    text.remove_suffix(b->size());
+  }
+  return text;
 }
 
 // Without blanks around, in lower case.

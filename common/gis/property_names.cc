@@ -22,8 +22,11 @@ constexpr std::array<Word, 5> kProperties = {{{"water", kWaterProperty},
                                               {"centreline", kCentrelineProperty},
                                               {"clear", kClearProperty},
                                               {"clearheight", kClearHeightProperty}}};
-constexpr std::array<Word, 4> kOtherWords = {
-    {{"level", kLevelProperty}, {"z", kLevelProperty}, {"height", kLevelProperty}, {"elevation", kLevelProperty}}};
+constexpr std::array<Word, 5> kOtherWords = {{{"level", kLevelProperty},
+                                              {"z", kLevelProperty},
+                                              {"height", kLevelProperty},
+                                              {"elevation", kLevelProperty},
+                                              {"cleared", kClearProperty}}};
 
 // Without what is no letter or digit, in lower case.
 std::string LettersOf(std::string_view name) {

@@ -167,6 +167,10 @@ bool IsOfUse(OGRLayer& layer, const VectorRequest& request) {
   throw BadVectors{what + (layers.size() > kShown ? ", ..." : "")};
 }
 
+bool HasPart(const VectorRequest& request, std::string_view suffix) {
+  return std::ranges::any_of(request.parts, [&](const auto& part) { return part.name.ends_with(suffix); });
+}
+
 void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string& prefix, const LayerRules& rules,
                VectorFile& file) {
   auto [features, warnings] = RawFeaturesOf(layer, prefix, rules);
@@ -179,6 +183,9 @@ void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string&
   }
   file.warnings.insert(file.warnings.end(), warnings.begin(), warnings.end());
   if (features.empty()) return;
+  if (HasPart(request, ".prj") && CrsOf(layer, request) == nullptr) {
+    file.warnings.push_back(prefix + "its .prj names no CRS that is known, so its coordinates decide what they are");
+  }
   file.coordinates = PlaceInScene(request.frame, CrsOf(layer, request), features, file.warnings);
   file.features.insert(file.features.end(), features.begin(), features.end());
 }

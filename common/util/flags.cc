@@ -82,6 +82,9 @@ absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std
       }
       word.value = words[i];
     }
+    if (!word.spec->value.empty() && word.value.empty()) {
+      return absl::InvalidArgumentError(absl::StrCat("--", word.spec->name, " is empty; expected ", word.spec->value));
+    }
     flags.given_[word.spec->name] = std::move(word.value);
   }
   return flags;

@@ -122,6 +122,13 @@ std::string Shortened(std::string_view text, size_t most) {
   return std::string(text.substr(0, end)).append(kBetween).append(text.substr(text.size() - end));
 }
 
+void KeepFirst(size_t most, const std::string& what, std::vector<std::string>& warnings) {
+  if (warnings.size() <= most) return;
+  const size_t more = warnings.size() - most;
+  warnings.resize(most);
+  warnings.push_back(what + ": " + std::to_string(more) + " warnings more");
+}
+
 size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), size_t{0});

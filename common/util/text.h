@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tilemend {
 
@@ -24,6 +25,9 @@ std::string SqueezedTo(std::string_view text, size_t columns);
 
 // `text` or, if it has more than `most` bytes (at least 5), its two ends with " ... " between them.
 std::string Shortened(std::string_view text, size_t most);
+
+// Keeps the first `most` of many warnings, with one more that says how many of `what` follow.
+void KeepFirst(size_t most, const std::string& what, std::vector<std::string>& warnings);
 
 // How many characters (bytes) have to be put in, taken out or changed to make `b` of `a`. Cost O(|a| |b|).
 size_t EditDistance(std::string_view a, std::string_view b);

@@ -5,13 +5,15 @@
 #include <map>
 
 #include "absl/strings/str_format.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kPlaces = 1e4;  // heights are reported to a tenth of a millimetre
+constexpr size_t kMostNamed = 10;  // polygons in warnings
+constexpr double kPlaces = 1e4;    // heights are reported to a tenth of a millimetre
 
 Json TileRows(const std::map<CellId, int64_t>& triangles_of) {
   Json rows = Json::array();
@@ -56,6 +58,7 @@ std::vector<std::string> ClearedWarnings(const std::vector<ClearedArea>& cleared
     warnings.push_back(
         absl::StrFormat("polygon %s: nothing was taken out: no surface lies in it%s", area.label, where));
   }
+  KeepFirst(kMostNamed, "polygons of which nothing was taken out (cleared in the report)", warnings);
   return warnings;
 }
 

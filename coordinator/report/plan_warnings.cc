@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
+#include "common/util/text.h"
 #include "coordinator/plan/types/left_reasons.h"
 
 namespace tilemend {
@@ -51,17 +53,20 @@ void WarnOfWaterAtUnknownRim(const Plan& plan, std::vector<std::string>& warning
 
 std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> warnings;
+  std::vector<std::string> doubts;
   size_t not_taken = 0;
   for (const WaterAnswer& answer : plan.water_answers) {
-    if (!answer.doubt.empty()) warnings.push_back(absl::StrFormat("--water: %s: %s", answer.label, answer.doubt));
+    if (!answer.doubt.empty()) doubts.push_back(absl::StrFormat("polygon %s: %s", answer.label, answer.doubt));
     if (answer.reason.empty() || ++not_taken > kMostAnswers) continue;
-    warnings.push_back(absl::StrFormat("--water: %s is %s: %s", answer.label,
+    warnings.push_back(absl::StrFormat("polygon %s is %s: %s", answer.label,
                                        answer.taken ? "taken for smaller holes only" : "not taken", answer.reason));
   }
   if (not_taken > kMostAnswers) {
-    warnings.push_back(absl::StrFormat("--water: %d of %d polygons are not taken; the report lists all (water_areas)",
-                                       not_taken, plan.water_answers.size()));
+    warnings.push_back(absl::StrFormat("%d of %d polygons are not taken; the report lists all (water_areas)", not_taken,
+                                       plan.water_answers.size()));
   }
+  KeepFirst(kMostAnswers, "doubts of polygons (water_areas in the report)", doubts);
+  std::ranges::move(doubts, std::back_inserter(warnings));
   WarnOfWaterAtUnknownRim(plan, warnings);
   if (plan.has_polygon && plan.holes.empty() && plan.left.empty()) {
     warnings.emplace_back("no hole lies in the area, so nothing is filled");

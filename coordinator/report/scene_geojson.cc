@@ -255,9 +255,10 @@ std::string BreaklinesGeoJson(const SceneReportInput& input, const Scene& scene)
 
 std::string ProposalsGeoJson(const Plan& plan, const std::vector<ProposedSurface>& surfaces, const Scene& scene) {
   Features features(scene);
+  int64_t proposed = 0;
   const auto properties = [&](const char* name, const char* kind, double level, double sigma, double area, bool clear,
                               const std::string& reason) {
-    return Json{{"name", name},
+    return Json{{"name", absl::StrCat(name, " ", ++proposed)},
                 {"water", true},
                 {"kind", kind == nullptr ? Json() : Json(kind)},
                 {"level_m", nullptr},

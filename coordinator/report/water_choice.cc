@@ -56,6 +56,7 @@ absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, Wat
   for (WaterArea& area : file.areas) {
     if (!area.clear) TILEMEND_RETURN_IF_ERROR(CheckClear(value, area, file.warnings));
     area.clear = true;
+    area.label += " of --clear";
     choice.options.areas.push_back(std::move(area));
   }
   for (std::string& warning : file.warnings) choice.warnings.push_back(std::move(warning));

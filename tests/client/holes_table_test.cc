@@ -41,6 +41,35 @@ TEST(PlannedHolesTextTest, ShowsTheFirstOfMany) {
 
 TEST(PlannedHolesTextTest, IsEmptyWithoutHoles) { EXPECT_EQ(PlannedHolesText(Json::object()), ""); }
 
+TEST(LargeHolesTextTest, SaysWhatTheyWereFilledAsAndWhy) {
+  Json report;
+  report["per_hole"] = {Hole(0, 200), Hole(1, 300), Hole(2, 5)};
+  for (Json& hole : report["per_hole"]) hole["outcome"] = "filled";
+  report["per_hole"][0]["water"] = {{"taken_for", "ground"}, {"reason", "it falls"}};
+  report["per_hole"][1]["level_m"] = 3;
+  report["per_hole"][1]["water"] = {{"taken_for", "lake"}, {"level_m", 3}, {"reason", "a polygon says so"}};
+  EXPECT_EQ(LargeHolesText(report),
+            "\n2 large holes\n"
+            "hole  cell   centre, m  area, m2  filled as        because\n"
+            "   1  [0,1]  [1.5,2.5]     300.0  lake at 3.000 m  a polygon says so\n"
+            "   0  [0,1]  [1.5,2.5]     200.0  ground           it falls\n");
+  report["per_hole"][1]["outcome"] = "left";
+  EXPECT_THAT(LargeHolesText(report), HasSubstr("1 large hole\n"));
+}
+
+TEST(LookAtTextTest, ListsPlaces) {
+  Json report;
+  EXPECT_EQ(LookAtText(report), "");
+  report["look_at"] = Json::array();
+  EXPECT_EQ(LookAtText(report), "");
+  report["look_at"].push_back(
+      {{"hole", 7}, {"cell", {0, 1}}, {"centre", {1.5, 2.5}}, {"area_m2", 300}, {"why", "it is large"}});
+  EXPECT_EQ(LookAtText(report),
+            "\n1 place to look at\n"
+            "hole  cell   centre, m  area, m2  why\n"
+            "   7  [0,1]  [1.5,2.5]     300.0  it is large\n");
+}
+
 TEST(KindsTextTest, HasALegendOnlyWhereThereAreOpenHoles) {
   Json report;
   report["per_hole"] = {Hole(0, 2)};

@@ -61,9 +61,10 @@ class WaterProposalTest : public ::testing::Test {
 TEST_F(WaterProposalTest, ACanalIsProposedAndReadBack) {
   for (const char* name : {"water.gpkg", "water.geojson"}) {
     const std::string path = folder_ / name;
-    const auto count = WriteWaterProposal(path, false, *inspection_.waves);
-    ASSERT_TRUE(count.ok()) << count.status();
-    EXPECT_EQ(*count, 1U);
+    const auto proposed = WriteWaterProposal(path, false, *inspection_.waves);
+    ASSERT_TRUE(proposed.ok()) << proposed.status();
+    ASSERT_THAT(*proposed, SizeIs(1));
+    EXPECT_EQ((*proposed)[0]["name"], "surface 1");
     const auto bytes = ReadAreaFile(path);
     ASSERT_TRUE(bytes.ok()) << bytes.status();
     const auto file = ParseWaterFile(*bytes, path, FrameOf(inspection_.waves->scene()));
@@ -72,7 +73,7 @@ TEST_F(WaterProposalTest, ACanalIsProposedAndReadBack) {
     EXPECT_THAT(file->warnings, SizeIs(0));
     EXPECT_TRUE(file->areas[0].water && file->areas[0].clear);
     EXPECT_EQ(file->areas[0].level, std::nullopt);
-    EXPECT_THAT(file->areas[0].label, HasSubstr("(surface)"));
+    EXPECT_THAT(file->areas[0].label, HasSubstr("(surface 1)"));
     for (const double x : {2, 79, 81, 158}) EXPECT_TRUE(Contains(file->areas[0].polygon, {x, 40})) << x;
     EXPECT_FALSE(Contains(file->areas[0].polygon, {40, 60}));
   }

@@ -330,6 +330,16 @@ TEST_F(VectorFormatTest, AShapefileAloneIsReadWithoutItsProperties) {
   CheckLakes(folder_ / "lakes.shp", {"ESRI Shapefile", "", 25832, false});
 }
 
+TEST_F(VectorFormatTest, ADamagedPrjIsWarnedOf) {
+  WriteLakes({"ESRI Shapefile", ""}, folder_ / "lakes.shp");
+  folder_.Write("lakes.prj", "no projection");
+  const auto bytes = ReadAreaFile(folder_ / "lakes.shp");
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  const auto file = ParseWaterFile(*bytes, "lakes.shp", kFrame);
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->warnings, testing::Contains(HasSubstr("its .prj names no CRS that is known")));
+}
+
 TEST_F(VectorFormatTest, OpenLinesOfADrawingAreLeftOut) {
   WriteLakes({"DXF", "", 0, false}, folder_ / "lakes.dxf");
   auto bytes = ReadAreaFile(folder_ / "lakes.dxf");

@@ -50,6 +50,8 @@ TEST(FlagsTest, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf({"--overwrit"}), "unknown flag --overwrit; did you mean --overwrite?");
   EXPECT_EQ(ErrorOf({"--completely-else"}), "unknown flag --completely-else");
   EXPECT_EQ(ErrorOf({"--out"}), "--out needs a value: DIR");
+  EXPECT_EQ(ErrorOf({"--out", ""}), "--out is empty; expected DIR");
+  EXPECT_EQ(ErrorOf({"--out="}), "--out is empty; expected DIR");
   EXPECT_EQ(ErrorOf({"--overwrite=yes"}), "--overwrite takes no value");
 }
 

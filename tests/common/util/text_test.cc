@@ -73,6 +73,14 @@ TEST(EditDistanceTest, CountsWhatIsPutInTakenOutOrChanged) {
   EXPECT_EQ(EditDistance("", "abc"), 3U);
 }
 
+TEST(KeepFirstTest, CountsTheRest) {
+  std::vector<std::string> warnings = {"a", "b", "c"};
+  KeepFirst(3, "file", warnings);
+  EXPECT_EQ(warnings, (std::vector<std::string>{"a", "b", "c"}));
+  KeepFirst(1, "file", warnings);
+  EXPECT_EQ(warnings, (std::vector<std::string>{"a", "file: 2 warnings more"}));
+}
+
 TEST(ShortenedTest, ShowsBothEndsOfWhatIsLong) {
   EXPECT_EQ(Shortened("0123456789", 10), "0123456789");
   EXPECT_EQ(Shortened("0123456789abc", 10), "01 ... bc");

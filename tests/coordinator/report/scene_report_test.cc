@@ -169,7 +169,7 @@ TEST_F(SceneReportTest, PutsTheWarningsOfThePlanAfterThoseGiven) {
   input_.warnings = {"first"};
   plan_.water_answers = {{"feature 4", true, false, {}, "no hole lies under it"}};
   EXPECT_THAT(Report()["warnings"].get<std::vector<std::string>>(),
-              ElementsAre("first", "--water: feature 4 is not taken: no hole lies under it"));
+              ElementsAre("first", "polygon feature 4 is not taken: no hole lies under it"));
 }
 
 TEST_F(SceneReportTest, WarnsOfPatchesThatFoldBack) {
