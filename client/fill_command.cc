@@ -189,7 +189,7 @@ absl::Status CheckHaveEffect(const Args& args, const FillOptions& options) {
 }
 
 // Flags that are out of their range are kInvalidArgument.
-absl::StatusOr<MeshFillOptions> OptionsFromFlags(const Args& args) {
+absl::StatusOr<MeshFillOptions> FillOptionsFromFlags(const Args& args) {
   MeshFillOptions all;
   FillOptions& options = all.fill;
   const std::optional<Surface> surface = SurfaceNamed(args.Text("surface"));
@@ -278,7 +278,7 @@ int PrintEnd(SceneReportInput& report, const std::string& out, OutputFormat form
 int FillCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
-  auto options = OptionsFromFlags(args);
+  auto options = FillOptionsFromFlags(args);
   if (!options.ok()) return PrintUsageError(options.status());
   const auto profile = WaterProfileFromFlags(args);
   if (!profile.ok()) return PrintUsageError(profile.status());

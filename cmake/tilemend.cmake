@@ -1,38 +1,61 @@
 # One static library per folder. The repository root is the only include path of our own headers.
 #
-#   tilemend_library(NAME SOURCES a.cc b.cc DEPS x y)
+#   tilemend_library(NAME SOURCES a.cc b.cc DEPS x y PCH std BATCH 4)
 #   tilemend_test(NAME SOURCES a_test.cc DEPS x)
+#
+# PCH: the set of precompiled headers (cmake/headers.cmake), `geometry` by default, `test` for tests.
+# BATCH: how many sources are compiled as one with TILEMEND_UNITY; 8 by default, 1 for none.
 #
 # Floating-point contraction is off everywhere: the bytes of an output must not depend on the instruction set.
 function(tilemend_settings target)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PRIVATE -ffp-contract=off ${TILEMEND_WARNINGS})
+  target_compile_options(${target} PRIVATE -ffp-contract=off -pthread ${TILEMEND_WARNINGS})
+endfunction()
+
+# Precompiled headers and batches of TARGET.
+function(tilemend_cheaper target default_set set batch)
+  if(NOT set)
+    set(set ${default_set})
+  endif()
+  tilemend_use_headers(${target} ${set})
+  if(NOT batch)
+    set(batch 8)
+  endif()
+  if(TILEMEND_UNITY AND batch GREATER 1)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+  endif()
 endfunction()
 
 function(tilemend_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PCH;BATCH" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   tilemend_settings(${name})
+  tilemend_cheaper(${name} geometry "${ARG_PCH}" "${ARG_BATCH}")
   target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS})
 endfunction()
 
 function(tilemend_binary name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PCH;BATCH" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   tilemend_settings(${name})
+  tilemend_cheaper(${name} geometry "${ARG_PCH}" "${ARG_BATCH}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
   # A tenth of the relocations' size: a program that fills one small hole spends a good part of its memory on them.
   target_link_options(${name} PRIVATE -Wl,-z,pack-relative-relocs)
 endfunction()
 
 function(tilemend_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;PCH;BATCH" "SOURCES;DEPS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
+  if(NOT ARG_BATCH)
+    set(ARG_BATCH 1)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   tilemend_settings(${name})
+  tilemend_cheaper(${name} test "${ARG_PCH}" "${ARG_BATCH}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${ARG_TIMEOUT})

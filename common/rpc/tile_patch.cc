@@ -16,7 +16,7 @@
 namespace tilemend {
 namespace {
 
-absl::Status Malformed(const char* what) {
+absl::Status MalformedPatch(const char* what) {
   return absl::InvalidArgumentError(absl::StrCat("malformed payload: ", what));
 }
 
@@ -25,7 +25,8 @@ absl::StatusOr<std::vector<HolePatch>> PatchesOf(const v1::AssembleInput& input,
                             FromProto(input.patches(), static_cast<size_t>(input.vertices().col_size())));
   int64_t points = 0;
   for (const HolePatch& patch : patches) {
-    if (patch.failure.empty() && !colours.of_holes.contains(patch.hole)) return Malformed("a patch without a colour");
+    if (patch.failure.empty() && !colours.of_holes.contains(patch.hole))
+      return MalformedPatch("a patch without a colour");
     points += static_cast<int64_t>(patch.new_points.size());
   }
   std::vector<std::vector<SmoothedPoint>> moves;
@@ -49,7 +50,7 @@ absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input) {
   const bool has_tile = !input.tile().path().empty();
   for (const RimVertex& v : vertices) {
     if (has_tile && v.tile == cell && v.index >= input.tile_vertices()) {
-      return Malformed("a rim vertex that the tile does not have");
+      return MalformedPatch("a rim vertex that the tile does not have");
     }
   }
   const int32_t tile_vertices = has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0;

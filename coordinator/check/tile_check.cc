@@ -10,20 +10,20 @@
 namespace tilemend {
 namespace {
 
-absl::Status Wrong(const char* what) { return absl::InvalidArgumentError(what); }
+absl::Status WrongTile(const char* what) { return absl::InvalidArgumentError(what); }
 
 absl::Status CheckSummary(const SurveyRecord& record, const TriMesh& tile, bool float32) {
   if (record.vertex_count != static_cast<int64_t>(tile.points.size()) ||
       record.triangle_count != static_cast<int64_t>(tile.triangles.size())) {
-    return Wrong("counts that are not the tile's");
+    return WrongTile("counts that are not the tile's");
   }
-  if (record.float32 != float32) return Wrong("a number type that is not the tile's");
+  if (record.float32 != float32) return WrongTile("a number type that is not the tile's");
   Point3 lo = Point3::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
   for (const Point3& p : tile.points) {
     lo = lo.cwiseMin(p);
     hi = hi.cwiseMax(p);
   }
-  return lo == record.lo && hi == record.hi ? absl::OkStatus() : Wrong("bounds that are not the tile's");
+  return lo == record.lo && hi == record.hi ? absl::OkStatus() : WrongTile("bounds that are not the tile's");
 }
 
 absl::Status CheckVertices(const SurveyRecord& record, const TriMesh& tile) {
@@ -31,7 +31,8 @@ absl::Status CheckVertices(const SurveyRecord& record, const TriMesh& tile) {
   std::vector<int32_t> lowest;
   for (const BoundaryVertex& v : record.vertices) {
     positions.Insert(v.position);
-    if (static_cast<size_t>(positions.size()) == lowest.size()) return Wrong("two boundary vertices at one position");
+    if (static_cast<size_t>(positions.size()) == lowest.size())
+      return WrongTile("two boundary vertices at one position");
     lowest.push_back(-1);
   }
   for (size_t v = 0; v < tile.points.size(); ++v) {
@@ -40,7 +41,7 @@ absl::Status CheckVertices(const SurveyRecord& record, const TriMesh& tile) {
   }
   const bool same = std::equal(record.vertices.begin(), record.vertices.end(), lowest.begin(),
                                [](const BoundaryVertex& v, int32_t index) { return v.index == index; });
-  return same ? absl::OkStatus() : Wrong("boundary vertices that are not the tile's");
+  return same ? absl::OkStatus() : WrongTile("boundary vertices that are not the tile's");
 }
 
 bool HasOutline(const SurveyRecord& record, const TriMesh& tile, uint64_t key) {
@@ -64,7 +65,7 @@ absl::Status CheckAgainstTile(const SurveyRecord& record, const TriMesh& tile, b
   absl::Status status = CheckSummary(record, tile, float32);
   if (status.ok()) status = CheckVertices(record, tile);
   if (!status.ok()) return status;
-  return HasOutline(record, tile, key) ? absl::OkStatus() : Wrong("a boundary that is not the tile's");
+  return HasOutline(record, tile, key) ? absl::OkStatus() : WrongTile("a boundary that is not the tile's");
 }
 
 }  // namespace tilemend

@@ -24,10 +24,10 @@
 namespace tilemend {
 namespace {
 
-constexpr int64_t kMostPages = 1000;    // given back to the disk in one transaction
-constexpr int64_t kMostDeleted = 2000;  // rows looked at in one transaction: some milliseconds
-constexpr int64_t kPageRows = 64;       // results read at once: they are asked for much as they were put
-constexpr size_t kMostPagesRead = 16;   // of such
+constexpr int64_t kMostPages = 1000;     // given back to the disk in one transaction
+constexpr int64_t kMostExamined = 2000;  // rows looked at in one transaction: some milliseconds
+constexpr int64_t kPageRows = 64;        // results read at once: they are asked for much as they were put
+constexpr size_t kMostPagesRead = 16;    // of such
 
 class SqliteJournal : public CommittedJournal {
  public:
@@ -327,13 +327,13 @@ bool SqliteJournal::TidyUp() {
 void SqliteJournal::DeleteOldResults() {
   std::vector<int64_t> old;
   int64_t looked_at = 0;
-  next_results_->Bind(0, tidy_from_).Bind(1, kMostDeleted);
+  next_results_->Bind(0, tidy_from_).Bind(1, kMostExamined);
   while (RequireOfJournal(next_results_->Step())) {
     ++looked_at;
     tidy_from_ = next_results_->Int(0);
     if (!running_.contains(next_results_->Int(1))) old.push_back(tidy_from_);
   }
-  has_old_results_ = looked_at == kMostDeleted;
+  has_old_results_ = looked_at == kMostExamined;
   if (old.empty()) return;
   RequireOfJournal(database_.Run("BEGIN IMMEDIATE"));
   for (const int64_t number : old) {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // `name` of a result: a digest of what the task is asked. `sum` of a row: a digest of its other columns.
-constexpr char kTables[] = R"(
+constexpr char kSqliteTables[] = R"(
 CREATE TABLE epoch(value INTEGER NOT NULL);
 INSERT INTO epoch VALUES(0);
 CREATE TABLE job(number INTEGER PRIMARY KEY, request_id BLOB NOT NULL, body BLOB NOT NULL, over INTEGER NOT NULL,
@@ -78,7 +78,7 @@ absl::Status Make(const std::string& path) {
     TILEMEND_ASSIGN_OR_RETURN(SqliteDatabase database, SqliteDatabase::Open(made));
     TILEMEND_RETURN_IF_ERROR(database.Run(absl::StrCat(
         "PRAGMA synchronous=FULL; PRAGMA auto_vacuum=INCREMENTAL; PRAGMA application_id=", kJournalApplication,
-        "; PRAGMA user_version=", kJournalVersion, "; BEGIN;", kTables, "COMMIT;")));
+        "; PRAGMA user_version=", kJournalVersion, "; BEGIN;", kSqliteTables, "COMMIT;")));
   }
   FailPoint("journal.make");
   // A write-ahead log without its database is of no use, and must not be taken for that of the new one.

@@ -65,7 +65,7 @@ std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
 
 std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
 
-absl::StatusOr<int64_t> SizeOf(const std::string& path) {
+absl::StatusOr<int64_t> SizeOfFile(const std::string& path) {
   const auto look = LookAt(path);
   if (!look.ok()) return absl::UnavailableError(look.status().message());
   return look->size;
@@ -102,7 +102,7 @@ absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& reco
       (record.lo.x() < reach[0] || record.lo.y() < reach[1] || record.hi.x() > reach[2] || record.hi.y() > reach[3]);
   if (!closed && !outside) return absl::OkStatus();
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOfFile(path));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
   const auto bytes = ReadFile(path);
   if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
@@ -125,7 +125,7 @@ absl::Status Changed(const std::string& path) {
 absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutput& output, TileCheck how) {
   absl::Status changed = Changed(PathOf(input.tile()));
   if (!input.has_known() || output.digest() != input.known().digest()) return Wrong("another tile than is known");
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(PathOf(input.tile())));
   if (bytes != input.known().bytes()) return changed;
   if (how == TileCheck::kSize) return absl::OkStatus();
   return CheckFile(PathOf(input.tile()), output.digest(), changed);
@@ -140,7 +140,7 @@ absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) 
 absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOutput& output, const SurveyRecord& record,
                                TileReading& reading) {
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOfFile(path));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
   const auto bytes = ReadFile(path);
   if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
@@ -160,7 +160,7 @@ absl::Status CheckMeasureResult(const std::string& input_bytes, const std::strin
   for (const v1::HeightTally& tally : output.tallies()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(tally).status()));
   if (reading.how != TileCheck::kContent) return absl::OkStatus();
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOfFile(path));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
   const auto bytes = ReadFile(path);
   if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
@@ -185,7 +185,7 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
   const auto record = FromProto(output);
   if (!record.ok()) return AsWrong(record.status());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(PathOf(input.tile())));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(PathOf(input.tile())));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
   if (reading.how == TileCheck::kContent) return CheckSurveyedTile(input, output, *record, reading);
   if (reading.how == TileCheck::kDigest) {
@@ -290,7 +290,7 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
   if (!IsFileDigest(tile.digest())) return Wrong("a digest that is none");
   const bool patched = IsPatched(input);
   if (!input.tile().path().empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(PathOf(input.tile())));
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOfFile(PathOf(input.tile())));
     const bool grows = patched && input.tile().clear().empty();
     if (grows ? tile.bytes() <= original : !patched && tile.bytes() != original)
       return Wrong("a tile that is not the original with its patches");
@@ -346,7 +346,7 @@ absl::Status CheckLibrary(const v1::AssembleInput& input, const v1::WrittenFile&
 
 absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile& file, TileCheck how) {
   const std::string original = absl::StrCat(input.tile().root(), "/", file.path());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(original));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(original));
   bool same = file.bytes() == bytes;
   if (same && how != TileCheck::kSize) {
     const auto theirs = DigestOfFile(absl::StrCat(input.attempts(), "/", file.attempt())), own = DigestOfFile(original);
@@ -390,7 +390,7 @@ absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOu
   }
   for (const v1::WrittenFile& file : known) {
     const std::string path = absl::StrCat(input.output_root(), "/", file.path());
-    TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(path));
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(path));
     if (bytes != file.bytes()) return Wrong("a file that is not as it was written");
     if (how == TileCheck::kSize || file.digest().empty()) continue;
     TILEMEND_RETURN_IF_ERROR(CheckFile(path, file.digest(), Wrong("a file that is not as it was written")));

@@ -12,19 +12,19 @@ namespace {
 constexpr absl::Duration kLookAgain = absl::Seconds(30);
 constexpr absl::Duration kLongLook = absl::Seconds(5);  // a look takes milliseconds, over a slow network a second
 constexpr size_t kMostSetAside = 10'000;
-constexpr size_t kMostErrorBytes = 500;  // of a stranger's text
+constexpr size_t kMostStrangerErrorBytes = 500;  // of a stranger's text
 
 // What is wrong with a look, "" if nothing is.
 std::string FaultOf(const JobFolders& folders, const v1::FoldersSeen& seen) {
   if (seen.files_size() != static_cast<int>(folders.files.size())) return "it did not look";
   for (size_t i = 0; i < folders.files.size(); ++i) {
     const v1::FileSeen& file = seen.files(static_cast<int>(i));
-    if (!file.error().empty()) return Printable(file.error().substr(0, kMostErrorBytes));
+    if (!file.error().empty()) return Printable(file.error().substr(0, kMostStrangerErrorBytes));
     if (file.fingerprint() != folders.files[i].fingerprint) {
       return absl::StrCat(Printable(folders.files[i].path), ": another file there");
     }
   }
-  return seen.write_error().empty() ? "" : Printable(seen.write_error().substr(0, kMostErrorBytes));
+  return seen.write_error().empty() ? "" : Printable(seen.write_error().substr(0, kMostStrangerErrorBytes));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace tilemend {
 namespace {
 
 template <typename T>
-std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
+std::span<const T> ColumnOf(const google::protobuf::RepeatedField<T>& values) {
   return {values.data(), static_cast<size_t>(values.size())};
 }
 
@@ -42,8 +42,9 @@ absl::StatusOr<std::string> RunSmoothSeam(const v1::SmoothSeamInput& input) {
   if (input.height_size() != input.seam_vertex_size() || !(input.lattice_step() > 0)) {
     return absl::InvalidArgumentError("malformed payload: seam");
   }
-  const SmoothedPatches smoothed = SmoothSeam(a.View(), b.View(), {Column(input.seam_vertex()), Column(input.height())},
-                                              {input.smoothing(), input.buffer(), input.lattice_step()});
+  const SmoothedPatches smoothed =
+      SmoothSeam(a.View(), b.View(), {ColumnOf(input.seam_vertex()), ColumnOf(input.height())},
+                 {input.smoothing(), input.buffer(), input.lattice_step()});
   v1::SmoothSeamOutput output;
   output.set_number(input.number());
   output.mutable_height()->Add(smoothed.heights.begin(), smoothed.heights.end());

@@ -16,8 +16,8 @@
 namespace tilemend {
 namespace {
 
-constexpr double kClearance = 0.125;  // of its size: a new vertex is not nearer to the rim
-constexpr double kLeastSteps = 4;     // of the lattice: lines nearer to each other count as one
+constexpr double kRimClearance = 0.125;  // of its size: a new vertex is not nearer to the rim
+constexpr double kLeastLineSteps = 4;    // of the lattice: lines nearer to each other count as one
 constexpr uint8_t kCornerLines = 3;
 
 // A straight way.
@@ -61,7 +61,7 @@ class StripLayer {
       if (across == outlines.coordinate.end()) continue;
       const double theirs = across->second[Opposite(side)];
       const double width = (own_[side] - theirs) * OutwardOf(side);
-      if (width > kLeastSteps * plan.lattice_step) strip_end_[side] = theirs;
+      if (width > kLeastLineSteps * plan.lattice_step) strip_end_[side] = theirs;
     }
   }
 
@@ -328,8 +328,8 @@ class StripLayer {
   double At(int32_t v, int axis) const { return plan_.vertices[v].position[axis]; }
   double SumAt(int32_t v) const { return At(v, 0) + At(v, 1); }
   Point2 PlaceOf(int32_t v) const { return plan_.vertices[v].position.head<2>(); }
-  double ClearanceAt(int32_t v) const { return kClearance * plan_.vertices[v].size; }
-  double Least() const { return kLeastSteps * plan_.lattice_step; }
+  double ClearanceAt(int32_t v) const { return kRimClearance * plan_.vertices[v].size; }
+  double Least() const { return kLeastLineSteps * plan_.lattice_step; }
 
   Plan& plan_;
   PlannedHole& hole_;

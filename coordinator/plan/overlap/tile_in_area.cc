@@ -14,7 +14,7 @@
 namespace tilemend {
 namespace {
 
-Point2 Flat(const Point3& p) { return p.head<2>(); }
+Point2 FlatPoint(const Point3& p) { return p.head<2>(); }
 
 class AreaTaker {
  public:
@@ -25,7 +25,7 @@ class AreaTaker {
         own_(static_cast<int32_t>(record.vertices.size())),
         window_(Window()),
         box_{Rounded({outside.box[kWest], outside.box[kSouth]}), Rounded({outside.box[kEast], outside.box[kNorth]})} {
-    for (const BoundaryVertex& v : tile_.vertices) is_inside_.push_back(!outside_.Contains(Flat(v.position)));
+    for (const BoundaryVertex& v : tile_.vertices) is_inside_.push_back(!outside_.Contains(FlatPoint(v.position)));
   }
 
   TileInArea Run() {
@@ -61,8 +61,8 @@ class AreaTaker {
   LatticeWindow Window() const {
     Point2 lo(outside_.box[kWest], outside_.box[kSouth]), hi(outside_.box[kEast], outside_.box[kNorth]);
     for (const BoundaryVertex& v : tile_.vertices) {
-      lo = lo.cwiseMin(Flat(v.position));
-      hi = hi.cwiseMax(Flat(v.position));
+      lo = lo.cwiseMin(FlatPoint(v.position));
+      hi = hi.cwiseMax(FlatPoint(v.position));
     }
     return {lo, hi};
   }
@@ -72,7 +72,7 @@ class AreaTaker {
   // Where the area's edge runs through holes: where it bounds what tile and outside cover together.
   void FollowArea() {
     std::vector<LatticePoint> points;
-    for (const BoundaryVertex& v : result_.record.vertices) points.push_back(window_.Round(Flat(v.position)));
+    for (const BoundaryVertex& v : result_.record.vertices) points.push_back(window_.Round(FlatPoint(v.position)));
     std::vector<DirectedEdge> edges;
     for (size_t e = 0; e < tile_.edges.size(); ++e) {
       if (!cut_[e]) continue;
@@ -107,7 +107,7 @@ class AreaTaker {
   }
 
   Point2 PlaceOf(const WoundRegion& region, int32_t v) const {
-    if (v < KnownVertices()) return Rounded(Flat(result_.record.vertices[v].position));
+    if (v < KnownVertices()) return Rounded(FlatPoint(result_.record.vertices[v].position));
     return window_.ToMetres(region.corners[v - KnownVertices()].place);
   }
 
@@ -129,7 +129,7 @@ class AreaTaker {
       const BoundaryEdge& e = tile_.edges[cut_edges_[s]];
       crossed_.insert(cut_edges_[s]);
       for (const int32_t end : {e.from, e.to}) {
-        const double distance = (Flat(tile_.vertices[end].position) - place).norm();
+        const double distance = (FlatPoint(tile_.vertices[end].position) - place).norm();
         if (is_inside_[end] || distance >= least) continue;
         least = distance;
         nearest = end;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kSquaresPerCell = 128;
 constexpr double kMostSquares = 32e6;
-constexpr double kMouth = 0.25;   // of a cell: half of the widest mouth that is closed
-constexpr int32_t kInside = 2;    // squares between the surface's outline and the area's
-constexpr double kFarInside = 2;  // times what is left out along cells that are filled
-constexpr double kStraight = 1;   // squares: how far corners may be off the line between others to be left out
+constexpr double kMouth = 0.25;         // of a cell: half of the widest mouth that is closed
+constexpr int32_t kInside = 2;          // squares between the surface's outline and the area's
+constexpr double kFarInside = 2;        // times what is left out along cells that are filled
+constexpr double kStraightCorners = 1;  // squares: how far corners may be off the line between others to be left out
 
 // Squares of the plane that are in or out, with a margin that is out.
 struct Mask {
@@ -130,7 +130,7 @@ void MarkCorners(const std::vector<Point2>& line, size_t from, size_t to, std::v
     const auto [a, b] = stretches.back();
     stretches.pop_back();
     size_t farthest = a;
-    double most = kStraight;
+    double most = kStraightCorners;
     for (size_t i = a + 1; i < b; ++i) {
       const Point2 way = line[b] - line[a], off = line[i] - line[a];
       const double along = way.squaredNorm() > 0 ? std::clamp(off.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;

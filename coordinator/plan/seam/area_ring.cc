@@ -9,7 +9,7 @@
 namespace tilemend {
 namespace {
 
-constexpr double kHair = 1e-6;  // metres: a point this far beside an edge tells its sides apart
+constexpr double kRingTolerance = 1e-6;  // metres: a point this far beside an edge tells its sides apart
 // Of the wanted edge length: new vertices nearer than this to the rim or the vertex before are left out.
 constexpr double kClearance = 0.3;
 constexpr double kClearanceOfCorners = 0.1;  // of the polygon
@@ -28,7 +28,7 @@ void OrientRing(const PlanePolygon& area, std::vector<Point2>& ring) {
     if ((after(i) - ring[i]).norm() > (after(longest) - ring[longest]).norm()) longest = i;
   }
   const Point2 d = (after(longest) - ring[longest]).normalized();
-  if (!Contains(area, (ring[longest] + after(longest)) / 2 + kHair * Point2(d.y(), -d.x()))) {
+  if (!Contains(area, (ring[longest] + after(longest)) / 2 + kRingTolerance * Point2(d.y(), -d.x()))) {
     std::reverse(ring.begin(), ring.end());
   }
 }

@@ -10,7 +10,7 @@
 namespace tilemend {
 namespace {
 
-constexpr double kSigmas = 3;
+constexpr double kBasinSigmas = 3;
 
 std::vector<PlaneSegment> Together(const std::vector<std::vector<PlaneSegment>>& outlines) {
   std::vector<PlaneSegment> all;
@@ -39,7 +39,7 @@ Basin Joined(const Basin& a, const Basin& b, double min_river) {
 }
 
 bool IsNear(const Basin& part, const Basin& joint) {
-  return std::abs(part.evidence.level - joint.evidence.level) <= kSigmas * part.evidence.sigma();
+  return std::abs(part.evidence.level - joint.evidence.level) <= kBasinSigmas * part.evidence.sigma();
 }
 
 // Whether a basin whose own rim tells no level has its foot at that of both.

@@ -17,7 +17,7 @@ constexpr double kSquaresPerWidth = 6;  // at least, where the side allows
 constexpr size_t kSmallParts = 8;       // of the largest
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-Eigen::AlignedBox2d BoundsOf(std::span<const PlaneSegment> segments) {
+Eigen::AlignedBox2d BoundsOfLines(std::span<const PlaneSegment> segments) {
   Eigen::AlignedBox2d box;
   for (const auto& [a, b] : segments) box.extend(a).extend(b);
   return box;
@@ -195,7 +195,7 @@ Centreline LineAlong(const Raster& raster, const RasterPart& part, double statio
 }  // namespace
 
 std::vector<Centreline> FindCentrelines(std::span<const PlaneSegment> boundary, double station) {
-  const Eigen::AlignedBox2d box = BoundsOf(boundary);
+  const Eigen::AlignedBox2d box = BoundsOfLines(boundary);
   if (boundary.empty() || !(box.sizes().minCoeff() > 0)) return {};
   const double coarse = box.sizes().maxCoeff() / kMostSquares;
   // A first look tells the width: a long region's area over half of its outline.

@@ -18,7 +18,7 @@ constexpr double kSteepestTangent = 10;
 // A move may make the worst triangle around a vertex worse as long as it stays this good.
 constexpr double kGoodShape = 0.7;
 // A move that gains less in the sum of shapes is not worth it, and could be a matter of rounding.
-constexpr double kLeastGain = 1e-3;
+constexpr double kLeastSmoothingGain = 1e-3;
 
 class Smoother {
  public:
@@ -146,7 +146,7 @@ class Smoother {
       if (!placed || !StaysUpright(v, placed->first)) continue;
       const Point3 p(placed->second.x(), placed->second.y(), HeightAt(v, placed->second));
       const StarShape after = ShapeAt(v, p);
-      if (after.sum < before.sum + kLeastGain || after.worst < std::min(before.worst, kGoodShape)) continue;
+      if (after.sum < before.sum + kLeastSmoothingGain || after.worst < std::min(before.worst, kGoodShape)) continue;
       plane_[v] = placed->first;
       points_[v] = p;
       slope_[v] = SlopeAt(v);

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 // Shares of the loop that are left when the cone begins.
 constexpr double kLeft[] = {1, 0.75, 0.5, 0.25, 0};
 // Of the mean distance from the middle of the loop: how far tips are tried from there.
-constexpr double kReaches[] = {0.15, 0.4, 0.8};
+constexpr double kConeReaches[] = {0.15, 0.4, 0.8};
 // Longer ones would take long, and no one tip sees all of them.
 constexpr size_t kLongestBase = 200;
 
@@ -34,7 +34,7 @@ std::vector<Point3> TipsFor(std::span<const Point3> base) {
   std::vector<Point3> tips = {middle};
   const Vector3d along = base[0] - middle, up = across.normalized();
   const Vector3d u = (along - along.dot(up) * up).normalized(), v = up.cross(u);
-  for (const double share : kReaches) {
+  for (const double share : kConeReaches) {
     for (int i = -1; i <= 1; ++i) {
       for (int j = -1; j <= 1; ++j) {
         for (int k = -1; k <= 1; ++k) {
@@ -49,16 +49,16 @@ std::vector<Point3> TipsFor(std::span<const Point3> base) {
 
 // The area of the cone; infinite if it crosses something.
 double SoundArea(std::span<const Point3> base, const Point3& tip, const CrossingIndex& taken) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
+  constexpr double kNoCost = std::numeric_limits<double>::infinity();
   std::vector<SpaceTriangle> cone;
   double area = 0;
   for (size_t i = 0; i < base.size(); ++i) {
     const SpaceTriangle t = {base[i], base[(i + 1) % base.size()], tip};
-    if (!HasArea(t) || TriangleArea(t[0], t[1], t[2]) <= 0 || taken.IsCrossedBy(t)) return kNever;
+    if (!HasArea(t) || TriangleArea(t[0], t[1], t[2]) <= 0 || taken.IsCrossedBy(t)) return kNoCost;
     area += TriangleArea(t[0], t[1], t[2]);
     cone.push_back(t);
   }
-  return PatchCrosses(cone, {}) ? kNever : area;
+  return PatchCrosses(cone, {}) ? kNoCost : area;
 }
 
 }  // namespace

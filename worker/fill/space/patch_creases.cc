@@ -29,7 +29,7 @@ constexpr double kReaches[] = {0.3, 0.1, 0.03};
 // Of a sum of two unit vectors: folds that are flatter have no direction to turn in.
 constexpr double kLeastTurn = 1e-3;
 // Bevels may crease against their own neighbours, and be bevelled again.
-constexpr int kRounds = 3;
+constexpr int kCreaseRounds = 3;
 
 // The triangles at one vertex together.
 struct Tip {
@@ -229,7 +229,7 @@ double TurnAtRim(const LocalHole& hole, const LocalPatch& patch) {
 
 LocalPatch BevelCreases(const LocalHole& hole, LocalPatch patch, CrossingCheck& check) {
   std::set<Edge> spared;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kCreaseRounds; ++round) {
     Bevelling bevelling(hole, patch);
     bevelling.BevelAll(spared);
     if (bevelling.made().empty()) break;

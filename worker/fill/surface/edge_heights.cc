@@ -10,7 +10,7 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kLeastSamples = 8, kMostRimPoints = 250;
+constexpr size_t kLeastSamples = 8, kMostEdgePoints = 250;
 // In 1 / width^2. With less, slopes go on too far where there is rim on one side alone.
 constexpr double kLeastTension = 3;
 // Variance of each height by itself, over the kernel's scale. The likeliest one is no better, and jumps by tens between
@@ -46,7 +46,7 @@ bool SolveAbout(const HeightTrend& trend, const std::vector<int32_t>& edge, Thin
 bool SolveEdge(double width, const std::vector<int32_t>& edge, ThinPlateProblem& problem) {
   const auto foretell = [&] {
     if (!(width > 0)) return false;
-    const RimSamples rim = SampleRim(problem, width, kMostRimPoints);
+    const RimSamples rim = SampleRim(problem, width, kMostEdgePoints);
     if (rim.samples.size() < kLeastSamples) return false;
     const HeightReach reach = ReachOfRim(problem);
     for (double tension = std::max(kLeastTension, problem.tension * width * width); tension < kTaut; tension *= 10) {

@@ -8,7 +8,7 @@
 namespace tilemend {
 namespace {
 
-constexpr double kOnLine = 1e-3;  // metres
+constexpr double kOnGridLine = 1e-3;  // metres
 constexpr uint8_t kVerticalLine = 1, kHorizontalLine = 2;
 
 Point2 PlaceOf(const LocalHole& hole, int32_t v) { return hole.positions[v].head<2>(); }
@@ -71,7 +71,7 @@ class InnerLines {
     for (const RegionSegment& e : hole.inner_edges) {
       const Point2 a = PlaceOf(hole, e.from), b = PlaceOf(hole, e.to);
       for (const int axis : {0, 1}) {
-        if (std::abs(a[axis] - b[axis]) < kOnLine) along_[axis][a[axis]].emplace(a[1 - axis], e.from);
+        if (std::abs(a[axis] - b[axis]) < kOnGridLine) along_[axis][a[axis]].emplace(a[1 - axis], e.from);
       }
     }
   }
@@ -81,7 +81,7 @@ class InnerLines {
     std::optional<double> nearest;
     for (const auto& [line, vertices] : along_[s.axis]) {
       const double off = s.own * (line - s.line);
-      if (off > kOnLine && (!nearest || off < s.own * (*nearest - s.line))) nearest = line;
+      if (off > kOnGridLine && (!nearest || off < s.own * (*nearest - s.line))) nearest = line;
     }
     return nearest;
   }
@@ -89,8 +89,8 @@ class InnerLines {
   // Its vertices.
   std::vector<int32_t> On(int axis, double line) const {
     std::vector<int32_t> vertices;
-    for (auto it = along_[axis].lower_bound(line - kOnLine); it != along_[axis].end() && it->first < line + kOnLine;
-         ++it) {
+    for (auto it = along_[axis].lower_bound(line - kOnGridLine);
+         it != along_[axis].end() && it->first < line + kOnGridLine; ++it) {
       for (const auto& [t, v] : it->second) vertices.push_back(v);
     }
     return vertices;
@@ -104,13 +104,13 @@ class InnerLines {
     moved.vertices = {own.vertices.front()};
     for (size_t i = 1; i + 1 < own.vertices.size(); ++i) {
       const double t = PlaceOf(hole_, own.vertices[i])[1 - own.axis];
-      const auto across = at.lower_bound(t - kOnLine);
-      if (across != at.end() && across->first < t + kOnLine) moved.vertices.push_back(across->second);
+      const auto across = at.lower_bound(t - kOnGridLine);
+      if (across != at.end() && across->first < t + kOnGridLine) moved.vertices.push_back(across->second);
     }
     moved.vertices.push_back(own.vertices.back());
     for (std::vector<int32_t>* beside : {&moved.before, &moved.after}) {
       const auto beyond = std::find_if(beside->begin(), beside->end(),
-                                       [&](int32_t v) { return moved.OffLine(PlaceOf(hole_, v)) > kOnLine; });
+                                       [&](int32_t v) { return moved.OffLine(PlaceOf(hole_, v)) > kOnGridLine; });
       beside->erase(beside->begin(), beyond);
     }
     return moved;
@@ -146,7 +146,7 @@ std::vector<uint8_t> StripsBeside(const LocalHole& hole) {
     if (!line) continue;
     const auto side = static_cast<uint8_t>(1U << (2 * s.axis + (s.own > 0 ? 1 : 0)));
     for (const int32_t v : s.vertices) {
-      if (std::abs(s.OffLine(PlaceOf(hole, v))) < kOnLine) strips[v] |= side;
+      if (std::abs(s.OffLine(PlaceOf(hole, v))) < kOnGridLine) strips[v] |= side;
     }
     for (const int32_t v : inner.On(s.axis, *line)) strips[v] |= side;
   }
