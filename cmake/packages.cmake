@@ -1,5 +1,5 @@
-# `cpack -G DEB --config build/release/CPackConfig.cmake` makes one Debian package with the programs, the units, the
-# alerts, the dashboard and the documents.
+# scripts/package.sh makes one Debian package with the programs, the units, the alerts, the dashboard and the documents
+# (`cpack -G DEB --config build/release/CPackConfig.cmake`).
 install(FILES deploy/systemd/tilemend-coordinator.service deploy/systemd/tilemend-worker.service
   DESTINATION lib/systemd/system)
 install(DIRECTORY deploy/prometheus deploy/grafana deploy/kubernetes deploy/slurm DESTINATION share/doc/tilemend/deploy

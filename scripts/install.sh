@@ -4,6 +4,7 @@
 #   install.sh               what building and testing need
 #   install.sh --lint        the lint tools as well
 #   install.sh --coverage    the tools that measure coverage as well
+#   install.sh --package     the tools that make the Debian package as well
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
 
