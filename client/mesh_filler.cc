@@ -22,6 +22,7 @@
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
 #include "worker/materials/survey_look.h"
+#include "worker/papers/published_ways.h"
 #include "worker/weld/weld_rims.h"
 
 namespace tilemend {
@@ -32,6 +33,7 @@ class MeshFiller {
  public:
   MeshFiller(const std::string& path, const MeshFillOptions& options)
       : path_(path), options_(options.fill), weld_(options.weld), library_(options.library), show_(options.show) {
+    options_.published = AllPublishedWays();
     WaveOptions waves;
     waves.plan = {
         options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,
@@ -190,7 +192,7 @@ class MeshFiller {
   }
 
   const std::string path_;
-  const FillOptions options_;
+  FillOptions options_;
   const std::optional<double> weld_;
   const std::string library_;
   const ShowStep show_;

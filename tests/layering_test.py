@@ -77,25 +77,17 @@ RULES = {
         ['eigen']),
 
     'worker/fill/shape': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh'], ['eigen']),
-
-    'worker/fill/wang': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole',
-         'worker/fill/surface'],
+        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/mesh', 'worker/fill/region'],
         ['eigen']),
 
     'worker/fill/space': rule(
         ['common/mesh', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
-         'worker/fill/wang'],
-        ['eigen']),
-
-    'worker/fill/front': rule(
-        ['common/mesh', 'common/records', 'worker/fill/mesh', 'worker/fill/hole'],
+         'worker/fill/shape'],
         ['eigen']),
 
     'worker/fill/plane': rule(
         ['common/mesh', 'common/mesh/winding', 'common/records', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/wang'],
+         'worker/fill/shape', 'worker/fill/space'],
         []),
 
     'worker/fill/crease': rule(
@@ -108,9 +100,21 @@ RULES = {
         ['eigen']),
 
     'worker/fill': rule(
-        ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/front', 'worker/fill/plane',
+        ['common/records', 'worker/fill/hole', 'worker/fill/space', 'worker/fill/plane',
          'worker/fill/crease', 'worker/fill/seam'],
         []),
+
+    # Production includes nothing of the papers; the programs hand them over (FillOptions::published).
+    'worker/papers/wang': rule(
+        ['common/mesh', 'common/mesh/triangulation', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole',
+         'worker/fill/surface', 'worker/fill/shape', 'worker/fill/space'],
+        ['eigen']),
+
+    'worker/papers/front': rule(
+        ['common/mesh', 'common/records', 'worker/fill/mesh', 'worker/fill/hole'],
+        ['eigen']),
+
+    'worker/papers': rule(['worker/fill/hole', 'worker/papers/front', 'worker/papers/wang'], []),
 
     'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),
 
@@ -122,7 +126,7 @@ RULES = {
         ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey', 'worker/ground'], ['absl']),
 
     'worker/service': rule(
-        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/survey', 'worker/ground',
+        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
          'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
@@ -188,7 +192,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),

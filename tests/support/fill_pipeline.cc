@@ -14,6 +14,7 @@
 #include "worker/fill/seam/sample_heights.h"
 #include "worker/fill/seam/smooth_seam.h"
 #include "worker/ground/rim_objects.h"
+#include "worker/papers/published_ways.h"
 
 namespace tilemend {
 namespace {
@@ -75,7 +76,9 @@ class LocalStages {
       }
       TakeSampledHeights(vertices, heights, work.holes);
     }
-    const std::vector<HolePatch> patches = FillHoles(work.holes, options_.fill);
+    FillOptions options = options_.fill;
+    options.published = AllPublishedWays();
+    const std::vector<HolePatch> patches = FillHoles(work.holes, options);
     for (const HolePatch& p : patches) {
       result.patches.push_back({p.hole, p.failure, std::ssize(p.new_points), std::ssize(p.triangles), p.hold_out});
       filled_.patches[p.hole] = p;

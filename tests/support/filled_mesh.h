@@ -17,6 +17,7 @@
 #include "tests/support/space_meshes.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/space/surface_index.h"
+#include "worker/papers/published_ways.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
@@ -50,6 +51,7 @@ inline FilledMesh Fill(const TriMesh& mesh, Surface surface = Surface::kThinPlat
   const SurfaceIndex index(mesh);
   FillOptions options;
   options.surface = surface;
+  options.published = AllPublishedWays();
   const auto near = [&](const Point3& lo, const Point3& hi) {
     std::vector<SpaceTriangle> found;
     index.AppendNear(lo, hi, found);

@@ -13,11 +13,13 @@
 #include "tests/support/mesh_builders.h"
 #include "tests/support/patch_checks.h"
 #include "worker/fill/hole/fill_options.h"
+#include "worker/papers/published_ways.h"
 
 namespace tilemend {
 
 inline FillOptions With(Surface surface) {
   FillOptions options;
+  options.published = AllPublishedWays();
   options.surface = surface;
   return options;
 }

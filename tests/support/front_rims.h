@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "worker/fill/front/advancing_front.h"
+#include "worker/papers/front/advancing_front.h"
 
 namespace tilemend {
 

@@ -8,14 +8,12 @@
 #include <utility>
 
 #include "worker/fill/crease/crease_fill.h"
-#include "worker/fill/front/front_fill.h"
 #include "worker/fill/hole/cell_band.h"
 #include "worker/fill/hole/facing.h"
 #include "worker/fill/hole/local_patch.h"
 #include "worker/fill/hole/projection_frame.h"
 #include "worker/fill/plane/folded_fill.h"
 #include "worker/fill/plane/plane_fill.h"
-#include "worker/fill/space/least_area_fill.h"
 #include "worker/fill/space/patch_creases.h"
 #include "worker/fill/space/patch_soundness.h"
 #include "worker/fill/space/rim_junctions.h"
@@ -188,10 +186,8 @@ class HoleFiller {
   bool IsHoleInGround() const { return hole_.open || hole_.level || hole_.in_ground; }
 
   Way AsNamed() {
-    return {WayOf(options_.filler), Check::kPublished, [&] {
-              if (options_.filler == Filler::kMinimumArea) return FillLeastArea(FreeHole(), options_);
-              return FillWithFront(hole_, options_, [&] { return crossings_.Surface(); });
-            }};
+    return {WayOf(options_.filler), Check::kPublished,
+            [&] { return options_.published->by_name(hole_, options_, [&] { return crossings_.Surface(); }); }};
   }
 
   Way InSpace() {

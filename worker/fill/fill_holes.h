@@ -25,8 +25,8 @@ namespace tilemend {
 //   kSpace        closed                                    space_fill.h
 //   kFoldsCut     all, same planes                          folded_fill.h
 //
-// With options.filler but kAuto closed holes without a level are filled by that one alone (front_fill.h,
-// least_area_fill.h), their patches checked for crossings.
+// With options.filler but kAuto closed holes without a level are filled by that one alone
+// (options.published), their patches checked for crossings.
 //
 // A closed hole in the ground (CellHole::in_ground), or with a level, is filled as an open one: over the ground, its
 // folds cut off if need be. New vertices of water all get its level.

@@ -32,6 +32,7 @@
 #include "worker/fill/space/surface_index.h"
 #include "worker/ground/rim_objects.h"
 #include "worker/materials/write_materials.h"
+#include "worker/papers/published_ways.h"
 #include "worker/service/attempt_files.h"
 #include "worker/service/smooth_stage.h"
 #include "worker/service/survey_stage.h"
@@ -71,6 +72,7 @@ absl::StatusOr<std::string> RunGround(const v1::GroundInput& input, TaskMemory& 
 
 absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
   FillOptions options;
+  options.published = AllPublishedWays();
   options.refine.is_cancelled = [&cancel] { return cancel.cancelled(); };
   options.refine.gradation = proto.gradation();
   options.refine.size_limit = proto.size_limit();

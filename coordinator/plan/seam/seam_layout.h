@@ -37,7 +37,7 @@ struct SeamLayout {
 // the line (seam_vertices.h, or projected_places.h where the options say so; where tiles overlap both, spaced ones
 // where projected ones are far apart); where the straight way would meet the rim it bends over rim points. On a ragged
 // cut a stretch begins and ends off the line. The buffer zones of Wang 2021, figure 7, are laid where a hole is filled
-// (worker/fill/wang/closure_buffers.h). Deterministic.
+// (worker/papers/wang/closure_buffers.h). Deterministic.
 SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, SeamsOverRim over_rim);
 
 }  // namespace tilemend

@@ -9,6 +9,7 @@
 #include "tests/support/patch_checks.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/seam/sample_cluster.h"
+#include "worker/papers/published_ways.h"
 
 namespace tilemend {
 namespace {
@@ -32,6 +33,7 @@ CellHoles SquareHole(int32_t side, int32_t island = 0) {
 
 FillOptions Options(Surface surface, bool uniform) {
   FillOptions options;
+  options.published = AllPublishedWays();
   options.surface = surface;
   options.refine.uniform = uniform;
   return options;

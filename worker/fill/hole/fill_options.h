@@ -10,6 +10,7 @@
 #include "common/mesh/tri_mesh.h"
 #include "common/records/filler.h"
 #include "common/records/surface.h"
+#include "worker/fill/hole/published_ways.h"
 #include "worker/fill/region/refine_region.h"
 
 namespace tilemend {
@@ -25,6 +26,7 @@ struct FillOptions {
   Filler filler = Filler::kAuto;  // of closed holes
   FillerOptions filling;
   RefineOptions refine;
+  const PublishedWays* published = nullptr;  // not null with Surface::kWang or a filler that is named
   bool allow_creases = false;  // in a mesh that may lie in any way: patches that fold back on the surface beside them
 };
 

@@ -14,7 +14,6 @@
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/shape/flip_edges.h"
 #include "worker/fill/shape/smooth_on_surface.h"
-#include "worker/fill/wang/wang_fill.h"
 
 namespace tilemend {
 namespace {
@@ -185,7 +184,7 @@ class PlaneFiller {
 LocalPatch FillOverPlane(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options,
                          const PlaneFillOptions& plane_options) {
   if (options.surface == Surface::kWang && !hole.level) {
-    return FillAsWang(hole, frame, options, hole.open && !plane_options.at_folds);
+    return options.published->over_plane(hole, frame, options, hole.open && !plane_options.at_folds);
   }
   return PlaneFiller(hole, frame, options, plane_options).Run();
 }

@@ -8,9 +8,9 @@
 
 #include "common/mesh/rounding.h"
 #include "common/mesh/triangle_shape.h"
+#include "worker/fill/shape/new_patch.h"
+#include "worker/fill/shape/refine_patch.h"
 #include "worker/fill/space/bend_patch.h"
-#include "worker/fill/wang/new_patch.h"
-#include "worker/fill/wang/refine_patch.h"
 
 namespace tilemend {
 namespace {

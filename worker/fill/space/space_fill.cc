@@ -12,7 +12,6 @@
 #include "worker/fill/space/faired_fill.h"
 #include "worker/fill/space/sound_triangulation.h"
 #include "worker/fill/space/unrolled_fill.h"
-#include "worker/fill/wang/wang_fill.h"
 
 namespace tilemend {
 namespace {
@@ -107,7 +106,7 @@ LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<Vert
   patch.triangles = TriangulateInSpace(hole, loop, bridges, surface);
   if (patch.triangles.empty()) return CloseLoopByCone(hole, loop, bridges, surface);
   if (options.surface == Surface::kWang) {
-    LocalPatch shaped = ShapeAsWang(hole, patch.triangles, options);
+    LocalPatch shaped = options.published->in_space(hole, patch.triangles, options);
     if (shaped.ok() && check.StaysNear(shaped) && check.IsSound(shaped)) return shaped;
     patch.is_bare = true;
     return patch;

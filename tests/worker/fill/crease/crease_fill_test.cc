@@ -12,6 +12,7 @@
 #include "tests/support/patch_checks.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/hole/local_hole.h"
+#include "worker/papers/published_ways.h"
 
 namespace tilemend {
 namespace {
@@ -169,6 +170,7 @@ TEST(CreaseFillTest, LeavesThePapersSurfaceAlone) {
   const CellHoles work = WorkOfSheet(Disc(0, kWallHeight, 6), FoldToBuilding, kNoise);
   FillOptions wang;
   wang.surface = Surface::kWang;
+  wang.published = AllPublishedWays();
   const HolePatch patch = FillHoles(work, wang).at(0);
   double most = 0;
   for (const Point3& p : patch.new_points) most = std::max(most, DistanceToBuilding(p));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/folded_meshes.h"
+#include "worker/papers/published_ways.h"
 
 namespace tilemend {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 LocalPatch FillInSpace(const CellHoles& work, const LocalHole& hole, Surface surface = Surface::kThinPlate) {
   FillOptions options;
   options.surface = surface;
+  options.published = AllPublishedWays();
   const SurfaceNear none;
   CrossingCheck check(hole, ReachOf(work, work.holes[0]), none, {});
   return FillInSpace(hole, options, check);

@@ -1,0 +1,39 @@
+// Where grid boundaries bound a hole.
+#ifndef TILEMEND_WORKER_PAPERS_WANG_GRID_STRETCHES_H_
+#define TILEMEND_WORKER_PAPERS_WANG_GRID_STRETCHES_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "worker/fill/hole/local_hole.h"
+
+namespace tilemend {
+
+// Vertices of a hole along one line, with the hole on the left.
+struct GridStretch {
+  std::vector<int32_t> vertices;
+  std::vector<int32_t> before, after;  // of the boundary, from either end of the stretch on, up to another stretch
+  int axis = 0;                        // constant along the line
+  double line = 0;                     // metres
+  double way = 1;                      // sign along the line, from the first vertex to the last
+  double own = 1;                      // sign of the axis on this side of the line
+
+  // How far a place lies from the line on this side.
+  double OffLine(const Point2& p) const { return own * (p[axis] - line); }
+};
+
+// The stretches of grid boundary around a hole, in order of its loops; where it ends at the tile's own outline, of
+// this. O(n) in the hole's segments.
+std::vector<GridStretch> StretchesAround(const LocalHole& hole);
+
+// Replaces each stretch along the tile's outline by the neighbour's outline within the hole (LocalHole::inner_edges),
+// where there is one: from the same ends, over the vertices that lie straight across from its own. O(n log n).
+void MoveToNeighbours(const LocalHole& hole, std::vector<GridStretch>& stretches);
+
+// For each vertex of the hole the strips between an outline of the tile and its neighbour's that it bounds, a bit for
+// each side of the cell. A triangle whose corners have one in common lies in that strip. O(n log n).
+std::vector<uint8_t> StripsBeside(const LocalHole& hole);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_PAPERS_WANG_GRID_STRETCHES_H_
