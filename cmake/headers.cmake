@@ -30,6 +30,9 @@ function(tilemend_precompile_set set)
   add_library(tilemend_headers_${set} OBJECT EXCLUDE_FROM_ALL ${source})
   tilemend_settings(tilemend_headers_${set})
   target_link_libraries(tilemend_headers_${set} PRIVATE ${ARG_DEPS})
+  if(set MATCHES "test$")
+    target_compile_options(tilemend_headers_${set} PRIVATE $<$<CONFIG:Release>:-O1>)  # as tests are
+  endif()
   target_precompile_headers(tilemend_headers_${set} PRIVATE ${TILEMEND_${upper}_HEADERS})
 endfunction()
 

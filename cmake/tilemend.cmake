@@ -6,6 +6,7 @@
 # PCH: the set of precompiled headers (cmake/headers.cmake), `geometry` by default, `test` for tests.
 # BATCH: how many sources are compiled as one with TILEMEND_UNITY; 8 by default, 1 for none.
 #
+# Tests are compiled with -O1 in release: what they test is not, and to optimise their bodies takes longer than to run them.
 # Floating-point contraction is off everywhere: the bytes of an output must not depend on the instruction set.
 function(tilemend_settings target)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
@@ -55,6 +56,7 @@ function(tilemend_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   tilemend_settings(${name})
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   tilemend_cheaper(${name} test "${ARG_PCH}" "${ARG_BATCH}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
