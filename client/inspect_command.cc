@@ -26,6 +26,7 @@
 #include "common/util/text.h"
 #include "coordinator/plan/rim/area_proposal.h"
 #include "coordinator/report/area_choice.h"
+#include "coordinator/report/cleared_report.h"
 #include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
@@ -205,6 +206,7 @@ int InspectSceneAt(const Request& request) {
   if (const absl::Status status = WriteProposal(request.propose_area, waves); !status.ok()) return PrintError(status);
   if (const absl::Status status = ProposeWater(request, waves); !status.ok()) return PrintError(status);
   PrintWarnings(PlanWarnings(waves.plan()));
+  PrintWarnings(ClearedWarnings(waves.outcome().cleared));
   Json plan = PlanJson(waves.plan(), static_cast<int64_t>(waves.scene().tiles.size()));
   if (request.format == OutputFormat::kTable) {
     std::fputs(SceneText(*inspection, plan).c_str(), stdout);

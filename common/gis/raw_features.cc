@@ -54,7 +54,8 @@ class Layer {
     other_.Tell(rules_.is_drawing ? "neither polygons nor closed lines, so they have no effect"
                                   : "neither polygons nor lines, so they have no effect",
                 read_.warnings);
-    dry_.Tell("holes that were not filled as water, so they have no effect; \"water\" says what is", read_.warnings);
+    dry_.Tell("holes whose property water is empty, so they have no effect; true or false would decide",
+              read_.warnings);
     return std::move(read_);
   }
 

@@ -10,6 +10,7 @@
 #include "absl/strings/str_join.h"
 #include "common/util/text.h"
 #include "coordinator/plan/types/left_reasons.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
@@ -68,6 +69,13 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   KeepFirst(kMostAnswers, "doubts of polygons (water_areas in the report)", doubts);
   std::ranges::move(doubts, std::back_inserter(warnings));
   WarnOfWaterAtUnknownRim(plan, warnings);
+  if (plan.lattice_step > kMeetTolerance) {
+    warnings.push_back(
+        absl::StrFormat("the tiles' numbers are single-precision and so far from 0 that they lie %g m apart: nothing "
+                        "is told finer than "
+                        "that; export with a local origin, or in double precision",
+                        plan.lattice_step));
+  }
   if (plan.has_polygon && plan.holes.empty() && plan.left.empty()) {
     warnings.emplace_back("no hole lies in the area, so nothing is filled");
   }

@@ -6,15 +6,15 @@
 #include <limits>
 
 #include "coordinator/plan/rim/surface_gap.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
 
 constexpr int kPlaces = 256;                                           // on each line
 constexpr std::array<double, 3> kLines = {1.0 / 6, 1.0 / 2, 5.0 / 6};  // of the strip
-constexpr double kLeastWidth = 2e-3;  // metres: what ends so near to each other does not overlap
-constexpr double kAround = 1;         // metres: triangles so near to the strip count
-constexpr double kSame = 1e-3;        // metres: heights that differ by less are near in space as well
+constexpr double kAround = 1;                                          // metres: triangles so near to the strip count
+constexpr double kSame = 1e-3;  // metres: heights that differ by less are near in space as well
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 // Where a line across an axis cuts a triangle: places along it and heights, the lower place first.
@@ -60,7 +60,7 @@ void Lower(const Cut& cut, double begin, double end, std::span<double> heights) 
 
 FillGaps::FillGaps(const Grid& grid, const std::vector<BorderAudit>& borders) {
   for (const BorderAudit& border : borders) {
-    if (border.kind != BorderKind::kOverlap || border.offset < kLeastWidth) continue;
+    if (border.kind != BorderKind::kOverlap || border.offset < kMeetTolerance) continue;
     const int axis = border.a.row == border.b.row ? 0 : 1;
     const int32_t across = axis == 0 ? border.b.col : border.b.row, along = axis == 0 ? border.b.row : border.b.col;
     const double line = grid.corner[axis] + across * grid.cell_size[axis];

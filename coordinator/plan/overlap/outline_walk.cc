@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "coordinator/plan/overlap/piece_ends.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kOnOutline = 2e-3;  // metres
-constexpr double kApart = 2e-2;      // metres: so far beyond another one a way comes to the outline
+constexpr double kApart = 2e-2;  // metres: so far beyond another one a way comes to the outline
 constexpr double kOverlaps = 8;  // the surface of a piece ends at most so many reaches before that of the next begins
 
 // A vertex where a chain off the outline ends or begins, seen along the walk.
@@ -67,7 +67,7 @@ class Walker {
   }
 
   bool Reaches(const Point3& p, Side s) const {
-    return (p[AxisOf(s)] - outline_.side[s]) * OutwardOf(s) >= -kOnOutline;
+    return (p[AxisOf(s)] - outline_.side[s]) * OutwardOf(s) >= -kMeetTolerance;
   }
 
   void FindEvents() {
@@ -95,7 +95,7 @@ class Walker {
 
   std::optional<int> AxisAcross(const BoundaryEdge& e) const {
     const Point3 way = record_.vertices[e.to].position - record_.vertices[e.from].position;
-    const bool of_x = std::abs(way.x()) <= kOnOutline, of_y = std::abs(way.y()) <= kOnOutline;
+    const bool of_x = std::abs(way.x()) <= kMeetTolerance, of_y = std::abs(way.y()) <= kMeetTolerance;
     return of_x == of_y ? std::nullopt : std::optional(of_x ? 0 : 1);
   }
 
@@ -312,7 +312,7 @@ Point2 Outline::CornerAt(int corner) const {
 
 std::optional<Side> Outline::SideAt(const Point3& p) const {
   for (const Side s : kSides) {
-    if ((p[AxisOf(s)] - side[s]) * OutwardOf(s) >= -kOnOutline) return s;
+    if ((p[AxisOf(s)] - side[s]) * OutwardOf(s) >= -kMeetTolerance) return s;
   }
   return std::nullopt;
 }

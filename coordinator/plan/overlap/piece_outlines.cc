@@ -7,10 +7,11 @@
 #include <set>
 #include <utility>
 
+#include "coordinator/plan/types/meet_tolerance.h"
+
 namespace tilemend {
 namespace {
 
-constexpr double kStraight = 2e-3;    // metres: an outline whose vertices agree to this is straight
 constexpr double kLeastLength = 1.0;  // metres of boundary that a piece has along its outline
 constexpr int kLeastEdges = 2;        // there: a single edge is straight by itself, and level by chance
 
@@ -45,8 +46,8 @@ class OutlineFinder {
       const std::set<double> planes = PlanesAcross(axis);
       for (size_t e = 0; e < record_.edges.size(); ++e) {
         const double a = Begin(e)[axis], b = End(e)[axis];
-        const auto plane = planes.lower_bound(std::max(a, b) - kStraight);
-        if (plane != planes.end() && *plane <= std::min(a, b) + kStraight) on_outline[e] = true;
+        const auto plane = planes.lower_bound(std::max(a, b) - kMeetTolerance);
+        if (plane != planes.end() && *plane <= std::min(a, b) + kMeetTolerance) on_outline[e] = true;
       }
     }
     return on_outline;
@@ -78,7 +79,8 @@ class OutlineFinder {
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       const int32_t piece = record_.edges[e].piece;
       const double place = place_of(piece);
-      if (std::abs(Begin(e)[axis] - place) > kStraight || std::abs(End(e)[axis] - place) > kStraight) continue;
+      if (std::abs(Begin(e)[axis] - place) > kMeetTolerance || std::abs(End(e)[axis] - place) > kMeetTolerance)
+        continue;
       along[piece].length += (End(e) - Begin(e)).norm();
       ++along[piece].edges;
     }

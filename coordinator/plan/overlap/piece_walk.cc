@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "common/mesh/bin_grid.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kTouch = 2e-3;  // metres: edges that are so near to each other meet
 constexpr int64_t kMostBins = 1 << 20;
 
 double Cross(const Point2& u, const Point2& v) { return u.x() * v.y() - u.y() * v.x(); }
@@ -112,10 +112,10 @@ class PieceWalk::Impl {
     const Point3 &c = At(First(second, backward)), &d = At(Last(second, backward));
     const Point2 u = Flat(b - a), v = Flat(d - c), w = Flat(c - a);
     const double turn = Cross(v, u);
-    if (std::abs(turn) <= kTouch * std::min(u.norm(), v.norm())) return std::nullopt;
+    if (std::abs(turn) <= kMeetTolerance * std::min(u.norm(), v.norm())) return std::nullopt;
     const Meeting meeting{Cross(v, w) / turn, Cross(u, w) / turn, backward ? -turn : turn};
     const auto is_on = [](double along, double length) {
-      return along * length >= -kTouch && (along - 1) * length <= kTouch;
+      return along * length >= -kMeetTolerance && (along - 1) * length <= kMeetTolerance;
     };
     if (!is_on(meeting.on_first, u.norm()) || !is_on(meeting.on_second, v.norm())) return std::nullopt;
     return meeting;
@@ -134,7 +134,7 @@ class PieceWalk::Impl {
       std::sort(met.begin(), met.end(),
                 [](const auto& m, const auto& n) { return m.first.on_first > n.first.on_first; });
       for (const auto& [meeting, step] : met) {
-        if (walked + (1 - meeting.on_first) * LengthOf(*e) <= kTouch) continue;  // the end itself
+        if (walked + (1 - meeting.on_first) * LengthOf(*e) <= kMeetTolerance) continue;  // the end itself
         is_covered = is_covered && meeting.turn > 0;
         if (is_covered) start = step;
       }
@@ -147,7 +147,7 @@ class PieceWalk::Impl {
   std::optional<Step> After(const Place& place, bool backward) const {
     double first = std::numeric_limits<double>::infinity();
     std::optional<Step> step;
-    const double least = place.along - kTouch / std::max(kTouch, LengthOf(place.edge));
+    const double least = place.along - kMeetTolerance / std::max(kMeetTolerance, LengthOf(place.edge));
     for (const auto& [meeting, there] : StepsOff(place.edge, backward)) {
       if (meeting.turn < 0 || meeting.on_first < least || meeting.on_first >= first) continue;
       first = meeting.on_first;
@@ -166,8 +166,8 @@ class PieceWalk::Impl {
   std::vector<std::pair<Meeting, Step>> StepsOff(int32_t edge, bool backward) const {
     Eigen::AlignedBox2d box(Flat(At(record_.edges[edge].from)));
     box.extend(Flat(At(record_.edges[edge].to)));
-    box.min().array() -= kTouch;
-    box.max().array() += kTouch;
+    box.min().array() -= kMeetTolerance;
+    box.max().array() += kMeetTolerance;
     std::vector<std::pair<Meeting, Step>> steps;
     for (const int32_t f : grid_.In(box)) {
       if (record_.edges[f].piece == record_.edges[edge].piece || kinds_[f] == BoundaryKind::kOutline) continue;

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "common/mesh/rounding.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kWallWidth = 0.02;   // metres from the object to the foot
-constexpr double kOffOutline = 2e-3;  // metres: chains end on the outline but for so much
-constexpr double kMostOfWay = 0.25;   // of the way to the next vertex: the foot is not farther
+constexpr double kWallWidth = 0.02;  // metres from the object to the foot
+constexpr double kMostOfWay = 0.25;  // of the way to the next vertex: the foot is not farther
 
 class FootLayer {
  public:
@@ -41,7 +41,7 @@ class FootLayer {
   // edge of an area, which needs not run along an axis.
   bool HasRoom(const RimSegment& s) const {
     const Point2 way = (plan_.vertices[s.to].position - plan_.vertices[s.from].position).head<2>().cwiseAbs();
-    return kMostOfWay * way.maxCoeff() >= plan_.lattice_step && way.minCoeff() <= kOffOutline;
+    return kMostOfWay * way.maxCoeff() >= plan_.lattice_step && way.minCoeff() <= kMeetTolerance;
   }
 
   int32_t FootBetween(int32_t wall, int32_t next) {

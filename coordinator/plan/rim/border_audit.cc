@@ -7,6 +7,7 @@
 #include "common/mesh/position_index.h"
 #include "coordinator/plan/rim/buffered_cut.h"
 #include "coordinator/plan/rim/surface_gap.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
@@ -23,7 +24,7 @@ std::optional<double> OutlineOffset(const SurveyRecord& record, const Grid& grid
   for (const BoundaryEdge& e : record.edges) {
     const Point3& a = record.vertices[e.from].position;
     const Point3& b = record.vertices[e.to].position;
-    if (std::abs(a[axis] - extreme) > kStraight || std::abs(b[axis] - extreme) > kStraight) continue;
+    if (std::abs(a[axis] - extreme) > kMeetTolerance || std::abs(b[axis] - extreme) > kMeetTolerance) continue;
     along += std::abs(a[1 - axis] - b[1 - axis]);
   }
   if (along < kStraightShare * grid.cell_size[1 - axis]) return std::nullopt;
@@ -110,7 +111,7 @@ void Classify(const SurveyRecord& record, const SurveyRecord& other, const Grid&
     audit.kind = BorderKind::kOverlap;
   }
   audit.offset = audit.margins[0] + audit.margins[1];
-  if (audit.shared_vertices >= 2 && audit.kind != BorderKind::kOverlap && audit.offset <= kStraight) {
+  if (audit.shared_vertices >= 2 && audit.kind != BorderKind::kOverlap && audit.offset <= kMeetTolerance) {
     audit.kind = BorderKind::kExact;
     audit.margins = {};
     audit.offset = 0;
@@ -135,7 +136,7 @@ BorderAudit AuditBorder(const PlanInput& input, CellId cell, const SurveyRecord*
   audit.shared_vertices = shared.count;
   Classify(*own, *other_record, input.grid, side, found.offsets, evidence.no_buffers ? nullptr : &found.buffers, audit);
   evidence.exact += audit.kind == BorderKind::kExact;
-  evidence.apart += audit.kind == BorderKind::kOverlap || std::abs(audit.offset) > kStraight;
+  evidence.apart += audit.kind == BorderKind::kOverlap || std::abs(audit.offset) > kMeetTolerance;
   if (audit.kind == BorderKind::kOverlap) {
     audit.apart = CompareOver(*input.cells.at(cell).WithBand(), *neighbour.WithBand(), audit, input.grid, side);
   } else {
@@ -177,7 +178,7 @@ BorderFindings AuditBorders(const PlanInput& input) {
   if (!all.empty()) found.usual_offset = Median(all);
   const auto& [shared, on_line] = evidence.shared;
   const std::vector<double>& telling = evidence.offsets.empty() ? all : evidence.offsets;
-  found.independent = shared == 0 && !telling.empty() && std::abs(Median(telling)) > kStraight;
+  found.independent = shared == 0 && !telling.empty() && std::abs(Median(telling)) > kMeetTolerance;
   found.independent |= evidence.apart > evidence.exact;
   found.clipped = shared > 0 ? on_line >= shared - on_line : straight_on_line;
   return found;

@@ -11,9 +11,6 @@
 
 namespace tilemend {
 
-// An outline whose vertices are this near one coordinate is straight, metres.
-inline constexpr double kStraight = 2e-3;
-
 // How far the straight outline of a tile lies outside its cell's side, metres; only where it has a straight outline.
 using OutlineOffsets = std::map<std::pair<CellId, int>, double>;
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/mesh/position_index.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
@@ -42,7 +43,7 @@ Beyond FindBeyond(const SurveyRecord& record, const DirectedEdges& of_other, Pos
     if (out <= 0 || lo < begin || hi > begin + grid.cell_size[along]) continue;
     if (of_other.contains({places.Insert(a), places.Insert(b)})) continue;
     beyond.nearest = std::min(beyond.nearest.value_or(out), out);
-    if (out <= kStraight) continue;
+    if (out <= kMeetTolerance) continue;
     ++beyond.step[lo];
     --beyond.step[hi];
   }

@@ -9,6 +9,7 @@
 
 #include "common/mesh/segment_distance.h"
 #include "coordinator/plan/rim/border_audit.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
@@ -55,7 +56,7 @@ struct Distances {
 // Of the vertices on a tile's outline, and beyond it where that is a zigzag.
 void AddDistances(const TileOutline& of, const StripSurface& from, int axis, double outward, Distances& distances) {
   for (const BoundaryVertex& v : of.record.vertices) {
-    if ((v.position[axis] - of.coordinate) * outward < -kStraight) continue;
+    if ((v.position[axis] - of.coordinate) * outward < -kMeetTolerance) continue;
     if (const auto distance = from.Distance(v.position)) {
       distances.near.push_back(*distance);
     } else if (const auto height = from.HeightDifference(v.position)) {

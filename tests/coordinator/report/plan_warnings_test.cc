@@ -71,5 +71,13 @@ TEST(PlanWarningsTest, NamesTenBodiesOfWaterAtTheRim) {
   EXPECT_THAT(PlanWarnings(plan)[0], HasSubstr("(at holes 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 and others)"));
 }
 
+TEST(PlanWarningsTest, SaysThatSinglePrecisionIsTooCoarse) {
+  Plan plan;
+  plan.lattice_step = 0x1p-10;
+  EXPECT_THAT(PlanWarnings(plan), IsEmpty());
+  plan.lattice_step = 0.25;
+  EXPECT_THAT(PlanWarnings(plan), ElementsAre(HasSubstr("0.25 m apart")));
+}
+
 }  // namespace
 }  // namespace tilemend
