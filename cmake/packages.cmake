@@ -1,14 +1,15 @@
-# scripts/package.sh makes one Debian package with the programs, the units, the alerts, the dashboard and the documents
-# (`cpack -G DEB --config build/release/CPackConfig.cmake`).
+# scripts/package.sh makes one Debian package with the programs, the units, the alerts, the dashboard, the documents and
+# the licences (`cpack -G DEB --config build/release/CPackConfig.cmake`).
 install(FILES deploy/systemd/tilemend-coordinator.service deploy/systemd/tilemend-worker.service
   DESTINATION lib/systemd/system)
 install(DIRECTORY deploy/prometheus deploy/grafana deploy/kubernetes deploy/slurm DESTINATION share/doc/tilemend/deploy
   USE_SOURCE_PERMISSIONS PATTERN "*.py" EXCLUDE PATTERN "tls" EXCLUDE)
 install(DIRECTORY docs DESTINATION share/doc/tilemend PATTERN "images" EXCLUDE)
 install(PROGRAMS scripts/make_certificates.sh DESTINATION share/doc/tilemend/scripts)
-install(FILES README.md CHANGELOG.md DESTINATION share/doc/tilemend)
+install(FILES README.md CHANGELOG.md LICENSE NOTICE SECURITY.md THIRD_PARTY.md DESTINATION share/doc/tilemend)
 
 set(CPACK_PACKAGE_NAME tilemend)
+set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGE_CONTACT "tilemend <tilemend@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Fills the holes of very large triangle meshes that are stored as tiles")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
