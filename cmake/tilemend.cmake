@@ -1,10 +1,11 @@
 # One static library per folder. The repository root is the only include path of our own headers.
 #
 #   tilemend_library(NAME SOURCES a.cc b.cc DEPS x y PCH std BATCH 4)
-#   tilemend_test(NAME SOURCES a_test.cc DEPS x)
+#   tilemend_test(NAME SOURCES a_test.cc ALONE b_test.cc DEPS x)
 #
 # PCH: the set of precompiled headers (cmake/headers.cmake), `geometry` by default, `test` for tests.
-# BATCH: how many sources are compiled as one with TILEMEND_UNITY; 8 by default, 1 for none.
+# BATCH: how many sources are compiled as one with TILEMEND_UNITY; 8 by default, 6 for tests, 1 for none.
+# ALONE: sources that are in no batch, since they define a name that another source of the target defines.
 #
 # Tests are compiled with -O1 in release: what they test is not, and to optimise their bodies takes longer than to run them.
 # Floating-point contraction is off everywhere: the bytes of an output must not depend on the instruction set.
@@ -29,8 +30,9 @@ function(tilemend_cheaper target default_set set batch)
 endfunction()
 
 function(tilemend_library name)
-  cmake_parse_arguments(ARG "" "PCH;BATCH" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
-  add_library(${name} STATIC ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "PCH;BATCH" "SOURCES;ALONE;DEPS;PRIVATE_DEPS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES} ${ARG_ALONE})
+  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   tilemend_settings(${name})
   tilemend_cheaper(${name} geometry "${ARG_PCH}" "${ARG_BATCH}")
   target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS})
@@ -47,14 +49,15 @@ function(tilemend_binary name)
 endfunction()
 
 function(tilemend_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT;PCH;BATCH" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;PCH;BATCH" "SOURCES;DEPS;ALONE" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
   if(NOT ARG_BATCH)
-    set(ARG_BATCH 1)
+    set(ARG_BATCH 6)
   endif()
-  add_executable(${name} ${ARG_SOURCES})
+  add_executable(${name} ${ARG_SOURCES} ${ARG_ALONE})
+  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   tilemend_settings(${name})
   # GCC 12 warns of strings that it takes for too short at -O1 alone.
   target_compile_options(${name} PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>")
