@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/rounding.h"
 #include "tests/support/mesh_builders.h"
 #include "tests/support/overlapping_scene.h"
 
@@ -35,7 +36,7 @@ inline SurveyedScene BufferedScene(const std::vector<std::string>& picture, int3
           const bool inside = p.x() > 0 && p.y() > 0 && p.x() < size.x() && p.y() < size.y();
           if (inside) p += Point3(0.3 * std::sin(3 * p.y() + p.x()), 0.3 * std::sin(2 * p.x() + 5 * p.y()), 0);
           p.z() = height(p.x(), p.y());
-          corners[k] = p.cast<float>().cast<double>();
+          corners[k] = RoundedTo(NumberType::kFloat32, p);
           low = low.cwiseMin(corners[k].head<2>());
           high = high.cwiseMax(corners[k].head<2>());
         }

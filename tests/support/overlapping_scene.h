@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/rounding.h"
 #include "tests/support/mesh_builders.h"
 #include "tests/support/surveyed_scene.h"
 
@@ -18,7 +19,7 @@ inline TriMesh Grown(TriMesh mesh, const Point2& lo, const Point2& hi, double ma
     Point3 q = p;
     for (const int k : {0, 1}) q[k] = lo[k] - margin + (p[k] - lo[k]) * (hi[k] - lo[k] + 2 * margin) / (hi[k] - lo[k]);
     q.z() = height(q.x(), q.y());
-    return Point3(q.cast<float>().cast<double>());
+    return RoundedTo(NumberType::kFloat32, q);
   });
 }
 

@@ -12,6 +12,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/mesh/rounding.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "tests/support/made_holes.h"
@@ -83,7 +84,7 @@ class Surface {
     const double x = sheet_.lo.x() + (static_cast<double>(at.i) + jitter(at.i, 0)) * sheet_.step.x();
     const double y = sheet_.lo.y() + (static_cast<double>(at.j) + jitter(at.j, 1)) * sheet_.step.y();
     const double z = Height(o_, x, y) + o_.noise * (HashedNumber(sheet_.seed, at.i, at.j, 3) - 0.5);
-    return Point3(x, y, z).cast<float>().cast<double>();
+    return RoundedTo(NumberType::kFloat32, Point3(x, y, z));
   }
 
   // The two triangles of the square whose low corner is `at`, counter-clockwise from above.
