@@ -122,7 +122,7 @@ TEST(RawFeaturesTest, HolesAreWaterWhereTheySaySo) {
   ASSERT_THAT(file->areas, SizeIs(2));
   EXPECT_FALSE(file->areas[0].water);
   EXPECT_EQ(file->areas[1].level, 3);
-  EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0 and 1 more: holes that were not filled as water")));
+  EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 0 and 1 more: holes whose property water is empty")));
 }
 
 TEST(RawFeaturesTest, HolesOfOneBodyAreOneAreaIfTheySayTheSame) {

@@ -147,7 +147,7 @@ TEST_F(SceneGeoJsonTest, HolesCanBeGivenBackAsWater) {
   EXPECT_EQ(again->areas[0].kind, WaterKind::kLake);
   for (const double x : {65, 120}) EXPECT_TRUE(tilemend::Contains(again->areas[0].polygon, {x, 50})) << x;
   EXPECT_FALSE(tilemend::Contains(again->areas[0].polygon, {75, 25})) << "the island";
-  EXPECT_THAT(again->warnings, ElementsAre(HasSubstr("holes.geojson: feature 2: holes that were not filled as water")));
+  EXPECT_THAT(again->warnings, ElementsAre(HasSubstr("holes.geojson: feature 2: holes whose property water is empty")));
 }
 
 TEST_F(SceneGeoJsonTest, ARiverAmongTheHolesIsOneWhenItIsGivenBack) {
@@ -165,7 +165,7 @@ TEST_F(SceneGeoJsonTest, HolesOfAReportWithoutWaterChangeNothing) {
   const auto again = ParseWaterFile({HolesGeoJson(input_, scene_)}, "holes.geojson", FrameOf(scene_));
   ASSERT_TRUE(again.ok()) << again.status();
   EXPECT_THAT(again->areas, SizeIs(0));
-  EXPECT_THAT(again->warnings, Contains(HasSubstr("feature 0 and 2 more: holes that were not filled as water")));
+  EXPECT_THAT(again->warnings, Contains(HasSubstr("feature 0 and 2 more: holes whose property water is empty")));
 }
 
 TEST_F(SceneGeoJsonTest, ARiverHasACentrelineThatFalls) {
