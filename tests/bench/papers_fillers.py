@@ -9,6 +9,7 @@ import numpy as np
 
 import filler_bench
 import measure
+import papers_short
 import stand_ins
 import surfaces
 from papers_plots import axes_of
@@ -57,14 +58,10 @@ def part_sun(a, folder):
     axes_of('papers_sun.png', draw)
     heads = ['stand-in for', 'rim', 'vertices removed', 'printed: new vertices', 'triangles', 's', 'here: new vertices', 'triangles', 's, whole process', 'mean quality', 'least', 'mean quality with `--front-steps printed`']
     good = len(filled) == len(SUN) and worst > .85
+    table = a.steps.write_table('sun', measure.table(heads, rows))
     return (measure.verdict('Sun, table 1 and figure 6', 'curved sheets with the printed rims', 'reproduced' if good else 'in part',
-                            f'{len(filled)} of {len(SUN)} filled; mean quality {measure.down(worst, 2)} and more beside "larger than 0.85"; new vertices {sum(r[6] for r in rows if isinstance(r[6], int))} beside {sum(m[2] for m in SUN)}; '
-                            f'with the steps to the letter {len(as_printed)} of {len(SUN)}') +
-            'Curved sheets stand in for the scanned plants, which cannot be had. Sun prints no rims; a patch of T triangles with V new vertices has a rim of T - 2 V + 2 edges, which makes '
-            f'{", ".join(str(m[1]) for m in SUN)}. The holes have exactly these rims, and are as long and narrow as it takes for about as many vertices to have been removed as were put in in print. '
-            'The paper\'s mean qualities are above 0.85; its seconds are of a computer of 2011 or before. With `--front-steps printed` new vertices go where eq. 4 to 6 say to the letter, with η of half an edge; larger fronts do '
-            'not always close so (see [all fillers](#all-fillers-on-the-same-holes)).\n\n' + measure.table(heads, rows) +
-            '\n\n![quality of the new triangles](images/papers_sun.png)')
+                            f'quality {measure.down(worst, 2)} and more, 0.85 in print; with printed steps {len(as_printed)} of {len(SUN)} filled'),
+            papers_short.sun(table))
 
 
 XU_WAYS = {'`advancing-front-poisson`': ('advancing-front-poisson',), '`svm-laplacian`': ('svm-laplacian',), '`svm-laplacian` `--svm-laplacian mean`': ('svm-laplacian', '--svm-laplacian', 'mean'),
@@ -105,35 +102,23 @@ def part_xu(a, folder):
                       for vertices in XU_VERTICES for seed in range(2 if a.quick else XU_SEEDS)] for kind in stand_ins.HEADS}
     every = [r for of_kind in results.values() for r in of_kind]
     heads = ['', 'filled', 'new vertices', 'triangles', 'mean distance', 'error', 'over Zhao\'s, geometric mean', 'ahead of Zhao\'s', 'ms, whole process']
-    tables, found = [], {}
+    tables, found = {}, {}
     for steps in XU_STEPS:
         base = f'`advancing-front-poisson` {steps}'
         keys = [f'{way} {steps}' for way in XU_WAYS if way != '`auto`'] + (['`auto` steady'] if steps == 'steady' else [])
         rows = [xu_row(every, key, base) for key in keys]
         found[steps] = {key.rsplit(' ', 1)[0]: row[1:] for key, row in zip(keys, rows)}
-        tables.append(f'New vertices {"where the front is steady (default)" if steps == "steady" else "as in the papers (`--front-steps printed`)"}:\n\n' + measure.table(heads, [row[0] for row in rows]))
+        tables[steps] = a.steps.write_table(f'xu-{steps}', measure.table(heads, [row[0] for row in rows]))
     kinds = [[kind, *(f"{xu_row(of_kind, f'`svm-laplacian` {steps}', f'`advancing-front-poisson` {steps}')[1]:.2f}" for steps in XU_STEPS),
               *(f"{xu_row(of_kind, f'`svm-laplacian` `--svm-laplacian mean` {steps}', f'`advancing-front-poisson` {steps}')[1]:.2f}" for steps in XU_STEPS)] for kind, of_kind in results.items()]
+    a.steps.write_table('xu-surfaces', measure.table(['', 'eq. 4, steady', 'eq. 4, printed', 'eq. 2, steady', 'eq. 2, printed'], kinds))
     worst = max(float(cell) for row in kinds for cell in row[1:3])
     ratio, ahead, count = found['printed']['`svm-laplacian`']
     steady_ratio, steady_ahead, _ = found['steady']['`svm-laplacian`']
     return (measure.verdict('Xu, table 1', f'closed heads, rim of {XU_RIM}', 'reproduced' if worst < 1 else 'in part' if min(ratio, steady_ratio) < 1 else 'not',
-                            f'the learnt Laplacians over Zhao\'s distance: {ratio:.2f} with the front to the letter, {steady_ratio:.2f} with the steady one; 0.84 (0.042 over 0.05) in print; ahead on {ahead} and {steady_ahead} of {count} heads: the smooth ones, not those with details, which print claims') +
-            measure.verdict('Xu, table 2', 'the same', 'not', 'times of the single steps are not taken: the whole process with its files takes what the two steps take in print') +
-            f'Closed surfaces of radius 100 stand in for the head, which cannot be had: a sphere, an ellipsoid, and two with ripples and bumps; {" and ".join(map(str, XU_VERTICES))} vertices, '
-            f'{len(every)} holes. Patches of 69 triangles with 28 new vertices and of 75 with 31 have rims of {XU_RIM} edges; so have these holes. In print about twice as many vertices go in as even '
-            'triangles of the rim\'s size have room for: that hole is deeper, or its front made smaller triangles, than here. The distance is that of the new vertices to the analytic surface, and the error is it over the root '
-            'of the surface\'s area, as in print; the printed pairs 0.05 and 0.0015, 0.042 and 0.00142 belong to areas of 1,111 and 875, so that they are rounded or of two surfaces.\n\n' +
-            measure.table(['', 'mean distance', 'error'], [['printed: reference 17 (Zhao)', '0.05', '0.00150'], ['printed: the paper', '0.042', '0.00142']]) + '\n\n' + '\n\n'.join(tables) +
-            '\n\nBy surface, the distance of `svm-laplacian` over that of Zhao\'s Poisson equation (geometric means; below 1 it is ahead):\n\n' +
-            measure.table(['', 'eq. 4, steady', 'eq. 4, printed', 'eq. 2, steady', 'eq. 2, printed'], kinds) + '\n\n' + XU_WHY)
-
-
-XU_WHY = ('What decides is which Laplacian is learnt. Section 2.1 prints two: eq. 1 to 3, the weighted mean of the neighbours less the vertex, which grows with the square of the edges, and eq. 4, the same sum over the '
-          'Voronoi area, of which the paper says that it is the mean curvature and what describes details. Learnt by eq. 2 the Laplacians of the surface are too large for the front\'s shorter edges: the patch bulges, and is '
-          'behind Zhao\'s. By eq. 4 (`--svm-laplacian area`, the default) it is ahead where the paper\'s function from one coordinate to one component can say what the surface does: on a sphere '
-          'and an ellipsoid. On heads with ripples and bumps one coordinate does not tell the curvature, and it stays behind: that it restores details, as on the hair of figure 8, is not had again. The number of rings (3), γ (10) and the width of the kernel (10 edges) are not printed; rings of 1 to 8, γ of 10 to 10⁵ and widths of 2 '
-          'to 30 edges change little beside that. Zhao\'s paper is not at hand; the baseline is as Xu and others tell it ([choices](decisions/2026-11-22-published-fillers.md)).')
+                            f'{ratio:.2f} and {steady_ratio:.2f} times Zhao\'s distance, 0.84 in print; only {ahead} and {steady_ahead} of {count} heads are nearer') +
+            measure.verdict('Xu, table 2', 'the same', 'not', 'single steps are not timed'),
+            'New vertices: mean distance to the surface, over Zhao\'s (geometric mean), heads where it is smaller.\n\n' + papers_short.xu(tables))
 
 
 def curvature_step(a, kind, rim, folder):
@@ -152,19 +137,12 @@ def part_curvature(a, folder):
         share[kind] = new[1] / new[0]
         rows.append([kind, f'{len(both)}/{len(pairs)}', *(f'{n:.0f}' for n in new), f'{share[kind]:.2f}', *(f"{np.mean([p[k]['error'] for p in both]):.5f}" for k in (0, 1)),
                      *(measure.down(np.mean([p[k]['quality'] for p in both]), 3) for k in (0, 1)), sum(p[1]['crossings'] for p in both)])
-    order = ', '.join(f'{kind} {s:.1f}' for kind, s in sorted(share.items(), key=lambda k: k[1]))
     more = share['plane'] < 1.1 < share['bump']
-    return (measure.verdict('advancing front with curvature, claims of sections 3 to 5 (no table printed)', 'the made holes of 16 to 80 edges', 'in part',
-                            f'closed {closed} of {asked} holes beside "any shape"; vertices after over before refinement: {order}' + ('; none on a plane' if more else '; a plane is refined as well')) +
-            'The paper prints no table and no figures to be had again. It says that the front closes holes of any shape, that edges are halved where |Gaussian curvature| is above the mean of the rim, so that flat '
-            'areas are not refined, and that flips and weighted centroids then give even triangles. Here `--halvings 0` is the front with flips and centroids alone, beside the default of 2, on made holes of 16, 24, 36, 54 and 80 edges:\n\n' +
-            measure.table(['', 'filled', 'new vertices before', 'after refinement', 'ratio', 'error before', 'after', 'mean quality before', 'after', 'crossings'], rows) + '\n\n' + CURVATURE_WHY +
-            ' The same filler beside the others is in [all fillers](#all-fillers-on-the-same-holes).')
-
-
-CURVATURE_WHY = ('On a plane nothing is refined, as the paper says. Beyond that Gaussian curvature is no measure of bending: it is nought on a cylinder and on the sides of a crease, and noise of 0.02 edges has as much of it as '
-                 'the surfaces here. The threshold is the mean over the rim, so that about as many edges are halved on nearly flat ground as on a bump: on the bump and the crease refinement takes the error down, elsewhere it does not. What is '
-                 'refined has more vertices with four neighbours, which costs quality.')
+    heads = ['', 'filled', 'new vertices before', 'after refinement', 'ratio', 'error before', 'after', 'quality before', 'after', 'crossings']
+    table = a.steps.write_table('curvature', measure.table(heads, rows))
+    return (measure.verdict('repair by curvature (no table)', 'made holes of 16 to 80 edges', 'in part',
+                            f'{closed} of {asked} closed, "any shape" in print; a plane is {"not refined, as in print" if more else "refined as well"}'),
+            'Before and after refinement; *ratio* is that of new vertices.\n\n' + papers_short.curvature(table))
 
 
 def grid_sheet(inside, n=24):
@@ -205,10 +183,9 @@ def part_zhang(a, folder):
         rows.append([name, found, report['continuous'], f"{report['filled']['closed']}/{report['holes']['closed']}", filler_bench.crossings(program(a), out)])
     right = sum(row[1].startswith(row[0]) or row[0] == 'continuous' and row[2] > 0 for row in rows)
     filled = sum(row[3].split('/')[0] == row[3].split('/')[1] and row[4] == 0 for row in rows)
-    return (measure.verdict('Zhang, table 2', 'one made sheet of each kind', 'in part', f'{right} of {len(rows)} kinds told and {filled} filled without crossings, all in print; the scanned models and Geomagic are not at hand') +
-            'Made sheets with one hole of each kind stand in for the scanned models, which cannot be had: the crack is 0.02 edges wide, the dislocation 0.15 high. The paper\'s method identifies and repairs all kinds that '
-            'its models have; Geomagic fails at continuous, crack, dislocation and annular holes.\n\n' +
-            measure.table(['made', 'found as', 'continuous', 'filled', 'crossings'], rows))
+    a.steps.write_table('zhang', measure.table(['made', 'found as', 'continuous', 'filled', 'crossings'], rows))
+    return (measure.verdict('Zhang, table 2', 'one made sheet of each kind', 'in part', f'{right} of {len(rows)} kinds told, {filled} filled without crossings; all in print'),
+            f'One hole each: {", ".join(meshes)}.')
 
 
 def ahead_of_default(results):
@@ -264,10 +241,7 @@ def as_printed(a, results, folder):
             both = [(r['error'], steady[filler, r['kind'], r['rim']]['error']) for r in good if steady[filler, r['kind'], r['rim']]['filled']]
             rows.append([f'`{filler}`', merge, f'{len(good)}/{len(own)}', max((r['rim'] for r in good), default='–'), min((r['rim'] for r in own if not r['filled']), default='–'),
                          measure.down(filler_bench.mean_of(good, 'quality'), 3), sum(r['crossings'] for r in good), *(f'{error:.5f}' for error in np.mean(both, 0))])
-    return ('`--front-steps printed` puts new vertices on the plane of the front\'s two edges, as far off as these are long in the mean (Sun\'s eq. 4 and 6 to the letter; Xu 3.2). '
-            'Rounding and noise then grow with every row, and edges get shorter: large holes stay open. The papers do not print how near a vertex has to be to be merged (Xu 3.2, step 4); '
-            'more is closed where it may be further off, by worse triangles.\n\n' +
-            measure.table(['', '`--front-merge`', 'filled', 'longest rim filled', 'shortest left open', 'mean quality', 'crossings', 'mean error', 'steady, same holes'], rows))
+    return measure.table(['', '`--front-merge`', 'filled', 'longest rim filled', 'shortest left open', 'mean quality', 'crossings', 'mean error', 'steady, same holes'], rows)
 
 
 def part_fillers(a, folder):
@@ -276,12 +250,8 @@ def part_fillers(a, folder):
     for kind in filler_bench.FORTY:
         for rim in filler_bench.RIMS[:7] if a.quick else filler_bench.RIMS:
             results += by_filler(a, f'fillers-{kind}-{rim}', every, kind, rim, folder)
-    counts = '; '.join(f"`{f}` {sum(r['filled'] for r in results if r['filler'] == f)}" for f in filler_bench.FILLERS)
-    return (measure.verdict('no table: each filler on the same holes', '40 made holes', 'compared', f'filled of {len(results) // len(filler_bench.FILLERS)}: {counts}') +
-            '`tests/bench/filler_bench.py`: the same 40 made holes, ten each on nearly flat ground, a curved surface, a folded sheet and the wall of a tube, with 10 to '
-            '403 boundary vertices. An error is the mean distance from what was removed to the triangles of the patch, over the radius of the hole. '
-            'A fill of more than 30 s counts as not filled.\n\n' + filler_bench.table(results) + '\n\n' + ahead_of_default(results) +
-            ' The nearly flat ground is even but for 0.02 edges that no filler can know. The default sees at rims of 20 edges and more that their heights are nothing but noise, '
-            'and goes on with none of their slopes; smaller ones it takes at their word. The curved sheet turns most in the middle of its holes, which no boundary tells. The equation of Poisson raises every '
-            'curved surface, also those that bend evenly: on that sheet and on the bump below this falls the right way, on the others the default is ahead. Four holes on each surface, of 16 to 120 edges, mean errors:\n\n' + other_curved(a, folder) +
-            '\n\n' + as_printed(a, results, folder))
+    full, printed = a.steps.write_table('fillers', filler_bench.table(results)), a.steps.write_table('fillers-printed', as_printed(a, results, folder))
+    a.steps.write_table('fillers-curved', other_curved(a, folder))
+    return (measure.verdict('each filler on the same holes', f'{len(results) // len(filler_bench.FILLERS)} made holes', 'compared', ''),
+            'Ten holes each on four surfaces, 10 to 403 edges. Error: distance over the hole\'s radius.\n\n' + papers_short.fillers(full) +
+            '\n\n' + ahead_of_default(results) + '\n\nWith `--front-steps printed`:\n\n' + papers_short.printed_steps(printed))

@@ -1,4 +1,4 @@
-"""The pictures of docs/papers.md. Needs numpy and matplotlib (Debian: python3-matplotlib)."""
+"""The pictures of the papers' experiments. Needs numpy and matplotlib (Debian: python3-matplotlib)."""
 import os
 import sys
 
@@ -7,7 +7,7 @@ import measure
 sys.path.insert(0, os.path.join(measure.ROOT, 'scripts'))
 import render
 
-images = os.path.join(measure.ROOT, 'docs', 'images')  # where pictures go
+images = os.path.join(measure.ROOT, 'build', 'papers', 'images')  # where pictures go
 WIDTH = 640  # pixels of one panel, before it is halved
 
 

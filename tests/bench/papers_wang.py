@@ -7,6 +7,7 @@ import tempfile
 import numpy as np
 
 import measure
+import papers_short
 import peer
 import scene_tools
 import surface_bench
@@ -15,13 +16,12 @@ from papers_plots import axes_of
 
 TYPES = [('closed', None), *(('I', t) for t in 'ABCD'), *(('II', t) for t in 'ABCD')]
 SURFACES = ('wang', 'thin-plate')
-HERE = os.path.dirname(os.path.abspath(__file__))
-LAYOUTS = os.path.join(HERE, 'layouts')
+LAYOUTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'layouts')
 HAN_LEFT = ['–'] * 9
-PRINTED = {  # holes by TYPES; what the Han method filled
-    'table1': ('Tables 1 and 2', [16, 4, 17, 0, 1, 0, 2, 0, 0], [16, 1, 9, 0, 1, 0, 0, 0, 0]),
-    'table3': ('Table 3 (its type II: as in table 2)', [20, 5, 20, 4, 4, 0, 2, 0, 0], [20, 2, 12, 4, 4, 0, 0, 0, 0]),
-    'table4': ('Tables 4 and 5, 449 cells', [56, 17, 43, 4, 3, 0, 5, 0, 1], HAN_LEFT),
+PRINTED = {  # tables; holes by TYPES, in table 3 type II as in table 2; what the Han method filled
+    'table1': ('1, 2', [16, 4, 17, 0, 1, 0, 2, 0, 0], [16, 1, 9, 0, 1, 0, 0, 0, 0]),
+    'table3': ('3', [20, 5, 20, 4, 4, 0, 2, 0, 0], [20, 2, 12, 4, 4, 0, 0, 0, 0]),
+    'table4': ('4, 5', [56, 17, 43, 4, 3, 0, 5, 0, 1], HAN_LEFT),
 }
 SPACING = {'table1': 2.5, 'table3': 2.5, 'table4': 5}  # metres between vertices
 # Cells -> km2, minutes and GB of the method and of Han's, tables 6 and 7.
@@ -141,43 +141,21 @@ def counts_table(a, layout, folder):
     for cut in ('clipped',) if a.quick else ('clipped', 'ragged'):
         rows += [a.steps.get(f'{layout}-{cut}-{s}', filled_row, a, layout, cut, s, folder) for s in SURFACES]
         rows += a.steps.get(f'{layout}-{cut}-joined', joined_rows, a, layout, cut, folder)
-    return rows, f'{name}; filled of found\n\n' + measure.table(['', 'closed', *(f'{k} {t}' for k, t in TYPES[1:]), '`check_fill.py`'], rows)
+    return name, rows, a.steps.write_table(layout, measure.table(['', 'closed', *(f'{k} {t}' for k, t in TYPES[1:]), '`check_fill.py`'], rows))
 
 
-def tables_verdict(layout, rows):
-    name, printed, han = PRINTED[layout]
-    ours = [r for r in rows if str(r[0]).startswith(('`wang`', '`thin-plate`'))]
-    good = all(r[1:10] == [f'{n}/{n}' for n in printed] for r in ours)
-    joined = next(r for r in rows if r[0] == '`aggregate`, clipped')
-    short = next(r for r in rows if r[0].startswith('`aggregate`, clipped, '))
-
-    def of(row, kinds):
-        return '/'.join(str(sum(int(n.split('/')[side]) for (kind, _), n in zip(TYPES, row[1:10]) if kind == kinds)) for side in (0, 1))
-    failing = 'fails' if han == HAN_LEFT else f'fills {sum(n for (k, _), n in zip(TYPES, han) if k == "I")}/{sum(n for (k, _), n in zip(TYPES, printed) if k == "I")} of type I, 0 of II'
-    return (measure.verdict(f'Wang, {name[0].lower() + name[1:]}: the method', 'scenes with as many holes', 'reproduced' if good else 'not', 'every type as found, all filled, as in print; ' + ', '.join(sorted({str(r[10]) for r in ours}))) +
-            measure.verdict(f'Wang, {name[0].lower() + name[1:]}: the Han method', 'the same', 'in part',
-                            f'`aggregate` fills {of(joined, "I")} of type I and {of(joined, "II")} of II, with boundaries of {SHORT_LOOP} at most {of(short, "I")} and {of(short, "II")}; Han\'s {failing}'))
+def tables_verdict(tables):
+    """Of what counts_table gave by layout."""
+    ours = [(r, PRINTED[layout][1]) for layout, (_, rows, _) in tables.items() for r in rows if str(r[0]).startswith(('`wang`', '`thin-plate`'))]
+    good = all(r[1:10] == [f'{n}/{n}' for n in printed] for r, printed in ours)
+    return (measure.verdict('Wang, tables 1 to 5: the method', 'scenes with as many holes', 'reproduced' if good else 'not', ', '.join(sorted({str(r[10]) for r, _ in ours}))) +
+            measure.verdict('Wang, tables 1 to 5: Han\'s', 'the same', 'in part', 'type II stays open, as in print; of type I fewer stay open'))
 
 
 def part_tables(a, folder):
     tables = {layout: counts_table(a, layout, folder) for layout in PRINTED if not (a.quick and layout == 'table4')}
-    return (''.join(tables_verdict(layout, rows) for layout, (rows, _) in tables.items()) +
-            'Scenes with as many holes of each type stand in for the reconstruction of Dongying: cells of 250 m, vertices 2.5 m apart, in the 449 cells 5 m. Joining makes one '
-            'closed hole of the open ones of type I that belong together. A hole of a cell counts as filled by `aggregate` where the fill of the joined mesh covers nine tenths of it.\n\n' +
-            HAN_WHY + '\n\n' + '\n\n'.join(text for _, text in tables.values()) + ('' if a.quick else ZIGZAG))
-
-
-HAN_WHY = (
-    'Type II is as in print: the joined mesh has no closed hole there, and none is filled. Of type I the Han method fails on about half in print, 11 of 22 in table 1: three of type A and eight of type B that together are one '
-    'closed hole with a large area, "which leads to repair failure"; the paper does not say how it fails. Nothing here fails by area: least area is found for any boundary, in n³ steps, and `aggregate` fills boundaries of up to '
-    f'{LONGEST_LOOP} vertices. So that failure is not had again; but with boundaries of {SHORT_LOOP} vertices at most, the length at which `wang` cuts them, `aggregate` leaves the largest open too, and with them the types A and B '
-    'that the paper names. At tables 4 and 5 Han\'s fails for the size of the input, 28 km² of tiles of millions of triangles; the stand-in with vertices 5 m apart is small enough to be joined '
-    '([28 km²](#wang-2021-tables-6-and-7-28-km) with vertices 0.5 m apart is not).')
-
-
-ZIGZAG = ('\n\nOn the ragged cut of tables 4 and 5 the surface ends in a zigzag where there are cells outside the area. That is no hole. The check counts its edges as open, and '
-          'takes for what is to be covered the area of the cells less that of the tiles, of which the zigzag lies outside the cells on balance. So it finds the same '
-          'edges and area in the same area with one closed hole, which is filled, and no other; with `--border-zone 8` the open edges are gone.')
+    return (tables_verdict(tables), 'Holes filled: closed, type I, type II; the worse of clipped and ragged cuts. `aggregate` joins the tiles, as Han does.\n\n' +
+            papers_short.counts({name: table for name, _, table in tables.values()}))
 
 
 def area_layout(cells):
@@ -260,12 +238,8 @@ def part_efficiency(a, folder):
     plot_ratios(points)
     names = ['`wang`', '`thin-plate`', '`aggregate`', 'CGAL']
     heads = ['', 'million triangles', *(f'{n}, CPU s (wall)' for n in names), 'ratio', 'printed', *(f'{n}, MB' for n in names), 'ratio', 'printed']
-    return (efficiency_verdicts(points) +
-            'Cells of 250 m with the vertices as far apart as the first column says; in each 0.5 km² a lake over four cells, a pond at the rim and four closed holes. '
-            'Ratios are of `aggregate` to `wang`; the printed ones are of tables 6 and 7 (the Han method to the paper\'s), where Han\'s fails at 2.5 km². `aggregate` leaves holes of more than '
-            f'{LONGEST_LOOP} boundary vertices open, as it does if not told otherwise. CGAL fills the welded mesh by constrained Delaunay triangles; it reads and writes text files, and '
-            f'was not given more than {LARGEST_PEER_MESH / 1e6:.0f} million triangles.\n\n' + measure.table(heads, rows) +
-            '\n\n![ratios of time and memory](images/papers_efficiency.png)\n\n' + EFFICIENCY_WHY)
+    a.steps.write_table('efficiency', measure.table(heads, rows))
+    return efficiency_verdicts(points), f'CPU seconds and peak memory over those of the method, areas of {AREAS[a.areas[0]][0]} to {AREAS[a.areas[-1]][0]} km², by the spacing of vertices: above.'
 
 
 def efficiency_verdicts(points):
@@ -274,19 +248,8 @@ def efficiency_verdicts(points):
         spans = ', '.join(f'{min(p[ours] for p in of):.1f} to {max(p[ours] for p in of):.1f} at {spacing:g} m' for spacing, of in points.items())
         reached = [spacing for spacing, of in points.items() if all(p[ours] >= p[ours + 2] for p in of if p[ours + 2])]
         outcome = 'reproduced' if len(reached) == len(points) else 'in part' if reached or max(p[ours] for of in points.values() for p in of) > 2 else 'not'
-        text += measure.verdict(f'Wang, {name}: Han over the method', 'made tiles of 20,000 to 500,000 triangles', outcome, f'{spans}; {printed} in print')
+        text += measure.verdict(f'Wang, {name}: Han over the method', 'made tiles', outcome, f'{spans}; {printed} in print')
     return text
-
-
-EFFICIENCY_WHY = (
-    'What decides is how large the tiles are. With vertices 2.5 m apart a tile has 20,000 triangles: the joined mesh is small, `aggregate` reads, joins, fills and writes it in one '
-    'process in half a CPU second, and what layers, tasks and the seam pass cost does not pay; the printed method takes 234 s for the smallest area, Han\'s 1,032 s. The paper\'s '
-    'tiles have millions of triangles (its section 2.2). With tiles like that the joined mesh has to be built, held and written as a whole, while a cell is read, '
-    'surveyed and copied on its own. So the ratio of time grows with the tiles, and that of memory with the area: `wang` holds the tiles in flight, `aggregate` everything. Of the '
-    'peak of `wang` 28 MB are the program itself. With vertices 0.5 m apart the triangulation of least area adds to that: it takes n³ steps. In the row '
-    'of 0.5 km² one lake with 1,429 boundary vertices takes 37 % of the CPU seconds of `aggregate`. `wang` cuts such boundaries. Joining 2.5 km² does not fail here, as Han\'s does '
-    'in print with tiles that are larger still. Seconds were taken one way after the other. The plot has the ratios of CPU '
-    'seconds; the wall seconds of the table are in brackets: `wang` works on all cores, `aggregate` on one.')
 
 
 def plot_ratios(points):
@@ -301,15 +264,11 @@ def plot_ratios(points):
     axes_of('papers_efficiency.png', draw)
 
 
-def bytes_below(folder):
-    return sum(os.path.getsize(os.path.join(at, name)) for at, _, names in os.walk(folder) for name in names)
-
-
 def large_row(a, way, folder):
     scene = made(folder, 'large', layout_path('table4'), '--spacing', a.large_spacing)
     if way == 'aggregate':
         return joined_run(a, scene, '--memory', MOST_MEMORY)
-    result = surface_run(a, scene, way) | {'bytes': bytes_below(scene)}
+    result = surface_run(a, scene, way)
     subprocess.run(['rm', '-rf', f'{scene}-{way}'], check=True)
     return result
 
@@ -322,15 +281,9 @@ def part_large(a, folder):
     results = {way: a.steps.get(f'large-{a.large_spacing:g}-{way}', large_row, a, way, folder) for way in (*SURFACES, 'aggregate')}
     for way, r in results.items():
         rows.append([f'`{way}`', f'{million:.0f}', f"{measure.up(r['wall'], 0)} s" if r['code'] in (0, 100) else f'out of {MOST_MEMORY} MB', f"{measure.up(r['cpu'], 0)} s", f"{r['peak'] / 1e6:,.0f}"])
-    wang = results['wang']
-    size = wang.get('bytes', 19 * million * 1e6)  # PLY: 13 bytes a triangle, and 12 for each of half as many vertices
     return (measure.verdict('Wang, tables 6 and 7: 28 km²', f'449 made cells, {million:.0f} million triangles', 'reproduced',
-                            f"{measure.up(wang['wall'], 0)} s ({measure.up(wang['cpu'], 0)} s CPU) and {measure.megabytes(wang['peak'])} MB beside 230 min and 3,200 MB of other tiles on another computer; joining fails in both") +
-            'The 449 cells of tables 4 and 5, 28 km², with vertices ' + f'{a.large_spacing:g} m apart. The paper\'s figures are of its own tiles, whose triangles it does not count, and of '
-            'another computer; what can be compared is that memory stays far below the size of the scene, and that joining does not fit into the 8000 MB that it is given.\n\n' +
-            measure.table(['', 'million triangles', 'time', 'CPU', 'peak, MB'], rows) +
-            f"\n\nWhat is not CPU time is the disk's: the scene has {size / 1e9:.1f} GB, which are read and written once, more than the page cache of the machine keeps; {2 * size / 1e6 / wang['wall']:.0f} MB/s in all for `wang`, "
-            f"{2 * size / 1e6 / results['thin-plate']['wall']:.0f} for `thin-plate`; why the two differ was not measured. CPU seconds are what compares.")
+                            'print: other tiles, another computer'),
+            a.steps.write_table('large', measure.table(['', 'million triangles', 'time', 'CPU', 'peak, MB'], rows)))
 
 
 def surface_step(a, make, seed, arguments, folder):
@@ -339,24 +292,19 @@ def surface_step(a, make, seed, arguments, folder):
 
 
 def part_surface(a, folder):
-    with open(os.path.join(HERE, 'wang_variant.json'), encoding='utf-8') as file:
-        before = json.load(file)
     groups = {}
     for name, (make, *arguments) in surface_bench.makers().items():
         for seed in (2,) if a.quick else (1, 2, 3):
             r = a.steps.get(f'surface-{name.replace(" ", "_").replace("/", "-")}-{seed}', surface_step, a, make, seed, arguments, folder)
             if r:
-                groups.setdefault(name.rsplit(', ', 1)[0], []).append((before.get(f'{name}, seed {seed}', np.nan), r['wang'], r['thin-plate'], r['broken']))
+                groups.setdefault(name.rsplit(', ', 1)[0], []).append((r['wang'], r['thin-plate'], r['broken']))
     every = [r for of_name in groups.values() for r in of_name]
     rows = [surface_row(name, of_name) for name, of_name in (*groups.items(), ('all', every))]
-    mean = np.array([r[1:3] for r in every]).mean(0)
-    return (measure.verdict('no table: the method beside ours', f'{len(every)} scenes', 'compared', f'mean error of `wang` {mean[0]:.2f} m, of `thin-plate` {mean[1]:.2f} m') +
-            f'The {len(every)} scenes of `surface_bench.py` with two layers or more, clipped and ragged, three seeds; mean errors at all removed vertices in metres, and the means of the '
-            'scenes\' ratios. *Before* is the height-field variant of `wang` that was here until 2026-11-22.\n\n' +
-            measure.table(['', 'scenes', '`wang` before', '`wang`', '`thin-plate`', '`wang` / before', '`thin-plate` / `wang`', 'broken promises'], rows))
+    return (measure.verdict('`wang` beside `thin-plate`', f'{len(every)} scenes', 'compared', f'broken promises: {sum(bool(r[2]) for r in every)}'),
+            f'Mean errors, metres; ratios are means over the scenes. Goal: {surface_bench.GOAL} on every scene.\n\n' +
+            a.steps.write_table('surface', measure.table(['', '`wang`', '`thin-plate`', 'ratio'], rows)))
 
 
 def surface_row(name, results):
-    figures = np.array([r[:3] for r in results], float)
-    now, plate = figures[:, 1] / figures[:, 0], figures[:, 2] / figures[:, 1]
-    return [name, len(results), *(f'{m:.3f}' for m in np.nanmean(figures, 0)), f'{np.nanmean(now):.2f}', f'{plate.mean():.2f}', sum(bool(r[3]) for r in results)]
+    figures = np.array([r[:2] for r in results], float)
+    return [name, *(f'{m:.3f}' for m in figures.mean(0)), f'{(figures[:, 1] / figures[:, 0]).mean():.2f}']

@@ -1,4 +1,4 @@
-"""The pictures of docs/benchmarks.md. Needs numpy, scipy and matplotlib (Debian: python3-matplotlib)."""
+"""The pictures of the benchmarks. Needs numpy, scipy and matplotlib (Debian: python3-matplotlib)."""
 import os
 import re
 import tempfile
@@ -20,8 +20,8 @@ LAKE = ('--cols', 6, '--rows', 6, '--cell', CELL, '--spacing', SPACING, '--seed'
         'none', '--ellipse', '300,300,250,220')
 
 
-def save(figure, name):
-    figure.savefig(os.path.join(IMAGES, name), dpi=110, metadata={'Software': None})
+def save(figure, folder, name):
+    figure.savefig(os.path.join(folder, name), dpi=110, metadata={'Software': None})
     plt.close(figure)
 
 
@@ -42,8 +42,8 @@ def draw_map(axes, truth, errors, limit):
     return image
 
 
-def error_map(bin_folder):
-    """Draws error_map.png, the errors of both surfaces over one lake on one scale, and returns their figures as a table."""
+def error_map(bin_folder, images):
+    """Draws error_map.png in `images`: the errors of both surfaces over one lake on one scale. Returns their figures as a table."""
     with tempfile.TemporaryDirectory(prefix='tilemend-bench-') as folder:
         scene = os.path.join(folder, 'scene')
         scene_tools.run('make_scene.py', scene, *LAKE)
@@ -58,7 +58,7 @@ def error_map(bin_folder):
         side.set_title(f'{surface}: mean |error| {np.nanmean(np.abs(e)):.2f} m', fontsize=10)
     axes[0].set_ylabel('m')
     figure.colorbar(image, ax=axes, label='fill - truth, m', shrink=0.9)
-    save(figure, 'error_map.png')
+    save(figure, images, 'error_map.png')
     return measure.table(['surface', 'points', 'relief, m', 'mean error, m', 'max error, m'],
                          [[f'`{s}`', f'{len(truth):,}', measure.down(np.ptp(truth[:, 2]), 1),
                            measure.up(np.nanmean(np.abs(e)), 3), measure.up(np.nanmax(np.abs(e)), 2)]
@@ -81,7 +81,7 @@ def growth_series(table):
 
 
 def growth(table):
-    """Draws growth.png: seconds over new vertices, with the exponents of the lines fitted to their logarithms."""
+    """Draws docs/images/growth.png: seconds over new vertices, with the exponents of the lines fitted to their logarithms."""
     figure, axes = plt.subplots(figsize=(6, 4), layout='constrained')
     for (name, points), marker in zip(growth_series(table).items(), 'osv'):
         vertices, seconds = np.array(sorted(points)).T
@@ -91,4 +91,4 @@ def growth(table):
     axes.set(xlabel='new vertices', ylabel='seconds')
     axes.grid(True, which='both', linewidth=0.3)
     axes.legend()
-    save(figure, 'growth.png')
+    save(figure, IMAGES, 'growth.png')

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Repeats the experiments of the papers behind tilemend and writes docs/papers.md: our figures beside the printed ones.
 
+The page has short tables (papers_short.py). Full tables and pictures go to the measurements of the program, below --work.
+
 TILEMEND_SHARED_TOOLS names the folder of the scene tools, which are not part of this project; parts that need them are left out where
 it is not set, and keep what the page has. The papers' own models and photographs cannot be had: made ones stand in, as the page says of
 each. Every measurement is kept below --work by the program it was made with: a run that was interrupted goes on where it was. Parts that
@@ -18,6 +20,7 @@ import measure
 import papers_accuracy
 import papers_fillers
 import papers_plots
+import papers_short
 import papers_wang
 import scene_tools
 import steps
@@ -27,16 +30,16 @@ PARTS = {'tables': ('Wang 2021, tables 1 to 5: holes by type', papers_wang.part_
          'efficiency': ('Wang 2021, tables 6 and 7: time and memory', papers_wang.part_efficiency, True),
          'large': ('Wang 2021, tables 6 and 7: 28 km²', papers_wang.part_large, True),
          'accuracy': ('Wang 2021, figures 14 to 17: accuracy', papers_accuracy.part_accuracy, True),
-         'surface': ('The true `wang` beside what it was and `thin-plate`', papers_wang.part_surface, True),
+         'surface': ('`wang` beside `thin-plate`', papers_wang.part_surface, True),
          'sun': ('Sun 2012, table 1 and figure 6', papers_fillers.part_sun, False),
          'xu': ('Xu 2014, tables 1 and 2', papers_fillers.part_xu, False),
          'curvature': ('The repair by curvature', papers_fillers.part_curvature, False),
          'zhang': ('Zhang 2022, table 2: kinds of holes', papers_fillers.part_zhang, False),
          'fillers': ('All fillers on the same holes', papers_fillers.part_fillers, False)}
-HEAD = ('# The papers\' experiments again\n\n`scripts/reproduce.sh` runs them and writes this page, with the scene tools in `TILEMEND_SHARED_TOOLS`; '
-        'it goes on where it was interrupted, and `--quick` takes the small ones. A program is named by the start of its SHA-256. '
-        '[Wang](decisions/2026-11-22-wang-as-printed.md) and [the fillers](decisions/2026-11-22-published-fillers.md) say what was chosen where the papers say nothing.\n\n'
-        'What is printed, and what came of it here. *Reproduced*: the printed figure, or what it is printed for, is there again. *In part*, *not*: as the last column says.\n')
+HEAD = ('# The papers\' experiments again\n\nWhere the papers are implemented, and their experiments on made stand-ins for their data. `scripts/reproduce.sh` measures and '
+        'writes this page. Choices where the papers say nothing: '
+        '[Wang](decisions/2026-11-22-wang-as-printed.md), [fillers](decisions/2026-11-22-published-fillers.md).\n\n## Equations in the code\n\n')
+VERDICTS = '\n\n## Experiments\n\n| printed | stand-in | verdict | ours |\n|---|---|---|---|\n'
 EPILOGUE = ('Examples:\n'
             '  scripts/reproduce.sh                        everything, an hour or more, 12 GB of disk and 4 GB of memory\n'
             '  scripts/reproduce.sh --quick                the small ones of everything, 10 to 20 minutes; the page is WORK/quick.md\n'
@@ -46,17 +49,11 @@ EPILOGUE = ('Examples:\n'
             'Exit codes: 0 the page is written, 1 a program failed, 2 usage.')
 
 
-def rows_of(section):
-    """What a section says of its experiments for the table at the top (measure.verdict)."""
-    return re.findall(r'<!--(\|.*\|)-->', section)
-
-
 def page_text(sections):
-    present = {name: sections[name] for name in PARTS if name in sections}
-    rows = [f'| [{row.split("|")[1].strip()}](#{anchor(section)}) |' + '|'.join(row.split('|')[2:]) for section in present.values() for row in rows_of(section)]
-    heads = ['printed', 'stand-in', 'verdict', 'ours beside print']
-    table = '\n'.join(['| ' + ' | '.join(heads) + ' |', '|---' * len(heads) + '|', *rows]) + '\n'
-    return HEAD + '\n' + table + '\n' + '\n\n'.join(f'<!-- {name} -->\n{section}' for name, section in present.items()) + '\n'
+    """`sections`: name -> lines of the table of verdicts (measure.verdict), text."""
+    present = [(name, *sections[name]) for name in PARTS if name in sections]
+    rows = [f'| [{printed}](#{anchor(text)}) | {rest} |' for _, lines, text in present for printed, rest in (line.split(' | ', 1) for line in lines.splitlines())]
+    return HEAD + papers_short.sources_table() + VERDICTS + '\n'.join(rows) + '\n\n' + '\n\n'.join(f'<!-- {name} -->\n{text}' for name, _, text in present) + '\n'
 
 
 def anchor(section):
@@ -66,11 +63,14 @@ def anchor(section):
 
 
 def kept(page):
-    """The sections that a page has, by name."""
+    """The sections that a page has, as page_text takes them."""
     if not os.path.exists(page):
         return {}
     with open(page, encoding='utf-8') as file:
-        return {m[1]: m[2].strip() for m in re.finditer(r'<!-- (\w+) -->\n(.*?)(?=<!-- \w+ -->\n|\Z)', file.read(), re.DOTALL)}
+        text = file.read()
+    rows = re.findall(r'^\| \[(.*?)\]\(#([^)]*)\) \| (.*) \|$', text, re.MULTILINE)
+    sections = {m[1]: m[2].strip() for m in re.finditer(r'<!-- (\w+) -->\n(.*?)(?=<!-- \w+ -->\n|\Z)', text, re.DOTALL)}
+    return {name: (''.join(f'{printed} | {rest}\n' for printed, target, rest in rows if target == anchor(section)), section) for name, section in sections.items()}
 
 
 def numbers(kind):
@@ -110,7 +110,7 @@ def arguments():
 
 def main():
     a = arguments()
-    papers_plots.images = os.path.join(os.path.dirname(a.page), 'images')
+    papers_plots.images = os.path.join(a.steps.folder, 'images')
     sections = kept(a.page)
     for name in a.only:
         title, part, needs_tools = PARTS[name]
@@ -120,11 +120,12 @@ def main():
         print(name, file=sys.stderr)
         folder = os.path.join(a.steps.folder, 'scenes', name)  # stays where a run is interrupted: scenes that are whole are used again
         os.makedirs(folder, exist_ok=True)
-        text = part(a, folder)
+        found = part(a, folder)
         shutil.rmtree(folder)
-        if text is None:
+        if found is None:
             continue
-        sections[name] = f'## {title}\n\n{text}\n\nMeasured on: {a.steps.told(measure.machine())}.'
+        verdicts, text = found
+        sections[name] = (verdicts, f'## {title}\n\n{text}\n\n{a.steps.told(measure.machine())}.')
         with open(a.page, 'w', encoding='utf-8') as file:
             file.write(page_text(sections))
         print(f'{name}: written to {a.page}', file=sys.stderr)

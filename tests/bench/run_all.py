@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Runs all benchmarks and writes their tables into docs/benchmarks.md, each between its two markers.
+"""Runs all benchmarks. Writes full tables to a folder, and summaries into docs/benchmarks.md, each between its two markers.
 
-    run_all.py [--bin DIR] [--runs 5] [--only survey,scene,partition,...] [--peers DIR] [--build DIR] [--dry-run]
+    run_all.py [--bin DIR] [--runs 5] [--only survey,scene,partition,...] [--peers DIR] [--build DIR] [--tables DIR] [--dry-run]
 
+Full tables go to --tables (build/benchmarks), one file each. The page has summaries (summaries.py) of some.
 TILEMEND_SHARED_TOOLS names the folder of the scene tools for partition, surface, street, map and figure14; --peers that of the peer's
-drivers and of hole_bench.py's meshes, for peer and hole; figure14 prints the peer beside the rest when it is there. The page's
-pictures go to docs/images. A benchmark without what it needs is skipped with a message and its table stays as it is. --dry-run
-prints, and writes no page.
+drivers and of hole_bench.py's meshes, for peer and hole; figure14 prints the peer beside the rest when it is there. A benchmark
+without what it needs is skipped with a message and its summary stays as it is. --dry-run prints, and writes no file but pictures.
 """
 import argparse
 import datetime
@@ -21,8 +21,10 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import hole_bench
 import measure
 import scene_bench
+import summaries
 
 PAGE = os.path.join(measure.ROOT, 'docs', 'benchmarks.md')
+TABLES = os.path.join(measure.ROOT, 'build', 'benchmarks')
 
 
 def rounds(a):
@@ -90,7 +92,7 @@ def street(a):
 
 def error_map(a):
     import plots
-    return plots.error_map(a.bin)
+    return plots.error_map(a.bin, a.tables)
 
 
 def figure14(a):
@@ -148,34 +150,46 @@ def put(page, name, text):
     return re.sub(re.escape(begin) + '.*?' + re.escape(end), lambda _: f'{begin}\n{text}\n{end}', page, flags=re.DOTALL)
 
 
-def main():
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split('\n', maxsplit=1)[0])
     parser.add_argument('--bin', default=measure.BIN)
     parser.add_argument('--runs', type=int, default=5)
     parser.add_argument('--only', type=lambda t: t.split(','), default=list(BENCHES))
     parser.add_argument('--peers')
     parser.add_argument('--build', default=hole_bench.BUILD)
+    parser.add_argument('--tables', default=TABLES)
     parser.add_argument('--dry-run', action='store_true')
     a = parser.parse_args()
     if set(a.only) - set(BENCHES):
         parser.error(f'--only: some of {",".join(BENCHES)}')
+    return a
+
+
+def write(path, text):
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text)
+
+
+def main():
+    a = arguments()
+    os.makedirs(a.tables, exist_ok=True)
     for name in a.only:
         before = measure.machine()
         text = BENCHES[name](a)
         if not text.startswith('|'):
             print(f'SKIPPED {name}: {text}', file=sys.stderr)
             continue
-        load = os.getloadavg()[0]
-        note = f'{datetime.date.today()}; {before} at the start, {load:.1f} at the end; {runs(name, a)}.'
+        note = f'{datetime.date.today()}; {before} to {os.getloadavg()[0]:.1f}; {runs(name, a)}.'
         print(f'{name}: {note}\n{text}\n', flush=True)
         if a.dry_run:
             continue
+        write(os.path.join(a.tables, f'{name}.md'), f'{text}\n\n{note}\n')
         if name in PICTURES:
             PICTURES[name](text)
-        with open(PAGE, encoding='utf-8') as file:
-            page = file.read()
-        with open(PAGE, 'w', encoding='utf-8') as file:
-            file.write(put(page, name, f'{text}\n\n{note}'))
+        if name in summaries.SHORT:
+            with open(PAGE, encoding='utf-8') as file:
+                page = file.read()
+            write(PAGE, put(page, name, f'{summaries.SHORT[name](text)}\n\n{note}'))
 
 
 if __name__ == '__main__':

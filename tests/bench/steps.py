@@ -43,6 +43,12 @@ class Steps:
         os.replace(path + '.part', path)
         return result
 
+    def write_table(self, name, table):
+        """Writes a full table beside the measurements. Returns it."""
+        with open(os.path.join(self.folder, name + '.md'), 'w', encoding='utf-8') as file:
+            file.write(table + '\n')
+        return table
+
     def told(self, machine):
         """The machine and the programs that were used since the last call, as text; the load, at its end, is not that of measurements carried."""
         used, self.used = self.used, {}

@@ -13,7 +13,8 @@ namespace tilemend {
 // area, or as they grow inward from it. Linear in the boundary.
 double ExpectedVertices(const CellHoles& cell, const CellHole& hole, const RefineOptions& options);
 
-// Bytes that FillHoles takes at most at a time, by measurement (docs/reliability.md); SampleCluster of the same holes.
+// Bytes that FillHoles takes at most at a time, and SampleCluster of the same holes. By measurement:
+// docs/decisions/2026-11-25-memory-of-tasks.md.
 int64_t FillMemory(const CellHoles& cell, const FillOptions& options);
 int64_t SampleMemory(const CellHoles& cluster, const FillOptions& options);
 

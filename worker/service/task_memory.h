@@ -39,7 +39,7 @@ class HeldMemory {
   std::optional<MemoryBudget::Share> share_;
 };
 
-// Bytes that a task takes at most beside its input, by measurement (docs/reliability.md).
+// Bytes that a task takes at most beside its input, by measurement (docs/decisions/2026-11-25-memory-of-tasks.md).
 int64_t SurveyMemory(const std::string& path);   // of a tile that is surveyed
 int64_t SurfaceMemory(const std::string& path);  // of one that is searched for triangles near a place
 int64_t GroundMemory(const v1::GroundInput& input);
