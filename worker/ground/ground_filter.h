@@ -28,8 +28,8 @@ inline double FilterReach(const GroundFilterOptions& options) { return 2 * optio
 // Tells ground from objects. The raster is opened with disks of growing radius; what an opening takes away by more than
 // slope * radius is an object (section 2.1, steps 2 and 3). Squares without surface neither lower nor lift (as printed,
 // the paper interpolates them first, which spreads roofs into holes). Radii grow by one square up to 10 and by a tenth
-// to a fifth then: against growth by one 0 to 1.2 % of the squares differ on nine real and made sites, in a third of the
-// time.
+// to a fifth then: against growth by one 0 to 1.2 % of the squares differ on nine real and made sites, in a third of
+// the time.
 //
 // Under objects the ground is linear between the nearest ground squares in opposite directions, the mean of eight pairs
 // of directions weighted by their distance (the paper has an interpolation over the whole raster, which is no local

@@ -1,7 +1,7 @@
 #include "worker/papers/published_ways.h"
 
-#include "worker/fill/hole/local_hole.h"
 #include "worker/fill/hole/fill_options.h"
+#include "worker/fill/hole/local_hole.h"
 #include "worker/papers/front/front_fill.h"
 #include "worker/papers/wang/least_area_fill.h"
 #include "worker/papers/wang/wang_fill.h"

@@ -44,7 +44,8 @@ TEST(FeaturePropertiesTest, LongNamesAreCut) {
 }
 
 TEST(FeaturePropertiesTest, ALevelIsANumberOrPlainText) {
-  for (const char* text : {"3.25", "\"3.25\"", "\"3.25 m\"", "\" +3.25m \"", "\"03.250\"", "\"\u00a03.25\u202fm\u2009\""}) {
+  for (const char* text :
+       {"3.25", "\"3.25\"", "\"3.25 m\"", "\" +3.25m \"", "\"03.250\"", "\"\u00a03.25\u202fm\u2009\""}) {
     const auto area = AreaWith(absl::StrCat(R"({"level_m": )", text, "}"));
     ASSERT_TRUE(area.ok()) << area.status();
     EXPECT_EQ(area->level, 3.25) << text;
