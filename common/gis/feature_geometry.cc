@@ -137,9 +137,9 @@ std::string Repair(const OGRGeometry& geometry, Crossings crossings, VectorFeatu
   }
   // Of parts that overlap all is inside, not what an odd number of them surrounds.
   const char* const options[] = {"METHOD=STRUCTURE", nullptr};
-  const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);  // it is no news that memory ends where millions cross
+  const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);  // GEOS runs out of memory where too many edges cross
   const GeometryPtr valid(geometry.MakeValid(options));
-  if (!valid) Refuse(feature.label, fault + ", and so do too many others to be mended; draw it again");
+  if (!valid) Refuse(feature.label, fault + ", and too many other edges cross to repair it; draw it again");
   if (valid->IsEmpty()) Refuse(feature.label, fault + ", and it surrounds nothing; draw it again");
   feature.polygon = {};
   SetGeometry(*valid, feature);

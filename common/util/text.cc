@@ -126,7 +126,7 @@ void KeepFirst(size_t most, const std::string& what, std::vector<std::string>& w
   if (warnings.size() <= most) return;
   const size_t more = warnings.size() - most;
   warnings.resize(most);
-  warnings.push_back(what + ": " + std::to_string(more) + " warnings more");
+  warnings.push_back(what + ": " + std::to_string(more) + " more warnings");
 }
 
 size_t EditDistance(std::string_view a, std::string_view b) {

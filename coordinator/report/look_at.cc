@@ -50,16 +50,17 @@ std::string WhyLookAt(const HoleEvidence& evidence, const Judged& judged) {
   const bool is_large = judged.area >= kWaterProfiles[0].least_lake;
   const double circle = 2 * std::sqrt(std::numbers::pi * judged.area);
   if (is_flat && evidence.sigma.value_or(0) > kSureLevel) {
-    why.push_back(absl::StrFormat("its level is not surer than %.2f m: level_m of a polygon sets it", *evidence.sigma));
+    why.push_back(absl::StrFormat(
+        "the standard deviation of its level is %.2f m; a polygon with level_m can set the level", *evidence.sigma));
   }
-  if (is_flat && judged.rim < circle) {
-    why.push_back(absl::StrFormat("%.0f m of rim tell the level of %.0f m2; the rest ends at the edge of the area",
+  if (is_flat && !evidence.is_of_whole_scene && judged.rim < circle) {
+    why.push_back(absl::StrFormat("only %.0f m of rim tell the level of %.0f m2; the rest ends at the edge of the area",
                                   judged.rim, judged.area));
   }
   if (is_large && evidence.verdict == Verdict::kLevelGround) {
-    why.emplace_back("it is level and large: a polygon says whether it is water");
+    why.emplace_back("it is large and level, but not called water; a polygon can say that it is");
   }
-  if (is_large && !is_flat) why.emplace_back("it is large and filled as ground: a polygon says if it is water");
+  if (is_large && !is_flat) why.emplace_back("it is large and filled as ground; if it is water, a polygon can say so");
   return absl::StrJoin(why, "; ");
 }
 

@@ -12,8 +12,9 @@ namespace tilemend {
 // these is true, the largest first: "hole" (its largest), "cell" and "centre" of that, "area_m2" of all, "taken_for",
 // "level_m" and "sigma_m" where there is a level, and "why":
 //   - it is filled flat, and sigma is more than 0.25 m;
-//   - it is filled flat, and its rim is shorter than a circle of its area: most of it ends at the edge of the area;
-//   - it is as large as a lake (WaterProfile), and filled as ground or level ground.
+//   - it is filled flat, at a level that its own rim tells, and that rim is shorter than a circle of its area: most of
+//     it ends at the edge of the area;
+//   - it has 1,000 m2 or more (the lakes of the profile `city`), and is filled as ground or level ground.
 // Holes that are left open are not among them: they are in `left`. Cost O(holes).
 nlohmann::ordered_json LookAtJson(const SceneReportInput& input);
 

@@ -70,11 +70,10 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::ranges::move(doubts, std::back_inserter(warnings));
   WarnOfWaterAtUnknownRim(plan, warnings);
   if (plan.lattice_step > kMeetTolerance) {
-    warnings.push_back(
-        absl::StrFormat("the tiles' numbers are single-precision and so far from 0 that they lie %g m apart: nothing "
-                        "is told finer than "
-                        "that; export with a local origin, or in double precision",
-                        plan.lattice_step));
+    warnings.push_back(absl::StrFormat(
+        "the tiles have single-precision numbers far from 0, which are %g m apart: heights are not finer than that; "
+        "export with a local origin or in double precision",
+        plan.lattice_step));
   }
   if (plan.has_polygon && plan.holes.empty() && plan.left.empty()) {
     warnings.emplace_back("no hole lies in the area, so nothing is filled");

@@ -149,7 +149,7 @@ void AddAnswer(const WaterAnswer& answer, Json& row) {
   row["water"] = answer.water;
   if (!answer.clear_height) return;
   row["clear"] = true;
-  row["clear_height"] = *answer.clear_height;
+  if (answer.water) row["clear_height"] = *answer.clear_height;
 }
 
 // What a hole was taken for.

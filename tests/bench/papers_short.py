@@ -63,7 +63,7 @@ def printed_steps(table):
     return columns(table, (0, 2, 3, 5, 7, 8), lambda row: number(row[1]) == 0.6)
 
 
-WANG, FRONT, HOLE, SEAM = 'worker/fill/wang', 'worker/fill/front', 'coordinator/plan/hole', 'coordinator/plan/seam'
+WANG, FRONT, HOLE, SEAM = 'worker/papers/wang', 'worker/papers/front', 'coordinator/plan/hole', 'coordinator/plan/seam'
 SOURCES = (  # paper; section or equation; step; files
     ('Wang 2021', '2.1 (Han 2019)', 'join all tiles, then fill', 'client/aggregate.h'),
     ('Wang 2021', '3.1', 'boundary edges', 'worker/survey/survey.h'),
@@ -75,7 +75,7 @@ SOURCES = (  # paper; section or equation; step; files
     ('Wang 2021', 'eq. 2 to 4', 'umbrella operator, weights, fairing', f'{WANG}/fair_patch.h'),
     ('Wang 2021', 'eq. 5, 6', 'smoothing of seams', 'worker/fill/seam/smooth_seam.h'),
     ('Liepa 2003', '3', 'least area, least dihedral angle', f'{WANG}/minimum_area.h worker/fill/space/minimum_weight.h'),
-    ('Liepa 2003', '4', 'refinement', f'{WANG}/refine_patch.h'),
+    ('Liepa 2003', '4', 'refinement', 'worker/fill/shape/refine_patch.h'),
     ('Sun 2012', 'eq. 1', 'normals of the front', f'{FRONT}/advancing_front.h'),
     ('Sun 2012', 'eq. 2, 4 to 6', 'angles, normal curvature, new vertices', f'{FRONT}/front_rules.h'),
     ('Taubin 1995', 'eq. 3', 'curvature of the steady front', f'{FRONT}/front_rules.h'),

@@ -169,6 +169,7 @@ struct HoleEvidence {
   double level = 0;                   // metres: of the water; else that its rim tells
   std::optional<double> sigma = 0.0;  // metres: standard deviation of `level`; none: the user gave the level
   std::string reason;                 // what the verdict follows from, in words
+  bool is_of_whole_scene = false;     // its level is told by the scene without the area (known_water.h)
   int32_t area = -1;                  // into Plan::water_answers: that of the user's area that decides on it
 };
 

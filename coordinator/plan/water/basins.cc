@@ -10,8 +10,6 @@
 namespace tilemend {
 namespace {
 
-constexpr double kBasinSigmas = 3;
-
 std::vector<PlaneSegment> Together(const std::vector<std::vector<PlaneSegment>>& outlines) {
   std::vector<PlaneSegment> all;
   for (const std::vector<PlaneSegment>& outline : outlines) all.insert(all.end(), outline.begin(), outline.end());
@@ -39,7 +37,7 @@ Basin Joined(const Basin& a, const Basin& b, double min_river) {
 }
 
 bool IsNear(const Basin& part, const Basin& joint) {
-  return std::abs(part.evidence.level - joint.evidence.level) <= kBasinSigmas * part.evidence.sigma();
+  return std::abs(part.evidence.level - joint.evidence.level) <= kSigmas * part.evidence.sigma();
 }
 
 // Whether a basin whose own rim tells no level has its foot at that of both.

@@ -18,8 +18,9 @@ struct KnownWater {
   void Forget(const std::vector<int32_t>& holes);
 };
 
-// Finds what the water of `whole`, a plan of the same grid without the area, says of the holes of `plan`: a hole is a
-// part of the body that covers it. Cost as GroupsCovering.
+// Finds what the lakes and rivers of `whole`, a plan of the same grid without the area, say of the holes of `plan`: a
+// hole is a part of the body that covers it. Level ground of `whole` says nothing: it may be a part of water that
+// reaches beyond. Cost as GroupsCovering.
 KnownWater FindKnownWater(const Plan& whole, const Plan& plan);
 
 // Takes more of what is known, for holes of which nothing is.

@@ -15,12 +15,10 @@ namespace {
 
 constexpr double kWindowsAlongRim = 64;
 constexpr double kEdgesPerWindow = 2;
-constexpr double kLowInWindow = 0.25;            // quantile: a bank or a tree may take up most of a window
-constexpr double kSecond = 0.02;                 // quantile
-constexpr double kShareOfDry = 0.5;              // of D that J may be
-constexpr double kSigmas = 3;                    // of noise
-constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
-constexpr double kMinRoughness = 0.01;           // metres: heights are told no better
+constexpr double kLowInWindow = 0.25;   // quantile: a bank or a tree may take up most of a window
+constexpr double kSecond = 0.02;        // quantile
+constexpr double kShareOfDry = 0.5;     // of D that J may be
+constexpr double kMinRoughness = 0.01;  // metres: heights are told no better
 
 // An edge with its roughness.
 struct RoughEdge {

@@ -21,7 +21,10 @@ struct RimEdge {
 // Edges in order along the rim, each beside the next one.
 using RimChain = std::vector<RimEdge>;
 
-inline constexpr int64_t kMinWindows = 20;  // below that fractal terrain agrees on a level by chance
+inline constexpr int64_t kMinWindows = 20;              // below that fractal terrain agrees on a level by chance
+inline constexpr double kSigmas = 3;                    // of noise, or of a level: more is no chance
+inline constexpr double kMinSigma = 0.02;               // metres: levels of two rims agree no better
+inline constexpr double kDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
 
 // Figures of a rim, in metres. The letters are those of docs/decisions/2026-11-26-water-by-evidence.md.
 struct LevelEvidence {

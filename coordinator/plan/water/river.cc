@@ -19,8 +19,6 @@ constexpr double kBentEnd = 0.75;  // widths from its end: there a centreline be
 constexpr double kFarBetter = 0.2, kBetter = 1.0 / 3;
 constexpr size_t kMinStations = 4, kManyStations = 8;
 constexpr double kLongestPerWidth = 1;  // a reach is longer than wide
-constexpr double kRiverSigmas = 3;
-constexpr double kMinSigma = 0.02;  // metres: heights of two rims agree no better
 
 // Takes off the bend at the last end of a line.
 void TakeOffBend(double bend, std::vector<Point2>& points) {
@@ -117,7 +115,7 @@ std::vector<RimChain> AboveRiver(const WaterSurface& river, std::vector<RimChain
 }
 
 bool CanBeOneLevel(double apart, const LevelEvidence& a, const LevelEvidence& b) {
-  return std::abs(apart) <= kRiverSigmas * std::max(kMinSigma, std::hypot(a.sigma(), b.sigma()));
+  return std::abs(apart) <= kSigmas * std::max(kMinSigma, std::hypot(a.sigma(), b.sigma()));
 }
 
 }  // namespace tilemend

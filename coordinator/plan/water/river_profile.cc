@@ -7,12 +7,10 @@
 namespace tilemend {
 namespace {
 
-constexpr double kSpacing = 25;                         // metres between stations
-constexpr int64_t kMinEdges = 8;                        // at a station with a level of its own
-constexpr double kProfileSigmas = 3;                    // deviations
-constexpr double kErrorOfLevel = 1.2533;                // of a median, times the deviation over the root of the count
-constexpr double kProfileDeviationsPerMedian = 1.4826;  // of the absolute value of normal noise
-constexpr double kMinDeviation = 0.01;                  // metres: heights are told no better
+constexpr double kSpacing = 25;           // metres between stations
+constexpr int64_t kMinEdges = 8;          // at a station with a level of its own
+constexpr double kErrorOfLevel = 1.2533;  // of a median, times the deviation over the root of the count
+constexpr double kMinDeviation = 0.01;    // metres: heights are told no better
 
 struct StationLevel {
   size_t station = 0;
@@ -96,8 +94,7 @@ void EraseBanks(double slope, std::vector<StationLevel>& levels) {
   for (const StationLevel& s : levels) heights.push_back(at(s));
   const double middle = MedianOf(heights);
   for (const double h : heights) offs.push_back(std::abs(h - middle));
-  const double limit =
-      kProfileSigmas * std::max(kMinDeviation, kProfileDeviationsPerMedian * MedianOf(std::move(offs)));
+  const double limit = kSigmas * std::max(kMinDeviation, kDeviationsPerMedian * MedianOf(std::move(offs)));
   std::erase_if(levels, [&](const StationLevel& s) { return at(s) > middle + limit; });
 }
 
@@ -123,7 +120,7 @@ std::vector<RemovedRise> RisesOf(const std::vector<StationLevel>& levels, const 
   for (size_t i = 1; i < levels.size(); ++i) {
     const double error = kErrorOfLevel * noise * std::sqrt(1 / levels[i].edges + 1 / levels[i - 1].edges);
     const double rise = levels[i].level - levels[i - 1].level;
-    if (rise <= kProfileSigmas * std::max(error, kMinDeviation)) continue;
+    if (rise <= kSigmas * std::max(error, kMinDeviation)) continue;
     rises.push_back({stations[levels[i].station].head<2>(), rise});
   }
   return rises;

@@ -20,10 +20,9 @@
 namespace tilemend {
 namespace {
 
-constexpr double kWallAtWater = 1;           // metres
-constexpr double kJudged = 100;              // m2: smaller holes are not judged unless an area decides
-constexpr double kMaxLowerShare = 0.05;      // of the surface around water
-constexpr double kMinShoreTolerance = 0.02;  // metres: edges so little above the level are at it
+constexpr double kWallAtWater = 1;       // metres
+constexpr double kJudged = 100;          // m2: smaller holes are not judged unless an area decides
+constexpr double kMaxLowerShare = 0.05;  // of the surface around water
 
 using Verdict = HoleEvidence::Verdict;
 
@@ -67,7 +66,7 @@ Eigen::AlignedBox2d SurroundingsOf(const std::vector<PlaneSegment>& outline, dou
 Shore ShoreOf(const Basin& basin) {
   Shore shore;
   const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
-  const double above = std::max(e.noise, kMinShoreTolerance);
+  const double above = std::max(e.noise, kMinSigma);
   shore.noise = e.noise;
   shore.mean_edge = e.length / static_cast<double>(e.edges);
   for (const RimChain& chain : basin.rim) {
@@ -132,11 +131,11 @@ class WaterFinder {
   // Holes that are parts of water of the whole scene.
   Group KnownGroup(std::vector<int32_t> holes) const {
     const WaterBody& body = known_.bodies[known_.body_of[holes.front()]];
-    Verdict verdict = body.river.stations.empty() ? Verdict::kLake : Verdict::kRiver;
-    if (body.kind == BodyKind::kLevelGround) verdict = Verdict::kLevelGround;
+    const Verdict verdict = body.river.stations.empty() ? Verdict::kLake : Verdict::kRiver;
     Group group = OpenGroup(std::move(holes), std::nullopt);
     group.is_known = true;
     group.evidence = {verdict, true, body.level, body.sigma, body.reason};
+    group.evidence.is_of_whole_scene = true;
     return group;
   }
 
@@ -225,7 +224,6 @@ class WaterFinder {
     body.kind = verdict == Verdict::kLevelGround ? BodyKind::kLevelGround : BodyKind::kWater;
     DescribeRim(basin.evidence, e.sigma(), body);
     body.level = body.shore_level = e.level;
-    body.reason = groups_[basin.members.front()].evidence.reason;
     if (verdict == Verdict::kRiver) body.river = basin.river->water;
     AddBody(basin.members, std::move(body));
   }
@@ -240,7 +238,7 @@ class WaterFinder {
       evidence.level = body.level;
       evidence.sigma = body.level_is_given ? std::nullopt : std::optional(body.sigma);
     }
-    if (body.reason.empty()) body.reason = groups_[groups.front()].evidence.reason;
+    body.reason = groups_[groups.front()].evidence.reason;
     std::ranges::sort(body.holes);
     body.rim_vertices = std::ssize(RimVerticesOf(plan_, body.holes));
     if (!body.river.stations.empty()) body.level = body.river.stations.back().z();

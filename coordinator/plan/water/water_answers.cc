@@ -9,13 +9,14 @@
 #include "coordinator/plan/water/area_cover.h"
 #include "coordinator/plan/water/centreline.h"
 #include "coordinator/plan/water/given_line.h"
+#include "coordinator/plan/water/level_evidence.h"
 
 namespace tilemend {
 namespace {
 
 constexpr double kDecides = 0.5;  // share of a body
-// Metres, and standard deviations: a given level farther from the shore's own may be a mistake.
-constexpr double kLevelOff = 1, kSigmas = 3;
+// Metres, beside three standard deviations: a given level farther from the shore's own may be a mistake.
+constexpr double kLevelOff = 1;
 constexpr double kStation = 25;  // metres: what is no longer is no reach of a river
 constexpr double kAlong = 0.5;   // of a river's length: a centreline that runs along less may run across it
 constexpr int kParts = 64;       // of a piece of centreline: each is in the area or not

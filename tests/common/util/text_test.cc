@@ -78,7 +78,7 @@ TEST(KeepFirstTest, CountsTheRest) {
   KeepFirst(3, "file", warnings);
   EXPECT_EQ(warnings, (std::vector<std::string>{"a", "b", "c"}));
   KeepFirst(1, "file", warnings);
-  EXPECT_EQ(warnings, (std::vector<std::string>{"a", "file: 2 warnings more"}));
+  EXPECT_EQ(warnings, (std::vector<std::string>{"a", "file: 2 more warnings"}));
 }
 
 TEST(ShortenedTest, ShowsBothEndsOfWhatIsLong) {

@@ -52,6 +52,13 @@ TEST_F(LookAtTest, SaysWhereTheRimIsShorterThanACircle) {
   EXPECT_THAT(rows[0]["why"], HasSubstr("62 m of rim"));
 }
 
+TEST_F(LookAtTest, TheRimOfAPartDoesNotTellTheLevelOfTheWholeScene) {
+  HoleEvidence part = {Verdict::kLake, true, 3.25, 0.02, "the sides agree"};
+  part.is_of_whole_scene = true;
+  Add(part, 314.2, 10);
+  EXPECT_EQ(LookAtJson(input_), Json::array());
+}
+
 TEST_F(LookAtTest, ListsLargeGroundTheLargestFirst) {
   Add({Verdict::kNoWater, false, 0, 0.0, "no rim"}, 1000, 200);
   Add({Verdict::kLevelGround, true, 1, 0.02, "noise"}, 2000, 200);

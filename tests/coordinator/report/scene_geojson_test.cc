@@ -18,6 +18,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 // A lake of two cells with an island, filled, and a closed hole that is left.
@@ -135,6 +136,25 @@ TEST_F(SceneGeoJsonTest, ALakeOverTwoCellsHasOneShore) {
   EXPECT_EQ(again->areas[0].kind, WaterKind::kLake);
   EXPECT_TRUE(tilemend::Contains(again->areas[0].polygon, {120, 50}));
   EXPECT_FALSE(tilemend::Contains(again->areas[0].polygon, {75, 25})) << "the island";
+}
+
+TEST_F(SceneGeoJsonTest, HolesRepeatWhatAPolygonSaid) {
+  plan_.holes[0].evidence = 0;
+  plan_.holes[2].evidence = 1;
+  plan_.evidence.resize(2);
+  for (const int32_t e : {0, 1}) plan_.evidence[e].area = e;
+  plan_.water_answers = {{"pond", true, true, {0}, ""}, {"cars", false, true, {2}, ""}};
+  plan_.water_answers[0].clear_height = 2.5;
+  plan_.water_answers[1].clear_height = 1.5;
+  const auto again = ParseWaterFile({HolesGeoJson(input_, scene_)}, "holes.geojson", FrameOf(scene_));
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_THAT(again->warnings, IsEmpty());
+  const auto cars = std::ranges::find(again->areas, false, &WaterArea::water);
+  const auto pond = std::ranges::find(again->areas, 2.5, &WaterArea::clear_height);
+  ASSERT_NE(cars, again->areas.end());
+  ASSERT_NE(pond, again->areas.end());
+  EXPECT_TRUE(cars->clear);
+  EXPECT_TRUE(pond->clear && pond->water);
 }
 
 TEST_F(SceneGeoJsonTest, HolesCanBeGivenBackAsWater) {

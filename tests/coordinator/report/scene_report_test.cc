@@ -124,8 +124,11 @@ TEST_F(SceneReportTest, NamesWaterAndItsLevel) {
 TEST_F(SceneReportTest, LevelGroundIsNoWater) {
   plan_.holes[1].water = 0;
   plan_.water = {{BodyKind::kLevelGround, {1}, 12.5, {}, {}}};
+  input_.outcome.sizes[1].way = FillWay::kFoldsCut;
   const Json report = Report();
   EXPECT_TRUE(report["water"].empty());
+  EXPECT_EQ(report["per_hole"][1]["method"], "level ground");
+  EXPECT_EQ(report["per_hole"][1]["folds_cut"], true);
   EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);
 }
 

@@ -1,4 +1,4 @@
-// A patch of Wang's surface in the making.
+// A patch while it is refined: by production in space, and by the surface of Wang 2021.
 #ifndef TILEMEND_WORKER_FILL_SHAPE_NEW_PATCH_H_
 #define TILEMEND_WORKER_FILL_SHAPE_NEW_PATCH_H_
 

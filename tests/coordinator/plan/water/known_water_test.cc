@@ -47,6 +47,15 @@ Plan PlanWithStep() {
   return plan;
 }
 
+TEST(FindKnownWaterTest, LevelGroundSaysNothing) {
+  Plan whole = PlanWithStep(), plan = PlanWithStep();
+  whole.water = {Lake(3)};
+  whole.water[0].kind = BodyKind::kLevelGround;
+  AddSquare(0, kCell, 0, whole);
+  AddSquare(0, kCell, -1, plan);
+  EXPECT_THAT(FindKnownWater(whole, plan).body_of, ElementsAre(-1));
+}
+
 TEST(FindKnownWaterTest, AHoleIsAPartOfTheBodyThatCoversMostOfIt) {
   Plan whole = PlanWithStep(), plan = PlanWithStep();
   whole.water = {Lake(3), Lake(4)};
