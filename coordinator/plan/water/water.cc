@@ -109,9 +109,9 @@ class WaterFinder {
       const std::optional<size_t> decider = DeciderOf(plan_, holes, options_.areas);
       const WaterArea* area = decider ? &options_.areas[*decider] : nullptr;
       if (area != nullptr && (!area->water || area->level)) known_.Forget(holes);
-      const auto rest = std::ranges::stable_partition(holes, [&](int32_t h) { return known_.IsPart(h); });
-      if (rest.begin() != holes.begin()) groups_.push_back(KnownGroup({holes.begin(), rest.begin()}));
-      if (!rest.empty()) groups_.push_back(OpenGroup({rest.begin(), rest.end()}, decider));
+      const auto rest = std::stable_partition(holes.begin(), holes.end(), [&](int32_t h) { return known_.IsPart(h); });
+      if (rest != holes.begin()) groups_.push_back(KnownGroup({holes.begin(), rest}));
+      if (rest != holes.end()) groups_.push_back(OpenGroup({rest, holes.end()}, decider));
     }
   }
 
