@@ -1,0 +1,48 @@
+// Colours for filled surface, made from the ground or the water around it.
+#ifndef TILEMEND_WORKER_TEXTURE_SYNTHESIZE_H_
+#define TILEMEND_WORKER_TEXTURE_SYNTHESIZE_H_
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/util/colour.h"
+#include "worker/texture/ortho_raster.h"
+
+namespace tilemend {
+
+// What a pixel of a fill is to look like.
+enum class FillPixel : uint8_t {
+  kNone,     // no fill
+  kGround,   // made from ground
+  kWater,    // made from water
+  kForeign,  // a hole of another cell: no source, and no colour is needed
+};
+
+struct FillLook {
+  double water_level = 0;               // metres
+  Rgb ground = {};                      // where no pixel of the raster is ground
+  Rgb water = {};                       // where no pixel is water
+  std::optional<Rgb> given_water = {};  // all water gets this colour
+};
+
+// A larger raster must have a coarser texel.
+inline constexpr int64_t kMostRasterPixels = int64_t{4} << 20;
+// What Synthesize holds beside the raster, and the raster.
+inline constexpr int64_t kBytesPerPixel = 64;
+
+// The raster's colours, those of kGround and kWater made anew. `fill` has one value a pixel.
+//  - Sources of ground: pixels at most 0.4 m above an opening of 20 m, 0.5 m away from the fill and from objects, not
+//    much darker than their surroundings. Sources of water: pixels within 0.6 m of the level.
+//  - Base: medians of squares of 0.5 m, smoothed, spread by a pyramid and a membrane (base_colours.h).
+//  - Lanes and kerbs: along the direction of the structure around, where there is one (streamlines.h).
+//  - Grain: blocks of the sources' own grain (grain.h); of water white noise.
+//  - Rim: the step of colours at the rim is spread inward, and fades over 4 m.
+// All lattices are anchored to absolute coordinates: equal rasters of two cells give equal colours, and results depend
+// on nothing else. Cost: linear in the pixels of the raster; of the fill, in the length of its streamlines.
+std::vector<Rgb> Synthesize(const OrthoRaster& raster, std::span<const FillPixel> fill, const FillLook& look);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_TEXTURE_SYNTHESIZE_H_
