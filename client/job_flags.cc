@@ -63,6 +63,8 @@ std::vector<FlagSpec> JobFlags() {
   flags.push_back(WaterColourFlag());
   flags.push_back({"textures", "copy|link|off", "material files and images of OBJ tiles; link: images as hard links",
                    defaults.textures});
+  flags.push_back({"texture", "synthesize|flat",
+                   "filled faces of tiles with images: made from what lies around, or one colour", defaults.texture});
   flags.push_back({"link", "", "tiles without a patch as hard links of the originals, where they can be", ""});
   flags.push_back({"dry-run", "", "find and count the holes, write nothing", ""});
   return flags;
@@ -176,6 +178,7 @@ absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args) {
   spec.water_profile = profile.name;
   spec.water_colour = args.Text("water-colour");
   spec.textures = args.Text("textures");
+  spec.texture = args.Text("texture");
   spec.cells = args.Text("cells");
   if (spec.cells.empty() && args.IsGiven("cells")) {
     return absl::InvalidArgumentError("--cells '': names no cell; all cells are chosen by leaving it out");

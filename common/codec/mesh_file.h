@@ -9,6 +9,7 @@
 #ifndef TILEMEND_COMMON_CODEC_MESH_FILE_H_
 #define TILEMEND_COMMON_CODEC_MESH_FILE_H_
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -48,6 +49,9 @@ struct FilePatch {
   std::vector<Triangle> triangles;
   std::vector<Rgb> colours = {};            // of the new points, in place of those of `like`; empty: none are given
   std::vector<MaterialRun> materials = {};  // of the triangles, in order
+  // Places in an image, u to the right, v upward, and the place of each corner of each triangle; empty: there is none.
+  std::vector<std::array<float, 2>> texture_places = {};
+  std::vector<Triangle> texture_corners = {};
   std::string library = {};  // a further material file that an OBJ has to name; empty: its own define the materials
 };
 
@@ -71,7 +75,8 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
 //   PLY: same encoding and properties; faces get a last property `uchar tilemend_filled` (0 original, 1 filled). The
 //        patch's colours go into the vertex properties red, green, blue of type uchar, where there are all three.
 //   OBJ: every original line kept byte for byte; then `v` lines with 17 digits where needed (shortest that round-trip),
-//        `mtllib` with the patch's library, `g tilemend_filled`, `f` lines with `usemtl` where the material changes.
+//        `vt` lines, `mtllib` with the patch's library, `g tilemend_filled`, `f` lines with `usemtl` where the material
+//        changes.
 //   OFF: counts in the header updated, vertices inserted after the originals, faces appended.
 //   STL: facets appended, the count in a binary header updated.
 // New coordinates are rounded to the file's number type (common/mesh/rounding.h).

@@ -122,6 +122,7 @@ std::string AppendToMtl(std::string_view text, const std::vector<FillMaterial>& 
                                     std::string("d 1"), std::string("illum 1")}) {
       (out += line) += eol;
     }
+    if (!material.image.empty()) ((out += "map_Kd ") += material.image) += eol;
   }
   return out;
 }

@@ -33,10 +33,12 @@ MtlFile ParseMtl(std::string_view text);
 struct FillMaterial {
   std::string name;
   Rgb colour;
+  std::string image = {};  // that lies on the faces, as a material file names it; empty: the colour alone
   bool operator==(const FillMaterial&) const = default;
 };
 
-// `text` unchanged, then the materials that it does not define: opaque, of one colour, without highlights.
+// `text` unchanged, then the materials that it does not define: opaque, of one colour or with an image,
+// without highlights.
 std::string AppendToMtl(std::string_view text, const std::vector<FillMaterial>& materials);
 
 }  // namespace tilemend

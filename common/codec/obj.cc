@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "common/codec/polygons.h"
 #include "common/codec/text.h"
 #include "common/util/status_macros.h"
@@ -265,7 +266,13 @@ class ObjReader {
   std::map<std::string_view, int32_t> materials_, libraries_;  // numbers in textures_
 };
 
-void AppendFaces(const FilePatch& patch, std::string_view eol, std::string& out) {
+// `places`: texture coordinates that the file has before the patch's.
+void AppendFaces(const FilePatch& patch, size_t places, std::string_view eol, std::string& out) {
+  for (const std::array<float, 2>& place : patch.texture_places) {
+    // Fixed to a hundredth of a pixel of the largest image.
+    absl::StrAppendFormat(&out, "vt %.6f %.6f", double{place[0]}, double{place[1]});
+    out += eol;
+  }
   if (!patch.library.empty()) ((out += "mtllib ") += patch.library) += eol;
   (out += "g tilemend_filled") += eol;
   auto run = patch.materials.begin();
@@ -274,9 +281,12 @@ void AppendFaces(const FilePatch& patch, std::string_view eol, std::string& out)
       ((out += "usemtl ") += run->material) += eol;
     }
     out += 'f';
-    for (const int32_t corner : patch.triangles[k]) {
+    for (size_t c = 0; c < 3; ++c) {
       out += ' ';
-      AppendNumber(int64_t{corner} + 1, out);
+      AppendNumber(int64_t{patch.triangles[k][c]} + 1, out);
+      if (patch.texture_corners.empty()) continue;
+      out += '/';
+      AppendNumber(static_cast<int64_t>(places) + patch.texture_corners[k][c] + 1, out);
     }
     out += eol;
   }
@@ -301,7 +311,9 @@ absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::stri
 
 absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch& patch, const std::string& name) {
   std::vector<size_t> tails;
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ObjReader(bytes, name, &tails, nullptr, {}, NoFaces::kAccept).Read());
+  ObjTextures textures;
+  ObjTextures* const counted = patch.texture_corners.empty() ? nullptr : &textures;
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ObjReader(bytes, name, &tails, counted, {}, NoFaces::kAccept).Read());
   TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, file.mesh.points.size(), name));
   const std::string_view eol = LineEndingOf(bytes);
   constexpr size_t kBytesPerLine = 64;  // a usual vertex line, to reserve for
@@ -323,7 +335,7 @@ absl::StatusOr<std::string> AppendToObj(std::string_view bytes, const FilePatch&
       out += FurtherColumns(bytes.substr(tails[static_cast<size_t>(patch.like[k])]), eol.back(), false);
     out += eol;
   }
-  if (!patch.triangles.empty()) AppendFaces(patch, eol, out);
+  if (!patch.triangles.empty()) AppendFaces(patch, textures.coordinates.size(), eol, out);
   return out;
 }
 

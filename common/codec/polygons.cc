@@ -1,6 +1,7 @@
 #include "common/codec/polygons.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "absl/strings/str_cat.h"
@@ -42,6 +43,31 @@ void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> 
   if (visit && !cut.empty()) visit(first, places, cut);
 }
 
+namespace {
+
+absl::Status CheckTexture(const FilePatch& patch, const std::string& name) {
+  const auto invalid = [&name](const auto&... text) {
+    return absl::InvalidArgumentError(absl::StrCat(name, ": bad patch: ", text...));
+  };
+  if (patch.texture_places.empty() && patch.texture_corners.empty()) return absl::OkStatus();
+  if (patch.texture_corners.size() != patch.triangles.size()) {
+    return invalid(patch.triangles.size(), " triangles but ", patch.texture_corners.size(), " with places in an image");
+  }
+  for (const std::array<float, 2>& place : patch.texture_places) {
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1])) return invalid("a place in an image that is no number");
+  }
+  for (const Triangle& t : patch.texture_corners) {
+    for (const int32_t corner : t) {
+      if (corner < 0 || corner >= static_cast<int64_t>(patch.texture_places.size())) {
+        return invalid("no place ", corner, " in an image");
+      }
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
 absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::string& name) {
   const auto invalid = [&name](const auto&... text) {
     return absl::InvalidArgumentError(absl::StrCat(name, ": bad patch: ", text...));
@@ -67,7 +93,7 @@ absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::
       if (corner < 0 || corner >= static_cast<int64_t>(total)) return invalid("no vertex ", corner);
     }
   }
-  return absl::OkStatus();
+  return CheckTexture(patch, name);
 }
 
 }  // namespace tilemend

@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/assemble/assemble.h"
+#include "common/codec/obj.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
@@ -37,6 +38,18 @@ absl::StatusOr<std::vector<HolePatch>> PatchesOf(const v1::AssembleInput& input,
   return patches;
 }
 
+std::vector<FilledRun> RunsOf(const std::vector<HolePatch>& patches, const FillColours& colours) {
+  std::vector<FilledRun> runs;
+  size_t first = 0;
+  for (const HolePatch& patch : patches) {
+    if (!patch.failure.empty()) continue;
+    const Rgb colour = colours.of_holes.at(patch.hole).colour;
+    runs.push_back({static_cast<int32_t>(first), patch.way == FillWay::kWater, colour});
+    first += patch.triangles.size();
+  }
+  return runs;
+}
+
 }  // namespace
 
 absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input) {
@@ -56,11 +69,42 @@ absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input) {
   const int32_t tile_vertices = has_tile ? static_cast<int32_t>(input.tile_vertices()) : 0;
   TilePatch result;
   result.patch = MergePatches(vertices, patches, cell, tile_vertices, colours);
+  result.runs = RunsOf(patches, colours);
   if (!has_tile || result.patch.triangles.empty()) return result;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(input.tile().path()));
   if (format == MeshFormat::kObj) result.materials = MaterialsOf(patches, colours);
   if (input.new_library()) result.patch.library = std::filesystem::path(input.library()).filename().string();
   return result;
+}
+
+void SetTexture(const v1::AssembleInput& input, std::vector<std::array<float, 2>> places, std::vector<Triangle> corners,
+                TilePatch& added) {
+  const std::filesystem::path image(input.texture());
+  // The name of the image is new in the scene, and so is that of the material.
+  const std::string material = "tilemend_fill_" + image.stem().string();
+  constexpr Rgb kWhite = {255, 255, 255};  // the image's colours as they are
+  added.materials = {{material, kWhite, image.filename().string()}};
+  added.patch.materials = {{0, material}};
+  added.patch.texture_places = std::move(places);
+  added.patch.texture_corners = std::move(corners);
+}
+
+absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view original, std::string_view written,
+                         TilePatch& added) {
+  const std::string name = absl::StrCat(input.tile().root(), "/", input.tile().path());
+  TILEMEND_ASSIGN_OR_RETURN(const ObjFile before, ParseTexturedObj(original, name, NoFaces::kAccept));
+  TILEMEND_ASSIGN_OR_RETURN(ObjFile after, ParseTexturedObj(written, name));
+  const size_t known = before.textures.coordinates.size(), count = added.patch.triangles.size();
+  auto& places = after.textures.coordinates;
+  auto& corners = after.textures.corners;
+  if (places.size() < known || corners.size() < count) return MalformedPatch("a tile without its patch's texture");
+  places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(known));
+  corners.erase(corners.begin(), corners.end() - static_cast<std::ptrdiff_t>(count));
+  for (Triangle& triangle : corners) {
+    for (int32_t& corner : triangle) corner -= static_cast<int32_t>(known);
+  }
+  SetTexture(input, std::move(places), std::move(corners), added);
+  return absl::OkStatus();
 }
 
 absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const FilePatch& patch,

@@ -2,6 +2,8 @@
 #ifndef TILEMEND_COMMON_RPC_TILE_PATCH_H_
 #define TILEMEND_COMMON_RPC_TILE_PATCH_H_
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,18 +11,37 @@
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/mtl.h"
+#include "common/mesh/tri_mesh.h"
+#include "common/util/colour.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 
+// What the triangles from `first` to the next run's are filled with.
+struct FilledRun {
+  int32_t first = 0;
+  bool is_water = false;
+  Rgb colour;  // of the hole
+};
+
 struct TilePatch {
   FilePatch patch;
+  std::vector<FilledRun> runs;
   std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
 };
 
 // The patches of the input, moved where seams were smoothed, as an addition to its tile. kInvalidArgument if the input
 // does not fit together. Linear.
 absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input);
+
+// Lays the image AssembleInput.texture on the patch, instead of the colours of holes.
+void SetTexture(const v1::AssembleInput& input, std::vector<std::array<float, 2>> places, std::vector<Triangle> corners,
+                TilePatch& added);
+
+// Takes the places in the image from a tile that was written with the patch, for PatchedTile to be compared with it.
+// kInvalidArgument if the tile does not end with as many textured triangles. Linear.
+absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view original, std::string_view written,
+                         TilePatch& added);
 
 // The bytes of the tile with the patch: of a new file if the cell has no tile, else of `original`, which has the
 // format that its path says, without what is taken out of it (ClearTile). Errors as ClearTile and AppendPatch.

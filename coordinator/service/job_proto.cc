@@ -88,6 +88,7 @@ JobSpec SpecFromProto(const v1::JobSpec& proto) {
   if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
   spec.water_colour = proto.water_colour();
   if (!proto.textures().empty()) spec.textures = proto.textures();
+  if (!proto.texture().empty()) spec.texture = proto.texture();
   spec.cells = proto.cells();
   spec.link = proto.link();
   spec.overwrite = proto.overwrite();
@@ -118,6 +119,7 @@ v1::JobSpec SpecToProto(const JobSpec& spec) {
   proto.set_water_profile(spec.water_profile);
   proto.set_water_colour(spec.water_colour);
   proto.set_textures(spec.textures);
+  proto.set_texture(spec.texture);
   proto.set_cells(spec.cells);
   proto.set_link(spec.link);
   proto.set_overwrite(spec.overwrite);

@@ -262,8 +262,15 @@ absl::Status CheckBytes(const std::string& path, std::string_view expected) {
   return same && expected.empty() ? absl::OkStatus() : Wrong("a tile that is not the original with its patches");
 }
 
+// Whether the worker made an image for the filled faces.
+bool HasTexture(const v1::AssembleInput& input, const v1::AssembleOutput& output) {
+  return !input.texture().empty() && std::any_of(output.files().begin(), output.files().end(),
+                                                 [&](const auto& file) { return file.path() == input.texture(); });
+}
+
 // That the tile is the original with its patches, if it has any, which are put into it here once more.
-absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
+absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile& tile, bool has_texture,
+                          TileReading& reading) {
   const auto not_here = [](const absl::Status& status) { return absl::UnavailableError(status.message()); };
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
   std::string original;
@@ -277,15 +284,22 @@ absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile&
   }
   const std::string written = absl::StrCat(input.attempts(), "/", tile.attempt());
   if (!IsPatched(input)) return CheckBytes(written, original);
-  const auto added = TilePatchOf(input);
+  auto added = TilePatchOf(input);
   if (!added.ok()) return not_here(added.status());
+  if (has_texture) {
+    const auto bytes = ReadFile(written);
+    if (!bytes.ok()) return not_here(bytes.status());
+    const absl::Status taken = TakeTexture(input, original, *bytes, *added);
+    if (!taken.ok()) return Wrong("a tile that is not the original with its patches");
+  }
   const auto expected = PatchedTile(input, added->patch, original);
   if (!expected.ok()) return not_here(expected.status());
   if (!HasFileDigest(*expected, tile.digest())) return Wrong("a digest that is not the tile's");
   return CheckBytes(written, *expected);
 }
 
-absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
+absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, bool has_texture,
+                       TileReading& reading) {
   if (tile.path() != input.output()) return Wrong("another tile");
   if (!IsFileDigest(tile.digest())) return Wrong("a digest that is none");
   const bool patched = IsPatched(input);
@@ -297,7 +311,7 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
   if (reading.how == TileCheck::kSize) return absl::OkStatus();
-  if (reading.how == TileCheck::kContent) return CheckContent(input, tile, reading);
+  if (reading.how == TileCheck::kContent) return CheckContent(input, tile, has_texture, reading);
   return CheckFile(absl::StrCat(input.attempts(), "/", tile.attempt()), tile.digest(),
                    Wrong("a tile that is not as it was written"));
 }
@@ -316,7 +330,7 @@ std::string SurveyedDigest(const v1::AssembleInput& input, const std::string& pa
 }
 
 // The material file of a tile with patches.
-absl::StatusOr<std::string> LibraryOf(const v1::AssembleInput& input) {
+absl::StatusOr<std::string> LibraryOf(const v1::AssembleInput& input, bool has_texture) {
   TILEMEND_ASSIGN_OR_RETURN(const FillColours colours, ColoursOf(input));
   std::string original;
   if (!input.new_library()) {
@@ -325,6 +339,11 @@ absl::StatusOr<std::string> LibraryOf(const v1::AssembleInput& input) {
     if (!read.ok()) return absl::UnavailableError(read.status().message());
     original = *read;
     if (!IsAsSurveyed(original, input.library_digest())) return Changed(path);
+  }
+  if (has_texture) {
+    TilePatch textured;
+    SetTexture(input, {}, {}, textured);
+    return AppendToMtl(original, textured.materials);
   }
   std::vector<FillMaterial> materials;
   std::set<std::string> names;
@@ -337,8 +356,8 @@ absl::StatusOr<std::string> LibraryOf(const v1::AssembleInput& input) {
   return AppendToMtl(original, materials);
 }
 
-absl::Status CheckLibrary(const v1::AssembleInput& input, const v1::WrittenFile& file) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::string expected, LibraryOf(input));
+absl::Status CheckLibrary(const v1::AssembleInput& input, const v1::WrittenFile& file, bool has_texture) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string expected, LibraryOf(input, has_texture));
   const auto written = ReadFile(absl::StrCat(input.attempts(), "/", file.attempt()));
   if (!written.ok()) return absl::UnavailableError(written.status().message());
   return *written == expected ? absl::OkStatus() : Wrong("a material file that is not that of the patches");
@@ -359,17 +378,33 @@ absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile&
   return changed ? Changed(original) : Wrong("a file that is not the original");
 }
 
+// The image of the filled faces: which pixels it should have is not computed here.
+absl::Status CheckTexture(const v1::AssembleInput& input, const v1::WrittenFile& file, TileCheck how) {
+  if (!HasPatch(input)) return Wrong("an image without a patch");
+  if (!IsFileDigest(file.digest())) return Wrong("a digest that is none");
+  if (how == TileCheck::kSize) return absl::OkStatus();
+  return CheckFile(absl::StrCat(input.attempts(), "/", file.attempt()), file.digest(),
+                   Wrong("an image that is not as it was written"));
+}
+
 // The files beside the tile: each is expected, once; what is left out has a warning.
 absl::Status CheckBeside(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileCheck how) {
   std::set<std::string> carried(input.carried().begin(), input.carried().end());
   const auto format = MeshFormatOf(input.output());
   bool has_library = HasPatch(input) && format.ok() && *format == MeshFormat::kObj;
   if (!has_library && !input.new_library() && !input.library().empty()) carried.insert(input.library());
+  bool has_texture = HasTexture(input, output);
+  const bool is_textured = has_texture;
   for (int i = 1; i < output.files_size(); ++i) {
     const v1::WrittenFile& file = output.files(i);
+    if (has_texture && file.path() == input.texture()) {
+      has_texture = false;
+      TILEMEND_RETURN_IF_ERROR(CheckTexture(input, file, how));
+      continue;
+    }
     if (has_library && file.path() == input.library()) {
       has_library = false;
-      TILEMEND_RETURN_IF_ERROR(CheckLibrary(input, file));
+      TILEMEND_RETURN_IF_ERROR(CheckLibrary(input, file, is_textured));
       continue;
     }
     if (carried.erase(file.path()) == 0) return Wrong("a file that is not asked for");
@@ -408,7 +443,7 @@ absl::Status CheckAssembleResult(const std::string& input_bytes, const std::stri
     const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
   }
-  TILEMEND_RETURN_IF_ERROR(CheckTile(input, output.files(0), reading));
+  TILEMEND_RETURN_IF_ERROR(CheckTile(input, output.files(0), HasTexture(input, output), reading));
   return CheckBeside(input, output, reading.how);
 }
 

@@ -72,6 +72,14 @@ std::string SceneFiles::NewLibraryFor(const std::string& path) const {
   return name;
 }
 
+std::string SceneFiles::NewImageFor(const std::string& path) const {
+  const std::string stem = std::filesystem::path(path).replace_extension().string();
+  std::string name = absl::StrCat(stem, "_tilemend.jpg");
+  const auto is_taken = [&] { return spelt_small_.contains(absl::AsciiStrToLower(name)) || HidesAnother(name); };
+  for (int n = 2; is_taken(); ++n) name = absl::StrCat(stem, "_tilemend", n, ".jpg");
+  return name;
+}
+
 std::vector<std::string> SceneFiles::CarriedBy(CellId cell) const {
   std::vector<std::string> carried;
   const auto paths = of_cells_.find(cell);

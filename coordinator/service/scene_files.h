@@ -37,6 +37,8 @@ class SceneFiles {
   // A name for the materials of the tile that is written to `path`: beside it, and not that of a file of the scene,
   // in other letters neither.
   std::string NewLibraryFor(const std::string& path) const;
+  // The same for the image of its filled faces.
+  std::string NewImageFor(const std::string& path) const;
   // What the tile carries, without its LibraryOf.
   std::vector<std::string> CarriedBy(CellId cell) const;
   // All that are carried.

@@ -64,6 +64,7 @@ std::vector<ReportedOption> OptionsOf(const JobSpec& spec) {
                                          {"water-profile", spec.water_profile},
                                          {"water-colour", spec.water_colour},
                                          {"textures", spec.textures},
+                                         {"texture", spec.texture},
                                          {"clear", spec.clear},
                                          {"area", spec.area},
                                          {"cells", spec.cells}};
@@ -86,11 +87,12 @@ std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::str
       "scene %s\nsurface %s\nfiller %s %s\nuniform %d\ngradation %.17g\nsize_limit %.17g\nwang %.17g %.17g %d %d "
       "%s %s\ntension "
       "%s\n"
-      "water %s %s\nwater_profile %s\nwater_colour %s\ntextures %s\nclear %s\narea %s\ncells %s\n",
+      "water %s %s\nwater_profile %s\nwater_colour %s\ntextures %s\ntexture %s\nclear %s\narea %s\ncells %s\n",
       spec.scene, spec.surface, spec.filler, spec.front_steps, spec.uniform, spec.gradation, spec.size_limit,
       wang.seam_smoothing, wang.seam_buffer, wang.longest_loop, wang.fairing_steps, SeamPointsName(wang.seam_points),
       ClosureName(wang.closure), spec.tension ? absl::StrFormat("%.17g", *spec.tension) : "auto", spec.water,
-      water.digest, spec.water_profile, spec.water_colour, spec.textures, water.clear_digest, area_digest, spec.cells);
+      water.digest, spec.water_profile, spec.water_colour, spec.textures, spec.texture, water.clear_digest, area_digest,
+      spec.cells);
 }
 
 }  // namespace tilemend

@@ -197,8 +197,10 @@ absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   input.set_attempts(output_->attempts().path());
   input.set_float32(work.float32);
   input.set_tile_vertices(work.tile_vertices);
-  if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
+  const bool has_patches = patches_.contains(cell);
+  if (has_patches) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
+  if (has_patches) TILEMEND_RETURN_IF_ERROR(SetTexture(*work.tile, input));
   rims_.erase(cell);
   holes_.erase(cell);
   return NewTask{cell, Stage::kAssemble, input.SerializeAsString()};
@@ -257,6 +259,26 @@ void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
   input.set_library(std::move(library));
 }
 
+absl::Status SceneTasks::SetTexture(const SceneTile& tile, v1::AssembleInput& input) {
+  if (spec_.texture != kSynthesize || !with_images_.contains(tile.cell) || !HasMaterials(tile)) return absl::OkStatus();
+  std::string image = files_.NewImageFor(OutputPath(tile));
+  output_->Adopt({image});
+  input.set_texture(std::move(image));
+  input.set_water_colour(spec_.water_colour);
+  const Scene& scene = waves_.scene();
+  for (const SceneTile& other : scene.tiles) {
+    const auto [col, row] = other.cell;
+    if (std::abs(col - tile.cell.col) > 1 || std::abs(row - tile.cell.row) > 1) continue;
+    v1::TextureCell& cell = *input.add_around();
+    TILEMEND_ASSIGN_OR_RETURN(*cell.mutable_tile(), Ref(other));
+    cell.set_x_min(scene.grid.corner.x() + col * scene.grid.cell_size.x());
+    cell.set_y_min(scene.grid.corner.y() + row * scene.grid.cell_size.y());
+    cell.set_x_max(scene.grid.corner.x() + (col + 1) * scene.grid.cell_size.x());
+    cell.set_y_max(scene.grid.corner.y() + (row + 1) * scene.grid.cell_size.y());
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
   v1::TileRef ref;
   ref.set_root(waves_.scene().root);
@@ -288,6 +310,7 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
     return Unreadable(result.cell, taken);
   }
   if (spec_.textures != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
+  if (spec_.textures != "off" && !tile->files.images.empty()) with_images_.insert(result.cell);
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));

@@ -37,6 +37,7 @@
 #include "worker/service/smooth_stage.h"
 #include "worker/service/survey_stage.h"
 #include "worker/service/task_memory.h"
+#include "worker/service/texture_stage.h"
 #include "worker/service/tile_reading.h"
 
 namespace tilemend {
@@ -202,19 +203,27 @@ struct Assembled {
   bool as_it_is = false;                // the original without a change; else:
   std::string bytes;                    // of the tile
   std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
+  std::string image;                    // of its filled faces, a JPEG; empty: there is none
+  std::vector<std::string> warnings;
 };
 
 // The tile with its patches.
-absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
+absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const CancelToken& cancel, TaskMemory& memory) {
   TILEMEND_ASSIGN_OR_RETURN(TilePatch added, TilePatchOf(input));
   const bool has_tile = !input.tile().path().empty();
   const bool is_cleared = !input.tile().clear().empty();
-  if (has_tile && !is_cleared && added.patch.triangles.empty()) return Assembled{true, {}, {}};
+  if (has_tile && !is_cleared && added.patch.triangles.empty()) return Assembled{true, {}, {}, {}, {}};
   std::string original;
   if (has_tile) {
     TILEMEND_ASSIGN_OR_RETURN(original, ReadSurveyed(input.tile(), input.stamp()));
   }
   Assembled result;
+  TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, TextureOf(input, added, memory, cancel));
+  result.warnings = std::move(texture.warnings);
+  if (!texture.image.empty()) {
+    SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
+    result.image = std::move(texture.image);
+  }
   TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added.patch, original));
   result.materials = std::move(added.materials);
   return result;
@@ -288,12 +297,14 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
     return known.SerializeAsString();
   }
   const HeldMemory held(memory.tasks, AssembleMemory(input));
-  TILEMEND_ASSIGN_OR_RETURN(const Assembled tile, AssembleTile(input));
+  TILEMEND_ASSIGN_OR_RETURN(const Assembled tile, AssembleTile(input, cancel, memory));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   v1::AssembleOutput output;
   AttemptFiles files(input.attempts(), input.output_root());
   TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile.materials, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
+  output.mutable_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
+  if (!tile.image.empty()) TILEMEND_RETURN_IF_ERROR(files.Write(input.texture(), tile.image));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   TILEMEND_RETURN_IF_ERROR(tile.as_it_is ? CarryTile(input, files) : files.Write(input.output(), tile.bytes));
   for (v1::WrittenFile& file : files.Keep()) *output.add_files() = std::move(file);

@@ -1,0 +1,75 @@
+#include "worker/texture/base_colours.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+constexpr double kBaseSquare = 0.5;  // metres
+constexpr double kBaseSmooth = 0.8;  // metres
+constexpr int kSweeps = 60;
+constexpr float kShadow = 0.6F;  // of the base's brightness
+
+SquareLattice Spread(const OrthoRaster& raster, const PixelMask& sources) {
+  SquareLattice base = MedianSquares(raster, sources);
+  SmoothSquares(kBaseSmooth / (base.pixels * raster.frame.texel), base);
+  FillSquares(kSweeps, base);
+  return base;
+}
+
+}  // namespace
+
+float Brightness(const Channels& colour) { return 0.299F * colour[0] + 0.587F * colour[1] + 0.114F * colour[2]; }
+
+Channels ChannelsOf(Rgb colour) {
+  return {static_cast<float>(colour.r), static_cast<float>(colour.g), static_cast<float>(colour.b)};
+}
+
+SquareLattice MedianSquares(const OrthoRaster& raster, const PixelMask& sources) {
+  SquareLattice squares = LatticeOver(raster.frame, kBaseSquare);
+  const RasterFrame& frame = raster.frame;
+  std::array<std::vector<uint8_t>, 3> seen;
+  for (int32_t row = 0; row < squares.height; ++row) {
+    for (int32_t column = 0; column < squares.width; ++column) {
+      const int64_t x0 = (squares.column + column) * squares.pixels - frame.column;
+      const int64_t y0 = (squares.row + row) * squares.pixels - frame.row;
+      for (auto& channel : seen) channel.clear();
+      for (int64_t y = std::max<int64_t>(y0, 0); y < std::min<int64_t>(y0 + squares.pixels, frame.height); ++y) {
+        for (int64_t x = std::max<int64_t>(x0, 0); x < std::min<int64_t>(x0 + squares.pixels, frame.width); ++x) {
+          const size_t at = frame.At(static_cast<int32_t>(x), static_cast<int32_t>(y));
+          if (sources[at] == 0) continue;
+          const Rgb c = raster.colours[at];
+          seen[0].push_back(c.r);
+          seen[1].push_back(c.g);
+          seen[2].push_back(c.b);
+        }
+      }
+      if (4 * seen[0].size() < static_cast<size_t>(squares.pixels) * static_cast<size_t>(squares.pixels)) continue;
+      const size_t at = squares.At(column, row);
+      squares.weights[at] = 1;
+      for (size_t c = 0; c < 3; ++c) {
+        const auto middle = seen[c].begin() + static_cast<std::ptrdiff_t>(seen[c].size() / 2);
+        std::nth_element(seen[c].begin(), middle, seen[c].end());
+        squares.values[at][c] = *middle;
+      }
+    }
+  }
+  return squares;
+}
+
+SquareLattice BaseColours(const OrthoRaster& raster, PixelMask& sources) {
+  const SquareLattice first = Spread(raster, sources);
+  for (int32_t y = 0; y < raster.frame.height; ++y) {
+    for (int32_t x = 0; x < raster.frame.width; ++x) {
+      const size_t at = raster.frame.At(x, y);
+      if (sources[at] == 0) continue;
+      const float base = Brightness(ValueAt(first, raster.frame, x, y));
+      if (Brightness(ChannelsOf(raster.colours[at])) < kShadow * base) sources[at] = 0;
+    }
+  }
+  return Spread(raster, sources);
+}
+
+}  // namespace tilemend

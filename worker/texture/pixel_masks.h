@@ -1,0 +1,33 @@
+// Which pixels of a raster may be sources of colours.
+#ifndef TILEMEND_WORKER_TEXTURE_PIXEL_MASKS_H_
+#define TILEMEND_WORKER_TEXTURE_PIXEL_MASKS_H_
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "worker/texture/ortho_raster.h"
+#include "worker/texture/synthesize.h"
+
+namespace tilemend {
+
+using PixelMask = std::vector<uint8_t>;  // by rows, as the raster's pixels; 0 or 1
+
+// The pixels within `radius` pixels, along both axes, of one that is set. Cost: linear in the pixels.
+PixelMask Dilated(const PixelMask& mask, const RasterFrame& frame, int32_t radius);
+
+// For each pixel its way to the next pixel that is 0, in pixels (chamfer distance, Borgefors 1986); from beyond the
+// raster there is none. Cost: linear.
+std::vector<float> DistanceInside(const PixelMask& mask, const RasterFrame& frame);
+
+// Known pixels of ground: at most 0.4 m above a morphological opening of 20 m, and 0.5 m away from the fill, from
+// pixels of objects and from pixels that are not known. Cost: linear in the pixels, but for the opening (squares of
+// 0.5 m times 80).
+PixelMask GroundPixels(const OrthoRaster& raster, std::span<const FillPixel> fill);
+
+// Known pixels within 0.6 m of the level, one pixel away from the fill.
+PixelMask WaterPixels(const OrthoRaster& raster, std::span<const FillPixel> fill, double level);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_TEXTURE_PIXEL_MASKS_H_

@@ -1,0 +1,182 @@
+#include "worker/texture/square_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tilemend {
+namespace {
+
+int64_t FloorDiv(int64_t a, int64_t b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+// The lattice of squares of twice the side.
+SquareLattice Coarser(const SquareLattice& fine) {
+  SquareLattice coarse;
+  coarse.pixels = fine.pixels * 2;
+  coarse.column = FloorDiv(fine.column, 2);
+  coarse.row = FloorDiv(fine.row, 2);
+  coarse.width = static_cast<int32_t>(FloorDiv(fine.column + fine.width - 1, 2) + 1 - coarse.column);
+  coarse.height = static_cast<int32_t>(FloorDiv(fine.row + fine.height - 1, 2) + 1 - coarse.row);
+  coarse.values.resize(static_cast<size_t>(coarse.width) * static_cast<size_t>(coarse.height));
+  coarse.weights.resize(coarse.values.size());
+  for (int32_t y = 0; y < fine.height; ++y) {
+    for (int32_t x = 0; x < fine.width; ++x) {
+      const size_t from = fine.At(x, y);
+      const size_t to = coarse.At(static_cast<int32_t>(FloorDiv(fine.column + x, 2) - coarse.column),
+                                  static_cast<int32_t>(FloorDiv(fine.row + y, 2) - coarse.row));
+      for (size_t c = 0; c < 3; ++c) coarse.values[to][c] += fine.weights[from] * fine.values[from][c];
+      coarse.weights[to] += fine.weights[from];
+    }
+  }
+  for (size_t i = 0; i < coarse.values.size(); ++i) {
+    if (coarse.weights[i] > 0) {
+      for (float& value : coarse.values[i]) value /= coarse.weights[i];
+    }
+    coarse.weights[i] = std::min(coarse.weights[i], 1.0F);
+  }
+  return coarse;
+}
+
+// Bilinear at a place in squares of the lattice, its first square's centre at 0.5.
+Channels Bilinear(const SquareLattice& lattice, double px, double py) {
+  const double x = std::clamp(px - 0.5, 0.0, static_cast<double>(lattice.width - 1));
+  const double y = std::clamp(py - 0.5, 0.0, static_cast<double>(lattice.height - 1));
+  const auto x0 = static_cast<int32_t>(x), y0 = static_cast<int32_t>(y);
+  const int32_t x1 = std::min(x0 + 1, lattice.width - 1), y1 = std::min(y0 + 1, lattice.height - 1);
+  const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+  const Channels& a = lattice.values[lattice.At(x0, y0)];
+  const Channels& b = lattice.values[lattice.At(x1, y0)];
+  const Channels& d = lattice.values[lattice.At(x0, y1)];
+  const Channels& e = lattice.values[lattice.At(x1, y1)];
+  Channels result;
+  for (size_t c = 0; c < 3; ++c) {
+    const float below = a[c] + fx * (b[c] - a[c]), above = d[c] + fx * (e[c] - d[c]);
+    result[c] = below + fy * (above - below);
+  }
+  return result;
+}
+
+// Fills what is not known from ever coarser lattices.
+void PushPull(SquareLattice& lattice) {
+  if (lattice.width <= 1 && lattice.height <= 1) return;
+  if (std::all_of(lattice.weights.begin(), lattice.weights.end(), [](float w) { return w >= 1; })) return;
+  SquareLattice coarse = Coarser(lattice);
+  PushPull(coarse);
+  for (int32_t y = 0; y < lattice.height; ++y) {
+    for (int32_t x = 0; x < lattice.width; ++x) {
+      const size_t at = lattice.At(x, y);
+      const float weight = std::min(lattice.weights[at], 1.0F);
+      if (weight >= 1) continue;
+      const double px = (static_cast<double>(lattice.column + x) + 0.5) / 2 - static_cast<double>(coarse.column);
+      const double py = (static_cast<double>(lattice.row + y) + 0.5) / 2 - static_cast<double>(coarse.row);
+      const Channels from = Bilinear(coarse, px, py);
+      for (size_t c = 0; c < 3; ++c) {
+        lattice.values[at][c] = weight * lattice.values[at][c] + (1 - weight) * from[c];
+      }
+    }
+  }
+}
+
+void Relax(const std::vector<uint8_t>& fixed, int64_t colour, SquareLattice& lattice) {
+  constexpr float kOverRelaxation = 1.8F;
+  for (int32_t y = 0; y < lattice.height; ++y) {
+    // Absolute coordinates, so that the order is the same in all rasters.
+    for (auto x = static_cast<int32_t>((lattice.column + lattice.row + y + colour) & 1); x < lattice.width; x += 2) {
+      const size_t at = lattice.At(x, y);
+      if (fixed[at] != 0) continue;
+      Channels sum{};
+      float count = 0;
+      const auto add = [&](size_t of) {
+        for (size_t c = 0; c < 3; ++c) sum[c] += lattice.values[of][c];
+        count += 1;
+      };
+      if (x > 0) add(at - 1);
+      if (x + 1 < lattice.width) add(at + 1);
+      if (y > 0) add(at - static_cast<size_t>(lattice.width));
+      if (y + 1 < lattice.height) add(at + static_cast<size_t>(lattice.width));
+      if (count == 0) continue;
+      Channels& value = lattice.values[at];
+      for (size_t c = 0; c < 3; ++c) value[c] += kOverRelaxation * (sum[c] / count - value[c]);
+    }
+  }
+}
+
+// One pass of the Gaussian along a line of `count` squares that lie `step` apart.
+void SmoothLine(const std::vector<float>& kernel, size_t first, size_t step, int32_t count,
+                const std::vector<std::array<float, 4>>& from, std::vector<std::array<float, 4>>& to) {
+  const auto reach = static_cast<int32_t>(kernel.size()) - 1;
+  for (int32_t i = 0; i < count; ++i) {
+    std::array<float, 4> sum{};
+    for (int32_t k = std::max(0, i - reach); k <= std::min(count - 1, i + reach); ++k) {
+      const float weight = kernel[static_cast<size_t>(std::abs(k - i))];
+      for (size_t c = 0; c < 4; ++c) sum[c] += weight * from[first + static_cast<size_t>(k) * step][c];
+    }
+    to[first + static_cast<size_t>(i) * step] = sum;
+  }
+}
+
+}  // namespace
+
+SquareLattice LatticeOver(const RasterFrame& frame, double side) {
+  SquareLattice lattice;
+  while (lattice.pixels * frame.texel < side * 0.75) lattice.pixels *= 2;
+  lattice.column = FloorDiv(frame.column, lattice.pixels);
+  lattice.row = FloorDiv(frame.row, lattice.pixels);
+  lattice.width = static_cast<int32_t>(FloorDiv(frame.column + frame.width - 1, lattice.pixels) + 1 - lattice.column);
+  lattice.height = static_cast<int32_t>(FloorDiv(frame.row + frame.height - 1, lattice.pixels) + 1 - lattice.row);
+  lattice.values.resize(static_cast<size_t>(lattice.width) * static_cast<size_t>(lattice.height));
+  lattice.weights.resize(lattice.values.size());
+  return lattice;
+}
+
+size_t SquareOf(const SquareLattice& lattice, const RasterFrame& frame, int32_t x, int32_t y) {
+  return lattice.At(static_cast<int32_t>(FloorDiv(frame.column + x, lattice.pixels) - lattice.column),
+                    static_cast<int32_t>(FloorDiv(frame.row + y, lattice.pixels) - lattice.row));
+}
+
+Channels ValueAt(const SquareLattice& lattice, const RasterFrame& frame, int32_t x, int32_t y) {
+  const auto place = [&](int64_t pixel, int64_t first) {
+    return (static_cast<double>(pixel - first * lattice.pixels) + 0.5) / lattice.pixels;
+  };
+  return Bilinear(lattice, place(frame.column + x, lattice.column), place(frame.row + y, lattice.row));
+}
+
+void SmoothSquares(double sigma, SquareLattice& lattice) {
+  const auto reach = static_cast<int32_t>(std::ceil(3 * sigma));
+  std::vector<float> kernel;
+  for (int32_t k = 0; k <= reach; ++k) kernel.push_back(static_cast<float>(std::exp(-0.5 * k * k / (sigma * sigma))));
+  std::vector<std::array<float, 4>> from(lattice.values.size()), to(lattice.values.size());
+  for (size_t i = 0; i < from.size(); ++i) {
+    const float w = lattice.weights[i];
+    const Channels& v = lattice.values[i];
+    from[i] = {w * v[0], w * v[1], w * v[2], w};
+  }
+  const auto width = static_cast<size_t>(lattice.width);
+  for (int32_t y = 0; y < lattice.height; ++y) SmoothLine(kernel, lattice.At(0, y), 1, lattice.width, from, to);
+  for (int32_t x = 0; x < lattice.width; ++x) SmoothLine(kernel, lattice.At(x, 0), width, lattice.height, to, from);
+  constexpr float kLeastWeight = 1e-4F;
+  for (size_t i = 0; i < from.size(); ++i) {
+    const bool known = from[i][3] > kLeastWeight;
+    lattice.weights[i] = known ? 1.0F : 0.0F;
+    for (size_t c = 0; c < 3; ++c) lattice.values[i][c] = known ? from[i][c] / from[i][3] : 0;
+  }
+}
+
+void FillSquares(int sweeps, SquareLattice& lattice) {
+  std::vector<uint8_t> fixed(lattice.weights.size());
+  for (size_t i = 0; i < fixed.size(); ++i) {
+    fixed[i] = lattice.weights[i] > 0 ? 1 : 0;
+    lattice.weights[i] = fixed[i];
+  }
+  if (std::find(fixed.begin(), fixed.end(), 1) == fixed.end()) {
+    std::fill(lattice.values.begin(), lattice.values.end(), Channels{});
+    return;
+  }
+  PushPull(lattice);
+  for (int i = 0; i < sweeps; ++i) {
+    Relax(fixed, 0, lattice);
+    Relax(fixed, 1, lattice);
+  }
+}
+
+}  // namespace tilemend

@@ -1,0 +1,148 @@
+#include "worker/texture/synthesize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "worker/texture/base_colours.h"
+#include "worker/texture/grain.h"
+#include "worker/texture/pixel_masks.h"
+#include "worker/texture/square_lattice.h"
+#include "worker/texture/streamlines.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kRimBand = 1.2;  // metres of sources beside the fill in which the step is measured
+constexpr double kRimSmooth = 0.6;
+constexpr double kRimFade = 4;
+constexpr double kWaterGrain = 1.5;  // grey levels
+constexpr int kRimSweeps = 60;
+
+// One layer of a fill while it is made.
+class LayerMaker {
+ public:
+  LayerMaker(const OrthoRaster& raster, std::span<const FillPixel> fill, FillPixel layer)
+      : raster_(raster), frame_(raster.frame), make_(fill.size()), hole_(fill.size()) {
+    for (size_t i = 0; i < fill.size(); ++i) {
+      make_[i] = fill[i] == layer ? 1 : 0;
+      hole_[i] = fill[i] != FillPixel::kNone ? 1 : 0;
+    }
+    const auto band = std::max(2, static_cast<int32_t>(std::lround(kRimBand / frame_.texel)));
+    rim_ = Dilated(make_, frame_, band);
+  }
+
+  bool IsNeeded() const { return std::find(make_.begin(), make_.end(), 1) != make_.end(); }
+
+  void Ground(PixelMask sources, Rgb fallback) {
+    if (!SetBase(sources, fallback)) return;
+    CarryStructure(raster_, sources, StructureOf(raster_, sources), MadeAndRim(sources), colours_);
+    SpreadRimStep(sources);
+    AddGrain(raster_, sources, make_, colours_);
+  }
+
+  void Water(PixelMask sources, const FillLook& look) {
+    if (look.given_water) {
+      colours_.assign(make_.size(), ChannelsOf(*look.given_water));
+    } else if (SetBase(sources, look.water)) {
+      SpreadRimStep(sources);
+    }
+    ForEachMade([&](int32_t x, int32_t y, size_t at) {
+      const float white = WhiteGrain(frame_.column + x, frame_.row + y, kWaterGrain);
+      for (float& value : colours_[at]) value += white;
+    });
+  }
+
+  void Write(std::vector<Rgb>& out) const {
+    const auto rounded = [](float value) { return static_cast<uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F)); };
+    for (size_t i = 0; i < out.size(); ++i) {
+      if (make_[i] == 0) continue;
+      const Channels& c = colours_[i];
+      out[i] = {rounded(c[0]), rounded(c[1]), rounded(c[2])};
+    }
+  }
+
+ private:
+  template <typename Use>
+  void ForEachMade(const Use& use) const {
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        if (const size_t at = frame_.At(x, y); make_[at] != 0) use(x, y, at);
+      }
+    }
+  }
+
+  // False if there is no source: the fallback is the colour.
+  bool SetBase(PixelMask& sources, Rgb fallback) {
+    if (std::find(sources.begin(), sources.end(), 1) == sources.end()) {
+      colours_.assign(make_.size(), ChannelsOf(fallback));
+      return false;
+    }
+    const SquareLattice base = BaseColours(raster_, sources);
+    colours_.resize(make_.size());
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        if (const size_t at = frame_.At(x, y); rim_[at] != 0) colours_[at] = ValueAt(base, frame_, x, y);
+      }
+    }
+    return true;
+  }
+
+  PixelMask MadeAndRim(const PixelMask& sources) const {
+    PixelMask mask = make_;
+    for (size_t i = 0; i < mask.size(); ++i) {
+      if (rim_[i] != 0 && sources[i] != 0) mask[i] = 1;
+    }
+    return mask;
+  }
+
+  // What the sources beside the fill differ from what was made there, spread over the fill.
+  void SpreadRimStep(const PixelMask& sources) {
+    SquareLattice step = LatticeOver(frame_, kRimSmooth);
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        const size_t at = frame_.At(x, y);
+        if (rim_[at] == 0 || sources[at] == 0) continue;
+        const size_t square = SquareOf(step, frame_, x, y);
+        const Channels seen = ChannelsOf(raster_.colours[at]);
+        for (size_t c = 0; c < 3; ++c) step.values[square][c] += seen[c] - colours_[at][c];
+        step.weights[square] += 1;
+      }
+    }
+    for (size_t i = 0; i < step.values.size(); ++i) {
+      for (float& value : step.values[i]) value /= std::max(1.0F, step.weights[i]);
+      step.weights[i] = std::min(step.weights[i], 1.0F);
+    }
+    SmoothSquares(kRimSmooth / (step.pixels * frame_.texel), step);
+    FillSquares(kRimSweeps, step);
+    const std::vector<float> distance = DistanceInside(hole_, frame_);
+    ForEachMade([&](int32_t x, int32_t y, size_t at) {
+      const auto far = static_cast<float>(distance[at] * frame_.texel / kRimFade);
+      if (far >= 1) return;
+      const Channels value = ValueAt(step, frame_, x, y);
+      for (size_t c = 0; c < 3; ++c) colours_[at][c] += (1 - far) * value[c];
+    });
+  }
+
+  const OrthoRaster& raster_;
+  const RasterFrame& frame_;
+  PixelMask make_, hole_, rim_;
+  std::vector<Channels> colours_;
+};
+
+}  // namespace
+
+std::vector<Rgb> Synthesize(const OrthoRaster& raster, std::span<const FillPixel> fill, const FillLook& look) {
+  std::vector<Rgb> result = raster.colours;
+  if (LayerMaker ground(raster, fill, FillPixel::kGround); ground.IsNeeded()) {
+    ground.Ground(GroundPixels(raster, fill), look.ground);
+    ground.Write(result);
+  }
+  if (LayerMaker water(raster, fill, FillPixel::kWater); water.IsNeeded()) {
+    water.Water(WaterPixels(raster, fill, look.water_level), look);
+    water.Write(result);
+  }
+  return result;
+}
+
+}  // namespace tilemend
