@@ -56,9 +56,25 @@ Channels Bilinear(const SquareLattice& lattice, double px, double py) {
   return result;
 }
 
+void FillWithMean(SquareLattice& lattice) {
+  Channels mean{};
+  float all = 0;
+  for (size_t i = 0; i < lattice.values.size(); ++i) {
+    for (size_t c = 0; c < 3; ++c) mean[c] += lattice.weights[i] * lattice.values[i][c];
+    all += lattice.weights[i];
+  }
+  for (size_t i = 0; i < lattice.values.size(); ++i) {
+    const float weight = std::min(lattice.weights[i], 1.0F);
+    for (size_t c = 0; c < 3; ++c) {
+      lattice.values[i][c] = weight * lattice.values[i][c] + (1 - weight) * mean[c] / std::max(all, 1e-6F);
+    }
+  }
+}
+
 // Fills what is not known from ever coarser lattices.
 void PushPull(SquareLattice& lattice) {
-  if (lattice.width <= 1 && lattice.height <= 1) return;
+  // Two squares on both sides of a line through the origin never become one.
+  if (lattice.width <= 2 && lattice.height <= 2) return FillWithMean(lattice);
   if (std::all_of(lattice.weights.begin(), lattice.weights.end(), [](float w) { return w >= 1; })) return;
   SquareLattice coarse = Coarser(lattice);
   PushPull(coarse);
