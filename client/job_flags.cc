@@ -63,8 +63,9 @@ std::vector<FlagSpec> JobFlags() {
   flags.push_back(WaterColourFlag());
   flags.push_back({"textures", "copy|link|off", "material files and images of OBJ tiles; link: images as hard links",
                    defaults.textures});
-  flags.push_back({"texture", "synthesize|flat",
-                   "filled faces of tiles with images: made from what lies around, or one colour", defaults.texture});
+  flags.push_back({"texture", "synthesize|flat|none",
+                   "filled faces of tiles with images: made from what lies around, one colour, or neither",
+                   defaults.texture});
   flags.push_back({"link", "", "tiles without a patch as hard links of the originals, where they can be", ""});
   flags.push_back({"dry-run", "", "find and count the holes, write nothing", ""});
   return flags;

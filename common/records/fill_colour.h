@@ -15,6 +15,7 @@ struct FillColour {
   int32_t group = 0;  // the lowest of its holes
   Rgb colour;
   bool known = false;  // seen along the rim, or chosen by the user; else what stands for "not known"
+  bool is_water = false;
 };
 
 // How materials of filled faces are called, in every tile. The colour is part of it, so that the materials of an output

@@ -94,6 +94,7 @@ void SetColours(const FillColours& colours, v1::AssembleInput& input) {
     proto->set_group(colour.group);
     proto->set_colour(Packed(colour.colour));
     proto->set_known(colour.known);
+    proto->set_is_water(colour.is_water);
   }
   input.set_colour_vertices(colours.on_vertices);
 }
@@ -102,7 +103,7 @@ absl::StatusOr<FillColours> ColoursOf(const v1::AssembleInput& input) {
   FillColours colours;
   colours.on_vertices = input.colour_vertices();
   for (const v1::FillColour& c : input.colours()) {
-    const FillColour colour{c.group(), Unpacked(c.colour()), c.known()};
+    const FillColour colour{c.group(), Unpacked(c.colour()), c.known(), c.is_water()};
     if (!colours.of_holes.emplace(c.hole(), colour).second) return Malformed("a hole with two colours");
   }
   return colours;

@@ -43,8 +43,8 @@ std::vector<FilledRun> RunsOf(const std::vector<HolePatch>& patches, const FillC
   size_t first = 0;
   for (const HolePatch& patch : patches) {
     if (!patch.failure.empty()) continue;
-    const Rgb colour = colours.of_holes.at(patch.hole).colour;
-    runs.push_back({static_cast<int32_t>(first), patch.way == FillWay::kWater, colour});
+    const FillColour& colour = colours.of_holes.at(patch.hole);
+    runs.push_back({static_cast<int32_t>(first), colour.is_water, colour.colour});
     first += patch.triangles.size();
   }
   return runs;
@@ -72,6 +72,10 @@ absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input) {
   result.runs = RunsOf(patches, colours);
   if (!has_tile || result.patch.triangles.empty()) return result;
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(input.tile().path()));
+  if (input.without_colours()) {
+    result.patch.materials = {{0, "tilemend_fill"}};  // defined nowhere
+    return result;
+  }
   if (format == MeshFormat::kObj) result.materials = MaterialsOf(patches, colours);
   if (input.new_library()) result.patch.library = std::filesystem::path(input.library()).filename().string();
   return result;

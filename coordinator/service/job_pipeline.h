@@ -29,9 +29,11 @@
 
 namespace tilemend {
 
-// How filled faces of a tile with images look: an image made from what lies around, or one colour each.
+// How filled faces of a tile with images look: an image made from what lies around, one colour each, or
+// neither.
 inline constexpr char kSynthesize[] = "synthesize";
 inline constexpr char kFlat[] = "flat";
+inline constexpr char kNoTexture[] = "none";
 
 // What is to be done. Paths are absolute or URIs, and seen by the coordinator and every worker.
 struct JobSpec {
@@ -51,7 +53,7 @@ struct JobSpec {
   std::string water_colour;            // "R,G,B" or "#rrggbb" (ParseColour); empty: as its rim has it
   std::string cells;                   // those that are filled and written: see ParseCells; empty: all
   std::string textures = "copy";       // material files and images: "copy", "link" (images as hard links), "off"
-  std::string texture = kSynthesize;   // of filled faces, where the tile has images: kSynthesize or kFlat
+  std::string texture = kSynthesize;   // of filled faces, where the tile has images: kSynthesize, kFlat or kNoTexture
   // Of `wang` alone; none: as WangOptions has them, which says what they are.
   std::optional<double> seam_smoothing, seam_buffer;
   std::optional<int32_t> longest_loop, fairing_steps;

@@ -139,8 +139,8 @@ absl::Status JobSpec::Check() const {
   if (textures != "copy" && textures != "link" && textures != "off") {
     return InvalidSpec("textures", absl::StrCat("'", Printable(textures), "': expected copy, link or off"));
   }
-  if (texture != kSynthesize && texture != kFlat) {
-    return InvalidSpec("texture", absl::StrCat("'", Printable(texture), "': expected synthesize or flat"));
+  if (texture != kSynthesize && texture != kFlat && texture != kNoTexture) {
+    return InvalidSpec("texture", absl::StrCat("'", Printable(texture), "': expected synthesize, flat or none"));
   }
   TILEMEND_RETURN_IF_ERROR(CheckCells(cells));
   if (tension) TILEMEND_RETURN_IF_ERROR(CheckRange("tension", *tension, 0, 1000));

@@ -391,7 +391,7 @@ absl::Status CheckTexture(const v1::AssembleInput& input, const v1::WrittenFile&
 absl::Status CheckBeside(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileCheck how) {
   std::set<std::string> carried(input.carried().begin(), input.carried().end());
   const auto format = MeshFormatOf(input.output());
-  bool has_library = HasPatch(input) && format.ok() && *format == MeshFormat::kObj;
+  bool has_library = HasPatch(input) && format.ok() && *format == MeshFormat::kObj && !input.without_colours();
   if (!has_library && !input.new_library() && !input.library().empty()) carried.insert(input.library());
   bool has_texture = HasTexture(input, output);
   const bool is_textured = has_texture;

@@ -210,7 +210,10 @@ absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input
   const CellId cell = work.tile->cell;
   TILEMEND_ASSIGN_OR_RETURN(*input.mutable_patches(),
                             TakeUp<v1::FillOutput>(*scratch_, patches_.extract(cell).mapped()));
-  SetColours(LocalColours(work), input);
+  FillColours colours = LocalColours(work);
+  input.set_without_colours(spec_.texture == kNoTexture);
+  if (input.without_colours()) colours.on_vertices = false;
+  SetColours(colours, input);
   if (!work.holes) {
     TILEMEND_ASSIGN_OR_RETURN(*input.mutable_vertices(), TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
     return absl::OkStatus();

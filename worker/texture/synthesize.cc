@@ -16,6 +16,7 @@ namespace {
 constexpr double kRimBand = 1.2;  // metres of sources beside the fill in which the step is measured
 constexpr double kRimSmooth = 0.6;
 constexpr double kRimFade = 4;
+constexpr float kMostStep = 40;      // grey levels; more is an object, a mark or a shadow
 constexpr double kWaterGrain = 1.5;  // grey levels
 constexpr int kRimSweeps = 60;
 
@@ -105,6 +106,7 @@ class LayerMaker {
         if (rim_[at] == 0 || sources[at] == 0) continue;
         const size_t square = SquareOf(step, frame_, x, y);
         const Channels seen = ChannelsOf(raster_.colours[at]);
+        if (std::abs(Brightness(seen) - Brightness(colours_[at])) > kMostStep) continue;
         for (size_t c = 0; c < 3; ++c) step.values[square][c] += seen[c] - colours_[at][c];
         step.weights[square] += 1;
       }

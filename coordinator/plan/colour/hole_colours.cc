@@ -98,7 +98,8 @@ std::vector<FillColour> ColourHoles(const Plan& plan, const PlanInput& input, co
     }
     const std::optional<Rgb> seen = ground.Find() ? ground.Find() : all.Find();
     const std::optional<Rgb> known = is_water && water ? water : seen;
-    const FillColour colour{holes.front(), known.value_or(is_water ? kWaterColour : kGroundColour), known.has_value()};
+    const FillColour colour{holes.front(), known.value_or(is_water ? kWaterColour : kGroundColour), known.has_value(),
+                            is_water};
     for (const int32_t h : holes) colours[h] = colour;
   }
   return colours;
