@@ -231,7 +231,7 @@ class TextureMaker {
       const auto part = static_cast<int32_t>(first + k);
       FillLook look = LookOf(faces_, parts_, part);
       if (!input_.water_colour().empty()) look.given_water = ParseColour(input_.water_colour());
-      const std::vector<FillPixel> fill = FillPixelsOf(faces_, parts_, part, rasters[k]);
+      const FillMap fill = FillMapOf(faces_, parts_, part, rasters[k]);
       made_.push_back({rasters[k].frame, Synthesize(rasters[k], fill, look)});
     }
     return std::max(end, first + 1);

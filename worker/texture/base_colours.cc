@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -9,14 +10,25 @@ namespace {
 
 constexpr double kBaseSquare = 0.5;  // metres
 constexpr double kBaseSmooth = 0.8;  // metres
-constexpr int kSweeps = 60;
-constexpr float kShadow = 0.6F;  // of the base's brightness
+constexpr int kSweeps = 30;
+constexpr double kWide = 4;         // metres, deviation of the surroundings
+constexpr float kBright = 1.5F;     // of the surroundings' brightness
+constexpr float kBrightOffset = 8;  // grey levels
+constexpr float kShadow = 0.6F;     // of the base's brightness
 
 SquareLattice Spread(const OrthoRaster& raster, const PixelMask& sources) {
   SquareLattice base = MedianSquares(raster, sources);
   SmoothSquares(kBaseSmooth / (base.pixels * raster.frame.texel), base);
   FillSquares(kSweeps, base);
   return base;
+}
+
+// What surrounds a pixel: medians smoothed over some 8 m.
+SquareLattice WideBase(const OrthoRaster& raster, const PixelMask& sources) {
+  SquareLattice wide = MedianSquares(raster, sources);
+  SmoothSquares(kWide / (wide.pixels * raster.frame.texel), wide);
+  FillSquares(0, wide);
+  return wide;
 }
 
 }  // namespace
@@ -59,17 +71,20 @@ SquareLattice MedianSquares(const OrthoRaster& raster, const PixelMask& sources)
   return squares;
 }
 
-SquareLattice BaseColours(const OrthoRaster& raster, PixelMask& sources) {
-  const SquareLattice first = Spread(raster, sources);
+BaseOfSources BaseColours(const OrthoRaster& raster, PixelMask& sources) {
+  const SquareLattice wide = WideBase(raster, sources), first = Spread(raster, sources);
+  PixelMask plain = sources;
   for (int32_t y = 0; y < raster.frame.height; ++y) {
     for (int32_t x = 0; x < raster.frame.width; ++x) {
       const size_t at = raster.frame.At(x, y);
       if (sources[at] == 0) continue;
-      const float base = Brightness(ValueAt(first, raster.frame, x, y));
-      if (Brightness(ChannelsOf(raster.colours[at])) < kShadow * base) sources[at] = 0;
+      const float own = Brightness(ChannelsOf(raster.colours[at]));
+      if (own < kShadow * Brightness(ValueAt(first, raster.frame, x, y))) sources[at] = plain[at] = 0;
+      if (own > kBright * Brightness(ValueAt(wide, raster.frame, x, y)) + kBrightOffset) plain[at] = 0;
     }
   }
-  return Spread(raster, sources);
+  SquareLattice base = Spread(raster, plain);
+  return {std::move(base), std::move(plain)};
 }
 
 }  // namespace tilemend

@@ -15,9 +15,15 @@ Channels ChannelsOf(Rgb colour);
 // The medians of squares of 0.5 m in which at least a quarter of the pixels are sources. Cost: linear in the pixels.
 SquareLattice MedianSquares(const OrthoRaster& raster, const PixelMask& sources);
 
+struct BaseOfSources {
+  SquareLattice base;
+  PixelMask plain;  // the sources that it was made from
+};
+
 // These, smoothed by 0.8 m and spread over the whole raster. Sources that are darker than 0.6 of it (shadows, dark
-// cars) are taken out of `sources`, and it is made again without them. Cost: linear in the pixels.
-SquareLattice BaseColours(const OrthoRaster& raster, PixelMask& sources);
+// cars) are taken out of `sources`. It is made again without them and without pixels that are brighter than 1.5 of
+// their surroundings of some 8 m (marks, roofs, cars). Cost: linear in the pixels.
+BaseOfSources BaseColours(const OrthoRaster& raster, PixelMask& sources);
 
 }  // namespace tilemend
 

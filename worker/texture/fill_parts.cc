@@ -157,9 +157,10 @@ FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span
   return parts;
 }
 
-std::vector<FillPixel> FillPixelsOf(const FilledFaces& faces, const FillParts& parts, int32_t part,
-                                    const OrthoRaster& raster) {
-  std::vector<FillPixel> pixels(raster.frame.size(), FillPixel::kNone);
+FillMap FillMapOf(const FilledFaces& faces, const FillParts& parts, int32_t part, const OrthoRaster& raster) {
+  FillMap map{std::vector<FillPixel>(raster.frame.size(), FillPixel::kNone),
+              std::vector<float>(raster.frame.size(), kNoSurface)};
+  std::vector<FillPixel>& pixels = map.pixels;
   for (size_t i = 0; i < pixels.size(); ++i) {
     if (raster.heights[i] == kNoSurface) pixels[i] = FillPixel::kForeign;
   }
@@ -173,10 +174,12 @@ std::vector<FillPixel> FillPixelsOf(const FilledFaces& faces, const FillParts& p
       DrawShapes(std::span(&corners, 1), fill);
     }
     for (size_t i = 0; i < pixels.size(); ++i) {
-      if (fill.heights[i] != kNoSurface) pixels[i] = layer;
+      if (fill.heights[i] == kNoSurface) continue;
+      pixels[i] = layer;
+      map.heights[i] = fill.heights[i];
     }
   }
-  return pixels;
+  return map;
 }
 
 FillLook LookOf(const FilledFaces& faces, const FillParts& parts, int32_t part) {

@@ -40,8 +40,7 @@ FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span
                     double texel);
 
 // What the pixels of a part's raster are, with the original surface drawn into it.
-std::vector<FillPixel> FillPixelsOf(const FilledFaces& faces, const FillParts& parts, int32_t part,
-                                    const OrthoRaster& raster);
+FillMap FillMapOf(const FilledFaces& faces, const FillParts& parts, int32_t part, const OrthoRaster& raster);
 
 // The level of a part's water, and the flat colours of its faces.
 FillLook LookOf(const FilledFaces& faces, const FillParts& parts, int32_t part);

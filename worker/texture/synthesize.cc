@@ -17,17 +17,19 @@ constexpr double kRimBand = 1.2;  // metres of sources beside the fill in which 
 constexpr double kRimSmooth = 0.6;
 constexpr double kRimFade = 4;
 constexpr float kMostStep = 40;      // grey levels; more is an object, a mark or a shadow
+constexpr double kLevelSquare = 1;   // metres
+constexpr float kMostAboveFill = 1;  // metres, or below
 constexpr double kWaterGrain = 1.5;  // grey levels
-constexpr int kRimSweeps = 60;
+constexpr int kRimSweeps = 30;
 
 // One layer of a fill while it is made.
 class LayerMaker {
  public:
-  LayerMaker(const OrthoRaster& raster, std::span<const FillPixel> fill, FillPixel layer)
-      : raster_(raster), frame_(raster.frame), make_(fill.size()), hole_(fill.size()) {
-    for (size_t i = 0; i < fill.size(); ++i) {
-      make_[i] = fill[i] == layer ? 1 : 0;
-      hole_[i] = fill[i] != FillPixel::kNone ? 1 : 0;
+  LayerMaker(const OrthoRaster& raster, const FillMap& fill, FillPixel layer)
+      : raster_(raster), frame_(raster.frame), fill_(fill), make_(fill.pixels.size()), hole_(make_.size()) {
+    for (size_t i = 0; i < make_.size(); ++i) {
+      make_[i] = fill.pixels[i] == layer ? 1 : 0;
+      hole_[i] = fill.pixels[i] != FillPixel::kNone ? 1 : 0;
     }
     const auto band = std::max(2, static_cast<int32_t>(std::lround(kRimBand / frame_.texel)));
     rim_ = Dilated(make_, frame_, band);
@@ -36,9 +38,10 @@ class LayerMaker {
   bool IsNeeded() const { return std::find(make_.begin(), make_.end(), 1) != make_.end(); }
 
   void Ground(PixelMask sources, Rgb fallback) {
+    KeepFillHeight(sources);
     if (!SetBase(sources, fallback)) return;
     CarryStructure(raster_, sources, StructureOf(raster_, sources), MadeAndRim(sources), colours_);
-    SpreadRimStep(sources);
+    SpreadRimStep(plain_);
     AddGrain(raster_, sources, make_, colours_);
   }
 
@@ -46,7 +49,7 @@ class LayerMaker {
     if (look.given_water) {
       colours_.assign(make_.size(), ChannelsOf(*look.given_water));
     } else if (SetBase(sources, look.water)) {
-      SpreadRimStep(sources);
+      SpreadRimStep(plain_);
     }
     ForEachMade([&](int32_t x, int32_t y, size_t at) {
       const float white = WhiteGrain(frame_.column + x, frame_.row + y, kWaterGrain);
@@ -79,7 +82,9 @@ class LayerMaker {
       colours_.assign(make_.size(), ChannelsOf(fallback));
       return false;
     }
-    const SquareLattice base = BaseColours(raster_, sources);
+    const BaseOfSources found = BaseColours(raster_, sources);
+    const SquareLattice& base = found.base;
+    plain_ = found.plain;
     colours_.resize(make_.size());
     for (int32_t y = 0; y < frame_.height; ++y) {
       for (int32_t x = 0; x < frame_.width; ++x) {
@@ -87,6 +92,26 @@ class LayerMaker {
       }
     }
     return true;
+  }
+
+  // Takes out sources on other levels than the fill beside them: terraces, a street above a bank.
+  void KeepFillHeight(PixelMask& sources) const {
+    SquareLattice level = LatticeOver(frame_, kLevelSquare);
+    ForEachMade([&](int32_t x, int32_t y, size_t at) {
+      const size_t square = SquareOf(level, frame_, x, y);
+      level.values[square][0] += fill_.heights[at];
+      level.weights[square] += 1;
+    });
+    for (size_t i = 0; i < level.values.size(); ++i) level.values[i][0] /= std::max(1.0F, level.weights[i]);
+    FillSquares(0, level);
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        const size_t at = frame_.At(x, y);
+        if (sources[at] == 0) continue;
+        const float above = raster_.heights[at] - ValueAt(level, frame_, x, y)[0];
+        if (std::abs(above) > kMostAboveFill) sources[at] = 0;
+      }
+    }
   }
 
   PixelMask MadeAndRim(const PixelMask& sources) const {
@@ -128,20 +153,21 @@ class LayerMaker {
 
   const OrthoRaster& raster_;
   const RasterFrame& frame_;
-  PixelMask make_, hole_, rim_;
+  const FillMap& fill_;
+  PixelMask make_, hole_, rim_, plain_;
   std::vector<Channels> colours_;
 };
 
 }  // namespace
 
-std::vector<Rgb> Synthesize(const OrthoRaster& raster, std::span<const FillPixel> fill, const FillLook& look) {
+std::vector<Rgb> Synthesize(const OrthoRaster& raster, const FillMap& fill, const FillLook& look) {
   std::vector<Rgb> result = raster.colours;
   if (LayerMaker ground(raster, fill, FillPixel::kGround); ground.IsNeeded()) {
-    ground.Ground(GroundPixels(raster, fill), look.ground);
+    ground.Ground(GroundPixels(raster, fill.pixels), look.ground);
     ground.Write(result);
   }
   if (LayerMaker water(raster, fill, FillPixel::kWater); water.IsNeeded()) {
-    water.Water(WaterPixels(raster, fill, look.water_level), look);
+    water.Water(WaterPixels(raster, fill.pixels, look.water_level), look);
     water.Write(result);
   }
   return result;

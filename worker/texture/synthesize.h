@@ -20,6 +20,11 @@ enum class FillPixel : uint8_t {
   kForeign,  // a hole of another cell: no source, and no colour is needed
 };
 
+struct FillMap {
+  std::vector<FillPixel> pixels;  // as the raster's
+  std::vector<float> heights;     // of the fill, metres; read where it is ground or water
+};
+
 struct FillLook {
   double water_level = 0;               // metres
   Rgb ground = {};                      // where no pixel of the raster is ground
@@ -32,16 +37,18 @@ inline constexpr int64_t kMostRasterPixels = int64_t{4} << 20;
 // What Synthesize holds beside the raster, and the raster.
 inline constexpr int64_t kBytesPerPixel = 64;
 
-// The raster's colours, those of kGround and kWater made anew. `fill` has one value a pixel.
-//  - Sources of ground: pixels at most 0.4 m above an opening of 20 m, 0.5 m away from the fill and from objects, not
-//    much darker than their surroundings. Sources of water: pixels within 0.6 m of the level.
+// The raster's colours, those of kGround and kWater made anew.
+//  - Sources of ground: pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away
+//  from the
+//    fill and from objects, neither much darker nor much brighter than their surroundings. Sources of water: pixels
+//    within 0.6 m of the level.
 //  - Base: medians of squares of 0.5 m, smoothed, spread by a pyramid and a membrane (base_colours.h).
 //  - Lanes and kerbs: along the direction of the structure around, where there is one (streamlines.h).
 //  - Grain: blocks of the sources' own grain (grain.h); of water white noise.
 //  - Rim: the step of colours at the rim is spread inward, and fades over 4 m.
 // All lattices are anchored to absolute coordinates: equal rasters of two cells give equal colours, and results depend
 // on nothing else. Cost: linear in the pixels of the raster; of the fill, in the length of its streamlines.
-std::vector<Rgb> Synthesize(const OrthoRaster& raster, std::span<const FillPixel> fill, const FillLook& look);
+std::vector<Rgb> Synthesize(const OrthoRaster& raster, const FillMap& fill, const FillLook& look);
 
 }  // namespace tilemend
 

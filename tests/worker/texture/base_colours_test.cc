@@ -28,7 +28,7 @@ TEST(BaseColoursTest, ShadowsAreNoSources) {
     return x > 0 && x < 6 ? Rgb{20, 20, 20} : Rgb{100, 100, 100};
   });
   PixelMask sources(kFrame.size(), 1);
-  const SquareLattice base = BaseColours(raster, sources);
+  const SquareLattice base = BaseColours(raster, sources).base;
   EXPECT_EQ(sources[kFrame.At(40 + 3, 50)], 0);
   EXPECT_EQ(sources[kFrame.At(10, 50)], 1);
   EXPECT_NEAR(ValueAt(base, kFrame, 43, 50)[0], 100, 1);
@@ -40,7 +40,7 @@ TEST(BaseColoursTest, TheWholeRasterHasABase) {
   for (int32_t x = 0; x < 20; ++x) {
     for (int32_t y = 0; y < 20; ++y) sources[kFrame.At(x, y)] = 1;
   }
-  const SquareLattice base = BaseColours(raster, sources);
+  const SquareLattice base = BaseColours(raster, sources).base;
   EXPECT_NEAR(ValueAt(base, kFrame, 119, 119)[2], 80, 0.5);
 }
 

@@ -88,8 +88,8 @@ TEST(FillPartsTest, PixelsAreOfTheirPart) {
   const FillParts parts{{{1, 0, 0, 16, 8}, {1, 0, 0, 16, 8}}, {0, 0, 1, 1}};
   OrthoRaster raster = RasterOf(parts.frames[0], [](int64_t, int64_t) { return Rgb{}; });
   raster.heights[raster.frame.At(15, 7)] = kNoSurface;
-  const std::vector<FillPixel> first = FillPixelsOf(faces, parts, 0, raster),
-                               second = FillPixelsOf(faces, parts, 1, raster);
+  const std::vector<FillPixel> first = FillMapOf(faces, parts, 0, raster).pixels,
+                               second = FillMapOf(faces, parts, 1, raster).pixels;
   EXPECT_EQ(first[raster.frame.At(3, 3)], FillPixel::kGround);
   EXPECT_EQ(first[raster.frame.At(9, 3)], FillPixel::kForeign);
   EXPECT_EQ(second[raster.frame.At(9, 3)], FillPixel::kWater);

@@ -41,6 +41,9 @@ inline std::vector<FillPixel> CutHole(OrthoRaster& raster, int32_t x0, int32_t y
   return fill;
 }
 
+// That fill at height 0.
+inline FillMap MapOf(const std::vector<FillPixel>& pixels) { return {pixels, std::vector<float>(pixels.size())}; }
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_TESTS_WORKER_TEXTURE_RASTER_BUILDERS_H_

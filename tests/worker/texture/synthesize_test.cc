@@ -31,10 +31,12 @@ TEST(SynthesizeTest, ARoadGoesOnAndTheRestStays) {
   const OrthoRaster truth = RasterOf(frame, Asphalt);
   OrthoRaster raster = truth;
   const std::vector<FillPixel> fill = CutHole(raster, 90, 70, 150, 130, FillPixel::kGround);
-  const std::vector<Rgb> made = Synthesize(raster, fill, {});
+  const std::vector<Rgb> made = Synthesize(raster, MapOf(fill), {});
   EXPECT_LT(MeanDifference(made, truth, fill), 6);
   for (size_t i = 0; i < fill.size(); ++i) {
-    if (fill[i] == FillPixel::kNone) EXPECT_EQ(made[i], truth.colours[i]);
+    if (fill[i] == FillPixel::kNone) {
+      EXPECT_EQ(made[i], truth.colours[i]);
+    }
   }
 }
 
@@ -42,18 +44,19 @@ TEST(SynthesizeTest, EqualInputGivesEqualColours) {
   const RasterFrame frame{0.25, 0, 0, 160, 160};
   OrthoRaster raster = RasterOf(frame, Asphalt);
   const std::vector<FillPixel> fill = CutHole(raster, 60, 60, 100, 100, FillPixel::kGround);
-  EXPECT_EQ(Synthesize(raster, fill, {}), Synthesize(raster, fill, {}));
+  EXPECT_EQ(Synthesize(raster, MapOf(fill), {}), Synthesize(raster, MapOf(fill), {}));
 }
 
 TEST(SynthesizeTest, APartOfTheHoleIsMadeAsTheWholeIs) {
   const RasterFrame frame{0.25, 0, 0, 160, 160};
   OrthoRaster raster = RasterOf(frame, Asphalt);
   const std::vector<FillPixel> whole = CutHole(raster, 60, 60, 100, 100, FillPixel::kGround);
-  std::vector<FillPixel> left = whole, right = whole;
+  std::vector<FillPixel> left = whole;
   for (int32_t y = 60; y < 100; ++y) {
-    for (int32_t x = 60; x < 100; ++x) (x < 80 ? right : left)[frame.At(x, y)] = FillPixel::kForeign;
+    for (int32_t x = 60; x < 100; ++x)
+      if (x >= 80) left[frame.At(x, y)] = FillPixel::kForeign;
   }
-  const std::vector<Rgb> of_whole = Synthesize(raster, whole, {}), of_left = Synthesize(raster, left, {});
+  const std::vector<Rgb> of_whole = Synthesize(raster, MapOf(whole), {}), of_left = Synthesize(raster, MapOf(left), {});
   int differing = 0;
   for (size_t i = 0; i < left.size(); ++i) {
     if (left[i] == FillPixel::kGround) differing += of_whole[i] == of_left[i] ? 0 : 1;
@@ -70,9 +73,11 @@ TEST(SynthesizeTest, WaterTakesNoColourOfItsBank) {
     for (int32_t x = 100; x < 200; ++x) raster.heights[frame.At(x, y)] = 2;
   }
   const std::vector<FillPixel> fill = CutHole(raster, 60, 60, 100, 140, FillPixel::kWater);
-  const std::vector<Rgb> made = Synthesize(raster, fill, {});
+  const std::vector<Rgb> made = Synthesize(raster, MapOf(fill), {});
   for (size_t i = 0; i < fill.size(); ++i) {
-    if (fill[i] == FillPixel::kWater) EXPECT_NEAR(made[i].r, 40, 9);
+    if (fill[i] == FillPixel::kWater) {
+      EXPECT_NEAR(made[i].r, 40, 9);
+    }
   }
 }
 
@@ -82,7 +87,7 @@ TEST(SynthesizeTest, GivenWaterHasItsColourUpToGrain) {
   const std::vector<FillPixel> fill = CutHole(raster, 30, 30, 70, 70, FillPixel::kWater);
   FillLook look;
   look.given_water = Rgb{10, 100, 200};
-  const std::vector<Rgb> made = Synthesize(raster, fill, look);
+  const std::vector<Rgb> made = Synthesize(raster, MapOf(fill), look);
   EXPECT_NEAR(made[frame.At(50, 50)].g, 100, 8);
   EXPECT_NEAR(made[frame.At(31, 31)].b, 200, 8);
 }
@@ -92,7 +97,8 @@ TEST(SynthesizeTest, WithoutASourceTheFlatColourStays) {
   OrthoRaster raster(frame);
   FillLook look;
   look.ground = {1, 2, 3};
-  const std::vector<Rgb> made = Synthesize(raster, std::vector<FillPixel>(frame.size(), FillPixel::kGround), look);
+  const std::vector<Rgb> made =
+      Synthesize(raster, MapOf(std::vector<FillPixel>(frame.size(), FillPixel::kGround)), look);
   for (const Rgb c : made) EXPECT_EQ(c, (Rgb{1, 2, 3}));
 }
 
