@@ -103,7 +103,7 @@ class AtlasPacker {
       const RasterFrame& frame = rasters_[i].frame;
       const auto lo = [](double p) { return static_cast<int32_t>(std::max(0.0, std::floor(p) - kAtlasGutter)); };
       const auto hi = [](double p, int32_t most) {
-        return static_cast<int32_t>(std::min<double>(most, std::floor(p) + 1 + kAtlasGutter));
+        return static_cast<int32_t>(std::min<double>(most, std::ceil(p) + kAtlasGutter));
       };
       Part& part = parts_[i];
       part.x = std::min(lo(boxes[i].min().x()), frame.width - 1);

@@ -16,6 +16,14 @@ constexpr float kBright = 1.5F;     // of the surroundings' brightness
 constexpr float kBrightOffset = 8;  // grey levels
 constexpr float kShadow = 0.6F;     // of the base's brightness
 
+// The mean of the two in the middle, of an even number.
+float MedianOf(std::vector<uint8_t>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (static_cast<float>(*middle) + static_cast<float>(*std::max_element(values.begin(), middle))) / 2;
+}
+
 SquareLattice Spread(const OrthoRaster& raster, const PixelMask& sources) {
   SquareLattice base = MedianSquares(raster, sources);
   SmoothSquares(kBaseSmooth / (base.pixels * raster.frame.texel), base);
@@ -62,9 +70,7 @@ SquareLattice MedianSquares(const OrthoRaster& raster, const PixelMask& sources)
       const size_t at = squares.At(column, row);
       squares.weights[at] = 1;
       for (size_t c = 0; c < 3; ++c) {
-        const auto middle = seen[c].begin() + static_cast<std::ptrdiff_t>(seen[c].size() / 2);
-        std::nth_element(seen[c].begin(), middle, seen[c].end());
-        squares.values[at][c] = *middle;
+        squares.values[at][c] = MedianOf(seen[c]);
       }
     }
   }

@@ -13,6 +13,7 @@ constexpr double kOpening = 20;  // metres, the width of objects that are no gro
 constexpr double kOpeningSquare = 0.5;
 constexpr double kObjectHeight = 0.4;  // above the opening
 constexpr double kKeepAway = 0.5;      // blurred texels beside holes and objects
+constexpr double kLeastRegion = 4;     // square metres
 constexpr double kWaterBand = 0.6;
 
 // The best value within `reach` of each square, along one axis and then the other.
@@ -106,6 +107,30 @@ std::vector<float> DistanceInside(const PixelMask& mask, const RasterFrame& fram
   return distance;
 }
 
+void DropSmallRegions(const RasterFrame& frame, int64_t least, PixelMask& mask) {
+  PixelMask seen(mask.size());
+  std::vector<size_t> region;
+  const auto visit = [&](size_t at) {
+    if (mask[at] == 0 || seen[at] != 0) return;
+    seen[at] = 1;
+    region.push_back(at);
+  };
+  const auto width = static_cast<size_t>(frame.width);
+  for (size_t start = 0; start < mask.size(); ++start) {
+    region.clear();
+    visit(start);
+    for (size_t next = 0; next < region.size(); ++next) {
+      const size_t at = region[next];
+      if (at % width > 0) visit(at - 1);
+      if (at % width + 1 < width) visit(at + 1);
+      if (at >= width) visit(at - width);
+      if (at + width < mask.size()) visit(at + width);
+    }
+    if (static_cast<int64_t>(region.size()) >= least) continue;
+    for (const size_t at : region) mask[at] = 0;
+  }
+}
+
 PixelMask GroundPixels(const OrthoRaster& raster, std::span<const FillPixel> fill) {
   const SquareLattice squares = LatticeOver(raster.frame, kOpeningSquare);
   const std::vector<float> opened = Opened(raster, squares);
@@ -120,6 +145,7 @@ PixelMask GroundPixels(const OrthoRaster& raster, std::span<const FillPixel> fil
   }
   PixelMask ground = Dilated(blocked, raster.frame, PixelsIn(kKeepAway, raster.frame));
   for (uint8_t& value : ground) value = value == 0 ? 1 : 0;
+  DropSmallRegions(raster.frame, std::lround(kLeastRegion / (raster.frame.texel * raster.frame.texel)), ground);
   return ground;
 }
 

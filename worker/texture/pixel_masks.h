@@ -20,8 +20,12 @@ PixelMask Dilated(const PixelMask& mask, const RasterFrame& frame, int32_t radiu
 // raster there is none. Cost: linear.
 std::vector<float> DistanceInside(const PixelMask& mask, const RasterFrame& frame);
 
+// Takes out regions of pixels, connected by their sides, of fewer than `least` pixels. Cost: linear.
+void DropSmallRegions(const RasterFrame& frame, int64_t least, PixelMask& mask);
+
 // Known pixels of ground: at most 0.4 m above a morphological opening of 20 m, and 0.5 m away from the fill, from
-// pixels of objects and from pixels that are not known. Cost: linear in the pixels, but for the opening (squares of
+// pixels of objects and from pixels that are not known,
+// in regions of 4 m2 or more. Cost: linear in the pixels, but for the opening (squares of
 // 0.5 m times 80).
 PixelMask GroundPixels(const OrthoRaster& raster, std::span<const FillPixel> fill);
 

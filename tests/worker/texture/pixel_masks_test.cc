@@ -24,6 +24,15 @@ TEST(PixelMasksTest, DilationIsASquare) {
   }
 }
 
+TEST(PixelMasksTest, SmallRegionsGo) {
+  const RasterFrame frame{1, 0, 0, 6, 3};
+  PixelMask mask = {1, 1, 0, 0, 0, 1,  //
+                    0, 1, 0, 0, 1, 0,  //
+                    1, 0, 0, 1, 1, 1};
+  DropSmallRegions(frame, 3, mask);
+  EXPECT_EQ(mask, (PixelMask{1, 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1}));
+}
+
 TEST(PixelMasksTest, DistancesGrowInward) {
   const RasterFrame frame{1, 0, 0, 11, 11};
   PixelMask mask(frame.size(), 1);
