@@ -123,12 +123,14 @@ RULES = {
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
 
     'worker/materials': rule(
-        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey', 'worker/ground'], ['absl']),
+        ['common/util', 'common/mesh', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey', 'worker/ground'], ['absl']),
+
+    'worker/texture': rule(['common/util', 'common/mesh', 'common/image'], ['eigen'], pure=True),
 
     'worker/service': rule(
         ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
-        ['absl', 'grpc', 'protobuf']),
+         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials', 'worker/texture', 'common/image'],
+        ['absl', 'eigen', 'grpc', 'protobuf']),
 
     'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/service', 'worker/service'], ['absl']),
 

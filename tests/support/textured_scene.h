@@ -30,6 +30,36 @@ inline std::string TileText(int32_t column, const std::string& library) {
   return text;
 }
 
+// The same with an image over both cells.
+inline std::string ImageTileText(int32_t column, const std::string& library) {
+  const int32_t x = column * kSide;
+  const auto keep = [](int32_t i, int32_t j) { return i < 7 || i > 12 || j < 3 || j > 6; };
+  const TriMesh mesh = SquaresMesh(x, x + kSide, 0, kSide, keep, [](double u, double v) { return 0.1 * u + 0.05 * v; });
+  std::string text = absl::StrCat("mtllib ", library, "\n");
+  for (const Point3& p : mesh.points) absl::StrAppendFormat(&text, "v %.6f %.6f %.6f\n", p.x(), p.y(), p.z());
+  for (const Point3& p : mesh.points) absl::StrAppendFormat(&text, "vt %.6f %.6f\n", p.x() / 20, p.y() / 20);
+  text += "usemtl ground\n";
+  for (const Triangle& t : mesh.triangles) {
+    absl::StrAppendFormat(&text, "f %1$d/%1$d %2$d/%2$d %3$d/%3$d\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  }
+  return text;
+}
+
+// Writes it to the folder `scene`: tiles T0.obj and T1.obj with an image of bright lines along x.
+inline void WriteImageScene(const TemporaryFolder& folder) {
+  for (const int32_t column : {0, 1}) {
+    const std::string name = absl::StrCat("scene/T", column);
+    folder.Write(name + ".obj", ImageTileText(column, absl::StrCat("T", column, ".mtl")));
+    folder.Write(name + ".mtl", "newmtl ground\nmap_Kd ground.png\n");
+  }
+  folder.Write("scene/ground.png", PngImage(80, 80, [](int32_t, int32_t row) {
+                 const auto grey = static_cast<uint8_t>(row % 8 < 2 ? 180 : 90);
+                 return Rgb{grey, grey, grey};
+               }));
+  folder.Write("scene/scene.json", R"({"cell_size": 10, "cols": 2, "rows": 1, "tiles": [
+    {"col": 0, "row": 0, "path": "T0.obj"}, {"col": 1, "row": 0, "path": "T1.obj"}]})");
+}
+
 // Writes it to the folder `scene`.
 inline void WriteTexturedScene(const TemporaryFolder& folder) {
   for (const int32_t column : {0, 1}) {

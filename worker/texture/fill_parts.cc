@@ -126,6 +126,25 @@ RasterFrame FrameAround(const Eigen::AlignedBox2d& region, double texel) {
   return FrameOf({lo, hi - Point2::Constant(texel / 2)}, texel);
 }
 
+// Gives points of steep faces the colours of points that have one, ring by ring. A point takes the first colour that
+// its faces have, in their order.
+void HandOn(const FilledFaces& faces, const std::vector<size_t>& steep, std::vector<std::optional<Rgb>>& colours) {
+  for (bool spreads = true; spreads;) {
+    std::vector<std::pair<int32_t, Rgb>> ring;
+    for (const size_t t : steep) {
+      const Triangle& f = faces.triangles[t];
+      const auto known =
+          std::find_if(f.begin(), f.end(), [&](int32_t v) { return colours[static_cast<size_t>(v)].has_value(); });
+      if (known == f.end()) continue;
+      for (const int32_t v : f) {
+        if (!colours[static_cast<size_t>(v)]) ring.emplace_back(v, *colours[static_cast<size_t>(*known)]);
+      }
+    }
+    spreads = !ring.empty();
+    for (auto it = ring.rbegin(); it != ring.rend(); ++it) colours[static_cast<size_t>(it->first)] = it->second;
+  }
+}
+
 }  // namespace
 
 OrthoRaster SiteRaster(const Eigen::AlignedBox2d& box) {
@@ -215,21 +234,7 @@ std::vector<Rgb> SteepColours(const FilledFaces& faces, const FillParts& parts, 
   for (size_t t = 0; t < faces.triangles.size(); ++t) {
     if (parts.of_triangles[t] < 0) steep.push_back(t);
   }
-  // A ring takes the first colour that its faces have, in their order.
-  for (bool spreads = true; spreads;) {
-    std::vector<std::pair<int32_t, Rgb>> ring;
-    for (const size_t t : steep) {
-      const Triangle& f = faces.triangles[t];
-      const auto known =
-          std::find_if(f.begin(), f.end(), [&](int32_t v) { return colours[static_cast<size_t>(v)].has_value(); });
-      if (known == f.end()) continue;
-      for (const int32_t v : f) {
-        if (!colours[static_cast<size_t>(v)]) ring.emplace_back(v, *colours[static_cast<size_t>(*known)]);
-      }
-    }
-    spreads = !ring.empty();
-    for (auto it = ring.rbegin(); it != ring.rend(); ++it) colours[static_cast<size_t>(it->first)] = it->second;
-  }
+  HandOn(faces, steep, colours);
   const auto from_above = [&](const Point3& p) -> std::optional<Rgb> {
     for (const MadeRaster& raster : rasters) {
       const Point2 at = raster.frame.PixelsOf(p);

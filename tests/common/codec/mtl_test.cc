@@ -64,5 +64,10 @@ TEST(AppendToMtlTest, DefinesEachNameOnce) {
   EXPECT_EQ(ParseMtl(once).materials[0].diffuse, (Rgb{1, 2, 3}));
 }
 
+TEST(AppendToMtlTest, NamesTheImageOfAMaterial) {
+  const MtlFile file = ParseMtl(AppendToMtl("", {{"b", {255, 255, 255}, "a b.jpg"}}));
+  EXPECT_EQ(file.materials[0].image, "a b.jpg");
+}
+
 }  // namespace
 }  // namespace tilemend

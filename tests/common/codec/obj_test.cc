@@ -157,5 +157,21 @@ TEST(ObjTest, RefusesOtherContent) {
   EXPECT_EQ(MessageOf("OFF\n3 1 0\n"), "a.obj: line 1: expected an OBJ statement, found something else");
 }
 
+TEST(ObjTest, AppendsTexturedFaces) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+  FilePatch patch;
+  patch.new_points = {{1, 1, 0}};
+  patch.like = {-1};
+  patch.triangles = {{1, 3, 2}};
+  patch.texture_places = {{0.25F, 0.5F}, {0.125F, 1.0F}};
+  patch.texture_corners = {{1, 0, 1}};
+  EXPECT_EQ(Appended(text, patch),
+            text + "v 1 1 0\nvt 0.250000 0.500000\nvt 0.125000 1.000000\ng tilemend_filled\nf 2/3 4/2 3/3\n");
+  patch.texture_corners = {{1, 0, 2}};
+  EXPECT_FALSE(AppendToObj(text, patch, "a.obj").ok());
+  patch.texture_corners = {};
+  EXPECT_FALSE(AppendToObj(text, patch, "a.obj").ok());
+}
+
 }  // namespace
 }  // namespace tilemend

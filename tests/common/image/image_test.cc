@@ -124,5 +124,18 @@ TEST(TexelAtTest, RowsCountFromTheTopAndVFromTheBottom) {
   EXPECT_EQ(TexelAt(image, 0, 0.9), (Rgb{1, 1, 1}));
 }
 
+TEST(EncodeJpegTest, IsReadBack) {
+  Image image{9, 5, 3, {}};
+  for (int i = 0; i < 9 * 5; ++i) image.pixels.insert(image.pixels.end(), {40, 200, static_cast<uint8_t>(3 * i)});
+  const auto bytes = EncodeJpeg(image, 95);
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  EXPECT_EQ(EncodeJpeg(image, 95).value(), *bytes);
+  const auto read = DecodeImage(*bytes, "a.jpg");
+  ASSERT_TRUE(read.ok()) << read.status();
+  EXPECT_EQ(read->width, 9);
+  EXPECT_NEAR(TexelAt(*read, 0.5, 0.5).g, 200, 6);
+  EXPECT_NEAR(TexelAt(*read, 0.5, 0.5).b, 66, 8);
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -95,5 +95,29 @@ TEST(TilePatchTest, RefusesWhatDoesNotFitTogether) {
   }
 }
 
+TEST(TilePatchTest, TextureIsTakenFromAWrittenTile) {
+  v1::AssembleInput input = Input();
+  input.set_texture("x/a_tilemend.jpg");
+  auto added = TilePatchOf(input), again = TilePatchOf(input);
+  ASSERT_TRUE(added.ok()) << added.status();
+  SetTexture(input, {{0.25F, 0.123456F}, {1.0F, 0.0F}}, {{0, 1, 0}}, *added);
+  EXPECT_THAT(added->materials,
+              ElementsAre(FillMaterial{"tilemend_fill_a_tilemend", {255, 255, 255}, "a_tilemend.jpg"}));
+  const auto bytes = PatchedTile(input, added->patch, kTriangle);
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  ASSERT_TRUE(TakeTexture(input, kTriangle, *bytes, *again).ok());
+  EXPECT_EQ(PatchedTile(input, again->patch, kTriangle).value(), *bytes);
+  EXPECT_FALSE(TakeTexture(input, *bytes, kTriangle, *again).ok());
+}
+
+TEST(TilePatchTest, WithoutColoursThereIsNoMaterial) {
+  v1::AssembleInput input = Input();
+  input.set_without_colours(true);
+  const auto added = TilePatchOf(input);
+  ASSERT_TRUE(added.ok()) << added.status();
+  EXPECT_THAT(added->materials, IsEmpty());
+  EXPECT_EQ(added->runs[0].colour, (Rgb{1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -94,5 +94,12 @@ TEST(SceneFilesTest, ATileThatIsNotWrittenCarriesNothing) {
   EXPECT_TRUE(files.CarriedBy({0, 0}).empty());
 }
 
+TEST(SceneFilesTest, ANewImageHasANameThatNoFileOfTheSceneHas) {
+  SceneFiles files("");
+  EXPECT_EQ(files.NewImageFor("T/T.obj"), "T/T_tilemend.jpg");
+  files.Take(kA, {{"T/T.mtl"}, {"T/T_Tilemend.JPG"}, {}});
+  EXPECT_EQ(files.NewImageFor("T/T.obj"), "T/T_tilemend2.jpg");
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -1,0 +1,38 @@
+#include "worker/materials/textured_surface.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+using testing::ElementsAre;
+
+ObjFile FourTriangles() {
+  ObjFile obj;
+  obj.file.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  obj.file.mesh.triangles.assign(5, {0, 1, 2});
+  obj.textures.materials = {"image", "plain", "unknown"};
+  obj.textures.runs = {{1, 0}, {3, 1}, {4, 2}};
+  obj.textures.coordinates = {{0.F, 0.F}, {1.F, 0.F}, {0.F, 1.F}};
+  obj.textures.corners = {{0, 1, 2}, {0, 1, 2}, {0, -1, 2}, {-1, -1, -1}, {0, 1, 2}};
+  return obj;
+}
+
+TEST(TexturedSurfaceTest, GroupsTrianglesByImageAndColour) {
+  TileLook look;
+  look.materials = {{"image", {{}, "a.png"}}, {"plain", {Rgb{1, 2, 3}, ""}}};
+  const TexturedSurface surface = TexturedSurfaceOf(FourTriangles(), look);
+  ASSERT_EQ(surface.groups.size(), 3U);
+  EXPECT_THAT(surface.groups[0].triangles, ElementsAre(0, 2, 4));
+  EXPECT_EQ(surface.groups[0].image, "");
+  EXPECT_EQ(surface.groups[0].colour, std::nullopt);
+  EXPECT_EQ(surface.groups[1].colour, (Rgb{1, 2, 3}));
+  EXPECT_THAT(surface.groups[1].triangles, ElementsAre(3));
+  EXPECT_EQ(surface.groups[2].image, "a.png");
+  EXPECT_THAT(surface.groups[2].triangles, ElementsAre(1));
+  EXPECT_EQ(surface.PlacesOf(1)[1][0], 1);
+}
+
+}  // namespace
+}  // namespace tilemend
