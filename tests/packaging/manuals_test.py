@@ -140,7 +140,7 @@ def check_shells(bin_folder):
     if not shutil.which('zsh'):
         print('SKIPPED in part: no zsh')
         return
-    for program, words, wanted in [('tilemend', ['su'], ['submit']), ('tilemend', ['run', 'x', '--tex'], ['--textures=']),
+    for program, words, wanted in [('tilemend', ['su'], ['submit']), ('tilemend', ['run', 'x', '--tex'], ['--texture']),
                                    ('tilemend', ['run', 'x', '--textures', 'li'], ['link']),
                                    ('tilemend', ['help', 'work'], ['workers']),
                                    ('tilemend-coordinator', ['--metrics-to'], ['--metrics-token=']),

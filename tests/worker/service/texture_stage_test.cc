@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "common/codec/obj.h"
 #include "common/image/image.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
