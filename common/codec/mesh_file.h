@@ -49,10 +49,10 @@ struct FilePatch {
   std::vector<Triangle> triangles;
   std::vector<Rgb> colours = {};            // of the new points, in place of those of `like`; empty: none are given
   std::vector<MaterialRun> materials = {};  // of the triangles, in order
+  std::string library = {};  // a further material file that an OBJ has to name; empty: its own define the materials
   // Places in an image, u to the right, v upward, and the place of each corner of each triangle; empty: there is none.
   std::vector<std::array<float, 2>> texture_places = {};
   std::vector<Triangle> texture_corners = {};
-  std::string library = {};  // a further material file that an OBJ has to name; empty: its own define the materials
 };
 
 // The format by the extension (.ply, .obj, .off, any case). kInvalidArgument naming the format and the accepted ones
