@@ -46,9 +46,14 @@ RULES = {
 
     'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['absl', 'eigen']),
 
-    'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation'], ['absl', 'draco', 'fast_float']),
+    'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/codec/osgb'], ['absl', 'draco', 'fast_float']),
 
-    'common/assemble': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl']),
+    'common/codec/osgb': rule(['common/util', 'common/mesh'], ['absl']),
+
+    'common/assemble': rule(
+        ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/mesh/winding', 'common/records', 'common/codec',
+         'common/codec/osgb'],
+        ['absl', 'eigen']),
 
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
 
@@ -123,7 +128,8 @@ RULES = {
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
 
     'worker/materials': rule(
-        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey', 'worker/ground'], ['absl']),
+        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/codec/osgb', 'common/image', 'worker/survey', 'worker/ground'],
+        ['absl']),
 
     'worker/service': rule(
         ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',

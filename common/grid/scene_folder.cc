@@ -120,7 +120,7 @@ absl::Status FindFolders(const fs::path& folder, Findings* findings) {
     if (!cell.has_value() || KindOf(entry.string()) != PathKind::kFolder) continue;
     TILEMEND_ASSIGN_OR_RETURN(const fs::path mesh, MeshOfFolder(entry, findings));
     if (mesh.empty()) {
-      findings->warnings.push_back(absl::StrCat(entry.string(), ": no .ply or .obj in it; the cell is left out"));
+      findings->warnings.push_back(absl::StrCat(entry.string(), ": no .ply, .obj or .osgb in it; the cell is left out"));
       continue;
     }
     TILEMEND_RETURN_IF_ERROR(AddTile(*cell, mesh, findings));
@@ -139,7 +139,7 @@ absl::StatusOr<Findings> FindTiles(const std::string& root) {
   if (!findings.unread.empty()) {
     const std::string format = fs::path(findings.unread).extension().string();
     return absl::InvalidArgumentError(
-        absl::StrCat(findings.unread, ": format \"", format, "\" is not read; tiles are .ply or .obj"));
+        absl::StrCat(findings.unread, ": format \"", format, "\" is not read; tiles are .ply, .obj or .osgb"));
   }
   return absl::NotFoundError(absl::StrCat(root, ": no scene.json, and no tile named like Tile_+000_+014.ply in it, in ",
                                           "tiles/ or in Data/Tile_+000_+014/"));

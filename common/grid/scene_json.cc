@@ -169,7 +169,7 @@ absl::StatusOr<std::string> ReadPath(const Fields& tile) {
   if (!IsTileFormat(text)) {
     const std::string format = path.extension().string();
     return tile.Error("path",
-                      absl::StrCat("\"", text, "\": format \"", format, "\" is not read; tiles are .ply or .obj"));
+                      absl::StrCat("\"", text, "\": format \"", format, "\" is not read; tiles are .ply, .obj or .osgb"));
   }
   return path.lexically_normal().string();
 }

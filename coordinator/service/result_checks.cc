@@ -1,6 +1,7 @@
 #include "coordinator/service/result_checks.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <random>
 #include <set>
@@ -17,12 +18,14 @@
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
-#include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
+#include "common/store/tile_stamp.h"
+#include "common/util/file_pack.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/memory_budget.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 #include "coordinator/check/mesh_outline.h"
 #include "coordinator/check/patch_check.h"
 #include "coordinator/check/sample_check.h"
@@ -65,6 +68,23 @@ std::span<const T> Column(const google::protobuf::RepeatedField<T>& values) {
 
 std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
 
+absl::StatusOr<int64_t> SizeOf(const v1::TileRef& tile) {
+  const auto size = SizeOfTile(PathOf(tile));
+  return size.ok() ? size : absl::StatusOr<int64_t>(absl::UnavailableError(size.status().message()));
+}
+
+// As the worker reads it.
+absl::StatusOr<std::string> BytesOf(const v1::TileRef& tile) {
+  auto bytes = ReadTileBytes(PathOf(tile));
+  return bytes.ok() ? std::move(bytes) : absl::StatusOr<std::string>(absl::UnavailableError(bytes.status().message()));
+}
+
+absl::Status CheckTileFile(const v1::TileRef& tile, const std::string& digest, const absl::Status& otherwise) {
+  const auto same = TileHasDigest(PathOf(tile), digest);
+  if (!same.ok()) return absl::UnavailableError(same.status().message());
+  return *same ? absl::OkStatus() : otherwise;
+}
+
 absl::StatusOr<int64_t> SizeOfFile(const std::string& path) {
   const auto look = LookAt(path);
   if (!look.ok()) return absl::UnavailableError(look.status().message());
@@ -102,10 +122,10 @@ absl::Status CheckUnusual(const v1::SurveyInput& input, const SurveyRecord& reco
       (record.lo.x() < reach[0] || record.lo.y() < reach[1] || record.hi.x() > reach[2] || record.hi.y() > reach[3]);
   if (!closed && !outside) return absl::OkStatus();
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOfFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(input.tile()));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
-  const auto bytes = ReadFile(path);
-  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
+  const auto bytes = BytesOf(input.tile());
+  if (!bytes.ok()) return bytes.status();
   const auto file = MeshOf(input.tile(), *bytes, nullptr);
   if (!file.ok()) return absl::UnavailableError(file.status().message());
   if (closed && HasOutline(file->mesh, reading.key)) return Wrong("no boundary, where the tile has one");
@@ -125,14 +145,14 @@ absl::Status Changed(const std::string& path) {
 absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutput& output, TileCheck how) {
   absl::Status changed = Changed(PathOf(input.tile()));
   if (!input.has_known() || output.digest() != input.known().digest()) return Wrong("another tile than is known");
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(PathOf(input.tile())));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(input.tile()));
   if (bytes != input.known().bytes()) return changed;
   if (how == TileCheck::kSize) return absl::OkStatus();
-  return CheckFile(PathOf(input.tile()), output.digest(), changed);
+  return CheckTileFile(input.tile(), output.digest(), changed);
 }
 
 absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) {
-  if (HasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
+  if (TileHasStamp(path, output.stamp())) return Wrong("a digest that is not the tile's");
   return Changed(path);
 }
 
@@ -140,10 +160,10 @@ absl::Status OtherTile(const std::string& path, const v1::SurveyOutput& output) 
 absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOutput& output, const SurveyRecord& record,
                                TileReading& reading) {
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOfFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(input.tile()));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
-  const auto bytes = ReadFile(path);
-  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
+  const auto bytes = BytesOf(input.tile());
+  if (!bytes.ok()) return bytes.status();
   if (!HasFileDigest(*bytes, output.digest())) return OtherTile(path, output);
   std::vector<int64_t> cleared;
   const auto file = MeshOf(input.tile(), *bytes, &cleared);
@@ -160,10 +180,10 @@ absl::Status CheckMeasureResult(const std::string& input_bytes, const std::strin
   for (const v1::HeightTally& tally : output.tallies()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(tally).status()));
   if (reading.how != TileCheck::kContent) return absl::OkStatus();
   const std::string path = PathOf(input.tile());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOfFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(input.tile()));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
-  const auto bytes = ReadFile(path);
-  if (!bytes.ok()) return absl::UnavailableError(bytes.status().message());
+  const auto bytes = BytesOf(input.tile());
+  if (!bytes.ok()) return bytes.status();
   if (!HasFileDigest(*bytes, output.digest())) return Changed(path);
   const auto file = MeshOf(input.tile(), *bytes, nullptr);
   if (!file.ok()) return Wrong("heights of a tile that cannot be read");
@@ -171,6 +191,20 @@ absl::Status CheckMeasureResult(const std::string& input_bytes, const std::strin
     TILEMEND_ASSIGN_OR_RETURN(const ClearArea area, FromProto(input.areas(i)));
     TILEMEND_ASSIGN_OR_RETURN(const HeightTally told, FromProto(output.tallies(i)));
     if (TallyHeights(file->mesh, area.polygon).area_of_bin != told.area_of_bin) return Wrong("heights of another tile");
+  }
+  return absl::OkStatus();
+}
+
+// Of a tree: the files that it says to have are those of its folder. No other tile may name such files: they would be
+// written over that tile.
+absl::Status CheckFilesOfTree(const v1::SurveyInput& input, const v1::TileFiles& files) {
+  const std::string& tile = input.tile().path();
+  for (const auto* list : {&files.libraries(), &files.images()}) {
+    for (const std::string& path : *list) {
+      if (!IsTileTree(path)) continue;
+      const bool is_own = IsTileTree(tile) && path == FileBesideTile(tile, path.substr(path.rfind('/') + 1));
+      if (!is_own || path == tile) return Wrong("a file of another tile");
+    }
   }
   return absl::OkStatus();
 }
@@ -183,14 +217,15 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   if (output.cleared_size() != input.tile().clear_size()) return Wrong("counts of other areas");
   if (output.witness().digest() != output.digest()) return Wrong("a witness of another tile");
   TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
+  TILEMEND_RETURN_IF_ERROR(CheckFilesOfTree(input, output.files()));
   const auto record = FromProto(output);
   if (!record.ok()) return AsWrong(record.status());
-  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(PathOf(input.tile())));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOf(input.tile()));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
   if (reading.how == TileCheck::kContent) return CheckSurveyedTile(input, output, *record, reading);
   if (reading.how == TileCheck::kDigest) {
     const std::string path = PathOf(input.tile());
-    TILEMEND_RETURN_IF_ERROR(CheckFile(path, output.digest(), OtherTile(path, output)));
+    TILEMEND_RETURN_IF_ERROR(CheckTileFile(input.tile(), output.digest(), OtherTile(path, output)));
   }
   return CheckUnusual(input, *record, reading);
 }
@@ -262,27 +297,65 @@ absl::Status CheckBytes(const std::string& path, std::string_view expected) {
   return same && expected.empty() ? absl::OkStatus() : Wrong("a tile that is not the original with its patches");
 }
 
-// That the tile is the original with its patches, if it has any, which are put into it here once more.
-absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
+// The bytes that the tile is to have: the original with its patches, if it has any, which are put into it here once
+// more.
+absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input) {
   const auto not_here = [](const absl::Status& status) { return absl::UnavailableError(status.message()); };
-  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
   std::string original;
   if (const std::string path = PathOf(input.tile()); !input.tile().path().empty()) {
-    auto bytes = ReadFile(path);
-    if (!bytes.ok()) return not_here(bytes.status());
-    original = *std::move(bytes);
-    if (!HasStamp(path, input.stamp()) && !HasFileDigest(original, input.tile().digest())) {
+    TILEMEND_ASSIGN_OR_RETURN(original, BytesOf(input.tile()));
+    if (!TileHasStamp(path, input.stamp()) && !HasFileDigest(original, input.tile().digest())) {
       return Changed(path);
     }
   }
-  const std::string written = absl::StrCat(input.attempts(), "/", tile.attempt());
-  if (!IsPatched(input)) return CheckBytes(written, original);
+  if (!IsPatched(input)) return original;
   const auto added = TilePatchOf(input);
   if (!added.ok()) return not_here(added.status());
-  const auto expected = PatchedTile(input, added->patch, original);
-  if (!expected.ok()) return not_here(expected.status());
-  if (!HasFileDigest(*expected, tile.digest())) return Wrong("a digest that is not the tile's");
-  return CheckBytes(written, *expected);
+  auto expected = PatchedTile(input, *added, original);
+  return expected.ok() ? std::move(expected) : not_here(expected.status());
+}
+
+// That a file of the attempt, and its digest, are those of the bytes that it is to have.
+absl::Status CheckWritten(const v1::AssembleInput& input, const v1::WrittenFile& file, std::string_view expected) {
+  if (!file.digest().empty() && !HasFileDigest(expected, file.digest())) return Wrong("a digest that is not the tile's");
+  return CheckBytes(absl::StrCat(input.attempts(), "/", file.attempt()), expected);
+}
+
+absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
+  TILEMEND_ASSIGN_OR_RETURN(const std::string expected, ExpectedTile(input));
+  return CheckWritten(input, tile, expected);
+}
+
+// Whether a file of the output belongs to a tile that is a tree of files.
+bool IsOfTree(const v1::AssembleInput& input, const std::string& path) {
+  const std::string& tile = input.tile().path();
+  if (tile.empty() || !IsTileTree(tile) || !IsTileTree(path)) return false;
+  return path == FileBesideTile(tile, path.substr(path.rfind('/') + 1));
+}
+
+// Of a tree: all of its files are written, each as it is to be.
+absl::Status CheckTree(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileReading& reading) {
+  if (output.files(0).path() != input.output()) return Wrong("another tile");
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(input.tile()));
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
+  std::string pack;
+  std::map<std::string, std::string_view> expected;
+  if (reading.how == TileCheck::kContent) {
+    TILEMEND_ASSIGN_OR_RETURN(pack, ExpectedTile(input));
+    TILEMEND_ASSIGN_OR_RETURN(const auto files, UnpackFiles(pack, PathOf(input.tile())));
+    for (const PackedFile& file : files) expected[FileBesideTile(input.tile().path(), file.name)] = file.bytes;
+  }
+  for (const v1::WrittenFile& file : output.files()) {
+    if (!IsOfTree(input, file.path())) continue;
+    const std::string written = absl::StrCat(input.attempts(), "/", file.attempt());
+    if (reading.how == TileCheck::kContent) {
+      TILEMEND_RETURN_IF_ERROR(CheckWritten(input, file, expected[file.path()]));
+    } else if (reading.how == TileCheck::kDigest && !file.digest().empty()) {
+      TILEMEND_RETURN_IF_ERROR(CheckFile(written, file.digest(), Wrong("a tile that is not as it was written")));
+    }
+  }
+  return absl::OkStatus();
 }
 
 absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, TileReading& reading) {
@@ -290,7 +363,7 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
   if (!IsFileDigest(tile.digest())) return Wrong("a digest that is none");
   const bool patched = IsPatched(input);
   if (!input.tile().path().empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOfFile(PathOf(input.tile())));
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, SizeOf(input.tile()));
     const bool grows = patched && input.tile().clear().empty();
     if (grows ? tile.bytes() <= original : !patched && tile.bytes() != original)
       return Wrong("a tile that is not the original with its patches");
@@ -373,7 +446,9 @@ absl::Status CheckBeside(const v1::AssembleInput& input, const v1::AssembleOutpu
       continue;
     }
     if (carried.erase(file.path()) == 0) return Wrong("a file that is not asked for");
-    TILEMEND_RETURN_IF_ERROR(CheckCarried(input, file, how));
+    if (!IsOfTree(input, file.path()) || !IsPatched(input)) {
+      TILEMEND_RETURN_IF_ERROR(CheckCarried(input, file, how));
+    }
   }
   if (has_library) return Wrong("the material file of the patches is missing");
   return static_cast<int>(carried.size()) <= output.warnings_size() ? absl::OkStatus() : Wrong("a file is missing");
@@ -408,7 +483,8 @@ absl::Status CheckAssembleResult(const std::string& input_bytes, const std::stri
     const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
   }
-  TILEMEND_RETURN_IF_ERROR(CheckTile(input, output.files(0), reading));
+  const bool is_tree = IsTileTree(input.tile().path());
+  TILEMEND_RETURN_IF_ERROR(is_tree ? CheckTree(input, output, reading) : CheckTile(input, output.files(0), reading));
   return CheckBeside(input, output, reading.how);
 }
 

@@ -17,12 +17,14 @@
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
-#include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
+#include "common/store/tile_stamp.h"
 #include "common/util/cores.h"
+#include "common/util/file_pack.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 #include "tilemend/v1/stages.pb.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/fill_memory.h"
@@ -201,22 +203,40 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToke
 struct Assembled {
   bool as_it_is = false;                // the original without a change; else:
   std::string bytes;                    // of the tile
+  std::map<std::string, std::string> beside;  // of a tree: its other files that are changed, by path
   std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
 };
+
+// Takes the files of a changed tree apart.
+absl::Status TakeTreeApart(const v1::AssembleInput& input, const std::string& original, Assembled& tile) {
+  const std::string pack = std::move(tile.bytes);
+  TILEMEND_ASSIGN_OR_RETURN(const auto before, UnpackFiles(original, PathOf(input.tile())));
+  TILEMEND_ASSIGN_OR_RETURN(const auto after, UnpackFiles(pack, PathOf(input.tile())));
+  tile.bytes = after[0].bytes;
+  for (size_t f = 1; f < after.size(); ++f) {
+    if (after[f].bytes == before[f].bytes) continue;
+    tile.beside[FileBesideTile(input.tile().path(), after[f].name)] = after[f].bytes;
+  }
+  return absl::OkStatus();
+}
 
 // The tile with its patches.
 absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input) {
   TILEMEND_ASSIGN_OR_RETURN(TilePatch added, TilePatchOf(input));
   const bool has_tile = !input.tile().path().empty();
   const bool is_cleared = !input.tile().clear().empty();
-  if (has_tile && !is_cleared && added.patch.triangles.empty()) return Assembled{true, {}, {}};
+  if (has_tile && !is_cleared && added.patch.triangles.empty()) return Assembled{true, {}, {}, {}};
   std::string original;
   if (has_tile) {
     TILEMEND_ASSIGN_OR_RETURN(original, ReadSurveyed(input.tile(), input.stamp()));
   }
   Assembled result;
-  TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added.patch, original));
-  result.materials = std::move(added.materials);
+  TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added, original));
+  if (has_tile && IsTileTree(input.tile().path())) {
+    TILEMEND_RETURN_IF_ERROR(TakeTreeApart(input, original, result));
+  } else {
+    result.materials = std::move(added.materials);
+  }
   return result;
 }
 
@@ -230,11 +250,18 @@ std::map<std::string, std::string> DigestsBeside(const v1::AssembleInput& input)
 }
 
 // Writes the material file of the tile's filled faces, and carries what it names.
-absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInput& input,
-                                                          const std::vector<FillMaterial>& materials,
+absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInput& input, const Assembled& tile,
                                                           AttemptFiles& files) {
   const std::string& root = input.tile().root();
-  std::vector<std::string> carried(input.carried().begin(), input.carried().end());
+  const std::vector<FillMaterial>& materials = tile.materials;
+  std::vector<std::string> carried;
+  for (const std::string& path : input.carried()) {
+    if (const auto changed = tile.beside.find(path); changed != tile.beside.end()) {
+      TILEMEND_RETURN_IF_ERROR(files.Write(path, changed->second));
+    } else {
+      carried.push_back(path);
+    }
+  }
   std::map<std::string, std::string> digests = DigestsBeside(input);
   if (!materials.empty()) {
     const std::string from = input.new_library() ? "" : absl::StrCat(root, "/", input.library());
@@ -256,14 +283,17 @@ absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInpu
 // The tile as it is: no byte of it comes here if it is known to be unchanged.
 absl::Status CarryTile(const v1::AssembleInput& input, AttemptFiles& files) {
   const std::string path = PathOf(input.tile());
-  if (!HasStamp(path, input.stamp())) {
+  const bool is_tree = IsTileTree(path);
+  if (!TileHasStamp(path, input.stamp())) {
     TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadSurveyed(input.tile()));
-    return files.Write(input.output(), bytes);
+    if (!is_tree) return files.Write(input.output(), bytes);
+    TILEMEND_ASSIGN_OR_RETURN(const auto unpacked, UnpackFiles(bytes, path));
+    return files.Write(input.output(), unpacked[0].bytes);
   }
   const Carry how = input.link_tile() ? Carry::kLink : Carry::kCopy;
-  TILEMEND_RETURN_IF_ERROR(files.Carry(path, input.output(), how, input.tile().digest()));
+  TILEMEND_RETURN_IF_ERROR(files.Carry(path, input.output(), how, is_tree ? "" : input.tile().digest()));
   // A link changes the stamp itself.
-  return how == Carry::kLink || HasStamp(path, input.stamp()) ? absl::OkStatus() : ChangedInJob(path);
+  return how == Carry::kLink || TileHasStamp(path, input.stamp()) ? absl::OkStatus() : ChangedInJob(path);
 }
 
 // Whether the file of an earlier output is still what this one is to have, and no link to it.
@@ -292,7 +322,7 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   v1::AssembleOutput output;
   AttemptFiles files(input.attempts(), input.output_root());
-  TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile.materials, files));
+  TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   TILEMEND_RETURN_IF_ERROR(tile.as_it_is ? CarryTile(input, files) : files.Write(input.output(), tile.bytes));

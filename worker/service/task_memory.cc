@@ -2,7 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/cores.h"
-#include "common/util/folders.h"
+#include "common/util/tile_files.h"
 #include "common/util/heap.h"
 
 namespace tilemend {
@@ -20,8 +20,7 @@ constexpr int64_t kOfTriangle = 100;  // of a patch that is assembled
 
 // Zero for one that cannot be read: the task fails.
 int64_t SizeOf(const std::string& path) {
-  const auto look = LookAt(path);
-  return look.ok() ? look->size : 0;
+  return SizeOfTile(path).value_or(0);
 }
 
 }  // namespace
