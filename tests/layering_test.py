@@ -48,6 +48,8 @@ RULES = {
 
     'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation'], ['absl', 'draco', 'fast_float']),
 
+    'common/codec/osgb': rule(['common/util', 'common/mesh'], ['absl']),
+
     'common/assemble': rule(['common/util', 'common/mesh', 'common/records', 'common/codec'], ['absl']),
 
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
