@@ -20,7 +20,7 @@ std::string FolderWithSlash(const std::string& path) { return path.substr(0, pat
 
 }  // namespace
 
-bool IsTileTree(std::string_view path) { return absl::EndsWithIgnoreCase(path, ".osgb"); }
+bool IsTileTree(std::string_view path) { return absl::EndsWithIgnoreCase(std::string(path), ".osgb"); }
 
 absl::StatusOr<std::vector<std::string>> FilesOfTile(const std::string& path) {
   const std::string folder = FolderWithSlash(path);

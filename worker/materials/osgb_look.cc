@@ -25,7 +25,7 @@ struct ImagePlace {
   auto operator<=>(const ImagePlace&) const = default;
 };
 
-struct Texel {
+struct OsgbTexel {
   int32_t vertex = 0;
   double u = 0, v = 0;
 };
@@ -59,7 +59,7 @@ class GeometryFinder {
   std::vector<Run> runs_;
 };
 
-absl::Status SampleImage(const OsgbTile& tile, const ImagePlace& place, const std::vector<Texel>& texels,
+absl::Status SampleOsgbImage(const OsgbTile& tile, const ImagePlace& place, const std::vector<OsgbTexel>& texels,
                          const std::string& name, RimColours& result) {
   const OsgbImage& image = tile.files[place.file].images[place.image];
   const std::string image_name = absl::StrCat(name, ": image \"", Printable(image.name), "\"");
@@ -68,7 +68,7 @@ absl::Status SampleImage(const OsgbTile& tile, const ImagePlace& place, const st
   }
   const std::string_view bytes = tile.packed[place.file].bytes.substr(image.offset, image.size);
   TILEMEND_ASSIGN_OR_RETURN(const Image pixels, DecodeImage(bytes, image_name));
-  for (const Texel& t : texels) result.colours[static_cast<size_t>(t.vertex)] = TexelAt(pixels, t.u, t.v);
+  for (const OsgbTexel& t : texels) result.colours[static_cast<size_t>(t.vertex)] = TexelAt(pixels, t.u, t.v);
   return absl::OkStatus();
 }
 
@@ -87,7 +87,7 @@ RimColours SampleOsgbRim(const OsgbTile& tile, const OsgbLevel& finest, const st
   RimColours result;
   result.colours.resize(vertices);
   const GeometryFinder finder(tile, finest);
-  std::map<ImagePlace, std::vector<Texel>> texels;
+  std::map<ImagePlace, std::vector<OsgbTexel>> texels;
   for (const RimSpot& spot : spots) {
     const GeometryFinder::Run& run = finder.Of(spot.triangle);
     const OsgbFile& file = tile.files[run.file];
@@ -102,7 +102,7 @@ RimColours SampleOsgbRim(const OsgbTile& tile, const OsgbLevel& finest, const st
     if (std::isfinite(u) && std::isfinite(v)) texels[{run.file, geometry.texture}].push_back({spot.vertex, u, v});
   }
   for (const auto& [place, of_image] : texels) {
-    const absl::Status status = SampleImage(tile, place, of_image, name, result);
+    const absl::Status status = SampleOsgbImage(tile, place, of_image, name, result);
     if (!status.ok()) {
       result.warnings.push_back(absl::StrCat(status.message(), ": fills beside it get no colour from it"));
     }
