@@ -48,7 +48,7 @@ RULES = {
 
     'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/codec/osgb'], ['absl', 'draco', 'fast_float']),
 
-    'common/codec/osgb': rule(['common/util', 'common/mesh'], ['absl']),
+    'common/codec/osgb': rule(['common/util', 'common/mesh'], ['absl', 'eigen']),
 
     'common/assemble': rule(
         ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/mesh/winding', 'common/records', 'common/codec',

@@ -1,4 +1,5 @@
 // The header of a file and its tree of nodes.
+#include <Eigen/Core>
 #include <limits>
 
 #include "absl/strings/str_cat.h"
