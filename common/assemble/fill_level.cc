@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -23,6 +24,9 @@
 
 namespace tilemend {
 namespace {
+
+// The strip along a rim in which water may rise to it, as a share of the level's edges.
+constexpr double kStripOfRim = 0.125;
 
 // The boundary edges of a mesh on welded positions: surface on the left, seen from above.
 struct Outline {
@@ -191,6 +195,7 @@ class FinestPatch {
         }
       }
     }
+    FindLevel();
     for (const double length : shortest) lengths_.push_back(std::isfinite(length) ? length : 0);
     rim_edge_ = MedianOf(lengths.empty() ? lengths_ : lengths);
   }
@@ -199,12 +204,27 @@ class FinestPatch {
     const auto first_new = static_cast<int32_t>(finest_.points.size());
     return v < first_new ? finest_.points[v] : patch_.new_points[v - first_new];
   }
-  double rim_edge() const { return rim_edge_; }                   // the median of those along the rim, metres
+  double rim_edge() const { return rim_edge_; }                          // the median of those along the rim, metres
   double EdgeAt(size_t new_point) const { return lengths_[new_point]; }  // the shortest at a new vertex, metres
+  // Whether the new vertices around a new vertex have its height to the bit, as in water.
+  bool IsLevelAt(size_t new_point) const { return is_level_[new_point]; }
 
  private:
+  void FindLevel() {
+    const auto first_new = static_cast<int32_t>(finest_.points.size());
+    is_level_.assign(patch_.new_points.size(), true);
+    for (const Triangle& t : patch_.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const int32_t a = t[k], b = t[(k + 1) % 3];
+        if (a < first_new || b < first_new || At(a).z() == At(b).z()) continue;
+        is_level_[a - first_new] = is_level_[b - first_new] = false;
+      }
+    }
+  }
+
   const TriMesh& finest_;
   const FilePatch& patch_;
+  std::vector<bool> is_level_;
   std::vector<double> lengths_;
   double rim_edge_ = 0;
 };
@@ -217,9 +237,8 @@ class NearestPosition {
     if (positions.empty()) return;
     const double side = std::max(extent_.sizes().maxCoeff(), 1e-3);
     const double step = side / std::max(1.0, std::sqrt(static_cast<double>(positions.size())));
-    grid_.emplace(extent_, step, static_cast<int32_t>(positions.size()), [&](int32_t i) {
-      return Eigen::AlignedBox2d(Point2(positions_[i].head<2>()));
-    });
+    grid_.emplace(extent_, step, static_cast<int32_t>(positions.size()),
+                  [&](int32_t i) { return Eigen::AlignedBox2d(Point2(positions_[i].head<2>())); });
   }
   // The lowest number of the nearest; -1 if there is none.
   int32_t Of(const Point2& p) const {
@@ -247,11 +266,12 @@ class NearestPosition {
 // Vertices thinned to the level's edges: in each square of a lattice whose step fits the edges there, the first one.
 class Thinning {
  public:
-  explicit Thinning(double factor) : factor_(factor) {}
+  // Edges are to be `factor` times as long as they are, and no shorter than `least`, metres.
+  Thinning(double factor, double least) : factor_(factor), least_(least) {}
 
   // Whether a vertex with edges of `edge` metres is the first in its square.
   bool Take(const Point2& p, double edge) {
-    const double wanted = factor_ * edge;
+    const double wanted = std::max(factor_ * edge, least_);
     if (!(wanted > 0)) return true;
     const int level = std::ilogb(wanted);
     const double step = std::ldexp(1.0, level);
@@ -261,7 +281,7 @@ class Thinning {
   }
 
  private:
-  const double factor_;
+  const double factor_, least_;
   std::set<std::tuple<int, int64_t, int64_t>> taken_;
 };
 
@@ -331,7 +351,7 @@ class LevelFiller {
   std::vector<DirectedEdge> Thinned(const std::vector<DirectedEdge>& segments) {
     // Loops come one after the other, each from its first segment on.
     std::vector<DirectedEdge> thinned;
-    Thinning thinning(1);
+    Thinning thinning(1, LevelEdge());
     for (size_t i = 0; i < segments.size();) {
       size_t end = i + 1;
       while (end < segments.size() && segments[end].from == segments[end - 1].to) ++end;
@@ -368,20 +388,37 @@ class LevelFiller {
     return mesh;
   }
 
-  // Vertices of the finest patch, at the level's spacing.
+  // Inserted in the region: vertices of the finest patch at the level's spacing, and along the rim what keeps the
+  // surface as it is there.
   std::vector<int32_t> FreePoints(const std::vector<DirectedEdge>& segments) {
     const double rim = finest_patch_.rim_edge();
-    Thinning thinning(rim > 0 ? std::max(1.0, LevelEdge() / rim) : 1);
-    for (const DirectedEdge& s : segments) thinning.Take(region_.At(s.from), rim);
-    std::vector<int32_t> points;
+    Thinning thinning(rim > 0 ? std::max(1.0, LevelEdge() / rim) : 1, LevelEdge());
     free_first_ = static_cast<int32_t>(region_.points().size());
+    for (const DirectedEdge& s : segments) {
+      thinning.Take(region_.At(s.from), rim);
+      AddBesideRim(s);
+    }
     for (size_t i = 0; i < patch_.new_points.size(); ++i) {
       const Point2 p = patch_.new_points[i].head<2>();
-      if (!thinning.Take(p, finest_patch_.EdgeAt(i))) continue;
-      points.push_back(region_.Add(p));
-      free_.push_back(static_cast<int32_t>(i));
+      if (thinning.Take(p, finest_patch_.EdgeAt(i))) AddFree(p, static_cast<int32_t>(i));
     }
+    std::vector<int32_t> points(free_.size());
+    std::iota(points.begin(), points.end(), free_first_);
     return points;
+  }
+
+  void AddFree(const Point2& p, int32_t source) {
+    region_.Add(p);
+    free_.push_back(source);
+  }
+
+  // Water is level up to its rim: two vertices beside each edge of the rim.
+  void AddBesideRim(const DirectedEdge& s) {
+    const Point2 a = region_.At(s.from), b = region_.At(s.to), along = b - a;
+    const int32_t nearest = nearest_.Of((a + b) / 2);
+    if (nearest < 0 || !finest_patch_.IsLevelAt(static_cast<size_t>(nearest)) || along.norm() == 0) return;
+    const Point2 inward = kStripOfRim * LevelEdge() * Point2(-along.y(), along.x()).normalized();
+    for (const Point2& end : {a, b}) AddFree(end + inward, nearest);
   }
 
   // Components that lie on the finest patch for the most part.
@@ -432,7 +469,7 @@ class LevelFiller {
     if (!fresh) return at->second;
     const int32_t nearest = v >= free_first_ ? free_[v - free_first_] : nearest_.Of(region_.At(v));
     Point3 p = nearest >= 0 ? patch_.new_points[nearest] : HeightOfRim(v);
-    if (v < free_first_) p.head<2>() = region_.At(v);
+    p.head<2>() = region_.At(v);
     if (IsPatchVertex(v)) p = patch_outline_.positions[v - patch_first_];
     result_.new_points.push_back(p);
     result_.like.push_back(-1);

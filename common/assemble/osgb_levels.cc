@@ -27,8 +27,8 @@ class PieceChoice {
     for (size_t p = 0; p < level.parts.size(); ++p) {
       const OsgbPiece& piece = tile.pieces[level.parts[p].piece];
       const auto begin = static_cast<size_t>(level.parts[p].first_vertex);
-      const size_t end = p + 1 < level.parts.size() ? static_cast<size_t>(level.parts[p + 1].first_vertex)
-                                                    : level.mesh.points.size();
+      const size_t end =
+          p + 1 < level.parts.size() ? static_cast<size_t>(level.parts[p + 1].first_vertex) : level.mesh.points.size();
       if (!wanted(piece) || begin == end) continue;
       Eigen::AlignedBox2d box;
       for (size_t v = begin; v < end; ++v) box.extend(Point2(level.mesh.points[v].head<2>()));
@@ -79,8 +79,7 @@ class LevelPatcher {
       Share& share = shares[{choice.Of(middle.head<2>()), run}];
       Triangle& own = share.patch.triangles.emplace_back();
       for (int k = 0; k < 3; ++k) {
-        const auto [number, fresh] =
-            share.number.emplace(triangle[k], static_cast<int32_t>(share.patch.points.size()));
+        const auto [number, fresh] = share.number.emplace(triangle[k], static_cast<int32_t>(share.patch.points.size()));
         if (fresh) share.patch.points.push_back(at(triangle[k]));
         own[k] = number->second;
       }

@@ -6,10 +6,10 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/obj.h"
 #include "common/codec/off.h"
+#include "common/codec/osgb/osgb_tile.h"
 #include "common/codec/ply.h"
 #include "common/codec/stl.h"
 #include "common/codec/text.h"
-#include "common/codec/osgb/osgb_tile.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 

@@ -22,8 +22,9 @@ struct TilePatch {
 // does not fit together. Linear.
 absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input);
 
-// The bytes of the tile with the patch, in all of its levels of detail: of a new file if the cell has no tile, else of `original`, which has the
-// format that its path says, without what is taken out of it (ClearTile). Errors as ClearTile and AppendPatch.
+// The bytes of the tile with the patch, in all of its levels of detail: of a new file if the cell has no tile, else of
+// `original`, which has the format that its path says, without what is taken out of it (ClearTile). Errors as ClearTile
+// and AppendPatch.
 absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const TilePatch& added,
                                         std::string_view original);
 

@@ -317,7 +317,8 @@ absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input) {
 
 // That a file of the attempt, and its digest, are those of the bytes that it is to have.
 absl::Status CheckWritten(const v1::AssembleInput& input, const v1::WrittenFile& file, std::string_view expected) {
-  if (!file.digest().empty() && !HasFileDigest(expected, file.digest())) return Wrong("a digest that is not the tile's");
+  if (!file.digest().empty() && !HasFileDigest(expected, file.digest()))
+    return Wrong("a digest that is not the tile's");
   return CheckBytes(absl::StrCat(input.attempts(), "/", file.attempt()), expected);
 }
 

@@ -50,8 +50,8 @@ class GeometryFinder {
     int32_t file = 0, geometry = 0;
   };
   const Run& Of(int32_t triangle) const {
-    const auto after = std::upper_bound(runs_.begin(), runs_.end(), triangle,
-                                        [](int32_t t, const Run& run) { return t < run.first; });
+    const auto after =
+        std::upper_bound(runs_.begin(), runs_.end(), triangle, [](int32_t t, const Run& run) { return t < run.first; });
     return *std::prev(after);
   }
 
@@ -60,7 +60,7 @@ class GeometryFinder {
 };
 
 absl::Status SampleOsgbImage(const OsgbTile& tile, const ImagePlace& place, const std::vector<OsgbTexel>& texels,
-                         const std::string& name, RimColours& result) {
+                             const std::string& name, RimColours& result) {
   const OsgbImage& image = tile.files[place.file].images[place.image];
   const std::string image_name = absl::StrCat(name, ": image \"", Printable(image.name), "\"");
   if (image.storage != OsgbImage::Storage::kEncoded) {

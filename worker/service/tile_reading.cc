@@ -23,8 +23,9 @@ absl::StatusOr<std::string> ReadTile(const std::string& path) {
 absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp) {
   const std::string path = PathOf(tile);
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTile(path));
-  return TileHasStamp(path, stamp) || HasFileDigest(bytes, tile.digest()) ? absl::StatusOr<std::string>(std::move(bytes))
-                                                                      : ChangedInJob(path);
+  return TileHasStamp(path, stamp) || HasFileDigest(bytes, tile.digest())
+             ? absl::StatusOr<std::string>(std::move(bytes))
+             : ChangedInJob(path);
 }
 
 absl::StatusOr<MeshFile> MeshOf(const v1::TileRef& tile, const std::string& bytes) {

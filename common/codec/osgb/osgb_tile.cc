@@ -72,8 +72,8 @@ class TreeReader {
 
 void AddPart(const OsgbTile& tile, int32_t piece, OsgbLevel& level) {
   const OsgbFile& file = tile.files[tile.pieces[piece].file];
-  OsgbLevel::Part part{piece, {}, static_cast<int32_t>(level.mesh.points.size()),
-                       static_cast<int32_t>(level.mesh.triangles.size())};
+  OsgbLevel::Part part{
+      piece, {}, static_cast<int32_t>(level.mesh.points.size()), static_cast<int32_t>(level.mesh.triangles.size())};
   for (int32_t g = 0; g < std::ssize(file.geometries); ++g) {
     const OsgbGeometry& geometry = file.geometries[g];
     if (geometry.geode != tile.pieces[piece].geode) continue;

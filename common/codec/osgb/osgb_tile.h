@@ -16,10 +16,10 @@ namespace tilemend {
 
 // A geode of one file: the unit that viewers replace by finer files.
 struct OsgbPiece {
-  int32_t file = 0;         // index into OsgbTile::packed
-  int32_t geode = 0;        // of that file
-  int32_t level = 0;        // 0: of the tile's own file; one more in each file that is named there
-  bool is_finest = true;    // no finer file takes its place
+  int32_t file = 0;       // index into OsgbTile::packed
+  int32_t geode = 0;      // of that file
+  int32_t level = 0;      // 0: of the tile's own file; one more in each file that is named there
+  bool is_finest = true;  // no finer file takes its place
 };
 
 struct OsgbTile {
@@ -38,7 +38,7 @@ absl::StatusOr<OsgbTile> ReadOsgbTile(std::string_view pack, const std::string& 
 struct OsgbLevel {
   struct Part {
     int32_t piece = 0;
-    std::vector<int32_t> geometries;  // of its file
+    std::vector<int32_t> geometries;               // of its file
     int32_t first_vertex = 0, first_triangle = 0;  // of `mesh`; up to those of the next part
   };
   TriMesh mesh;  // metres; not welded
@@ -48,7 +48,7 @@ OsgbLevel LevelOf(const OsgbTile& tile, int32_t level);
 
 // What is done to one file of a tile.
 struct OsgbEdit {
-  std::vector<bool> drop;            // of its triangles; empty: none
+  std::vector<bool> drop;  // of its triangles; empty: none
   std::vector<OsgbPatch> patches;
 };
 
