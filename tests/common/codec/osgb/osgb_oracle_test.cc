@@ -5,18 +5,26 @@
 
 #include "common/util/files.h"
 #include "tests/common/codec/osgb/osgb_checks.h"
+#include "tests/fuzz/osgb_property.h"
 #include "tests/support/osgb_builder.h"
 #include "tests/support/temporary_folder.h"
 
 #ifdef TILEMEND_OSG
+#include <osg/BlendFunc>
+#include <osg/CullFace>
 #include <osg/Geode>
 #include <osg/Geometry>
+#include <osg/LightModel>
 #include <osg/Material>
+#include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 #include <osg/PagedLOD>
+#include <osg/ShadeModel>
+#include <osg/TexEnv>
 #include <osg/Texture2D>
 #include <osg/TriangleIndexFunctor>
 #include <osgDB/ReadFile>
+#include <osgDB/WriteFile>
 
 namespace tilemend {
 namespace {
@@ -111,6 +119,77 @@ const osg::Texture2D* TextureOf(const osg::Geometry& geometry) {
 
 class OsgbOracleTest : public ::testing::TestWithParam<uint32_t> {};
 INSTANTIATE_TEST_SUITE_P(Versions, OsgbOracleTest, ::testing::ValuesIn(kOsgbVersions));
+
+osg::ref_ptr<osg::Geometry> MakeGeometry() {
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  for (const osg::Vec3& v : {osg::Vec3(0, 0, 0), osg::Vec3(1, 0, 0), osg::Vec3(1, 1, 0.5F), osg::Vec3(0, 1, 0)}) {
+    vertices->push_back(v);
+  }
+  osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array(4);
+  osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array(1);
+  geometry->setVertexArray(vertices);
+  geometry->setTexCoordArray(0, new osg::Vec2Array(4));
+  geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+  geometry->setColorArray(colours, osg::Array::BIND_OVERALL);
+  const GLushort indices[] = {0, 1, 3, 2};
+  geometry->addPrimitiveSet(new osg::DrawElementsUShort(GL_TRIANGLE_STRIP, 4, indices));
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
+  osg::StateSet& state = *geometry->getOrCreateStateSet();
+  state.setAttributeAndModes(new osg::Material);
+  state.setAttributeAndModes(new osg::ShadeModel);
+  state.setAttributeAndModes(new osg::CullFace);
+  state.setAttributeAndModes(new osg::BlendFunc);
+  state.setAttributeAndModes(new osg::LightModel);
+  state.setTextureAttributeAndModes(0, new osg::TexEnv);
+  osg::ref_ptr<osg::Image> image = new osg::Image;
+  image->allocateImage(4, 4, 1, GL_RGB, GL_UNSIGNED_BYTE);
+  state.setTextureAttributeAndModes(0, new osg::Texture2D(image));
+  return geometry;
+}
+
+// A group with a translated PagedLOD, as OpenSceneGraph writes it.
+std::string WriteWithOsg(uint32_t version) {
+  osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+  geode->setName("a geode");
+  geode->addDescription("a description");
+  geode->setInitialBound(osg::BoundingSphere({0, 0, 0}, 5));
+  geode->addDrawable(MakeGeometry());
+  geode->addDrawable(MakeGeometry());
+  osg::ref_ptr<osg::PagedLOD> lod = new osg::PagedLOD;
+  lod->setCenter({1, 2, 3});
+  lod->setRadius(7);
+  lod->addChild(geode, 0, 100);
+  lod->setFileName(1, "finer.osgb");
+  lod->setRange(1, 100, 1e30F);
+  lod->setDatabasePath("some/folder/");
+  osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(osg::Matrix::translate(1000, 0, 0));
+  transform->addChild(lod);
+  osg::ref_ptr<osg::Group> root = new osg::Group;
+  root->addChild(transform);
+  osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+  options->setPluginStringData("TargetFileVersion", std::to_string(version));
+  options->setPluginStringData("WriteImageHint", "IncludeData");
+  const TemporaryFolder folder;
+  EXPECT_TRUE(osgDB::writeNodeFile(*root, folder / "a.osgb", options));
+  return *ReadFile(folder / "a.osgb");
+}
+
+TEST_P(OsgbOracleTest, IsReadByTheCodec) {
+  const std::string bytes = WriteWithOsg(GetParam());
+  const absl::StatusOr<OsgbFile> file = ReadOsgb(bytes, "a.osgb");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->version, GetParam());
+  ASSERT_EQ(file->geometries.size(), 2u);
+  EXPECT_EQ(file->points[6], Point3(1001, 1, 0.5));
+  EXPECT_EQ(file->geometries[1].triangle_count, 3);
+  EXPECT_EQ(file->geometries[1].texture, 1);
+  EXPECT_EQ(file->images[1].size, 48u);
+  ASSERT_EQ(file->paged_lods.size(), 1u);
+  EXPECT_EQ(file->paged_lods[0].center, Point3(1001, 2, 3));
+  EXPECT_EQ(file->paged_lods[0].children.at(1).file, "finer.osgb");
+  EXPECT_EQ(OsgbPropertyViolation(bytes), "");
+}
 
 TEST_P(OsgbOracleTest, ReadsTheSameOfTestFiles) {
   const std::string bytes = BuiltOsgbScene(GetParam());

@@ -114,7 +114,7 @@ TEST(OsgbStateSetTest, ReadsTheAttributesThatExportersWrite) {
       };
     };
     EXPECT_EQ(OsgbRefusal(SceneWith(builder, {attribute("osg::ShadeModel", 4), attribute("osg::CullFace", 4),
-                                              attribute("osg::TexEnv", 20), attribute("osg::BlendFunc", 4),
+                                              attribute("osg::TexEnv", 20), attribute("osg::BlendFunc", 16),
                                               attribute("osg::LightModel", 22), attribute("osg::Material", 9)})),
               "");
     OsgbBuilder other(version);
