@@ -72,15 +72,15 @@ int32_t NearestPosition::Of(const Point2& p) const {
   int32_t best = -1;
   double least = std::numeric_limits<double>::infinity();
   const double farthest = 2 * (extent_.sizes().norm() + extent_.exteriorDistance(p)) + grid_->step();
-  for (double side = grid_->step(); best < 0 || std::sqrt(least) > side / 2; side *= 2) {
-    const Point2 reach(side / 2, side / 2);
-    for (const int32_t i : grid_->In({p - reach, p + reach})) {
+  // What lies nearer than `reach` is in the square.
+  for (double reach = grid_->step() / 2;; reach *= 2) {
+    const Point2 half(reach, reach);
+    for (const int32_t i : grid_->In({p - half, p + half})) {
       const double distance = (positions_[static_cast<size_t>(i)].head<2>() - p).squaredNorm();
       if (distance < least || (distance == least && i < best)) std::tie(least, best) = std::pair(distance, i);
     }
-    if (side > farthest) break;
+    if (std::sqrt(least) <= reach || reach > farthest) return best;
   }
-  return best;
 }
 
 bool VertexThinning::Take(const Point2& p, double edge) {

@@ -280,7 +280,7 @@ class OsgbBuilder {
   }
 
   void Indices(const BuiltGeometry& built) {
-    if (built.type == 50) {
+    if (built.type <= 51) {
       U32(built.indices.at(0));
       U32(built.indices.at(1));
       return;

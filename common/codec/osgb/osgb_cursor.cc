@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 
 namespace tilemend {
@@ -13,8 +14,10 @@ uint64_t LoadOsgbNumber(const char* bytes, size_t size) {
 }
 
 void OsgbCursor::Fail(size_t offset, std::string_view message) {
+  constexpr size_t kMaxShown = 200;  // names in the file can be of any length and hold any bytes
   if (!status_.ok()) return;
-  status_ = absl::InvalidArgumentError(absl::StrCat(name_, ": byte ", offset, ": ", std::string(message)));
+  status_ = absl::InvalidArgumentError(
+      absl::StrCat(name_, ": byte ", offset, ": ", absl::CHexEscape(std::string(message.substr(0, kMaxShown)))));
 }
 
 std::string_view OsgbCursor::Take(size_t size, std::string_view what) {

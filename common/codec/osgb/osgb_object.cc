@@ -29,9 +29,7 @@ void ReadUserData(OsgbParse& parse) {
 }  // namespace
 
 void RefuseOsgbClass(OsgbParse& parse, std::string_view class_name) {
-  constexpr size_t kMaxShown = 80;
-  parse.cursor.Fail(
-      absl::StrCat("an object of class ", std::string(class_name.substr(0, kMaxShown)), " is not supported here"));
+  parse.cursor.Fail(absl::StrCat("an object of class ", std::string(class_name), " is not supported here"));
 }
 
 OsgbHead RegisterOsgbObject(OsgbParse& parse, std::string_view class_name, uint32_t id) {

@@ -9,7 +9,8 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kMinObjectBytes = 4;  // "NULL" takes more
+constexpr size_t kMinObjectBytes = 8;  // "NULL"
+constexpr int kMaxNodeDepth = 56;      // leaves room for the objects in a new geometry
 
 // What a node takes from those above it.
 struct Inherited {
@@ -136,8 +137,9 @@ void ReadNode(OsgbParse& parse, Inherited inherited) {
   OsgbCursor& cursor = parse.cursor;
   const OsgbHead head = BeginOsgbObject(parse);
   if (!cursor.ok() || head.class_name == "NULL") return;
+  if (parse.depth > kMaxNodeDepth) return cursor.Fail(absl::StrCat("nodes are nested over ", kMaxNodeDepth, " deep"));
   if (head.is_done) {
-    return cursor.Fail(absl::StrCat("a ", std::string(head.class_name), " with several parents is not supported"));
+    return cursor.Fail(absl::StrCat("an ", std::string(head.class_name), " with several parents is not supported"));
   }
   if (head.class_name == "osg::Geometry") {
     ReadOsgbGeometry(parse, -1, inherited.texture);
@@ -181,8 +183,7 @@ void ReadHeader(OsgbParse& parse) {
   if ((attributes & ~7u) != 0) cursor.Fail(absl::StrCat("the attributes ", attributes, " are not supported"));
   const std::string_view compressor = cursor.String("the compressor");
   if (compressor != "0") {
-    constexpr size_t kMaxShown = 40;
-    cursor.Fail(absl::StrCat("the compressor ", std::string(compressor.substr(0, kMaxShown)), " is not supported"));
+    cursor.Fail(absl::StrCat("the compressor ", std::string(compressor), " is not supported"));
   }
   file.has_brackets = (attributes & kBrackets) != 0;
   if (file.has_brackets) cursor.SetBracketBytes(file.version >= kOsgbLongBrackets ? 8 : 4);

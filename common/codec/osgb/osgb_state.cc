@@ -21,7 +21,7 @@ constexpr AttributeFields kAttributes[] = {
     {"osg::ShadeModel", "i"},
     {"osg::CullFace", "i"},
     {"osg::TexEnv", "iv"},
-    {"osg::BlendFunc", "oooo"},
+    {"osg::BlendFunc", "iiii"},
     {"osg::LightModel", "vibb"},
 };
 
