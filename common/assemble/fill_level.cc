@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "common/assemble/finest_patch.h"
@@ -19,7 +22,64 @@ namespace tilemend {
 namespace {
 
 // The strip along a rim in which water may rise to it, as a share of the level's edges.
-constexpr double kStripOfRim = 0.125;
+constexpr double kStripOfRim = 0.0625;
+
+// The region reaches an edge beyond the finest patch.
+constexpr double kReachInEdges = 2;
+
+Eigen::AlignedBox2d BoxOf(const Triangle& t, const std::function<Point3(int32_t)>& point_of) {
+  Eigen::AlignedBox2d box;
+  for (const int32_t v : t) box.extend(Point2(point_of(v).head<2>()));
+  return box;
+}
+
+// Finds what lies near the triangles of a patch.
+class PatchPlaces {
+ public:
+  PatchPlaces(const FilePatch& patch, const FinestPatch& finest) {
+    for (const Triangle& t : patch.triangles) {
+      boxes_.push_back(BoxOf(t, [&](int32_t v) { return finest.At(v); }));
+      extent_.extend(boxes_.back());
+    }
+    const double side = std::max(extent_.sizes().maxCoeff(), 1e-3);
+    grid_.emplace(extent_, side / std::sqrt(static_cast<double>(boxes_.size())), static_cast<int32_t>(boxes_.size()),
+                  [&](int32_t i) { return boxes_[static_cast<size_t>(i)]; });
+  }
+
+  // The triangles of a mesh whose boxes come within `reach` metres of the box of a triangle of the patch.
+  std::vector<Triangle> TrianglesNear(const TriMesh& mesh, double reach) const {
+    const Point2 margin(reach, reach);
+    std::vector<Triangle> near;
+    for (const Triangle& t : mesh.triangles) {
+      Eigen::AlignedBox2d box = BoxOf(t, [&](int32_t v) { return mesh.points[v]; });
+      box = {box.min() - margin, box.max() + margin};
+      if (box.intersects(extent_) && Meets(box)) near.push_back(t);
+    }
+    return near;
+  }
+
+ private:
+  bool Meets(const Eigen::AlignedBox2d& box) const {
+    bool meets = false;
+    grid_->ForBins(box, [&](int64_t, std::span<const int32_t> things) {
+      for (const int32_t i : things) meets = meets || boxes_[static_cast<size_t>(i)].intersects(box);
+    });
+    return meets;
+  }
+
+  std::vector<Eigen::AlignedBox2d> boxes_;
+  Eigen::AlignedBox2d extent_;
+  std::optional<BinGrid> grid_;
+};
+
+// The median edge of triangles seen from above, metres.
+double EdgeOf(const TriMesh& mesh, const std::vector<Triangle>& triangles) {
+  std::vector<double> lengths;
+  for (const Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) lengths.push_back((mesh.points[t[k]] - mesh.points[t[(k + 1) % 3]]).head<2>().norm());
+  }
+  return MedianOf(std::move(lengths));
+}
 
 class LevelFiller {
  public:
@@ -27,8 +87,10 @@ class LevelFiller {
       : level_(level),
         patch_(patch),
         finest_patch_(finest, patch),
-        level_outline_(SurfaceOutlineOf(level.triangles, [&](int32_t v) { return level.points[v]; })),
-        finest_outline_(SurfaceOutlineOf(finest.triangles, [&](int32_t v) { return finest.points[v]; })),
+        places_(patch, finest_patch_),
+        edge_(EdgeBeside(level)),
+        level_outline_(OutlineNear(level)),
+        finest_outline_(OutlineNear(finest)),
         patch_outline_(SurfaceOutlineOf(patch.triangles, [&](int32_t v) { return finest_patch_.At(v); })),
         region_(Window()),
         nearest_(patch.new_points) {}
@@ -54,17 +116,17 @@ class LevelFiller {
     return {box.min(), box.max()};
   }
 
-  // The edges of the level's rim near the patch are this long.
-  double LevelEdge() const {
-    Eigen::AlignedBox2d box;
-    for (const Point3& p : patch_outline_.positions) box.extend(Point2(p.head<2>()));
-    std::vector<double> near, all;
-    for (const DirectedEdge& e : level_outline_.edges) {
-      const Point3 &a = level_outline_.positions[e.from], &b = level_outline_.positions[e.to];
-      all.push_back((a - b).head<2>().norm());
-      if (box.contains(Point2(a.head<2>()))) near.push_back(all.back());
-    }
-    return MedianOf(near.empty() ? all : near);
+  // The edges of the level beside the patch are this long, metres.
+  double EdgeBeside(const TriMesh& level) const {
+    const std::vector<Triangle> beside = places_.TrianglesNear(level, 0);
+    return EdgeOf(level, beside.empty() ? level.triangles : beside);
+  }
+
+  // Of the surface that matters: what is further away than a few edges cannot be part of the region. The outline of a
+  // part of a surface closes as well.
+  SurfaceOutline OutlineNear(const TriMesh& mesh) const {
+    const std::vector<Triangle> near = places_.TrianglesNear(mesh, kReachInEdges * edge_);
+    return SurfaceOutlineOf(near, [&](int32_t v) { return mesh.points[v]; });
   }
 
   std::vector<DirectedEdge> Region() {
@@ -76,7 +138,7 @@ class LevelFiller {
     const auto covered = region_.Simple(EdgesFrom(level_outline_, level_first));
     const auto fine = region_.Simple(EdgesFrom(finest_outline_, finest_first));
     const auto either = region_.Either(footprint_, fine);
-    const auto near = region_.Both(region_.Grown(footprint_, LevelEdge()), either);
+    const auto near = region_.Both(region_.Grown(footprint_, edge_), either);
     return Thinned(region_.AtFirstPoints(region_.Without(near, covered)));
   }
 
@@ -86,7 +148,7 @@ class LevelFiller {
   std::vector<DirectedEdge> Thinned(const std::vector<DirectedEdge>& segments) {
     // Loops come one after the other, each from its first segment on.
     std::vector<DirectedEdge> thinned;
-    VertexThinning thinning(1, LevelEdge());
+    VertexThinning thinning(1, edge_);
     for (size_t i = 0; i < segments.size();) {
       size_t end = i + 1;
       while (end < segments.size() && segments[end].from == segments[end - 1].to) ++end;
@@ -95,7 +157,7 @@ class LevelFiller {
         const int32_t v = segments[s].from;
         const int32_t before = segments[s == i ? end - 1 : s - 1].from;
         const bool is_end = IsLevelVertex(before) != IsLevelVertex(v) || IsLevelVertex(segments[s].to);
-        if (IsLevelVertex(v) || is_end || thinning.Take(region_.At(v), LevelEdge())) loop.push_back(v);
+        if (IsLevelVertex(v) || is_end || thinning.Take(region_.At(v), edge_)) loop.push_back(v);
       }
       for (size_t k = 0; loop.size() >= 3 && k < loop.size(); ++k) {
         thinned.push_back({loop[k], loop[(k + 1) % loop.size()]});
@@ -127,7 +189,7 @@ class LevelFiller {
   // surface as it is there.
   std::vector<int32_t> FreePoints(const std::vector<DirectedEdge>& segments) {
     const double rim = finest_patch_.rim_edge();
-    VertexThinning thinning(rim > 0 ? std::max(1.0, LevelEdge() / rim) : 1, LevelEdge());
+    VertexThinning thinning(rim > 0 ? std::max(1.0, edge_ / rim) : 1, edge_);
     free_first_ = static_cast<int32_t>(region_.points().size());
     for (const DirectedEdge& s : segments) {
       thinning.Take(region_.At(s.from), rim);
@@ -152,7 +214,7 @@ class LevelFiller {
     const Point2 a = region_.At(s.from), b = region_.At(s.to), along = b - a;
     const int32_t nearest = nearest_.Of((a + b) / 2);
     if (nearest < 0 || !finest_patch_.IsLevelAt(static_cast<size_t>(nearest)) || along.norm() == 0) return;
-    const Point2 inward = kStripOfRim * LevelEdge() * Point2(-along.y(), along.x()).normalized();
+    const Point2 inward = kStripOfRim * edge_ * Point2(-along.y(), along.x()).normalized();
     for (const Point2& end : {a, b}) AddFree(end + inward, nearest);
   }
 
@@ -256,6 +318,8 @@ class LevelFiller {
   const TriMesh& level_;
   const FilePatch& patch_;
   const FinestPatch finest_patch_;
+  const PatchPlaces places_;
+  const double edge_;  // of the level beside the patch, metres
   const SurfaceOutline level_outline_, finest_outline_, patch_outline_;
   LevelRegion region_;
   const NearestPosition nearest_;
