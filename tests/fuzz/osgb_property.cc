@@ -1,7 +1,9 @@
 #include "tests/fuzz/osgb_property.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "common/codec/osgb/osgb_file.h"
@@ -22,7 +24,16 @@ OsgbPatch SmallPatch(int32_t geode, bool has_image) {
   return patch;
 }
 
-bool SameBits(const Point3& a, const Point3& b) { return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0; }
+bool SameBits(const Point3& a, const Point3& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::bit_cast<uint64_t>(a[axis]) != std::bit_cast<uint64_t>(b[axis])) return false;
+  }
+  return true;
+}
+
+bool SameBits(const std::array<float, 2>& a, const std::array<float, 2>& b) {
+  return std::bit_cast<std::array<uint32_t, 2>>(a) == std::bit_cast<std::array<uint32_t, 2>>(b);
+}
 
 // The bytes of all images with their names, sorted.
 std::vector<std::string> ImagesOf(const OsgbFile& file, std::string_view bytes) {
@@ -37,10 +48,10 @@ std::vector<std::string> ImagesOf(const OsgbFile& file, std::string_view bytes) 
 // Whether the vertices of geometry i and its texture are the same in both files.
 bool SameGeometry(const OsgbFile& a, const OsgbGeometry& x, const OsgbFile& b, const OsgbGeometry& y) {
   if (x.vertex_count != y.vertex_count || x.geode != y.geode || (x.texture < 0) != (y.texture < 0)) return false;
-  for (int32_t i = 0; i < x.vertex_count; ++i) {
-    const auto v = static_cast<size_t>(x.first_vertex + i);
-    const auto w = static_cast<size_t>(y.first_vertex + i);
-    if (!SameBits(a.points[v], b.points[w]) || std::memcmp(&a.uv[v], &b.uv[w], sizeof(a.uv[v])) != 0) return false;
+  for (size_t i = 0; i < static_cast<size_t>(x.vertex_count); ++i) {
+    const size_t v = static_cast<size_t>(x.first_vertex) + i;
+    const size_t w = static_cast<size_t>(y.first_vertex) + i;
+    if (!SameBits(a.points[v], b.points[w]) || !SameBits(a.uv[v], b.uv[w])) return false;
   }
   return x.texture < 0 ||
          a.images[static_cast<size_t>(x.texture)].name == b.images[static_cast<size_t>(y.texture)].name;
@@ -58,8 +69,8 @@ bool SameTriangles(const OsgbFile& before, const OsgbGeometry& x, const std::vec
                    const OsgbGeometry& y) {
   auto next = static_cast<size_t>(y.first_triangle);
   const size_t end = next + static_cast<size_t>(y.triangle_count);
-  for (int32_t k = 0; k < x.triangle_count; ++k) {
-    const auto i = static_cast<size_t>(x.first_triangle + k);
+  for (size_t k = 0; k < static_cast<size_t>(x.triangle_count); ++k) {
+    const size_t i = static_cast<size_t>(x.first_triangle) + k;
     if (drop[i]) continue;
     if (next == end || LocalTriangle(before, x, i) != LocalTriangle(after, y, next++)) return false;
   }

@@ -29,11 +29,12 @@ struct BuiltGeometry {
   std::string image_name = "tile_0.jpg";
 };
 
-class OsgbBuilder {
+// Numbers, texts, brackets and objects.
+class OsgbBytes {
  public:
   using Body = std::function<void()>;
 
-  explicit OsgbBuilder(uint32_t file_version = 80) : version(file_version), has_brackets(file_version >= 99) {}
+  explicit OsgbBytes(uint32_t file_version = 80) : version(file_version), has_brackets(file_version >= 99) {}
 
   uint32_t version;
   bool has_brackets;
@@ -90,76 +91,17 @@ class OsgbBuilder {
     });
     return id;
   }
-  void NodeFields(const Body& state_set = {}) {
-    Zeros(5);  // bound, callbacks
-    Flag(true);
-    U32(0xffffffff);
-    Flag(static_cast<bool>(state_set));
-    if (state_set) state_set();
-  }
-  void List(const std::vector<Body>& items) {
-    Flag(!items.empty());
-    if (items.empty()) return;
-    U32(static_cast<uint32_t>(items.size()));
-    Bracket([&] {
-      for (const Body& item : items) item();
-    });
-  }
 
-  // A group or a geode, by class: both have a list.
-  void Node(std::string_view class_name, const std::vector<Body>& items, const Body& state_set = {}) {
-    Object(class_name, [&] {
-      NodeFields(state_set);
-      List(items);
-    });
+ protected:
+  void Number(uint64_t value, size_t bytes) {
+    for (size_t i = 0; i < bytes; ++i, value >>= 8) out += static_cast<char>(value & 0xff);
   }
-  void Geode(const std::vector<Body>& geometries) { Node("osg::Geode", geometries); }
-  void Group(const std::vector<Body>& children) { Node("osg::Group", children); }
+};
 
-  // Child 0 in this file, child 1 in `file`.
-  void PagedLod(const std::string& file, const Body& child) {
-    Object("osg::PagedLOD", [&] {
-      NodeFields();
-      LodFields();
-      Flag(true);
-      Flag(false);  // no folder
-      U32(0);
-      Flag(false);
-      FileNames(file);
-      List({child});
-    });
-  }
-
-  void Transform(const std::array<double, 16>& matrix, const std::vector<Body>& children, uint32_t frame = 0) {
-    Object("osg::MatrixTransform", [&] {
-      NodeFields();
-      List(children);
-      U32(frame);
-      Bracket([&] {
-        for (const double value : matrix) F64(value);
-      });
-    });
-  }
-  void Translation(double x, double y, double z, const std::vector<Body>& children) {
-    Transform({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}, children);
-  }
-
-  uint32_t Geometry(const BuiltGeometry& built) {
-    return Geometry(
-        built, built.image.empty() ? Body() : [&] { StateSet(built); });
-  }
-  uint32_t Geometry(const BuiltGeometry& built, const Body& state_set) {
-    return Object("osg::Geometry", [&] {
-      DrawableFields(state_set);
-      U32(1);
-      Primitives(built);
-      if (version < 112) {
-        OldArrays(built);
-      } else {
-        NewArrays(built);
-      }
-    });
-  }
+// State sets, textures and images.
+class OsgbStateBuilder : public OsgbBytes {
+ public:
+  using OsgbBytes::OsgbBytes;
 
   uint32_t StateSet(const BuiltGeometry& built) {
     return StateSet({}, [&] { Texture([&] { Image(built.image_name, built.image); }); });
@@ -232,10 +174,92 @@ class OsgbBuilder {
   }
 
  private:
-  void Number(uint64_t value, size_t bytes) {
-    for (size_t i = 0; i < bytes; ++i, value >>= 8) out += static_cast<char>(value & 0xff);
+  void Attributes(const Body& attribute) {
+    U32(1);
+    Bracket([&] {
+      attribute();
+      U32(1);
+    });
+  }
+};
+
+// Nodes and geometries.
+class OsgbBuilder : public OsgbStateBuilder {
+ public:
+  using OsgbStateBuilder::OsgbStateBuilder;
+
+  void NodeFields(const Body& state_set = {}) {
+    Zeros(5);  // bound, callbacks
+    Flag(true);
+    U32(0xffffffff);
+    Flag(static_cast<bool>(state_set));
+    if (state_set) state_set();
+  }
+  void List(const std::vector<Body>& items) {
+    Flag(!items.empty());
+    if (items.empty()) return;
+    U32(static_cast<uint32_t>(items.size()));
+    Bracket([&] {
+      for (const Body& item : items) item();
+    });
   }
 
+  // A group or a geode, by class: both have a list.
+  void Node(std::string_view class_name, const std::vector<Body>& items, const Body& state_set = {}) {
+    Object(class_name, [&] {
+      NodeFields(state_set);
+      List(items);
+    });
+  }
+  void Geode(const std::vector<Body>& geometries) { Node("osg::Geode", geometries); }
+  void Group(const std::vector<Body>& children) { Node("osg::Group", children); }
+
+  // Child 0 in this file, child 1 in `file`.
+  void PagedLod(const std::string& file, const Body& child) {
+    Object("osg::PagedLOD", [&] {
+      NodeFields();
+      LodFields();
+      Flag(true);
+      Flag(false);  // no folder
+      U32(0);
+      Flag(false);
+      FileNames(file);
+      List({child});
+    });
+  }
+
+  void Transform(const std::array<double, 16>& matrix, const std::vector<Body>& children, uint32_t frame = 0) {
+    Object("osg::MatrixTransform", [&] {
+      NodeFields();
+      List(children);
+      U32(frame);
+      Bracket([&] {
+        for (const double value : matrix) F64(value);
+      });
+    });
+  }
+  void Translation(double x, double y, double z, const std::vector<Body>& children) {
+    Transform({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}, children);
+  }
+
+  uint32_t Geometry(const BuiltGeometry& built) {
+    return Geometry(
+        built, built.image.empty() ? Body() : [&] { StateSet(built); });
+  }
+  uint32_t Geometry(const BuiltGeometry& built, const Body& state_set) {
+    return Object("osg::Geometry", [&] {
+      DrawableFields(state_set);
+      U32(1);
+      Primitives(built);
+      if (version < 112) {
+        OldArrays(built);
+      } else {
+        NewArrays(built);
+      }
+    });
+  }
+
+ private:
   void LodFields() {
     U32(1);
     Flag(true);
@@ -257,14 +281,6 @@ class OsgbBuilder {
     });
     U32(2);
     Bracket([&] { Zeros(16); });
-  }
-
-  void Attributes(const Body& attribute) {
-    U32(1);
-    Bracket([&] {
-      attribute();
-      U32(1);
-    });
   }
 
   void DrawableFields(const Body& state_set) {

@@ -111,7 +111,7 @@ Point3 ReadTranslation(OsgbCursor& cursor) {
   cursor.Begin("the matrix of a transform");
   for (int i = 0; i < 16; ++i) matrix(i / 4, i % 4) = cursor.F64("the matrix of a transform");
   cursor.End("the matrix of a transform");
-  const Point3 translation = matrix.row(3).head<3>();
+  Point3 translation = matrix.row(3).head<3>();
   matrix.row(3).head<3>().setZero();
   if (frame != 0 || !matrix.isIdentity(0) || !translation.allFinite()) {
     cursor.Fail(at, "an osg::MatrixTransform that does more than translate is not supported");

@@ -74,7 +74,7 @@ void ExpectSameVertices(const OsgbFile& file, size_t index, const osg::Geometry&
 }
 
 Triangle SmallestFirst(Triangle triangle) {
-  std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   return triangle;
 }
 
@@ -94,7 +94,7 @@ std::vector<Triangle> TrianglesOf(const osg::Geometry& geometry) {
 std::vector<Triangle> TrianglesOf(const OsgbFile& file, const OsgbGeometry& geometry) {
   std::vector<Triangle> triangles;
   for (int32_t k = 0; k < geometry.triangle_count; ++k) {
-    Triangle triangle = file.triangles[static_cast<size_t>(geometry.first_triangle + k)];
+    Triangle triangle = file.triangles[static_cast<size_t>(geometry.first_triangle) + static_cast<size_t>(k)];
     for (int32_t& corner : triangle) corner -= geometry.first_vertex;
     triangles.push_back(SmallestFirst(triangle));
   }

@@ -43,7 +43,8 @@ TEST(OsgbSpliceTest, RemovalsShrinkThemAndNumbersAreOverwritten) {
   OsgbSplice splice(bytes, layout);
   splice.Replace(12, 2, "", 1);
   EXPECT_EQ(*std::move(splice).Finish("a"), Bracketed(4, 11, "ab", 5, "c"));
-  OsgbSplice numbers("0123456789", OsgbLayout());
+  const OsgbLayout plain;
+  OsgbSplice numbers("0123456789", plain);
   numbers.SetNumber(3, 0x64636261);
   EXPECT_EQ(*std::move(numbers).Finish("a"), "012abcd789");
 }

@@ -15,7 +15,7 @@ std::string SceneWith(OsgbBuilder& builder, const std::vector<Body>& state_sets)
   return builder.Scene([&] {
     std::vector<Body> geometries;
     for (const Body& state_set : state_sets)
-      geometries.push_back([&builder, state_set] { builder.Geometry({}, state_set); });
+      geometries.emplace_back([&builder, state_set] { builder.Geometry({}, state_set); });
     builder.Geode(geometries);
   });
 }
@@ -49,7 +49,7 @@ TEST_P(OsgbStateTest, TellsHowImagesAreStored) {
   OsgbBuilder builder(GetParam());
   std::vector<Body> state_sets;
   for (const uint32_t storage : {0u, 1u, 2u, 3u}) {
-    state_sets.push_back([&builder, storage] {
+    state_sets.emplace_back([&builder, storage] {
       builder.StateSet({}, [&] { builder.Texture([&] { builder.Image("a.png", "bytes", storage); }); });
     });
   }
