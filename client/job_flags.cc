@@ -9,8 +9,8 @@
 #include "absl/strings/str_cat.h"
 #include "client/filler_flags.h"
 #include "common/util/status_macros.h"
-#include "coordinator/service/job_pipeline.h"
-#include "coordinator/service/job_proto.h"
+#include "coordinator/jobs/job_pipeline.h"
+#include "coordinator/jobs/job_proto.h"
 
 namespace tilemend {
 namespace {

@@ -40,14 +40,14 @@
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
 #include "common/util/without_exceptions.h"
+#include "coordinator/api/access.h"
+#include "coordinator/api/coordinator_impl.h"
+#include "coordinator/api/gate.h"
+#include "coordinator/api/grpc_services.h"
+#include "coordinator/jobs/scene_pipeline.h"
 #include "coordinator/journal/postgres_journal.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "coordinator/journal/work_lock.h"
-#include "coordinator/service/access.h"
-#include "coordinator/service/coordinator_impl.h"
-#include "coordinator/service/gate.h"
-#include "coordinator/service/grpc_services.h"
-#include "coordinator/service/scene_pipeline.h"
 
 namespace tilemend {
 namespace {

@@ -186,21 +186,29 @@ RULES = {
          'coordinator/waves'],
         ['absl', 'json']),
 
-    'coordinator/service': rule(
+    'coordinator/store': rule(
+        ['common/util', 'common/grid', 'common/records', 'common/store', 'common/rpc'], ['absl']),
+
+    'coordinator/jobs': rule(
         ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/metrics',
-         'common/rpc', 'coordinator/state', 'coordinator/check', 'coordinator/journal', 'coordinator/waves',
-         'coordinator/report'],
+         'common/rpc', 'coordinator/state', 'coordinator/check', 'coordinator/waves', 'coordinator/report',
+         'coordinator/store'],
+        ['absl', 'protobuf']),
+
+    'coordinator/api': rule(
+        ['common/util', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/state', 'coordinator/journal',
+         'coordinator/store', 'coordinator/jobs'],
         ['absl', 'protobuf']),
 
     'coordinator': rule(
-        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/service'],
+        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api'],
         ['absl']),
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
         ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
-         'coordinator/service'],
+         'coordinator/jobs', 'coordinator/api'],
         ['absl', 'grpc', 'json', 'protobuf']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
@@ -306,10 +314,11 @@ FORBIDDEN = [
     ('worker/survey/a.cc', 'OpenMesh/Core/Mesh/PolyConnectivity.hh'), ('worker/survey/a.cc', 'worker/fill/a.h'),
     ('worker/survey/a.cc', 'prometheus/counter.h'), ('common/assemble/a.cc', 'worker/service/a.h'),
     ('worker/fill/a.cc', 'common/rpc/a.h'), ('worker/fill/a.cc', 'common/metrics/a.h'),
-    ('worker/service/a.cc', 'coordinator/state/a.h'), ('coordinator/service/a.cc', 'worker/fill/a.h'),
+    ('worker/service/a.cc', 'coordinator/state/a.h'), ('coordinator/jobs/a.cc', 'worker/fill/a.h'),
     ('coordinator/plan/a.cc', 'filesystem'), ('coordinator/plan/a.cc', 'common/codec/mesh_file.h'),
     ('coordinator/state/a.cc', 'thread'), ('coordinator/state/a.h', 'absl/synchronization/mutex.h'),
-    ('coordinator/state/a.cc', 'tilemend/v1/job.pb.h'), ('coordinator/state/a.cc', 'coordinator/service/a.h'),
+    ('coordinator/state/a.cc', 'tilemend/v1/job.pb.h'), ('coordinator/state/a.cc', 'coordinator/jobs/a.h'),
+    ('coordinator/jobs/a.cc', 'coordinator/api/a.h'), ('coordinator/store/a.cc', 'coordinator/jobs/a.h'),
     ('common/grid/a.cc', 'tests/support/scene_maker.h'), ('common/grid/a.cc', 'boost/graph.hpp'),
     ('common/newcomer/a.cc', 'vector'), ('worker/fill/hole/a.cc', 'worker/fill/fill_holes.h'),
     ('coordinator/plan/rim/a.cc', 'coordinator/plan/hole/a.h'), ('coordinator/plan/types/a.h', 'coordinator/plan/plan.h'),
@@ -319,7 +328,7 @@ ALLOWED = [
     ('common/mesh/a.h', 'Eigen/Core'), ('common/grid/a.cc', 'common/mesh/tri_mesh.h'), ('common/util/a.cc', 'sys/stat.h'),
     ('worker/fill/a.cc', 'worker/fill/hole/a.h'), ('worker/fill/a.cc', 'filesystem'), ('coordinator/plan/a.cc', 'map'),
     ('coordinator/plan/water/a.cc', 'coordinator/plan/seam/a.h'), ('worker/main.cc', 'worker/service/a.h'),
-    ('client/a.cc', 'coordinator/service/a.h'), ('client/a.cc', 'worker/service/a.h'),
+    ('client/a.cc', 'coordinator/api/a.h'), ('client/a.cc', 'worker/service/a.h'),
 ]
 
 

@@ -11,8 +11,8 @@
 #include "common/rpc/status_proto.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
-#include "coordinator/service/job_proto.h"
-#include "coordinator/service/result_log.h"
+#include "coordinator/jobs/job_proto.h"
+#include "coordinator/store/result_log.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace tilemend {

@@ -1,5 +1,5 @@
 // Who gets in: every RPC that a coordinator answers, with every kind of caller.
-#include "coordinator/service/access.h"
+#include "coordinator/api/access.h"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/descriptor.h>

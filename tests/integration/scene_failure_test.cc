@@ -11,7 +11,7 @@
 #include "common/util/error_info.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
-#include "coordinator/service/scene_pipeline.h"
+#include "coordinator/jobs/scene_pipeline.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/test_cluster.h"
 #include "tilemend/v1/stages.pb.h"

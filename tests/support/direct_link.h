@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "coordinator/service/coordinator_impl.h"
+#include "coordinator/api/coordinator_impl.h"
 #include "worker/service/work_link.h"
 
 namespace tilemend {

@@ -12,8 +12,8 @@
 
 #include "absl/time/time.h"
 #include "common/metrics/prometheus_registry.h"
-#include "coordinator/service/coordinator_impl.h"
-#include "coordinator/service/grpc_services.h"
+#include "coordinator/api/coordinator_impl.h"
+#include "coordinator/api/grpc_services.h"
 #include "tests/support/toy_engine.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
 #include "worker/service/worker.h"
