@@ -58,6 +58,8 @@ RULES = {
 
     'common/service': rule([], ['systemd']),
 
+    'common/options': rule(['common/util', 'common/grid', 'common/records'], ['absl', 'protobuf']),
+
     'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec', 'common/assemble'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
     'worker/ground': rule(['common/mesh', 'common/records'], ['eigen'], pure=True),
@@ -126,8 +128,8 @@ RULES = {
         ['common/util', 'common/records', 'common/store', 'common/codec', 'common/image', 'worker/survey', 'worker/ground'], ['absl']),
 
     'worker/service': rule(
-        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
+        ['common/util', 'common/mesh', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
+         'worker/fill/hole', 'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
     'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/service', 'worker/service'], ['absl']),
@@ -175,13 +177,13 @@ RULES = {
     'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
-        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store',
+        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store',
          'coordinator/plan/types',
          'coordinator/waves'],
         ['absl', 'json']),
 
     'coordinator/service': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/metrics',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics',
          'common/rpc', 'coordinator/state', 'coordinator/check', 'coordinator/journal', 'coordinator/waves',
          'coordinator/report'],
         ['absl', 'protobuf']),
@@ -192,7 +194,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
         ['absl', 'grpc', 'json', 'protobuf']),
