@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/strip.h"
+#include "common/options/job_options.h"
 #include "common/rpc/limits.h"
 #include "common/rpc/trace.h"
 #include "common/util/error_info.h"
@@ -108,8 +109,8 @@ void CoordinatorImpl::StopWaiting() {
 }
 
 std::string CoordinatorImpl::OutKey(const JobSpec& spec) {
-  if (spec.out.empty() || spec.dry_run) return "";
-  std::string key = std::filesystem::path(spec.out).lexically_normal().string();
+  if (spec.out().empty() || spec.dry_run()) return "";
+  std::string key = std::filesystem::path(spec.out()).lexically_normal().string();
   while (key.size() > 1 && key.back() == '/') key.pop_back();
   return key;
 }
@@ -168,10 +169,10 @@ absl::StatusOr<const Job*> CoordinatorImpl::JobNamed(const std::string& name) co
 
 absl::Status CoordinatorImpl::CheckRoots(const JobSpec& spec) const {
   if (options_.roots == nullptr) return absl::OkStatus();
-  const bool water_is_file = spec.water != "auto" && spec.water != "off";
-  for (const auto& [field, path] :
-       {std::pair("scene", spec.scene), std::pair("out", spec.out), std::pair("water", water_is_file ? spec.water : ""),
-        std::pair("clear", spec.clear), std::pair("area", spec.area)}) {
+  const bool water_is_file = spec.water() != "auto" && spec.water() != "off";
+  for (const auto& [field, path] : {std::pair("scene", spec.scene()), std::pair("out", spec.out()),
+                                    std::pair("water", water_is_file ? spec.water() : ""),
+                                    std::pair("clear", spec.clear()), std::pair("area", spec.area())}) {
     const absl::Status status = path.empty() ? absl::OkStatus() : options_.roots->Check(path);
     if (!status.ok()) {
       return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),
@@ -182,11 +183,11 @@ absl::Status CoordinatorImpl::CheckRoots(const JobSpec& spec) const {
 }
 
 absl::StatusOr<v1::Job> CoordinatorImpl::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
-  const JobSpec spec = SpecFromProto(request.spec());
-  TILEMEND_RETURN_IF_ERROR(spec.Check());
+  const JobSpec spec = WithDefaults(request.spec());
+  TILEMEND_RETURN_IF_ERROR(CheckJob(spec));
   TILEMEND_RETURN_IF_ERROR(CheckPriority(request.priority()));
   TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
-  const absl::Status scene = CheckScene(spec.scene);  // without the lock: a mount may hang
+  const absl::Status scene = CheckScene(spec.scene());  // without the lock: a mount may hang
   return Answer([&]() -> absl::StatusOr<v1::Job> {
     TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), scene));
     return StartJob(spec, request.request_id(), request.priority(), std::move(origin));
@@ -202,7 +203,7 @@ absl::StatusOr<v1::Job> CoordinatorImpl::StartJob(const JobSpec& spec, const std
                                                   JobOrigin origin) {
   if (request_id.size() > kMaxRequestIdBytes) return InvalidRequestId();
   if (const Job* job = request_id.empty() ? nullptr : state_.FindRequest(request_id); job != nullptr) {
-    if (entries_.at(job->id).spec == spec) return Describe(*job);
+    if (AreEqual(entries_.at(job->id).spec, spec)) return Describe(*job);
     return WithErrorInfo(
         absl::InvalidArgumentError(absl::StrCat("request_id ", request_id, ": used before, with another spec")),
         {"REQUEST_ID_REUSED", {{"job", job->id}}});

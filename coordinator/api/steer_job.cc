@@ -16,14 +16,14 @@ namespace {
 // Whether the output that a job has completed is gone. What begins with ".tilemend-" is kept for the jobs that come
 // after.
 absl::Status CheckOutputGone(const JobSpec& spec) {
-  if (spec.overwrite || spec.dry_run) return absl::OkStatus();
-  const auto names = ListFolder(spec.out);
+  if (spec.overwrite() || spec.dry_run()) return absl::OkStatus();
+  const auto names = ListFolder(spec.out());
   const bool gone = !names.ok() || std::all_of(names->begin(), names->end(),
                                                [](const std::string& name) { return name.starts_with(".tilemend-"); });
   if (gone) return absl::OkStatus();
   return WithErrorInfo(
       absl::AlreadyExistsError(
-          absl::StrCat(Printable(spec.out), ": the output is complete; give --overwrite to do the job again there")),
+          absl::StrCat(Printable(spec.out()), ": the output is complete; give --overwrite to do the job again there")),
       {"OUTPUT_EXISTS", {}});
 }
 
@@ -77,7 +77,7 @@ absl::StatusOr<v1::Job> CoordinatorImpl::RetryJob(const v1::RetryJobRequest& req
     }
     spec = entries_.at(job->id).spec;
   }
-  spec.overwrite = spec.overwrite || request.overwrite();
+  spec.set_overwrite(spec.overwrite() || request.overwrite());
   TILEMEND_RETURN_IF_ERROR(CheckRoots(spec));
   const bool was_completed = state == JobState::kDone || state == JobState::kPartial;
   const absl::Status vacant = was_completed ? CheckOutputGone(spec) : absl::OkStatus();
