@@ -1,0 +1,42 @@
+// What is wrong with the faces that a tile got, apart from what was wrong with the tile before.
+#ifndef TILEMEND_WORKER_CHECK_ADDED_FAULTS_H_
+#define TILEMEND_WORKER_CHECK_ADDED_FAULTS_H_
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+enum class AddedFault {
+  kSelfIntersection,  // an added triangle that has more than corners and an edge in common with another
+  kCrossedRim,        // the same, where the input's surface passed through the boundary of the hole: no patch is free
+                      // of it. The input's fault
+  kNonManifoldEdge,   // an edge with more than two triangles that had at most two before
+  kTurnedEdge,        // an edge whose two triangles face opposite ways, one of them or both added
+  kFlatTriangle,      // an added triangle without area
+};
+
+// An edge with one triangle, before or after. In a tile; counts over several tiles are sums.
+struct OpenEdge {
+  Point3 from, to;          // the lower position first (by x, y, z)
+  int32_t before = 0;       // triangles that have it
+  int32_t after = 0;
+  bool is_added = false;    // of one that is there after: its triangle was added
+};
+
+struct AddedFindings {
+  std::map<AddedFault, std::vector<Point3>> faults;  // where: middles of edges and triangles
+  std::vector<OpenEdge> open;                        // in order of their positions
+};
+
+// Compares the tile `after` with what it was `before`; `added` says which triangles of `after` are new. Vertices at
+// equal positions are one. Triangles without area count for no edge. Touching is decided by exact signs. Pure.
+// O(n log n), and crossings are looked for at the added triangles alone.
+AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_CHECK_ADDED_FAULTS_H_
