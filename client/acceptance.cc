@@ -31,9 +31,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMostApart = 0.02;         // metres between fills of overlapping tiles,
-constexpr double kShareApart = 0.01;        // but for this share of the places of a border
-constexpr double kLeftReach = 1;            // metres around a hole that was left
+constexpr double kMostApart = 0.02;   // metres between fills of overlapping tiles,
+constexpr double kShareApart = 0.01;  // but for this share of the places of a border
+constexpr double kLeftReach = 1;      // metres around a hole that was left
 
 enum Kind {
   kMissingTile,
@@ -42,7 +42,8 @@ enum Kind {
   kMissingFile,
   kChangedFile,
   kOpenEdge,
-  kSelfIntersection,
+  kCrossedFill,
+  kCrossedSurface,
   kNonManifoldEdge,
   kTurnedEdge,
   kFlatTriangle,
@@ -66,7 +67,8 @@ constexpr std::array<KindText, kKinds> kTexts = {{
     {"missing_files", "missing material files and images", true},
     {"changed_files", "changed material files and images", true},
     {"open_edges", "new open edges", true},
-    {"self_intersections", "filled triangles that cross the surface", true},
+    {"crossed_fills", "filled triangles that cross each other", true},
+    {"crossed_surface", "filled triangles that cross the original surface", true},
     {"nonmanifold_edges", "new edges with more than two triangles", true},
     {"turned_edges", "new edges whose triangles face opposite ways", true},
     {"flat_triangles", "filled triangles without area", true},
@@ -177,11 +179,10 @@ class AcceptanceCheck {
   }
 
   void CheckFaces(int32_t t, const TriMesh& before, const TriMesh& after, const TileChange& change) {
-    constexpr std::pair<AddedFault, Kind> kFaults[] = {{AddedFault::kSelfIntersection, kSelfIntersection},
-                                                       {AddedFault::kCrossedRim, kCrossedRim},
-                                                       {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
-                                                       {AddedFault::kTurnedEdge, kTurnedEdge},
-                                                       {AddedFault::kFlatTriangle, kFlatTriangle}};
+    constexpr std::pair<AddedFault, Kind> kFaults[] = {
+        {AddedFault::kCrossedFill, kCrossedFill}, {AddedFault::kCrossedSurface, kCrossedSurface},
+        {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
+        {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
     const CellId cell = input_.scene.tiles[t].cell;
     const AddedFindings found = FindAddedFaults(before, after, change.added);
     for (const auto& [fault, kind] : kFaults) {
@@ -255,7 +256,8 @@ class AcceptanceCheck {
     if (reported_.overlap <= 0) return false;
     bool covered = false;
     for (const CellId other : rim_.NeighboursAt(cell, p)) {
-      const auto kept = std::find_if(strips_.begin(), strips_.end(), [&](const auto& s) { return s.second.cell == other; });
+      const auto kept =
+          std::find_if(strips_.begin(), strips_.end(), [&](const auto& s) { return s.second.cell == other; });
       if (kept == strips_.end()) continue;
       const BorderStrip::Nearest nearest = kept->second.strip.NearestTo(p);
       covered = covered || nearest.is_covered;

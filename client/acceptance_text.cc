@@ -17,9 +17,8 @@ constexpr size_t kShownPlaces = 3;  // of one kind, on a terminal
 
 std::string PlaceText(const AcceptancePlace& place) {
   if (!place.at) return Printable(place.note);
-  std::string text =
-      absl::StrFormat("[%.2f,%.2f,%.2f] in cell %d,%d", place.at->x(), place.at->y(), place.at->z(), place.cell.col,
-                      place.cell.row);
+  std::string text = absl::StrFormat("[%.2f,%.2f,%.2f] in cell %d,%d", place.at->x(), place.at->y(), place.at->z(),
+                                     place.cell.col, place.cell.row);
   if (!place.note.empty()) absl::StrAppend(&text, ": ", Printable(place.note));
   return text;
 }

@@ -26,7 +26,8 @@ CarriedState CompareFiles(const std::string& in, const std::string& out, bool ma
   while (true) {
     const size_t read_a = Fill(a, piece_a), read_b = Fill(b, piece_b);
     const size_t both = std::min(read_a, read_b);
-    if (read_b < read_a || !std::equal(piece_a.begin(), piece_a.begin() + static_cast<ptrdiff_t>(both), piece_b.begin()))
+    if (read_b < read_a ||
+        !std::equal(piece_a.begin(), piece_a.begin() + static_cast<ptrdiff_t>(both), piece_b.begin()))
       return CarriedState::kChanged;
     if (read_a < kPiece) return read_b == read_a || may_be_longer ? CarriedState::kSame : CarriedState::kChanged;
   }

@@ -66,7 +66,8 @@ ReportedOutput ReadReported(const Json& report) {
         {*cell, *at, kReachOfEdges * Number(Member(row, "open_edges")), 0, Text(Member(row, "reason"))});
   }
   for (const Json& row : RowsOf(Member(Member(report, "cleared"), "tiles"))) {
-    if (const auto cell = CellOf(row)) reported.cleared[*cell] += static_cast<int64_t>(Number(Member(row, "triangles")));
+    if (const auto cell = CellOf(row))
+      reported.cleared[*cell] += static_cast<int64_t>(Number(Member(row, "triangles")));
   }
   for (const Json& border : RowsOf(Member(Member(report, "borders"), "inexact"))) {
     for (const Json& margin : RowsOf(Member(border, "margins_m"))) {

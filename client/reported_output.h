@@ -18,8 +18,8 @@ struct ReportedOutput {
   struct Left {
     CellId cell;
     Point2 at{0, 0};
-    double reach = 0;      // metres: all of its boundary is nearer to `at`
-    double area = 0;       // m2
+    double reach = 0;  // metres: all of its boundary is nearer to `at`
+    double area = 0;   // m2
     std::string reason;
   };
   // A hole that was filled as water.

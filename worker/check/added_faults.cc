@@ -125,17 +125,18 @@ class AddedFaultFinder {
     const BoxTree tree(boxes);
     for (int32_t a = 0; a < std::ssize(triangles_); ++a) {
       if (!is_added_[a]) continue;
-      bool crosses = false, crosses_rim = false;
+      bool fill = false, surface = false, rim = false;
       tree.AnyMeeting(boxes[a], [&](int32_t b) {
         if (a == b || cones.AreApart(a, b) || !TrianglesCross(InSpace(a), InSpace(b))) return false;
-        const bool at_rim = (!is_added_[b] && PassesThroughRim(b, a));
-        (at_rim ? crosses_rim : crosses) = true;
-        return crosses;
+        (is_added_[b] ? fill : PassesThroughRim(b, a) ? rim : surface) = true;
+        return fill;
       });
-      if (!crosses && !crosses_rim) continue;
+      if (!fill && !surface && !rim) continue;
       const SpaceTriangle t = InSpace(a);
-      const Point3 middle = (t[0] + t[1] + t[2]) / 3;
-      found_.faults[crosses ? AddedFault::kSelfIntersection : AddedFault::kCrossedRim].push_back(middle);
+      const AddedFault fault = fill      ? AddedFault::kCrossedFill
+                               : surface ? AddedFault::kCrossedSurface
+                                         : AddedFault::kCrossedRim;
+      found_.faults[fault].push_back((t[0] + t[1] + t[2]) / 3);
     }
   }
 

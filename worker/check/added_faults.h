@@ -11,20 +11,21 @@
 namespace tilemend {
 
 enum class AddedFault {
-  kSelfIntersection,  // an added triangle that has more than corners and an edge in common with another
-  kCrossedRim,        // the same, where the input's surface passed through the boundary of the hole: no patch is free
-                      // of it. The input's fault
-  kNonManifoldEdge,   // an edge with more than two triangles that had at most two before
-  kTurnedEdge,        // an edge whose two triangles face opposite ways, one of them or both added
-  kFlatTriangle,      // an added triangle without area
+  kCrossedFill,      // an added triangle that crosses another added one (TrianglesCross)
+  kCrossedSurface,   // an added triangle that crosses no added one, but an original one
+  kCrossedRim,       // the same, where the original one passes through the boundary of the hole: no patch is free of
+                     // it. The input's fault
+  kNonManifoldEdge,  // an edge with more than two triangles that had at most two before
+  kTurnedEdge,       // an edge whose two triangles face opposite ways, one of them or both added
+  kFlatTriangle,     // an added triangle without area
 };
 
 // An edge with one triangle, before or after. In a tile; counts over several tiles are sums.
 struct OpenEdge {
-  Point3 from, to;          // the lower position first (by x, y, z)
-  int32_t before = 0;       // triangles that have it
+  Point3 from, to;     // the lower position first (by x, y, z)
+  int32_t before = 0;  // triangles that have it
   int32_t after = 0;
-  bool is_added = false;    // of one that is there after: its triangle was added
+  bool is_added = false;  // of one that is there after: its triangle was added
 };
 
 struct AddedFindings {

@@ -24,9 +24,7 @@ void MatchInAnyOrder(const LookedMesh& before, const LookedMesh& after, TileChan
   struct Entry {
     FaceKey key;
     int32_t triangle;
-    bool operator<(const Entry& other) const {
-      return key != other.key ? key < other.key : triangle < other.triangle;
-    }
+    bool operator<(const Entry& other) const { return key != other.key ? key < other.key : triangle < other.triangle; }
   };
   std::vector<Entry> gone, found;
   for (const int32_t t : change.missing) gone.push_back({KeyOf(before, t), t});

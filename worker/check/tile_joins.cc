@@ -82,8 +82,8 @@ JoinedEdges::Released JoinedEdges::ReleaseBelow(int32_t row) {
       ++it;
       continue;
     }
-    const NewOpenEdge edge{
-        {{key[0], key[1], key[2]}, {key[3], key[4], key[5]}, sum.before, sum.after, sum.is_added}, sum.tile};
+    const NewOpenEdge edge{{{key[0], key[1], key[2]}, {key[3], key[4], key[5]}, sum.before, sum.after, sum.is_added},
+                           sum.tile};
     if (sum.after == 1 && sum.before != 1) released.open.push_back(edge);
     if (sum.after > 2 && sum.before <= 2 && sum.is_added) released.crowded.push_back(edge);
     it = sums_.erase(it);

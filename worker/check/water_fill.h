@@ -16,9 +16,9 @@ struct WaterHole {
 };
 
 struct WaterFinding {
-  bool is_found = false;      // some added surface lies at the hole's centre, or around it
-  int64_t vertices = 0;       // added vertices inside the fill
-  std::vector<Point3> off;    // those that are not within kLevelTolerance of the level
+  bool is_found = false;    // some added surface lies at the hole's centre, or around it
+  int64_t vertices = 0;     // added vertices inside the fill
+  std::vector<Point3> off;  // those that are not within kLevelTolerance of the level
 };
 
 // The lattice of new vertices is 2^-10 m; text formats round to it exactly.
