@@ -4,8 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
-#include "absl/strings/str_replace.h"
-#include "client/output.h"
+#include "client/csv.h"
 #include "common/util/text.h"
 
 namespace tilemend {
@@ -21,14 +20,6 @@ std::string PlaceText(const AcceptancePlace& place) {
                                      place.cell.col, place.cell.row);
   if (!place.note.empty()) absl::StrAppend(&text, ": ", Printable(place.note));
   return text;
-}
-
-// For one field of a line of CSV.
-std::string CsvField(const std::string& text) {
-  const bool formula = !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos;
-  const std::string safe = formula ? absl::StrCat("'", text) : text;
-  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
-  return absl::StrCat("\"", absl::StrReplaceAll(safe, {{"\"", "\"\""}}), "\"");
 }
 
 }  // namespace

@@ -77,6 +77,8 @@ std::vector<FlagSpec> CheckFlags() {
           {"csv", "FILE", "with OUT: write the places that were found as CSV", ""}};
 }
 
+std::vector<FlagSpec> ReportFlags() { return {{"html", "", "write report.html and holes.csv beside report.json", ""}}; }
+
 }  // namespace
 
 std::vector<Command> ServiceCommands() {
@@ -103,7 +105,7 @@ std::vector<Command> ServiceCommands() {
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
       {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, Join(FillFlags(), output), FillCommand},
       {"aggregate", "SCENE --out FILE", "join all cells and fill that", 1, {"out"}, aggregate, AggregateCommand},
-      {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},
+      {"report", "DIR", "show the report of an output", 1, {}, Join(ReportFlags(), output), ReportCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, submit, SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},
       {"list", "", "show all jobs, newest first", 0, {}, list, ListCommand},
