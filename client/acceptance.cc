@@ -184,24 +184,25 @@ class AcceptanceCheck {
         {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
         {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
     const CellId cell = input_.scene.tiles[t].cell;
-    const AddedFindings found = FindAddedFaults(before, after, change.added);
+    AddedFindings found = FindAddedFaults(before, after, change.added);
+    if (reported_.overlap > 0) CoverOpenEdges(after, found.open);
     for (const auto& [fault, kind] : kFaults) {
       const auto places = found.faults.find(fault);
       if (places == found.faults.end()) continue;
       for (const Point3& p : places->second) Add(kind, cell, p);
     }
     edges_.Add(t, cell.row, found.open);
-    if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, change.added)};
+    if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, found.inner)};
   }
 
   // What of the surface lies within twice the overlap of the cell's sides, or beyond them.
-  BorderStrip StripOf(CellId cell, const TriMesh& mesh, const std::vector<bool>& added) const {
+  BorderStrip StripOf(CellId cell, const TriMesh& mesh, const std::vector<bool>& inside_fill) const {
     const Grid& grid = input_.scene.grid;
     const Point2 inner(2 * reported_.overlap + 0.1, 2 * reported_.overlap + 0.1);
     const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
     const Point2 lo = corner + inner, hi = corner + grid.cell_size - inner;
     std::vector<SpaceTriangle> triangles;
-    std::vector<bool> is_added;
+    std::vector<bool> is_inner;
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
       const Triangle& corners = mesh.triangles[t];
       const SpaceTriangle triangle = {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
@@ -210,9 +211,9 @@ class AcceptanceCheck {
       });
       if (inside) continue;
       triangles.push_back(triangle);
-      is_added.push_back(added[t]);
+      is_inner.push_back(inside_fill[t]);
     }
-    return {std::move(triangles), std::move(is_added)};
+    return {std::move(triangles), std::move(is_inner)};
   }
 
   void CheckWater(CellId cell, const TriMesh& after, const std::vector<bool>& added) {
@@ -245,14 +246,15 @@ class AcceptanceCheck {
   void JudgeOpenEdge(const NewOpenEdge& open) {
     const CellId cell = input_.scene.tiles[open.tile].cell;
     const Point3 middle = (open.edge.from + open.edge.to) / 2;
-    if (IsCovered(cell, middle, open.edge.is_added) || rim_.HasEdge(cell, open.edge.from, open.edge.to) ||
-        IsAtLeftHole(middle))
+    if (IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
+        rim_.HasEdge(cell, open.edge.from, open.edge.to) || IsAtLeftHole(middle))
       return;
     Add(kOpenEdge, cell, middle);
   }
 
-  // Whether the tile of a neighbour lies over or under p. Where both have fills there, tells how far they are apart.
-  bool IsCovered(CellId cell, const Point3& p, bool is_added) {
+  // Whether the tile of a neighbour lies over or under p. Where both have fills there, off their rims, counts
+  // how far they are apart: at the rims they are as far apart as the originals.
+  bool IsCovered(CellId cell, const Point3& p, bool is_inner) {
     if (reported_.overlap <= 0) return false;
     bool covered = false;
     for (const CellId other : rim_.NeighboursAt(cell, p)) {
@@ -260,8 +262,8 @@ class AcceptanceCheck {
           std::find_if(strips_.begin(), strips_.end(), [&](const auto& s) { return s.second.cell == other; });
       if (kept == strips_.end()) continue;
       const BorderStrip::Nearest nearest = kept->second.strip.NearestTo(p);
-      covered = covered || nearest.is_covered;
-      if (!nearest.is_covered || !nearest.is_added || !is_added) continue;
+      covered = covered || (nearest.is_covered && std::abs(nearest.height) <= kCoverReach);
+      if (!nearest.is_covered || !nearest.is_inner || !is_inner) continue;
       BorderTally& tally = borders_[std::minmax(cell, other)];
       ++tally.places;
       if (std::abs(nearest.height) > kMostApart) {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kMargin = 1.0 / 3;  // of the fill's width
 constexpr double kLeastMargin = 3, kMostMargin = 60;
-constexpr double kCoarser = 1.3;  // from one grid to the next
+constexpr double kCoarser = 1.3;      // from one grid to the next
+constexpr double kCentreSlack = 0.2;  // metres: the centre of a hole in a wall may lie beside its fill
 
 SpaceTriangle CornersOf(const TriMesh& mesh, int32_t t) {
   const Triangle& corners = mesh.triangles[t];
@@ -86,7 +87,8 @@ Eigen::AlignedBox3d PieceAt(const std::vector<Eigen::AlignedBox3d>& pieces, cons
   Eigen::AlignedBox3d best;
   double least = std::numeric_limits<double>::infinity();
   for (const Eigen::AlignedBox3d& piece : pieces) {
-    const Point2 lo = piece.min().head<2>(), hi = piece.max().head<2>();
+    const Point2 slack(kCentreSlack, kCentreSlack);
+    const Point2 lo = piece.min().head<2>() - slack, hi = piece.max().head<2>() + slack;
     if ((centre.array() < lo.array()).any() || (centre.array() > hi.array()).any()) continue;
     const double off = std::abs((hi - lo).prod() - area);
     if (off < least) {

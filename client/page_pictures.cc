@@ -18,11 +18,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kLeastArea = 0.5;  // m2: fills that are smaller show nothing
+
 struct Wanted {
   size_t rank = 0;
   int64_t hole = 0;
   Point2 centre{0, 0};
-  double area = 0, perimeter = 0;
+  double area = 0;
 };
 
 // Filled holes with a place, the largest first; of a cluster its largest.
@@ -44,7 +46,7 @@ std::map<CellId, std::vector<Wanted>> WantedByCell(const Json& report) {
   std::set<int64_t> clusters;
   size_t rank = 0;
   for (const Json* row : rows) {
-    if (rank == kMostPictures) break;
+    if (rank == kMostPictures || std::abs(Number(Member(*row, "area_m2"))) < kLeastArea) break;
     const Json& cluster = Member(*row, "cluster");
     if (cluster.is_number_integer() && !clusters.insert(cluster.get<int64_t>()).second) continue;
     const Json &cell = Member(*row, "cell"), &centre = Member(*row, "centre");
@@ -52,8 +54,7 @@ std::map<CellId, std::vector<Wanted>> WantedByCell(const Json& report) {
         {rank++,
          static_cast<int64_t>(Number(Member(*row, "id"))),
          {centre[0].get<double>(), centre[1].get<double>()},
-         std::abs(Number(Member(*row, "area_m2"))),
-         Number(Member(*row, "perimeter_m"))});
+         std::abs(Number(Member(*row, "area_m2")))});
   }
   return wanted;
 }

@@ -44,7 +44,7 @@ class View {
   }
 
   orbit(canvas: HTMLCanvasElement, crop: Crop, draw: () => void): void {
-    const [x, y, z] = crop.centre, distance = 3.1 * crop.radius;
+    const [x, y, z] = crop.centre, distance = 3.3 * crop.radius;
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(x - 0.25 * distance, y - 0.68 * distance, z + 0.7 * distance);
     const controls = new OrbitControls(this.camera, canvas);
@@ -111,7 +111,7 @@ class Card {
       const crop = await readCrop(this.picture.bytes);
       this.view = new View(renderer, crop);
       this.view.orbit(this.canvas, crop, () => this.draw());
-      this.draw();
+      this.show(crop.texture ? 'after' : 'marked'); // without texture a fill looks like its surroundings
       this.view.draw(this.printed, 'before');
       this.note.textContent = this.picture.coarser ? 'Small triangles are left out of this picture.' : '';
       this.element.dataset['loaded'] = 'yes';

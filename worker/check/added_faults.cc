@@ -20,7 +20,7 @@ namespace {
 // One triangle at an edge.
 struct EdgeSide {
   uint64_t edge;  // EdgeKey of the lower and the higher welded vertex
-  bool is_after, is_added, is_forward;
+  bool is_after, is_added, is_inner, is_forward;
 
   bool operator<(const EdgeSide& other) const { return edge < other.edge; }
 };
@@ -33,6 +33,7 @@ class AddedFaultFinder {
  public:
   AddedFaultFinder(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added) {
     Weld(before, {}, false);
+    originals_ = index_.size();
     Weld(after, added, true);
     points_ = index_.positions();
   }
@@ -54,6 +55,9 @@ class AddedFaultFinder {
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
       const Triangle& corners = mesh.triangles[t];
       const bool is_added = is_after && added[t];
+      const auto is_original = [&](int32_t v) { return number[v] < originals_; };
+      const bool is_inner = is_added && std::none_of(corners.begin(), corners.end(), is_original);
+      if (is_after) found_.inner.push_back(is_inner);
       if (TwiceVectorArea(mesh.points, corners).squaredNorm() <= 0) {
         if (is_added) found_.faults[AddedFault::kFlatTriangle].push_back(mesh.points[corners[0]]);
         continue;
@@ -61,7 +65,7 @@ class AddedFaultFinder {
       const Triangle welded = {number[corners[0]], number[corners[1]], number[corners[2]]};
       for (int k = 0; k < 3; ++k) {
         const int32_t a = welded[k], b = welded[(k + 1) % 3];
-        sides_.push_back({EdgeKey(std::min(a, b), std::max(a, b)), is_after, is_added, a < b});
+        sides_.push_back({EdgeKey(std::min(a, b), std::max(a, b)), is_after, is_added, is_inner, a < b});
       }
       if (!is_after) continue;
       triangles_.push_back(welded);
@@ -86,6 +90,7 @@ class AddedFaultFinder {
     const int32_t before = count([](const EdgeSide& s) { return !s.is_after; });
     const int32_t after = count([](const EdgeSide& s) { return s.is_after; });
     const int32_t added = count([](const EdgeSide& s) { return s.is_added; });
+    const int32_t inner = count([](const EdgeSide& s) { return s.is_inner; });
     const int32_t forward = count([](const EdgeSide& s) { return s.is_after && s.is_forward; });
     const uint64_t edge = sides_[first].edge;
     const auto a = static_cast<int32_t>(edge >> 32), b = static_cast<int32_t>(edge & 0xffffffffU);
@@ -95,7 +100,7 @@ class AddedFaultFinder {
     if (before == 1) rim_.push_back({a, b});
     if (before != 1 && after != 1) return;
     const bool swap = IsLower(points_[b], points_[a]);
-    found_.open.push_back({points_[swap ? b : a], points_[swap ? a : b], before, after, added > 0});
+    found_.open.push_back({points_[swap ? b : a], points_[swap ? a : b], before, after, added > 0, inner > 0});
   }
 
   SpaceTriangle InSpace(int32_t t) const {
@@ -141,6 +146,7 @@ class AddedFaultFinder {
   }
 
   PositionIndex index_;
+  int32_t originals_ = 0;            // vertices of the tile before: the first of index_
   std::vector<Point3> points_;       // welded
   std::vector<Triangle> triangles_;  // of the tile after, with area
   std::vector<bool> is_added_;       // of triangles_

@@ -25,12 +25,15 @@ struct OpenEdge {
   Point3 from, to;     // the lower position first (by x, y, z)
   int32_t before = 0;  // triangles that have it
   int32_t after = 0;
-  bool is_added = false;  // of one that is there after: its triangle was added
+  bool is_added = false;    // of one that is there after: its triangle was added
+  bool is_inner = false;    // and has no vertex at an original one
+  bool is_covered = false;  // the tile has other surface there: pieces of a tile overlap (set by CoverOpenEdges)
 };
 
 struct AddedFindings {
   std::map<AddedFault, std::vector<Point3>> faults;  // where: middles of edges and triangles
   std::vector<OpenEdge> open;                        // in order of their positions
+  std::vector<bool> inner;  // of each triangle of `after`: it was added, and has no vertex at an original one
 };
 
 // Compares the tile `after` with what it was `before`; `added` says which triangles of `after` are new. Vertices at

@@ -41,26 +41,43 @@ double HeightAbove(const SpaceTriangle& t, const Point3& p) {
 
 }  // namespace
 
-BorderStrip::BorderStrip(std::vector<SpaceTriangle> triangles, std::vector<bool> added)
-    : triangles_(std::move(triangles)), added_(std::move(added)) {
+BorderStrip::BorderStrip(std::vector<SpaceTriangle> triangles, std::vector<bool> inner)
+    : triangles_(std::move(triangles)), inner_(std::move(inner)) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const SpaceTriangle& t : triangles_) boxes.push_back(FlatBoxOf(t));
   tree_ = BoxTree(boxes);
 }
 
-BorderStrip::Nearest BorderStrip::NearestTo(const Point3& p) const {
+BorderStrip::Nearest BorderStrip::NearestBeside(const Point3& p, const Point3& a, const Point3& b) const {
   Nearest nearest;
   double best = INFINITY;
   const Point3 flat(p.x(), p.y(), 0), reach(kSteepReach, kSteepReach, 0);
   tree_.AnyMeeting({flat - reach, flat + reach}, [&](int32_t t) {
+    const auto is_end = [&](const Point3& corner) { return p != a && (corner == a || corner == b); };
+    if (std::any_of(triangles_[t].begin(), triangles_[t].end(), is_end)) return false;
     const double height = HeightAbove(triangles_[t], p);
     if (std::abs(height) < best) {
       best = std::abs(height);
-      nearest = {true, added_[t], height};
+      nearest = {true, inner_[t], height};
     }
     return false;
   });
   return nearest;
+}
+
+void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges) {
+  const auto is_new = [](const OpenEdge& e) { return e.after == 1 && e.before != 1; };
+  if (std::none_of(edges.begin(), edges.end(), is_new)) return;
+  std::vector<SpaceTriangle> triangles;
+  for (const Triangle& t : mesh.triangles) {
+    triangles.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
+  }
+  const BorderStrip surface(std::move(triangles), std::vector<bool>(mesh.triangles.size(), false));
+  for (OpenEdge& e : edges) {
+    if (!is_new(e)) continue;
+    const BorderStrip::Nearest nearest = surface.NearestBeside((e.from + e.to) / 2, e.from, e.to);
+    e.is_covered = nearest.is_covered && std::abs(nearest.height) <= kCoverReach;
+  }
 }
 
 void JoinedEdges::Add(int32_t tile, int32_t row, const std::vector<OpenEdge>& edges) {
@@ -71,6 +88,8 @@ void JoinedEdges::Add(int32_t tile, int32_t row, const std::vector<OpenEdge>& ed
     sum.row = row;
     if (e.after > 0) sum.tile = tile;
     sum.is_added = sum.is_added || e.is_added;
+    sum.is_inner = sum.is_inner || e.is_inner;
+    sum.is_covered = sum.is_covered || e.is_covered;
   }
 }
 
@@ -82,7 +101,13 @@ JoinedEdges::Released JoinedEdges::ReleaseBelow(int32_t row) {
       ++it;
       continue;
     }
-    const NewOpenEdge edge{{{key[0], key[1], key[2]}, {key[3], key[4], key[5]}, sum.before, sum.after, sum.is_added},
+    const NewOpenEdge edge{{{key[0], key[1], key[2]},
+                            {key[3], key[4], key[5]},
+                            sum.before,
+                            sum.after,
+                            sum.is_added,
+                            sum.is_inner,
+                            sum.is_covered},
                            sum.tile};
     if (sum.after == 1 && sum.before != 1) released.open.push_back(edge);
     if (sum.after > 2 && sum.before <= 2 && sum.is_added) released.crowded.push_back(edge);

@@ -18,21 +18,30 @@ namespace tilemend {
 class BorderStrip {
  public:
   BorderStrip() = default;
-  BorderStrip(std::vector<SpaceTriangle> triangles, std::vector<bool> added);
+  BorderStrip(std::vector<SpaceTriangle> triangles, std::vector<bool> inner);
 
   // How far above or below `p` the nearest surface is, in metres.
   struct Nearest {
     bool is_covered = false;  // there is surface above or below p, or within kSteepReach beside it
-    bool is_added = false;    // the nearest was added
+    bool is_inner = false;    // the nearest is inside a fill (AddedFindings::inner)
     double height = 0;        // of the nearest, above p
   };
-  Nearest NearestTo(const Point3& p) const;
+  Nearest NearestTo(const Point3& p) const { return NearestBeside(p, p, p); }
+  // The same without the triangles that have a corner at `a` or `b`.
+  Nearest NearestBeside(const Point3& p, const Point3& a, const Point3& b) const;
 
  private:
   std::vector<SpaceTriangle> triangles_;
-  std::vector<bool> added_;
+  std::vector<bool> inner_;
   BoxTree tree_;  // from above
 };
+
+// Surface that is no further above or below an open edge closes it where tiles or pieces of a tile overlap, in metres.
+inline constexpr double kCoverReach = 1;
+
+// Marks the edges with one triangle in `mesh`, and not in the input, that other surface of the mesh covers. O(n log n)
+// if there are any, else O(edges).
+void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges);
 
 // An edge that has one triangle in all tiles together, and had not in the input.
 struct NewOpenEdge {
@@ -57,7 +66,7 @@ class JoinedEdges {
  private:
   struct Sum {
     int32_t before = 0, after = 0, tile = 0, row = 0;
-    bool is_added = false;
+    bool is_added = false, is_inner = false, is_covered = false;
   };
   std::map<std::array<double, 6>, Sum> sums_;
 };
