@@ -9,9 +9,12 @@
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/edge_key.h"
 #include "common/mesh/position_index.h"
+#include "common/mesh/triangle_shape.h"
 
 namespace tilemend {
 namespace {
+
+constexpr double kWallNormal = 0.7;  // upward part of the normal: steeper than 45 degrees
 
 // Connected added triangles.
 struct FillPiece {
@@ -33,19 +36,18 @@ class FillPieces {
       Triangle& welded = triangles.emplace_back();
       for (size_t k = 0; k < 3; ++k) welded[k] = index_.Insert(tile.points[tile.triangles[t][k]]);
     }
-    DisjointSets sets(index_.size());
-    for (const Triangle& t : triangles) {
-      sets.Join(t[0], t[1]);
-      sets.Join(t[0], t[2]);
+    for (FillPiece& piece : ByEdges(triangles)) pieces_.push_back(std::move(piece));
+    for (FillPiece& piece : pieces_) {
+      for (const Triangle& t : piece.triangles) {
+        for (const int32_t v : t) piece.box.extend(At(v));
+      }
     }
-    std::map<int32_t, FillPiece> by_vertex;
-    for (const Triangle& t : triangles) {
-      FillPiece& piece = by_vertex[sets.LowestOf(t[0])];
-      piece.triangles.push_back(t);
-      for (const int32_t v : t) piece.box.extend(At(v));
+    const std::vector<bool> shore = ShoreOf(tile, added);
+    for (FillPiece& piece : pieces_) {
+      FindInside(piece);
+      std::erase_if(piece.inside, [&](int32_t v) { return shore[static_cast<size_t>(v)]; });
+      LeaveOutWalls(piece);
     }
-    for (auto& [lowest, piece] : by_vertex) pieces_.push_back(std::move(piece));
-    for (FillPiece& piece : pieces_) FindInside(piece);
   }
 
   WaterFinding Check(const WaterHole& hole) const {
@@ -61,6 +63,56 @@ class FillPieces {
 
  private:
   Point2 At(int32_t v) const { return index_.positions()[v].head<2>(); }
+
+  // Triangles that are connected over edges: fills of two holes may touch at a vertex.
+  static std::vector<FillPiece> ByEdges(const std::vector<Triangle>& triangles) {
+    std::vector<std::pair<uint64_t, int32_t>> sides;
+    for (int32_t t = 0; t < std::ssize(triangles); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const auto [lo, hi] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+        sides.emplace_back(EdgeKey(lo, hi), t);
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    DisjointSets sets(static_cast<int32_t>(triangles.size()));
+    for (size_t i = 1; i < sides.size(); ++i) {
+      if (sides[i].first == sides[i - 1].first) sets.Join(sides[i].second, sides[i - 1].second);
+    }
+    std::map<int32_t, FillPiece> by_triangle;
+    for (int32_t t = 0; t < std::ssize(triangles); ++t) by_triangle[sets.LowestOf(t)].triangles.push_back(triangles[t]);
+    std::vector<FillPiece> pieces;
+    for (auto& [lowest, piece] : by_triangle) pieces.push_back(std::move(piece));
+    return pieces;
+  }
+
+  // Of each vertex of the fills: whether original surface has it.
+  std::vector<bool> ShoreOf(const TriMesh& tile, const std::vector<bool>& added) const {
+    std::vector<bool> shore(static_cast<size_t>(index_.size()), false);
+    for (size_t t = 0; t < tile.triangles.size(); ++t) {
+      if (added[t]) continue;
+      for (const int32_t corner : tile.triangles[t]) {
+        const int32_t v = index_.Find(tile.points[corner]);
+        if (v >= 0) shore[static_cast<size_t>(v)] = true;
+      }
+    }
+    return shore;
+  }
+
+  // Takes vertices out that stand on a wall of the fill up to its boundary: all of their triangles are steep, and one
+  // reaches the boundary.
+  void LeaveOutWalls(FillPiece& piece) const {
+    std::set<int32_t> level, beside;
+    for (const Triangle& t : piece.triangles) {
+      const Eigen::Vector3d normal = TwiceVectorArea(index_.positions(), t);
+      const bool steep = normal.z() < kWallNormal * normal.norm();
+      const bool at_boundary = std::any_of(t.begin(), t.end(), [&](int32_t v) { return !piece.inside.contains(v); });
+      for (const int32_t v : t) {
+        if (!steep) level.insert(v);
+        if (at_boundary) beside.insert(v);
+      }
+    }
+    std::erase_if(piece.inside, [&](int32_t v) { return !level.contains(v) && beside.contains(v); });
+  }
 
   static void FindInside(FillPiece& piece) {
     std::vector<uint64_t> edges;
