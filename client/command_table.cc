@@ -59,8 +59,11 @@ std::vector<FlagSpec> CheckFlags() {
   return {{"crease-angle", "DEGREES", "a sharper turn of the surface at an edge is a fault", "120"},
           {"spike-angle", "DEGREES", "a vertex with less about it, on long edges, is a spike", "90"},
           {"small-component", "EDGES", "no wider pieces are small, in mean edges of the mesh", "5"},
-          {"small-hole", "EDGES", "holes with no more boundary edges are small", "12"}};
+          {"small-hole", "EDGES", "holes with no more boundary edges are small", "12"},
+          {"csv", "FILE", "with OUT: write the places that were found as CSV", ""}};
 }
+
+std::vector<FlagSpec> ReportFlags() { return {{"html", "", "write report.html and holes.csv beside report.json", ""}}; }
 
 }  // namespace
 
@@ -80,16 +83,17 @@ std::vector<Command> ServiceCommands() {
   return {
       {"inspect", "SCENE|MESH", "show tiles, borders and holes; write nothing", 1, {}, inspect, InspectCommand},
       {"check",
-       "MESH|SCENE|DIR",
-       "show what is wrong with a mesh, a scene or an output; write nothing",
+       "MESH|SCENE|DIR [OUT]",
+       "show what is wrong with a mesh, a scene or an output; with OUT, compare an output with its scene",
        1,
        {},
        Join(CheckFlags(), output),
-       CheckCommand},
+       CheckCommand,
+       1},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
       {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, fill, FillCommand},
       {"aggregate", "SCENE --out FILE", "join all cells and fill that", 1, {"out"}, aggregate, AggregateCommand},
-      {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},
+      {"report", "DIR", "show the report of an output", 1, {}, Join(ReportFlags(), output), ReportCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, submit, SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},
       {"list", "", "show all jobs, newest first", 0, {}, list, ListCommand},

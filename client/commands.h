@@ -20,11 +20,13 @@ struct Command {
   std::vector<std::string> required_flags;
   std::vector<FlagSpec> flags;
   std::function<int(const Args&)> run;  // gives the exit code
+  size_t optional_arguments = 0;        // that may follow the others
 };
 
 // Each prints data on stdout, progress and errors on stderr, and gives an exit code (common/util/exit_codes.h).
 int InspectCommand(const Args& args);
 int CheckCommand(const Args& args);
+int AcceptanceCommand(const Args& args);
 int RunCommand(const Args& args);
 int FillCommand(const Args& args);
 int AggregateCommand(const Args& args);

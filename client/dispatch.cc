@@ -82,10 +82,12 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
   if (!settings.ok()) return UsageError(std::string(settings.status().message()));
   const auto args = Args::Parse(command.flags, words, *settings);
   if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));
-  if (args->arguments().size() != command.argument_count) {
-    return UsageError(absl::StrCat(command.name, ": expected ", command.argument_count,
-                                   command.argument_count == 1 ? " argument" : " arguments", ", got ",
-                                   args->arguments().size(), "; usage: ", UsageOf(command)));
+  const size_t given = args->arguments().size(), least = command.argument_count,
+               most = least + command.optional_arguments;
+  if (given < least || given > most) {
+    return UsageError(absl::StrCat(command.name, ": expected ", least, most > least ? absl::StrCat(" or ", most) : "",
+                                   most == 1 ? " argument" : " arguments", ", got ", given,
+                                   "; usage: ", UsageOf(command)));
   }
   for (const std::string& argument : args->arguments()) {
     if (argument.empty()) return UsageError(absl::StrCat(command.name, ": an argument is empty"));
