@@ -71,7 +71,8 @@ TEST_F(UntrustedWorkerTest, ALateAttemptChangesNothingOfTheOutputOfAnotherJob) {
   retry.set_name(first.name());
   retry.set_overwrite(true);
   absl::StatusOr<v1::Job> second = cluster_.coordinator().calls().jobs.RetryJob(retry);
-  while (absl::IsAborted(second.status())) second = cluster_.coordinator().calls().jobs.RetryJob(retry);  // the first is just ending
+  while (absl::IsAborted(second.status()))
+    second = cluster_.coordinator().calls().jobs.RetryJob(retry);  // the first is just ending
   ASSERT_TRUE(second.ok()) << second.status();
   const v1::Job job = cluster_.WaitFor(second->name());
   ASSERT_EQ(job.state(), v1::DONE) << job.error().message();
