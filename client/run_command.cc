@@ -1,6 +1,7 @@
 // `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <utility>
@@ -22,7 +23,7 @@
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
-#include "coordinator/api/coordinator_impl.h"
+#include "coordinator/api/coordinator.h"
 #include "coordinator/api/grpc_services.h"
 #include "coordinator/jobs/scene_pipeline.h"
 #include "worker/service/scene_stages.h"
@@ -65,9 +66,7 @@ absl::StatusOr<Means> MeansFromFlags(const Args& args) {
   return means;
 }
 
-// Runs the job to its end. The first signal cancels it.
-absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
-                                    SignalWatcher& signals) {
+absl::StatusOr<std::unique_ptr<Coordinator>> EmbeddedCoordinator(const std::string& work_folder) {
   CoordinatorOptions options;
   options.work_folder = work_folder;
   // Workers of this process cannot be lost without it; a machine that slept must not look like one that died.
@@ -75,9 +74,14 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   // The only worker is this process: what it gets wrong once it gets wrong again.
   options.check_result = SceneResultCheck(TileCheck::kSize);
   options.state.max_refusals = 1;
-  TILEMEND_ASSIGN_OR_RETURN(
-      const auto impl, CoordinatorImpl::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null()));
-  TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *impl));
+  return Coordinator::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null());
+}
+
+// Runs the job to its end. The first signal cancels it.
+absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
+                                    SignalWatcher& signals) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto coordinator, EmbeddedCoordinator(work_folder));
+  TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *coordinator));
   JobClient client(server->rpc().InProcessChannel(), absl::ZeroDuration());
   v1::CreateJobRequest request;
   *request.mutable_spec() = spec;
@@ -93,7 +97,9 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   cancel.set_name(job->name());
   // Not by a call, for which there may be no thread. Refused if the job has just ended; then there is nothing to
   // cancel.
-  const auto cancel_job = [&impl, cancel] { impl->CancelJob(cancel).status().IgnoreError(); };
+  const auto cancel_job = [&coordinator, cancel] {
+    coordinator->calls().jobs.CancelJob(cancel).status().IgnoreError();
+  };
   worker_options.on_end = cancel_job;
   Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(means.memory_bytes),
                 *MetricsRegistry::Null());

@@ -193,7 +193,7 @@ RULES = {
 
     'coordinator/jobs': rule(
         ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics',
-         'common/rpc', 'coordinator/state', 'coordinator/check', 'coordinator/waves', 'coordinator/report',
+         'common/rpc', 'coordinator/state', 'coordinator/journal', 'coordinator/check', 'coordinator/waves', 'coordinator/report',
          'coordinator/store'],
         ['absl', 'protobuf']),
 

@@ -71,28 +71,28 @@ class Entrance {
 
 class JobsService : public v1::Jobs::Service {
  public:
-  JobsService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
+  JobsService(CallHandlers& calls, const Entrance& entrance) : calls_(calls), entrance_(entrance) {}
 
   grpc::Status CreateJob(ServerContext* context, const v1::CreateJobRequest* request, v1::Job* response) override {
     const v1::JobSpec& spec = request->spec();
     LogFields how = {{"scene", spec.scene()}, {"out", spec.out()}, {"overwrite", spec.overwrite() ? "true" : ""}};
     return entrance_.Change(
         *context, "tilemend.v1.Jobs/CreateJob", "", std::move(how), response,
-        [&](const Caller& caller) { return impl_.CreateJob(*request, OriginOf(*context, caller)); });
+        [&](const Caller& caller) { return calls_.jobs.CreateJob(*request, OriginOf(*context, caller)); });
   }
   grpc::Status GetJob(ServerContext* context, const v1::GetJobRequest* request, v1::Job* response) override {
     return entrance_.Run(*context, "tilemend.v1.Jobs/GetJob",
-                         [&](const Caller&) { return Take(impl_.GetJob(*request), response); });
+                         [&](const Caller&) { return Take(calls_.jobs.GetJob(*request), response); });
   }
   grpc::Status ListJobs(ServerContext* context, const v1::ListJobsRequest* request,
                         v1::ListJobsResponse* response) override {
     return entrance_.Run(*context, "tilemend.v1.Jobs/ListJobs",
-                         [&](const Caller&) { return Take(impl_.ListJobs(*request), response); });
+                         [&](const Caller&) { return Take(calls_.jobs.ListJobs(*request), response); });
   }
   grpc::Status WatchJob(ServerContext* context, const v1::WatchJobRequest* request,
                         grpc::ServerWriter<v1::Job>* writer) override {
     return entrance_.Run(*context, "tilemend.v1.Jobs/WatchJob", [&](const Caller&) {
-      return impl_.WatchJob(
+      return calls_.watch.WatchJob(
           *request, [writer](const v1::Job& job) { return writer->Write(job); },
           [context] { return !context->IsCancelled(); });
     });
@@ -101,7 +101,7 @@ class JobsService : public v1::Jobs::Service {
     return entrance_.Change(*context, "tilemend.v1.Jobs/CancelJob", request->name(), {}, response,
                             [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
                               TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request->name()));
-                              return impl_.CancelJob(*request);
+                              return calls_.jobs.CancelJob(*request);
                             });
   }
   grpc::Status RetryJob(ServerContext* context, const v1::RetryJobRequest* request, v1::Job* response) override {
@@ -109,29 +109,29 @@ class JobsService : public v1::Jobs::Service {
                             {{"overwrite", request->overwrite() ? "true" : ""}}, response,
                             [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
                               TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request->name()));
-                              return impl_.RetryJob(*request, OriginOf(*context, caller));
+                              return calls_.jobs.RetryJob(*request, OriginOf(*context, caller));
                             });
   }
   grpc::Status PauseJob(ServerContext* context, const v1::PauseJobRequest* request, v1::Job* response) override {
-    return Steer(*context, "tilemend.v1.Jobs/PauseJob", {}, *request, response, &CoordinatorImpl::PauseJob);
+    return Steer(*context, "tilemend.v1.Jobs/PauseJob", {}, *request, response, &JobsHandler::PauseJob);
   }
   grpc::Status ResumeJob(ServerContext* context, const v1::ResumeJobRequest* request, v1::Job* response) override {
-    return Steer(*context, "tilemend.v1.Jobs/ResumeJob", {}, *request, response, &CoordinatorImpl::ResumeJob);
+    return Steer(*context, "tilemend.v1.Jobs/ResumeJob", {}, *request, response, &JobsHandler::ResumeJob);
   }
   grpc::Status PrioritizeJob(ServerContext* context, const v1::PrioritizeJobRequest* request,
                              v1::Job* response) override {
     return Steer(*context, "tilemend.v1.Jobs/PrioritizeJob", {{"priority", request->priority()}}, *request, response,
-                 &CoordinatorImpl::PrioritizeJob);
+                 &JobsHandler::PrioritizeJob);
   }
 
  private:
   template <typename Request>
   grpc::Status Steer(const ServerContext& context, std::string_view rpc, LogFields how, const Request& request,
-                     v1::Job* response, absl::StatusOr<v1::Job> (CoordinatorImpl::*steer)(const Request&)) {
+                     v1::Job* response, absl::StatusOr<v1::Job> (JobsHandler::*steer)(const Request&)) {
     return entrance_.Change(context, rpc, request.name(), std::move(how), response,
                             [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
                               TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request.name()));
-                              return std::invoke(steer, impl_, request);
+                              return std::invoke(steer, calls_.jobs, request);
                             });
   }
 
@@ -140,38 +140,38 @@ class JobsService : public v1::Jobs::Service {
     if (caller.May(Role::kAdmin)) return absl::OkStatus();
     v1::GetJobRequest request;
     request.set_name(name);
-    TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, impl_.GetJob(request));
+    TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, calls_.jobs.GetJob(request));
     if (job.owner() == caller.name) return absl::OkStatus();
     return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(name, ": is another's; it needs the role admin")),
                          {"ROLE_NEEDED", {{"role", "admin"}, {"job", name}}});
   }
 
-  CoordinatorImpl& impl_;
+  CallHandlers& calls_;
   const Entrance& entrance_;
 };
 
 class WorkersService : public v1::Workers::Service {
  public:
-  WorkersService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
+  WorkersService(CallHandlers& calls, const Entrance& entrance) : calls_(calls), entrance_(entrance) {}
 
   grpc::Status ListWorkers(ServerContext* context, const v1::ListWorkersRequest* request,
                            v1::ListWorkersResponse* response) override {
     return entrance_.Run(*context, "tilemend.v1.Workers/ListWorkers",
-                         [&](const Caller&) { return Take(impl_.ListWorkers(*request), response); });
+                         [&](const Caller&) { return Take(calls_.cluster.ListWorkers(*request), response); });
   }
 
  private:
-  CoordinatorImpl& impl_;
+  CallHandlers& calls_;
   const Entrance& entrance_;
 };
 
 class WorkService : public v1::Work::Service {
  public:
-  WorkService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
+  WorkService(CallHandlers& calls, const Entrance& entrance) : calls_(calls), entrance_(entrance) {}
 
   grpc::Status Sync(ServerContext* context, const v1::SyncRequest* request, v1::SyncResponse* response) override {
     return entrance_.Run(*context, "tilemend.v1.Work/Sync", [&](const Caller& caller) {
-      return Take(impl_.Sync(
+      return Take(calls_.work.Sync(
                       *request, [context] { return !context->IsCancelled(); }, caller.name),
                   response);
     });
@@ -184,31 +184,31 @@ class WorkService : public v1::Work::Service {
         chunk.set_data(bytes.data(), bytes.size());
         return writer->Write(chunk);
       };
-      return impl_.ReadBlob(*request, send, [context] { context->TryCancel(); });
+      return calls_.blobs.ReadBlob(*request, send, [context] { context->TryCancel(); });
     });
   }
   grpc::Status WriteBlob(ServerContext* context, grpc::ServerReader<v1::WriteBlobRequest>* reader,
                          v1::WriteBlobResponse* response) override {
     return entrance_.Run(*context, "tilemend.v1.Work/WriteBlob", [&](const Caller&) {
-      return Take(impl_.WriteBlob([reader](v1::WriteBlobRequest& message) { return reader->Read(&message); },
-                                  [context] { context->TryCancel(); }),
+      return Take(calls_.blobs.WriteBlob([reader](v1::WriteBlobRequest& message) { return reader->Read(&message); },
+                                         [context] { context->TryCancel(); }),
                   response);
     });
   }
 
  private:
-  CoordinatorImpl& impl_;
+  CallHandlers& calls_;
   const Entrance& entrance_;
 };
 
 class ScalerService : public externalscaler::ExternalScaler::Service {
  public:
-  ScalerService(CoordinatorImpl& impl, const Entrance& entrance) : impl_(impl), entrance_(entrance) {}
+  ScalerService(CallHandlers& calls, const Entrance& entrance) : calls_(calls), entrance_(entrance) {}
 
   grpc::Status IsActive(ServerContext* context, const externalscaler::ScaledObjectRef*,
                         externalscaler::IsActiveResponse* response) override {
     return entrance_.Run(*context, "externalscaler.ExternalScaler/IsActive", [&](const Caller&) {
-      response->set_result(impl_.DemandNow().jobs > 0);
+      response->set_result(calls_.cluster.DemandNow().jobs > 0);
       return absl::OkStatus();
     });
   }
@@ -220,7 +220,7 @@ class ScalerService : public externalscaler::ExternalScaler::Service {
         response.set_result(active);
         return writer->Write(response);
       };
-      return impl_.WatchDemand(send, [context] { return !context->IsCancelled(); });
+      return calls_.watch.WatchDemand(send, [context] { return !context->IsCancelled(); });
     });
   }
   grpc::Status GetMetricSpec(ServerContext* context, const externalscaler::ScaledObjectRef* request,
@@ -230,25 +230,26 @@ class ScalerService : public externalscaler::ExternalScaler::Service {
   }
   grpc::Status GetMetrics(ServerContext* context, const externalscaler::GetMetricsRequest* request,
                           externalscaler::GetMetricsResponse* response) override {
-    return entrance_.Run(*context, "externalscaler.ExternalScaler/GetMetrics",
-                         [&](const Caller&) { return Take(ScalerMetrics(*request, impl_.DemandNow()), response); });
+    return entrance_.Run(*context, "externalscaler.ExternalScaler/GetMetrics", [&](const Caller&) {
+      return Take(ScalerMetrics(*request, calls_.cluster.DemandNow()), response);
+    });
   }
 
  private:
-  CoordinatorImpl& impl_;
+  CallHandlers& calls_;
   const Entrance& entrance_;
 };
 
 class Server : public CoordinatorServer {
  public:
-  Server(CoordinatorImpl& impl, std::shared_ptr<Gate> gate)
-      : impl_(impl),
+  Server(Coordinator& coordinator, std::shared_ptr<Gate> gate)
+      : coordinator_(coordinator),
         entrance_(std::move(gate)),
-        jobs_(impl, entrance_),
-        workers_(impl, entrance_),
-        work_(impl, entrance_),
-        scaler_(impl, entrance_) {}
-  ~Server() override { impl_.StopWaiting(); }
+        jobs_(coordinator.calls(), entrance_),
+        workers_(coordinator.calls(), entrance_),
+        work_(coordinator.calls(), entrance_),
+        scaler_(coordinator.calls(), entrance_) {}
+  ~Server() override { coordinator_.StopWaiting(); }
 
   absl::Status Start(const std::string& listen, const TlsFiles& tls) {
     TILEMEND_ASSIGN_OR_RETURN(rpc_, RpcServer::Start(listen, {&jobs_, &workers_, &work_, &scaler_}, tls));
@@ -257,7 +258,7 @@ class Server : public CoordinatorServer {
   RpcServer& rpc() override { return *rpc_; }
 
  private:
-  CoordinatorImpl& impl_;
+  Coordinator& coordinator_;
   const Entrance entrance_;
   JobsService jobs_;
   WorkersService workers_;
@@ -269,12 +270,12 @@ class Server : public CoordinatorServer {
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<CoordinatorServer>> CoordinatorServer::Start(const std::string& listen,
-                                                                            CoordinatorImpl& impl,
+                                                                            Coordinator& coordinator,
                                                                             ServerOptions options) {
   if (options.gate == nullptr) {
     options.gate = std::make_shared<Gate>(Access::Open(), *MetricsRegistry::Null(), *Log::Null());
   }
-  auto server = std::make_unique<Server>(impl, std::move(options.gate));
+  auto server = std::make_unique<Server>(coordinator, std::move(options.gate));
   TILEMEND_RETURN_IF_ERROR(server->Start(listen, options.tls));
   return server;
 }

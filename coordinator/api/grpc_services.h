@@ -1,4 +1,4 @@
-// gRPC over CoordinatorImpl: nothing but adapters.
+// gRPC over the handlers of the calls: nothing but adapters.
 #ifndef TILEMEND_COORDINATOR_API_GRPC_SERVICES_H_
 #define TILEMEND_COORDINATOR_API_GRPC_SERVICES_H_
 
@@ -7,7 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/rpc/endpoint.h"
-#include "coordinator/api/coordinator_impl.h"
+#include "coordinator/api/coordinator.h"
 #include "coordinator/api/gate.h"
 
 namespace tilemend {
@@ -17,11 +17,11 @@ struct ServerOptions {
   std::shared_ptr<Gate> gate;  // null: everybody may do everything, and nobody counts it
 };
 
-// A coordinator on the network (or in process alone, with an empty `listen`). It ends before `impl` does.
+// A coordinator on the network (or in process alone, with an empty `listen`). It ends before `coordinator` does.
 class CoordinatorServer {
  public:
-  // Errors of RpcServer::Start. `impl` must outlive the server.
-  static absl::StatusOr<std::unique_ptr<CoordinatorServer>> Start(const std::string& listen, CoordinatorImpl& impl,
+  // Errors of RpcServer::Start. `coordinator` must outlive the server.
+  static absl::StatusOr<std::unique_ptr<CoordinatorServer>> Start(const std::string& listen, Coordinator& coordinator,
                                                                   ServerOptions options = {});
   virtual ~CoordinatorServer() = default;
 

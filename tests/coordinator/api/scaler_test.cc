@@ -10,7 +10,7 @@
 #include "common/rpc/grpc_status.h"
 #include "common/util/error_info.h"
 #include "externalscaler/externalscaler.grpc.pb.h"
-#include "tests/coordinator/api/coordinator_impl_fixture.h"
+#include "tests/coordinator/api/coordinator_fixture.h"
 
 namespace tilemend {
 namespace {
@@ -63,7 +63,7 @@ TEST(ScalerTest, SpeaksTheBytesOfTheContract) {
   EXPECT_EQ(ScalerSpec(object)->SerializeAsString(), answer);
 }
 
-class ScalerOverGrpcTest : public CoordinatorImplTest {
+class ScalerOverGrpcTest : public CoordinatorTest {
  protected:
   void SetUp() override {
     if (!kHasGrpc) GTEST_SKIP() << "needs gRPC";
@@ -90,7 +90,7 @@ class ScalerOverGrpcTest : public CoordinatorImplTest {
   void Cancel(const v1::Job& job) {
     v1::CancelJobRequest request;
     request.set_name(job.name());
-    EXPECT_TRUE(impl_.CancelJob(request).ok());
+    EXPECT_TRUE(calls_.jobs.CancelJob(request).ok());
   }
   // A job with one task at each of `cells` cells, all with workers or waiting.
   v1::Job JobWithTasks(int64_t cells) {
@@ -98,7 +98,7 @@ class ScalerOverGrpcTest : public CoordinatorImplTest {
     v1::WatchJobRequest watch;
     watch.set_name(job.name());
     const auto until_they_are_there = [&](const v1::Job& now) { return now.progress().tasks() < cells; };
-    EXPECT_TRUE(absl::IsCancelled(impl_.WatchJob(watch, until_they_are_there, [] { return true; })));
+    EXPECT_TRUE(absl::IsCancelled(calls_.watch.WatchJob(watch, until_they_are_there, [] { return true; })));
     return job;
   }
 

@@ -32,8 +32,8 @@ class AssembleCheckTest : public ::testing::Test {
         {"col": 1, "row": 0, "path": "Data/)" +
                                           right + "/" + right + R"(.osgb"}]})");
     JobSpec spec;
-    spec.scene = folder_ / "scene";
-    spec.out = folder_ / "out";
+    spec.set_scene(folder_ / "scene");
+    spec.set_out(folder_ / "out");
     auto pipeline = ScenePipelineFactory()(spec);
     ASSERT_TRUE(pipeline.ok()) << pipeline.status();
     auto tasks = (*pipeline)->Start();

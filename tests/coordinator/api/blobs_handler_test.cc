@@ -6,15 +6,15 @@
 #include "common/rpc/limits.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
-#include "tests/coordinator/api/coordinator_impl_fixture.h"
+#include "tests/coordinator/api/coordinator_fixture.h"
 
 namespace tilemend {
 namespace {
 
-using BlobCallsTest = CoordinatorImplTest;
+using BlobsHandlerTest = CoordinatorTest;
 
-TEST_F(BlobCallsTest, RefusesBadBlobs) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(BlobsHandlerTest, RefusesBadBlobs) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::TaskRef attempt = AwaitTask().ref();
   EXPECT_EQ(Write(attempt, "w", Sha256Hex("ab"), {"a", "b"})->size(), 2);
   EXPECT_EQ(ErrorReason(Write(attempt, "w", Sha256Hex("ab"), {"a"}).status()), "BLOB_CORRUPT");
@@ -27,8 +27,8 @@ TEST_F(BlobCallsTest, RefusesBadBlobs) {
   EXPECT_EQ(ErrorReason(Write(of_none, "w", Sha256Hex("a"), {"a"}).status()), "JOB_NOT_FOUND");
 }
 
-TEST_F(BlobCallsTest, TakesBlobsOfThoseAloneWhoHoldTheTask) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(BlobsHandlerTest, TakesBlobsOfThoseAloneWhoHoldTheTask) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::Task task = AwaitTask();
   const auto reason = [&](const v1::TaskRef& attempt, const std::string& worker) {
     return ErrorReason(Write(attempt, worker, Sha256Hex("a"), {"a"}).status());
@@ -46,8 +46,8 @@ TEST_F(BlobCallsTest, TakesBlobsOfThoseAloneWhoHoldTheTask) {
   EXPECT_EQ(reason(task.ref(), "w"), "LATE_RESULT");
 }
 
-TEST_F(BlobCallsTest, AnAttemptSendsNoMoreThanItsShare) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(BlobsHandlerTest, AnAttemptSendsNoMoreThanItsShare) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::TaskRef attempt = AwaitTask().ref();
   const std::string chunk(kMaxChunkBytes, 'x');
   const auto write = [&](size_t chunks) {
@@ -59,14 +59,14 @@ TEST_F(BlobCallsTest, AnAttemptSendsNoMoreThanItsShare) {
   EXPECT_EQ(ErrorReason(write(1)), "BLOB_TOO_LARGE") << "what came of it before counts";
 }
 
-TEST_F(BlobCallsTest, AnAttemptMaySendItsOutputAgain) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(BlobsHandlerTest, AnAttemptMaySendItsOutputAgain) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::TaskRef attempt = AwaitTask().ref();
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(Write(attempt, "w", Sha256Hex("ab"), {"a", "b"}).ok());
 }
 
-TEST_F(BlobCallsTest, StopsAStreamThatStandsStill) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(BlobsHandlerTest, StopsAStreamThatStandsStill) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::TaskRef attempt = AwaitTask().ref();
   bool stopped = false;
   int chunks = 0;
@@ -76,25 +76,25 @@ TEST_F(BlobCallsTest, StopsAStreamThatStandsStill) {
     message.set_digest(Sha256Hex("ab"));
     message.set_data("a");
     if (++chunks == 1) return true;
-    impl_.Tick();
+    coordinator_.Tick();
     EXPECT_FALSE(stopped);
     cluster_.clock().Advance(absl::Seconds(61));
-    impl_.Tick();
+    coordinator_.Tick();
     return !stopped;
   };
-  EXPECT_FALSE(impl_.WriteBlob(next, [&] { stopped = true; }).ok());
+  EXPECT_FALSE(calls_.blobs.WriteBlob(next, [&] { stopped = true; }).ok());
   EXPECT_TRUE(stopped);
 }
 
-TEST_F(BlobCallsTest, RefusesMoreStreamsThanThereAreThreadsFor) {
+TEST_F(BlobsHandlerTest, RefusesMoreStreamsThanThereAreThreadsFor) {
   int depth = 0;
   absl::Status last;
   // Each stream opens the next one while it waits for its own first message.
   std::function<bool(v1::WriteBlobRequest&)> next = [&](v1::WriteBlobRequest&) {
-    if (++depth < 1000) last.Update(impl_.WriteBlob(next).status());
+    if (++depth < 1000) last.Update(calls_.blobs.WriteBlob(next).status());
     return false;
   };
-  EXPECT_FALSE(impl_.WriteBlob(next).ok());
+  EXPECT_FALSE(calls_.blobs.WriteBlob(next).ok());
   EXPECT_EQ(depth, 250);
   EXPECT_EQ(ErrorReason(last), "TOO_MANY_CALLS");
 }

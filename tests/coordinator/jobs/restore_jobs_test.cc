@@ -12,59 +12,11 @@
 #include "common/rpc/limits.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "coordinator/journal/sqlite_journal_file.h"
+#include "tests/coordinator/jobs/restart_fixture.h"
 #include "tests/support/test_cluster.h"
 
 namespace tilemend {
 namespace {
-
-ClusterOptions Durable() {
-  ClusterOptions options;
-  options.durable = true;
-  options.fake_clock = true;
-  return options;
-}
-
-// Runs `tasks` tasks, then none.
-class Budget {
- public:
-  explicit Budget(int tasks) : left_(tasks) {}
-  StageRunner Runner() {
-    return [this](Stage stage, const std::string& input, const CancelToken& cancel) -> absl::StatusOr<std::string> {
-      if (--left_ < 0) {
-        exhausted_ = true;
-        exhausted_.notify_all();
-        while (!cancel.cancelled()) absl::SleepFor(absl::Milliseconds(1));
-        return absl::CancelledError("no more");
-      }
-      return ToyStageRunner()(stage, input, cancel);
-    };
-  }
-  void AwaitEnd() { exhausted_.wait(false); }
-
- private:
-  std::atomic<int> left_;
-  std::atomic<bool> exhausted_{false};
-};
-
-StageRunner Counting(std::atomic<int>& count) {
-  return [&count](Stage stage, const std::string& input, const CancelToken& cancel) {
-    ++count;
-    return ToyStageRunner()(stage, input, cancel);
-  };
-}
-
-v1::Job Undisturbed(const std::string& scene) {
-  TestCluster cluster;
-  cluster.AddWorker("w", 2);
-  return cluster.WaitFor(cluster.Submit(scene).name());
-}
-
-int FilesBelow(const std::string& folder) {
-  int files = 0;
-  if (!std::filesystem::exists(folder)) return 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) files += entry.is_regular_file();
-  return files;
-}
 
 // 5 x 4 cells are 60 tasks. Outputs of 100 kB are blobs, those of 1 kB are in the journal.
 class RestoreTest : public ::testing::TestWithParam<int> {
@@ -156,7 +108,7 @@ TEST(RestoreJobsTest, WhatIsOverStaysAsItWas) {
   cluster.KillWorker("w");
   v1::CancelJobRequest cancel;
   cancel.set_name(cluster.Submit("toy://4x4").name());
-  before.push_back(*cluster.impl().CancelJob(cancel));
+  before.push_back(*cluster.coordinator().calls().jobs.CancelJob(cancel));
   cluster.Restart();
   cluster.Restart();
   for (v1::Job& job : before) {
@@ -168,7 +120,7 @@ TEST(RestoreJobsTest, WhatIsOverStaysAsItWas) {
     job.mutable_progress()->clear_tasks_running();
     EXPECT_EQ(after.DebugString(), job.DebugString());
   }
-  EXPECT_EQ(cluster.impl().ListJobs({})->jobs_size(), 5);
+  EXPECT_EQ(cluster.coordinator().calls().jobs.ListJobs({})->jobs_size(), 5);
 }
 
 TEST(RestoreJobsTest, ARequestIdGivesTheSameJob) {
@@ -177,11 +129,12 @@ TEST(RestoreJobsTest, ARequestIdGivesTheSameJob) {
   request.mutable_spec()->set_scene("toy://2x2");
   request.mutable_spec()->set_out(cluster.folder() / "o");
   request.set_request_id("mine");
-  const std::string name = cluster.impl().CreateJob(request)->name();
+  const std::string name = cluster.coordinator().calls().jobs.CreateJob(request)->name();
   cluster.Restart();
-  EXPECT_EQ(cluster.impl().CreateJob(request)->name(), name);
+  EXPECT_EQ(cluster.coordinator().calls().jobs.CreateJob(request)->name(), name);
   request.set_request_id("another");
-  EXPECT_TRUE(absl::IsAborted(cluster.impl().CreateJob(request).status())) << "the folder is in use";
+  EXPECT_TRUE(absl::IsAborted(cluster.coordinator().calls().jobs.CreateJob(request).status()))
+      << "the folder is in use";
   cluster.AddWorker("w");
   EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
 }
@@ -201,50 +154,9 @@ TEST(RestoreJobsTest, BlobsThatNoJobNeedsGo) {
   cluster.Restart();
   EXPECT_FALSE(std::filesystem::exists(cluster.folder() / "work/jobs/older"));
   EXPECT_FALSE(std::filesystem::exists(folder + "/part-99"));
-  ASSERT_TRUE(cluster.impl().CancelJob(cancel).ok());
+  ASSERT_TRUE(cluster.coordinator().calls().jobs.CancelJob(cancel).ok());
   cluster.Restart();
   EXPECT_EQ(FilesBelow(cluster.folder() / "work/jobs"), 0);
-}
-
-TEST(RestoreJobsTest, ABlobThatWasLostOrDamagedIsMadeAgain) {
-  const auto lose = [](const std::filesystem::path& path) { std::filesystem::remove(path); };
-  const auto cut = [](const std::filesystem::path& path) { std::filesystem::resize_file(path, 50'000); };
-  for (const std::function<void(const std::filesystem::path&)>& spoil : {std::function(lose), std::function(cut)}) {
-    TestCluster cluster(Durable());
-    Budget budget(5);
-    cluster.AddWorker("w", 1, budget.Runner());
-    const std::string name = cluster.Submit("toy://3x3?bytes=100000").name();
-    budget.AwaitEnd();
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(cluster.folder() / "work/" + name)) {
-      if (entry.is_regular_file() && entry.file_size() > 50'000) spoil(entry.path());
-    }
-    cluster.Restart();
-    cluster.AddWorker("w");
-    EXPECT_EQ(cluster.WaitFor(name).message(), Undisturbed("toy://3x3?bytes=100000").message());
-  }
-}
-
-TEST(RestoreJobsTest, LostWorkersAreRemembered) {
-  ClusterOptions options = Durable();
-  options.state.quarantine_after = 2;
-  TestCluster cluster(options);
-  Budget none(0);
-  cluster.AddWorker("first", 1, none.Runner());
-  const std::string name = cluster.Submit("toy://1x1").name();
-  none.AwaitEnd();
-  cluster.KillWorker("first");
-  cluster.ExpireLeases();
-  cluster.Restart();
-  Budget none_again(0);
-  cluster.AddWorker("second", 1, none_again.Runner());
-  none_again.AwaitEnd();
-  cluster.KillWorker("second");
-  cluster.ExpireLeases();
-  cluster.Restart();
-  cluster.AddWorker("third");
-  const v1::Job job = cluster.WaitFor(name);
-  EXPECT_EQ(job.state(), v1::PARTIAL) << job.DebugString();
-  EXPECT_EQ(job.progress().tasks_quarantined(), 1);
 }
 
 TEST(RestoreJobsTest, AResultOfTheTimeBeforeIsRefused) {
@@ -259,7 +171,7 @@ TEST(RestoreJobsTest, AResultOfTheTimeBeforeIsRefused) {
   v1::SyncResponse response;
   while (response.start().empty()) {
     request.set_sequence(request.sequence() + 1);
-    response = *cluster.impl().Sync(request, alive);
+    response = *cluster.coordinator().calls().work.Sync(request, alive);
   }
   const v1::TaskRef old = response.start(0).ref();
   cluster.Restart();
@@ -270,7 +182,7 @@ TEST(RestoreJobsTest, AResultOfTheTimeBeforeIsRefused) {
   response.Clear();
   while (response.start().empty()) {
     request.set_sequence(request.sequence() + 1);
-    response = *cluster.impl().Sync(request, alive);
+    response = *cluster.coordinator().calls().work.Sync(request, alive);
   }
   EXPECT_NE(response.start(0).ref().attempt_token(), old.attempt_token());
   EXPECT_EQ(cluster.Get(name).progress().tasks_done(), 0);
@@ -336,13 +248,13 @@ TEST(RestoreJobsTest, AnOutputThatWasNotReleasedIs) {
     options.work_folder = folder / "work";
     options.journal = std::move(journal);
     options.background_ticks = false;
-    const auto impl = CoordinatorImpl::Create(
+    const auto coordinator = Coordinator::Create(
         std::move(options), [&](const JobSpec&) { return std::make_unique<Releasing>(released); },
         *MetricsRegistry::Null());
-    ASSERT_TRUE(impl.ok()) << impl.status();
+    ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     v1::GetJobRequest get;
     get.set_name("jobs/x");
-    EXPECT_EQ((*impl)->GetJob(get)->state(), v1::DONE);
+    EXPECT_EQ((*coordinator)->calls().jobs.GetJob(get)->state(), v1::DONE);
     while (released < expected) absl::SleepFor(absl::Milliseconds(1));
     EXPECT_EQ(released, expected);
   }
@@ -364,7 +276,7 @@ TEST_P(DamagedJournalTest, OneJobsDamageIsNotThatOfAnother) {
   const std::string good = cluster.Submit("toy://2x2").name();
   budget.AwaitEnd();
   cluster.Restart([](const std::string& journal) { Damage(journal, GetParam()); });
-  v1::ListJobsResponse list = *cluster.impl().ListJobs({});
+  v1::ListJobsResponse list = *cluster.coordinator().calls().jobs.ListJobs({});
   ASSERT_EQ(list.jobs_size(), 2);
   const v1::Job& damaged = list.jobs(1);
   cluster.AddWorker("second", 2);
@@ -383,26 +295,6 @@ INSTANTIATE_TEST_SUITE_P(Rows, DamagedJournalTest,
                                            "UPDATE result SET sum = x'00' WHERE job = 1",
                                            "UPDATE result SET output = x'00' WHERE job = 1"));
 
-TEST(RestoreJobsTest, AJobThatIsOverIsForgottenAfterAWhile) {
-  TestCluster cluster(Durable());
-  cluster.AddWorker("w");
-  const std::string old = cluster.Submit("toy://1x1").name(), young = cluster.Submit("toy://1x1").name();
-  for (const std::string& name : {old, young}) EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
-  cluster.Restart();  // with it go the runners
-  cluster.clock().Advance(absl::Hours(29 * 24));
-  cluster.impl().Tick();
-  EXPECT_EQ(cluster.impl().ListJobs({})->jobs_size(), 2);
-  cluster.clock().Advance(absl::Hours(2 * 24));
-  cluster.impl().Tick();
-  const auto only_the_newest = [&] {
-    const auto list = cluster.impl().ListJobs({});
-    return list->jobs_size() == 1 && list->jobs(0).name() == young;
-  };
-  EXPECT_TRUE(only_the_newest());
-  cluster.Restart();
-  EXPECT_TRUE(only_the_newest());
-}
-
 TEST(RestoreJobsTest, WhoWasSetAsideStaysSo) {
   ClusterOptions options = Durable();
   options.check_result = [](Stage, const std::string&, const std::string& output) {
@@ -419,20 +311,20 @@ TEST(RestoreJobsTest, WhoWasSetAsideStaysSo) {
   const std::string name = cluster.Submit("toy://1x1").name();
   while (response.start().empty()) {
     request.set_sequence(request.sequence() + 1);
-    response = *cluster.impl().Sync(request, alive);
+    response = *cluster.coordinator().calls().work.Sync(request, alive);
   }
   v1::FinishedTask& finished = *request.add_finished();
   *finished.mutable_ref() = response.start(0).ref();
   finished.mutable_output()->set_content("lie");
   finished.mutable_output()->set_size(3);
   request.set_sequence(request.sequence() + 1);
-  EXPECT_EQ(cluster.impl().Sync(request, alive)->set_aside(), "") << "nobody is known to do better";
+  EXPECT_EQ(cluster.coordinator().calls().work.Sync(request, alive)->set_aside(), "") << "nobody is known to do better";
   cluster.AddWorker("good");
   EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
   cluster.Restart();
   request.clear_finished();
   request.set_sequence(request.sequence() + 1);
-  response = *cluster.impl().Sync(request, alive);
+  response = *cluster.coordinator().calls().work.Sync(request, alive);
   EXPECT_NE(response.set_aside().find("a lie"), std::string::npos) << response.set_aside();
 }
 

@@ -1,6 +1,6 @@
 // A coordinator that tests call as a client or as a worker, without gRPC.
-#ifndef TILEMEND_TESTS_COORDINATOR_API_COORDINATOR_IMPL_FIXTURE_H_
-#define TILEMEND_TESTS_COORDINATOR_API_COORDINATOR_IMPL_FIXTURE_H_
+#ifndef TILEMEND_TESTS_COORDINATOR_API_COORDINATOR_FIXTURE_H_
+#define TILEMEND_TESTS_COORDINATOR_API_COORDINATOR_FIXTURE_H_
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 namespace tilemend {
 
-class CoordinatorImplTest : public ::testing::Test {
+class CoordinatorTest : public ::testing::Test {
  protected:
   v1::CreateJobRequest NewRequest(const std::string& out = "o") {
     v1::CreateJobRequest request;
@@ -31,7 +31,7 @@ class CoordinatorImplTest : public ::testing::Test {
     return request;
   }
   v1::SyncResponse Sync(const v1::SyncRequest& request) {
-    auto response = cluster_.impl().Sync(request, [] { return true; });
+    auto response = cluster_.coordinator().calls().work.Sync(request, [] { return true; });
     EXPECT_TRUE(response.ok()) << response.status();
     return response.ok() ? *std::move(response) : v1::SyncResponse();
   }
@@ -45,11 +45,20 @@ class CoordinatorImplTest : public ::testing::Test {
     return {};
   }
 
+  // Adds to `request` that the worker has done `task`.
+  static void Finish(const v1::Task& task, v1::SyncRequest& request) {
+    auto* finished = request.add_finished();
+    *finished->mutable_ref() = task.ref();
+    finished->set_stage(task.stage());
+    finished->mutable_output()->set_content("5 ");
+    finished->mutable_output()->set_size(2);
+  }
+
   // The output of an attempt, or what the worker says it is, in chunks.
   absl::StatusOr<v1::WriteBlobResponse> Write(const v1::TaskRef& attempt, const std::string& worker,
                                               const std::string& digest, const std::vector<std::string>& chunks) {
     size_t next = 0;
-    return impl_.WriteBlob([&](v1::WriteBlobRequest& message) {
+    return calls_.blobs.WriteBlob([&](v1::WriteBlobRequest& message) {
       if (next >= chunks.size()) return false;
       message.Clear();
       if (next == 0) {
@@ -62,7 +71,7 @@ class CoordinatorImplTest : public ::testing::Test {
     });
   }
 
-  explicit CoordinatorImplTest(const ClusterOptions& options = Options()) : cluster_(options) {}
+  explicit CoordinatorTest(const ClusterOptions& options = Options()) : cluster_(options) {}
 
   static ClusterOptions Options() {
     ClusterOptions options;
@@ -73,10 +82,11 @@ class CoordinatorImplTest : public ::testing::Test {
   }
 
   TestCluster cluster_;
-  CoordinatorImpl& impl_ = cluster_.impl();
+  Coordinator& coordinator_ = cluster_.coordinator();
+  CallHandlers& calls_ = coordinator_.calls();
   uint64_t sequence_ = 0;
 };
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_TESTS_COORDINATOR_API_COORDINATOR_IMPL_FIXTURE_H_
+#endif  // TILEMEND_TESTS_COORDINATOR_API_COORDINATOR_FIXTURE_H_

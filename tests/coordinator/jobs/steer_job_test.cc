@@ -3,30 +3,30 @@
 #include <gtest/gtest.h>
 
 #include "common/util/error_info.h"
-#include "tests/coordinator/api/coordinator_impl_fixture.h"
+#include "tests/coordinator/api/coordinator_fixture.h"
 
 namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
 
-class SteerJobTest : public CoordinatorImplTest {
+class SteerJobTest : public CoordinatorTest {
  protected:
   absl::StatusOr<v1::Job> Pause(const v1::Job& job) {
     v1::PauseJobRequest request;
     request.set_name(job.name());
-    return impl_.PauseJob(request);
+    return calls_.jobs.PauseJob(request);
   }
   absl::StatusOr<v1::Job> Resume(const v1::Job& job) {
     v1::ResumeJobRequest request;
     request.set_name(job.name());
-    return impl_.ResumeJob(request);
+    return calls_.jobs.ResumeJob(request);
   }
   absl::StatusOr<v1::Job> Prioritize(const v1::Job& job, int32_t priority) {
     v1::PrioritizeJobRequest request;
     request.set_name(job.name());
     request.set_priority(priority);
-    return impl_.PrioritizeJob(request);
+    return calls_.jobs.PrioritizeJob(request);
   }
 };
 
@@ -56,7 +56,7 @@ TEST_F(SteerJobTest, PausingTwiceIsAsOnce) {
 TEST_F(SteerJobTest, AJobIsMadeWithAPriorityAndGetsAnother) {
   v1::CreateJobRequest request = NewRequest();
   request.set_priority(-3);
-  const auto job = impl_.CreateJob(request);
+  const auto job = calls_.jobs.CreateJob(request);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(job->priority(), -3);
   EXPECT_EQ(Prioritize(*job, 7)->priority(), 7);
@@ -68,14 +68,14 @@ TEST_F(SteerJobTest, PrioritiesHaveLimits) {
   EXPECT_EQ(ErrorReason(Prioritize(job, 101).status()), "INVALID_PRIORITY");
   v1::CreateJobRequest request = NewRequest();
   request.set_priority(-101);
-  EXPECT_EQ(ErrorReason(impl_.CreateJob(request).status()), "INVALID_PRIORITY");
+  EXPECT_EQ(ErrorReason(calls_.jobs.CreateJob(request).status()), "INVALID_PRIORITY");
 }
 
 TEST_F(SteerJobTest, AJobThatIsOverIsNotSteered) {
   const v1::Job job = cluster_.Submit("toy://2x1");
   v1::CancelJobRequest cancel;
   cancel.set_name(job.name());
-  ASSERT_TRUE(impl_.CancelJob(cancel).ok());
+  ASSERT_TRUE(calls_.jobs.CancelJob(cancel).ok());
   EXPECT_EQ(ErrorReason(Pause(job).status()), "JOB_OVER");
   EXPECT_EQ(ErrorReason(Prioritize(job, 1).status()), "JOB_OVER");
 }
@@ -85,7 +85,7 @@ TEST_F(SteerJobTest, APausedJobIsCancelled) {
   ASSERT_TRUE(Pause(job).ok());
   v1::CancelJobRequest cancel;
   cancel.set_name(job.name());
-  const auto cancelled = impl_.CancelJob(cancel);
+  const auto cancelled = calls_.jobs.CancelJob(cancel);
   ASSERT_TRUE(cancelled.ok()) << cancelled.status();
   EXPECT_EQ(cancelled->state(), v1::CANCELLED);
 }

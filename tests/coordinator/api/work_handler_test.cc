@@ -9,25 +9,25 @@
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
 #include "coordinator/store/blob_folder.h"
-#include "tests/coordinator/api/coordinator_impl_fixture.h"
+#include "tests/coordinator/api/coordinator_fixture.h"
 #include "tests/support/list_log.h"
 
 namespace tilemend {
 namespace {
 
 using ::testing::StartsWith;
-using WorkImplTest = CoordinatorImplTest;
+using WorkHandlerTest = CoordinatorTest;
 
-TEST_F(WorkImplTest, TellsALostAnswerAgain) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(WorkHandlerTest, TellsALostAnswerAgain) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::Task task = AwaitTask();
   const v1::SyncResponse again = Sync(NewSync());  // says that it holds nothing
   ASSERT_EQ(again.start_size(), 1);
   EXPECT_EQ(again.start(0).SerializeAsString(), task.SerializeAsString());
 }
 
-TEST_F(WorkImplTest, TellsToDropWhatIsNoLongerLeased) {
-  const auto job = impl_.CreateJob(NewRequest());
+TEST_F(WorkHandlerTest, TellsToDropWhatIsNoLongerLeased) {
+  const auto job = calls_.jobs.CreateJob(NewRequest());
   const v1::Task task = AwaitTask();
   v1::SyncRequest holding = NewSync();
   *holding.add_held() = task.ref();
@@ -35,53 +35,15 @@ TEST_F(WorkImplTest, TellsToDropWhatIsNoLongerLeased) {
   EXPECT_EQ(Sync(holding).keep_size(), 1);
   v1::CancelJobRequest cancel;
   cancel.set_name(job->name());
-  ASSERT_TRUE(impl_.CancelJob(cancel).ok());
+  ASSERT_TRUE(calls_.jobs.CancelJob(cancel).ok());
   holding.set_sequence(++sequence_);
   EXPECT_EQ(Sync(holding).keep_size(), 0);
 }
 
-TEST_F(WorkImplTest, RefusesLateResultsAndCountsThem) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const v1::Task late = AwaitTask("slow");
-  cluster_.ExpireLeases();
-  const v1::Task task = AwaitTask("fast");
-  EXPECT_EQ(task.ref().task(), late.ref().task());
-  EXPECT_EQ(task.attempt(), 2);
-  for (const v1::Task* reported : {&late, &task, &task}) {
-    v1::SyncRequest report = NewSync(reported == &late ? "slow" : "fast", 0);
-    auto* finished = report.add_finished();
-    *finished->mutable_ref() = reported->ref();
-    finished->set_stage(reported->stage());
-    finished->mutable_output()->set_content("5 ");
-    finished->mutable_output()->set_size(2);
-    EXPECT_EQ(Sync(report).acknowledged_size(), 1);
-  }
-  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_refused_late_total{stage=\"survey\"}"), 1);
-  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_finished_total{stage=\"survey\"}"), 1);
-  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_retried_total{stage=\"survey\"}"), 1);
-  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 1);
-}
-
-TEST_F(WorkImplTest, RetriesAResultWhoseBlobNeverCame) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const v1::Task task = AwaitTask();
-  v1::SyncRequest report = NewSync("w", 0);
-  auto* finished = report.add_finished();
-  *finished->mutable_ref() = task.ref();
-  finished->set_stage(task.stage());
-  finished->mutable_output()->set_digest(std::string(64, 'a'));
-  finished->mutable_output()->set_size(1'000'000);
-  EXPECT_EQ(Sync(report).acknowledged_size(), 1);
-  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 0);
-  EXPECT_EQ(AwaitTask().ref().task(), 2) << "the first is to wait a little";
-  cluster_.clock().Advance(absl::Seconds(1));
-  EXPECT_EQ(AwaitTask("other").attempt(), 2);
-}
-
-TEST_F(WorkImplTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
+TEST_F(WorkHandlerTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
   BlobFolder other(cluster_.folder() / "other");
   ASSERT_TRUE(other.Hold(std::string(kMostHeldBytes, 'x')).ok());  // so that inputs are files
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::Task task = AwaitTask();
   ASSERT_EQ(task.input().size(), static_cast<int64_t>(task.input().content().size()));
   for (const auto& entry : std::filesystem::recursive_directory_iterator(cluster_.folder() / "work/jobs")) {
@@ -92,17 +54,17 @@ TEST_F(WorkImplTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
   EXPECT_EQ(again.input().size(), -1);
 }
 
-TEST_F(WorkImplTest, LeasesNothingToAWorkerThatIsGone) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(WorkHandlerTest, LeasesNothingToAWorkerThatIsGone) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   AwaitTask("first");
-  EXPECT_TRUE(absl::IsCancelled(impl_.Sync(NewSync("gone"), [] { return false; }).status()));
+  EXPECT_TRUE(absl::IsCancelled(calls_.work.Sync(NewSync("gone"), [] { return false; }).status()));
   EXPECT_EQ(AwaitTask("second").ref().task(), 2);
 }
 
-TEST_F(WorkImplTest, RefusesAnotherProtocol) {
+TEST_F(WorkHandlerTest, RefusesAnotherProtocol) {
   v1::SyncRequest request = NewSync();
   request.set_protocol(kProtocolVersion + 1);
-  EXPECT_EQ(ErrorReason(impl_.Sync(request, [] { return true; }).status()), "PROTOCOL_VERSION");
+  EXPECT_EQ(ErrorReason(calls_.work.Sync(request, [] { return true; }).status()), "PROTOCOL_VERSION");
 }
 
 TEST(WorkLogTest, NamesAWorkerOfAnotherProtocolWhateverItSays) {
@@ -114,7 +76,7 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherProtocolWhateverItSays) {
   request.set_protocol(kProtocolVersion - 1);
   request.set_worker("old-" + std::string(5000, 'w'));
   request.set_threads(-1);
-  const absl::Status refused = cluster.impl().Sync(request, [] { return true; }).status();
+  const absl::Status refused = cluster.coordinator().calls().work.Sync(request, [] { return true; }).status();
   EXPECT_EQ(ErrorReason(refused), "PROTOCOL_VERSION");
   EXPECT_LT(refused.message().size(), 500U);
   ASSERT_EQ(log.lines().size(), 1U);
@@ -135,19 +97,19 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherBuild) {
   request.set_threads(1);
   request.set_build("bbbb");
   const auto alive = [] { return true; };
-  const absl::Status refused = cluster.impl().Sync(request, alive).status();
+  const absl::Status refused = cluster.coordinator().calls().work.Sync(request, alive).status();
   EXPECT_EQ(ErrorReason(refused), "OTHER_BUILD");
   EXPECT_THAT(std::string(refused.message()),
               StartsWith("worker w is of build bbbb (0.0.9), this coordinator of aaaa"));
   ASSERT_EQ(log.lines().size(), 1U);
   EXPECT_THAT(log.lines().front(), StartsWith("warning worker refused worker=w worker_release=0.0.9"));
-  EXPECT_TRUE(cluster.impl().ListWorkers({})->workers().empty());
+  EXPECT_TRUE(cluster.coordinator().calls().cluster.ListWorkers({})->workers().empty());
   request.set_build("aaaa");
-  EXPECT_TRUE(cluster.impl().Sync(request, alive).ok());
+  EXPECT_TRUE(cluster.coordinator().calls().work.Sync(request, alive).ok());
 }
 
-TEST_F(WorkImplTest, ReleasesADrainingWorker) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(WorkHandlerTest, ReleasesADrainingWorker) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   AwaitTask();
   v1::SyncRequest request = NewSync();
   request.set_draining(true);
@@ -155,31 +117,8 @@ TEST_F(WorkImplTest, ReleasesADrainingWorker) {
   EXPECT_EQ(AwaitTask("other").attempt(), 2);
 }
 
-void Finish(const v1::Task& task, v1::SyncRequest& request) {
-  auto* finished = request.add_finished();
-  *finished->mutable_ref() = task.ref();
-  finished->set_stage(task.stage());
-  finished->mutable_output()->set_content("5 ");
-  finished->mutable_output()->set_size(2);
-}
-
-TEST_F(WorkImplTest, TakesAResultFromItsHolderAlone) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const v1::Task task = AwaitTask("holder");
-  v1::SyncRequest stranger = NewSync("stranger", 0);
-  Finish(task, stranger);
-  *stranger.add_held() = task.ref();
-  EXPECT_EQ(Sync(stranger).keep_size(), 0);
-  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 0);
-  EXPECT_EQ(cluster_.Metric("tilemend_coordinator_tasks_refused_late_total{stage=\"survey\"}"), 1);
-  v1::SyncRequest holder = NewSync("holder", 0);
-  Finish(task, holder);
-  Sync(holder);
-  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 1);
-}
-
-TEST_F(WorkImplTest, AStrangerCannotRenewALease) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(WorkHandlerTest, AStrangerCannotRenewALease) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::Task task = AwaitTask("holder");
   cluster_.clock().Advance(absl::Seconds(8));
   v1::SyncRequest stranger = NewSync("stranger", 0);
@@ -187,89 +126,33 @@ TEST_F(WorkImplTest, AStrangerCannotRenewALease) {
   stranger.set_wait_ms(0);
   Sync(stranger);
   cluster_.clock().Advance(absl::Seconds(8));
-  impl_.Tick();
+  coordinator_.Tick();
   EXPECT_EQ(AwaitTask("other").ref().task(), task.ref().task());
 }
 
-TEST_F(WorkImplTest, AWorkersNameIsItsOwn) {
-  ASSERT_TRUE(impl_.CreateJob(NewRequest()).ok());
+TEST_F(WorkHandlerTest, AWorkersNameIsItsOwn) {
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   v1::SyncRequest first = NewSync();
   first.set_secret("mine");
   Sync(first);
   for (const char* secret : {"", "guessed"}) {
     v1::SyncRequest stranger = NewSync();
     stranger.set_secret(secret);
-    EXPECT_EQ(ErrorReason(impl_.Sync(stranger, [] { return true; }).status()), "WORKER_SECRET");
+    EXPECT_EQ(ErrorReason(calls_.work.Sync(stranger, [] { return true; }).status()), "WORKER_SECRET");
   }
   first.set_sequence(++sequence_);
   Sync(first);
 }
 
-TEST_F(WorkImplTest, AFileThatOneMachineDoesNotSeeIsTriedOnAnother) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const v1::Task task = AwaitTask("blind");
-  v1::SyncRequest other = NewSync("other");
-  other.set_wait_ms(0);
-  Sync(other);  // takes the second task
-  v1::SyncRequest report = NewSync("blind", 1);
-  auto* finished = report.add_finished();
-  *finished->mutable_ref() = task.ref();
-  finished->set_stage(task.stage());
-  finished->mutable_error()->set_code(static_cast<int>(absl::StatusCode::kNotFound));
-  EXPECT_EQ(Sync(report).start_size(), 0) << "not to the same again";
-  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_done(), 0);
-  EXPECT_EQ(cluster_.Get(job->name()).progress().tasks_retried(), 1);
-}
-
-TEST_F(WorkImplTest, RefusesNamesWithoutEnd) {
+TEST_F(WorkHandlerTest, RefusesNamesWithoutEnd) {
   v1::SyncRequest talker = NewSync(std::string(257, 'w'));
-  EXPECT_TRUE(absl::IsInvalidArgument(impl_.Sync(talker, [] { return true; }).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(calls_.work.Sync(talker, [] { return true; }).status()));
   talker = NewSync();
   talker.set_secret(std::string(257, 's'));
-  EXPECT_TRUE(absl::IsInvalidArgument(impl_.Sync(talker, [] { return true; }).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(calls_.work.Sync(talker, [] { return true; }).status()));
   talker = NewSync();
   talker.set_release(std::string(257, 'r'));
-  EXPECT_TRUE(absl::IsInvalidArgument(impl_.Sync(talker, [] { return true; }).status()));
-}
-
-TEST_F(WorkImplTest, KeepsNoEndlessTextOfAWorker) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const v1::Task task = AwaitTask();
-  v1::SyncRequest report = NewSync("w", 0);
-  auto* finished = report.add_finished();
-  *finished->mutable_ref() = task.ref();
-  finished->set_stage(task.stage());
-  finished->mutable_output()->set_digest(std::string(1 << 20, 'x'));
-  finished->mutable_output()->set_size(1);
-  Sync(report);
-  const v1::Job told = cluster_.Get(job->name());
-  ASSERT_EQ(told.warnings_size(), 1) << "no digest: the result is refused";
-  EXPECT_LT(told.ByteSizeLong(), 10'000U);
-}
-
-TEST_F(WorkImplTest, AnErrorThatAnotherWorkerDoesNotHaveIsToldInFewPrintableWords) {
-  const auto job = impl_.CreateJob(NewRequest());
-  const v1::Task task = AwaitTask("broken"), second = AwaitTask("other");
-  v1::SyncRequest report = NewSync("broken", 0);
-  auto* finished = report.add_finished();
-  *finished->mutable_ref() = task.ref();
-  finished->set_stage(task.stage());
-  finished->mutable_error()->set_code(static_cast<int>(absl::StatusCode::kInvalidArgument));
-  finished->mutable_error()->set_message("\x1b[2J" + std::string(1 << 20, 'x'));
-  Sync(report);
-  v1::SyncRequest done = NewSync("other");
-  Finish(second, done);
-  const v1::SyncResponse next = Sync(done);
-  ASSERT_EQ(next.start_size(), 1);
-  EXPECT_EQ(next.start(0).ref().task(), task.ref().task());
-  done = NewSync("other", 0);
-  Finish(next.start(0), done);
-  Sync(done);
-  const v1::Job told = cluster_.Get(job->name());
-  ASSERT_EQ(told.warnings_size(), 1);
-  EXPECT_EQ(told.warnings(0).find('\x1b'), std::string::npos);
-  EXPECT_LT(told.warnings(0).size(), 4000U);
-  EXPECT_NE(told.warnings(0).find("worker broken could not do cell"), std::string::npos);
+  EXPECT_TRUE(absl::IsInvalidArgument(calls_.work.Sync(talker, [] { return true; }).status()));
 }
 
 // The pipeline of toys, with a file that workers must see.
@@ -290,7 +173,7 @@ class SeenPipeline : public JobPipeline {
   const std::unique_ptr<JobPipeline> toy_;
 };
 
-class LookingWorkerTest : public CoordinatorImplTest {
+class LookingWorkerTest : public CoordinatorTest {
  protected:
   static ClusterOptions Seen() {
     ClusterOptions options = Options();
@@ -302,7 +185,7 @@ class LookingWorkerTest : public CoordinatorImplTest {
     return options;
   }
 
-  LookingWorkerTest() : CoordinatorImplTest(Seen()) {}
+  LookingWorkerTest() : CoordinatorTest(Seen()) {}
 
   void Look(const std::string& job) {
     v1::SyncRequest request = NewSync("stuck");
@@ -316,7 +199,7 @@ class LookingWorkerTest : public CoordinatorImplTest {
   // A worker that sees the file takes a task, another one looks for `looks`, and the first says that it cannot be done.
   v1::Job AfterAFailure(absl::Duration looks) {
     v1::CreateJobRequest asked = NewRequest(absl::StrCat("o", absl::ToInt64Seconds(looks)));
-    const std::string name = impl_.CreateJob(asked)->name(), job = name.substr(name.find('/') + 1);
+    const std::string name = calls_.jobs.CreateJob(asked)->name(), job = name.substr(name.find('/') + 1);
     v1::SyncResponse told;
     for (int i = 0; i < 20 && told.look_size() == 0; ++i) told = Sync(NewSync("sound"));
     v1::SyncRequest request = NewSync("sound");
