@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "common/options/job_options.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
@@ -31,7 +32,7 @@ class AssembleCheckTest : public ::testing::Test {
                                           left + "/" + left + R"(.osgb"},
         {"col": 1, "row": 0, "path": "Data/)" +
                                           right + "/" + right + R"(.osgb"}]})");
-    JobSpec spec;
+    JobSpec spec = WithDefaults({});
     spec.set_scene(folder_ / "scene");
     spec.set_out(folder_ / "out");
     auto pipeline = ScenePipelineFactory()(spec);
