@@ -1,8 +1,9 @@
+#include <algorithm>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
-#include "client/filler_flags.h"
+#include "common/options/option.h"
 #include "common/rpc/credentials.h"
 #include "common/util/settings.h"
 
@@ -32,24 +33,11 @@ std::vector<FlagSpec> LocalFlags() {
           {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}};
 }
 
-std::vector<FlagSpec> FillFlags() {
-  std::vector<FlagSpec> flags = {{"out", "FILE", "file to write, in the format of MESH", ""},
-                                 {"overwrite", "", "replace FILE if it exists", ""}};
-  flags = Join(std::move(flags), SurfaceFlags());
-  flags = Join(std::move(flags), FillerFlags());
-  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
-  flags = Join(std::move(flags), WaterFlags("off"));
-  flags.push_back(ClearFlag());
-  flags.push_back(WaterColourFlag());
-  flags.push_back({"allow-creases", "", "fill holes also where the surface has to fold back", ""});
-  flags.push_back({"weld", "TOLERANCE",
-                   "merge boundary vertices that are no further apart, in the mesh's units, before filling; the report "
-                   "lists each",
-                   ""});
-  flags.push_back({"dislocation-width", "LENGTH",
-                   "how wide dislocations are at most, in the mesh's units (default: a fifth of their edges)", ""});
-  flags.push_back({"fill-outlines", "", "fill the outlines of sheets as well, not only holes", ""});
-  flags.push_back({"largest-hole", "EDGES", "leave holes with a longer boundary open, 3 to 1e9 (default: none)", ""});
+// With another default of --water than jobs have; "": the command chooses by what it is given.
+std::vector<FlagSpec> WithWater(std::vector<FlagSpec> flags, const std::string& default_value) {
+  FlagSpec& water = *std::ranges::find(flags, "water", &FlagSpec::name);
+  water.default_value = default_value;
+  if (default_value.empty()) water.help += " (default: auto, for single meshes off)";
   return flags;
 }
 
@@ -61,10 +49,8 @@ std::vector<FlagSpec> AggregateFlags() {
 }
 
 std::vector<FlagSpec> InspectFlags() {
-  return Join(WaterFlags(""),
-              {ClearFlag(),
-               AreaFlag(),
-               {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""},
+  return Join(WithWater(OptionFlags(kOfInspect), ""),
+              {{"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""},
                {"propose-water", "FILE", "write what may be water as polygons for --water: .gpkg or .geojson", ""},
                {"overwrite", "", "replace the FILE of --propose-water if it exists", ""}});
 }
@@ -84,11 +70,13 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> list =
       Join({{"state", "STATE[,STATE]", "only jobs in these states: running, done, ...", ""}}, cluster);
   const std::vector<FlagSpec> inspect = Join(InspectFlags(), output), aggregate = Join(AggregateFlags(), output);
-  const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);
+  const std::vector<FlagSpec> run = Join(Join(OptionFlags(kOfJobs), LocalFlags()), output);
+  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
+  const std::vector<FlagSpec> fill = Join(WithWater(OptionFlags(kOfFill), "off"), output);
   const std::vector<FlagSpec> retry = Join(
       {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));
   const FlagSpec priority = {"priority", "P", "-100 to 100: tasks of jobs with a lower one wait", "0"};
-  const std::vector<FlagSpec> submit = Join(Join(Join(JobFlags(), StartFlags()), {priority}), output);
+  const std::vector<FlagSpec> submit = Join(Join(Join(OptionFlags(kOfJobs), StartFlags()), {priority}), output);
   return {
       {"inspect", "SCENE|MESH", "show tiles, borders and holes; write nothing", 1, {}, inspect, InspectCommand},
       {"check",
@@ -99,7 +87,7 @@ std::vector<Command> ServiceCommands() {
        Join(CheckFlags(), output),
        CheckCommand},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
-      {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, Join(FillFlags(), output), FillCommand},
+      {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, fill, FillCommand},
       {"aggregate", "SCENE --out FILE", "join all cells and fill that", 1, {"out"}, aggregate, AggregateCommand},
       {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, submit, SubmitCommand},

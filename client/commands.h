@@ -40,16 +40,7 @@ int PrioritizeCommand(const Args& args);
 int RetryCommand(const Args& args);
 int ReportCommand(const Args& args);
 
-// Flags that say what a job is to do.
-std::vector<FlagSpec> JobFlags();
-// Flags that say what the filled surface is like: --surface, --tension, --gradation, --size-limit, --uniform.
-std::vector<FlagSpec> SurfaceFlags();
 FlagSpec OutputFlag();
-FlagSpec WaterColourFlag();
-FlagSpec ClearFlag();
-FlagSpec AreaFlag();
-// --water and --water-profile. Without a default the command chooses by what it is given.
-std::vector<FlagSpec> WaterFlags(const std::string& default_value);
 
 // All above, for the table of main.
 std::vector<Command> ServiceCommands();

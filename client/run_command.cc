@@ -137,7 +137,7 @@ void PrintEnd(const v1::Job& job, OutputFormat format) {
 int RunCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
-  const auto spec = SpecFromFlags(args);
+  const auto spec = JobFromFlags(args);
   if (!spec.ok()) return PrintUsageError(spec.status());
   const auto means = MeansFromFlags(args);
   if (!means.ok()) return PrintUsageError(means.status());

@@ -63,6 +63,8 @@ RULES = {
 
     'common/service': rule([], ['systemd']),
 
+    'common/options': rule(['common/util', 'common/grid', 'common/records'], ['absl', 'protobuf']),
+
     'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec', 'common/assemble'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
     'worker/ground': rule(['common/mesh', 'common/records'], ['eigen'], pure=True),
@@ -132,8 +134,8 @@ RULES = {
         ['absl']),
 
     'worker/service': rule(
-        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
+        ['common/util', 'common/mesh', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
+         'worker/fill/hole', 'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
     'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/service', 'worker/service'], ['absl']),
@@ -181,7 +183,7 @@ RULES = {
     'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
-        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store',
+        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store',
          'coordinator/plan/types',
          'coordinator/waves'],
         ['absl', 'json']),
@@ -190,13 +192,13 @@ RULES = {
         ['common/util', 'common/grid', 'common/records', 'common/store', 'common/rpc'], ['absl']),
 
     'coordinator/jobs': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/metrics',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics',
          'common/rpc', 'coordinator/state', 'coordinator/journal', 'coordinator/check', 'coordinator/waves', 'coordinator/report',
          'coordinator/store'],
         ['absl', 'protobuf']),
 
     'coordinator/api': rule(
-        ['common/util', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/state', 'coordinator/journal',
+        ['common/util', 'common/options', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/state', 'coordinator/journal',
          'coordinator/store', 'coordinator/jobs'],
         ['absl', 'protobuf']),
 
@@ -206,7 +208,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'grpc', 'json', 'protobuf']),

@@ -15,6 +15,13 @@
 
 namespace tilemend {
 
+// Where help shows a flag.
+enum class FlagGroup {
+  kEveryday,
+  kAdvanced,
+  kPapers,  // of published methods: with --help-all alone
+};
+
 struct FlagSpec {
   std::string name;           // without dashes
   std::string value;          // what stands for the value in the help, "DIR"; "" for a switch
@@ -22,6 +29,7 @@ struct FlagSpec {
   std::string default_value;  // "" if there is none
   char letter = 0;            // short form, 0 if there is none
   bool setting = false;       // may be set outside the command line (settings.h)
+  FlagGroup group = FlagGroup::kEveryday;
 };
 
 // What was given. Asking for a flag that is not in the table is a programmer's mistake and gives "".

@@ -9,6 +9,7 @@
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "common/options/job_options.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
 #include "common/util/roots.h"
@@ -16,7 +17,6 @@
 #include "common/util/text.h"
 #include "coordinator/api/page.h"
 #include "coordinator/jobs/describe_job.h"
-#include "coordinator/jobs/job_proto.h"
 
 namespace tilemend {
 namespace {
@@ -36,10 +36,10 @@ absl::Status CheckScene(const std::string& scene) {
 // OUTSIDE_ROOTS names the first field whose path is not below the roots. Without the lock: a mount may hang.
 absl::Status CheckRoots(const Roots* roots, const JobSpec& spec) {
   if (roots == nullptr) return absl::OkStatus();
-  const bool water_is_file = spec.water != "auto" && spec.water != "off";
-  for (const auto& [field, path] :
-       {std::pair("scene", spec.scene), std::pair("out", spec.out), std::pair("water", water_is_file ? spec.water : ""),
-        std::pair("clear", spec.clear), std::pair("area", spec.area)}) {
+  const bool water_is_file = spec.water() != "auto" && spec.water() != "off";
+  for (const auto& [field, path] : {std::pair("scene", spec.scene()), std::pair("out", spec.out()),
+                                    std::pair("water", water_is_file ? spec.water() : ""),
+                                    std::pair("clear", spec.clear()), std::pair("area", spec.area())}) {
     const absl::Status status = path.empty() ? absl::OkStatus() : roots->Check(path);
     if (!status.ok()) {
       return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),
@@ -52,25 +52,25 @@ absl::Status CheckRoots(const Roots* roots, const JobSpec& spec) {
 // Whether the output that a job has completed is gone. What begins with ".tilemend-" is kept for the jobs that come
 // after.
 absl::Status CheckOutputGone(const JobSpec& spec) {
-  if (spec.overwrite || spec.dry_run) return absl::OkStatus();
-  const auto names = ListFolder(spec.out);
+  if (spec.overwrite() || spec.dry_run()) return absl::OkStatus();
+  const auto names = ListFolder(spec.out());
   const bool gone = !names.ok() || std::all_of(names->begin(), names->end(),
                                                [](const std::string& name) { return name.starts_with(".tilemend-"); });
   if (gone) return absl::OkStatus();
   return WithErrorInfo(
       absl::AlreadyExistsError(
-          absl::StrCat(Printable(spec.out), ": the output is complete; give --overwrite to do the job again there")),
+          absl::StrCat(Printable(spec.out()), ": the output is complete; give --overwrite to do the job again there")),
       {"OUTPUT_EXISTS", {}});
 }
 
 }  // namespace
 
 absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
-  const JobSpec spec = SpecFromProto(request.spec());
-  TILEMEND_RETURN_IF_ERROR(spec.Check());
+  const JobSpec spec = WithDefaults(request.spec());
+  TILEMEND_RETURN_IF_ERROR(CheckJob(spec));
   TILEMEND_RETURN_IF_ERROR(CheckPriority(request.priority()));
   TILEMEND_RETURN_IF_ERROR(CheckRoots(cluster_.options.roots.get(), spec));
-  const absl::Status scene = CheckScene(spec.scene);  // without the lock: a mount may hang
+  const absl::Status scene = CheckScene(spec.scene());  // without the lock: a mount may hang
   return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<v1::Job> {
     TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), scene));
     return runs_.StartJob(spec, request.request_id(), request.priority(), std::move(origin));
@@ -143,7 +143,7 @@ absl::StatusOr<v1::Job> JobsHandler::RetryJob(const v1::RetryJobRequest& request
     }
     spec = cluster_.jobs.at(job->id).spec;
   }
-  spec.overwrite = spec.overwrite || request.overwrite();
+  spec.set_overwrite(spec.overwrite() || request.overwrite());
   TILEMEND_RETURN_IF_ERROR(CheckRoots(cluster_.options.roots.get(), spec));
   const bool was_completed = state == JobState::kDone || state == JobState::kPartial;
   const absl::Status vacant = was_completed ? CheckOutputGone(spec) : absl::OkStatus();

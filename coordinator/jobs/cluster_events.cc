@@ -76,8 +76,8 @@ void ClusterEvents::JobCreated(const Job& job, const JobSpec& spec, const JobOri
   log_.Info("job created", {{"job", job.id},
                             {"trace", origin.trace},
                             {"owner", origin.owner},
-                            {"scene", spec.scene},
-                            {"out", spec.out},
+                            {"scene", spec.scene()},
+                            {"out", spec.out()},
                             {"request_id", job.request_id}});
 }
 

@@ -14,52 +14,21 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/grid/scene.h"
-#include "common/records/filler.h"
-#include "common/records/surface.h"
 #include "common/util/stage.h"
 #include "coordinator/jobs/job_folders.h"
 #include "coordinator/state/job.h"
+#include "tilemend/v1/job_spec.pb.h"
 
 namespace tilemend {
 
-// What is to be done. Paths are absolute or URIs, and seen by the coordinator and every worker.
-struct JobSpec {
-  std::string scene;                                   // a folder or a scene.json; not empty
-  std::string out;                                     // a folder; not empty unless dry_run
-  std::string surface = SurfaceName(kDefaultSurface);  // a name that SurfaceNamed knows
-  bool uniform = false;                                // triangles as large as the rim's throughout
-  double gradation = 1.3;                              // [1, 10], growth of the triangles inward
-  std::string filler = FillerName(Filler::kAuto);      // of closed holes: a name that FillerNamed knows
-  std::string front_steps;             // of its front: a name that FrontStepsNamed knows; empty: default
-  double size_limit = 16;              // [1, 1e6], largest edge over the rim's mean edge
-  std::optional<double> tension;       // [0, 1000], of the thin-plate surface, 1 / metre^2; none: chosen from the rim
-  std::string water = "auto";          // or "off", or a file of polygons: see water_choice.h
-  std::string clear;                   // a file of polygons whose surface is taken out: see water_choice.h
-  std::string area;                    // a file with the area to cover: see area_choice.h; empty: as the scene says
-  std::string water_profile = "city";  // a name that WaterProfileNamed knows
-  std::string water_colour;            // "R,G,B" or "#rrggbb" (ParseColour); empty: as its rim has it
-  std::string cells;                   // those that are filled and written: see ParseCells; empty: all
-  std::string textures = "copy";       // material files and images: "copy", "link" (images as hard links), "off"
-  // Of `wang` alone; none: as WangOptions has them, which says what they are.
-  std::optional<double> seam_smoothing, seam_buffer;
-  std::optional<int32_t> longest_loop, fairing_steps;
-  std::string seam_points;  // a name that SeamPointsNamed knows; empty: as WangOptions
-  std::string closure;      // a name that ClosureNamed knows; likewise
-  bool link = false;        // tiles without a patch as hard links of the originals
-  bool overwrite = false;   // replace an existing output
-  bool dry_run = false;     // survey and plan only, write no tiles
-  bool operator==(const JobSpec&) const = default;
-
-  // kInvalidArgument (INVALID_SPEC, metadata field) naming the first field out of its range.
-  absl::Status Check() const;
-};
+// What is to be done: every option, checked (common/options/job_options.h).
+using JobSpec = v1::JobSpec;
 
 // The phase of a job that runs again through what it did before its coordinator ended.
 inline constexpr char kResumePhase[] = "resume";

@@ -2,6 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/strip.h"
+#include "common/options/job_options.h"
 #include "common/rpc/status_proto.h"
 
 namespace tilemend {
@@ -65,66 +66,6 @@ void SetTime(absl::Time time, google::protobuf::Timestamp& proto) {
   proto.set_nanos(static_cast<int32_t>(absl::ToInt64Nanoseconds(time - absl::FromUnixSeconds(seconds))));
 }
 
-JobSpec SpecFromProto(const v1::JobSpec& proto) {
-  JobSpec spec;
-  spec.scene = proto.scene();
-  spec.out = proto.out();
-  if (!proto.surface().empty()) spec.surface = proto.surface();
-  if (!proto.filler().empty()) spec.filler = proto.filler();
-  spec.front_steps = proto.front_steps();
-  spec.uniform = proto.uniform();
-  if (proto.has_tension()) spec.tension = proto.tension();
-  if (proto.gradation() != 0) spec.gradation = proto.gradation();
-  if (proto.size_limit() != 0) spec.size_limit = proto.size_limit();
-  if (proto.has_seam_smoothing()) spec.seam_smoothing = proto.seam_smoothing();
-  if (proto.has_seam_buffer()) spec.seam_buffer = proto.seam_buffer();
-  if (proto.has_longest_loop()) spec.longest_loop = proto.longest_loop();
-  if (proto.has_fairing_steps()) spec.fairing_steps = proto.fairing_steps();
-  spec.seam_points = proto.seam_points();
-  spec.closure = proto.closure();
-  if (!proto.water().empty()) spec.water = proto.water();
-  spec.clear = proto.clear();
-  spec.area = proto.area();
-  if (!proto.water_profile().empty()) spec.water_profile = proto.water_profile();
-  spec.water_colour = proto.water_colour();
-  if (!proto.textures().empty()) spec.textures = proto.textures();
-  spec.cells = proto.cells();
-  spec.link = proto.link();
-  spec.overwrite = proto.overwrite();
-  spec.dry_run = proto.dry_run();
-  return spec;
-}
-
-v1::JobSpec SpecToProto(const JobSpec& spec) {
-  v1::JobSpec proto;
-  proto.set_scene(spec.scene);
-  proto.set_out(spec.out);
-  proto.set_surface(spec.surface);
-  proto.set_filler(spec.filler);
-  proto.set_front_steps(spec.front_steps);
-  proto.set_uniform(spec.uniform);
-  if (spec.tension) proto.set_tension(*spec.tension);
-  proto.set_gradation(spec.gradation);
-  proto.set_size_limit(spec.size_limit);
-  if (spec.seam_smoothing) proto.set_seam_smoothing(*spec.seam_smoothing);
-  if (spec.seam_buffer) proto.set_seam_buffer(*spec.seam_buffer);
-  if (spec.longest_loop) proto.set_longest_loop(*spec.longest_loop);
-  if (spec.fairing_steps) proto.set_fairing_steps(*spec.fairing_steps);
-  proto.set_seam_points(spec.seam_points);
-  proto.set_closure(spec.closure);
-  proto.set_water(spec.water);
-  proto.set_clear(spec.clear);
-  proto.set_area(spec.area);
-  proto.set_water_profile(spec.water_profile);
-  proto.set_water_colour(spec.water_colour);
-  proto.set_textures(spec.textures);
-  proto.set_cells(spec.cells);
-  proto.set_link(spec.link);
-  proto.set_overwrite(spec.overwrite);
-  proto.set_dry_run(spec.dry_run);
-  return proto;
-}
-
 void SetEnd(JobState state, absl::Time time, v1::Job& proto) {
   proto.set_state(StateToProto(state));
   if (IsOver(state)) SetTime(time, *proto.mutable_end_time());
@@ -137,7 +78,7 @@ v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcom
   proto.set_trace(origin.trace);
   proto.set_name(absl::StrCat("jobs/", job.id));
   SetEnd(job.state, job.ended, proto);
-  *proto.mutable_spec() = SpecToProto(spec);
+  *proto.mutable_spec() = spec;
   SetProgress(job, *proto.mutable_progress());
   SetTime(job.created, *proto.mutable_create_time());
   if (job.started != absl::InfiniteFuture()) SetTime(job.started, *proto.mutable_start_time());
@@ -154,7 +95,7 @@ v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcom
 
 ToldJob JobFromProto(const v1::Job& proto) {
   ToldJob told;
-  told.spec = SpecFromProto(proto.spec());
+  told.spec = WithDefaults(proto.spec());
   told.outcome.message = proto.message();
   told.outcome.report = proto.report();
   told.origin = {proto.owner(), proto.trace()};

@@ -9,15 +9,8 @@
 
 namespace tilemend {
 
-// Fields that are not set get JobSpec's defaults. Not checked.
-JobSpec SpecFromProto(const v1::JobSpec& proto);
-v1::JobSpec SpecToProto(const JobSpec& spec);
-
 v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error,
                    const JobOrigin& origin = {});
-
-// INVALID_PRIORITY unless it is one that a job may have.
-absl::Status CheckPriority(int32_t priority);
 
 void SetTime(absl::Time time, google::protobuf::Timestamp& proto);
 

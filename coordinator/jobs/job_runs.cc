@@ -10,6 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/options/job_options.h"
 #include "common/rpc/trace.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
@@ -36,8 +37,8 @@ absl::Status InvalidRequestId() {
 }  // namespace
 
 std::string OutKeyOf(const JobSpec& spec) {
-  if (spec.out.empty() || spec.dry_run) return "";
-  std::string key = std::filesystem::path(spec.out).lexically_normal().string();
+  if (spec.out().empty() || spec.dry_run()) return "";
+  std::string key = std::filesystem::path(spec.out()).lexically_normal().string();
   while (key.size() > 1 && key.back() == '/') key.pop_back();
   return key;
 }
@@ -46,7 +47,7 @@ absl::StatusOr<v1::Job> JobRuns::StartJob(const JobSpec& spec, const std::string
                                           JobOrigin origin) {
   if (request_id.size() > kMaxRequestIdBytes) return InvalidRequestId();
   if (const Job* job = request_id.empty() ? nullptr : cluster_.state.FindRequest(request_id); job != nullptr) {
-    if (cluster_.jobs.at(job->id).spec == spec) return DescribeJob(cluster_, *job);
+    if (AreEqual(cluster_.jobs.at(job->id).spec, spec)) return DescribeJob(cluster_, *job);
     return WithErrorInfo(
         absl::InvalidArgumentError(absl::StrCat("request_id ", request_id, ": used before, with another spec")),
         {"REQUEST_ID_REUSED", {{"job", job->id}}});

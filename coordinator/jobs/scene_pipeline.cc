@@ -15,6 +15,7 @@
 #include "absl/time/clock.h"
 #include "common/gis/area_file.h"
 #include "common/grid/cell_choice.h"
+#include "common/options/job_options.h"
 #include "common/records/output_names.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
@@ -84,7 +85,7 @@ class ScenePipeline : public JobPipeline {
   absl::StatusOr<std::vector<NewTask>> Start() override {
     const std::vector<SceneTile>& tiles = waves_.scene().tiles;
     if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
-      return absl::InvalidArgumentError(absl::StrCat(spec_.scene, ": no cell of the scene has a tile"));
+      return absl::InvalidArgumentError(absl::StrCat(spec_.scene(), ": no cell of the scene has a tile"));
     if (output_) {
       TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), resumed_));
       reuse_.emplace(std::move(log));
@@ -129,9 +130,9 @@ class ScenePipeline : public JobPipeline {
     JobOutcome outcome;
     const auto left = LeftOf(report);
     const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
-    outcome.partial = holes_left && !spec_.dry_run;
+    outcome.partial = holes_left && !spec_.dry_run();
     outcome.message = MessageOf(report, left.empty());
-    if (spec_.dry_run) outcome.warnings = FirstOf(WarningsOf(report));
+    if (spec_.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
     if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
     return outcome;
   }
@@ -221,12 +222,12 @@ class ScenePipeline : public JobPipeline {
       ++chosen;
       stay_open += hole.failure.empty() ? 0 : 1;
     }
-    std::string message =
-        spec_.dry_run ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
-                                     " to fill (filling may find some that stay open), ", stay_open, " that stay open")
-                      : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
-                                     all_closed ? "" : "; the report lists what is left open");
-    if (!spec_.cells.empty()) {
+    std::string message = spec_.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
+                                                         " to fill (filling may find some that stay open), ", stay_open,
+                                                         " that stay open")
+                                          : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
+                                                         all_closed ? "" : "; the report lists what is left open");
+    if (!spec_.cells().empty()) {
       absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
                       report.cells, " cells that were chosen");
     }
@@ -241,11 +242,11 @@ class ScenePipeline : public JobPipeline {
     report.outcome = waves_.outcome();
     report.cells = static_cast<int64_t>(waves_.scene().tiles.size());
     report.seconds = seconds_;
-    report.scene = spec_.scene;
+    report.scene = spec_.scene();
     report.date = UtcText(absl::Now());
     report.tasks = reuse_->tasks();
     report.taken_over = reuse_->taken_over();
-    report.options = OptionsOf(spec_);
+    report.options = ReportedOptions(spec_, kOfJobs);
     report.warnings = waves_.scene().warnings;
     for (std::string& warning : tasks_.files().Warnings()) report.warnings.push_back(std::move(warning));
     return report;
@@ -296,19 +297,19 @@ class ScenePipeline : public JobPipeline {
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
                                                                TileCheck tiles) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene, ReadTileBounds));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds));
   CheckCrs(scene);
-  TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area, scene));
-  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water, FrameOf(scene)));
-  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear, FrameOf(scene), water));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene)));
+  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
-  water.options.profile = *WaterProfileNamed(spec.water_profile);
+  water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
-  TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells, scene));
+  TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells(), scene));
   std::optional<OutputFolder> output;
-  if (!spec.dry_run) {
-    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
-                              OutputFolder::Claim(spec.out, scene, spec.overwrite, JobKey(spec, water, area_digest)));
+  if (!spec.dry_run()) {
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out(), scene, spec.overwrite(),
+                                                                        JobKey(spec, water, area_digest)));
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));

@@ -5,6 +5,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/options/job_options.h"
+#include "common/options/method_options.h"
 #include "common/records/ground_raster.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
@@ -56,7 +58,7 @@ bool HasMaterials(const SceneTile& tile) {
 SceneTasks::SceneTasks(const JobSpec& spec, SceneWaves& waves, OutputFolder* output,
                        std::shared_ptr<ScratchFile> scratch)
     : spec_(spec),
-      shape_(ShapeOptionsOf(spec)),
+      shape_(OptionsForWorkers(spec)),
       waves_(waves),
       output_(output),
       scratch_(std::move(scratch)),
@@ -88,7 +90,7 @@ absl::Status SceneTasks::AddHelp(NewTask& task) const {
   if (surveyed.stamp().empty()) return absl::OkStatus();
   v1::AssembleInput help;
   help.set_stamp(surveyed.stamp());
-  help.set_link_tile(spec_.link);
+  help.set_link_tile(spec_.link());
   help.AppendToString(&task.input);  // as one message: its other fields stay as they are
   return absl::OkStatus();
 }
@@ -106,7 +108,7 @@ absl::StatusOr<NewTask> SceneTasks::Encode(const MeasureWork& work) const {
 absl::StatusOr<NewTask> SceneTasks::Encode(const SurveyWork& work) const {
   v1::SurveyInput input;
   TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
-  input.set_look(!spec_.dry_run);
+  input.set_look(!spec_.dry_run());
   const Box2 reach = ReachOfCell(waves_.scene(), work.tile->cell);
   for (const double x : {reach.lo.x(), reach.lo.y(), reach.hi.x(), reach.hi.y()}) input.add_reach(x);
   const Point2& cell = waves_.scene().grid.cell_size;
@@ -244,8 +246,8 @@ void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   output_->Adopt({carried.begin(), carried.end()});
   input.mutable_carried()->Add(carried.begin(), carried.end());
   for (const std::string& path : carried) input.add_carried_digests(file_digests_[path]);
-  input.set_link_images(spec_.textures == "link");
-  input.set_output_root(spec_.out);
+  input.set_link_images(spec_.textures() == "link");
+  input.set_output_root(spec_.out());
 }
 
 void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
@@ -287,7 +289,7 @@ absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
   if (const absl::Status taken = waves_.TakeCleared(result.cell, tile->cleared); !taken.ok()) {
     return Unreadable(result.cell, taken);
   }
-  if (spec_.textures != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
+  if (spec_.textures() != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
@@ -366,7 +368,7 @@ absl::Status SceneTasks::TakeFill(CellId cell, v1::FillOutput output) {
     TILEMEND_ASSIGN_OR_RETURN(patches.samples, SamplesOf(output.samples(), cell, sampled_[cell]));
     sampled_.erase(cell);
   }
-  if (spec_.surface != SurfaceName(Surface::kWang)) {
+  if (spec_.surface() != SurfaceName(Surface::kWang)) {
     TILEMEND_ASSIGN_OR_RETURN(const auto rims, TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
     TILEMEND_RETURN_IF_ERROR(ComparePatches(cell, rims, output, {}));
   }

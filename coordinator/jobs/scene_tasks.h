@@ -74,7 +74,7 @@ class SceneTasks {
   absl::StatusOr<ScratchFile::Place> PutAside(const google::protobuf::MessageLite& message);
 
   const JobSpec& spec_;
-  const v1::ShapeOptions shape_;
+  const v1::JobSpec shape_;
   SceneWaves& waves_;
   OutputFolder* const output_;
   const std::shared_ptr<ScratchFile> scratch_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/options/job_options.h"
 #include "common/util/files.h"
 #include "coordinator/jobs/scene_pipeline.h"
 #include "tests/support/output_checks.h"
@@ -23,7 +24,7 @@ using ::testing::HasSubstr;
 class DryRunTest : public ::testing::Test {
  protected:
   absl::StatusOr<JobOutcome> Run() {
-    spec_.dry_run = true;
+    spec_.set_dry_run(true);
     auto pipeline = ScenePipelineFactory()(spec_);
     if (!pipeline.ok()) return pipeline.status();
     auto first = (*pipeline)->Start();
@@ -40,18 +41,18 @@ class DryRunTest : public ::testing::Test {
   }
 
   const TemporaryFolder folder_;
-  JobSpec spec_;
+  JobSpec spec_ = WithDefaults({});
 };
 
 TEST_F(DryRunTest, ADryRunSaysWhatStaysOpenAndWarns) {
   SceneMakerOptions options = SmallScene(Cut::kClipped);
   options.ellipses = {{{30, 0}, {6, 4}}, {{70, 50}, {2, 3}}};  // one at the rim
-  spec_.scene = WriteMade(options, folder_ / "rim");
+  spec_.set_scene(WriteMade(options, folder_ / "rim"));
   const auto known = Run();
   ASSERT_TRUE(known.ok()) << known.status();
   EXPECT_THAT(known->message, HasSubstr("2 to fill (filling may find some that stay open), 0 that stay open"));
   EXPECT_THAT(known->warnings, testing::IsEmpty());
-  std::filesystem::remove(spec_.scene + "/scene.json");
+  std::filesystem::remove(spec_.scene() + "/scene.json");
   const auto unknown = Run();
   ASSERT_TRUE(unknown.ok()) << unknown.status();
   EXPECT_THAT(unknown->message, HasSubstr("1 to fill (filling may find some that stay open), 1 that stay open"));
@@ -59,10 +60,10 @@ TEST_F(DryRunTest, ADryRunSaysWhatStaysOpenAndWarns) {
 }
 
 TEST_F(DryRunTest, WarningsOfADryRunAreCounted) {
-  spec_.scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+  spec_.set_scene(WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"));
   std::string fields;
   for (int k = 10; k < 35; ++k) absl::StrAppend(&fields, "\"area_kno", k, "\": 1, ");
-  const std::string path = spec_.scene + "/scene.json";
+  const std::string path = spec_.scene() + "/scene.json";
   std::string json = ReadFile(path).value();
   json.insert(json.find('{') + 1, fields);
   ASSERT_TRUE(WriteFileAtomically(path, json, Sync::kNo).ok());

@@ -4,41 +4,20 @@
 #include <gtest/gtest.h>
 
 #include "absl/time/time.h"
+#include "common/options/job_options.h"
 #include "common/rpc/status_proto.h"
 
 namespace tilemend {
 namespace {
 
-TEST(JobProtoTest, ASpecComesBackAsItWas) {
+TEST(JobProtoTest, ASpecComesBackWithItsDefaults) {
   JobSpec spec;
-  spec.scene = "/scene";
-  spec.out = "/out";
-  spec.surface = "wang";
-  spec.uniform = spec.overwrite = spec.dry_run = true;
-  spec.gradation = 2.5;
-  spec.size_limit = 99;
-  spec.tension = 0;
-  spec.seam_smoothing = 0;
-  spec.seam_points = "spaced";
-  spec.closure = "line";
-  spec.water = "/water.geojson";
-  spec.area = "/area.gpkg";
-  spec.cells = "3,4";
-  spec.water_profile = "usgs";
-  EXPECT_EQ(SpecFromProto(SpecToProto(spec)), spec);
-  EXPECT_EQ(SpecFromProto(SpecToProto(JobSpec())), JobSpec());
-}
-
-TEST(JobProtoTest, FieldsThatAreNotSetHaveTheDefaults) { EXPECT_EQ(SpecFromProto(v1::JobSpec()), JobSpec()); }
-
-// As journals of earlier releases have it.
-TEST(JobProtoTest, TheToleranceOfWaterIsReadOver) {
-  const std::string field("\x61\x9a\x99\x99\x99\x99\x99\xc9\x3f", 9);  // 12, a double: 0.2
-  JobSpec spec;
-  spec.scene = "/scene";
-  v1::JobSpec read;
-  ASSERT_TRUE(read.ParseFromString(SpecToProto(spec).SerializeAsString() + field));
-  EXPECT_EQ(SpecFromProto(read), spec);
+  spec.set_scene("/scene");
+  spec.set_gradation(2.5);
+  spec.set_tension(0);
+  const JobSpec back = JobFromProto(JobToProto({}, spec, {}, absl::OkStatus())).spec;
+  EXPECT_TRUE(AreEqual(back, WithDefaults(spec)));
+  EXPECT_TRUE(back.has_tension());
 }
 
 TEST(JobProtoTest, TellsOfARunningJob) {

@@ -10,6 +10,8 @@
 #include <map>
 #include <random>
 
+#include "common/options/job_options.h"
+#include "common/records/surface.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
 #include "coordinator/jobs/scene_pipeline.h"
@@ -32,10 +34,10 @@ class ResultChecksTest : public testing::Test {
   // `see` is called with each exchange before the pipeline takes it.
   void Run(const std::function<void(const Exchange&)>& see, Surface surface = Surface::kThinPlate) {
     WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
-    JobSpec spec;
-    spec.scene = folder_ / "scene";
-    spec.out = folder_ / std::string(SurfaceName(surface));
-    spec.surface = SurfaceName(surface);
+    JobSpec spec = WithDefaults({});
+    spec.set_scene(folder_ / "scene");
+    spec.set_out(folder_ / std::string(SurfaceName(surface)));
+    spec.set_surface(SurfaceName(surface));
     auto pipeline = ScenePipelineFactory()(spec);
     ASSERT_TRUE(pipeline.ok()) << pipeline.status();
     auto tasks = (*pipeline)->Start();

@@ -17,6 +17,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/time/time.h"
+#include "common/options/job_options.h"
+#include "common/records/surface.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "tests/support/output_checks.h"
@@ -33,8 +35,8 @@ class ScenePipelineTest : public ::testing::Test {
  protected:
   ScenePipelineTest() {
     WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
-    spec_.scene = folder_ / "scene";
-    spec_.out = folder_ / "out";
+    spec_.set_scene(folder_ / "scene");
+    spec_.set_out(folder_ / "out");
   }
 
   std::unique_ptr<JobPipeline> Make() {
@@ -77,7 +79,7 @@ class ScenePipelineTest : public ::testing::Test {
   }
 
   const TemporaryFolder folder_;
-  JobSpec spec_;
+  JobSpec spec_ = WithDefaults({});
   std::map<Stage, int> stages_;
   Progress progress_;
 };
@@ -86,7 +88,7 @@ TEST_F(ScenePipelineTest, FillsASceneAndReportsIt) {
   const auto outcome = Run();
   ASSERT_TRUE(outcome.ok()) << outcome.status();
   EXPECT_FALSE(outcome->partial);
-  EXPECT_EQ(outcome->report, spec_.out + "/report.json");
+  EXPECT_EQ(outcome->report, spec_.out() + "/report.json");
   EXPECT_EQ(progress_.cells, 12);
   EXPECT_EQ(progress_.cells_done, 12);
   EXPECT_EQ(progress_.holes_filled, progress_.holes);
@@ -94,10 +96,10 @@ TEST_F(ScenePipelineTest, FillsASceneAndReportsIt) {
   EXPECT_GT(stages_[Stage::kSampleCluster], 0);
   EXPECT_EQ(stages_[Stage::kSampleLayer], 0);
   EXPECT_EQ(stages_[Stage::kAssemble], 12);
-  ExpectOriginalsKept(spec_.scene, spec_.out);
-  ExpectClosed(SmallScene(Cut::kClipped), spec_.out);
-  const nlohmann::json report = ReportOf(spec_.out);
-  EXPECT_EQ(report["scene"], spec_.scene);
+  ExpectOriginalsKept(spec_.scene(), spec_.out());
+  ExpectClosed(SmallScene(Cut::kClipped), spec_.out());
+  const nlohmann::json report = ReportOf(spec_.out());
+  EXPECT_EQ(report["scene"], spec_.scene());
   EXPECT_EQ(report["options"]["water"], "auto");
   EXPECT_EQ(report["options"]["tension"], "auto");
   absl::Time made;
@@ -122,7 +124,7 @@ TEST_F(ScenePipelineTest, HoldsTasksBackWhileManyAreOut) {
                                                        col, " ", row + 1, " 0\n3 0 1 2\n"));
   }
   WriteTile(folder_ / "many/scene.json", scene.dump());
-  spec_.scene = folder_ / "many";
+  spec_.set_scene(folder_ / "many");
   const auto pipeline = Make();
   auto tasks = *pipeline->Start();
   int64_t out = std::ssize(tasks);
@@ -139,28 +141,28 @@ TEST_F(ScenePipelineTest, HoldsTasksBackWhileManyAreOut) {
 
 TEST_F(ScenePipelineTest, WritesTheSameTilesInWhateverOrderResultsCome) {
   ASSERT_TRUE(Run().ok());
-  const auto forwards = TilesBelow(spec_.out);
-  spec_.out = folder_ / "other";
+  const auto forwards = TilesBelow(spec_.out());
+  spec_.set_out(folder_ / "other");
   ASSERT_TRUE(Run({}, true).ok());
-  EXPECT_EQ(TilesBelow(spec_.out), forwards);
+  EXPECT_EQ(TilesBelow(spec_.out()), forwards);
 }
 
 TEST_F(ScenePipelineTest, WangFillsByLayersAndSmoothsSeams) {
-  spec_.surface = SurfaceName(Surface::kWang);
+  spec_.set_surface(SurfaceName(Surface::kWang));
   ASSERT_TRUE(Run().ok());
   EXPECT_EQ(stages_[Stage::kSampleCluster], 0);
   EXPECT_EQ(stages_[Stage::kSampleLayer], 0);
   EXPECT_GT(stages_[Stage::kSmoothSeam], 0);
-  EXPECT_EQ(ReportOf(spec_.out)["options"]["surface"], "wang");
+  EXPECT_EQ(ReportOf(spec_.out())["options"]["surface"], "wang");
 }
 
 TEST_F(ScenePipelineTest, ADryRunPlansAndWritesNothing) {
-  spec_.dry_run = true;
+  spec_.set_dry_run(true);
   const auto outcome = Run();
   ASSERT_TRUE(outcome.ok()) << outcome.status();
   EXPECT_THAT(outcome->message, HasSubstr("holes found, nothing written: "));
   EXPECT_EQ(stages_.size(), 2U) << "survey and ground";
-  EXPECT_FALSE(std::filesystem::exists(spec_.out));
+  EXPECT_FALSE(std::filesystem::exists(spec_.out()));
 }
 
 TEST_F(ScenePipelineTest, AResultThatCannotBeReadFailsTheJob) {
@@ -194,14 +196,14 @@ TEST_F(ScenePipelineTest, AnUnknownWayOfFillingFailsTheJobWhereItIsTold) {
                                 result.output = output.SerializeAsString();
                               }).status();
   EXPECT_TRUE(absl::IsInternal(status)) << status;
-  EXPECT_FALSE(std::filesystem::exists(spec_.out + "/report.json"));
+  EXPECT_FALSE(std::filesystem::exists(spec_.out() + "/report.json"));
 }
 
 absl::Status Quarantined() { return WithErrorInfo(absl::AbortedError("it killed three workers"), {"QUARANTINED", {}}); }
 
 TEST_F(ScenePipelineTest, OnlyAQuarantinedSurveyFailsTheJob) {
   for (const Stage stage : {Stage::kSurvey, Stage::kSampleCluster, Stage::kFill, Stage::kAssemble}) {
-    spec_.out = folder_ / std::string(StageName(stage));
+    spec_.set_out(folder_ / std::string(StageName(stage)));
     bool struck = false;
     const auto outcome = Run([&](TaskResult& result) {
       if (result.stage == stage && !std::exchange(struck, true)) result.output = Quarantined();
@@ -211,7 +213,7 @@ TEST_F(ScenePipelineTest, OnlyAQuarantinedSurveyFailsTheJob) {
     if (!outcome.ok()) continue;
     EXPECT_TRUE(outcome->partial);
     EXPECT_EQ(
-        ReportOf(spec_.out)["left"][0]["reason"].get<std::string>(),
+        ReportOf(spec_.out())["left"][0]["reason"].get<std::string>(),
         stage == Stage::kAssemble ? "the tile is not written: it killed three workers" : "it killed three workers");
   }
 }
@@ -223,7 +225,7 @@ TEST_F(ScenePipelineTest, TheHolesOfATileThatIsNotWrittenAreNotFilled) {
   });
   ASSERT_TRUE(outcome.ok()) << outcome.status();
   int holes = 0;
-  const nlohmann::json report = ReportOf(spec_.out);
+  const nlohmann::json report = ReportOf(spec_.out());
   for (const auto& row : report["per_hole"]) {
     const bool in_lost = row["cell"] == nlohmann::json::array({lost.col, lost.row});
     EXPECT_EQ(row["outcome"] == "filled", !in_lost) << row;
@@ -245,25 +247,25 @@ TEST_F(ScenePipelineTest, AnErrorThatIsNotOfTheCellAloneFailsTheJob) {
 // Whatever the surface: what is written is what a run of all cells writes.
 TEST_F(ScenePipelineTest, SomeCellsAreWrittenAsInARunOfAll) {
   for (const Surface surface : {Surface::kThinPlate, Surface::kWang}) {
-    spec_.surface = SurfaceName(surface);
-    spec_.cells = "";
-    spec_.out = folder_ / ("all" + spec_.surface);
+    spec_.set_surface(SurfaceName(surface));
+    spec_.set_cells("");
+    spec_.set_out(folder_ / ("all" + spec_.surface()));
     ASSERT_TRUE(Run().ok());
-    const auto all = TilesBelow(spec_.out);
+    const auto all = TilesBelow(spec_.out());
     const int fills = stages_[Stage::kFill];
     stages_.clear();
-    spec_.out = folder_ / ("some" + spec_.surface);
-    spec_.cells = "1,1 2,0-3,0";
+    spec_.set_out(folder_ / ("some" + spec_.surface()));
+    spec_.set_cells("1,1 2,0-3,0");
     const auto outcome = Run();
     ASSERT_TRUE(outcome.ok()) << outcome.status();
     EXPECT_FALSE(outcome->partial);
     EXPECT_THAT(outcome->message, HasSubstr("holes are in the 3 of 12 cells that were chosen"));
-    const auto some = TilesBelow(spec_.out);
+    const auto some = TilesBelow(spec_.out());
     EXPECT_EQ(some.size(), 3U);
     for (const auto& [name, bytes] : some) EXPECT_EQ(all.at(name), bytes) << name;
     EXPECT_LT(stages_[Stage::kFill], fills);
     EXPECT_EQ(stages_[Stage::kAssemble], 3);
-    const nlohmann::json report = ReportOf(spec_.out);
+    const nlohmann::json report = ReportOf(spec_.out());
     EXPECT_TRUE(report["left"].empty());
     for (const auto& row : report["per_hole"]) {
       const bool chosen = row["cell"] == nlohmann::json::array({1, 1}) || (row["cell"][1] == 0 && row["cell"][0] >= 2);
@@ -274,40 +276,40 @@ TEST_F(ScenePipelineTest, SomeCellsAreWrittenAsInARunOfAll) {
 }
 
 TEST_F(ScenePipelineTest, ADryRunSaysWhichHolesAreChosen) {
-  spec_.dry_run = true;
-  spec_.cells = "1,1";
+  spec_.set_dry_run(true);
+  spec_.set_cells("1,1");
   EXPECT_THAT(Run()->message, HasSubstr("holes are in the 1 of 12 cells that were chosen"));
 }
 
 TEST_F(ScenePipelineTest, CellsThatTheSceneDoesNotHaveAreRefused) {
-  spec_.cells = "1,1 90,90";
+  spec_.set_cells("1,1 90,90");
   EXPECT_THAT(std::string(ScenePipelineFactory()(spec_).status().message()), HasSubstr("+090_+090"));
 }
 
 TEST_F(ScenePipelineTest, AnotherRunTakesOverEverything) {
   ASSERT_TRUE(Run().ok());
-  const auto before = TilesBelow(spec_.out);
-  const nlohmann::json report = ReportOf(spec_.out);
+  const auto before = TilesBelow(spec_.out());
+  const nlohmann::json report = ReportOf(spec_.out());
   EXPECT_EQ(report["tasks"]["taken_over"], 0);
   stages_.clear();
-  spec_.overwrite = true;
+  spec_.set_overwrite(true);
   const auto outcome = Run();
   ASSERT_TRUE(outcome.ok()) << outcome.status();
-  EXPECT_EQ(TilesBelow(spec_.out), before);
+  EXPECT_EQ(TilesBelow(spec_.out()), before);
   EXPECT_EQ(stages_[Stage::kSampleCluster] + stages_[Stage::kFill], 0);
   const int64_t all = report["tasks"]["all"];
-  EXPECT_EQ(ReportOf(spec_.out)["tasks"], nlohmann::json({{"all", all}, {"taken_over", all}}));
+  EXPECT_EQ(ReportOf(spec_.out())["tasks"], nlohmann::json({{"all", all}, {"taken_over", all}}));
   int64_t tasks = 0;  // of workers
   for (const auto& [stage, count] : stages_) tasks += count;
   EXPECT_THAT(outcome->message, HasSubstr(absl::StrCat(all, " of ", all, " results taken over, ", all - tasks,
                                                        " of them without a task for a worker")));
-  EXPECT_EQ(ReportOf(spec_.out)["per_hole"], report["per_hole"]);
+  EXPECT_EQ(ReportOf(spec_.out())["per_hole"], report["per_hole"]);
 }
 
 // The plan's numbers of all holes after it are other ones then.
 TEST_F(ScenePipelineTest, AHoleMoreInTheFirstTileIsAllThatIsFilledAgain) {
   ASSERT_TRUE(Run().ok());
-  const std::string tile = spec_.scene + "/tiles/Tile_+000_+000.ply";
+  const std::string tile = spec_.scene() + "/tiles/Tile_+000_+000.ply";
   std::string bytes = ReadFile(tile).value();
   const std::string count = "element face ";
   const size_t at = bytes.find(count) + count.size();
@@ -318,22 +320,22 @@ TEST_F(ScenePipelineTest, AHoleMoreInTheFirstTileIsAllThatIsFilledAgain) {
   bytes.resize(bytes.size() - 13);  // the last of its triangles
   WriteTile(tile, bytes);
   stages_.clear();
-  spec_.overwrite = true;
+  spec_.set_overwrite(true);
   ASSERT_TRUE(Run().ok());
-  const auto rerun = TilesBelow(spec_.out);
+  const auto rerun = TilesBelow(spec_.out());
   EXPECT_LE(stages_[Stage::kFill], 4);
   EXPECT_GE(stages_[Stage::kFill], 1);
-  const nlohmann::json tasks = ReportOf(spec_.out)["tasks"];
+  const nlohmann::json tasks = ReportOf(spec_.out())["tasks"];
   EXPECT_GT(tasks["taken_over"], 0.5 * tasks["all"].get<double>());
-  spec_.out = folder_ / "fresh";
+  spec_.set_out(folder_ / "fresh");
   ASSERT_TRUE(Run().ok());
-  EXPECT_EQ(TilesBelow(spec_.out), rerun);
+  EXPECT_EQ(TilesBelow(spec_.out()), rerun);
 }
 
 TEST_F(ScenePipelineTest, NoTileOfAnEarlierJobStaysWhereNoneIsWritten) {
   ASSERT_TRUE(Run().ok());
-  spec_.overwrite = true;
-  spec_.gradation = 1.5;
+  spec_.set_overwrite(true);
+  spec_.set_gradation(1.5);
   std::optional<CellId> given_up;
   const auto outcome = Run([&](TaskResult& result) {
     if (result.stage != Stage::kAssemble || given_up) return;
@@ -343,7 +345,7 @@ TEST_F(ScenePipelineTest, NoTileOfAnEarlierJobStaysWhereNoneIsWritten) {
   ASSERT_TRUE(outcome.ok()) << outcome.status();
   ASSERT_TRUE(given_up);
   EXPECT_TRUE(outcome->partial);
-  EXPECT_FALSE(std::filesystem::exists(spec_.out + "/tiles/Tile_" + ToString(*given_up) + ".ply"));
+  EXPECT_FALSE(std::filesystem::exists(spec_.out() + "/tiles/Tile_" + ToString(*given_up) + ".ply"));
 }
 
 TEST_F(ScenePipelineTest, AJobThatFailedLeavesItsResultsToTheNext) {
@@ -361,7 +363,7 @@ TEST_F(ScenePipelineTest, AJobThatFailedLeavesItsResultsToTheNext) {
 
 TEST_F(ScenePipelineTest, AJobThatGoesOnAsksTheSameAgain) {
   ASSERT_TRUE(Run().ok());
-  spec_.overwrite = true;
+  spec_.set_overwrite(true);
   std::vector<std::string> asked;
   for (const bool resumed : {false, true}) {
     const auto pipeline = Make();
@@ -390,7 +392,7 @@ void ChangeATile(const std::string& out) {
 TEST_F(ScenePipelineTest, ATileThatIsChangedBeforeTheEndFailsTheJob) {
   auto pipeline = Make();
   ASSERT_TRUE(RunTasks(*pipeline).ok());
-  ChangeATile(spec_.out);
+  ChangeATile(spec_.out());
   EXPECT_EQ(ErrorReason(pipeline->Finish().status()), "OUTPUT_CHANGED");
   pipeline.reset();
   EXPECT_TRUE(Run().ok()) << "again";
@@ -400,7 +402,7 @@ TEST_F(ScenePipelineTest, ATileThatIsChangedWhileNoCoordinatorRunsFailsTheJob) {
   for (const TileCheck tiles : {TileCheck::kSize, TileCheck::kDigest}) {
     std::deque<std::string> told;
     ASSERT_TRUE(RunTasks(*Make(), [&](TaskResult& result) { told.push_back(*result.output); }).ok());
-    ChangeATile(spec_.out);
+    ChangeATile(spec_.out());
     const auto pipeline = ScenePipelineFactory("", tiles)(spec_).value();
     pipeline->Resume();
     const auto tell_again = [&](TaskResult& result) {
@@ -409,25 +411,25 @@ TEST_F(ScenePipelineTest, ATileThatIsChangedWhileNoCoordinatorRunsFailsTheJob) {
     };
     ASSERT_TRUE(RunTasks(*pipeline, tell_again).ok());
     EXPECT_EQ(ErrorReason(pipeline->Finish().status()), tiles == TileCheck::kSize ? "" : "OUTPUT_CHANGED");
-    std::filesystem::remove_all(spec_.out);
+    std::filesystem::remove_all(spec_.out());
   }
 }
 
 TEST_F(ScenePipelineTest, ALinkInThePlaceOfATileIsReplaced) {
   ASSERT_TRUE(Run().ok());
-  const auto before = TilesBelow(spec_.out);
-  const std::string tile = spec_.out + "/" + before.begin()->first;
+  const auto before = TilesBelow(spec_.out());
+  const std::string tile = spec_.out() + "/" + before.begin()->first;
   std::filesystem::rename(tile, folder_ / "moved.ply");
   std::filesystem::create_symlink(folder_ / "moved.ply", tile);
-  spec_.overwrite = true;
+  spec_.set_overwrite(true);
   const auto outcome = Run();
   ASSERT_TRUE(outcome.ok()) << outcome.status();
   EXPECT_FALSE(std::filesystem::is_symlink(tile));
-  EXPECT_EQ(TilesBelow(spec_.out), before);
+  EXPECT_EQ(TilesBelow(spec_.out()), before);
 }
 
 TEST_F(ScenePipelineTest, ASceneWithoutTilesIsRefused) {
-  spec_.scene = folder_ / "empty";
+  spec_.set_scene(folder_ / "empty");
   folder_.Write("empty/scene.json",
                 R"({"cell_size": 10, "cols": 1, "rows": 1, "tiles": [{"col": 0, "row": 0, "path": null}]})");
   const absl::Status status = Make()->Start().status();
@@ -437,11 +439,11 @@ TEST_F(ScenePipelineTest, ASceneWithoutTilesIsRefused) {
 TEST_F(ScenePipelineTest, ACancelBeforeTheEndLeavesNoCompleteOutput) {
   const auto pipeline = Make();
   ASSERT_TRUE(RunTasks(*pipeline).ok());
-  EXPECT_FALSE(TilesBelow(spec_.out).empty());
+  EXPECT_FALSE(TilesBelow(spec_.out()).empty());
   EXPECT_TRUE(pipeline->Cancel());
   EXPECT_TRUE(pipeline->Cancel()) << "again";
   EXPECT_TRUE(absl::IsCancelled(pipeline->Finish().status()));
-  EXPECT_FALSE(std::filesystem::exists(spec_.out + "/report.json"));
+  EXPECT_FALSE(std::filesystem::exists(spec_.out() + "/report.json"));
 }
 
 }  // namespace

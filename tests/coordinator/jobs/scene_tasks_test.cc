@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "common/options/job_options.h"
 #include "coordinator/jobs/scene_options.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/temporary_folder.h"
@@ -15,8 +16,8 @@ namespace {
 
 // The inputs of all tasks of a scene but those that write, by stage.
 std::map<Stage, std::vector<std::string>> InputsOf(const std::string& folder) {
-  JobSpec spec;
-  spec.scene = folder;
+  JobSpec spec = WithDefaults({});
+  spec.set_scene(folder);
   SceneWaves waves(LoadScene(folder, [](const std::string&) { return absl::UnimplementedError(""); }).value(),
                    WaveOptionsOf(spec, {}, [] { return false; }));
   SceneTasks tasks(spec, waves, nullptr, ScratchFile::Create("").value());
@@ -64,7 +65,7 @@ TEST(SceneTasksTest, NumbersInTasksAreTheTasksOwn) {
 TEST(SceneTasksTest, AClusterThatWasNotAskedForIsNoResult) {
   const TemporaryFolder folder;
   WriteMade(SmallScene(Cut::kClipped), folder.path());
-  JobSpec spec;
+  JobSpec spec = WithDefaults({});
   SceneWaves waves(LoadScene(folder.path(), [](const std::string&) { return absl::UnimplementedError(""); }).value(),
                    WaveOptionsOf(spec, {}, [] { return false; }));
   SceneTasks tasks(spec, waves, nullptr, ScratchFile::Create("").value());
