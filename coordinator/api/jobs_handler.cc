@@ -17,7 +17,6 @@
 #include "common/util/text.h"
 #include "coordinator/api/page.h"
 #include "coordinator/jobs/describe_job.h"
-#include "coordinator/jobs/job_proto.h"
 
 namespace tilemend {
 namespace {

@@ -12,9 +12,6 @@ namespace tilemend {
 v1::Job JobToProto(const Job& job, const JobSpec& spec, const JobOutcome& outcome, const absl::Status& error,
                    const JobOrigin& origin = {});
 
-// INVALID_PRIORITY unless it is one that a job may have.
-absl::Status CheckPriority(int32_t priority);
-
 void SetTime(absl::Time time, google::protobuf::Timestamp& proto);
 
 // Makes the message tell that the job is over.

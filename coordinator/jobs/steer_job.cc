@@ -6,7 +6,6 @@
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "coordinator/jobs/describe_job.h"
-#include "coordinator/jobs/job_proto.h"
 
 namespace tilemend {
 

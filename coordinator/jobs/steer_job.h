@@ -2,8 +2,10 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_STEER_JOB_H_
 #define TILEMEND_COORDINATOR_JOBS_STEER_JOB_H_
 
+#include <cstdint>
 #include <string>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/cluster.h"
 #include "coordinator/jobs/job_journal.h"
@@ -12,6 +14,9 @@
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
+
+// kInvalidArgument (INVALID_PRIORITY) unless it is from -100 to 100.
+absl::Status CheckPriority(int32_t priority);
 
 // All methods need the lock; `name` is jobs/ID. Errors of Cluster::JobNamed, kFailedPrecondition (JOB_OVER).
 class JobSteering {
