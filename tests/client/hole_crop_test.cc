@@ -29,9 +29,8 @@ TilePair Filled(int32_t side) {
   pair.after = pair.before;
   TriMesh& mesh = pair.after.faces.mesh;
   const auto n = static_cast<int32_t>(mesh.points.size());
-  mesh.points.insert(
-      mesh.points.end(),
-      {{middle, middle, 0.0}, {middle + 1, middle, 0.0}, {middle + 1, middle + 1, 0.0}, {middle, middle + 1, 0.0}});
+  const double lo = middle, hi = middle + 1;
+  mesh.points.insert(mesh.points.end(), {{lo, lo, 0}, {hi, lo, 0}, {hi, hi, 0}, {lo, hi, 0}});
   mesh.triangles.push_back({n, n + 1, n + 2});
   mesh.triangles.push_back({n, n + 2, n + 3});
   pair.after.faces.looks.resize(mesh.triangles.size());

@@ -88,7 +88,7 @@ TEST_F(DeliveryRunTest, AFilledTriangleLessOpensTheHole) {
 
 TEST_F(DeliveryRunTest, ACrackBetweenTilesIsOpen) {
   // Both tiles have the vertices of the seam. One of them is moved in one tile.
-  ChangeLastLine(kTile, "v ", "v 10 5 0.9");
+  ChangeLastLine(kTile, "v 10 ", "v 10 5.25 0.9");
   EXPECT_GT(Count(Check(100), "open_edges"), 0);
 }
 
