@@ -151,8 +151,23 @@ class AcceptanceCheck {
     CheckOriginals(tile.cell, before.faces.mesh, change);
     CheckFaces(t, before.faces.mesh, after.faces.mesh, change);
     CheckWater(tile.cell, after.faces.mesh, change.added);
+    CheckCoarser(tile.cell, before, after);
     if (reported_.has_textures) files_.Compare(before.files);
     return absl::OkStatus();
+  }
+
+  // The other levels of detail: originals are there, but for what clearing takes out of each level.
+  void CheckCoarser(CellId cell, const CheckedTile& before, const CheckedTile& after) {
+    if (before.coarser.size() != after.coarser.size()) {
+      Add(kMissingFace, cell, std::nullopt,
+          absl::StrCat(before.coarser.size() + 1, " levels of detail, ", after.coarser.size() + 1, " in the output"));
+      return;
+    }
+    if (reported_.cleared.contains(cell)) return;
+    for (size_t l = 0; l < before.coarser.size(); ++l) {
+      const TileChange change = CompareTiles(before.coarser[l], after.coarser[l]);
+      for (const int32_t t : change.missing) Add(kMissingFace, cell, MiddleOf(before.coarser[l].mesh, t));
+    }
   }
 
   static std::vector<bool> NoneOf(const TriMesh& mesh) { return std::vector<bool>(mesh.triangles.size(), false); }

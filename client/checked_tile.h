@@ -3,6 +3,7 @@
 #define TILEMEND_CLIENT_CHECKED_TILE_H_
 
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/records/tile_files.h"
@@ -12,7 +13,8 @@ namespace tilemend {
 
 struct CheckedTile {
   LookedMesh faces;
-  TileFiles files;  // material files and images that it names
+  TileFiles files;                  // material files and images that it names
+  std::vector<LookedMesh> coarser;  // its other levels of detail, the coarsest first
 };
 
 // Reads the tile `path` of the scene or output `root`. The one place that knows formats of tiles. Errors of ParseMesh.

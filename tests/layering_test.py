@@ -208,7 +208,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/osgb', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'eigen', 'grpc', 'json', 'protobuf']),

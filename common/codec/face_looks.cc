@@ -116,4 +116,31 @@ absl::StatusOr<std::vector<uint64_t>> PlyFaceLooks(std::string_view bytes, const
   return faces;
 }
 
+std::vector<uint64_t> OsgbFaceLooks(const OsgbTile& tile, const OsgbLevel& level) {
+  std::vector<uint64_t> looks;
+  for (const OsgbLevel::Part& part : level.parts) {
+    const int32_t f = tile.pieces[part.piece].file;
+    const OsgbFile& file = tile.files[f];
+    for (const int32_t g : part.geometries) {
+      const OsgbGeometry& geometry = file.geometries[g];
+      std::string_view image;
+      if (geometry.texture >= 0) {
+        const OsgbImage& of_file = file.images[geometry.texture];
+        image = tile.packed[f].bytes.substr(of_file.offset, of_file.size);
+      }
+      const size_t image_hash = absl::HashOf(image);
+      for (int32_t t = 0; t < geometry.triangle_count; ++t) {
+        std::array<uint32_t, 6> bits{};
+        for (size_t k = 0; k < 3; ++k) {
+          const std::array<float, 2>& uv = file.uv[file.triangles[geometry.first_triangle + t][k]];
+          bits[2 * k] = std::bit_cast<uint32_t>(uv[0]);
+          bits[2 * k + 1] = std::bit_cast<uint32_t>(uv[1]);
+        }
+        looks.push_back(absl::HashOf(bits, image_hash));
+      }
+    }
+  }
+  return looks;
+}
+
 }  // namespace tilemend

@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
+#include "tests/support/osgb_scene.h"
 
 namespace tilemend {
 namespace {
@@ -29,7 +30,8 @@ TEST(FaceLooksTest, MaterialsAndTextureCoordinatesOfAnObjCount) {
   const auto other_place = ObjLooks(absl::StrReplaceAll(kTexturedObj, {{"0.4", "0.5"}}));
   EXPECT_NE(other_place[0], looks[0]);
   // The number of a texture coordinate is not what counts.
-  EXPECT_EQ(ObjLooks(absl::StrReplaceAll(kTexturedObj, {{"vt 0.1 0.2\n", "vt 0.1 0.2\nvt 0.1 0.2\n"}, {"2/2", "2/3"}})), looks);
+  EXPECT_EQ(ObjLooks(absl::StrReplaceAll(kTexturedObj, {{"vt 0.1 0.2\n", "vt 0.1 0.2\nvt 0.1 0.2\n"}, {"2/2", "2/3"}})),
+            looks);
 }
 
 std::string Ply(const std::string& marks, const std::string& colour = "9") {
@@ -78,6 +80,19 @@ TEST(FaceLooksTest, AppendPatchLeavesTheLooksOfABinaryPly) {
 
 TEST(FaceLooksTest, ACutOffPlyIsRefused) {
   EXPECT_FALSE(PlyFaceLooks(Ply("").substr(0, Ply("").size() - 6), "a.ply").ok());
+}
+
+TEST(OsgbFaceLooksTest, ImagesAndTextureCoordinatesTell) {
+  const std::string pack = OsgbScene(OsgbScene::Pond::kHole, 80, "image a").Pack(0);
+  const std::string other = OsgbScene(OsgbScene::Pond::kHole, 80, "image b").Pack(0);
+  const auto tile = ReadOsgbTile(pack, "a.osgb"), same = ReadOsgbTile(pack, "b.osgb"),
+             changed = ReadOsgbTile(other, "c");
+  ASSERT_TRUE(tile.ok() && same.ok() && changed.ok());
+  const std::vector<uint64_t> looks = OsgbFaceLooks(*tile, LevelOf(*tile, 2));
+  EXPECT_EQ(looks.size(), LevelOf(*tile, 2).mesh.triangles.size());
+  EXPECT_EQ(looks, OsgbFaceLooks(*same, LevelOf(*same, 2)));
+  EXPECT_NE(looks[0], OsgbFaceLooks(*changed, LevelOf(*changed, 2))[0]);
+  EXPECT_NE(looks[0], looks[5]) << "other texture coordinates";
 }
 
 }  // namespace
