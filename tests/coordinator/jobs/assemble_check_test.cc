@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "common/options/job_options.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
@@ -31,9 +32,9 @@ class AssembleCheckTest : public ::testing::Test {
                                           left + "/" + left + R"(.osgb"},
         {"col": 1, "row": 0, "path": "Data/)" +
                                           right + "/" + right + R"(.osgb"}]})");
-    JobSpec spec;
-    spec.scene = folder_ / "scene";
-    spec.out = folder_ / "out";
+    JobSpec spec = WithDefaults({});
+    spec.set_scene(folder_ / "scene");
+    spec.set_out(folder_ / "out");
     auto pipeline = ScenePipelineFactory()(spec);
     ASSERT_TRUE(pipeline.ok()) << pipeline.status();
     auto tasks = (*pipeline)->Start();
@@ -53,7 +54,7 @@ class AssembleCheckTest : public ::testing::Test {
 
   static absl::Status Check(TileCheck how, const v1::AssembleInput& input, const v1::AssembleOutput& output) {
     TileReading reading(how);
-    return CheckAssembleResult(input.SerializeAsString(), output.SerializeAsString(), reading);
+    return CheckAssembleResult(input.SerializeAsString(), output, reading);
   }
 
   const TemporaryFolder folder_;
