@@ -1,5 +1,6 @@
 // `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -11,6 +12,7 @@
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "client/progress_display.h"
+#include "client/report_page.h"
 #include "client/report_text.h"
 #include "client/unfinished.h"
 #include "client/work_folder.h"
@@ -119,6 +121,13 @@ bool LeftUnfinished(const v1::Job& job) {
   return wrote && IsUnfinished(job.spec().out());
 }
 
+// The page beside a new report. Without it the output is complete.
+void WritePage(const v1::Job& job) {
+  if (job.report().empty()) return;
+  const absl::Status written = WriteReportPage(std::filesystem::path(job.report()).parent_path().string());
+  if (!written.ok()) PrintWarnings({absl::StrCat("no report.html: ", std::string(written.message()))});
+}
+
 // The job, and what its report says.
 void PrintEnd(const v1::Job& job, OutputFormat format) {
   std::fputs(JobText(job, format).c_str(), stdout);
@@ -152,6 +161,7 @@ int RunCommand(const Args& args) {
     std::fprintf(stderr, "tilemend: %s is not complete; the same command completes it\n",
                  Printable(spec->out()).c_str());
   }
+  WritePage(*job);
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
   if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format);

@@ -1,4 +1,4 @@
-// Command-line flags from a table.
+// Command-line flags from a table; CLI11 parses the words.
 //
 //   --name VALUE   --name=VALUE   --name (a switch)   -x VALUE   --  (everything after it is an argument)
 #ifndef TILEMEND_COMMON_UTIL_FLAGS_H_
@@ -58,8 +58,9 @@ class Flags {
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& names);
 
 // One line for each flag. With `columns`, those of a terminal, lines that are longer go on below where their text
-// begins.
-std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns = 0);
+// begins. Groups follow each other, each but the first under its title. Without `all` a line says how many flags of
+// published methods are not shown.
+std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns = 0, bool all = true);
 
 }  // namespace tilemend
 

@@ -1,0 +1,38 @@
+#include "client/checked_tile.h"
+
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/face_looks.h"
+#include "common/codec/mesh_file.h"
+#include "common/codec/obj.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "worker/materials/tile_look.h"
+
+namespace tilemend {
+
+absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path) {
+  const std::string name = absl::StrCat(root, "/", path);
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(name));
+  CheckedTile tile;
+  if (format == MeshFormat::kObj) {
+    TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
+    tile.faces.mesh = std::move(obj.file.mesh);
+    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles.size());
+    tile.files = ReadObjLook(root, path, obj.textures).files;
+    return tile;
+  }
+  TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));
+  tile.faces.mesh = std::move(file.mesh);
+  if (format == MeshFormat::kPly) {
+    TILEMEND_ASSIGN_OR_RETURN(tile.faces.looks, PlyFaceLooks(bytes, name));
+    tile.files = ReadPlyLook(root, path, bytes).files;
+  } else {
+    tile.faces.looks.assign(tile.faces.mesh.triangles.size(), 0);
+  }
+  return tile;
+}
+
+}  // namespace tilemend
