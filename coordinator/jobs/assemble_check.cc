@@ -229,10 +229,9 @@ absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOu
 
 }  // namespace
 
-absl::Status CheckAssembleResult(const std::string& input_bytes, const std::string& output_bytes,
+absl::Status CheckAssembleResult(const std::string& input_bytes, const v1::AssembleOutput& output,
                                  TileReading& reading) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::AssembleInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::AssembleOutput>(output_bytes));
   if (output.files().empty()) return Wrong("no tile");
   if (output.unchanged()) return CheckSameFiles(input, output, reading.how);
   for (const v1::WrittenFile& file : output.files()) {

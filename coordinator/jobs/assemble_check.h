@@ -12,7 +12,8 @@ namespace tilemend {
 // kDataLoss (Wrong, of wrong_result.h) unless the bytes of an AssembleOutput tell the files of the AssembleInput, each
 // as closely as SceneResultCheck says. Of a tile that is a tree all files are looked at like the tile. kUnavailable if
 // this machine cannot tell.
-absl::Status CheckAssembleResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading);
+absl::Status CheckAssembleResult(const std::string& input_bytes, const v1::AssembleOutput& output,
+                                 TileReading& reading);
 
 }  // namespace tilemend
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
@@ -23,6 +24,7 @@
 #include "coordinator/jobs/assemble_check.h"
 #include "coordinator/jobs/checked_files.h"
 #include "coordinator/jobs/smooth_check.h"
+#include "coordinator/jobs/stage_output.h"
 #include "coordinator/jobs/wrong_result.h"
 #include "coordinator/report/tile_checks.h"
 #include "tilemend/v1/stages.pb.h"
@@ -112,9 +114,8 @@ absl::Status CheckSurveyedTile(const v1::SurveyInput& input, const v1::SurveyOut
   return AsWrong(CheckAgainstTile(record, file->mesh, file->number_type == NumberType::kFloat32, reading.key));
 }
 
-absl::Status CheckMeasureResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
+absl::Status CheckOutput(const std::string& input_bytes, const v1::MeasureOutput& output, TileReading& reading) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::MeasureInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::MeasureOutput>(output_bytes));
   if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
   if (output.tallies_size() != input.areas_size()) return Wrong("heights of other polygons");
   for (const v1::HeightTally& tally : output.tallies()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(tally).status()));
@@ -149,9 +150,8 @@ absl::Status CheckFilesOfTree(const v1::SurveyInput& input, const v1::TileFiles&
   return absl::OkStatus();
 }
 
-absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string& output_bytes, TileReading& reading) {
+absl::Status CheckOutput(const std::string& input_bytes, const v1::SurveyOutput& output, TileReading& reading) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::SurveyInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::SurveyOutput>(output_bytes));
   if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
   if (output.unchanged()) return CheckSameSurvey(input, output, reading.how);
   if (output.cleared_size() != input.tile().clear_size()) return Wrong("counts of other areas");
@@ -170,17 +170,15 @@ absl::Status CheckSurveyResult(const std::string& input_bytes, const std::string
   return CheckUnusual(input, *record, reading);
 }
 
-absl::Status CheckGroundResult(const std::string& input_bytes, const std::string& output_bytes) {
+absl::Status CheckOutput(const std::string& input_bytes, const v1::GroundOutput& output, TileReading&) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::GroundInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::GroundOutput>(output_bytes));
   const int n = input.position_size() / 3;
   if (output.on_object_size() == n && output.ground_size() == n) return absl::OkStatus();
   return Wrong("not a value for each boundary vertex");
 }
 
-absl::Status CheckClusterResult(const std::string& input_bytes, const std::string& output_bytes) {
+absl::Status CheckOutput(const std::string& input_bytes, const v1::SampleClusterOutput& output, TileReading&) {
   TILEMEND_ASSIGN_OR_RETURN(auto input, ParseResult<v1::SampleClusterInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::SampleClusterOutput>(output_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
   if (output.cluster() != input.cluster()) return Wrong("another cluster");
   if (output.has_hold_out()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.hold_out()).status()));
@@ -189,16 +187,14 @@ absl::Status CheckClusterResult(const std::string& input_bytes, const std::strin
                                   Column(output.slope_x()), Column(output.slope_y())}));
 }
 
-absl::Status CheckLayerResult(const std::string& input_bytes, const std::string& output_bytes) {
+absl::Status CheckOutput(const std::string& input_bytes, const v1::SampleLayerOutput& output, TileReading&) {
   TILEMEND_ASSIGN_OR_RETURN(auto input, ParseResult<v1::SampleLayerInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::SampleLayerOutput>(output_bytes));
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
   return AsWrong(CheckLayerSamples(asked, Column(output.seam_vertex()), Column(output.height())));
 }
 
-absl::Status CheckFillResult(const std::string& input_bytes, const std::string& output_bytes) {
+absl::Status CheckOutput(const std::string& input_bytes, const v1::FillOutput& output, TileReading&) {
   TILEMEND_ASSIGN_OR_RETURN(auto input, ParseResult<v1::FillInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::FillOutput>(output_bytes));
   TILEMEND_ASSIGN_OR_RETURN(CellHoles asked, HolesOf(input));
   if (output.has_samples() != input.has_sampled()) return Wrong("samples without their holes, or none");
   if (input.has_sampled()) {
@@ -214,30 +210,32 @@ absl::Status CheckFillResult(const std::string& input_bytes, const std::string& 
   if (!quality.ok()) return AsWrong(quality.status());
   return AsWrong(CheckPatches(asked, *patches, *quality));
 }
+
+absl::Status CheckOutput(const std::string& input_bytes, const v1::SmoothSeamOutput& output, TileReading&) {
+  return CheckSmoothResult(input_bytes, output);
+}
+
+absl::Status CheckOutput(const std::string& input_bytes, const v1::AssembleOutput& output, TileReading& reading) {
+  return CheckAssembleResult(input_bytes, output, reading);
+}
+
+absl::Status CheckStage(const std::string& input, const StageOutput& output, TileReading& reading) {
+  return std::visit([&](const auto& message) { return CheckOutput(input, message, reading); }, output);
+}
+
 }  // namespace
+
+absl::Status CheckKnownOutput(const std::string& input, const StageOutput& output) {
+  TileReading reading(TileCheck::kSize);
+  return CheckStage(input, output, reading);
+}
 
 ResultCheck SceneResultCheck(TileCheck tiles) {
   return [reading = std::make_shared<TileReading>(tiles)](Stage stage, const std::string& input,
-                                                          const std::string& output) {
-    switch (stage) {
-      case Stage::kMeasure:
-        return CheckMeasureResult(input, output, *reading);
-      case Stage::kSurvey:
-        return CheckSurveyResult(input, output, *reading);
-      case Stage::kGround:
-        return CheckGroundResult(input, output);
-      case Stage::kSampleCluster:
-        return CheckClusterResult(input, output);
-      case Stage::kSampleLayer:
-        return CheckLayerResult(input, output);
-      case Stage::kFill:
-        return CheckFillResult(input, output);
-      case Stage::kSmoothSeam:
-        return CheckSmoothResult(input, output);
-      case Stage::kAssemble:
-        return CheckAssembleResult(input, output, *reading);
-    }
-    return absl::InternalError("unknown stage");
+                                                          const std::string& bytes) {
+    const auto output = ParseStageOutput(stage, bytes);
+    if (absl::IsInvalidArgument(output.status())) return AsWrong(output.status());
+    return output.ok() ? CheckStage(input, *output, *reading) : output.status();
   };
 }
 

@@ -7,6 +7,7 @@
 
 #include "absl/status/status.h"
 #include "common/util/stage.h"
+#include "coordinator/jobs/stage_output.h"
 
 namespace tilemend {
 
@@ -27,6 +28,9 @@ enum class TileCheck { kSize, kDigest, kContent };
 // With kContent alone the coordinator holds tiles: some 24 MB of them at once, with what is made of them; a larger one
 // by itself. What is not told then: a surface that is sound, but not the one that a sound worker makes.
 ResultCheck SceneResultCheck(TileCheck tiles);
+
+// As SceneResultCheck with kSize, for a result that was decoded before.
+absl::Status CheckKnownOutput(const std::string& input, const StageOutput& output);
 
 }  // namespace tilemend
 

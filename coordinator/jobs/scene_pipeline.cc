@@ -156,10 +156,18 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::StatusOr<std::vector<NewTask>> TakeResult(TaskResult result) {
-    const int32_t number = SceneTasks::NumberOf(result);
-    TILEMEND_RETURN_IF_ERROR(reuse_->Resolve(result, number));
-    TILEMEND_RETURN_IF_ERROR(result.output.ok() ? tasks_.Take(result) : Leave(result));
-    TILEMEND_RETURN_IF_ERROR(reuse_->Keep(result, number));
+    if (!result.output.ok()) {
+      TILEMEND_RETURN_IF_ERROR(Leave(result));
+      return NextTasks();
+    }
+    const CellId cell = result.cell;
+    const Stage stage = result.stage;
+    TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result)));
+    const int32_t number = NumberOf(decoded.output);
+    TILEMEND_RETURN_IF_ERROR(reuse_->Resolve(decoded, number));
+    const std::string bytes = std::move(decoded.bytes);
+    TILEMEND_RETURN_IF_ERROR(tasks_.Take(std::move(decoded)));
+    TILEMEND_RETURN_IF_ERROR(reuse_->Keep(cell, stage, number, bytes));
     return NextTasks();
   }
 
@@ -175,8 +183,8 @@ class ScenePipeline : public JobPipeline {
         TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
       }
       TILEMEND_ASSIGN_OR_RETURN(NewTask task, tasks_.TaskOf(*next));
-      if (std::optional<std::string> known = reuse_->Recall(task, tasks_.NumberOf(task))) {
-        TILEMEND_RETURN_IF_ERROR(tasks_.Take({task.cell, task.stage, *std::move(known)}));
+      if (std::optional<StageResult> known = reuse_->Recall(task, tasks_.NumberOf(task))) {
+        TILEMEND_RETURN_IF_ERROR(tasks_.Take(*std::move(known)));
       } else {
         TILEMEND_RETURN_IF_ERROR(tasks_.AddHelp(task));
         bytes += task.input.size();

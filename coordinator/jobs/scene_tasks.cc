@@ -29,11 +29,6 @@ absl::StatusOr<Message> Parse(const std::string& bytes) {
   return message;
 }
 
-absl::Status Unreadable(CellId cell, const absl::Status& status) {
-  return absl::InternalError(
-      absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", status.message()));
-}
-
 template <typename Message>
 absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Place& place) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, scratch.Get(place));
@@ -71,16 +66,6 @@ absl::StatusOr<NewTask> SceneTasks::TaskOf(SceneWork& work) {
 int32_t SceneTasks::NumberOf(const NewTask& task) const {
   if (task.stage == Stage::kSmoothSeam) return last_seam_;
   return task.stage == Stage::kSampleCluster ? clusters_of_.at(task.cell) - 1 : 0;
-}
-
-int32_t SceneTasks::NumberOf(const TaskResult& result) {
-  if (result.stage == Stage::kSmoothSeam && result.output.ok()) {
-    const auto output = Parse<v1::SmoothSeamOutput>(*result.output);
-    return output.ok() ? output->number() : 0;
-  }
-  if (result.stage != Stage::kSampleCluster || !result.output.ok()) return 0;
-  const auto output = Parse<v1::SampleClusterOutput>(*result.output);
-  return output.ok() ? output->cluster() : 0;
 }
 
 absl::Status SceneTasks::AddHelp(NewTask& task) const {
@@ -273,39 +258,40 @@ absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
   return ref;
 }
 
-absl::Status SceneTasks::Take(const TaskResult& result) {
-  if (result.stage == Stage::kSurvey) return TakeSurvey(result);
-  const absl::Status status = Decode(result);
-  return status.ok() || result.stage == Stage::kAssemble ? status : Unreadable(result.cell, status);
+absl::Status SceneTasks::Take(StageResult result) {
+  const absl::Status status =
+      std::visit([&](auto& output) { return TakeOutput(result.cell, std::move(output)); }, result.output);
+  if (status.ok() || result.stage == Stage::kSurvey || result.stage == Stage::kAssemble) return status;
+  return UnreadableResult(result.cell, status);
 }
 
-absl::Status SceneTasks::TakeSurvey(const TaskResult& result) {
-  absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(*result.output);
-  if (!tile.ok()) return Unreadable(result.cell, tile.status());
-  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(result.cell)));
-  if (const auto measured = measured_.extract(result.cell); measured && measured.mapped() != tile->digest) {
-    return ChangedInJob(absl::StrCat(waves_.scene().root, "/", waves_.tile(result.cell).path));
+absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
+  absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(std::move(output));
+  if (!tile.ok()) return UnreadableResult(cell, tile.status());
+  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(cell)));
+  if (const auto measured = measured_.extract(cell); measured && measured.mapped() != tile->digest) {
+    return ChangedInJob(absl::StrCat(waves_.scene().root, "/", waves_.tile(cell).path));
   }
-  if (const absl::Status taken = waves_.TakeCleared(result.cell, tile->cleared); !taken.ok()) {
-    return Unreadable(result.cell, taken);
+  if (const absl::Status taken = waves_.TakeCleared(cell, tile->cleared); !taken.ok()) {
+    return UnreadableResult(cell, taken);
   }
-  if (spec_.textures() != "off") files_.Take(result.cell, tile->files, waves_.IsChosen(result.cell));
+  if (spec_.textures() != "off") files_.Take(cell, tile->files, waves_.IsChosen(cell));
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
-  TILEMEND_ASSIGN_OR_RETURN(surveyed_[result.cell], PutAside(surveyed));
-  TILEMEND_ASSIGN_OR_RETURN(lowest_[result.cell], PutAside(tile->lowest));
+  TILEMEND_ASSIGN_OR_RETURN(surveyed_[cell], PutAside(surveyed));
+  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PutAside(tile->lowest));
   for (const FileWitness::Read& read : tile->reads) {
     if (read.digest.empty()) continue;
     const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;
     if (known != read.digest) return ChangedInJob(absl::StrCat(waves_.scene().root, "/", read.path));
   }
   TILEMEND_ASSIGN_OR_RETURN(StoredRecord stored, scratch_->Keep(tile->record));
-  waves_.TakeSurvey(result.cell, std::move(stored));
+  waves_.TakeSurvey(cell, std::move(stored));
   return absl::OkStatus();
 }
 
-absl::Status SceneTasks::TakeMeasure(CellId cell, const v1::MeasureOutput& output) {
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::MeasureOutput& output) {
   std::vector<HeightTally> tallies;
   for (const v1::HeightTally& tally : output.tallies()) {
     TILEMEND_ASSIGN_OR_RETURN(tallies.emplace_back(), FromProto(tally));
@@ -318,51 +304,24 @@ absl::StatusOr<ScratchFile::Place> SceneTasks::PutAside(const google::protobuf::
   return scratch_->Put(message.SerializeAsString());
 }
 
-absl::Status SceneTasks::Decode(const TaskResult& result) {
-  switch (result.stage) {
-    case Stage::kMeasure: {
-      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::MeasureOutput>(*result.output));
-      return TakeMeasure(result.cell, output);
-    }
-    case Stage::kGround: {
-      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::GroundOutput>(*result.output));
-      return waves_.TakeGround(result.cell, {{output.on_object().begin(), output.on_object().end()},
-                                             {output.ground().begin(), output.ground().end()}});
-    }
-    case Stage::kSampleCluster: {
-      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleClusterOutput>(*result.output));
-      return TakeCluster(result.cell, output);
-    }
-    case Stage::kSampleLayer: {
-      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SampleLayerOutput>(*result.output));
-      TILEMEND_ASSIGN_OR_RETURN(const auto samples, SamplesOf(output, result.cell, layers_[result.cell]));
-      return waves_.TakeLayer(samples);
-    }
-    case Stage::kFill: {
-      TILEMEND_ASSIGN_OR_RETURN(auto output, Parse<v1::FillOutput>(*result.output));
-      return TakeFill(result.cell, std::move(output));
-    }
-    case Stage::kSmoothSeam: {
-      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::SmoothSeamOutput>(*result.output));
-      return TakeSmooth(result.cell, output);
-    }
-    case Stage::kAssemble: {
-      TILEMEND_ASSIGN_OR_RETURN(const auto output, Parse<v1::AssembleOutput>(*result.output));
-      return TakeAssemble(result.cell, output);
-    }
-    default:
-      return absl::InvalidArgumentError("unknown stage");
-  }
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::GroundOutput& output) {
+  return waves_.TakeGround(
+      cell, {{output.on_object().begin(), output.on_object().end()}, {output.ground().begin(), output.ground().end()}});
 }
 
-absl::Status SceneTasks::TakeCluster(CellId cell, const v1::SampleClusterOutput& output) {
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SampleLayerOutput& output) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto samples, SamplesOf(output, cell, layers_[cell]));
+  return waves_.TakeLayer(samples);
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SampleClusterOutput& output) {
   const auto asked = clusters_.extract({cell, output.cluster()});
   if (asked.empty()) return absl::InvalidArgumentError("a cluster that was not asked for");
   TILEMEND_ASSIGN_OR_RETURN(const ClusterSamples samples, SamplesOf(output, asked.mapped()));
   return waves_.TakeCluster(samples);
 }
 
-absl::Status SceneTasks::TakeFill(CellId cell, v1::FillOutput output) {
+absl::Status SceneTasks::TakeOutput(CellId cell, v1::FillOutput output) {
   TILEMEND_ASSIGN_OR_RETURN(CellPatches patches, PatchesOf(output, holes_[cell]));
   if (output.has_samples()) {
     TILEMEND_ASSIGN_OR_RETURN(patches.samples, SamplesOf(output.samples(), cell, sampled_[cell]));
@@ -378,7 +337,7 @@ absl::Status SceneTasks::TakeFill(CellId cell, v1::FillOutput output) {
   return waves_.TakeFill(cell, patches);
 }
 
-absl::Status SceneTasks::TakeSmooth(CellId cell, const v1::SmoothSeamOutput& output) {
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SmoothSeamOutput& output) {
   auto asked = seams_.extract({cell, output.number()});
   if (asked.empty()) return absl::InvalidArgumentError("a seam that was not asked for");
   SmoothedSeam& seam = asked.mapped();
@@ -400,7 +359,7 @@ absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims
   return absl::OkStatus();
 }
 
-absl::Status SceneTasks::TakeAssemble(CellId cell, const v1::AssembleOutput& output) {
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& output) {
   files_.Warn(cell, {output.warnings().begin(), output.warnings().end()});
   waves_.TakeAssemble();
   for (const v1::WrittenFile& file : output.files()) {

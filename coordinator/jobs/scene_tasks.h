@@ -14,6 +14,7 @@
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/scene_files.h"
+#include "coordinator/jobs/stage_output.h"
 #include "coordinator/jobs/stage_results.h"
 #include "coordinator/store/output_folder.h"
 #include "coordinator/store/scratch_file.h"
@@ -31,16 +32,15 @@ class SceneTasks {
   SceneTasks(const JobSpec& spec, SceneWaves& waves, OutputFolder* output, std::shared_ptr<ScratchFile> scratch);
 
   absl::StatusOr<NewTask> TaskOf(SceneWork& work);
-  // Of the task that was made last, or of a result: tells it from others of its cell and stage.
+  // Of the task that was made last: tells it from others of its cell and stage, as NumberOf of its output.
   int32_t NumberOf(const NewTask& task) const;
-  static int32_t NumberOf(const TaskResult& result);
 
   // Adds to a task's input what may help to do it, and tells it from no other.
   absl::Status AddHelp(NewTask& task) const;
 
   // kInternal for a result that cannot be read; of an assemble task also the errors of placing its files. For a survey,
   // kInvalidArgument if the tile does not lie in its cell.
-  absl::Status Take(const TaskResult& result);
+  absl::Status Take(StageResult result);
   // The cell's holes are not to be filled.
   void Forget(CellId cell);
 
@@ -62,13 +62,14 @@ class SceneTasks {
   void SetLibrary(const SceneTile& tile, v1::AssembleInput& input);
   absl::StatusOr<v1::TileRef> Ref(const SceneTile& tile) const;
 
-  absl::Status Decode(const TaskResult& result);
-  absl::Status TakeMeasure(CellId cell, const v1::MeasureOutput& output);
-  absl::Status TakeSurvey(const TaskResult& result);
-  absl::Status TakeCluster(CellId cell, const v1::SampleClusterOutput& output);
-  absl::Status TakeFill(CellId cell, v1::FillOutput output);
-  absl::Status TakeSmooth(CellId cell, const v1::SmoothSeamOutput& output);
-  absl::Status TakeAssemble(CellId cell, const v1::AssembleOutput& output);
+  absl::Status TakeOutput(CellId cell, const v1::MeasureOutput& output);
+  absl::Status TakeOutput(CellId cell, v1::SurveyOutput output);
+  absl::Status TakeOutput(CellId cell, const v1::GroundOutput& output);
+  absl::Status TakeOutput(CellId cell, const v1::SampleClusterOutput& output);
+  absl::Status TakeOutput(CellId cell, const v1::SampleLayerOutput& output);
+  absl::Status TakeOutput(CellId cell, v1::FillOutput output);
+  absl::Status TakeOutput(CellId cell, const v1::SmoothSeamOutput& output);
+  absl::Status TakeOutput(CellId cell, const v1::AssembleOutput& output);
   absl::Status ComparePatches(CellId cell, const v1::RimVertices& rims, const v1::FillOutput& output,
                               std::span<const std::vector<SmoothedPoint>> moves);
   absl::StatusOr<ScratchFile::Place> PutAside(const google::protobuf::MessageLite& message);

@@ -40,9 +40,8 @@ absl::Status AddHeights(const v1::SeamSide& side, const v1::SmoothedPoints& move
 
 }  // namespace
 
-absl::Status CheckSmoothResult(const std::string& input_bytes, const std::string& output_bytes) {
+absl::Status CheckSmoothResult(const std::string& input_bytes, const v1::SmoothSeamOutput& output) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::SmoothSeamInput>(input_bytes));
-  TILEMEND_ASSIGN_OR_RETURN(const auto output, ParseResult<v1::SmoothSeamOutput>(output_bytes));
   if (output.number() != input.number() || output.height_size() != input.seam_vertex_size()) {
     return Wrong("another seam");
   }

@@ -10,7 +10,7 @@ namespace tilemend {
 
 // kDataLoss (Wrong, of wrong_result.h) unless the bytes of a SmoothSeamOutput name the seam of the SmoothSeamInput,
 // move points that its patches have, and stay within the heights of these: means do.
-absl::Status CheckSmoothResult(const std::string& input_bytes, const std::string& output_bytes);
+absl::Status CheckSmoothResult(const std::string& input_bytes, const v1::SmoothSeamOutput& output);
 
 }  // namespace tilemend
 

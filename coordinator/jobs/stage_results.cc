@@ -17,9 +17,7 @@ absl::StatusOr<int32_t> PlanNumber(const std::vector<int32_t>& numbers, int32_t 
 
 }  // namespace
 
-absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output) {
-  v1::SurveyOutput output;
-  if (!output.ParseFromString(survey_output)) return absl::InvalidArgumentError("not the expected message");
+absl::StatusOr<SurveyedTile> SurveyedTileOf(v1::SurveyOutput output) {
   SurveyedTile tile;
   TILEMEND_ASSIGN_OR_RETURN(tile.record, FromProto(output));
   TILEMEND_ASSIGN_OR_RETURN(tile.files, FromProto(output.files()));

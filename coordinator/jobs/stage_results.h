@@ -23,8 +23,8 @@ struct SurveyedTile {
   std::vector<int64_t> cleared;          // triangles that each area took out
 };
 
-// kInvalidArgument if the bytes are not the message.
-absl::StatusOr<SurveyedTile> SurveyedTileOf(const std::string& survey_output);
+// kInvalidArgument for a record that is none.
+absl::StatusOr<SurveyedTile> SurveyedTileOf(v1::SurveyOutput output);
 
 // A task for a cluster: its number in the plan, and the plan's numbers for those of its vertices.
 struct AskedCluster {

@@ -3,6 +3,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
 #include "common/util/build_id.h"
+#include "common/util/status_macros.h"
 #include "coordinator/jobs/result_checks.h"
 #include "tilemend/v1/stages.pb.h"
 
@@ -30,16 +31,9 @@ std::string WithKnownFiles(const std::string& bytes, const std::string& known) {
   return input.SerializeAsString();
 }
 
-bool IsUnchanged(const TaskResult& result) {
-  v1::SurveyOutput survey;
-  v1::AssembleOutput assembled;
-  if (result.stage == Stage::kSurvey) return survey.ParseFromString(*result.output) && survey.unchanged();
-  return result.stage == Stage::kAssemble && assembled.ParseFromString(*result.output) && assembled.unchanged();
-}
-
 }  // namespace
 
-std::optional<std::string> TaskReuse::Recall(NewTask& task, int32_t number) {
+std::optional<StageResult> TaskReuse::Recall(NewTask& task, int32_t number) {
   ++tasks_;
   if (!log_ || task.stage == Stage::kMeasure) return std::nullopt;
   std::string key = KeyOf(task);
@@ -48,31 +42,34 @@ std::optional<std::string> TaskReuse::Recall(NewTask& task, int32_t number) {
     task.input = WithKnownSurvey(task.input, *known);
   } else if (known && task.stage == Stage::kAssemble) {
     task.input = WithKnownFiles(task.input, *known);
-  } else if (known && SceneResultCheck(TileCheck::kSize)(task.stage, task.input, *known).ok()) {
-    ++taken_over_;
-    ++without_worker_;
-    return known;
+  } else if (known) {
+    auto result = DecodeResult({task.cell, task.stage, *std::move(known)});
+    if (result.ok() && CheckKnownOutput(task.input, result->output).ok()) {
+      ++taken_over_;
+      ++without_worker_;
+      return *std::move(result);
+    }
   }
   keys_[{task.cell, task.stage, number}] = std::move(key);
   return std::nullopt;
 }
 
-absl::Status TaskReuse::Resolve(TaskResult& result, int32_t number) {
+absl::Status TaskReuse::Resolve(StageResult& result, int32_t number) {
   const auto key = keys_.find({result.cell, result.stage, number});
-  if (key == keys_.end() || !result.output.ok() || !IsUnchanged(result)) return absl::OkStatus();
+  if (key == keys_.end() || !IsUnchanged(result.output)) return absl::OkStatus();
   if (result.stage == Stage::kSurvey) {
     std::optional<std::string> known = log_->Find(key->second);
     if (!known) return absl::AbortedError("results of an earlier job were changed while this one ran; run it again");
-    result.output = *std::move(known);
+    TILEMEND_ASSIGN_OR_RETURN(result, DecodeResult({result.cell, result.stage, *std::move(known)}));
   }
   keys_.erase(key);
   ++taken_over_;
   return absl::OkStatus();
 }
 
-absl::Status TaskReuse::Keep(const TaskResult& result, int32_t number) {
-  const auto key = keys_.extract({result.cell, result.stage, number});
-  return key.empty() || !result.output.ok() ? absl::OkStatus() : log_->Put(key.mapped(), *result.output);
+absl::Status TaskReuse::Keep(CellId cell, Stage stage, int32_t number, const std::string& bytes) {
+  const auto key = keys_.extract({cell, stage, number});
+  return key.empty() ? absl::OkStatus() : log_->Put(key.mapped(), bytes);
 }
 
 void TaskReuse::Discard() {

@@ -13,6 +13,7 @@
 #include "common/grid/scene.h"
 #include "common/util/stage.h"
 #include "coordinator/jobs/job_pipeline.h"
+#include "coordinator/jobs/stage_output.h"
 #include "coordinator/store/result_log.h"
 
 namespace tilemend {
@@ -32,12 +33,12 @@ class TaskReuse {
 
   // Call for each task before it is given out, with a number that tells it from others of its cell and stage. The
   // result, if it needs no worker; else it may add to the task's input what is known.
-  std::optional<std::string> Recall(NewTask& task, int32_t number);
+  std::optional<StageResult> Recall(NewTask& task, int32_t number);
   // Call for each of the others with its result, which becomes the known one where the worker found that true.
   // kAborted if that is not there any more.
-  absl::Status Resolve(TaskResult& result, int32_t number);
+  absl::Status Resolve(StageResult& result, int32_t number);
   // Call then, when the result has been taken. kResourceExhausted, kUnavailable.
-  absl::Status Keep(const TaskResult& result, int32_t number);
+  absl::Status Keep(CellId cell, Stage stage, int32_t number, const std::string& bytes);
   // The job ended before it wrote anything, and its end was that of its input: leaves nothing either.
   void Discard();
   // The job is complete: forgets what it had no use for.

@@ -54,7 +54,7 @@ class AssembleCheckTest : public ::testing::Test {
 
   static absl::Status Check(TileCheck how, const v1::AssembleInput& input, const v1::AssembleOutput& output) {
     TileReading reading(how);
-    return CheckAssembleResult(input.SerializeAsString(), output.SerializeAsString(), reading);
+    return CheckAssembleResult(input.SerializeAsString(), output, reading);
   }
 
   const TemporaryFolder folder_;

@@ -31,8 +31,8 @@ std::map<Stage, std::vector<std::string>> InputsOf(const std::string& folder) {
     }
     const NewTask task = open.back();
     open.pop_back();
-    const absl::Status taken =
-        tasks.Take({task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())});
+    const absl::Status taken = tasks.Take(
+        DecodeResult({task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())}).value());
     EXPECT_TRUE(taken.ok()) << taken;
   } while (!open.empty() || !waves.done());
   return inputs;
@@ -69,7 +69,7 @@ TEST(SceneTasksTest, AClusterThatWasNotAskedForIsNoResult) {
   SceneWaves waves(LoadScene(folder.path(), [](const std::string&) { return absl::UnimplementedError(""); }).value(),
                    WaveOptionsOf(spec, {}, [] { return false; }));
   SceneTasks tasks(spec, waves, nullptr, ScratchFile::Create("").value());
-  EXPECT_TRUE(absl::IsInternal(tasks.Take({{0, 0}, Stage::kSampleCluster, std::string()})));
+  EXPECT_TRUE(absl::IsInternal(tasks.Take({{0, 0}, Stage::kSampleCluster, "", v1::SampleClusterOutput()})));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class SmoothCheckTest : public ::testing::Test {
     output_.set_number(4);
   }
 
-  absl::Status Check() const { return CheckSmoothResult(input_.SerializeAsString(), output_.SerializeAsString()); }
+  absl::Status Check() const { return CheckSmoothResult(input_.SerializeAsString(), output_); }
 
   v1::SmoothSeamInput input_;
   v1::SmoothSeamOutput output_;

@@ -17,9 +17,11 @@ class TaskReuseTest : public ::testing::Test {
   // Another job that does the task; gives whether it was known.
   static bool Do(TaskReuse& reuse, NewTask task, const std::string& output) {
     if (reuse.Recall(task, 0)) return true;
-    TaskResult result{task.cell, task.stage, output};
-    EXPECT_TRUE(reuse.Resolve(result, 0).ok());
-    EXPECT_TRUE(reuse.Keep(result, 0).ok());
+    auto result = DecodeResult({task.cell, task.stage, output});
+    EXPECT_TRUE(result.ok()) << result.status();
+    if (!result.ok()) return false;
+    EXPECT_TRUE(reuse.Resolve(*result, 0).ok());
+    EXPECT_TRUE(reuse.Keep(task.cell, task.stage, 0, result->bytes).ok());
     return false;
   }
 
@@ -62,7 +64,9 @@ TEST_F(TaskReuseTest, TakesOverWhatHasTheSameInput) {
 TEST_F(TaskReuseTest, WhatCannotBeTheResultIsAskedForAgain) {
   {
     TaskReuse first = NewJob();
-    Do(first, Layer(), "no message \xff\xff");
+    NewTask task = Layer();
+    EXPECT_FALSE(first.Recall(task, 0));
+    EXPECT_TRUE(first.Keep(task.cell, task.stage, 0, "no message \xff\xff").ok());
   }
   TaskReuse second = NewJob();
   EXPECT_FALSE(Do(second, Layer(), ""));
@@ -75,16 +79,17 @@ TEST_F(TaskReuseTest, ASurveyIsTakenOverWhenAWorkerHasFoundItsTileUnchanged) {
   }
   TaskReuse second = NewJob();
   NewTask task = Survey();
-  EXPECT_EQ(second.Recall(task, 0), std::nullopt) << "not without a look at the tile";
+  EXPECT_FALSE(second.Recall(task, 0)) << "not without a look at the tile";
   v1::SurveyInput input;
   ASSERT_TRUE(input.ParseFromString(task.input));
   EXPECT_EQ(input.known().digest(), Surveyed().digest());
   v1::SurveyOutput unchanged;
   unchanged.set_digest(Surveyed().digest());
   unchanged.set_unchanged(true);
-  TaskResult result{task.cell, task.stage, unchanged.SerializeAsString()};
+  StageResult result{task.cell, task.stage, unchanged.SerializeAsString(), unchanged};
   ASSERT_TRUE(second.Resolve(result, 0).ok());
-  EXPECT_EQ(*result.output, Surveyed().SerializeAsString());
+  EXPECT_EQ(result.bytes, Surveyed().SerializeAsString());
+  EXPECT_EQ(std::get<v1::SurveyOutput>(result.output).SerializeAsString(), result.bytes);
   EXPECT_EQ(second.taken_over(), 1);
   EXPECT_EQ(second.without_worker(), 0);
 }
@@ -101,7 +106,7 @@ TEST_F(TaskReuseTest, FilesOfWhichSomeWereMissingAreWrittenAgain) {
     }
     TaskReuse second = NewJob();
     NewTask task = assemble;
-    EXPECT_EQ(second.Recall(task, 0), std::nullopt);
+    EXPECT_FALSE(second.Recall(task, 0));
     v1::AssembleInput input;
     ASSERT_TRUE(input.ParseFromString(task.input));
     EXPECT_EQ(input.has_known(), !warned);
