@@ -18,7 +18,7 @@ LIBRARIES = {
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
-    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
+    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'zlib.h': 'zlib', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -192,10 +192,10 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/image', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/service'],
-        ['absl', 'grpc', 'json', 'protobuf']),
+        ['absl', 'eigen', 'grpc', 'json', 'protobuf', 'zlib']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 OURS = ('common/', 'worker/', 'coordinator/', 'client/', 'tests/')
