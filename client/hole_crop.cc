@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "common/mesh/disjoint_sets.h"
 #include "common/mesh/position_index.h"
+#include "worker/check/fill_pieces.h"
 
 namespace tilemend {
 namespace {
@@ -69,17 +69,13 @@ std::vector<Eigen::AlignedBox3d> AddedPieces(const TriMesh& mesh, const std::vec
     Triangle& welded = triangles.emplace_back();
     for (size_t k = 0; k < 3; ++k) welded[k] = index.Insert(mesh.points[mesh.triangles[t][k]]);
   }
-  DisjointSets sets(index.size());
-  for (const Triangle& t : triangles) {
-    sets.Join(t[0], t[1]);
-    sets.Join(t[0], t[2]);
-  }
-  std::map<int32_t, Eigen::AlignedBox3d> boxes;
-  for (const Triangle& t : triangles) {
-    for (const int32_t v : t) boxes[sets.LowestOf(v)].extend(index.positions()[v]);
-  }
   std::vector<Eigen::AlignedBox3d> pieces;
-  for (const auto& [vertex, box] : boxes) pieces.push_back(box);
+  for (const std::vector<Triangle>& piece : PiecesByEdges(triangles)) {
+    Eigen::AlignedBox3d& box = pieces.emplace_back();
+    for (const Triangle& t : piece) {
+      for (const int32_t v : t) box.extend(index.positions()[v]);
+    }
+  }
   return pieces;
 }
 

@@ -2,14 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
-#include "common/mesh/disjoint_sets.h"
 #include "common/mesh/edge_key.h"
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
+#include "worker/check/fill_pieces.h"
 
 namespace tilemend {
 namespace {
@@ -36,7 +35,7 @@ class FillPieces {
       Triangle& welded = triangles.emplace_back();
       for (size_t k = 0; k < 3; ++k) welded[k] = index_.Insert(tile.points[tile.triangles[t][k]]);
     }
-    for (FillPiece& piece : ByEdges(triangles)) pieces_.push_back(std::move(piece));
+    for (std::vector<Triangle>& piece : PiecesByEdges(triangles)) pieces_.push_back({std::move(piece), {}, {}});
     for (FillPiece& piece : pieces_) {
       for (const Triangle& t : piece.triangles) {
         for (const int32_t v : t) piece.box.extend(At(v));
@@ -63,27 +62,6 @@ class FillPieces {
 
  private:
   Point2 At(int32_t v) const { return index_.positions()[v].head<2>(); }
-
-  // Triangles that are connected over edges: fills of two holes may touch at a vertex.
-  static std::vector<FillPiece> ByEdges(const std::vector<Triangle>& triangles) {
-    std::vector<std::pair<uint64_t, int32_t>> sides;
-    for (int32_t t = 0; t < std::ssize(triangles); ++t) {
-      for (int k = 0; k < 3; ++k) {
-        const auto [lo, hi] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-        sides.emplace_back(EdgeKey(lo, hi), t);
-      }
-    }
-    std::sort(sides.begin(), sides.end());
-    DisjointSets sets(static_cast<int32_t>(triangles.size()));
-    for (size_t i = 1; i < sides.size(); ++i) {
-      if (sides[i].first == sides[i - 1].first) sets.Join(sides[i].second, sides[i - 1].second);
-    }
-    std::map<int32_t, FillPiece> by_triangle;
-    for (int32_t t = 0; t < std::ssize(triangles); ++t) by_triangle[sets.LowestOf(t)].triangles.push_back(triangles[t]);
-    std::vector<FillPiece> pieces;
-    for (auto& [lowest, piece] : by_triangle) pieces.push_back(std::move(piece));
-    return pieces;
-  }
 
   // Of each vertex of the fills: whether original surface has it.
   std::vector<bool> ShoreOf(const TriMesh& tile, const std::vector<bool>& added) const {
