@@ -13,8 +13,8 @@
 #include "absl/strings/str_cat.h"
 #include "common/assemble/clear_tile.h"
 #include "common/mesh/height_tally.h"
-#include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/ground/lowest_surface.h"
 #include "worker/ground/rim_objects.h"
@@ -61,7 +61,7 @@ absl::StatusOr<Looked> Look(const Scene& scene, const SurveyWork& work) {
     return looked;
   }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path));
   TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format, bytes, work.clear, path));
   TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(cleared.file, scene, *work.tile));
   looked.cleared = std::move(cleared.triangles);

@@ -9,6 +9,7 @@
 #include "common/grid/scene_sources.h"
 #include "common/records/output_names.h"
 #include "common/util/folders.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 namespace {
@@ -32,6 +33,11 @@ std::set<CellId> FilledCells(const Json& report) {
   return cells;
 }
 
+// Whether a file is the tile of its folder, and not a finer file of a tree.
+bool IsTileOf(const std::string& folder, const std::string& name) {
+  return IsTileFormat(name) && (!IsTileTree(name) || fs::path(name).stem() == fs::path(folder).filename());
+}
+
 // Adds the meshes in `folder` of `root`, and with `below` those in its folders.
 void AddMeshes(const std::string& root, const std::string& folder, bool below, std::set<std::string>& meshes) {
   const auto names = ListFolder((fs::path(root) / folder).string());
@@ -40,7 +46,7 @@ void AddMeshes(const std::string& root, const std::string& folder, bool below, s
     const std::string path = (fs::path(folder) / name).string();
     const auto look = LookAt((fs::path(root) / path).string(), Links::kKeep);
     if (!look.ok() || name.starts_with(kHiddenPrefix)) continue;
-    if (look->kind == PathKind::kFile && IsTileFormat(name)) meshes.insert(path);
+    if (look->kind == PathKind::kFile && IsTileOf(folder, name)) meshes.insert(path);
     if (look->kind == PathKind::kFolder && below) AddMeshes(root, path, below, meshes);
   }
 }

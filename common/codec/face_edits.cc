@@ -29,8 +29,10 @@ absl::StatusOr<MeshFile> Visit(MeshFormat format, std::string_view bytes, const 
       return ParseOff(bytes, name, visit);
     case MeshFormat::kStl:
       return ParseStl(bytes, name, visit);
+    case MeshFormat::kOsgb:
+      break;
   }
-  return absl::InternalError(absl::StrCat(name, ": unknown mesh format"));
+  return absl::InvalidArgumentError(absl::StrCat(name, ": faces of this format are not changed one by one"));
 }
 
 // How a file writes the number of a vertex at a corner.

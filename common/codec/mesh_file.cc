@@ -1,18 +1,22 @@
 #include "common/codec/mesh_file.h"
 
+#include <utility>
+
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "common/codec/obj.h"
 #include "common/codec/off.h"
+#include "common/codec/osgb/osgb_tile.h"
 #include "common/codec/ply.h"
 #include "common/codec/stl.h"
-#include "common/util/files.h"
+#include "common/codec/text.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path) {
-  constexpr const char kAccepted[] = "; accepted: .ply, .obj, .off, .stl";
+  constexpr const char kAccepted[] = "; accepted: .ply, .obj, .off, .stl, .osgb";
   const size_t slash = path.rfind('/');
   const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
   const size_t dot = file.rfind('.');
@@ -24,12 +28,32 @@ absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path) {
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".osgb") return MeshFormat::kOsgb;
   return absl::InvalidArgumentError(absl::StrCat(std::string(path), ": ", extension, " files are not read", kAccepted));
 }
 
+namespace {
+
+// The finest level of detail of a tile.
+absl::StatusOr<MeshFile> ParseOsgbTile(std::string_view pack, const std::string& name, NoFaces no_faces) {
+  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile tile, ReadOsgbTile(pack, name));
+  MeshFile file;
+  file.format = MeshFormat::kOsgb;
+  file.number_type = NumberType::kFloat32;
+  file.file_bytes = static_cast<int64_t>(pack.size());
+  file.mesh = std::move(LevelOf(tile, tile.levels - 1).mesh);
+  if (file.mesh.points.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": ", kNoVertices));
+  if (file.mesh.triangles.empty() && no_faces == NoFaces::kRefuse) {
+    return absl::InvalidArgumentError(absl::StrCat(name, ": the file has no triangles"));
+  }
+  return file;
+}
+
+}  // namespace
+
 absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path));
   return ParseMesh(format, bytes, path);
 }
 
@@ -44,6 +68,8 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
       return ParseOff(bytes, name);
     case MeshFormat::kStl:
       return ParseStl(bytes, name);
+    case MeshFormat::kOsgb:
+      return ParseOsgbTile(bytes, name, no_faces);
   }
   return absl::InternalError(absl::StrCat(name, ": unknown mesh format"));
 }
@@ -59,6 +85,8 @@ absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view orig
       return AppendToOff(original_bytes, patch, name);
     case MeshFormat::kStl:
       return AppendToStl(original_bytes, patch, name);
+    case MeshFormat::kOsgb:
+      return absl::InvalidArgumentError(absl::StrCat(name, ": a tile of OSGB files is filled with all of its levels"));
   }
   return absl::InternalError(absl::StrCat(name, ": unknown mesh format"));
 }

@@ -24,7 +24,7 @@ void SortTiles(std::vector<SceneTile>* tiles) {
 
 bool IsTileFormat(const std::string& path) {
   const std::string extension = absl::AsciiStrToLower(std::filesystem::path(path).extension().string());
-  return extension == ".ply" || extension == ".obj";
+  return extension == ".ply" || extension == ".obj" || extension == ".osgb";
 }
 
 absl::StatusOr<bool> IsThere(const std::string& path) {

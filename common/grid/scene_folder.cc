@@ -21,6 +21,7 @@
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 namespace {
@@ -42,12 +43,17 @@ std::optional<int32_t> TakeIndex(std::string_view* stem) {
   return sign == '-' ? -static_cast<int32_t>(value) : static_cast<int32_t>(value);
 }
 
-// The cell in a name like Tile_+003_-001.
-std::optional<CellId> CellOf(std::string_view stem) {
+// What a name like Tile_+003_-001 says.
+struct NameOfTile {
+  CellId cell;
+  bool has_third = false;  // three indices: the tiles are cut in height, too
+};
+
+std::optional<NameOfTile> ReadName(std::string_view stem) {
   const std::optional<int32_t> row = TakeIndex(&stem);
   const std::optional<int32_t> col = row.has_value() ? TakeIndex(&stem) : std::nullopt;
   if (!col.has_value()) return std::nullopt;
-  return CellId{*col, *row};
+  return NameOfTile{{*col, *row}, TakeIndex(&stem).has_value()};
 }
 
 // The entries of a folder, sorted by name; none if there is no such folder.
@@ -64,6 +70,8 @@ struct Findings {
   std::map<CellId, fs::path> tiles;
   bool in_folders = false;  // a tile is a folder, as photogrammetry writes them
   std::string unread;       // a tile by its name, in a format that is not read
+  std::string unnumbered;   // a tile by its place, whose name has no column and row
+  std::string problem;      // why the scene cannot be read
   std::vector<std::string> warnings;
 };
 
@@ -74,14 +82,24 @@ absl::Status AddTile(CellId cell, const fs::path& file, Findings* findings) {
       absl::StrCat(at->second.string(), " and ", file.string(), " are both cell ", ToString(cell)));
 }
 
+void CheckIndices(const NameOfTile& name, const fs::path& entry, Findings* findings) {
+  if (!name.has_third) return;
+  findings->problem = absl::StrCat(entry.string(), ": a name with three numbers, as of tiles that are cut in height, ",
+                                   "too. Such scenes are not read; export the mesh in tiles of a plane grid");
+}
+
 // Tiles that are files of `folder`.
 absl::Status FindFiles(const fs::path& folder, Findings* findings) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
   for (const fs::path& entry : entries) {
-    const std::optional<CellId> cell = CellOf(entry.stem().string());
-    if (!cell.has_value() || KindOf(entry.string()) != PathKind::kFile) continue;
-    if (IsTileFormat(entry.string())) {
-      TILEMEND_RETURN_IF_ERROR(AddTile(*cell, entry, findings));
+    const std::optional<NameOfTile> name = ReadName(entry.stem().string());
+    if (!name.has_value() || KindOf(entry.string()) != PathKind::kFile) continue;
+    if (IsTileTree(entry.string())) {
+      findings->problem = absl::StrCat(entry.string(), ": an .osgb tile has to lie in a folder of its own, as ",
+                                       entry.stem().string(), "/", entry.filename().string());
+    } else if (IsTileFormat(entry.string())) {
+      CheckIndices(*name, entry, findings);
+      TILEMEND_RETURN_IF_ERROR(AddTile(name->cell, entry, findings));
     } else if (entry.extension() != ".mtl") {
       findings->unread = entry.string();
     }
@@ -112,18 +130,32 @@ absl::StatusOr<fs::path> MeshOfFolder(const fs::path& folder, Findings* findings
   return choice.empty() ? fs::path() : choice[0];
 }
 
+// A folder that has a mesh of its own name: BlockA/BlockA.obj, Tile_1/Tile_1.osgb.
+void NoteUnnumbered(const fs::path& folder, Findings* findings) {
+  for (const char* const extension : {".osgb", ".obj", ".ply"}) {
+    const fs::path mesh = folder / (folder.filename().string() + extension);
+    if (findings->unnumbered.empty() && KindOf(mesh.string()) == PathKind::kFile) findings->unnumbered = mesh.string();
+  }
+}
+
 // Tiles that are folders of `folder`.
 absl::Status FindFolders(const fs::path& folder, Findings* findings) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
   for (const fs::path& entry : entries) {
-    const std::optional<CellId> cell = CellOf(entry.filename().string());
-    if (!cell.has_value() || KindOf(entry.string()) != PathKind::kFolder) continue;
-    TILEMEND_ASSIGN_OR_RETURN(const fs::path mesh, MeshOfFolder(entry, findings));
-    if (mesh.empty()) {
-      findings->warnings.push_back(absl::StrCat(entry.string(), ": no .ply or .obj in it; the cell is left out"));
+    if (KindOf(entry.string()) != PathKind::kFolder) continue;
+    const std::optional<NameOfTile> name = ReadName(entry.filename().string());
+    if (!name.has_value()) {
+      NoteUnnumbered(entry, findings);
       continue;
     }
-    TILEMEND_RETURN_IF_ERROR(AddTile(*cell, mesh, findings));
+    CheckIndices(*name, entry, findings);
+    TILEMEND_ASSIGN_OR_RETURN(const fs::path mesh, MeshOfFolder(entry, findings));
+    if (mesh.empty()) {
+      findings->warnings.push_back(
+          absl::StrCat(entry.string(), ": no .ply, .obj or .osgb in it; the cell is left out"));
+      continue;
+    }
+    TILEMEND_RETURN_IF_ERROR(AddTile(name->cell, mesh, findings));
     findings->in_folders = true;
   }
   return absl::OkStatus();
@@ -135,11 +167,17 @@ absl::StatusOr<Findings> FindTiles(const std::string& root) {
   TILEMEND_RETURN_IF_ERROR(FindFiles(fs::path(root) / "tiles", &findings));
   TILEMEND_RETURN_IF_ERROR(FindFolders(fs::path(root) / "Data", &findings));
   TILEMEND_RETURN_IF_ERROR(FindFolders(root, &findings));
+  if (!findings.problem.empty()) return absl::InvalidArgumentError(findings.problem);
   if (!findings.tiles.empty()) return findings;
   if (!findings.unread.empty()) {
     const std::string format = fs::path(findings.unread).extension().string();
     return absl::InvalidArgumentError(
-        absl::StrCat(findings.unread, ": format \"", format, "\" is not read; tiles are .ply or .obj"));
+        absl::StrCat(findings.unread, ": format \"", format, "\" is not read; tiles are .ply, .obj or .osgb"));
+  }
+  if (!findings.unnumbered.empty()) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(findings.unnumbered, ": a name without column and row, as Tile_+000_+014 has. Write a scene.json ",
+                     "that says which cell each tile is, or export the mesh in tiles of a regular plane grid"));
   }
   return absl::NotFoundError(absl::StrCat(root, ": no scene.json, and no tile named like Tile_+000_+014.ply in it, in ",
                                           "tiles/ or in Data/Tile_+000_+014/"));

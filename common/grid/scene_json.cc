@@ -17,6 +17,7 @@
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 namespace {
@@ -168,8 +169,8 @@ absl::StatusOr<std::string> ReadPath(const Fields& tile) {
   }
   if (!IsTileFormat(text)) {
     const std::string format = path.extension().string();
-    return tile.Error("path",
-                      absl::StrCat("\"", text, "\": format \"", format, "\" is not read; tiles are .ply or .obj"));
+    return tile.Error(
+        "path", absl::StrCat("\"", text, "\": format \"", format, "\" is not read; tiles are .ply, .obj or .osgb"));
   }
   return path.lexically_normal().string();
 }
@@ -200,7 +201,7 @@ std::string PathOrNone(const std::string& path) { return path.empty() ? "no surf
 
 absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene) {
   std::map<CellId, size_t> cells;
-  std::map<std::string, size_t> files;
+  std::map<std::string, size_t> files, folders;
   for (size_t i = 0; i < tiles.size(); ++i) {
     TILEMEND_ASSIGN_OR_RETURN(SceneTile tile, ReadTile(tiles[i], name, i, *scene));
     std::string what = absl::StrCat("cell ", ToString(tile.cell));
@@ -210,6 +211,10 @@ absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene)
     TILEMEND_RETURN_IF_ERROR(Claim(tile.cell, i, what, name, &cells));
     // Two cells of one file would be two outputs of one name.
     if (!tile.path.empty()) TILEMEND_RETURN_IF_ERROR(Claim(tile.path, i, "the file " + tile.path, name, &files));
+    if (IsTileTree(tile.path)) {
+      const std::string folder = FileBesideTile(tile.path, "");
+      TILEMEND_RETURN_IF_ERROR(Claim(folder, i, "all .osgb files of the folder " + folder, name, &folders));
+    }
     scene->tiles.push_back(std::move(tile));
   }
   for (const auto& [cell, i] : cells) {

@@ -33,7 +33,7 @@ absl::StatusOr<bool> IsThere(const std::string& path);
 // Sorts by (row, col), the order of Scene::tiles.
 void SortTiles(std::vector<SceneTile>* tiles);
 
-// Whether `path` ends in .ply or .obj, in any case.
+// Whether `path` ends in .ply, .obj or .osgb, in any case.
 bool IsTileFormat(const std::string& path);
 
 }  // namespace tilemend

@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/assemble/assemble.h"
+#include "common/assemble/osgb_levels.h"
 #include "common/codec/obj.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
@@ -76,7 +77,7 @@ absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input) {
     result.patch.materials = {{0, "tilemend_fill"}};  // defined nowhere
     return result;
   }
-  if (format == MeshFormat::kObj) result.materials = MaterialsOf(patches, colours);
+  if (format == MeshFormat::kObj || format == MeshFormat::kOsgb) result.materials = MaterialsOf(patches, colours);
   if (input.new_library()) result.patch.library = std::filesystem::path(input.library()).filename().string();
   return result;
 }
@@ -111,18 +112,23 @@ absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view origin
   return absl::OkStatus();
 }
 
-absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const FilePatch& patch,
+absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const TilePatch& added,
                                         std::string_view original) {
+  const FilePatch& patch = added.patch;
   const v1::TileRef& tile = input.tile();
   if (tile.path().empty()) {
     return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
   }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
   const std::string name = absl::StrCat(tile.root(), "/", tile.path());
-  if (tile.clear().empty()) return AppendPatch(format, original, patch, name);
+  const auto append = [&](std::string_view bytes) {
+    return format == MeshFormat::kOsgb ? PatchOsgbLevels(bytes, patch, added.materials, name)
+                                       : AppendPatch(format, bytes, patch, name);
+  };
+  if (tile.clear().empty()) return append(original);
   TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, original));
   if (patch.triangles.empty()) return std::move(cleared.bytes);
-  return AppendPatch(format, cleared.bytes, patch, name);
+  return append(cleared.bytes);
 }
 
 }  // namespace tilemend

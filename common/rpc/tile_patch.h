@@ -43,9 +43,10 @@ void SetTexture(const v1::AssembleInput& input, std::vector<std::array<float, 2>
 absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view original, std::string_view written,
                          TilePatch& added);
 
-// The bytes of the tile with the patch: of a new file if the cell has no tile, else of `original`, which has the
-// format that its path says, without what is taken out of it (ClearTile). Errors as ClearTile and AppendPatch.
-absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const FilePatch& patch,
+// The bytes of the tile with the patch, in all of its levels of detail: of a new file if the cell has no tile, else of
+// `original`, which has the format that its path says, without what is taken out of it (ClearTile). Errors as ClearTile
+// and AppendPatch.
+absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const TilePatch& added,
                                         std::string_view original);
 
 }  // namespace tilemend

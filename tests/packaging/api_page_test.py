@@ -64,7 +64,7 @@ def check(condition, text):
 
 def main():
     page, known, calls = read('docs/api.md'), reasons(), rpcs()
-    roles = dict(re.findall(r'\{"([\w.]+/\w+)", Role::k(\w+)\}', read('coordinator/service/access.cc')))
+    roles = dict(re.findall(r'\{"([\w.]+/\w+)", Role::k(\w+)\}', read('coordinator/api/access.cc')))
     listed = {quoted(row[0])[0]: row for row in rows(page, 'call')}
     check(set(listed) == set(calls), f'calls: {set(listed) ^ set(calls)}')
     for call in set(listed) & set(calls):

@@ -11,18 +11,21 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/options/job_options.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/ground_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
-#include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
+#include "common/store/tile_stamp.h"
 #include "common/util/cores.h"
+#include "common/util/file_pack.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 #include "tilemend/v1/stages.pb.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/fill_memory.h"
@@ -32,8 +35,8 @@
 #include "worker/fill/space/surface_index.h"
 #include "worker/ground/rim_objects.h"
 #include "worker/materials/write_materials.h"
-#include "worker/papers/published_ways.h"
 #include "worker/service/attempt_files.h"
+#include "worker/service/fill_options.h"
 #include "worker/service/smooth_stage.h"
 #include "worker/service/survey_stage.h"
 #include "worker/service/task_memory.h"
@@ -71,34 +74,12 @@ absl::StatusOr<std::string> RunGround(const v1::GroundInput& input, TaskMemory& 
   return output.SerializeAsString();
 }
 
-absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
-  FillOptions options;
-  options.published = AllPublishedWays();
+absl::StatusOr<FillOptions> OptionsOf(const v1::JobSpec& sent, const CancelToken& cancel) {
+  const v1::JobSpec spec = WithDefaults(sent);
+  TILEMEND_RETURN_IF_ERROR(CheckOptionsForWorkers(spec));
+  FillOptions options = FillOptionsOf(spec);
   options.refine.is_cancelled = [&cancel] { return cancel.cancelled(); };
-  options.refine.gradation = proto.gradation();
-  options.refine.size_limit = proto.size_limit();
-  options.refine.uniform = proto.uniform();
-  options.surface = proto.thin_plate() ? Surface::kThinPlate : Surface::kWang;
-  if (proto.has_tension()) options.tension = proto.tension();
-  const auto filler = proto.filler().empty() ? Filler::kAuto : FillerNamed(proto.filler());
-  if (!filler) return absl::InvalidArgumentError("an unknown filler");
-  options.filler = *filler;
-  if (!proto.front_steps().empty()) {
-    const auto steps = FrontStepsNamed(proto.front_steps());
-    if (!steps) return absl::InvalidArgumentError("unknown steps of a front");
-    options.filling.steps = *steps;
-  }
-  if (options.surface != Surface::kWang) return options;
-  options.wang.longest_loop = proto.longest_loop();
-  options.wang.fairing_steps = proto.fairing_steps();
-  const auto closure = ClosureNamed(proto.closure());
-  if (!closure) return absl::InvalidArgumentError("an unknown closure");
-  options.wang.closure = *closure;
-  const bool in_range = options.wang.longest_loop >= kShortestLongestLoop &&
-                        options.wang.longest_loop <= kLongestLongestLoop && options.wang.fairing_steps >= 0 &&
-                        options.wang.fairing_steps <= kMostFairingSteps;
-  return in_range ? absl::StatusOr<FillOptions>(options)
-                  : absl::InvalidArgumentError("options of the surface wang out of range");
+  return options;
 }
 
 absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input, const CancelToken& cancel,
@@ -200,19 +181,33 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToke
 }
 
 struct Assembled {
-  bool as_it_is = false;                // the original without a change; else:
-  std::string bytes;                    // of the tile
-  std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
-  std::string image;                    // of its filled faces, a JPEG; empty: there is none
+  bool as_it_is = false;                      // the original without a change; else:
+  std::string bytes;                          // of the tile
+  std::map<std::string, std::string> beside;  // of a tree: its other files that are changed, by path
+  std::vector<FillMaterial> materials;        // of its filled faces; empty: it has none, or its format has no materials
+  std::string image;                          // of its filled faces, a JPEG; empty: there is none
   std::vector<std::string> warnings;
 };
+
+// Takes the files of a changed tree apart.
+absl::Status TakeTreeApart(const v1::AssembleInput& input, const std::string& original, Assembled& tile) {
+  const std::string pack = std::move(tile.bytes);
+  TILEMEND_ASSIGN_OR_RETURN(const auto before, UnpackFiles(original, PathOf(input.tile())));
+  TILEMEND_ASSIGN_OR_RETURN(const auto after, UnpackFiles(pack, PathOf(input.tile())));
+  tile.bytes = after[0].bytes;
+  for (size_t f = 1; f < after.size(); ++f) {
+    if (after[f].bytes == before[f].bytes) continue;
+    tile.beside[FileBesideTile(input.tile().path(), after[f].name)] = after[f].bytes;
+  }
+  return absl::OkStatus();
+}
 
 // The tile with its patches.
 absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const CancelToken& cancel, TaskMemory& memory) {
   TILEMEND_ASSIGN_OR_RETURN(TilePatch added, TilePatchOf(input));
   const bool has_tile = !input.tile().path().empty();
   const bool is_cleared = !input.tile().clear().empty();
-  if (has_tile && !is_cleared && added.patch.triangles.empty()) return Assembled{true, {}, {}, {}, {}};
+  if (has_tile && !is_cleared && added.patch.triangles.empty()) return Assembled{.as_it_is = true};
   std::string original;
   if (has_tile) {
     TILEMEND_ASSIGN_OR_RETURN(original, ReadSurveyed(input.tile(), input.stamp()));
@@ -224,8 +219,12 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const Can
     SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
     result.image = std::move(texture.image);
   }
-  TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added.patch, original));
-  result.materials = std::move(added.materials);
+  TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added, original));
+  if (has_tile && IsTileTree(input.tile().path())) {
+    TILEMEND_RETURN_IF_ERROR(TakeTreeApart(input, original, result));
+  } else {
+    result.materials = std::move(added.materials);
+  }
   return result;
 }
 
@@ -239,11 +238,18 @@ std::map<std::string, std::string> DigestsBeside(const v1::AssembleInput& input)
 }
 
 // Writes the material file of the tile's filled faces, and carries what it names.
-absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInput& input,
-                                                          const std::vector<FillMaterial>& materials,
+absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInput& input, const Assembled& tile,
                                                           AttemptFiles& files) {
   const std::string& root = input.tile().root();
-  std::vector<std::string> carried(input.carried().begin(), input.carried().end());
+  const std::vector<FillMaterial>& materials = tile.materials;
+  std::vector<std::string> carried;
+  for (const std::string& path : input.carried()) {
+    if (const auto changed = tile.beside.find(path); changed != tile.beside.end()) {
+      TILEMEND_RETURN_IF_ERROR(files.Write(path, changed->second));
+    } else {
+      carried.push_back(path);
+    }
+  }
   std::map<std::string, std::string> digests = DigestsBeside(input);
   if (!materials.empty()) {
     const std::string from = input.new_library() ? "" : absl::StrCat(root, "/", input.library());
@@ -265,14 +271,17 @@ absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const v1::AssembleInpu
 // The tile as it is: no byte of it comes here if it is known to be unchanged.
 absl::Status CarryTile(const v1::AssembleInput& input, AttemptFiles& files) {
   const std::string path = PathOf(input.tile());
-  if (!HasStamp(path, input.stamp())) {
+  const bool is_tree = IsTileTree(path);
+  if (!TileHasStamp(path, input.stamp())) {
     TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadSurveyed(input.tile()));
-    return files.Write(input.output(), bytes);
+    if (!is_tree) return files.Write(input.output(), bytes);
+    TILEMEND_ASSIGN_OR_RETURN(const auto unpacked, UnpackFiles(bytes, path));
+    return files.Write(input.output(), unpacked[0].bytes);
   }
   const Carry how = input.link_tile() ? Carry::kLink : Carry::kCopy;
-  TILEMEND_RETURN_IF_ERROR(files.Carry(path, input.output(), how, input.tile().digest()));
+  TILEMEND_RETURN_IF_ERROR(files.Carry(path, input.output(), how, is_tree ? "" : input.tile().digest()));
   // A link changes the stamp itself.
-  return how == Carry::kLink || HasStamp(path, input.stamp()) ? absl::OkStatus() : ChangedInJob(path);
+  return how == Carry::kLink || TileHasStamp(path, input.stamp()) ? absl::OkStatus() : ChangedInJob(path);
 }
 
 // Whether the file of an earlier output is still what this one is to have, and no link to it.
@@ -301,7 +310,7 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   v1::AssembleOutput output;
   AttemptFiles files(input.attempts(), input.output_root());
-  TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile.materials, files));
+  TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
   output.mutable_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
   if (!tile.image.empty()) TILEMEND_RETURN_IF_ERROR(files.Write(input.texture(), tile.image));

@@ -12,7 +12,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
-#include "common/store/file_stamp.h"
+#include "common/store/tile_stamp.h"
 #include "common/util/status_macros.h"
 #include "worker/ground/lowest_surface.h"
 #include "worker/materials/file_witness.h"
@@ -51,7 +51,7 @@ absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const st
 
 absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
-  const std::string stamp = StampOf(path, absl::Now());
+  const std::string stamp = StampOfTile(path, absl::Now());
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(path));
   const std::string digest = FileDigest(bytes);
   v1::SurveyOutput output;

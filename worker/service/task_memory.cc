@@ -2,8 +2,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/cores.h"
-#include "common/util/folders.h"
 #include "common/util/heap.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 namespace {
@@ -19,10 +19,7 @@ constexpr int64_t kFiltered = 24;     // of each byte of rasters
 constexpr int64_t kOfTriangle = 100;  // of a patch that is assembled
 
 // Zero for one that cannot be read: the task fails.
-int64_t SizeOf(const std::string& path) {
-  const auto look = LookAt(path);
-  return look.ok() ? look->size : 0;
-}
+int64_t SizeOf(const std::string& path) { return SizeOfTile(path).value_or(0); }
 
 }  // namespace
 

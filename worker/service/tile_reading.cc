@@ -5,11 +5,11 @@
 #include "absl/strings/str_cat.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/store/digest.h"
-#include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
+#include "common/store/tile_stamp.h"
 #include "common/util/cores.h"
-#include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 
@@ -17,14 +17,15 @@ std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "
 
 absl::StatusOr<std::string> ReadTile(const std::string& path) {
   const LentCore lent;
-  return ReadFile(path);
+  return ReadTileBytes(path);
 }
 
 absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp) {
   const std::string path = PathOf(tile);
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTile(path));
-  return HasStamp(path, stamp) || HasFileDigest(bytes, tile.digest()) ? absl::StatusOr<std::string>(std::move(bytes))
-                                                                      : ChangedInJob(path);
+  return TileHasStamp(path, stamp) || HasFileDigest(bytes, tile.digest())
+             ? absl::StatusOr<std::string>(std::move(bytes))
+             : ChangedInJob(path);
 }
 
 absl::StatusOr<MeshFile> MeshOf(const v1::TileRef& tile, const std::string& bytes) {

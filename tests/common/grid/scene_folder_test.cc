@@ -75,7 +75,7 @@ TEST_F(SceneFolderTest, ReadsThePhotogrammetryLayout) {
   WriteTile("Data/Tile_+000_+014/Tile_+000_+014_L17.obj", 0, 14);
   folder_.Write("Data/Tile_+000_+014/Tile_+000_+014.mtl", "");
   WriteTile("Data/Tile_+000_+015/mesh.ply", 0, 15);
-  folder_.Write("Data/Tile_+000_+016/Tile_+000_+016.osgb", "");
+  folder_.Write("Data/Tile_+000_+016/Tile_+000_+016.b3dm", "");
   const auto scene = Load();
   ASSERT_TRUE(scene.ok()) << scene.status();
   EXPECT_EQ(scene->crs, "EPSG:4547");
@@ -85,7 +85,7 @@ TEST_F(SceneFolderTest, ReadsThePhotogrammetryLayout) {
   EXPECT_EQ(scene->tiles[1].path, "Data/Tile_+000_+015/mesh.ply");
   EXPECT_EQ(scene->grid.cell_size, Point2(100, 100));
   EXPECT_EQ(scene->rows, 16);
-  EXPECT_THAT(scene->warnings[0], HasSubstr("Tile_+000_+016: no .ply or .obj in it"));
+  EXPECT_THAT(scene->warnings[0], HasSubstr("Tile_+000_+016: no .ply, .obj or .osgb in it"));
 }
 
 TEST_F(SceneFolderTest, ShiftsNegativeIndices) {
@@ -123,8 +123,39 @@ TEST_F(SceneFolderTest, RefusesToGuessBetweenTwoMeshes) {
 }
 
 TEST_F(SceneFolderTest, NamesTheFormatThatItCannotRead) {
-  folder_.Write("Tile_+000_+014/Tile_+000_+014.osgb", "");
-  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+000_+014.osgb: format \".osgb\" is not read");
+  folder_.Write("Tile_+000_+014/Tile_+000_+014.b3dm", "");
+  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+000_+014.b3dm: format \".b3dm\" is not read");
+}
+
+TEST_F(SceneFolderTest, FindsTheFirstFilesOfOsgbTrees) {
+  folder_.Write("metadata.xml", kMetadata);
+  WriteTile("Data/Tile_+000_+014/Tile_+000_+014.osgb", 0, 14);
+  WriteTile("Data/Tile_+000_+014/Tile_+000_+014_L18_0.osgb", 0, 14);
+  WriteTile("Data/Tile_+000_+015/Tile_+000_+015.osgb", 0, 15);
+  const auto scene = Load();
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  ASSERT_EQ(scene->tiles.size(), 2u);
+  EXPECT_EQ(scene->tiles[0].path, "Data/Tile_+000_+014/Tile_+000_+014.osgb");
+}
+
+TEST_F(SceneFolderTest, AnOsgbTileNeedsAFolder) {
+  WriteTile("Tile_+000_+014.osgb", 0, 14);
+  ExpectError(absl::StatusCode::kInvalidArgument, "an .osgb tile has to lie in a folder of its own");
+}
+
+TEST_F(SceneFolderTest, RefusesTilesThatAreCutInHeight) {
+  WriteTile("Data/Tile_+000_+013_+000/Tile_+000_+013_+000.obj", 13, 0);
+  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+000_+013_+000: a name with three numbers");
+}
+
+TEST_F(SceneFolderTest, RefusesTilesWithoutColumnAndRow) {
+  WriteTile("BlockA/BlockA.obj", 0, 0);
+  ExpectError(absl::StatusCode::kInvalidArgument, "BlockA/BlockA.obj: a name without column and row");
+}
+
+TEST_F(SceneFolderTest, RefusesAdaptiveTiles) {
+  WriteTile("Data/Tile_1/Tile_1.osgb", 0, 0);
+  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_1.osgb: a name without column and row");
 }
 
 TEST_F(SceneFolderTest, SaysWhatItLooksForInAnEmptyFolder) {

@@ -188,7 +188,7 @@ TEST_F(SceneJsonTest, RefusesWrongTiles) {
 TEST_F(SceneJsonTest, RefusesPathsOutOfTheFolderAndOtherFormats) {
   ExpectInvalid("tiles/a.ply", "/etc/a.ply", "tiles[1].path: \"/etc/a.ply\" is absolute");
   ExpectInvalid("tiles/a.ply", "tiles/../../a.ply", "leaves the scene's folder");
-  ExpectInvalid("tiles/a.ply", "tiles/a.osgb", "format \".osgb\" is not read; tiles are .ply or .obj");
+  ExpectInvalid("tiles/a.ply", "tiles/a.b3dm", "format \".b3dm\" is not read; tiles are .ply, .obj or .osgb");
   ExpectInvalid("tiles/a.ply", "tiles/a", "format \"\" is not read");
 }
 
@@ -196,6 +196,13 @@ TEST_F(SceneJsonTest, NamesBothTilesOfOneCell) {
   ExpectInvalid("\"col\": 1, \"row\": 0", "\"col\": 0, \"row\": 0",
                 "tiles[1] and tiles[2] are both cell +000_+000 (tiles/a.ply, tiles/b.OBJ)");
   ExpectInvalid("./tiles/b.OBJ", "tiles//a.ply", "tiles[1] and tiles[2] are both the file tiles/a.ply");
+}
+
+TEST_F(SceneJsonTest, TwoTreesInOneFolderAreAnError) {
+  std::string json(kScene);
+  absl::StrReplaceAll({{"tiles/a.ply", "tiles/a.osgb"}, {"./tiles/b.OBJ", "tiles/b.OSGB"}}, &json);
+  const absl::Status status = Load(json).status();
+  EXPECT_THAT(std::string(status.message()), HasSubstr("are both all .osgb files of the folder tiles/"));
 }
 
 TEST_F(SceneJsonTest, NamesTheMissingFile) {

@@ -50,7 +50,7 @@ TEST(TilePatchTest, AppendsThePatchesToTheTile) {
   const auto added = TilePatchOf(Input());
   ASSERT_TRUE(added.ok()) << added.status();
   EXPECT_THAT(added->materials, ElementsAre(FillMaterial{"tilemend_fill_5_010203", {1, 2, 3}}));
-  const auto bytes = PatchedTile(Input(), added->patch, kTriangle);
+  const auto bytes = PatchedTile(Input(), *added, kTriangle);
   ASSERT_TRUE(bytes.ok()) << bytes.status();
   EXPECT_EQ(*bytes, std::string(kTriangle) + "v 2 -1 0.5\ng tilemend_filled\nusemtl tilemend_fill_5_010203\nf 2 1 4\n");
 }
@@ -74,8 +74,8 @@ TEST(TilePatchTest, IsAFileOfItsOwnWithoutATile) {
   const auto added = TilePatchOf(input);
   ASSERT_TRUE(added.ok()) << added.status();
   EXPECT_THAT(added->materials, IsEmpty());
-  EXPECT_THAT(*PatchedTile(input, added->patch, ""), StartsWith("ply\n"));
-  EXPECT_THAT(*PatchedTile(input, added->patch, ""), HasSubstr("element vertex 3\n"));
+  EXPECT_THAT(*PatchedTile(input, *added, ""), StartsWith("ply\n"));
+  EXPECT_THAT(*PatchedTile(input, *added, ""), HasSubstr("element vertex 3\n"));
 }
 
 TEST(TilePatchTest, AddsNothingWithoutPatches) {

@@ -1,0 +1,23 @@
+// Fills one level of detail of a tile with the surface that its finest level got.
+#ifndef TILEMEND_COMMON_ASSEMBLE_FILL_LEVEL_H_
+#define TILEMEND_COMMON_ASSEMBLE_FILL_LEVEL_H_
+
+#include "common/codec/mesh_file.h"
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// The patch of a coarser level. It covers what the finest level has, its own surface or its patch, and `level` has not,
+// beside the finest patch: so it ends at the rim that `level` itself has. At rim vertices of `level` it takes these;
+// all other vertices are vertices of the finest patch, as many of them as the level's edges are long, so that water has
+// the same height to the bit, and two levels differ by at most the coarser one's edge times the slope. Triangles take
+// the material that the finest patch has there.
+//   level    the coarser surface, in metres: one level of detail of the tile
+//   finest   the surface of the finest level
+//   patch    what was added to it; indices as AppendPatch takes them
+// No patch for holes whose patch stands upright: from above they have no area. Pure, deterministic. O(n log n).
+FilePatch FillLevel(const TriMesh& level, const TriMesh& finest, const FilePatch& patch);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_ASSEMBLE_FILL_LEVEL_H_

@@ -1,0 +1,156 @@
+#include "common/assemble/osgb_levels.h"
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/assemble/fill_level.h"
+#include "common/codec/osgb/osgb_tile.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+constexpr Rgb kUnknownColour{128, 128, 128};
+
+// Hands the triangles of a patch to the pieces of one level.
+class PieceChoice {
+ public:
+  // Of the pieces of `level` that are `wanted`.
+  template <typename Wanted>
+  PieceChoice(const OsgbTile& tile, const OsgbLevel& level, const Wanted& wanted) {
+    for (size_t p = 0; p < level.parts.size(); ++p) {
+      const OsgbPiece& piece = tile.pieces[level.parts[p].piece];
+      const auto begin = static_cast<size_t>(level.parts[p].first_vertex);
+      const size_t end =
+          p + 1 < level.parts.size() ? static_cast<size_t>(level.parts[p + 1].first_vertex) : level.mesh.points.size();
+      if (!wanted(piece) || begin == end) continue;
+      Eigen::AlignedBox2d box;
+      for (size_t v = begin; v < end; ++v) box.extend(Point2(level.mesh.points[v].head<2>()));
+      pieces_.emplace_back(level.parts[p].piece, box);
+    }
+  }
+
+  bool empty() const { return pieces_.empty(); }
+
+  int32_t Of(const Point2& middle) const {
+    double least = std::numeric_limits<double>::infinity();
+    int32_t best = -1;
+    for (const auto& [piece, box] : pieces_) {
+      const double distance = box.squaredExteriorDistance(middle);
+      if (distance < least) std::tie(least, best) = std::pair(distance, piece);
+    }
+    return best;
+  }
+
+ private:
+  std::vector<std::pair<int32_t, Eigen::AlignedBox2d>> pieces_;
+};
+
+// The geometry of one material in one piece.
+struct Share {
+  OsgbPatch patch;
+  std::unordered_map<int32_t, int32_t> number;  // of the level's vertices and the new ones
+};
+
+class LevelPatcher {
+ public:
+  LevelPatcher(const OsgbTile& tile, std::span<const FillMaterial> materials) : tile_(tile), edits_(tile.files.size()) {
+    for (const FillMaterial& material : materials) colours_[material.name] = material.colour;
+  }
+
+  void Add(const OsgbLevel& level, const FilePatch& patch, const PieceChoice& choice) {
+    if (choice.empty()) return;
+    std::map<std::pair<int32_t, size_t>, Share> shares;  // by piece and run
+    size_t run = 0;
+    for (size_t t = 0; t < patch.triangles.size(); ++t) {
+      while (run + 1 < patch.materials.size() && static_cast<size_t>(patch.materials[run + 1].first) <= t) ++run;
+      const auto at = [&](int32_t v) {
+        const auto old = static_cast<int32_t>(level.mesh.points.size());
+        return v < old ? level.mesh.points[v] : patch.new_points[v - old];
+      };
+      const Triangle& triangle = patch.triangles[t];
+      const Point3 middle = (at(triangle[0]) + at(triangle[1]) + at(triangle[2])) / 3;
+      Share& share = shares[{choice.Of(middle.head<2>()), run}];
+      Triangle& own = share.patch.triangles.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        const auto [number, fresh] = share.number.emplace(triangle[k], static_cast<int32_t>(share.patch.points.size()));
+        if (fresh) share.patch.points.push_back(at(triangle[k]));
+        own[k] = number->second;
+      }
+    }
+    for (auto& [key, share] : shares) {
+      const OsgbPiece& piece = tile_.pieces[key.first];
+      share.patch.geode = piece.geode;
+      share.patch.colour = ColourOf(patch, key.second);
+      edits_[piece.file].patches.push_back(std::move(share.patch));
+    }
+  }
+
+  const std::vector<OsgbEdit>& edits() const { return edits_; }
+
+ private:
+  Rgb ColourOf(const FilePatch& patch, size_t run) const {
+    if (run >= patch.materials.size()) return kUnknownColour;
+    const auto at = colours_.find(patch.materials[run].material);
+    return at == colours_.end() ? kUnknownColour : at->second;
+  }
+
+  const OsgbTile& tile_;
+  std::map<std::string, Rgb> colours_;
+  std::vector<OsgbEdit> edits_;
+};
+
+}  // namespace
+
+absl::StatusOr<ClearedTile> ClearOsgbLevels(std::string_view pack, std::span<const ClearArea> areas,
+                                            const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile tile, ReadOsgbTile(pack, name));
+  std::vector<OsgbEdit> edits(tile.files.size());
+  std::vector<int64_t> taken(areas.size(), 0);
+  for (size_t f = 0; f < tile.files.size(); ++f) {
+    const OsgbFile& file = tile.files[f];
+    const std::vector<int32_t> cleared_by = AreasThatClear({file.points, file.triangles}, areas);
+    bool any = false;
+    for (const int32_t area : cleared_by) any = any || area >= 0;
+    if (any) {
+      for (const int32_t area : cleared_by) edits[f].drop.push_back(area >= 0);
+    }
+    for (const OsgbPiece& piece : tile.pieces) {
+      if (piece.file != static_cast<int32_t>(f) || !piece.is_finest) continue;
+      for (const OsgbGeometry& geometry : file.geometries) {
+        if (geometry.geode != piece.geode) continue;
+        for (int32_t t = 0; t < geometry.triangle_count; ++t) {
+          const int32_t area = cleared_by[geometry.first_triangle + t];
+          if (area >= 0) ++taken[static_cast<size_t>(area)];
+        }
+      }
+    }
+  }
+  ClearedTile cleared;
+  cleared.triangles = std::move(taken);
+  TILEMEND_ASSIGN_OR_RETURN(cleared.bytes, ChangeOsgbTile(tile, edits, name));
+  TILEMEND_ASSIGN_OR_RETURN(cleared.file, ParseMesh(MeshFormat::kOsgb, cleared.bytes, name, NoFaces::kAccept));
+  return cleared;
+}
+
+absl::StatusOr<std::string> PatchOsgbLevels(std::string_view pack, const FilePatch& patch,
+                                            std::span<const FillMaterial> materials, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile tile, ReadOsgbTile(pack, name));
+  const OsgbLevel finest = LevelOf(tile, tile.levels - 1);
+  LevelPatcher patcher(tile, materials);
+  patcher.Add(finest, patch, PieceChoice(tile, finest, [](const OsgbPiece& piece) { return piece.is_finest; }));
+  for (int32_t l = 0; l + 1 < tile.levels; ++l) {
+    const OsgbLevel level = LevelOf(tile, l);
+    const PieceChoice choice(tile, level, [](const OsgbPiece& piece) { return !piece.is_finest; });
+    if (!choice.empty()) patcher.Add(level, FillLevel(level.mesh, finest.mesh, patch), choice);
+  }
+  return ChangeOsgbTile(tile, patcher.edits(), name);
+}
+
+}  // namespace tilemend

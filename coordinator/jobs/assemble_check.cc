@@ -1,0 +1,156 @@
+#include "coordinator/jobs/assemble_check.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/tile_patch.h"
+#include "common/store/digest.h"
+#include "common/store/fingerprint.h"
+#include "common/store/tile_stamp.h"
+#include "common/util/file_pack.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
+#include "coordinator/jobs/files_beside_check.h"
+#include "coordinator/jobs/wrong_result.h"
+#include "coordinator/store/attempt_folder.h"
+
+namespace tilemend {
+namespace {
+
+constexpr int64_t kPieceBytes = int64_t{1} << 18;
+
+// Whether a file of the attempt has these bytes.
+absl::Status CheckBytes(const std::string& path, std::string_view expected) {
+  bool same = true;
+  const absl::Status read = ReadInPieces(path, kPieceBytes, [&](std::string_view piece) {
+    same = same && expected.substr(0, piece.size()) == piece;
+    expected.remove_prefix(std::min(piece.size(), expected.size()));
+  });
+  if (!read.ok()) return absl::UnavailableError(read.message());
+  return same && expected.empty() ? absl::OkStatus() : Wrong("a tile that is not the original with its patches");
+}
+
+// The bytes that the tile is to have: the original with its patches, if it has any, which are put into it here once
+// more. `textured` is the written tile if an image is laid on its patches, else "".
+absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input, const std::string& textured) {
+  const auto not_here = [](const absl::Status& status) { return absl::UnavailableError(status.message()); };
+  std::string original;
+  if (const std::string path = TilePath(input.tile()); !input.tile().path().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(original, BytesOf(input.tile()));
+    if (!TileHasStamp(path, input.stamp()) && !HasFileDigest(original, input.tile().digest())) {
+      return Changed(path);
+    }
+  }
+  if (!IsPatched(input)) return original;
+  auto added = TilePatchOf(input);
+  if (!added.ok()) return not_here(added.status());
+  if (!textured.empty()) {
+    const auto bytes = ReadFile(textured);
+    if (!bytes.ok()) return not_here(bytes.status());
+    const absl::Status taken = TakeTexture(input, original, *bytes, *added);
+    if (!taken.ok()) return Wrong("a tile that is not the original with its patches");
+  }
+  auto expected = PatchedTile(input, *added, original);
+  return expected.ok() ? std::move(expected) : not_here(expected.status());
+}
+
+// That a file of the attempt, and its digest, are those of the bytes that it is to have.
+absl::Status CheckWritten(const v1::AssembleInput& input, const v1::WrittenFile& file, std::string_view expected) {
+  if (!file.digest().empty() && !HasFileDigest(expected, file.digest()))
+    return Wrong("a digest that is not the tile's");
+  return CheckBytes(absl::StrCat(input.attempts(), "/", file.attempt()), expected);
+}
+
+absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile& tile, bool has_texture,
+                          TileReading& reading) {
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
+  const std::string written = absl::StrCat(input.attempts(), "/", tile.attempt());
+  TILEMEND_ASSIGN_OR_RETURN(const std::string expected, ExpectedTile(input, has_texture ? written : ""));
+  return CheckWritten(input, tile, expected);
+}
+
+// Of a tree: all of its files are written, each as it is to be.
+absl::Status CheckTree(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileReading& reading) {
+  if (output.files(0).path() != input.output()) return Wrong("another tile");
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, TileSize(input.tile()));
+  const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
+  std::string pack;
+  std::map<std::string, std::string_view> expected;
+  if (reading.how == TileCheck::kContent) {
+    TILEMEND_ASSIGN_OR_RETURN(pack, ExpectedTile(input, ""));
+    TILEMEND_ASSIGN_OR_RETURN(const auto files, UnpackFiles(pack, TilePath(input.tile())));
+    for (const PackedFile& file : files) expected[FileBesideTile(input.tile().path(), file.name)] = file.bytes;
+  }
+  for (const v1::WrittenFile& file : output.files()) {
+    if (!IsOfTree(input, file.path())) continue;
+    const std::string written = absl::StrCat(input.attempts(), "/", file.attempt());
+    if (reading.how == TileCheck::kContent) {
+      TILEMEND_RETURN_IF_ERROR(CheckWritten(input, file, expected[file.path()]));
+    } else if (reading.how == TileCheck::kDigest && !file.digest().empty()) {
+      TILEMEND_RETURN_IF_ERROR(CheckFile(written, file.digest(), Wrong("a tile that is not as it was written")));
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, bool has_texture,
+                       TileReading& reading) {
+  if (tile.path() != input.output()) return Wrong("another tile");
+  if (!IsFileDigest(tile.digest())) return Wrong("a digest that is none");
+  const bool patched = IsPatched(input);
+  if (!input.tile().path().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t original, TileSize(input.tile()));
+    const bool grows = patched && input.tile().clear().empty();
+    if (grows ? tile.bytes() <= original : !patched && tile.bytes() != original)
+      return Wrong("a tile that is not the original with its patches");
+    if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
+  }
+  if (reading.how == TileCheck::kSize) return absl::OkStatus();
+  if (reading.how == TileCheck::kContent) return CheckContent(input, tile, has_texture, reading);
+  return CheckFile(absl::StrCat(input.attempts(), "/", tile.attempt()), tile.digest(),
+                   Wrong("a tile that is not as it was written"));
+}
+
+// That nothing had to be written.
+absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileCheck how) {
+  const auto& known = input.known().files();
+  const auto same = [](const v1::WrittenFile& a, const v1::WrittenFile& b) {
+    return a.path() == b.path() && a.bytes() == b.bytes() && a.digest() == b.digest();
+  };
+  if (!std::equal(known.begin(), known.end(), output.files().begin(), output.files().end(), same)) {
+    return Wrong("other files than are known");
+  }
+  for (const v1::WrittenFile& file : known) {
+    const std::string path = absl::StrCat(input.output_root(), "/", file.path());
+    TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(path));
+    if (bytes != file.bytes()) return Wrong("a file that is not as it was written");
+    if (how == TileCheck::kSize || file.digest().empty()) continue;
+    TILEMEND_RETURN_IF_ERROR(CheckFile(path, file.digest(), Wrong("a file that is not as it was written")));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::Status CheckAssembleResult(const std::string& input_bytes, const v1::AssembleOutput& output,
+                                 TileReading& reading) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::AssembleInput>(input_bytes));
+  if (output.files().empty()) return Wrong("no tile");
+  if (output.unchanged()) return CheckSameFiles(input, output, reading.how);
+  for (const v1::WrittenFile& file : output.files()) {
+    const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
+    TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
+  }
+  const bool is_tree = IsTileTree(input.tile().path());
+  TILEMEND_RETURN_IF_ERROR(is_tree ? CheckTree(input, output, reading)
+                                   : CheckTile(input, output.files(0), HasTexture(input, output), reading));
+  return CheckBeside(input, output, reading.how);
+}
+
+}  // namespace tilemend

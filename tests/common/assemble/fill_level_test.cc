@@ -1,0 +1,167 @@
+#include "common/assemble/fill_level.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+constexpr double kSide = 64, kSlope = 0.1;
+
+double Plane(const Point2& p) { return kSlope * p.x(); }
+
+Point2 Middle(const TriMesh& mesh, const Triangle& t) {
+  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]).head<2>() / 3;
+}
+
+// A sloping square of 64 m in squares of `step`, without the triangles whose middles are in the hole.
+template <typename InHole>
+TriMesh Ground(double step, const InHole& in_hole) {
+  const auto n = static_cast<int32_t>(kSide / step);
+  TriMesh mesh;
+  for (int32_t y = 0; y <= n; ++y) {
+    for (int32_t x = 0; x <= n; ++x) mesh.points.emplace_back(x * step, y * step, Plane({x * step, y * step}));
+  }
+  for (int32_t y = 0; y < n; ++y) {
+    for (int32_t x = 0; x < n; ++x) {
+      const int32_t a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
+      for (const Triangle& t : {Triangle{a, b, d}, Triangle{a, d, c}}) {
+        if (!in_hole(Middle(mesh, t))) mesh.triangles.push_back(t);
+      }
+    }
+  }
+  return mesh;
+}
+
+bool InPond(const Point2& p) { return (p - Point2(30, 30)).norm() < 13; }
+
+// The pond's triangles as a patch whose own vertices lie at one level.
+FilePatch Pond(const TriMesh& finest, double step, double level) {
+  const TriMesh whole = Ground(step, [](const Point2&) { return false; });
+  std::vector<bool> on_rim(whole.points.size(), false);
+  for (const Triangle& t : finest.triangles) {
+    for (const int32_t v : t) on_rim[v] = true;
+  }
+  FilePatch patch;
+  std::map<int32_t, int32_t> fresh;
+  patch.materials = {{0, "water"}};
+  for (Triangle t : whole.triangles) {
+    if (!InPond(Middle(whole, t))) continue;
+    for (int32_t& v : t) {
+      if (on_rim[v]) continue;
+      const auto next = static_cast<int32_t>(finest.points.size() + patch.new_points.size());
+      const auto [at, is_new] = fresh.emplace(v, next);
+      if (is_new) patch.new_points.emplace_back(whole.points[v].x(), whole.points[v].y(), level);
+      v = at->second;
+    }
+    patch.triangles.push_back(t);
+  }
+  patch.like.assign(patch.new_points.size(), -1);
+  return patch;
+}
+
+TriMesh Joined(const TriMesh& mesh, const FilePatch& patch) {
+  TriMesh joined = mesh;
+  joined.points.insert(joined.points.end(), patch.new_points.begin(), patch.new_points.end());
+  joined.triangles.insert(joined.triangles.end(), patch.triangles.begin(), patch.triangles.end());
+  return joined;
+}
+
+// Edges with one triangle.
+std::vector<std::pair<int32_t, int32_t>> OpenEdges(const TriMesh& mesh) {
+  std::map<std::pair<int32_t, int32_t>, int> count;
+  for (const Triangle& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) ++count[std::minmax(t[k], t[(k + 1) % 3])];
+  }
+  std::vector<std::pair<int32_t, int32_t>> open;
+  for (const auto& [edge, n] : count) {
+    if (n == 1) open.push_back(edge);
+  }
+  return open;
+}
+
+double AreaOf(const TriMesh& mesh, bool* all_up = nullptr) {
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Point2 u = (mesh.points[t[1]] - mesh.points[t[0]]).head<2>();
+    const Point2 v = (mesh.points[t[2]] - mesh.points[t[0]]).head<2>();
+    const double twice = u.x() * v.y() - u.y() * v.x();
+    if (all_up != nullptr) *all_up = *all_up && twice > 0;
+    area += twice / 2;
+  }
+  return area;
+}
+
+TEST(FillLevelTest, ACoarserLevelIsClosedOnItsOwnRim) {
+  const TriMesh finest = Ground(0.5, InPond);
+  const FilePatch pond = Pond(finest, 0.5, -1);
+  for (const double step : {1.0, 2.0, 4.0, 8.0}) {
+    const TriMesh level = Ground(step, InPond);
+    const FilePatch patch = FillLevel(level, finest, pond);
+    ASSERT_FALSE(patch.triangles.empty()) << step;
+    bool all_up = true;
+    const TriMesh filled = Joined(level, patch);
+    EXPECT_NEAR(AreaOf(filled, &all_up), kSide * kSide, 1e-6) << step;
+    EXPECT_TRUE(all_up) << step;
+    EXPECT_EQ(OpenEdges(filled).size(), static_cast<size_t>(4 * kSide / step)) << "the square's own sides, " << step;
+  }
+}
+
+TEST(FillLevelTest, WaterHasTheSameLevelToTheBit) {
+  const TriMesh finest = Ground(0.5, InPond);
+  const double level_metres = -1.0009765625;
+  const FilePatch patch = FillLevel(Ground(2, InPond), finest, Pond(finest, 0.5, level_metres));
+  ASSERT_FALSE(patch.new_points.empty());
+  for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), level_metres);
+}
+
+TEST(FillLevelTest, IsAsCoarseAsItsLevel) {
+  const TriMesh finest = Ground(0.5, InPond);
+  const FilePatch pond = Pond(finest, 0.5, -1);
+  size_t before = pond.triangles.size();
+  for (const double step : {1.0, 2.0, 4.0}) {
+    const size_t now = FillLevel(Ground(step, InPond), finest, pond).triangles.size();
+    EXPECT_LT(now, before / 2) << step;
+    before = now;
+  }
+}
+
+TEST(FillLevelTest, KeepsMaterials) {
+  const TriMesh finest = Ground(0.5, InPond);
+  const FilePatch patch = FillLevel(Ground(2, InPond), finest, Pond(finest, 0.5, -1));
+  ASSERT_EQ(patch.materials.size(), 1u);
+  EXPECT_EQ(patch.materials[0].material, "water");
+  EXPECT_EQ(patch.like.size(), patch.new_points.size());
+}
+
+TEST(FillLevelTest, AHoleAtTheOutlineEndsThere) {
+  const auto in_bay = [](const Point2& p) { return (p - Point2(0, 30)).norm() < 13; };
+  const TriMesh finest = Ground(0.5, in_bay), level = Ground(2, in_bay);
+  const TriMesh whole = Ground(0.5, [](const Point2&) { return false; });
+  FilePatch bay;
+  for (const Triangle& t : whole.triangles) {
+    if (in_bay(Middle(whole, t))) bay.triangles.push_back(t);
+  }
+  bay.new_points = {};
+  const FilePatch patch = FillLevel(level, finest, bay);
+  const TriMesh filled = Joined(level, patch);
+  EXPECT_NEAR(AreaOf(filled), kSide * kSide, 1e-6);
+  for (const Point3& p : patch.new_points) EXPECT_GE(p.x(), 0);
+}
+
+TEST(FillLevelTest, NothingToFillGivesNothing) {
+  const TriMesh finest = Ground(0.5, InPond);
+  const FilePatch pond = Pond(finest, 0.5, -1);
+  EXPECT_TRUE(FillLevel(Ground(4, [](const Point2&) { return false; }), finest, pond).triangles.empty());
+  EXPECT_TRUE(FillLevel(Ground(4, InPond), finest, {}).triangles.empty());
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,87 @@
+#include "common/assemble/osgb_levels.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "common/codec/osgb/osgb_tile.h"
+#include "tests/support/osgb_scene.h"
+
+namespace tilemend {
+namespace {
+
+std::string PackOf(OsgbScene::Pond pond) { return OsgbScene(pond).Pack(0); }
+
+ClearArea PondArea() {
+  ClearArea area;
+  std::vector<Point2> ring;
+  for (int k = 0; k < 60; ++k) {
+    const double angle = k * M_PI / 30;
+    ring.emplace_back(OsgbScene::kCell + OsgbScene::kRadius * std::cos(angle),
+                      OsgbScene::kCell / 2 + OsgbScene::kRadius * std::sin(angle));
+  }
+  area.polygon.rings = {ring};
+  area.top = OsgbScene::kLevel + 1.5;
+  return area;
+}
+
+TEST(ClearOsgbLevelsTest, EveryLevelLosesThePond) {
+  const std::string pack = PackOf(OsgbScene::Pond::kNoise);
+  const std::vector<ClearArea> areas = {PondArea()};
+  const auto cleared = ClearOsgbLevels(pack, areas, "a/Tile.osgb");
+  ASSERT_TRUE(cleared.ok()) << cleared.status();
+  const auto before = ReadOsgbTile(pack, "a/Tile.osgb"), after = ReadOsgbTile(cleared->bytes, "a/Tile.osgb");
+  ASSERT_TRUE(after.ok()) << after.status();
+  for (int32_t l = 0; l < 3; ++l) {
+    const OsgbLevel was = LevelOf(*before, l), is = LevelOf(*after, l);
+    EXPECT_LT(is.mesh.triangles.size(), was.mesh.triangles.size()) << l;
+    EXPECT_EQ(is.mesh.points.size(), was.mesh.points.size()) << "vertices stay, " << l;
+    for (const int32_t by : AreasThatClear(is.mesh, areas)) EXPECT_EQ(by, -1);
+    if (l == 2) {
+      ASSERT_EQ(cleared->triangles.size(), 1u);
+      EXPECT_EQ(cleared->triangles[0], static_cast<int64_t>(was.mesh.triangles.size() - is.mesh.triangles.size()));
+      EXPECT_EQ(cleared->file.mesh.triangles, is.mesh.triangles);
+    }
+  }
+}
+
+TEST(PatchOsgbLevelsTest, EveryLevelGetsThePatch) {
+  const std::string pack = PackOf(OsgbScene::Pond::kHole);
+  const auto before = ReadOsgbTile(pack, "a/Tile.osgb");
+  ASSERT_TRUE(before.ok()) << before.status();
+  const OsgbLevel finest = LevelOf(*before, 2);
+  // A triangle fan at the pond's level, about its middle in this tile.
+  FilePatch patch;
+  const auto first = static_cast<int32_t>(finest.mesh.points.size());
+  patch.new_points = {{56, 32, 2}};
+  for (int k = 0; k < 40; ++k) {
+    const double angle = k * M_PI / 20;
+    patch.new_points.emplace_back(56 + 7 * std::cos(angle), 32 + 7 * std::sin(angle), 2);
+    patch.triangles.push_back({first, first + 1 + k, first + 1 + (k + 1) % 40});
+  }
+  patch.like.assign(patch.new_points.size(), -1);
+  patch.materials = {{0, "water"}};
+  const std::vector<FillMaterial> materials = {{"water", {10, 20, 30}}};
+  const auto patched = PatchOsgbLevels(pack, patch, materials, "a/Tile.osgb");
+  ASSERT_TRUE(patched.ok()) << patched.status();
+  const auto after = ReadOsgbTile(*patched, "a/Tile.osgb");
+  ASSERT_TRUE(after.ok()) << after.status();
+  for (int32_t l = 0; l < 3; ++l) {
+    const OsgbLevel was = LevelOf(*before, l), is = LevelOf(*after, l);
+    EXPECT_GT(is.mesh.triangles.size(), was.mesh.triangles.size()) << l;
+  }
+  EXPECT_EQ(LevelOf(*after, 2).mesh.triangles.size(), finest.mesh.triangles.size() + 40);
+}
+
+TEST(PatchOsgbLevelsTest, WithoutAPatchAllBytesStay) {
+  const std::string pack = PackOf(OsgbScene::Pond::kHole);
+  const auto patched = PatchOsgbLevels(pack, {}, {}, "a/Tile.osgb");
+  ASSERT_TRUE(patched.ok()) << patched.status();
+  EXPECT_EQ(*patched, pack);
+}
+
+}  // namespace
+}  // namespace tilemend
