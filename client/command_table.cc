@@ -76,7 +76,7 @@ std::vector<FlagSpec> ReportFlags() { return {{"html", "", "write report.html an
 std::vector<std::string> ExamplesOf(const std::string& command) {
   static const std::map<std::string, std::vector<std::string>> examples = {
       {"inspect", {"inspect scene", "inspect scene --propose-water water.gpkg"}},
-      {"check", {"check out", "check scene out", "check mesh.ply --crease-angle 150"}},
+      {"check", {"check scene out", "check mesh.ply --crease-angle 150"}},
       {"run", {"run scene --out out", "run scene --out out --water lakes.gpkg --area boundary.geojson"}},
       {"fill", {"fill mesh.ply --out filled.ply", "fill mesh.obj --out filled.obj --weld 0.001 --largest-hole 500"}},
       {"aggregate", {"aggregate scene --out joined.ply", "aggregate scene --out joined.ply --memory 8000"}},

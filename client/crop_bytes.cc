@@ -85,8 +85,8 @@ class CropWriter {
   void AddToPart(const HoleCrop::Face& face) {
     const PictureTile::Material* material = ImageOf(face);
     if (material == nullptr) return;
-    const auto [it, fresh] = number_.try_emplace(material->image, parts_.size());
-    if (fresh) parts_.push_back({material->image});
+    const auto [it, fresh] = number_.try_emplace(std::pair(material->image, material->number), parts_.size());
+    if (fresh) parts_.push_back({.path = material->image, .number = material->number});
     ImagePart& part = parts_[it->second];
     for (const auto& uv : TileOf(face).coordinates[static_cast<size_t>(face.triangle)]) {
       for (size_t k = 0; k < 2; ++k) {
@@ -116,7 +116,7 @@ class CropWriter {
 
   void AddFace(const HoleCrop::Face& face) {
     const PictureTile::Material* image = ImageOf(face);
-    const size_t part = image == nullptr ? 0 : number_.at(image->image);
+    const size_t part = image == nullptr ? 0 : number_.at({image->image, image->number});
     const bool textured = image != nullptr && !atlas_.jpeg.empty() && atlas_.squares[part].width > 0;
     for (size_t k = 0; k < 3; ++k) {
       Vertex v{};
@@ -137,7 +137,7 @@ class CropWriter {
   const HoleCrop& crop_;
   const TilePair& tile_;
   Eigen::AlignedBox3d box_;
-  std::map<std::string, size_t> number_;  // of an image in parts_
+  std::map<std::pair<std::string, int32_t>, size_t> number_;  // of an image in parts_
   std::vector<ImagePart> parts_;
   PictureAtlas atlas_;
   std::map<Vertex, uint32_t> vertices_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "absl/strings/str_cat.h"
+#include "common/codec/osgb/osgb_file.h"
 #include "common/util/files.h"
 
 namespace tilemend {
@@ -62,6 +63,19 @@ std::array<double, 2> PictureAtlas::PlaceOf(const ImagePart& part, size_t number
   return {square.u + share[0] * square.width, square.v + (1 - share[1]) * square.height};
 }
 
+namespace {
+
+// The bytes of an image in those of its file; empty if the file has none there.
+std::string_view ImageIn(std::string_view bytes, const ImagePart& part) {
+  if (part.number < 0) return bytes;
+  const auto file = ReadOsgb(bytes, part.path);
+  if (!file.ok() || part.number >= std::ssize(file->images)) return {};
+  const OsgbImage& image = file->images[static_cast<size_t>(part.number)];
+  return image.storage == OsgbImage::Storage::kEncoded ? bytes.substr(image.offset, image.size) : std::string_view();
+}
+
+}  // namespace
+
 PictureAtlas MakePictureAtlas(const std::string& root, const std::vector<ImagePart>& parts) {
   PictureAtlas atlas;
   atlas.squares.resize(parts.size());
@@ -75,7 +89,7 @@ PictureAtlas MakePictureAtlas(const std::string& root, const std::vector<ImagePa
   for (size_t i = 0; i < parts.size(); ++i) {
     const auto bytes = ReadFile(absl::StrCat(root, "/", parts[i].path));
     if (!bytes.ok()) continue;
-    const auto decoded = DecodeImage(*bytes, parts[i].path);
+    const auto decoded = DecodeImage(ImageIn(*bytes, parts[i]), parts[i].path);
     if (!decoded.ok() || decoded->width < 1 || decoded->height < 1) continue;
     const PixelBox box = PixelsOf(parts[i], *decoded);
     const int32_t width = std::min(side, box.x1 - box.x0), height = std::min(side, box.y1 - box.y0);

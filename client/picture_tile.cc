@@ -7,9 +7,10 @@
 #include "common/codec/face_looks.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/obj.h"
+#include "common/codec/osgb/osgb_tile.h"
 #include "common/codec/ply_colours.h"
-#include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 #include "worker/materials/tile_look.h"
 
 namespace tilemend {
@@ -39,12 +40,38 @@ void AddObjLook(const std::string& root, const std::string& path, const ObjTextu
   }
 }
 
+// The finest level of a tree.
+absl::StatusOr<PictureTile> ReadOsgbPicture(const std::string& path, const std::string& pack, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile osgb, ReadOsgbTile(pack, name));
+  OsgbLevel finest = LevelOf(osgb, osgb.levels - 1);
+  PictureTile tile;
+  tile.faces.looks = OsgbFaceLooks(osgb, finest);
+  for (const OsgbLevel::Part& part : finest.parts) {
+    const int32_t f = osgb.pieces[part.piece].file;
+    const OsgbFile& file = osgb.files[f];
+    for (const int32_t g : part.geometries) {
+      const OsgbGeometry& geometry = file.geometries[g];
+      const bool has_image = geometry.texture >= 0;
+      if (has_image) tile.materials.push_back({FileBesideTile(path, osgb.packed[f].name), geometry.texture, {}});
+      const int32_t material = has_image ? static_cast<int32_t>(tile.materials.size()) - 1 : -1;
+      tile.material_of.insert(tile.material_of.end(), static_cast<size_t>(geometry.triangle_count), material);
+      for (int32_t t = 0; t < geometry.triangle_count; ++t) {
+        PictureTile::Corners& uv = tile.coordinates.emplace_back();
+        for (size_t k = 0; k < 3; ++k) uv[k] = file.uv[file.triangles[geometry.first_triangle + t][k]];
+      }
+    }
+  }
+  tile.faces.mesh = std::move(finest.mesh);
+  return tile;
+}
+
 }  // namespace
 
 absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::string& path) {
   const std::string name = absl::StrCat(root, "/", path);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(name));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name));
+  if (format == MeshFormat::kOsgb) return ReadOsgbPicture(path, bytes, name);
   PictureTile tile;
   if (format == MeshFormat::kObj) {
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));

@@ -16,7 +16,8 @@ namespace tilemend {
 struct PictureTile {
   using Corners = std::array<std::array<float, 2>, 3>;
   struct Material {
-    std::string image;  // path from the scene's folder; empty: only a colour
+    std::string image;    // path from the scene's folder; empty: only a colour
+    int32_t number = -1;  // of the image in that file, if it is a file of a tree
     Rgb colour{};
   };
 

@@ -155,13 +155,13 @@ def content(path):
     return json.dumps(report, sort_keys=True)
 
 
-# What is no part of the output that jobs write: `tilemend run` makes the page of the report, which has its dates.
-NOT_OF_JOBS = ('.tilemend-results', 'report.html', 'holes.csv')
+# Made from report.json, with its date; by `run` alone.
+NOT_COMPARED = {'.tilemend-results', 'report.html', 'holes.csv'}
 
 
 def files(folder):
     return {os.path.relpath(os.path.join(where, name), folder)
-            for where, _, names in os.walk(folder) for name in names if name not in NOT_OF_JOBS}
+            for where, _, names in os.walk(folder) for name in names if name not in NOT_COMPARED}
 
 
 def check_output(reference, out):

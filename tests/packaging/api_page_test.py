@@ -46,7 +46,7 @@ def rpcs():
 def reasons():
     """{reason: (codes, facts)} as the sources attach them."""
     found = {}
-    for path in (path for top in SOURCES for path in files(top, '.cc')):
+    for path in (path for top in SOURCES for path in files(top, ('.cc', '.h'))):
         text = read(path)
         for match in re.finditer(r'\{"([A-Z]{3,}[A-Z_]*)",\s*\{', text):
             made = re.findall(r'absl::(\w+)Error\(', text[:match.start()])

@@ -181,12 +181,12 @@ absl::StatusOr<std::string> RunFill(const v1::FillInput& input, const CancelToke
 }
 
 struct Assembled {
-  bool as_it_is = false;                      // the original without a change; else:
-  std::string bytes;                          // of the tile
-  std::map<std::string, std::string> beside;  // of a tree: its other files that are changed, by path
-  std::vector<FillMaterial> materials;        // of its filled faces; empty: it has none, or its format has no materials
-  std::string image;                          // of its filled faces, a JPEG; empty: there is none
-  std::vector<std::string> warnings;
+  bool as_it_is = false;                           // the original without a change; else:
+  std::string bytes = {};                          // of the tile
+  std::map<std::string, std::string> beside = {};  // of a tree: its other files that are changed, by path
+  std::vector<FillMaterial> materials = {};  // of its filled faces; empty: it has none, or its format has no materials
+  std::string image = {};                    // of its filled faces, a JPEG; empty: there is none
+  std::vector<std::string> warnings = {};
 };
 
 // Takes the files of a changed tree apart.
