@@ -34,6 +34,7 @@ void SceneFiles::Take(CellId cell, const TileFiles& files, bool is_written) {
     }
   }
   if (!files.libraries.empty()) libraries_[cell] = files.libraries;
+  if (!files.images.empty()) with_images_.insert(cell);
   Warn(cell, files.warnings);
 }
 
@@ -44,7 +45,7 @@ void SceneFiles::Warn(CellId cell, const std::vector<std::string>& warnings) {
       ++more_warnings_;
       continue;
     }
-    of_cell.push_back(Printable(warning.substr(0, kMostWarningBytes)));
+    of_cell.push_back(Printable(warning.substr(0, kMostFileWarningBytes)));
     if (++kept_warnings_ <= kMostWarnings) continue;
     const auto last = std::prev(warnings_.end());
     last->second.pop_back();
@@ -64,19 +65,11 @@ std::string SceneFiles::LibraryOf(CellId cell) const {
   return own == paths.rend() ? "" : *own;
 }
 
-std::string SceneFiles::NewLibraryFor(const std::string& path) const {
+std::string SceneFiles::NewFileFor(const std::string& path, absl::string_view ending) const {
   const std::string stem = std::filesystem::path(path).replace_extension().string();
-  std::string name = absl::StrCat(stem, "_tilemend.mtl");
+  std::string name = absl::StrCat(stem, "_tilemend.", ending);
   const auto is_taken = [&] { return spelt_small_.contains(absl::AsciiStrToLower(name)) || HidesAnother(name); };
-  for (int n = 2; is_taken(); ++n) name = absl::StrCat(stem, "_tilemend", n, ".mtl");
-  return name;
-}
-
-std::string SceneFiles::NewImageFor(const std::string& path) const {
-  const std::string stem = std::filesystem::path(path).replace_extension().string();
-  std::string name = absl::StrCat(stem, "_tilemend.jpg");
-  const auto is_taken = [&] { return spelt_small_.contains(absl::AsciiStrToLower(name)) || HidesAnother(name); };
-  for (int n = 2; is_taken(); ++n) name = absl::StrCat(stem, "_tilemend", n, ".jpg");
+  for (int n = 2; is_taken(); ++n) name = absl::StrCat(stem, "_tilemend", n, ".", ending);
   return name;
 }
 

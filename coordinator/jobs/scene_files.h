@@ -10,10 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/string_view.h"
 #include "common/grid/scene.h"
 #include "common/records/tile_files.h"
 
 namespace tilemend {
+
+inline constexpr size_t kMostFileWarningBytes = 2048;  // of a warning on a file
 
 // The path of the folder `out` from the scene's folder, if it lies inside; else empty.
 std::string FolderInScene(const std::string& out, const std::string& root);
@@ -34,21 +37,20 @@ class SceneFiles {
 
   // The last of the tile's own material files; empty if it has none.
   std::string LibraryOf(CellId cell) const;
-  // A name for the materials of the tile that is written to `path`: beside it, and not that of a file of the scene,
-  // in other letters neither.
-  std::string NewLibraryFor(const std::string& path) const;
-  // The same for the image of its filled faces.
-  std::string NewImageFor(const std::string& path) const;
+  // Whether the tile names images.
+  bool HasImages(CellId cell) const { return with_images_.contains(cell); }
+  // A name for the materials (ending "mtl") or the image ("jpg") of the filled faces of the tile that is written to
+  // `path`: beside it, and not that of a file of the scene, in other letters neither.
+  std::string NewFileFor(const std::string& path, absl::string_view ending) const;
   // What the tile carries, without its LibraryOf.
   std::vector<std::string> CarriedBy(CellId cell) const;
   // All that are carried.
   std::set<std::string> Carried() const;
-  // In the order of the cells, each cut to kMostWarningBytes; those beyond the first kMostWarnings are counted in the
-  // last line.
+  // In the order of the cells, each cut to kMostFileWarningBytes; those beyond the first kMostWarnings are counted in
+  // the last line.
   std::vector<std::string> Warnings() const;
 
   static constexpr size_t kMostWarnings = 20;
-  static constexpr size_t kMostWarningBytes = 2048;
 
  private:
   struct File {
@@ -61,6 +63,7 @@ class SceneFiles {
   std::map<std::string, File> files_;
   std::set<std::string> spelt_small_;                 // their names without capital letters
   std::map<CellId, std::set<std::string>> of_cells_;  // what each is the first to name
+  std::set<CellId> with_images_;
   std::map<CellId, std::vector<std::string>> libraries_;
   std::map<CellId, std::vector<std::string>> warnings_;  // of a cell the first kMostWarnings, of all as many or fewer
   size_t kept_warnings_ = 0;

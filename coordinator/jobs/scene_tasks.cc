@@ -49,6 +49,51 @@ bool HasMaterials(const SceneTile& tile) {
   return format.ok() && *format == MeshFormat::kObj;
 }
 
+bool GetsTexture(const v1::JobSpec& spec, const SceneTile& tile) {
+  return spec.texture() == "synthesize" && !IsTileTree(tile.path) && HasMaterials(tile);
+}
+
+// By the holes' numbers in the work, of which `holes` has the scene's. Groups name materials; where there are none they
+// would tell a task from the same task of another plan.
+FillColours LocalColours(const AssembleWork& work, const std::vector<int32_t>& holes) {
+  FillColours local{{}, work.colours.on_vertices};
+  for (const auto& [hole, colour] : work.colours.of_holes) {
+    FillColour& own = local.of_holes[LocalNumber(holes, hole)];
+    own = colour;
+    if (!HasMaterials(*work.tile)) own.group = 0;
+  }
+  return local;
+}
+
+// Returns the image's path.
+std::string SetTexture(const SceneFiles& files, const v1::JobSpec& spec, v1::AssembleInput& input) {
+  input.set_texture(files.NewFileFor(input.output(), "jpg"));
+  input.set_water_colour(spec.water_colour());
+  return input.texture();
+}
+
+void SetWantedColours(const v1::JobSpec& spec, const SceneTile& tile, FillColours colours, v1::AssembleInput& input) {
+  input.set_without_colours(spec.texture() == "none" && !IsTileTree(tile.path));
+  if (input.without_colours()) colours.on_vertices = false;
+  SetColours(colours, input);
+}
+
+// The tiles that the texture of a cell's fill is made from: its own and those around it.
+template <typename Ref>
+absl::Status AddTilesAround(const Scene& scene, CellId cell, const Ref& ref, v1::AssembleInput& input) {
+  for (const SceneTile& other : scene.tiles) {
+    const auto [col, row] = other.cell;
+    if (std::abs(col - cell.col) > 1 || std::abs(row - cell.row) > 1 || IsTileTree(other.path)) continue;
+    v1::TextureCell& around = *input.add_around();
+    TILEMEND_ASSIGN_OR_RETURN(*around.mutable_tile(), ref(other));
+    around.set_x_min(scene.grid.corner.x() + col * scene.grid.cell_size.x());
+    around.set_y_min(scene.grid.corner.y() + row * scene.grid.cell_size.y());
+    around.set_x_max(scene.grid.corner.x() + (col + 1) * scene.grid.cell_size.x());
+    around.set_y_max(scene.grid.corner.y() + (row + 1) * scene.grid.cell_size.y());
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 SceneTasks::SceneTasks(const JobSpec& spec, SceneWaves& waves, OutputFolder* output,
@@ -185,10 +230,13 @@ absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   input.set_attempts(output_->attempts().path());
   input.set_float32(work.float32);
   input.set_tile_vertices(work.tile_vertices);
-  const bool has_patches = patches_.contains(cell);
-  if (has_patches) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
+  if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
-  if (has_patches) TILEMEND_RETURN_IF_ERROR(SetTexture(*work.tile, input));
+  if (input.has_patches() && files_.HasImages(cell) && GetsTexture(spec_, *work.tile)) {
+    output_->Adopt({SetTexture(files_, spec_, input)});
+    TILEMEND_RETURN_IF_ERROR(AddTilesAround(
+        waves_.scene(), cell, [&](const SceneTile& other) { return Ref(other); }, input));
+  }
   rims_.erase(cell);
   holes_.erase(cell);
   return NewTask{cell, Stage::kAssemble, input.SerializeAsString()};
@@ -198,10 +246,7 @@ absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input
   const CellId cell = work.tile->cell;
   TILEMEND_ASSIGN_OR_RETURN(*input.mutable_patches(),
                             TakeUp<v1::FillOutput>(*scratch_, patches_.extract(cell).mapped()));
-  FillColours colours = LocalColours(work);
-  input.set_without_colours(spec_.texture() == "none" && !IsTileTree(work.tile->path));
-  if (input.without_colours()) colours.on_vertices = false;
-  SetColours(colours, input);
+  SetWantedColours(spec_, *work.tile, LocalColours(work, holes_.at(cell)), input);
   if (!work.holes) {
     TILEMEND_ASSIGN_OR_RETURN(*input.mutable_vertices(), TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
     return absl::OkStatus();
@@ -219,18 +264,6 @@ absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input
   return ComparePatches(cell, input.vertices(), input.patches(), moves);
 }
 
-// Groups name materials; where there are none they would tell a task from the same task of another plan.
-FillColours SceneTasks::LocalColours(const AssembleWork& work) const {
-  FillColours local{{}, work.colours.on_vertices};
-  const std::vector<int32_t>& holes = holes_.at(work.tile->cell);
-  for (const auto& [hole, colour] : work.colours.of_holes) {
-    FillColour& own = local.of_holes[LocalNumber(holes, hole)];
-    own = colour;
-    if (!HasMaterials(*work.tile)) own.group = 0;
-  }
-  return local;
-}
-
 void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   if (HasMaterials(tile)) SetLibrary(tile, input);
   const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
@@ -245,33 +278,9 @@ void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
   std::string library = files_.LibraryOf(tile.cell);
   input.set_new_library(library.empty());
   if (!library.empty()) input.set_library_digest(file_digests_[library]);
-  if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
+  if (library.empty()) library = files_.NewFileFor(OutputPath(tile), "mtl");
   output_->Adopt({library});
   input.set_library(std::move(library));
-}
-
-absl::Status SceneTasks::SetTexture(const SceneTile& tile, v1::AssembleInput& input) {
-  if (spec_.texture() != "synthesize" || !with_images_.contains(tile.cell) || IsTileTree(tile.path)) {
-    return absl::OkStatus();
-  }
-  if (!HasMaterials(tile)) return absl::OkStatus();
-  std::string image = files_.NewImageFor(OutputPath(tile));
-  output_->Adopt({image});
-  input.set_texture(std::move(image));
-  input.set_water_colour(spec_.water_colour());
-  const Scene& scene = waves_.scene();
-  for (const SceneTile& other : scene.tiles) {
-    const auto [col, row] = other.cell;
-    if (std::abs(col - tile.cell.col) > 1 || std::abs(row - tile.cell.row) > 1) continue;
-    if (IsTileTree(other.path)) continue;
-    v1::TextureCell& cell = *input.add_around();
-    TILEMEND_ASSIGN_OR_RETURN(*cell.mutable_tile(), Ref(other));
-    cell.set_x_min(scene.grid.corner.x() + col * scene.grid.cell_size.x());
-    cell.set_y_min(scene.grid.corner.y() + row * scene.grid.cell_size.y());
-    cell.set_x_max(scene.grid.corner.x() + (col + 1) * scene.grid.cell_size.x());
-    cell.set_y_max(scene.grid.corner.y() + (row + 1) * scene.grid.cell_size.y());
-  }
-  return absl::OkStatus();
 }
 
 absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
@@ -306,7 +315,6 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
     return UnreadableResult(cell, taken);
   }
   if (spec_.textures() != "off") files_.Take(cell, tile->files, waves_.IsChosen(cell));
-  if (spec_.textures() != "off" && !tile->files.images.empty()) with_images_.insert(cell);
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));

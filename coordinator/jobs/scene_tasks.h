@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -58,10 +57,8 @@ class SceneTasks {
   absl::StatusOr<NewTask> Encode(AssembleWork& work);
   absl::Status SetPatches(AssembleWork& work, v1::AssembleInput& input);
   absl::StatusOr<v1::SeamSide> SideOf(const CellHoles& cell, const std::vector<int32_t>& holes);
-  FillColours LocalColours(const AssembleWork& work) const;
   void SetFiles(const SceneTile& tile, v1::AssembleInput& input);
   void SetLibrary(const SceneTile& tile, v1::AssembleInput& input);
-  absl::Status SetTexture(const SceneTile& tile, v1::AssembleInput& input);
   absl::StatusOr<v1::TileRef> Ref(const SceneTile& tile) const;
 
   absl::Status TakeOutput(CellId cell, const v1::MeasureOutput& output);
@@ -85,7 +82,6 @@ class SceneTasks {
   std::map<CellId, ScratchFile::Place> surveyed_;    // digest and stamp of each tile
   std::map<CellId, ScratchFile::Place> lowest_;      // the ground raster of each tile, until the plan
   std::map<std::string, std::string> file_digests_;  // by path: what was read for surveys, beside the tiles
-  std::set<CellId> with_images_;                     // tiles that have textures
   std::map<CellId, int32_t> clusters_of_;            // how many were given out, by the first cell of each
   std::map<CellId, std::string> measured_;           // digest of each tile that is measured, until its survey
   std::map<std::pair<CellId, int32_t>, AskedCluster> clusters_;  // that are sampled, by first cell and number there

@@ -103,10 +103,10 @@ TEST(TilePatchTest, TextureIsTakenFromAWrittenTile) {
   SetTexture(input, {{0.25F, 0.123456F}, {1.0F, 0.0F}}, {{0, 1, 0}}, *added);
   EXPECT_THAT(added->materials,
               ElementsAre(FillMaterial{"tilemend_fill_a_tilemend", {255, 255, 255}, "a_tilemend.jpg"}));
-  const auto bytes = PatchedTile(input, added->patch, kTriangle);
+  const auto bytes = PatchedTile(input, *added, kTriangle);
   ASSERT_TRUE(bytes.ok()) << bytes.status();
   ASSERT_TRUE(TakeTexture(input, kTriangle, *bytes, *again).ok());
-  EXPECT_EQ(PatchedTile(input, again->patch, kTriangle).value(), *bytes);
+  EXPECT_EQ(PatchedTile(input, *again, kTriangle).value(), *bytes);
   EXPECT_FALSE(TakeTexture(input, *bytes, kTriangle, *again).ok());
 }
 

@@ -40,9 +40,9 @@ TEST(SceneFilesTest, ATilesOwnLibraryIsTheLastThatNoOtherNames) {
 
 TEST(SceneFilesTest, ANewLibraryHasANameThatNoFileOfTheSceneHas) {
   SceneFiles files("");
-  EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend.mtl");
+  EXPECT_EQ(files.NewFileFor("Data/T/T.obj", "mtl"), "Data/T/T_tilemend.mtl");
   files.Take(kA, {{"Data/T/T_tilemend.mtl"}, {"Data/T/t_Tilemend2.MTL"}, {}});
-  EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend3.mtl");
+  EXPECT_EQ(files.NewFileFor("Data/T/T.obj", "mtl"), "Data/T/T_tilemend3.mtl");
 }
 
 // The output is the scene's folder "out", and one of the scene's files lies where another would be written.
@@ -76,7 +76,7 @@ TEST(SceneFilesTest, KeepsNoMoreWarningsThanItShows) {
   EXPECT_EQ(warnings.back(), "1001 more warnings on material files and images");
   SceneFiles others("");
   others.Warn(kA, {std::string(100'000, 'x')});
-  EXPECT_EQ(others.Warnings()[0].size(), SceneFiles::kMostWarningBytes);
+  EXPECT_EQ(others.Warnings()[0].size(), kMostFileWarningBytes);
 }
 
 TEST(FolderInSceneTest, IsEmptyOutside) {
@@ -96,9 +96,9 @@ TEST(SceneFilesTest, ATileThatIsNotWrittenCarriesNothing) {
 
 TEST(SceneFilesTest, ANewImageHasANameThatNoFileOfTheSceneHas) {
   SceneFiles files("");
-  EXPECT_EQ(files.NewImageFor("T/T.obj"), "T/T_tilemend.jpg");
+  EXPECT_EQ(files.NewFileFor("T/T.obj", "jpg"), "T/T_tilemend.jpg");
   files.Take(kA, {{"T/T.mtl"}, {"T/T_Tilemend.JPG"}, {}});
-  EXPECT_EQ(files.NewImageFor("T/T.obj"), "T/T_tilemend2.jpg");
+  EXPECT_EQ(files.NewFileFor("T/T.obj", "jpg"), "T/T_tilemend2.jpg");
 }
 
 }  // namespace
