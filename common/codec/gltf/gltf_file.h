@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -94,18 +93,22 @@ struct GltfPatch {
 absl::StatusOr<GltfFile> ReadGltf(std::string_view bytes, GltfUpAxis up, const std::string& name,
                                   const GltfLimits& limits = {});
 
-// `bytes` with one new mesh and node per patch, at the end of the scene. The material has no lighting
-// (KHR_materials_unlit) if the material of the node's first primitive has none. kInvalidArgument as ReadGltf, and if
-// the file has no such node or a patch is inconsistent. Linear.
-absl::StatusOr<std::string> AppendGltf(std::string_view bytes, GltfUpAxis up, std::span<const GltfPatch> patches,
-                                       const std::string& name);
+// What is done to a file. Indices are those of the GltfFile that was read.
+struct GltfEdit {
+  std::vector<bool> drop;  // of its triangles; empty: none
+  std::vector<GltfPatch> patches;
+};
 
-// `bytes` without the triangles in `drop` (one entry per triangle of GltfFile::triangles). A changed primitive gets a
-// new accessor of indices; its vertices and images stay. A Draco primitive is decoded and written plainly. A primitive
-// without triangles is removed, and so is a mesh without primitives from its nodes. kInvalidArgument as ReadGltf, if
-// `drop` has another size, and if two nodes share a mesh but not what is dropped of it. Linear.
-absl::StatusOr<std::string> DropGltfTriangles(std::string_view bytes, GltfUpAxis up, const std::vector<bool>& drop,
-                                              const std::string& name);
+// `bytes` without the triangles that `edit` drops and with a new mesh and node for each patch, in this order.
+//  - A primitive that loses triangles gets a new accessor of indices; its vertices and images stay. A Draco primitive
+//  is
+//    written again without compression. A node whose mesh loses all triangles has no mesh afterwards.
+//  - A new node is a sibling of the patch's node and has the same transform. Its material is unlit and double-sided if
+//    that of the node's first primitive is.
+// kInvalidArgument as ReadGltf, if sizes or indices do not fit the file, if a matrix cannot be inverted, and if two
+// nodes share a mesh but not what is dropped of it. Linear.
+absl::StatusOr<std::string> ChangeGltf(std::string_view bytes, GltfUpAxis up, const GltfEdit& edit,
+                                       const std::string& name);
 
 }  // namespace tilemend
 
