@@ -111,6 +111,8 @@ int64_t GltfBuilder::AddCopy(const OrderedJson& accessor, std::string_view value
   OrderedJson copy = accessor;
   copy["bufferView"] = AddView(bytes, kVertexTarget, stride == size ? 0 : stride);
   copy["byteOffset"] = 0;
+  copy["count"] = values.size() / size;
+  copy.erase("sparse");
   if (is_float_position) SetBounds(bytes, copy);
   return Append("accessors", std::move(copy));
 }

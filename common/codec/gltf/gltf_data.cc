@@ -34,14 +34,6 @@ double LoadNumber(const char* p, bool normalized) {
   return normalized ? Normalized(value) : static_cast<double>(value);
 }
 
-size_t ComponentsOf(const std::string& type) {
-  constexpr std::pair<const char*, size_t> kTypes[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
-  for (const auto& [name, components] : kTypes) {
-    if (type == name) return components;
-  }
-  return 0;
-}
-
 enum class MeshoptMode { kAttributes, kTriangles, kIndices };
 
 struct MeshoptView {
@@ -101,6 +93,14 @@ bool DecodeMeshopt(const MeshoptView& view, std::string_view compressed, std::st
 }
 
 }  // namespace
+
+size_t GltfComponents(const std::string& type) {
+  constexpr std::pair<const char*, size_t> kTypes[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+  for (const auto& [name, components] : kTypes) {
+    if (type == name) return components;
+  }
+  return 0;
+}
 
 size_t GltfComponentBytes(int64_t component_type) {
   switch (component_type) {
@@ -201,7 +201,7 @@ absl::StatusOr<GltfValues> GltfData::Accessor(int64_t index) {
   TILEMEND_ASSIGN_OR_RETURN(values.component_type, accessor.Integer("componentType", 5120, 5126));
   TILEMEND_ASSIGN_OR_RETURN(values.normalized, accessor.BoolOr("normalized", false));
   TILEMEND_ASSIGN_OR_RETURN(const std::string type, accessor.TextOr("type", ""));
-  values.components = ComponentsOf(type);
+  values.components = GltfComponents(type);
   const size_t size = values.components * GltfComponentBytes(values.component_type);
   if (size == 0) return accessor.Error("numbers of this type are not read");
   TILEMEND_ASSIGN_OR_RETURN(const int64_t count, accessor.Integer("count", 1, kMaxBytes));

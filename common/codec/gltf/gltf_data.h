@@ -39,6 +39,9 @@ struct GltfBytes {
 // The bytes of a component, 0 if glTF has no such type.
 size_t GltfComponentBytes(int64_t component_type);
 
+// The number of components of an accessor's type, 0 for matrices and unknown types.
+size_t GltfComponents(const std::string& type);
+
 // Decodes each compressed view once, and keeps it.
 class GltfData {
  public:

@@ -213,15 +213,18 @@ class GltfEditor {
     constexpr int64_t kMaxIndex = INT64_C(1) << 31;
     TILEMEND_ASSIGN_OR_RETURN(const GltfPrimitiveData data, ReadGltfPrimitive(view, -1, data_));
     TILEMEND_ASSIGN_OR_RETURN(const JsonView accessors, root_.Get("accessors"));
+    TILEMEND_ASSIGN_OR_RETURN(const JsonView attributes, view.Get("attributes"));
     const JsonView ids = *view.Extension(kDracoExtension)->Find("attributes");
     for (const auto& item : ids.value().items()) {
+      if (!attributes.Find(item.key())) continue;
       TILEMEND_ASSIGN_OR_RETURN(const int64_t id, ids.Integer(item.key(), 0, kMaxIndex));
-      TILEMEND_ASSIGN_OR_RETURN(const JsonView attributes, view.Get("attributes"));
       TILEMEND_ASSIGN_OR_RETURN(const int64_t index, attributes.Integer(item.key(), 0, kMaxIndex));
       TILEMEND_ASSIGN_OR_RETURN(const JsonView accessor, accessors.At(index));
       TILEMEND_ASSIGN_OR_RETURN(const int64_t type, accessor.Integer("componentType", 5120, 5126));
+      TILEMEND_ASSIGN_OR_RETURN(const std::string shape, accessor.TextOr("type", ""));
       const auto same = std::ranges::find_if(data.draco->attributes, [&](const GltfDracoAttribute& attribute) {
-        return attribute.id == id && attribute.component_type == type;
+        return attribute.id == id && attribute.component_type == type &&
+               attribute.components == static_cast<int64_t>(GltfComponents(shape));
       });
       if (same == data.draco->attributes.end()) return accessor.Error("the Draco stream has another type");
       const size_t size = static_cast<size_t>(same->components) * GltfComponentBytes(type);

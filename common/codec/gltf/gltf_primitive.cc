@@ -100,6 +100,9 @@ absl::Status ReadDraco(const JsonView& extension, const JsonView& primitive, con
   TILEMEND_ASSIGN_OR_RETURN(result.draco, data.Draco(view));
   TILEMEND_ASSIGN_OR_RETURN(std::optional<GltfValues> positions, DracoValues(extension, "POSITION", *result.draco));
   TILEMEND_ASSIGN_OR_RETURN(result.uv, DracoValues(extension, uv_name, *result.draco));
+  if (!result.uv) {  // it may lie beside the stream
+    TILEMEND_ASSIGN_OR_RETURN(result.uv, Attribute(primitive, uv_name, data));
+  }
   TILEMEND_RETURN_IF_ERROR(SetNormalized(data.root(), primitive, "POSITION", positions));
   TILEMEND_RETURN_IF_ERROR(SetNormalized(data.root(), primitive, uv_name, result.uv));
   TILEMEND_RETURN_IF_ERROR(CheckAttributes(primitive, positions, result.uv));
