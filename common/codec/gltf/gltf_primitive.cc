@@ -12,12 +12,13 @@ namespace {
 constexpr int64_t kMaxElements = INT64_C(1) << 31;
 constexpr int64_t kTrianglesMode = 4;
 
-// The attribute `name` of a compressed primitive; none if the stream does not hold it.
-absl::StatusOr<std::optional<GltfValues>> DracoValues(const JsonView& extension, const std::string& name,
-                                                      const GltfDracoMesh& mesh) {
+// The attribute `name` of a compressed primitive; none if the primitive or the stream has none.
+absl::StatusOr<std::optional<GltfValues>> DracoValues(const JsonView& primitive, const JsonView& extension,
+                                                      const std::string& name, const GltfDracoMesh& mesh) {
+  TILEMEND_ASSIGN_OR_RETURN(const JsonView listed, primitive.Get("attributes"));
   TILEMEND_ASSIGN_OR_RETURN(const JsonView attributes, extension.Get("attributes"));
   const std::optional<JsonView> id = attributes.Find(name);
-  if (!id) return std::nullopt;
+  if (!id || !listed.Find(name)) return std::nullopt;
   TILEMEND_ASSIGN_OR_RETURN(const int64_t unique_id, id->AsInteger(0, kMaxElements));
   for (const GltfDracoAttribute& attribute : mesh.attributes) {
     if (attribute.id != unique_id) continue;
@@ -98,8 +99,9 @@ absl::Status ReadDraco(const JsonView& extension, const JsonView& primitive, con
                        GltfPrimitiveData& result) {
   TILEMEND_ASSIGN_OR_RETURN(const int64_t view, extension.Integer("bufferView", 0, kMaxElements));
   TILEMEND_ASSIGN_OR_RETURN(result.draco, data.Draco(view));
-  TILEMEND_ASSIGN_OR_RETURN(std::optional<GltfValues> positions, DracoValues(extension, "POSITION", *result.draco));
-  TILEMEND_ASSIGN_OR_RETURN(result.uv, DracoValues(extension, uv_name, *result.draco));
+  TILEMEND_ASSIGN_OR_RETURN(std::optional<GltfValues> positions,
+                            DracoValues(primitive, extension, "POSITION", *result.draco));
+  TILEMEND_ASSIGN_OR_RETURN(result.uv, DracoValues(primitive, extension, uv_name, *result.draco));
   if (!result.uv) {  // it may lie beside the stream
     TILEMEND_ASSIGN_OR_RETURN(result.uv, Attribute(primitive, uv_name, data));
   }
