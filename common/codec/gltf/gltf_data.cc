@@ -160,7 +160,7 @@ absl::StatusOr<GltfBytes> GltfData::PlainView(const JsonView& view) const {
                                    " bytes, but the buffer has ", size - offset, " left"));
   }
   return GltfBytes{container_.bin.substr(static_cast<size_t>(offset), static_cast<size_t>(length)),
-                   container_.bin_offset + static_cast<size_t>(offset), 0};
+                   container_.bin_offset + static_cast<size_t>(offset), 0, false};
 }
 
 absl::StatusOr<std::string> GltfData::DecodedView(const JsonView& extension) const {
@@ -190,7 +190,7 @@ absl::StatusOr<GltfBytes> GltfData::View(int64_t index) {
   }
   TILEMEND_ASSIGN_OR_RETURN(const GltfBytes compressed, PlainView(*meshopt));
   TILEMEND_ASSIGN_OR_RETURN(const int64_t stride, meshopt->Integer("byteStride", 2, 256));
-  return GltfBytes{decoded_.at(index), compressed.offset, static_cast<size_t>(stride)};
+  return GltfBytes{decoded_.at(index), compressed.offset, static_cast<size_t>(stride), true};
 }
 
 absl::StatusOr<GltfValues> GltfData::Accessor(int64_t index) {

@@ -34,6 +34,7 @@ struct GltfBytes {
   std::string_view bytes;
   size_t offset = 0;  // in the file; of a compressed view: of its compressed bytes
   size_t stride = 0;  // 0: the elements are packed
+  bool is_compressed = false;
 };
 
 // The bytes of a component, 0 if glTF has no such type.

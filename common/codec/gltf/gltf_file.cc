@@ -51,6 +51,7 @@ class GltfReader {
       if (view.Find("bufferView")) {
         TILEMEND_ASSIGN_OR_RETURN(const int64_t index, view.Integer("bufferView", 0, kMaxViews));
         TILEMEND_ASSIGN_OR_RETURN(const GltfBytes bytes, data_.View(index));
+        if (bytes.is_compressed) return view.Error("the image lies in a compressed view");
         image.offset = bytes.offset;
         image.size = bytes.bytes.size();
       }
