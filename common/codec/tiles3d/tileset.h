@@ -17,34 +17,26 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/codec/gltf/gltf_file.h"
+#include "common/codec/tiles3d/bounding_volume.h"
 #include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
-
-struct BoundingVolume {
-  enum class Kind {
-    kBox,     // centre, then three half axes: 12 numbers, metres, frame of the tile
-    kRegion,  // west, south, east, north in radians, lowest and highest height in metres above WGS 84: 6 numbers
-    kSphere,  // centre and radius: 4 numbers, metres, frame of the tile
-  };
-  Kind kind = Kind::kBox;
-  std::vector<double> numbers;
-};
 
 struct TilesetTile {
   int32_t document = 0;  // index into Tileset::documents: the file that holds this tile
   std::string path;      // JSON pointer in that file, such as /root/children/0
   int32_t parent = -1;   // index into Tileset::tiles, across files; -1: the root
-  int32_t level = 0;     // 0: the root; the root of an external tileset counts as its tile, not as a level
+  int32_t level = 0;     // number of tiles above it that have a model
   std::vector<int32_t> children;
   std::string content;         // path of a model relative to the tileset's folder, with "/"; empty: none
   double geometric_error = 0;  // metres
   BoundingVolume volume;
+  std::optional<BoundingVolume> content_volume;           // of the model alone
   Eigen::Matrix4d to_root = Eigen::Matrix4d::Identity();  // from the tile's frame to that of the root's parent
 };
 
@@ -62,11 +54,12 @@ struct Tileset {
 struct TilesetLimits {
   int64_t max_tiles = 1'000'000;
   int64_t max_documents = 100'000;
-  int64_t max_document_bytes = int64_t{256} << 20;
+  int64_t max_document_bytes = int64_t{64} << 20;
   int32_t max_depth = 100;  // of tiles, across files
 };
 
-// Gives the text of a file that ResolveContentUri returned; kNotFound and other errors as ReadFile.
+// Gives the text of a file by its path relative to the tileset's folder, with "/"; kNotFound and other errors as
+// ReadFile.
 class TilesetSource {
  public:
   virtual ~TilesetSource() = default;
@@ -83,21 +76,15 @@ class FolderSource : public TilesetSource {
   std::string folder_;
 };
 
-// The path that `uri` in the file `document` means, relative to the tileset's folder, with "/". Percent-encoding is
-// decoded; a query is refused. kInvalidArgument for what lies or could lie outside of the folder; `where` stands in
-// messages.
-absl::StatusOr<std::string> ResolveContentUri(std::string_view document, std::string_view uri,
-                                              const std::string& where);
-
 // Reads the tileset `entry`, a path relative to the source, with all external tilesets. kInvalidArgument for malformed
 // input and for what is refused, kResourceExhausted beyond `limits`; errors of the source for files that are missing.
 // Linear in the bytes.
 absl::StatusOr<Tileset> ReadTileset(const TilesetSource& source, const std::string& entry,
                                     const TilesetLimits& limits = {});
 
-// Grows the bounding volume of a tile, and those of all tiles above it, to hold `points` (tile's frame, metres). A box
-// keeps its directions, a sphere its centre. A region grows by the points' own longitudes, latitudes and heights, for
-// which the frame of the root must be ECEF. Volumes that hold the points already stay as they are. O(points * level).
+// Grows the bounding volumes of a tile and of its model, and those of all tiles above it, to hold `points` (tile's
+// frame, metres; for a b3dm with its RTC_CENTER). Volumes that hold the points already stay as they are. For a region,
+// the root's parent is the Earth-centred frame of WGS 84. O(points * depth).
 void GrowVolumes(Tileset& tileset, int32_t tile, const std::vector<Point3>& points);
 
 // The text of a document with the bounding volumes of `tileset`; nothing else changes. The same bytes as `text` if no
