@@ -38,8 +38,8 @@ inline std::vector<SpaceTriangle> GltfSpaceTriangles(const GltfFile& file) {
 }
 
 #ifdef TILEMEND_SHARED_DATA
-// The b3dm files of a tileset that is not part of the project, sorted; none if it is missing. The environment variable or
-// CMake variable TILEMEND_SHARED_DATA names its place.
+// The b3dm files of a tileset that is not part of the project, sorted; none if it is missing. The environment variable
+// or CMake variable TILEMEND_SHARED_DATA names its place.
 inline std::filesystem::path SharedTilesFolder() {
   const char* const variable = std::getenv("TILEMEND_SHARED_DATA");
   return std::filesystem::path(variable != nullptr ? variable : TILEMEND_SHARED_DATA) / "mars_tiles";

@@ -55,7 +55,8 @@ TEST_F(GltfDataTest, ReadsNormalizedIntegersAndStrides) {
 
 TEST_F(GltfDataTest, MapsSignedIntegersToPlusMinusOne) {
   const std::string bytes("\x80\x81\x7f\x00", 4);
-  GltfValues values{.bytes = bytes, .stride = 1, .component_type = 5120, .normalized = true, .components = 1, .count = 4};
+  GltfValues values{
+      .bytes = bytes, .stride = 1, .component_type = 5120, .normalized = true, .components = 1, .count = 4};
   EXPECT_EQ(values.At(0, 0), -1);
   EXPECT_EQ(values.At(1, 0), -1);
   EXPECT_EQ(values.At(2, 0), 1);
