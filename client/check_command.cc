@@ -311,6 +311,9 @@ int CheckScene(const std::string& path, const Limits& limits, OutputFormat forma
 }  // namespace
 
 int CheckCommand(const Args& args) {
+  if (args.arguments().size() == 2) return AcceptanceCommand(args);
+  if (args.IsGiven("csv"))
+    return PrintUsageError(absl::InvalidArgumentError("check: --csv needs a scene and an output"));
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   const auto limits = LimitsFromFlags(args);

@@ -1,8 +1,10 @@
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
-#include "client/filler_flags.h"
+#include "common/options/option.h"
 #include "common/rpc/credentials.h"
 #include "common/util/settings.h"
 
@@ -14,42 +16,35 @@ std::vector<FlagSpec> Join(std::vector<FlagSpec> first, const std::vector<FlagSp
   return first;
 }
 
+std::vector<FlagSpec> Advanced(std::vector<FlagSpec> flags) {
+  for (FlagSpec& flag : flags) flag.group = FlagGroup::kAdvanced;
+  return flags;
+}
+
 // How to reach a cluster.
 std::vector<FlagSpec> CoordinatorFlags() {
-  return AllAsSettings(
-      Join({{"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"}}, ChannelSecurityFlags()));
+  return AllAsSettings(Join({{"coordinator", "HOST:PORT", "address of the coordinator", "127.0.0.1:7070"}},
+                            Advanced(ChannelSecurityFlags())));
 }
 
 // Of commands that start a job on a cluster.
 std::vector<FlagSpec> StartFlags() {
-  return Join(CoordinatorFlags(), {{"wait", "", "wait for the end of the job; the exit code is the job's", ""},
-                                   {"request-id", "ID", "a second call with the same ID gives the same job", ""}});
+  return Join(Join(CoordinatorFlags(), {{"wait", "", "wait for the end of the job; the exit code is the job's", ""}}),
+              Advanced({{"request-id", "ID", "a second call with the same ID gives the same job", ""}}));
 }
 
 std::vector<FlagSpec> LocalFlags() {
-  return {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
-          {"task-memory", "MB", "memory that tasks take at once, 64 to 1e6; one alone may take more", "384"},
-          {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}};
+  return Join(
+      {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""}},
+      Advanced({{"task-memory", "MB", "memory that tasks take at once, 64 to 1e6; one alone may take more", "384"},
+                {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}}));
 }
 
-std::vector<FlagSpec> FillFlags() {
-  std::vector<FlagSpec> flags = {{"out", "FILE", "file to write, in the format of MESH", ""},
-                                 {"overwrite", "", "replace FILE if it exists", ""}};
-  flags = Join(std::move(flags), SurfaceFlags());
-  flags = Join(std::move(flags), FillerFlags());
-  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
-  flags = Join(std::move(flags), WaterFlags("off"));
-  flags.push_back(ClearFlag());
-  flags.push_back(WaterColourFlag());
-  flags.push_back({"allow-creases", "", "fill holes also where the surface has to fold back", ""});
-  flags.push_back({"weld", "TOLERANCE",
-                   "merge boundary vertices that are no further apart, in the mesh's units, before filling; the report "
-                   "lists each",
-                   ""});
-  flags.push_back({"dislocation-width", "LENGTH",
-                   "how wide dislocations are at most, in the mesh's units (default: a fifth of their edges)", ""});
-  flags.push_back({"fill-outlines", "", "fill the outlines of sheets as well, not only holes", ""});
-  flags.push_back({"largest-hole", "EDGES", "leave holes with a longer boundary open, 3 to 1e9 (default: none)", ""});
+// With another default of --water than jobs have; "": the command chooses by what it is given.
+std::vector<FlagSpec> WithWater(std::vector<FlagSpec> flags, const std::string& default_value) {
+  FlagSpec& water = *std::ranges::find(flags, "water", &FlagSpec::name);
+  water.default_value = default_value;
+  if (default_value.empty()) water.help += " (default: auto, for single meshes off)";
   return flags;
 }
 
@@ -61,10 +56,8 @@ std::vector<FlagSpec> AggregateFlags() {
 }
 
 std::vector<FlagSpec> InspectFlags() {
-  return Join(WaterFlags(""),
-              {ClearFlag(),
-               AreaFlag(),
-               {"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""},
+  return Join(WithWater(OptionFlags(kOfInspect), ""),
+              {{"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""},
                {"propose-water", "FILE", "write what may be water as polygons for --water: .gpkg or .geojson", ""},
                {"overwrite", "", "replace the FILE of --propose-water if it exists", ""}});
 }
@@ -73,7 +66,38 @@ std::vector<FlagSpec> CheckFlags() {
   return {{"crease-angle", "DEGREES", "a sharper turn of the surface at an edge is a fault", "120"},
           {"spike-angle", "DEGREES", "a vertex with less about it, on long edges, is a spike", "90"},
           {"small-component", "EDGES", "no wider pieces are small, in mean edges of the mesh", "5"},
-          {"small-hole", "EDGES", "holes with no more boundary edges are small", "12"}};
+          {"small-hole", "EDGES", "holes with no more boundary edges are small", "12"},
+          {"csv", "FILE", "with OUT: write the places that were found as CSV", ""}};
+}
+
+std::vector<FlagSpec> ReportFlags() { return {{"html", "", "write report.html and holes.csv beside report.json", ""}}; }
+
+// What follows "tilemend ".
+std::vector<std::string> ExamplesOf(const std::string& command) {
+  static const std::map<std::string, std::vector<std::string>> examples = {
+      {"inspect", {"inspect scene", "inspect scene --propose-water water.gpkg"}},
+      {"check", {"check scene out", "check mesh.ply --crease-angle 150"}},
+      {"run", {"run scene --out out", "run scene --out out --water lakes.gpkg --area boundary.geojson"}},
+      {"fill", {"fill mesh.ply --out filled.ply", "fill mesh.obj --out filled.obj --weld 0.001 --largest-hole 500"}},
+      {"aggregate", {"aggregate scene --out joined.ply", "aggregate scene --out joined.ply --memory 8000"}},
+      {"report", {"report out", "report out -o json"}},
+      {"submit", {"submit /data/scene --out /data/out --wait", "submit /data/scene --out /data/out --priority 10"}},
+      {"get", {"get jobs/ID", "get ID -o json"}},
+      {"list", {"list --coordinator host:7070", "list --state running"}},
+      {"workers", {"workers --coordinator host:7070", "workers -o json"}},
+      {"watch", {"watch jobs/ID", "watch ID -o json"}},
+      {"cancel", {"cancel jobs/ID", "cancel ID -o json"}},
+      {"pause", {"pause jobs/ID", "pause ID -o json"}},
+      {"resume", {"resume jobs/ID", "resume ID -o json"}},
+      {"prioritize", {"prioritize jobs/ID 10", "prioritize ID -10"}},
+      {"retry", {"retry jobs/ID --wait", "retry jobs/ID --overwrite"}}};
+  const auto found = examples.find(command);
+  return found == examples.end() ? std::vector<std::string>() : found->second;
+}
+
+std::vector<Command> WithExamples(std::vector<Command> commands) {
+  for (Command& command : commands) command.examples = ExamplesOf(command.name);
+  return commands;
 }
 
 }  // namespace
@@ -84,24 +108,28 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> list =
       Join({{"state", "STATE[,STATE]", "only jobs in these states: running, done, ...", ""}}, cluster);
   const std::vector<FlagSpec> inspect = Join(InspectFlags(), output), aggregate = Join(AggregateFlags(), output);
-  const std::vector<FlagSpec> run = Join(Join(JobFlags(), LocalFlags()), output);
+  const std::vector<FlagSpec> run = Join(Join(OptionFlags(kOfJobs), LocalFlags()), output);
+  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
+  const std::vector<FlagSpec> fill = Join(WithWater(OptionFlags(kOfFill), "off"), output);
   const std::vector<FlagSpec> retry = Join(
       {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));
-  const FlagSpec priority = {"priority", "P", "-100 to 100: tasks of jobs with a lower one wait", "0"};
-  const std::vector<FlagSpec> submit = Join(Join(Join(JobFlags(), StartFlags()), {priority}), output);
-  return {
+  const std::vector<FlagSpec> priority =
+      Advanced({{"priority", "P", "-100 to 100: tasks of jobs with a lower one wait", "0"}});
+  const std::vector<FlagSpec> submit = Join(Join(Join(OptionFlags(kOfJobs), StartFlags()), priority), output);
+  return WithExamples({
       {"inspect", "SCENE|MESH", "show tiles, borders and holes; write nothing", 1, {}, inspect, InspectCommand},
       {"check",
-       "MESH|SCENE|DIR",
-       "show what is wrong with a mesh, a scene or an output; write nothing",
+       "MESH|SCENE|DIR [OUT]",
+       "show what is wrong with a mesh, a scene or an output; with OUT, compare an output with its scene",
        1,
        {},
        Join(CheckFlags(), output),
-       CheckCommand},
+       CheckCommand,
+       1},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
-      {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, Join(FillFlags(), output), FillCommand},
+      {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, fill, FillCommand},
       {"aggregate", "SCENE --out FILE", "join all cells and fill that", 1, {"out"}, aggregate, AggregateCommand},
-      {"report", "DIR", "show the report of an output", 1, {}, output, ReportCommand},
+      {"report", "DIR", "show the report of an output", 1, {}, Join(ReportFlags(), output), ReportCommand},
       {"submit", "SCENE --out DIR", "fill a scene on a cluster", 1, {}, submit, SubmitCommand},
       {"get", "JOB", "show a job", 1, {}, cluster, GetCommand},
       {"list", "", "show all jobs, newest first", 0, {}, list, ListCommand},
@@ -112,7 +140,7 @@ std::vector<Command> ServiceCommands() {
       {"resume", "JOB", "go on with a job that is paused", 1, {}, cluster, ResumeCommand},
       {"prioritize", "JOB PRIORITY", "give a job another priority, -100 to 100", 2, {}, cluster, PrioritizeCommand},
       {"retry", "JOB", "start a finished job again", 1, {}, retry, RetryCommand},
-  };
+  });
 }
 
 }  // namespace tilemend

@@ -19,12 +19,15 @@ struct Command {
   size_t argument_count = 0;
   std::vector<std::string> required_flags;
   std::vector<FlagSpec> flags;
-  std::function<int(const Args&)> run;  // gives the exit code
+  std::function<int(const Args&)> run;     // gives the exit code
+  size_t optional_arguments = 0;           // that may follow the others
+  std::vector<std::string> examples = {};  // what follows "tilemend "
 };
 
 // Each prints data on stdout, progress and errors on stderr, and gives an exit code (common/util/exit_codes.h).
 int InspectCommand(const Args& args);
 int CheckCommand(const Args& args);
+int AcceptanceCommand(const Args& args);
 int RunCommand(const Args& args);
 int FillCommand(const Args& args);
 int AggregateCommand(const Args& args);
@@ -40,21 +43,14 @@ int PrioritizeCommand(const Args& args);
 int RetryCommand(const Args& args);
 int ReportCommand(const Args& args);
 
-// Flags that say what a job is to do.
-std::vector<FlagSpec> JobFlags();
-// Flags that say what the filled surface is like: --surface, --tension, --gradation, --size-limit, --uniform.
-std::vector<FlagSpec> SurfaceFlags();
 FlagSpec OutputFlag();
-FlagSpec WaterColourFlag();
-FlagSpec ClearFlag();
-FlagSpec AreaFlag();
-// --water and --water-profile. Without a default the command chooses by what it is given.
-std::vector<FlagSpec> WaterFlags(const std::string& default_value);
 
 // All above, for the table of main.
 std::vector<Command> ServiceCommands();
 
-// Finds the command that the words after the program's name ask for and runs it. Also answers help, --help, --version.
+// Finds the command that the words after the program's name ask for and runs it. Also answers help, --help, --help-all
+// and
+// --version.
 int Dispatch(const std::vector<Command>& commands, const std::vector<std::string>& words);
 
 }  // namespace tilemend

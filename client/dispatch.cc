@@ -31,7 +31,7 @@ int PrintDescription(const std::vector<Command>& commands, const std::string& fo
                 {},
                 OwnFlags()};
   for (const Command& command : commands) {
-    manual.commands.push_back({command.name, command.arguments, command.summary, command.flags});
+    manual.commands.push_back({command.name, command.arguments, command.summary, command.flags, command.examples});
   }
   const auto text = Describe(manual, form);
   std::fputs(text.ok() ? text->c_str() : absl::StrCat("tilemend: ", std::string(text.status().message()), "\n").c_str(),
@@ -48,7 +48,7 @@ std::string Help(const std::vector<Command>& commands) {
     absl::StrAppend(&text, left, command.summary, "\n");
   }
   absl::StrAppend(&text,
-                  "  help COMMAND                    show the flags of a command\n"
+                  "  help COMMAND                    show the flags of a command; COMMAND --help-all shows all\n"
                   "\n",
                   FlagsHelp(OwnFlags(), ColumnsOfTerminal(STDOUT_FILENO)),
                   "\n"
@@ -61,9 +61,16 @@ std::string UsageOf(const Command& command) {
   return absl::StrCat("tilemend ", command.name, command.arguments.empty() ? "" : " ", command.arguments);
 }
 
-std::string HelpOf(const Command& command) {
-  return absl::StrCat("Usage: ", UsageOf(command), " [FLAGS]\n\n", command.summary, "\n\n",
-                      FlagsHelp(command.flags, ColumnsOfTerminal(STDOUT_FILENO)));
+std::string HelpOf(const Command& command, bool all) {
+  std::string text = absl::StrCat("Usage: ", UsageOf(command), " [FLAGS]\n\n", command.summary, "\n\n",
+                                  FlagsHelp(command.flags, ColumnsOfTerminal(STDOUT_FILENO), all));
+  if (!command.examples.empty()) absl::StrAppend(&text, "\nExamples:\n");
+  for (const std::string& example : command.examples) absl::StrAppend(&text, "  tilemend ", example, "\n");
+  return text;
+}
+
+bool Has(const std::vector<std::string>& words, const char* word) {
+  return std::ranges::find(words, word) != words.end();
 }
 
 int UsageError(const std::string& text) {
@@ -82,10 +89,12 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
   if (!settings.ok()) return UsageError(std::string(settings.status().message()));
   const auto args = Args::Parse(command.flags, words, *settings);
   if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));
-  if (args->arguments().size() != command.argument_count) {
-    return UsageError(absl::StrCat(command.name, ": expected ", command.argument_count,
-                                   command.argument_count == 1 ? " argument" : " arguments", ", got ",
-                                   args->arguments().size(), "; usage: ", UsageOf(command)));
+  const size_t given = args->arguments().size(), least = command.argument_count,
+               most = least + command.optional_arguments;
+  if (given < least || given > most) {
+    return UsageError(absl::StrCat(command.name, ": expected ", least, most > least ? absl::StrCat(" or ", most) : "",
+                                   most == 1 ? " argument" : " arguments", ", got ", given,
+                                   "; usage: ", UsageOf(command)));
   }
   for (const std::string& argument : args->arguments()) {
     if (argument.empty()) return UsageError(absl::StrCat(command.name, ": an argument is empty"));
@@ -128,11 +137,10 @@ int Dispatch(const std::vector<Command>& commands, const std::vector<std::string
   for (const Command& command : commands) {
     names.push_back(command.name);
     if (command.name != name) continue;
-    const std::vector<std::string> rest(words.begin() + 1, words.end());
-    const bool wants_help = help || std::find(rest.begin(), rest.end(), "--help") != rest.end() ||
-                            std::find(rest.begin(), rest.end(), "-h") != rest.end();
-    if (!wants_help) return RunParsed(command, rest);
-    std::fputs(HelpOf(command).c_str(), stdout);
+    const std::vector<std::string> rest(words.begin() + (help ? 2 : 1), words.end());
+    const bool all = Has(rest, "--help-all");
+    if (!help && !all && !Has(rest, "--help") && !Has(rest, "-h")) return RunParsed(command, rest);
+    std::fputs(HelpOf(command, all).c_str(), stdout);
     return kExitDone;
   }
   return UsageError(absl::StrCat("unknown command '", name, "'", DidYouMean(name, names)));

@@ -15,7 +15,6 @@
 #include "absl/strings/str_join.h"
 #include "absl/time/clock.h"
 #include "client/commands.h"
-#include "client/filler_flags.h"
 #include "client/job_flags.h"
 #include "client/left_table.h"
 #include "client/mesh_filler.h"
@@ -23,6 +22,7 @@
 #include "client/output_file.h"
 #include "client/progress_display.h"
 #include "common/codec/mesh_file.h"
+#include "common/options/job_options.h"
 #include "common/records/surface.h"
 #include "common/util/colour.h"
 #include "common/util/files.h"
@@ -34,6 +34,7 @@
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/water_choice.h"
 #include "worker/materials/write_materials.h"
+#include "worker/service/fill_options.h"
 
 namespace tilemend {
 namespace {
@@ -152,112 +153,56 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
   std::fputs(LeftLines(report).c_str(), stderr);
 }
 
-absl::Status ReadHoleOptions(const Args& args, MeshHoleOptions& holes) {
-  holes.fill_outlines = args.Switch("fill-outlines");
-  if (args.IsGiven("largest-hole")) {
-    TILEMEND_ASSIGN_OR_RETURN(const double edges, args.Number("largest-hole", 3, 1e9));
-    holes.largest_hole = static_cast<int64_t>(edges);
-  }
-  if (args.IsGiven("dislocation-width")) {
-    TILEMEND_ASSIGN_OR_RETURN(holes.dislocation_width, args.Number("dislocation-width", 1e-12, 1e9));
-  }
-  return absl::OkStatus();
-}
-
-absl::Status ReadTension(const Args& args, FillOptions& options) {
-  TILEMEND_ASSIGN_OR_RETURN(options.tension, TensionFromFlags(args));
-  if (options.tension && options.surface != Surface::kThinPlate)
-    return absl::InvalidArgumentError("--tension: the surface wang has none; leave it out, or choose thin-plate");
-  if (options.tension && options.filler != Filler::kAuto)
+// What only `fill` asks of options, beside the table.
+absl::Status CheckFill(const Args& args, const v1::JobSpec& spec) {
+  const Filler filler = FillerNamed(spec.filler()).value_or(Filler::kAuto);
+  const bool is_wang = spec.surface() == SurfaceName(Surface::kWang), is_auto = filler == Filler::kAuto;
+  if (is_wang && !is_auto) {
     return absl::InvalidArgumentError(
-        absl::StrCat("--tension: the filler ", FillerName(options.filler), " has none; leave it out, or choose auto"));
-  return absl::OkStatus();
-}
-
-// Beside what holds for jobs as well: what published ways do not have is for thin-plate and the filler auto.
-absl::Status CheckHaveEffect(const Args& args, const FillOptions& options) {
-  TILEMEND_RETURN_IF_ERROR(CheckHaveEffect(args));
-  const bool is_ours = options.surface == Surface::kThinPlate && options.filler == Filler::kAuto;
-  if (args.Switch("allow-creases") && !is_ours) {
+        "--filler: the surface wang fills closed holes in its own way; leave one of the two out");
+  }
+  if (spec.has_tension() && !is_auto) {
     return absl::InvalidArgumentError(
-        "--allow-creases: what is published is filled as published, creases and all; leave one of the two out");
+        absl::StrCat("--tension: the filler ", spec.filler(), " has none; leave it out, or choose auto"));
+  }
+  if (spec.allow_creases() && (is_wang || !is_auto)) {
+    return absl::InvalidArgumentError(
+        "--allow-creases: published methods fill with creases as they are published; leave one of the two out");
   }
   for (const char* flag : {"gradation", "size-limit"}) {
-    if (args.IsGiven(flag) && HasFront(options.filler) && args.Text("water") == "off") {
-      return absl::InvalidArgumentError(absl::StrCat("--", flag, ": the triangles of ", FillerName(options.filler),
+    if (args.IsGiven(flag) && HasFront(filler) && spec.water() == kNoWater) {
+      return absl::InvalidArgumentError(absl::StrCat("--", flag, ": the triangles of ", spec.filler(),
                                                      " are as large as the boundary's; leave it out"));
     }
   }
   return absl::OkStatus();
 }
 
-// Flags that are out of their range are kInvalidArgument.
-absl::StatusOr<MeshFillOptions> FillOptionsFromFlags(const Args& args) {
-  MeshFillOptions all;
-  FillOptions& options = all.fill;
-  const std::optional<Surface> surface = SurfaceNamed(args.Text("surface"));
-  if (!surface) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("--surface '", args.Text("surface"), "': expected thin-plate or wang"));
-  }
-  options.surface = *surface;
-  TILEMEND_ASSIGN_OR_RETURN(options.filler, FillerFromFlags(args));
-  if (options.surface == Surface::kWang && options.filler != Filler::kAuto)
-    return absl::InvalidArgumentError(
-        "--filler: the surface wang fills closed holes in its own way; leave one of the two out");
-  TILEMEND_RETURN_IF_ERROR(ReadFillerFlags(args, options));
-  TILEMEND_RETURN_IF_ERROR(CheckHaveEffect(args, options));
-  TILEMEND_RETURN_IF_ERROR(ReadTension(args, options));
-  TILEMEND_ASSIGN_OR_RETURN(const auto longest_loop, WholeNumberIfGiven(args, "longest-loop", 3, 2000));
-  TILEMEND_ASSIGN_OR_RETURN(const auto fairing_steps, WholeNumberIfGiven(args, "fairing-steps", 0, 1000));
-  if ((longest_loop || fairing_steps) && options.surface != Surface::kWang && options.filler != Filler::kMinimumArea) {
-    return absl::InvalidArgumentError(
-        "--longest-loop, --fairing-steps: only the surface wang and the filler minimum-area have these options; leave "
-        "them out, or choose one of these");
-  }
-  if (longest_loop) options.wang.longest_loop = *longest_loop;
-  if (fairing_steps) options.wang.fairing_steps = *fairing_steps;
-  TILEMEND_ASSIGN_OR_RETURN(options.refine.gradation, args.Number("gradation", 1, 10));
-  TILEMEND_ASSIGN_OR_RETURN(options.refine.size_limit, args.Number("size-limit", 1, 1e6));
-  options.refine.uniform = args.Switch("uniform");
-  if (const std::string colour = args.Text("water-colour"); !colour.empty()) {
-    all.water_colour = ParseColour(colour);
-    if (!all.water_colour)
-      return absl::InvalidArgumentError(absl::StrCat("--water-colour '", colour, "': expected ", kColourForm));
-  }
-  options.allow_creases = args.Switch("allow-creases");
-  TILEMEND_ASSIGN_OR_RETURN(all.weld, NumberIfGiven(args, "weld", 1e-12, 1e9));
-  TILEMEND_RETURN_IF_ERROR(ReadHoleOptions(args, all.holes));
-  all.library = LibraryFor(args.Text("out"));
-  return all;
+// kInvalidArgument names a flag that is out of its range or has no effect.
+absl::StatusOr<v1::JobSpec> FillSpecFromFlags(const Args& args) {
+  TILEMEND_ASSIGN_OR_RETURN(const v1::JobSpec spec, SpecFromFlags(args, kOfFill));
+  TILEMEND_RETURN_IF_ERROR(NamedAsFlag(CheckOptions(spec, kOfFill, GivenBy(args))));
+  TILEMEND_RETURN_IF_ERROR(CheckFill(args, spec));
+  return spec;
 }
 
-// The options that the result depends on, under the names of their flags.
-std::vector<ReportedOption> ReportedOptionsOf(const Args& args, const MeshFillOptions& all) {
-  const FillOptions& options = all.fill;
-  ReportedOption tension{"tension", std::string("auto")}, largest{"largest-hole", std::string("any")};
-  if (options.tension) tension.value = *options.tension;
-  ReportedOption dislocation{"dislocation-width", std::string("auto")};
-  if (all.holes.dislocation_width) dislocation.value = *all.holes.dislocation_width;
-  if (all.holes.largest_hole) largest.value = static_cast<double>(*all.holes.largest_hole);
-  ReportedOption weld{"weld", std::string("off")};
-  if (all.weld) weld.value = *all.weld;
-  std::vector<ReportedOption> reported = ReportedFillerOptions(options);
-  const std::vector<ReportedOption> others = {tension,
-                                              {"gradation", options.refine.gradation},
-                                              {"size-limit", options.refine.size_limit},
-                                              {"uniform", options.refine.uniform},
-                                              {"allow-creases", options.allow_creases},
-                                              dislocation,
-                                              weld,
-                                              {"fill-outlines", all.holes.fill_outlines},
-                                              largest,
-                                              {"water", args.Text("water")},
-                                              {"water-profile", args.Text("water-profile")},
-                                              {"water-colour", args.Text("water-colour")},
-                                              {"clear", args.Text("clear")}};
-  reported.insert(reported.end(), others.begin(), others.end());
-  return reported;
+MeshFillOptions MeshOptionsOf(const v1::JobSpec& spec) {
+  MeshFillOptions options;
+  options.fill = FillOptionsOf(spec);
+  if (!spec.water_colour().empty()) options.water_colour = ParseColour(spec.water_colour());
+  if (spec.has_weld()) options.weld = spec.weld();
+  options.holes.fill_outlines = spec.fill_outlines();
+  if (spec.has_largest_hole()) options.holes.largest_hole = spec.largest_hole();
+  if (spec.has_dislocation_width()) options.holes.dislocation_width = spec.dislocation_width();
+  options.library = LibraryFor(spec.out());
+  return options;
+}
+
+absl::StatusOr<WaterOptions> WaterOf(const v1::JobSpec& spec) {
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), SceneFrame()));
+  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), SceneFrame(), water));
+  water.options.profile = *WaterProfileNamed(spec.water_profile());
+  return water.options;
 }
 
 absl::StatusOr<FilledMesh> FillAndShow(const std::string& in, MeshFillOptions options) {
@@ -281,26 +226,21 @@ int PrintEnd(SceneReportInput& report, const std::string& out, OutputFormat form
 int FillCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
-  auto options = FillOptionsFromFlags(args);
-  if (!options.ok()) return PrintUsageError(options.status());
-  const auto profile = WaterProfileFromFlags(args);
-  if (!profile.ok()) return PrintUsageError(profile.status());
+  const auto spec = FillSpecFromFlags(args);
+  if (!spec.ok()) return PrintUsageError(spec.status());
   const std::string& in = args.arguments().front();
-  const std::string out = args.Text("out");
-  const bool overwrite = args.Switch("overwrite");
+  const std::string out = spec->out();
+  const bool overwrite = spec->overwrite();
   if (const absl::Status status = CheckPaths(in, out, overwrite); !status.ok()) return PrintError(status);
   SignalWatcher signals;  // before other threads
   auto lock = OutputLock::Take(out);
   if (!lock.ok()) return PrintError(lock.status());
   CancelOnSignal(signals, [&lock] { lock->Release(); });
-  auto water = ReadWaterChoice(args.Text("water"), SceneFrame());
+  auto water = WaterOf(*spec);
   if (!water.ok()) return PrintError(water.status());
-  if (const absl::Status status = AddClearFile(args.Text("clear"), SceneFrame(), *water); !status.ok()) {
-    return PrintError(status);
-  }
-  water->options.profile = *profile;
-  options->water = water->options;
-  auto filled = FillAndShow(in, *options);
+  MeshFillOptions options = MeshOptionsOf(*spec);
+  options.water = *std::move(water);
+  auto filled = FillAndShow(in, std::move(options));
   signals.Stop();
   if (!filled.ok()) return PrintError(filled.status());
   Stopwatch watch;
@@ -311,7 +251,7 @@ int FillCommand(const Args& args) {
   filled->report.warnings.insert(filled->report.warnings.end(), warnings->begin(), warnings->end());
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
-  filled->report.options = ReportedOptionsOf(args, *options);
+  filled->report.options = ReportedOptions(*spec, kOfFill);
   return PrintEnd(filled->report, out, *format);
 }
 

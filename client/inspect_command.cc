@@ -266,21 +266,24 @@ int InspectCommand(const Args& args) {
   std::error_code error;
   if (!std::filesystem::exists(path, error) && !error)
     return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
-  const auto profile = WaterProfileFromFlags(args);
-  if (!profile.ok()) return PrintUsageError(profile.status());
+  auto spec = SpecFromFlags(args, kOfInspect);
+  if (!spec.ok()) return PrintUsageError(spec.status());
   const bool mesh = IsSingleMesh(path);
   if (mesh && (args.IsGiven("area") || args.IsGiven("propose-area") || args.IsGiven("propose-water"))) {
     return PrintUsageError(absl::InvalidArgumentError("--area, --propose-area, --propose-water: only for scenes"));
   }
-  const std::string water = args.IsGiven("water") ? args.Text("water") : mesh ? kNoWater : kFindWater;
+  if (spec->water().empty()) spec->set_water(kFindWater);
+  const absl::Status status = NamedAsFlag(CheckOptions(*spec, kOfInspect, GivenBy(args)));
+  if (!status.ok()) return PrintUsageError(status);
+  if (mesh && !args.IsGiven("water")) spec->set_water(kNoWater);
   const Request request{path,
-                        args.Text("area"),
+                        spec->area(),
                         args.Text("propose-area"),
                         args.Text("propose-water"),
                         args.Switch("overwrite"),
-                        water,
-                        args.Text("clear"),
-                        *profile,
+                        spec->water(),
+                        spec->clear(),
+                        *WaterProfileNamed(spec->water_profile()),
                         *format};
   return mesh ? InspectMeshAt(request) : InspectSceneAt(request);
 }

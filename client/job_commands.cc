@@ -109,7 +109,7 @@ int ChangeJob(const Args& args, absl::StatusOr<v1::Job> (JobClient::*change)(con
 int SubmitCommand(const Args& args) {
   auto session = OpenSession(args, args.Switch("wait"));
   if (!session.ok()) return PrintUsageError(session.status());
-  const auto spec = SpecFromFlags(args);
+  const auto spec = JobFromFlags(args);
   if (!spec.ok()) return PrintUsageError(spec.status());
   v1::CreateJobRequest request;
   *request.mutable_spec() = *spec;

@@ -8,26 +8,20 @@
 #include "absl/status/statusor.h"
 #include "client/commands.h"
 #include "client/output.h"
-#include "common/records/filler.h"
-#include "coordinator/report/water_choice.h"
-#include "tilemend/v1/jobs.pb.h"
+#include "common/options/job_options.h"
+#include "tilemend/v1/job_spec.pb.h"
 
 namespace tilemend {
 
-// The spec that the first argument and JobFlags say, with absolute paths (a scene with :// is kept as it is).
-// kInvalidArgument for a value out of its range.
-absl::StatusOr<v1::JobSpec> SpecFromFlags(const Args& args);
+// The spec that the first argument and the flags of jobs say, with absolute paths (a scene with :// is kept as it is).
+// kInvalidArgument, naming the flag, its value and what is allowed.
+absl::StatusOr<v1::JobSpec> JobFromFlags(const Args& args);
 
-// kInvalidArgument, naming the flag, for one that is given and can have no effect beside others.
-absl::Status CheckHaveEffect(const Args& args);
+// Options whose flag is given. The arguments outlive it.
+IsGiven GivenBy(const Args& args);
 
 // None where the flag is not given; it has no default then.
-absl::StatusOr<std::optional<double>> NumberIfGiven(const Args& args, const char* flag, double low, double high);
 absl::StatusOr<std::optional<int32_t>> WholeNumberIfGiven(const Args& args, const char* flag, int low, int high);
-// --tension auto|X; none for auto.
-absl::StatusOr<Filler> FillerFromFlags(const Args& args);
-absl::StatusOr<std::optional<double>> TensionFromFlags(const Args& args);
-absl::StatusOr<WaterProfile> WaterProfileFromFlags(const Args& args);
 
 absl::StatusOr<OutputFormat> FormatFromFlags(const Args& args);
 

@@ -10,8 +10,8 @@
 #include "client/output.h"
 #include "common/util/standard_streams.h"
 #include "common/util/text.h"
-#include "coordinator/service/cluster_events.h"
-#include "coordinator/service/job_pipeline.h"
+#include "coordinator/jobs/cluster_events.h"
+#include "coordinator/jobs/job_pipeline.h"
 
 namespace tilemend {
 namespace {

@@ -7,6 +7,7 @@
 #include "client/commands.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/report_page.h"
 #include "client/report_text.h"
 #include "client/unfinished.h"
 #include "common/util/files.h"
@@ -31,6 +32,10 @@ int ReportCommand(const Args& args) {
   if (!report.is_object() || !report.contains("cells")) {
     return PrintError(absl::InvalidArgumentError(
         absl::StrCat(path.string(), ": not a report (expected a JSON object with the field cells)")));
+  }
+  if (args.Switch("html")) {
+    const absl::Status written = WriteReportPage(path.has_parent_path() ? path.parent_path().string() : ".");
+    if (!written.ok()) return PrintError(written);
   }
   std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
   return kExitDone;

@@ -1,5 +1,7 @@
 // `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "client/progress_display.h"
+#include "client/report_page.h"
 #include "client/report_text.h"
 #include "client/unfinished.h"
 #include "client/work_folder.h"
@@ -20,9 +23,9 @@
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
-#include "coordinator/service/coordinator_impl.h"
-#include "coordinator/service/grpc_services.h"
-#include "coordinator/service/scene_pipeline.h"
+#include "coordinator/api/coordinator.h"
+#include "coordinator/api/grpc_services.h"
+#include "coordinator/jobs/scene_pipeline.h"
 #include "worker/service/scene_stages.h"
 #include "worker/service/task_memory.h"
 #include "worker/service/worker.h"
@@ -63,9 +66,7 @@ absl::StatusOr<Means> MeansFromFlags(const Args& args) {
   return means;
 }
 
-// Runs the job to its end. The first signal cancels it.
-absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
-                                    SignalWatcher& signals) {
+absl::StatusOr<std::unique_ptr<Coordinator>> EmbeddedCoordinator(const std::string& work_folder) {
   CoordinatorOptions options;
   options.work_folder = work_folder;
   // Workers of this process cannot be lost without it; a machine that slept must not look like one that died.
@@ -73,9 +74,14 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   // The only worker is this process: what it gets wrong once it gets wrong again.
   options.check_result = SceneResultCheck(TileCheck::kSize);
   options.state.max_refusals = 1;
-  TILEMEND_ASSIGN_OR_RETURN(
-      const auto impl, CoordinatorImpl::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null()));
-  TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *impl));
+  return Coordinator::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null());
+}
+
+// Runs the job to its end. The first signal cancels it.
+absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
+                                    SignalWatcher& signals) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto coordinator, EmbeddedCoordinator(work_folder));
+  TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *coordinator));
   JobClient client(server->rpc().InProcessChannel(), absl::ZeroDuration());
   v1::CreateJobRequest request;
   *request.mutable_spec() = spec;
@@ -91,7 +97,9 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   cancel.set_name(job->name());
   // Not by a call, for which there may be no thread. Refused if the job has just ended; then there is nothing to
   // cancel.
-  const auto cancel_job = [&impl, cancel] { impl->CancelJob(cancel).status().IgnoreError(); };
+  const auto cancel_job = [&coordinator, cancel] {
+    coordinator->calls().jobs.CancelJob(cancel).status().IgnoreError();
+  };
   worker_options.on_end = cancel_job;
   Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(means.memory_bytes),
                 *MetricsRegistry::Null());
@@ -113,6 +121,13 @@ bool LeftUnfinished(const v1::Job& job) {
   return wrote && IsUnfinished(job.spec().out());
 }
 
+// The page beside a new report. Without it the output is complete.
+void WritePage(const v1::Job& job) {
+  if (job.report().empty()) return;
+  const absl::Status written = WriteReportPage(std::filesystem::path(job.report()).parent_path().string());
+  if (!written.ok()) PrintWarnings({absl::StrCat("no report.html: ", std::string(written.message()))});
+}
+
 // The job, and what its report says.
 void PrintEnd(const v1::Job& job, OutputFormat format) {
   std::fputs(JobText(job, format).c_str(), stdout);
@@ -131,7 +146,7 @@ void PrintEnd(const v1::Job& job, OutputFormat format) {
 int RunCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
-  const auto spec = SpecFromFlags(args);
+  const auto spec = JobFromFlags(args);
   if (!spec.ok()) return PrintUsageError(spec.status());
   const auto means = MeansFromFlags(args);
   if (!means.ok()) return PrintUsageError(means.status());
@@ -146,6 +161,7 @@ int RunCommand(const Args& args) {
     std::fprintf(stderr, "tilemend: %s is not complete; the same command completes it\n",
                  Printable(spec->out()).c_str());
   }
+  WritePage(*job);
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
   if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format);

@@ -40,14 +40,14 @@
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
 #include "common/util/without_exceptions.h"
+#include "coordinator/api/access.h"
+#include "coordinator/api/coordinator.h"
+#include "coordinator/api/gate.h"
+#include "coordinator/api/grpc_services.h"
+#include "coordinator/jobs/scene_pipeline.h"
 #include "coordinator/journal/postgres_journal.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "coordinator/journal/work_lock.h"
-#include "coordinator/service/access.h"
-#include "coordinator/service/coordinator_impl.h"
-#include "coordinator/service/gate.h"
-#include "coordinator/service/grpc_services.h"
-#include "coordinator/service/scene_pipeline.h"
 
 namespace tilemend {
 namespace {
@@ -239,15 +239,15 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_RETURN_IF_ERROR(opened.status());
   options.journal = opened->journal;
   TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options.work_folder));
-  TILEMEND_ASSIGN_OR_RETURN(const auto impl,
-                            CoordinatorImpl::Create(std::move(options), std::move(pipelines), metrics));
+  TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
+                            Coordinator::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));
   TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags, log));
   const auto gate = std::make_shared<Gate>(std::move(access), metrics, audit == nullptr ? log : *audit->log);
-  TILEMEND_ASSIGN_OR_RETURN(const auto server,
-                            CoordinatorServer::Start(flags.Text("listen"), *impl, {credentials->kept().tls, gate}));
+  TILEMEND_ASSIGN_OR_RETURN(
+      const auto server, CoordinatorServer::Start(flags.Text("listen"), *coordinator, {credentials->kept().tls, gate}));
   log.Info("listening", {{"address", WithPort(flags.Text("listen"), server->rpc().port())}});
-  const ServiceNotifier notifier([&impl] { return TextOf(impl->DemandNow()); });
+  const ServiceNotifier notifier([&coordinator] { return TextOf(coordinator->calls().cluster.DemandNow()); });
   stop.acquire();
   signals.Stop();  // before `stop` goes
   log.Info("ending");

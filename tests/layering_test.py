@@ -18,7 +18,7 @@ LIBRARIES = {
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
-    'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
+    'CLI/': 'cli11', 'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'zlib.h': 'zlib', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -32,7 +32,7 @@ def rule(folders, libraries, pure=False):
 
 # Each folder may include itself. Every folder has a rule of its own, which names what it includes and no more.
 RULES = {
-    'common/util': rule([], ['absl']),
+    'common/util': rule([], ['absl', 'cli11']),
 
     'common/mesh': rule([], ['eigen']),
 
@@ -62,6 +62,8 @@ RULES = {
     'common/metrics': rule(['common/util'], ['absl', 'httplib', 'openssl', 'prometheus']),
 
     'common/service': rule([], ['systemd']),
+
+    'common/options': rule(['common/util', 'common/grid', 'common/records'], ['absl', 'protobuf']),
 
     'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec', 'common/assemble'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
@@ -132,8 +134,8 @@ RULES = {
         ['absl']),
 
     'worker/service': rule(
-        ['common/util', 'common/mesh', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
-         'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
+        ['common/util', 'common/mesh', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
+         'worker/fill/hole', 'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials'],
         ['absl', 'grpc', 'protobuf']),
 
     'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/service', 'worker/service'], ['absl']),
@@ -181,27 +183,35 @@ RULES = {
     'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
-        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store',
+        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store',
          'coordinator/plan/types',
          'coordinator/waves'],
         ['absl', 'json']),
 
-    'coordinator/service': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/store', 'common/metrics',
-         'common/rpc', 'coordinator/state', 'coordinator/check', 'coordinator/journal', 'coordinator/waves',
-         'coordinator/report'],
+    'coordinator/store': rule(
+        ['common/util', 'common/grid', 'common/records', 'common/store', 'common/rpc'], ['absl']),
+
+    'coordinator/jobs': rule(
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics',
+         'common/rpc', 'coordinator/state', 'coordinator/journal', 'coordinator/check', 'coordinator/waves', 'coordinator/report',
+         'coordinator/store'],
+        ['absl', 'protobuf']),
+
+    'coordinator/api': rule(
+        ['common/util', 'common/options', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/state', 'coordinator/journal',
+         'coordinator/store', 'coordinator/jobs'],
         ['absl', 'protobuf']),
 
     'coordinator': rule(
-        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/service'],
+        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api'],
         ['absl']),
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/records', 'common/codec', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/osgb', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
-         'coordinator/service'],
-        ['absl', 'grpc', 'json', 'protobuf']),
+         'coordinator/jobs', 'coordinator/api'],
+        ['absl', 'eigen', 'grpc', 'json', 'protobuf', 'zlib']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 OURS = ('common/', 'worker/', 'coordinator/', 'client/', 'tests/')
@@ -306,10 +316,11 @@ FORBIDDEN = [
     ('worker/survey/a.cc', 'OpenMesh/Core/Mesh/PolyConnectivity.hh'), ('worker/survey/a.cc', 'worker/fill/a.h'),
     ('worker/survey/a.cc', 'prometheus/counter.h'), ('common/assemble/a.cc', 'worker/service/a.h'),
     ('worker/fill/a.cc', 'common/rpc/a.h'), ('worker/fill/a.cc', 'common/metrics/a.h'),
-    ('worker/service/a.cc', 'coordinator/state/a.h'), ('coordinator/service/a.cc', 'worker/fill/a.h'),
+    ('worker/service/a.cc', 'coordinator/state/a.h'), ('coordinator/jobs/a.cc', 'worker/fill/a.h'),
     ('coordinator/plan/a.cc', 'filesystem'), ('coordinator/plan/a.cc', 'common/codec/mesh_file.h'),
     ('coordinator/state/a.cc', 'thread'), ('coordinator/state/a.h', 'absl/synchronization/mutex.h'),
-    ('coordinator/state/a.cc', 'tilemend/v1/job.pb.h'), ('coordinator/state/a.cc', 'coordinator/service/a.h'),
+    ('coordinator/state/a.cc', 'tilemend/v1/job.pb.h'), ('coordinator/state/a.cc', 'coordinator/jobs/a.h'),
+    ('coordinator/jobs/a.cc', 'coordinator/api/a.h'), ('coordinator/store/a.cc', 'coordinator/jobs/a.h'),
     ('common/grid/a.cc', 'tests/support/scene_maker.h'), ('common/grid/a.cc', 'boost/graph.hpp'),
     ('common/newcomer/a.cc', 'vector'), ('worker/fill/hole/a.cc', 'worker/fill/fill_holes.h'),
     ('coordinator/plan/rim/a.cc', 'coordinator/plan/hole/a.h'), ('coordinator/plan/types/a.h', 'coordinator/plan/plan.h'),
@@ -319,7 +330,7 @@ ALLOWED = [
     ('common/mesh/a.h', 'Eigen/Core'), ('common/grid/a.cc', 'common/mesh/tri_mesh.h'), ('common/util/a.cc', 'sys/stat.h'),
     ('worker/fill/a.cc', 'worker/fill/hole/a.h'), ('worker/fill/a.cc', 'filesystem'), ('coordinator/plan/a.cc', 'map'),
     ('coordinator/plan/water/a.cc', 'coordinator/plan/seam/a.h'), ('worker/main.cc', 'worker/service/a.h'),
-    ('client/a.cc', 'coordinator/service/a.h'), ('client/a.cc', 'worker/service/a.h'),
+    ('client/a.cc', 'coordinator/api/a.h'), ('client/a.cc', 'worker/service/a.h'),
 ]
 
 

@@ -52,8 +52,8 @@ struct FilePatch {
   std::string library = {};  // a further material file that an OBJ has to name; empty: its own define the materials
 };
 
-// The format by the extension (.ply, .obj, .off, .stl, .osgb, any case). kInvalidArgument naming the format and the accepted ones
-// for anything else (.glb, .b3dm, .gltf, .las ... are refused by name).
+// The format by the extension (.ply, .obj, .off, .stl, .osgb, any case). kInvalidArgument naming the format and the
+// accepted ones for anything else (.glb, .b3dm, .gltf, .las ... are refused by name).
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
 
 // Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an

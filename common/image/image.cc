@@ -109,6 +109,19 @@ absl::StatusOr<Image> DecodeImage(std::string_view bytes, const std::string& nam
   return Problem(name, "neither a JPEG nor a PNG image");
 }
 
+absl::StatusOr<std::string> EncodeJpeg(const Image& image, int quality) {
+  const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
+  if (encoder == nullptr) return absl::ResourceExhaustedError("no memory to encode an image");
+  unsigned char* data = nullptr;
+  unsigned long size = 0;  // NOLINT(google-runtime-int): the type that the library wants
+  const int format = image.channels == 4 ? TJPF_RGBX : TJPF_RGB;
+  const int problem = tjCompress2(encoder.get(), image.pixels.data(), image.width, 0, image.height, format, &data,
+                                  &size, TJSAMP_444, quality, TJFLAG_ACCURATEDCT);
+  const std::unique_ptr<unsigned char, void (*)(unsigned char*)> release(data, tjFree);
+  if (problem == 0) return std::string(reinterpret_cast<const char*>(data), size);
+  return absl::ResourceExhaustedError(absl::StrCat("cannot encode an image: ", tjGetErrorStr2(encoder.get())));
+}
+
 Rgb TexelAt(const Image& image, double u, double v) {
   const int64_t column = PixelAt(u, image.width);
   const int64_t row = image.height - 1 - PixelAt(v, image.height);

@@ -28,6 +28,10 @@ inline constexpr int32_t kFullSide = 4096;
 // coefficients, 2 bytes a sample. Any thread.
 absl::StatusOr<Image> DecodeImage(std::string_view bytes, const std::string& name);
 
+// A baseline JPEG of the image's red, green and blue, 4:4:4, of `quality` 1 to 100: the same bytes for the same pixels.
+// kResourceExhausted if there is no memory for it. Precondition: the image has pixels, 65535 along a side at most.
+absl::StatusOr<std::string> EncodeJpeg(const Image& image, int quality);
+
 // The pixel at the texture coordinates (u to the right, v upward, the image repeated outside [0, 1)). Precondition: the
 // image has pixels, u and v are finite.
 Rgb TexelAt(const Image& image, double u, double v);

@@ -7,7 +7,8 @@
 namespace tilemend {
 
 // What a complete output has beside its tiles; the report comes first.
-inline constexpr const char* kReportFiles[] = {"report.json", "holes.geojson", "breaklines.geojson"};
+inline constexpr const char* kReportFiles[] = {"report.json", "holes.geojson", "breaklines.geojson", "report.html",
+                                               "holes.csv"};
 // What says where its tiles lie.
 inline constexpr char kSceneFile[] = "scene.json";
 inline constexpr char kMetadataFile[] = "metadata.xml";

@@ -11,7 +11,7 @@ namespace tilemend {
 
 // Grows with every change after which a coordinator and a worker of before and after it would not understand each
 // other, or would give other bytes: one output is the work of one release.
-inline constexpr int32_t kProtocolVersion = 5;
+inline constexpr int32_t kProtocolVersion = 6;
 
 // Bytes of a blob in one message of a stream.
 inline constexpr size_t kMaxChunkBytes = size_t{1} << 20;

@@ -1,5 +1,6 @@
 #include "common/util/flags.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,33 +14,77 @@
 namespace tilemend {
 namespace {
 
-// A word split into the flag that it names and the value that it carries.
-struct FlagWord {
-  const FlagSpec* spec = nullptr;
-  bool has_value = false;
-  std::string value;
-};
+const FlagSpec* SpecOf(const std::vector<FlagSpec>& specs, const std::string& shown) {
+  const auto found = std::ranges::find_if(specs, [&](const FlagSpec& spec) {
+    return shown == "--" + spec.name || (spec.letter != 0 && shown == std::string{'-', spec.letter});
+  });
+  return found == specs.end() ? nullptr : &*found;
+}
 
-absl::StatusOr<FlagWord> SplitWord(const std::vector<FlagSpec>& specs, const std::string& word) {
-  const size_t equals = word.find('=');
-  const std::string shown = word.substr(0, equals);
-  FlagWord result;
-  result.has_value = equals != std::string::npos;
-  if (result.has_value) result.value = word.substr(equals + 1);
+absl::Status UnknownFlag(const std::vector<FlagSpec>& specs, const std::string& word) {
+  const std::string shown = word.substr(0, word.find('='));
   std::vector<std::string> names;
-  for (const FlagSpec& spec : specs) {
-    names.push_back("--" + spec.name);
-    if (shown == names.back() || (spec.letter != 0 && shown == std::string{'-', spec.letter})) {
-      result.spec = &spec;
-      return result;
-    }
-  }
+  for (const FlagSpec& spec : specs) names.push_back("--" + spec.name);
   return absl::InvalidArgumentError(absl::StrCat("unknown flag ", shown, DidYouMean(shown, names)));
 }
 
 // A negative number is an argument.
 bool IsFlag(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && !absl::ascii_isdigit(static_cast<unsigned char>(word[1]));
+}
+
+absl::Status EmptyValue(const FlagSpec& spec) {
+  return absl::InvalidArgumentError(absl::StrCat("--", spec.name, " is empty; expected ", spec.value));
+}
+
+// The words as CLI11 takes them. It would take the word after `--out=` for the value, and the = of `-o=json` too.
+absl::StatusOr<std::vector<std::string>> Prepared(const std::vector<FlagSpec>& specs, std::vector<std::string> words) {
+  for (std::string& word : words) {
+    if (word == "--") break;
+    const size_t equals = word.find('=');
+    const FlagSpec* const spec = equals == std::string::npos ? nullptr : SpecOf(specs, word.substr(0, equals));
+    if (spec == nullptr) continue;
+    if (equals + 1 == word.size() && !spec->value.empty()) return EmptyValue(*spec);
+    if (spec->value.empty()) return absl::InvalidArgumentError(absl::StrCat("--", spec->name, " takes no value"));
+    word = absl::StrCat("--", spec->name, word.substr(equals));
+  }
+  return words;
+}
+
+// Gives the flags to `app` and lets it parse.
+absl::Status ParseWords(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words, CLI::App& app) {
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<std::string> prepared, Prepared(specs, words));
+  app.set_help_flag();  // a flag as any other
+  app.allow_extras();
+  for (const FlagSpec& spec : specs) {
+    const std::string letter = spec.letter == 0 ? "" : absl::StrCat("-", std::string(1, spec.letter), ",");
+    const std::string names = absl::StrCat(letter, "--", spec.name);
+    if (spec.value.empty()) {
+      app.add_flag(names);
+    } else {
+      app.add_option(names)->expected(1)->take_last();
+    }
+  }
+  std::ranges::reverse(prepared);  // as CLI11 wants them
+  try {
+    app.parse(std::move(prepared));
+  } catch (const CLI::ArgumentMismatch&) {  // of the last word: every other flag has a word after it
+    const FlagSpec& last = *SpecOf(specs, words.back());
+    return absl::InvalidArgumentError(absl::StrCat("--", last.name, " needs a value: ", last.value));
+  } catch (const CLI::ParseError& error) {
+    return absl::InvalidArgumentError(error.what());
+  }
+  return absl::OkStatus();
+}
+
+// Of what the parser left: words that are no flags, and all after `--`.
+absl::StatusOr<std::vector<std::string>> ArgumentsOf(const std::vector<FlagSpec>& specs,
+                                                     std::vector<std::string> remaining) {
+  const auto mark = std::ranges::find(remaining, "--");
+  const auto unknown = std::find_if(remaining.begin(), mark, IsFlag);
+  if (unknown != mark) return UnknownFlag(specs, *unknown);
+  if (mark != remaining.end()) remaining.erase(mark);
+  return remaining;
 }
 
 // `line` broken at blanks, so that no part has more than `columns`, but for a word that has; all but the first begin
@@ -57,35 +102,31 @@ std::string Wrapped(std::string line, size_t indent, size_t columns) {
   return line;
 }
 
+std::string HelpLine(const FlagSpec& spec, size_t columns) {
+  constexpr size_t kIndent = 34;
+  std::string left = spec.letter != 0 ? absl::StrCat("  -", std::string(1, spec.letter), ", --", spec.name)
+                                      : absl::StrCat("      --", spec.name);
+  if (!spec.value.empty()) absl::StrAppend(&left, " ", spec.value);
+  left.resize(std::max<size_t>(left.size() + 2, kIndent), ' ');
+  const std::string given = spec.default_value.empty() ? "" : absl::StrCat(" (default: ", spec.default_value, ")");
+  return absl::StrCat(Wrapped(absl::StrCat(left, spec.help, given), kIndent, columns), "\n");
+}
+
 }  // namespace
 
 absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
                                    const std::map<std::string, std::string>& settings) {
+  CLI::App app;
+  TILEMEND_RETURN_IF_ERROR(ParseWords(specs, words, app));
   Flags flags;
   flags.given_ = settings;
-  for (const FlagSpec& spec : specs) flags.defaults_[spec.name] = spec.default_value;
-  for (size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "--") {
-      flags.arguments_.insert(flags.arguments_.end(), words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
-      break;
-    }
-    if (!IsFlag(words[i])) {
-      flags.arguments_.push_back(words[i]);
-      continue;
-    }
-    TILEMEND_ASSIGN_OR_RETURN(FlagWord word, SplitWord(specs, words[i]));
-    if (word.spec->value.empty()) {
-      if (word.has_value) return absl::InvalidArgumentError(absl::StrCat("--", word.spec->name, " takes no value"));
-    } else if (!word.has_value) {
-      if (++i >= words.size()) {
-        return absl::InvalidArgumentError(absl::StrCat("--", word.spec->name, " needs a value: ", word.spec->value));
-      }
-      word.value = words[i];
-    }
-    if (!word.spec->value.empty() && word.value.empty()) {
-      return absl::InvalidArgumentError(absl::StrCat("--", word.spec->name, " is empty; expected ", word.spec->value));
-    }
-    flags.given_[word.spec->name] = std::move(word.value);
+  TILEMEND_ASSIGN_OR_RETURN(flags.arguments_, ArgumentsOf(specs, app.remaining()));
+  for (const FlagSpec& spec : specs) {
+    flags.defaults_[spec.name] = spec.default_value;
+    const CLI::Option& option = *app.get_option("--" + spec.name);
+    if (option.count() == 0) continue;
+    if (!spec.value.empty() && option.results().back().empty()) return EmptyValue(spec);
+    flags.given_[spec.name] = spec.value.empty() ? "" : option.results().back();
   }
   return flags;
 }
@@ -118,17 +159,25 @@ std::string DidYouMean(const std::string& word, const std::vector<std::string>& 
   return absl::StrCat("; did you mean ", *nearest, "?");
 }
 
-std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns) {
-  constexpr size_t kIndent = 34;
+std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns, bool all) {
   std::string text;
-  for (const FlagSpec& spec : specs) {
-    std::string left = spec.letter != 0 ? absl::StrCat("  -", std::string(1, spec.letter), ", --", spec.name)
-                                        : absl::StrCat("      --", spec.name);
-    if (!spec.value.empty()) absl::StrAppend(&left, " ", spec.value);
-    left.resize(std::max<size_t>(left.size() + 2, kIndent), ' ');
-    const std::string given = spec.default_value.empty() ? "" : absl::StrCat(" (default: ", spec.default_value, ")");
-    absl::StrAppend(&text, Wrapped(absl::StrCat(left, spec.help, given), kIndent, columns), "\n");
+  size_t hidden = 0;
+  for (const auto& [group, title] : {std::pair(FlagGroup::kEveryday, ""),
+                                     {FlagGroup::kAdvanced, "Advanced"},
+                                     {FlagGroup::kPapers, "Published methods, for comparison"}}) {
+    std::string lines;
+    for (const FlagSpec& spec : specs) {
+      if (spec.group != group) continue;
+      if (group != FlagGroup::kPapers || all) {
+        lines += HelpLine(spec, columns);
+      } else {
+        ++hidden;
+      }
+    }
+    if (lines.empty()) continue;
+    absl::StrAppend(&text, text.empty() ? "" : absl::StrCat("\n", title, ":\n"), lines);
   }
+  if (hidden > 0) absl::StrAppend(&text, "\n--help-all shows ", hidden, " more flags, of published methods.\n");
   return text;
 }
 

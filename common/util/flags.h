@@ -1,4 +1,4 @@
-// Command-line flags from a table.
+// Command-line flags from a table; CLI11 parses the words.
 //
 //   --name VALUE   --name=VALUE   --name (a switch)   -x VALUE   --  (everything after it is an argument)
 #ifndef TILEMEND_COMMON_UTIL_FLAGS_H_
@@ -15,6 +15,13 @@
 
 namespace tilemend {
 
+// Where help shows a flag.
+enum class FlagGroup {
+  kEveryday,
+  kAdvanced,
+  kPapers,  // of published methods: with --help-all alone
+};
+
 struct FlagSpec {
   std::string name;           // without dashes
   std::string value;          // what stands for the value in the help, "DIR"; "" for a switch
@@ -22,6 +29,7 @@ struct FlagSpec {
   std::string default_value;  // "" if there is none
   char letter = 0;            // short form, 0 if there is none
   bool setting = false;       // may be set outside the command line (settings.h)
+  FlagGroup group = FlagGroup::kEveryday;
 };
 
 // What was given. Asking for a flag that is not in the table is a programmer's mistake and gives "".
@@ -50,8 +58,9 @@ class Flags {
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& names);
 
 // One line for each flag. With `columns`, those of a terminal, lines that are longer go on below where their text
-// begins.
-std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns = 0);
+// begins. Groups follow each other, each but the first under its title. Without `all` a line says how many flags of
+// published methods are not shown.
+std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns = 0, bool all = true);
 
 }  // namespace tilemend
 

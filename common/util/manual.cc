@@ -154,6 +154,10 @@ std::string ManPage(const Manual& manual) {
     absl::StrAppend(&page, ".SS ", Troff(absl::StrCat(command.name, " ", command.arguments)), "\n",
                     Troff(command.summary), ".\n");
     AppendFlags(command.flags, page);
+    if (!command.examples.empty()) absl::StrAppend(&page, ".PP\nExamples:\n");
+    for (const std::string& example : command.examples) {
+      absl::StrAppend(&page, ".PP\n", Troff(absl::StrCat(manual.program, " ", example)), "\n");
+    }
   }
   absl::StrAppend(&page, ".SH OPTIONS\n");
   AppendFlags(manual.flags, page);
@@ -204,14 +208,16 @@ std::string ZshCompletion(const Manual& manual) {
 }
 
 FlagSpec DescribeFlag() {
-  return {"describe", "man|bash|zsh", "print a manual page, or completion for a shell, and end", ""};
+  return {"describe", "man|bash|zsh|markdown", "print a manual page, completion for a shell or the reference, and end",
+          ""};
 }
 
 absl::StatusOr<std::string> Describe(const Manual& manual, const std::string& form) {
   if (form == "man") return ManPage(manual);
   if (form == "bash") return BashCompletion(manual);
   if (form == "zsh") return ZshCompletion(manual);
-  return absl::InvalidArgumentError(absl::StrCat("--describe '", form, "': expected man, bash or zsh"));
+  if (form == "markdown") return MarkdownReference(manual);
+  return absl::InvalidArgumentError(absl::StrCat("--describe '", form, "': expected man, bash, zsh or markdown"));
 }
 
 }  // namespace tilemend

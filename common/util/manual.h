@@ -15,6 +15,7 @@ struct ManualCommand {
   std::string arguments;  // "SCENE --out DIR"
   std::string summary;    // one line
   std::vector<FlagSpec> flags;
+  std::vector<std::string> examples = {};  // what follows the program's name
 };
 
 struct Manual {
@@ -32,7 +33,10 @@ std::string ManPage(const Manual& manual);
 std::string BashCompletion(const Manual& manual);
 std::string ZshCompletion(const Manual& manual);
 
-// --describe man|bash|zsh, which every program has.
+// Sections of docs/reference.md: a table of flags for each command.
+std::string MarkdownReference(const Manual& manual);
+
+// --describe man|bash|zsh|markdown, which every program has.
 FlagSpec DescribeFlag();
 // What it prints; kInvalidArgument for another form.
 absl::StatusOr<std::string> Describe(const Manual& manual, const std::string& form);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -153,13 +154,40 @@ JointTiles JoinInArea(const PlanInput& input, const JointTiles& whole, const Gri
   return JoinTiles(input, outlines, lattice_step, SpacedRings(site, input));
 }
 
-// Plans tiles that share no vertices as the clipped scene that they stand for.
-void PlanOverlapping(const PlanInput& input, const GridLines& outlines, const PlanOptions& options, Plan& plan) {
-  JointTiles joint = JoinTiles(input, outlines, plan.lattice_step);
-  if (!input.area.empty()) joint = JoinInArea(input, joint, outlines, options, plan.lattice_step);
-  joint.input.rim_ground = JointGround(joint, input.rim_ground);
+// How the tiles of a scene meet. It does not depend on the area: the plans of one scene with different areas share it.
+struct TileLayout {
+  double lattice_step = 0;
+  std::vector<BorderAudit> borders;
+  GridLines lines;
+  std::optional<JointTiles> joint;  // of tiles that share no vertices; without the area
+};
+
+// Cost: O(n log n) in the boundary edges.
+TileLayout LayOutTiles(const PlanInput& input) {
+  TileLayout layout;
+  layout.lattice_step = LatticeStep(input);
+  if (!input.has_grid) return layout;
+  BorderFindings findings = AuditBorders(input);
+  layout.lines = FindGridLines(input, findings, layout.lattice_step);
+  layout.borders = std::move(findings.borders);
+  if (!findings.independent) return layout;
+  layout.joint = JoinTiles(input, layout.lines, layout.lattice_step);
+  layout.joint->input.rim_ground = JointGround(*layout.joint, input.rim_ground);
+  return layout;
+}
+
+void PlanJoint(const PlanInput& input, const GridLines& outlines, const JointTiles& joint, const PlanOptions& options,
+               Plan& plan) {
   PlanPart(joint.input, input, joint.lines, options, plan);
   LayOwnRegions(input, outlines, joint, plan);
+}
+
+// Plans tiles that share no vertices as the clipped scene that they stand for.
+void PlanOverlapping(const PlanInput& input, const TileLayout& layout, const PlanOptions& options, Plan& plan) {
+  if (input.area.empty()) return PlanJoint(input, layout.lines, *layout.joint, options, plan);
+  JointTiles inside = JoinInArea(input, *layout.joint, layout.lines, options, plan.lattice_step);
+  inside.input.rim_ground = JointGround(inside, input.rim_ground);
+  PlanJoint(input, layout.lines, inside, options, plan);
 }
 
 void StoreLayers(Plan& plan) {
@@ -223,26 +251,22 @@ void LeaveFailedHoles(Plan& plan) {
   }
 }
 
-Plan PlanGrid(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
+Plan PlanGrid(const PlanInput& input, const PlanOptions& options, const TileLayout& layout) {
   Plan plan;
-  plan.lattice_step = LatticeStep(input);
-  BorderFindings borders = AuditBorders(input);
-  lines = FindGridLines(input, borders, plan.lattice_step);
-  plan.borders = std::move(borders.borders);
-  borders.offsets.clear();
-  borders.buffers.clear();
-  if (borders.independent) {
-    PlanOverlapping(input, lines, options, plan);
+  plan.lattice_step = layout.lattice_step;
+  plan.borders = layout.borders;
+  if (layout.joint) {
+    PlanOverlapping(input, layout, options, plan);
     RefuseTilesThatFaceDown(input, plan);
   } else {
-    PlanPart(input, input, lines, options, plan);
+    PlanPart(input, input, layout.lines, options, plan);
   }
   return plan;
 }
 
 // Holes, clusters, layers: all that does not depend on objects and water.
-Plan PlanHoles(const PlanInput& input, const PlanOptions& options, GridLines& lines) {
-  Plan plan = input.has_grid ? PlanGrid(input, options, lines) : PlanMesh(input, options);
+Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLayout& layout) {
+  Plan plan = input.has_grid ? PlanGrid(input, options, layout) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   RefuseWithoutSurface(input, options.water.areas, plan);
@@ -260,20 +284,25 @@ void TellWater(const PlanInput& input, const PlanOptions& options, const KnownWa
   FindRimSlopes(plan);
 }
 
+bool MayHaveWater(const WaterOptions& water) {
+  return water.find || std::ranges::any_of(water.areas, [](const WaterArea& area) { return area.water; });
+}
+
 // The water of the scene without its area, where there is one: the area may leave too little of a shore, and the hole
 // around a scene goes on into its lakes. Where the surface ends inside the cells there is such a hole without the area,
-// too: so up to the outline of the surface first.
-KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, const Plan& plan) {
-  if ((input.area.empty() && input.added.empty()) || plan.holes.empty()) return {};
+// too: so up to the outline of the surface first. `layout` is that of `input`.
+KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, const TileLayout& layout,
+                        const Plan& plan) {
+  if ((input.area.empty() && input.added.empty()) || plan.holes.empty() || !MayHaveWater(options.water)) return {};
   PlanInput scene = input;
   for (const CellId cell : input.added) scene.cells.erase(cell);
   scene.added.clear();
+  const std::optional<TileLayout> own = input.added.empty() ? std::nullopt : std::optional(LayOutTiles(scene));
   KnownWater known;
   known.body_of.assign(plan.holes.size(), -1);
   const auto add_water_up_to = [&](const PlanePolygon& area) {
     scene.area = area;
-    GridLines lines;
-    Plan whole = PlanHoles(scene, options, lines);
+    Plan whole = PlanHoles(scene, options, own ? *own : layout);
     if (!options.cancelled()) TellWater(scene, options, {}, whole);
     AddKnownWater(FindKnownWater(whole, plan), known);
   };
@@ -286,13 +315,14 @@ KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, cons
 }  // namespace
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
-  GridLines lines;
-  Plan plan = PlanHoles(input, options, lines);
+  TileLayout layout = LayOutTiles(input);
+  Plan plan = PlanHoles(input, options, layout);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
-  if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, plan), plan);
+  if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, layout, plan), plan);
+  layout.joint.reset();  // large
   if (!options.cancelled()) MarkClearedShores(options.water.areas, plan);
   if (!options.cancelled()) LayWallFeet(plan);
-  if (!options.cancelled()) LayStripEdges(lines, plan);
+  if (!options.cancelled()) LayStripEdges(layout.lines, plan);
   if (options.cancelled()) return {};
   if (input.has_grid) LeaveClearedCells(input.grid, options.water.areas, plan);
   AnswerWaterAreas(options.water, plan);

@@ -6,20 +6,14 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "common/options/option.h"
 #include "common/records/weld.h"
 #include "coordinator/plan/types/plan_types.h"
 #include "coordinator/waves/scene_outcome.h"
 
 namespace tilemend {
-
-// An option that the result depends on, by the name of its flag.
-struct ReportedOption {
-  std::string name;
-  std::variant<bool, double, std::string> value;
-};
 
 struct SceneReportInput {
   const Plan* plan = nullptr;

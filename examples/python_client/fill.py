@@ -9,11 +9,11 @@ import sys
 import uuid
 
 import grpc
-from tilemend.v1 import jobs_pb2, jobs_pb2_grpc
+from tilemend.v1 import job_spec_pb2, jobs_pb2, jobs_pb2_grpc
 
 address, scene, out = sys.argv[1:]
 jobs = jobs_pb2_grpc.JobsStub(grpc.insecure_channel(address))  # or grpc.secure_channel with ssl_channel_credentials
-spec = jobs_pb2.JobSpec(scene=scene, out=out)
+spec = job_spec_pb2.JobSpec(scene=scene, out=out)
 job = jobs.CreateJob(jobs_pb2.CreateJobRequest(spec=spec, request_id=str(uuid.uuid4())))
 for job in jobs.WatchJob(jobs_pb2.WatchJobRequest(name=job.name)):
     print(f'{job.progress.phase}: {job.progress.tasks_done} of {job.progress.tasks} tasks', file=sys.stderr)

@@ -24,7 +24,7 @@
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
-#include "coordinator/service/scratch_file.h"
+#include "coordinator/store/scratch_file.h"
 #include "coordinator/waves/scene_waves.h"
 
 namespace tilemend {

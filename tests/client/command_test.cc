@@ -100,7 +100,7 @@ TEST_F(CommandTest, SaysOfOptionsThatExcludeEachOtherWhichToLeaveOut) {
               HasSubstr("expected R,G,B, each 0 to 255, or #rrggbb"));
   EXPECT_THAT(refusal({"--front-bend", "1"}), HasSubstr("leave it out, or choose advancing-front-normal"));
   EXPECT_THAT(refusal({"--filler", "minimum-area", "--tension", "1"}), HasSubstr("leave it out, or choose auto"));
-  EXPECT_THAT(refusal({"--fairing-steps", "3"}), HasSubstr("leave them out"));
+  EXPECT_THAT(refusal({"--fairing-steps", "3"}), HasSubstr("leave it out, or choose one of them"));
   const Ended ended = Run({"run", "toy://2x2", "--out", out, "--seam-smoothing", "0.4"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("--seam-smoothing: only the surface wang has this option"));

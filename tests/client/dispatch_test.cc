@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <new>
@@ -21,6 +22,27 @@ TEST(DispatchTest, WantOfMemoryIsAnErrorThatMayPass) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(Dispatch({command}, {"fill"}), kExitRetryable);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("fill: out of memory"), std::string::npos);
+}
+
+TEST(DispatchTest, HelpShowsOptionsOfPapersOnlyIfAsked) {
+  const auto help = [](const std::vector<std::string>& words) {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(Dispatch(ServiceCommands(), words), kExitDone);
+    return testing::internal::GetCapturedStdout();
+  };
+  const std::string some = help({"run", "--help"}), all = help({"run", "--help-all"});
+  EXPECT_EQ(some, help({"help", "run"}));
+  EXPECT_EQ(some.find("--closure"), std::string::npos);
+  EXPECT_NE(all.find("--closure"), std::string::npos);
+  EXPECT_NE(some.find("  tilemend run scene --out out\n"), std::string::npos);
+}
+
+TEST(DispatchTest, HelpHasAtMostTenEverydayFlagsAndTwoExamples) {
+  for (const Command& command : ServiceCommands()) {
+    const auto everyday = std::ranges::count(command.flags, FlagGroup::kEveryday, &FlagSpec::group);
+    EXPECT_LE(everyday, command.name == "submit" ? 11 : 10) << command.name;
+    EXPECT_EQ(command.examples.size(), 2U) << command.name;
+  }
 }
 
 // As under sudo -u, with the folder of who was there before.

@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "common/options/job_options.h"
 #include "common/rpc/status_proto.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
-#include "coordinator/service/job_proto.h"
-#include "coordinator/service/result_log.h"
+#include "coordinator/jobs/job_proto.h"
+#include "coordinator/store/result_log.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace tilemend {
@@ -37,9 +38,9 @@ void TryJob(const std::string& bytes) {
   v1::Job message;
   if (!message.ParseFromString(bytes)) return;
   ToldJob told = JobFromProto(message);
-  told.spec.Check().IgnoreError();
+  CheckJob(told.spec).IgnoreError();
   const v1::Job again = JobToProto(told.job, told.spec, told.outcome, told.error, told.origin);
-  Require(SpecFromProto(again.spec()) == SpecFromProto(SpecToProto(told.spec)) || told.spec != told.spec);
+  Require(AreEqual(WithDefaults(again.spec()), told.spec));
 }
 
 void TryStatus(const std::string& bytes) {
@@ -82,10 +83,10 @@ std::vector<std::string> FuzzSeeds() {
   job.ended = job.created;
   job.warnings = {"a worker does not see the scene"};
   JobSpec spec;
-  spec.scene = "/scene";
-  spec.out = "/out";
-  spec.tension = 0.5;
-  spec.cells = "1,1-2,2";
+  spec.set_scene("/scene");
+  spec.set_out("/out");
+  spec.set_tension(0.5);
+  spec.set_cells("1,1-2,2");
   const absl::Status error = absl::AbortedError("changed while the job ran");
   const v1::Job message = JobToProto(job, spec, {true, "7 of 8 holes filled", "/out/report.json"}, error, {"a", "b"});
   return {'\0' + message.SerializeAsString(), '\1' + StatusToProto(error).SerializeAsString(), '\2' + Log()};

@@ -1,5 +1,5 @@
 // Who gets in: every RPC that a coordinator answers, with every kind of caller.
-#include "coordinator/service/access.h"
+#include "coordinator/api/access.h"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/descriptor.h>
@@ -83,7 +83,7 @@ class AccessTest : public ::testing::Test {
     TlsFiles tls = authority_.Issue("coordinator", {"coordinator"});
     if (!wants_certificates) tls.authority.clear();
     const auto gate = std::make_shared<Gate>(*std::move(access), *MetricsRegistry::Null(), audit_);
-    auto server = CoordinatorServer::Start("127.0.0.1:0", cluster_->impl(), {tls, gate});
+    auto server = CoordinatorServer::Start("127.0.0.1:0", cluster_->coordinator(), {tls, gate});
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
     address_ = absl::StrCat("localhost:", server_->rpc().port());

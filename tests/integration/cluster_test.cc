@@ -121,7 +121,7 @@ TEST(ClusterTest, CancelStopsRunningTasks) {
   gate.AwaitArrivals(2);
   v1::CancelJobRequest request;
   request.set_name(job.name());
-  ASSERT_TRUE(cluster.impl().CancelJob(request).ok());
+  ASSERT_TRUE(cluster.coordinator().calls().jobs.CancelJob(request).ok());
   EXPECT_EQ(cluster.WaitFor(job.name()).state(), v1::CANCELLED);
   gate.AwaitCancelled(2);
   gate.Open();
@@ -270,7 +270,7 @@ TEST(ClusterTest, AMissingSceneIsNotFound) {
   v1::CreateJobRequest request;
   request.mutable_spec()->set_scene("/nowhere");
   request.mutable_spec()->set_out(cluster.folder() / "out");
-  EXPECT_TRUE(absl::IsNotFound(cluster.impl().CreateJob(request).status()));
+  EXPECT_TRUE(absl::IsNotFound(cluster.coordinator().calls().jobs.CreateJob(request).status()));
 }
 
 TEST(ClusterTest, ADrainingWorkerFinishesWhatItHasAndLeaves) {

@@ -195,6 +195,24 @@ TEST_F(OsgbRunTest, AScenesOutputHasNothingToFill) {
   }
 }
 
+TEST_F(OsgbRunTest, TheAcceptanceCheckComparesAllLevels) {
+  WriteScene(OsgbScene());
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", PondPolygon(false)}).code, 0);
+  const Ended good = Tilemend({"check", folder_ / "scene", folder_ / "out"});
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+  // The coarsest level without a triangle.
+  const std::string name = OsgbScene::TileName(0), path = "out/Data/" + name + "/" + name + ".osgb";
+  const std::string bytes = *ReadFile(folder_ / path);
+  const auto file = ReadOsgb(bytes, path);
+  ASSERT_TRUE(file.ok()) << file.status();
+  std::vector<bool> drop(file->triangles.size(), false);
+  drop[0] = true;
+  folder_.Write(path, *DropOsgbTriangles(bytes, drop, path));
+  const Ended bad = Tilemend({"check", folder_ / "scene", folder_ / "out"});
+  EXPECT_EQ(bad.code, 100);
+  EXPECT_THAT(bad.out, HasSubstr("1  original faces that are missing or changed"));
+}
+
 TEST_F(OsgbRunTest, AnyNumberOfWorkersGivesTheSameBytes) {
   WriteScene(OsgbScene());
   ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "one", "--workers", "1"}).code, 0);

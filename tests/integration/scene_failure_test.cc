@@ -11,7 +11,7 @@
 #include "common/util/error_info.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
-#include "coordinator/service/scene_pipeline.h"
+#include "coordinator/jobs/scene_pipeline.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/test_cluster.h"
 #include "tilemend/v1/stages.pb.h"
@@ -99,7 +99,7 @@ TEST_F(SceneFailureTest, ARetriedJobCompletesTheOutput) {
   cluster_.AddWorker("other", 2, SceneStageRunner());
   v1::RetryJobRequest request;
   request.set_name(failed.name());
-  const absl::StatusOr<v1::Job> retried = cluster_.impl().RetryJob(request);  // at once
+  const absl::StatusOr<v1::Job> retried = cluster_.coordinator().calls().jobs.RetryJob(request);  // at once
   ASSERT_TRUE(retried.ok()) << retried.status();
   const v1::Job job = cluster_.WaitFor(retried->name());
   EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
@@ -182,8 +182,8 @@ TEST(SceneCancelTest, AtTheVeryEndItIsCancelledOrComplete) {
     TestCluster* all = nullptr;
     const auto cancel = [&] {
       v1::CancelJobRequest request;
-      request.set_name(all->impl().ListJobs({})->jobs(0).name());
-      cancelled = all->impl().CancelJob(request);
+      request.set_name(all->coordinator().calls().jobs.ListJobs({})->jobs(0).name());
+      cancelled = all->coordinator().calls().jobs.CancelJob(request);
     };
     const auto at_start = [&] {
       if (before) cancel();

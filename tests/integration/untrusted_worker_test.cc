@@ -65,13 +65,14 @@ TEST_F(UntrustedWorkerTest, ALateAttemptChangesNothingOfTheOutputOfAnotherJob) {
   frozen.AwaitFrozen();
   v1::CancelJobRequest cancel;
   cancel.set_name(first.name());
-  ASSERT_TRUE(cluster_.impl().CancelJob(cancel).ok());
+  ASSERT_TRUE(cluster_.coordinator().calls().jobs.CancelJob(cancel).ok());
   cluster_.AddWorker("good", 2, SceneStageRunner());
   v1::RetryJobRequest retry;
   retry.set_name(first.name());
   retry.set_overwrite(true);
-  absl::StatusOr<v1::Job> second = cluster_.impl().RetryJob(retry);
-  while (absl::IsAborted(second.status())) second = cluster_.impl().RetryJob(retry);  // the first is just ending
+  absl::StatusOr<v1::Job> second = cluster_.coordinator().calls().jobs.RetryJob(retry);
+  while (absl::IsAborted(second.status()))
+    second = cluster_.coordinator().calls().jobs.RetryJob(retry);  // the first is just ending
   ASSERT_TRUE(second.ok()) << second.status();
   const v1::Job job = cluster_.WaitFor(second->name());
   ASSERT_EQ(job.state(), v1::DONE) << job.error().message();
@@ -196,7 +197,7 @@ TEST_F(UntrustedWorkerTest, PathsMustBeAbsoluteAndTheSceneThere) {
   const auto refused = [&](const std::string& scene, const std::string& out) {
     request.mutable_spec()->set_scene(scene);
     request.mutable_spec()->set_out(out);
-    return cluster_.impl().CreateJob(request).status();
+    return cluster_.coordinator().calls().jobs.CreateJob(request).status();
   };
   EXPECT_EQ(ErrorReason(refused("scene", "/tmp/out")), "INVALID_SPEC");
   EXPECT_EQ(ErrorReason(refused(scene_, "out")), "INVALID_SPEC");

@@ -46,7 +46,7 @@ def rpcs():
 def reasons():
     """{reason: (codes, facts)} as the sources attach them."""
     found = {}
-    for path in (path for top in SOURCES for path in files(top, '.cc')):
+    for path in (path for top in SOURCES for path in files(top, ('.cc', '.h'))):
         text = read(path)
         for match in re.finditer(r'\{"([A-Z]{3,}[A-Z_]*)",\s*\{', text):
             made = re.findall(r'absl::(\w+)Error\(', text[:match.start()])
@@ -64,7 +64,7 @@ def check(condition, text):
 
 def main():
     page, known, calls = read('docs/api.md'), reasons(), rpcs()
-    roles = dict(re.findall(r'\{"([\w.]+/\w+)", Role::k(\w+)\}', read('coordinator/service/access.cc')))
+    roles = dict(re.findall(r'\{"([\w.]+/\w+)", Role::k(\w+)\}', read('coordinator/api/access.cc')))
     listed = {quoted(row[0])[0]: row for row in rows(page, 'call')}
     check(set(listed) == set(calls), f'calls: {set(listed) ^ set(calls)}')
     for call in set(listed) & set(calls):

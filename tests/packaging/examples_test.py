@@ -47,7 +47,7 @@ def python_client(folder, at, scene):
         print('SKIPPED: python_client needs protobuf-compiler-grpc, python3-grpcio and python3-protobuf')
         return
     proto = os.path.join(ROOT, 'proto')
-    files = ['error_info', 'stages', 'jobs', 'work']
+    files = ['error_info', 'stages', 'job_spec', 'jobs', 'work']
     subprocess.run(['protoc', '-I', proto, f'--python_out={at}', f'--grpc_out={at}', f'--plugin=protoc-gen-grpc={plugin}'] +
                    [f'{proto}/tilemend/v1/{name}.proto' for name in files], check=True)
     coordinator, address = start([f'{folder}/tilemend-coordinator', '--work', f'{at}/work', '--listen', '127.0.0.1:0'],

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds manual pages and completions to --help, and lets bash and zsh complete for real: manuals_test.py BIN
 
-Each flag that a program's --help shows stands in its manual page with the same value and help, and no other. `man` reads
+Each flag that --help, or --help-all of a command, shows stands in its manual page with the same value and help, and no other. `man` reads
 the pages without a warning, and shells offer every flag, value and command; what is not installed is skipped, loudly.
 """
 import os
@@ -63,7 +63,7 @@ def check_page(program):
     sections = flags_of_page(page)
     check(sections.get('OPTIONS') == flags_of_help(output(program, '--help').stdout), f'{name}: OPTIONS')
     for command in commands_of(program):
-        shown = flags_of_help(output(program, 'help', command).stdout)
+        shown = flags_of_help(output(program, command, '--help-all').stdout)
         check(shown and sections.get(command) == shown, f'{name} {command}: other flags than --help shows')
     if shutil.which('man'):
         said = output('man', '-l', '--warnings', '-', input=page)
@@ -126,7 +126,7 @@ def check_shells(bin_folder):
     for program in PROGRAMS:
         path = os.path.join(bin_folder, program)
         for command in commands_of(path) or ['']:
-            shown = output(path, 'help', command).stdout if command else output(path, '--help').stdout
+            shown = output(path, command, '--help-all').stdout if command else output(path, '--help').stdout
             wanted = {'--' + flag for flag in flags_of_help(shown)}
             words = [program] + ([command] if command else [])
             offered = completions_of_bash(path, words + ['--'])

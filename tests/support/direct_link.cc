@@ -39,15 +39,15 @@ class Servers {
 
 class DirectSyncCall : public SyncCall {
  public:
-  DirectSyncCall(CoordinatorImpl& impl, Servers& servers) : impl_(impl), servers_(servers) {}
+  DirectSyncCall(Coordinator& coordinator, Servers& servers) : coordinator_(coordinator), servers_(servers) {}
 
   absl::StatusOr<v1::SyncResponse> Run(const v1::SyncRequest& request) override {
-    servers_.Add(std::thread([&impl = impl_, exchange = exchange_, request] {
+    servers_.Add(std::thread([&coordinator = coordinator_, exchange = exchange_, request] {
       const auto alive = [&exchange] {
         std::lock_guard<std::mutex> lock(exchange->mutex);
         return !exchange->interrupted;
       };
-      auto response = impl.Sync(request, alive);
+      auto response = coordinator.calls().work.Sync(request, alive);
       std::lock_guard<std::mutex> lock(exchange->mutex);
       exchange->response = std::move(response);
       exchange->changed.notify_all();
@@ -65,23 +65,23 @@ class DirectSyncCall : public SyncCall {
   }
 
  private:
-  CoordinatorImpl& impl_;
+  Coordinator& coordinator_;
   Servers& servers_;
   const std::shared_ptr<Exchange> exchange_ = std::make_shared<Exchange>();
 };
 
 class DirectLink : public WorkLink {
  public:
-  explicit DirectLink(CoordinatorImpl& impl) : impl_(impl) {}
+  explicit DirectLink(Coordinator& coordinator) : coordinator_(coordinator) {}
 
-  std::unique_ptr<SyncCall> NewSync() override { return std::make_unique<DirectSyncCall>(impl_, servers_); }
+  std::unique_ptr<SyncCall> NewSync() override { return std::make_unique<DirectSyncCall>(coordinator_, servers_); }
 
   absl::StatusOr<std::string> ReadBlob(const std::string& job, const std::string& digest) override {
     v1::ReadBlobRequest request;
     request.set_job(job);
     request.set_digest(digest);
     std::string bytes;
-    TILEMEND_RETURN_IF_ERROR(impl_.ReadBlob(request, [&bytes](std::string_view chunk) {
+    TILEMEND_RETURN_IF_ERROR(coordinator_.calls().blobs.ReadBlob(request, [&bytes](std::string_view chunk) {
       bytes.append(chunk);
       return true;
     }));
@@ -102,16 +102,16 @@ class DirectLink : public WorkLink {
       position += kMaxChunkBytes;
       return true;
     };
-    return impl_.WriteBlob(next).status();
+    return coordinator_.calls().blobs.WriteBlob(next).status();
   }
 
  private:
-  CoordinatorImpl& impl_;
+  Coordinator& coordinator_;
   Servers servers_;
 };
 
 }  // namespace
 
-std::unique_ptr<WorkLink> NewDirectLink(CoordinatorImpl& impl) { return std::make_unique<DirectLink>(impl); }
+std::unique_ptr<WorkLink> NewDirectLink(Coordinator& coordinator) { return std::make_unique<DirectLink>(coordinator); }
 
 }  // namespace tilemend

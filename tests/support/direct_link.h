@@ -1,17 +1,17 @@
-// A worker's link straight to CoordinatorImpl, without gRPC. ThreadSanitizer then sees all the synchronisation there
+// A worker's link straight to Coordinator, without gRPC. ThreadSanitizer then sees all the synchronisation there
 // is: the libraries of gRPC are not built for it.
 #ifndef TILEMEND_TESTS_SUPPORT_DIRECT_LINK_H_
 #define TILEMEND_TESTS_SUPPORT_DIRECT_LINK_H_
 
 #include <memory>
 
-#include "coordinator/service/coordinator_impl.h"
+#include "coordinator/api/coordinator.h"
 #include "worker/service/work_link.h"
 
 namespace tilemend {
 
-// `impl` must outlive the link.
-std::unique_ptr<WorkLink> NewDirectLink(CoordinatorImpl& impl);
+// `coordinator` must outlive the link.
+std::unique_ptr<WorkLink> NewDirectLink(Coordinator& coordinator);
 
 }  // namespace tilemend
 

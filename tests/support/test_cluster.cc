@@ -35,29 +35,29 @@ TempFolder::~TempFolder() {
 TestCluster::TestCluster(ClusterOptions options) : options_(std::move(options)) { StartCoordinator(); }
 
 void TestCluster::StartCoordinator() {
-  CoordinatorOptions coordinator;
-  coordinator.work_folder = folder_ / "work";
-  coordinator.lease = kLease;
-  coordinator.state = options_.state;
-  coordinator.check_result = options_.check_result;
-  coordinator.max_running_jobs = options_.max_running_jobs;
-  coordinator.most_sent = options_.most_sent;
-  coordinator.log = options_.log;
-  coordinator.build = options_.build;
+  CoordinatorOptions options;
+  options.work_folder = folder_ / "work";
+  options.lease = kLease;
+  options.state = options_.state;
+  options.check_result = options_.check_result;
+  options.max_running_jobs = options_.max_running_jobs;
+  options.most_sent = options_.most_sent;
+  options.log = options_.log;
+  options.build = options_.build;
   if (options_.durable) {
     auto journal = OpenSqliteJournal(folder_ / "journal.sqlite");
     EXPECT_TRUE(journal.ok()) << journal.status();
-    coordinator.journal = *std::move(journal);
+    options.journal = *std::move(journal);
   }
   if (options_.fake_clock) {
-    coordinator.clock = [this] { return clock_.Now(); };
-    coordinator.background_ticks = false;
+    options.clock = [this] { return clock_.Now(); };
+    options.background_ticks = false;
   }
-  auto impl = CoordinatorImpl::Create(std::move(coordinator), options_.factory, metrics_);
-  EXPECT_TRUE(impl.ok()) << impl.status();
-  impl_ = *std::move(impl);
+  auto started = Coordinator::Create(std::move(options), options_.factory, metrics_);
+  EXPECT_TRUE(started.ok()) << started.status();
+  coordinator_ = *std::move(started);
   if (!kHasGrpc) return;
-  auto server = CoordinatorServer::Start(options_.listen, *impl_);
+  auto server = CoordinatorServer::Start(options_.listen, *coordinator_);
   EXPECT_TRUE(server.ok()) << server.status();
   server_ = *std::move(server);
 }
@@ -68,7 +68,7 @@ TestCluster::~TestCluster() {
 }
 
 std::unique_ptr<WorkLink> TestCluster::NewLink() {
-  return kHasGrpc ? NewGrpcWorkLink(rpc().InProcessChannel()) : NewDirectLink(*impl_);
+  return kHasGrpc ? NewGrpcWorkLink(rpc().InProcessChannel()) : NewDirectLink(*coordinator_);
 }
 
 Worker& TestCluster::AddWorker(const std::string& name, int threads, StageRunner runner) {
@@ -93,14 +93,14 @@ void TestCluster::KillWorker(const std::string& name) {
 void TestCluster::Restart(const std::function<void(const std::string&)>& meanwhile) {
   while (!workers_.empty()) KillWorker(workers_.begin()->first);
   server_.reset();
-  impl_.reset();
+  coordinator_.reset();
   meanwhile(folder_ / "journal.sqlite");
   StartCoordinator();
 }
 
 void TestCluster::ExpireLeases() {
   clock_.Advance(2 * kLease);
-  impl_->Tick();
+  coordinator_->Tick();
 }
 
 std::unique_ptr<v1::Jobs::Stub> TestCluster::NewJobsStub() { return v1::Jobs::NewStub(rpc().InProcessChannel()); }
@@ -118,7 +118,7 @@ v1::Job TestCluster::Submit(const std::string& scene) {
   v1::CreateJobRequest request;
   request.mutable_spec()->set_scene(scene);
   request.mutable_spec()->set_out(folder_ / absl::StrCat("out-", ++submitted_));
-  auto job = impl_->CreateJob(request);
+  auto job = coordinator_->calls().jobs.CreateJob(request);
   EXPECT_TRUE(job.ok()) << job.status();
   return job.ok() ? *std::move(job) : v1::Job();
 }
@@ -126,7 +126,7 @@ v1::Job TestCluster::Submit(const std::string& scene) {
 v1::Job TestCluster::Get(const std::string& name) {
   v1::GetJobRequest request;
   request.set_name(name);
-  auto job = impl_->GetJob(request);
+  auto job = coordinator_->calls().jobs.GetJob(request);
   EXPECT_TRUE(job.ok()) << job.status();
   return job.ok() ? *std::move(job) : v1::Job();
 }
@@ -135,7 +135,7 @@ v1::Job TestCluster::WaitFor(const std::string& name) {
   v1::WatchJobRequest request;
   request.set_name(name);
   v1::Job last;
-  const absl::Status status = impl_->WatchJob(
+  const absl::Status status = coordinator_->calls().watch.WatchJob(
       request,
       [&last](const v1::Job& job) {
         last = job;

@@ -12,8 +12,8 @@
 
 #include "absl/time/time.h"
 #include "common/metrics/prometheus_registry.h"
-#include "coordinator/service/coordinator_impl.h"
-#include "coordinator/service/grpc_services.h"
+#include "coordinator/api/coordinator.h"
+#include "coordinator/api/grpc_services.h"
 #include "tests/support/toy_engine.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
 #include "worker/service/worker.h"
@@ -86,7 +86,7 @@ class TestCluster {
   // Time passes until every lease has run out. A worker that is alive is known again with its next call.
   void ExpireLeases();
 
-  CoordinatorImpl& impl() { return *impl_; }
+  Coordinator& coordinator() { return *coordinator_; }
   RpcServer& rpc() { return server_->rpc(); }  // only if kHasGrpc
   std::unique_ptr<WorkLink> NewLink();
   FakeClock& clock() { return clock_; }
@@ -109,7 +109,7 @@ class TestCluster {
   TempFolder folder_;
   FakeClock clock_;
   PrometheusRegistry metrics_;
-  std::unique_ptr<CoordinatorImpl> impl_;
+  std::unique_ptr<Coordinator> coordinator_;
   std::unique_ptr<CoordinatorServer> server_;
   std::map<std::string, std::unique_ptr<Worker>> workers_;
   int submitted_ = 0;

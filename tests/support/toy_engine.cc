@@ -86,8 +86,8 @@ class ToyPipeline : public JobPipeline {
     JobOutcome outcome;
     outcome.partial = left_ > 0;
     outcome.message = absl::StrCat("total ", total_);
-    if (spec_.dry_run) return outcome;
-    outcome.report = absl::StrCat(spec_.out, "/report.json");
+    if (spec_.dry_run()) return outcome;
+    outcome.report = absl::StrCat(spec_.out(), "/report.json");
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(
         outcome.report,
         absl::StrCat("{\"total\": ", total_, ", \"left\": [], \"cells\": ", scene_.cols * scene_.rows, "}\n")));
@@ -176,7 +176,7 @@ absl::StatusOr<std::string> Fill(const std::string& input) {
 
 PipelineFactory ToyPipelineFactory() {
   return [](const JobSpec& spec) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
-    TILEMEND_ASSIGN_OR_RETURN(ToyScene scene, ParseToyScene(spec.scene));
+    TILEMEND_ASSIGN_OR_RETURN(ToyScene scene, ParseToyScene(spec.scene()));
     return std::make_unique<ToyPipeline>(std::move(scene), spec);
   };
 }

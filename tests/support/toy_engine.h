@@ -12,7 +12,7 @@
 
 #include <string>
 
-#include "coordinator/service/job_pipeline.h"
+#include "coordinator/jobs/job_pipeline.h"
 #include "worker/service/stage_runner.h"
 
 namespace tilemend {

@@ -1,6 +1,6 @@
 // The toy in place of the geometry, for the programs of the tests.
-#include "coordinator/service/result_checks.h"
-#include "coordinator/service/scene_pipeline.h"
+#include "coordinator/jobs/result_checks.h"
+#include "coordinator/jobs/scene_pipeline.h"
 #include "tests/support/toy_engine.h"
 #include "worker/service/scene_stages.h"
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
-#include "coordinator/service/result_checks.h"
-#include "coordinator/service/scene_pipeline.h"
+#include "coordinator/jobs/result_checks.h"
+#include "coordinator/jobs/scene_pipeline.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/test_cluster.h"
 #include "worker/service/scene_stages.h"

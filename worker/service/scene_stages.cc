@@ -11,6 +11,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/options/job_options.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/ground_payloads.h"
 #include "common/rpc/look_payloads.h"
@@ -34,8 +35,8 @@
 #include "worker/fill/space/surface_index.h"
 #include "worker/ground/rim_objects.h"
 #include "worker/materials/write_materials.h"
-#include "worker/papers/published_ways.h"
 #include "worker/service/attempt_files.h"
+#include "worker/service/fill_options.h"
 #include "worker/service/smooth_stage.h"
 #include "worker/service/survey_stage.h"
 #include "worker/service/task_memory.h"
@@ -72,34 +73,12 @@ absl::StatusOr<std::string> RunGround(const v1::GroundInput& input, TaskMemory& 
   return output.SerializeAsString();
 }
 
-absl::StatusOr<FillOptions> OptionsOf(const v1::ShapeOptions& proto, const CancelToken& cancel) {
-  FillOptions options;
-  options.published = AllPublishedWays();
+absl::StatusOr<FillOptions> OptionsOf(const v1::JobSpec& sent, const CancelToken& cancel) {
+  const v1::JobSpec spec = WithDefaults(sent);
+  TILEMEND_RETURN_IF_ERROR(CheckOptionsForWorkers(spec));
+  FillOptions options = FillOptionsOf(spec);
   options.refine.is_cancelled = [&cancel] { return cancel.cancelled(); };
-  options.refine.gradation = proto.gradation();
-  options.refine.size_limit = proto.size_limit();
-  options.refine.uniform = proto.uniform();
-  options.surface = proto.thin_plate() ? Surface::kThinPlate : Surface::kWang;
-  if (proto.has_tension()) options.tension = proto.tension();
-  const auto filler = proto.filler().empty() ? Filler::kAuto : FillerNamed(proto.filler());
-  if (!filler) return absl::InvalidArgumentError("an unknown filler");
-  options.filler = *filler;
-  if (!proto.front_steps().empty()) {
-    const auto steps = FrontStepsNamed(proto.front_steps());
-    if (!steps) return absl::InvalidArgumentError("unknown steps of a front");
-    options.filling.steps = *steps;
-  }
-  if (options.surface != Surface::kWang) return options;
-  options.wang.longest_loop = proto.longest_loop();
-  options.wang.fairing_steps = proto.fairing_steps();
-  const auto closure = ClosureNamed(proto.closure());
-  if (!closure) return absl::InvalidArgumentError("an unknown closure");
-  options.wang.closure = *closure;
-  const bool in_range = options.wang.longest_loop >= kShortestLongestLoop &&
-                        options.wang.longest_loop <= kLongestLongestLoop && options.wang.fairing_steps >= 0 &&
-                        options.wang.fairing_steps <= kMostFairingSteps;
-  return in_range ? absl::StatusOr<FillOptions>(options)
-                  : absl::InvalidArgumentError("options of the surface wang out of range");
+  return options;
 }
 
 absl::StatusOr<std::string> RunSampleCluster(const v1::SampleClusterInput& input, const CancelToken& cancel,

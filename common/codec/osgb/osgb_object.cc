@@ -1,4 +1,6 @@
 // The fields that all objects and nodes have.
+#include <algorithm>
+
 #include "absl/strings/str_cat.h"
 #include "common/codec/osgb/osgb_parse.h"
 

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "common/codec/osgb/osgb_cursor.h"
 #include "common/codec/osgb/osgb_file.h"
 

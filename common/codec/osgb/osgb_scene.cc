@@ -1,6 +1,7 @@
 // The header of a file and its tree of nodes.
 #include <Eigen/Core>
 #include <limits>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/osgb/osgb_parse.h"

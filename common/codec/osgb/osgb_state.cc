@@ -1,5 +1,7 @@
 // State sets, textures and images.
-#include "absl/strings/str_cat.h"
+#include <algorithm>
+#include <utility>
+
 #include "common/codec/osgb/osgb_parse.h"
 
 namespace tilemend {

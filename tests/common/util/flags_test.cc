@@ -42,6 +42,17 @@ TEST(FlagsTest, EverythingAfterTwoDashesIsAnArgument) {
   EXPECT_THAT(Flags::Parse(Specs(), {"-", "--", "--out", "-x"})->arguments(), ElementsAre("-", "--out", "-x"));
 }
 
+TEST(FlagsTest, TakesValuesAsTheyStand) {
+  const auto text = [](const std::vector<std::string>& words) { return Flags::Parse(Specs(), words)->Text("out"); };
+  EXPECT_EQ(text({"--out", "[a,b]"}), "[a,b]") << "no list";
+  EXPECT_EQ(text({"--out", "--overwrite"}), "--overwrite");
+  EXPECT_EQ(text({"--out", "--"}), "--");
+  EXPECT_EQ(text({"--out=first", "--out", "last"}), "last");
+  EXPECT_EQ(text({"--out", "\"a b\""}), "\"a b\"");
+  EXPECT_EQ(Flags::Parse(Specs(), {"-o=json"})->Text("output"), "json");
+  EXPECT_THAT(Flags::Parse(Specs(), {"[a,b]", "%%", "a b"})->arguments(), ElementsAre("[a,b]", "%%", "a b"));
+}
+
 TEST(FlagsTest, ANegativeNumberIsAnArgument) {
   EXPECT_THAT(Flags::Parse(Specs(), {"job", "-5"})->arguments(), ElementsAre("job", "-5"));
 }
@@ -83,6 +94,21 @@ TEST(FlagsHelpTest, HasALineForEachFlag) {
             "      --workers N                 tasks (default: 2)\n"
             "      --overwrite                 replace\n"
             "  -o, --output FORMAT             table or json (default: table)\n");
+}
+
+TEST(FlagsHelpTest, GroupsFlagsAndHidesThoseOfPapers) {
+  std::vector<FlagSpec> specs = {
+      {"closure", "", "papers", ""}, {"work", "", "advanced", ""}, {"out", "", "everyday", ""}};
+  specs[0].group = FlagGroup::kPapers;
+  specs[1].group = FlagGroup::kAdvanced;
+  const std::string first =
+      "      --out                       everyday\n"
+      "\nAdvanced:\n"
+      "      --work                      advanced\n\n";
+  EXPECT_EQ(FlagsHelp(specs, 0, false), first + "--help-all shows 1 more flags, of published methods.\n");
+  EXPECT_EQ(FlagsHelp(specs), first +
+                                  "Published methods, for comparison:\n"
+                                  "      --closure                   papers\n");
 }
 
 TEST(FlagsHelpTest, KeepsToTheColumnsOfATerminal) {

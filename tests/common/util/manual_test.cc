@@ -51,11 +51,13 @@ TEST(ManualTest, CompletionKnowsWhatAValueMayBe) {
   EXPECT_THAT(zsh, HasSubstr("'--out=[where to]:DIR:_files -/'"));
 }
 
-TEST(ManualTest, DescribesInThreeForms) {
+TEST(ManualTest, DescribesInFourForms) {
   EXPECT_EQ(*Describe(Tool(), "man"), ManPage(Tool()));
   EXPECT_EQ(*Describe(Tool(), "bash"), BashCompletion(Tool()));
   EXPECT_EQ(*Describe(Tool(), "zsh"), ZshCompletion(Tool()));
-  EXPECT_THAT(std::string(Describe(Tool(), "fish").status().message()), HasSubstr("expected man, bash or zsh"));
+  EXPECT_EQ(*Describe(Tool(), "markdown"), MarkdownReference(Tool()));
+  EXPECT_THAT(std::string(Describe(Tool(), "fish").status().message()),
+              HasSubstr("expected man, bash, zsh or markdown"));
 }
 
 }  // namespace

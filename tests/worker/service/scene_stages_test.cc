@@ -150,7 +150,6 @@ class SceneStagesTest : public testing::Test {
     *input.mutable_holes() = ToProto(work);
     input.mutable_options()->set_gradation(1.5);
     input.mutable_options()->set_size_limit(10);
-    input.mutable_options()->set_thin_plate(true);
     return input;
   }
 
@@ -210,7 +209,6 @@ TEST_F(SceneStagesTest, ATaskAloneRunsHoweverLittleMemoryItMayTake) {
   v1::SurveyInput survey;
   *survey.mutable_tile() = WriteTile(HoledRoof(), "a.ply");
   v1::FillInput fill = FillInputOf(HoleOf(HoledRoof()));
-  fill.mutable_options()->set_thin_plate(true);
   for (const auto& [stage, input] :
        {std::pair(Stage::kSurvey, survey.SerializeAsString()), {Stage::kFill, fill.SerializeAsString()}}) {
     const auto output = thrifty(stage, input, cancel_);
@@ -223,9 +221,7 @@ TEST_F(SceneStagesTest, FillsAHoleSoundly) {
   for (const bool thin_plate : {false, true}) {
     const CellHoles work = HoleOf(HoledRoof());
     v1::FillInput input = FillInputOf(work);
-    input.mutable_options()->set_thin_plate(thin_plate);
-    input.mutable_options()->set_longest_loop(400);
-    input.mutable_options()->set_closure("buffers");
+    input.mutable_options()->set_surface(thin_plate ? "thin-plate" : "wang");
     const auto output = RunWell<v1::FillOutput>(Stage::kFill, input);
     const auto patches = FromProto(output, work.vertices.size());
     ASSERT_TRUE(patches.ok()) << patches.status();
@@ -238,7 +234,7 @@ TEST_F(SceneStagesTest, FillsAHoleSoundly) {
 TEST_F(SceneStagesTest, RefusesOptionsOfWangOutOfRange) {
   for (const auto& [loop, steps] : {std::pair(0, 10), {2, 10}, {2001, 10}, {400, -1}, {400, 1001}}) {
     v1::FillInput input = FillInputOf(HoleOf(HoledRoof()));
-    input.mutable_options()->set_thin_plate(false);
+    input.mutable_options()->set_surface("wang");
     input.mutable_options()->set_longest_loop(loop);
     input.mutable_options()->set_fairing_steps(steps);
     input.mutable_options()->set_closure("buffers");
@@ -250,7 +246,7 @@ TEST_F(SceneStagesTest, RefusesOptionsOfWangOutOfRange) {
 TEST_F(SceneStagesTest, RefusesAClosureThatItDoesNotKnow) {
   for (const char* closure : {"", "else"}) {
     v1::FillInput input = FillInputOf(HoleOf(HoledRoof()));
-    input.mutable_options()->set_thin_plate(false);
+    input.mutable_options()->set_surface("wang");
     input.mutable_options()->set_longest_loop(400);
     input.mutable_options()->set_closure(closure);
     EXPECT_EQ(runner_(Stage::kFill, input.SerializeAsString(), cancel_).status().code(),

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_TESTS_COMMON_CODEC_OSGB_OSGB_CHECKS_H_
 #define TILEMEND_TESTS_COMMON_CODEC_OSGB_OSGB_CHECKS_H_
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/codec/osgb/osgb_parse.h"
 #include "tests/common/codec/osgb/osgb_checks.h"
 #include "tests/support/osgb_builder.h"

@@ -1,4 +1,4 @@
-// A simulated coordinator: the state machine and its journal, with what CoordinatorImpl does around them.
+// A simulated coordinator: the state machine and its journal, with what Coordinator does around them.
 #ifndef TILEMEND_TESTS_COORDINATOR_STATE_SIMULATION_COORDINATOR_H_
 #define TILEMEND_TESTS_COORDINATOR_STATE_SIMULATION_COORDINATOR_H_
 

@@ -1,0 +1,368 @@
+#include "client/acceptance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "client/area_rim.h"
+#include "client/carried_files.h"
+#include "client/checked_tile.h"
+#include "client/json_access.h"
+#include "client/output_tiles.h"
+#include "client/reported_output.h"
+#include "client/unfinished.h"
+#include "common/grid/cell_choice.h"
+#include "common/util/files.h"
+#include "common/util/folders.h"
+#include "common/util/status_macros.h"
+#include "coordinator/report/area_choice.h"
+#include "coordinator/report/tile_checks.h"
+#include "worker/check/added_faults.h"
+#include "worker/check/tile_joins.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMostApart = 0.02;   // metres between fills of overlapping tiles,
+constexpr double kShareApart = 0.01;  // but for this share of the places of a border
+constexpr double kLeftReach = 1;      // metres around a hole that was left
+
+enum Kind {
+  kMissingTile,
+  kMissingFace,
+  kClearedFaces,
+  kMissingFile,
+  kChangedFile,
+  kOpenEdge,
+  kCrossedFill,
+  kCrossedSurface,
+  kNonManifoldEdge,
+  kTurnedEdge,
+  kFlatTriangle,
+  kWaterOffLevel,
+  kWaterWithoutFill,
+  kFillsApart,
+  kLeftHole,
+  kCrossedRim,
+  kOtherMesh,
+  kKinds
+};
+
+struct KindText {
+  const char *name, *label;
+  bool is_fault;
+};
+constexpr std::array<KindText, kKinds> kTexts = {{
+    {"missing_tiles", "missing tiles", true},
+    {"missing_faces", "original faces that are missing or changed", true},
+    {"cleared_faces", "tiles whose cleared faces are not as many as reported", true},
+    {"missing_files", "missing material files and images", true},
+    {"changed_files", "changed material files and images", true},
+    {"open_edges", "new open edges", true},
+    {"crossed_fills", "filled triangles that cross each other", true},
+    {"crossed_surface", "filled triangles that cross the original surface", true},
+    {"nonmanifold_edges", "new edges with more than two triangles", true},
+    {"turned_edges", "new edges whose triangles face opposite ways", true},
+    {"flat_triangles", "filled triangles without area", true},
+    {"water_off_level", "points of water that are not at its level", true},
+    {"water_without_fill", "waters without a fill", true},
+    {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true},
+    {"left_holes", "holes left open, as reported", false},
+    {"crossed_rims", "filled triangles at rims that the input's surface passes through", false},
+    {"other_meshes", "other meshes among the tiles", false},
+}};
+
+// Of the strip of one tile along the sides of its cell, while its neighbours are looked at.
+struct KeptTile {
+  CellId cell;
+  BorderStrip strip;
+};
+
+// Places of a border where fills of both tiles lie over each other.
+struct BorderTally {
+  int64_t places = 0;
+  std::vector<AcceptancePlace> apart;
+};
+
+struct CheckInput {
+  Scene scene;  // the input's, with its area
+  std::string out;
+  Json report;
+  std::set<CellId> chosen;
+};
+
+class AcceptanceCheck {
+ public:
+  explicit AcceptanceCheck(CheckInput input)
+      : input_(std::move(input)),
+        reported_(ReadReported(input_.report)),
+        rim_(input_.scene, reported_.overlap),
+        files_(input_.scene.root, input_.out) {
+    for (const KindText& text : kTexts) result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
+  }
+
+  absl::StatusOr<Acceptance> Run() {
+    for (size_t t = 0; t < input_.scene.tiles.size(); ++t) {
+      const int32_t row = input_.scene.tiles[t].cell.row;
+      if (row != row_) Resolve(row - 1);
+      row_ = row;
+      TILEMEND_RETURN_IF_ERROR(CheckTile(static_cast<int32_t>(t)));
+    }
+    Resolve(row_ + 2);
+    AddBorders();
+    AddFiles();
+    AddReported();
+    return std::move(result_);
+  }
+
+ private:
+  void Add(Kind kind, CellId cell, std::optional<Point3> at, std::string note = "") {
+    AcceptanceFinding& finding = result_.findings[kind];
+    ++finding.count;
+    if (finding.places.size() < kMostAcceptancePlaces) finding.places.push_back({cell, at, std::move(note)});
+  }
+
+  absl::Status CheckTile(int32_t t) {
+    const SceneTile& tile = input_.scene.tiles[t];
+    const std::string output = OutputPath(tile);
+    const bool has_output = KindOf(absl::StrCat(input_.out, "/", output)) == PathKind::kFile;
+    if (tile.path.empty() && !has_output) return absl::OkStatus();
+    CheckedTile before;
+    if (!tile.path.empty()) {
+      TILEMEND_ASSIGN_OR_RETURN(before, ReadCheckedTile(input_.scene.root, tile.path));
+    }
+    ++result_.tiles;
+    result_.original_faces += std::ssize(before.faces.mesh.triangles);
+    if (!has_output) {
+      // A cell that the job was not to write, else a tile that is missing: to its neighbours it is what it was.
+      CheckFaces(t, before.faces.mesh, before.faces.mesh, TileChange{{}, NoneOf(before.faces.mesh), 0});
+      return absl::OkStatus();
+    }
+    TILEMEND_ASSIGN_OR_RETURN(CheckedTile after, ReadCheckedTile(input_.out, output));
+    const TileChange change = CompareTiles(before.faces, after.faces);
+    CheckOriginals(tile.cell, before.faces.mesh, change);
+    CheckFaces(t, before.faces.mesh, after.faces.mesh, change);
+    CheckWater(tile.cell, after.faces.mesh, change.added);
+    CheckCoarser(tile.cell, before, after);
+    if (reported_.has_textures) files_.Compare(before.files);
+    return absl::OkStatus();
+  }
+
+  // The other levels of detail: originals are there, but for what clearing takes out of each level.
+  void CheckCoarser(CellId cell, const CheckedTile& before, const CheckedTile& after) {
+    if (before.coarser.size() != after.coarser.size()) {
+      Add(kMissingFace, cell, std::nullopt,
+          absl::StrCat(before.coarser.size() + 1, " levels of detail, ", after.coarser.size() + 1, " in the output"));
+      return;
+    }
+    if (reported_.cleared.contains(cell)) return;
+    for (size_t l = 0; l < before.coarser.size(); ++l) {
+      const TileChange change = CompareTiles(before.coarser[l], after.coarser[l]);
+      for (const int32_t t : change.missing) Add(kMissingFace, cell, MiddleOf(before.coarser[l].mesh, t));
+    }
+  }
+
+  static std::vector<bool> NoneOf(const TriMesh& mesh) { return std::vector<bool>(mesh.triangles.size(), false); }
+
+  void CheckOriginals(CellId cell, const TriMesh& before, const TileChange& change) {
+    result_.added_faces += change.added_count;
+    const auto cleared = reported_.cleared.find(cell);
+    const int64_t expected = cleared == reported_.cleared.end() ? 0 : cleared->second;
+    const int64_t missing = std::ssize(change.missing);
+    if (missing == expected) {
+      result_.cleared_faces += missing;
+      return;
+    }
+    if (expected > 0) {
+      Add(kClearedFaces, cell, std::nullopt, absl::StrCat(missing, " taken out, ", expected, " reported"));
+      return;
+    }
+    for (const int32_t t : change.missing) Add(kMissingFace, cell, MiddleOf(before, t));
+  }
+
+  static Point3 MiddleOf(const TriMesh& mesh, int32_t t) {
+    const Triangle& corners = mesh.triangles[t];
+    return (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]) / 3;
+  }
+
+  void CheckFaces(int32_t t, const TriMesh& before, const TriMesh& after, const TileChange& change) {
+    constexpr std::pair<AddedFault, Kind> kFaults[] = {
+        {AddedFault::kCrossedFill, kCrossedFill}, {AddedFault::kCrossedSurface, kCrossedSurface},
+        {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
+        {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
+    const CellId cell = input_.scene.tiles[t].cell;
+    AddedFindings found = FindAddedFaults(before, after, change.added);
+    if (reported_.overlap > 0) CoverOpenEdges(after, found.open);
+    for (const auto& [fault, kind] : kFaults) {
+      const auto places = found.faults.find(fault);
+      if (places == found.faults.end()) continue;
+      for (const Point3& p : places->second) Add(kind, cell, p);
+    }
+    edges_.Add(t, cell.row, found.open);
+    if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, found.inner)};
+  }
+
+  // What of the surface lies within twice the overlap of the cell's sides, or beyond them.
+  BorderStrip StripOf(CellId cell, const TriMesh& mesh, const std::vector<bool>& inside_fill) const {
+    const Grid& grid = input_.scene.grid;
+    const Point2 inner(2 * reported_.overlap + 0.1, 2 * reported_.overlap + 0.1);
+    const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
+    const Point2 lo = corner + inner, hi = corner + grid.cell_size - inner;
+    std::vector<SpaceTriangle> triangles;
+    std::vector<bool> is_inner;
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Triangle& corners = mesh.triangles[t];
+      const SpaceTriangle triangle = {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
+      const bool inside = std::all_of(triangle.begin(), triangle.end(), [&](const Point3& p) {
+        return (p.head<2>().array() > lo.array()).all() && (p.head<2>().array() < hi.array()).all();
+      });
+      if (inside) continue;
+      triangles.push_back(triangle);
+      is_inner.push_back(inside_fill[t]);
+    }
+    return {std::move(triangles), std::move(is_inner)};
+  }
+
+  void CheckWater(CellId cell, const TriMesh& after, const std::vector<bool>& added) {
+    const auto waters = reported_.water.find(cell);
+    if (waters == reported_.water.end()) return;
+    std::vector<WaterHole> holes;
+    for (const ReportedOutput::Water& water : waters->second) holes.push_back(water.fill);
+    const std::vector<WaterFinding> findings = CheckWaterFills(after, added, holes);
+    for (size_t h = 0; h < holes.size(); ++h) {
+      ++result_.water_fills;
+      const Point3 centre(holes[h].centre.x(), holes[h].centre.y(), holes[h].lowest);
+      if (!findings[h].is_found) Add(kWaterWithoutFill, cell, centre, absl::StrCat("hole ", waters->second[h].hole));
+      for (const Point3& p : findings[h].off) {
+        const double off = p.z() < holes[h].lowest ? p.z() - holes[h].lowest : p.z() - holes[h].highest;
+        Add(kWaterOffLevel, cell, p, absl::StrFormat("%+.3f m", off));
+      }
+    }
+  }
+
+  // Judges the edges of tiles in rows below `row`, all of whose neighbours were read.
+  void Resolve(int32_t row) {
+    const JoinedEdges::Released released = edges_.ReleaseBelow(row);
+    for (const NewOpenEdge& e : released.crowded) {
+      Add(kNonManifoldEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
+    }
+    for (const NewOpenEdge& e : released.open) JudgeOpenEdge(e);
+    std::erase_if(strips_, [&](const auto& kept) { return kept.second.cell.row < row - 1; });
+  }
+
+  void JudgeOpenEdge(const NewOpenEdge& open) {
+    const CellId cell = input_.scene.tiles[open.tile].cell;
+    const Point3 middle = (open.edge.from + open.edge.to) / 2;
+    if (IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
+        rim_.HasEdge(cell, open.edge.from, open.edge.to) || IsAtLeftHole(middle))
+      return;
+    Add(kOpenEdge, cell, middle);
+  }
+
+  // Whether the tile of a neighbour lies over or under p. Where both have fills there, off their rims, counts
+  // how far they are apart: at the rims they are as far apart as the originals.
+  bool IsCovered(CellId cell, const Point3& p, bool is_inner) {
+    if (reported_.overlap <= 0) return false;
+    bool covered = false;
+    for (const CellId other : rim_.NeighboursAt(cell, p)) {
+      const auto kept =
+          std::find_if(strips_.begin(), strips_.end(), [&](const auto& s) { return s.second.cell == other; });
+      if (kept == strips_.end()) continue;
+      const BorderStrip::Nearest nearest = kept->second.strip.NearestTo(p);
+      covered = covered || (nearest.is_covered && std::abs(nearest.height) <= kCoverReach);
+      if (!nearest.is_covered || !nearest.is_inner || !is_inner) continue;
+      BorderTally& tally = borders_[std::minmax(cell, other)];
+      ++tally.places;
+      if (std::abs(nearest.height) > kMostApart) {
+        tally.apart.push_back({cell, p, absl::StrFormat("%.3f m", std::abs(nearest.height))});
+      }
+    }
+    return covered;
+  }
+
+  bool IsAtLeftHole(const Point3& p) const {
+    return std::any_of(reported_.left.begin(), reported_.left.end(), [&](const ReportedOutput::Left& left) {
+      return (left.at - p.head<2>()).norm() <= left.reach + kLeftReach;
+    });
+  }
+
+  void AddBorders() {
+    for (const auto& [cells, tally] : borders_) {
+      result_.overlap_places += tally.places;
+      const double allowed = std::max(1.0, kShareApart * static_cast<double>(tally.places));
+      if (static_cast<double>(tally.apart.size()) <= allowed) continue;
+      for (const AcceptancePlace& place : tally.apart) Add(kFillsApart, place.cell, place.at, place.note);
+    }
+  }
+
+  void AddFiles() {
+    result_.files = static_cast<int64_t>(files_.compared());
+    for (const std::string& path : files_.missing()) Add(kMissingFile, {}, std::nullopt, path);
+    for (const std::string& path : files_.changed()) Add(kChangedFile, {}, std::nullopt, path);
+  }
+
+  void AddReported() {
+    const OutputTiles tiles = LookForTiles(input_.out, input_.report, input_.scene, input_.chosen);
+    std::map<std::string, CellId> cells;
+    for (const SceneTile& tile : input_.scene.tiles) cells[OutputPath(tile)] = tile.cell;
+    for (const std::string& path : tiles.missing) Add(kMissingTile, cells[path], std::nullopt, path);
+    for (const std::string& path : tiles.others) Add(kOtherMesh, {}, std::nullopt, path);
+    for (const ReportedOutput::Left& left : reported_.left) {
+      Add(kLeftHole, left.cell, Point3(left.at.x(), left.at.y(), 0), left.reason);
+    }
+  }
+
+  const CheckInput input_;
+  const ReportedOutput reported_;
+  const AreaRim rim_;
+  CarriedFiles files_;
+  JoinedEdges edges_;
+  std::map<int32_t, KeptTile> strips_;  // by tile
+  std::map<std::pair<CellId, CellId>, BorderTally> borders_;
+  int32_t row_ = 0;
+  Acceptance result_;
+};
+
+absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& out,
+                                     std::vector<std::string>& warnings) {
+  const std::string report_path = absl::StrCat(out, "/report.json");
+  TILEMEND_RETURN_IF_ERROR(CheckFinished(out));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
+  CheckInput input;
+  input.out = out;
+  input.report = Json::parse(text, nullptr, false);
+  if (!input.report.is_object() || !input.report.contains("cells")) {
+    return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileBounds));
+  const Json& options = Member(input.report, "options");
+  const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();
+  if (!area.ok()) warnings.push_back(absl::StrCat(std::string(area.message()), ": checked without the area"));
+  TILEMEND_ASSIGN_OR_RETURN(input.chosen, ChooseCells(Text(Member(options, "cells")), input.scene));
+  return input;
+}
+
+}  // namespace
+
+bool Acceptance::IsAccepted() const {
+  return std::none_of(findings.begin(), findings.end(),
+                      [](const AcceptanceFinding& f) { return f.is_fault && f.count > 0; });
+}
+
+absl::StatusOr<Acceptance> CheckAcceptance(const std::string& in, const std::string& out) {
+  std::vector<std::string> warnings;
+  TILEMEND_ASSIGN_OR_RETURN(CheckInput input, LoadInput(in, out, warnings));
+  TILEMEND_ASSIGN_OR_RETURN(Acceptance result, AcceptanceCheck(std::move(input)).Run());
+  result.warnings = std::move(warnings);
+  return result;
+}
+
+}  // namespace tilemend

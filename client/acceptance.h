@@ -1,0 +1,57 @@
+// The acceptance check: whether an output is its input with its holes filled, and nothing else.
+#ifndef TILEMEND_CLIENT_ACCEPTANCE_H_
+#define TILEMEND_CLIENT_ACCEPTANCE_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/grid/scene.h"
+
+namespace tilemend {
+
+// One place where something was found.
+struct AcceptancePlace {
+  CellId cell;
+  std::optional<Point3> at;  // none for a whole tile or file
+  std::string note;          // a path, a reason, a height; may be empty
+};
+
+struct AcceptanceFinding {
+  std::string name;   // for programs: "open_edges"
+  std::string label;  // for people: "new open edges"
+  bool is_fault = true;
+  int64_t count = 0;
+  std::vector<AcceptancePlace> places;  // at most kMostAcceptancePlaces
+};
+
+inline constexpr size_t kMostAcceptancePlaces = 1000;  // of one kind
+
+struct Acceptance {
+  int64_t tiles = 0;
+  int64_t original_faces = 0, added_faces = 0, cleared_faces = 0;  // triangles
+  int64_t files = 0;                                               // material files and images that were compared
+  int64_t water_fills = 0;
+  int64_t overlap_places = 0;               // where fills of two tiles lie over each other
+  std::vector<AcceptanceFinding> findings;  // all kinds, also those without a place, in a fixed order
+  std::vector<std::string> warnings;
+
+  bool IsAccepted() const;
+};
+
+// Compares the output `out` of `tilemend run` with the scene `in`. Faults are: an original face that is not in its tile
+// to the bit, but for those that the report says were cleared; a changed image or material file; self-intersections,
+// edges with more than two triangles, turned edges and triangles without area that come with the added faces; open
+// edges that the input had not, over all tiles together, except on the rim of the area, at holes that the report lists
+// as left, and where tiles overlap and the neighbour covers them; water off its level; fills of overlapping tiles more
+// than 2 cm apart at more than 1 % of the places of a border.
+//
+// Tiles are read one after another; memory is bounded by three rows of border edges and one tile. Cost O(n log n).
+// kNotFound and kInvalidArgument if `in` is no scene or `out` no complete output, or a tile of one cannot be read.
+absl::StatusOr<Acceptance> CheckAcceptance(const std::string& in, const std::string& out);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_ACCEPTANCE_H_

@@ -1,0 +1,104 @@
+#include "client/acceptance_text.h"
+
+#include <algorithm>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "client/csv.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kShownPlaces = 3;  // of one kind, on a terminal
+
+std::string PlaceText(const AcceptancePlace& place) {
+  if (!place.at) return Printable(place.note);
+  std::string text = absl::StrFormat("[%.2f,%.2f,%.2f] in cell %d,%d", place.at->x(), place.at->y(), place.at->z(),
+                                     place.cell.col, place.cell.row);
+  if (!place.note.empty()) absl::StrAppend(&text, ": ", Printable(place.note));
+  return text;
+}
+
+}  // namespace
+
+std::string VerdictOf(const Acceptance& acceptance) {
+  if (acceptance.IsAccepted()) {
+    return absl::StrCat("accepted: all ", acceptance.original_faces - acceptance.cleared_faces,
+                        " original triangles are there, and nothing is wrong with the ", acceptance.added_faces,
+                        " new ones");
+  }
+  std::vector<std::string> faults;
+  for (const AcceptanceFinding& finding : acceptance.findings) {
+    if (finding.is_fault && finding.count > 0) faults.push_back(absl::StrCat(finding.count, " ", finding.label));
+  }
+  std::string text = "not accepted: ";
+  for (size_t i = 0; i < faults.size(); ++i) absl::StrAppend(&text, i == 0 ? "" : ", ", faults[i]);
+  return text;
+}
+
+std::string AcceptanceText(const Acceptance& acceptance) {
+  std::string text = absl::StrCat(VerdictOf(acceptance), "\n\n");
+  absl::StrAppendFormat(&text,
+                        "compared: %d tiles, %d original triangles, %d cleared, %d new, %d files, %d fills of water, "
+                        "%d places where fills overlap\n\n",
+                        acceptance.tiles, acceptance.original_faces, acceptance.cleared_faces, acceptance.added_faces,
+                        acceptance.files, acceptance.water_fills, acceptance.overlap_places);
+  for (const AcceptanceFinding& finding : acceptance.findings) {
+    absl::StrAppendFormat(&text, "%9d  %s%s\n", finding.count, finding.label, finding.is_fault ? "" : " (no fault)");
+    const size_t shown = std::min(finding.places.size(), kShownPlaces);
+    for (size_t i = 0; i < shown; ++i) absl::StrAppend(&text, "             ", PlaceText(finding.places[i]), "\n");
+    const int64_t more = finding.count - static_cast<int64_t>(shown);
+    if (more > 0) absl::StrAppend(&text, "             and ", more, " more\n");
+  }
+  return text;
+}
+
+Json AcceptanceJson(const Acceptance& acceptance) {
+  Json findings = Json::object();
+  for (const AcceptanceFinding& finding : acceptance.findings) {
+    Json places = Json::array();
+    for (const AcceptancePlace& place : finding.places) {
+      Json row = Json::object();
+      if (place.at) {
+        row["cell"] = {place.cell.col, place.cell.row};
+        row["at"] = {place.at->x(), place.at->y(), place.at->z()};
+      }
+      if (!place.note.empty()) row["note"] = place.note;
+      places.push_back(std::move(row));
+    }
+    findings[finding.name] = {{"fault", finding.is_fault}, {"count", finding.count}, {"places", std::move(places)}};
+  }
+  return {{"accepted", acceptance.IsAccepted()},
+          {"verdict", VerdictOf(acceptance)},
+          {"tiles", acceptance.tiles},
+          {"original_triangles", acceptance.original_faces},
+          {"cleared_triangles", acceptance.cleared_faces},
+          {"new_triangles", acceptance.added_faces},
+          {"files", acceptance.files},
+          {"water_fills", acceptance.water_fills},
+          {"overlap_places", acceptance.overlap_places},
+          {"findings", std::move(findings)},
+          {"warnings", acceptance.warnings}};
+}
+
+std::string AcceptanceCsv(const Acceptance& acceptance) {
+  std::string text = "what,fault,column,row,x,y,z,note\r\n";
+  for (const AcceptanceFinding& finding : acceptance.findings) {
+    for (const AcceptancePlace& place : finding.places) {
+      absl::StrAppend(&text, finding.name, ",", finding.is_fault ? "yes" : "no", ",");
+      if (place.at) {
+        absl::StrAppendFormat(&text, "%d,%d,%.4f,%.4f,%.4f,", place.cell.col, place.cell.row, place.at->x(),
+                              place.at->y(), place.at->z());
+      } else {
+        absl::StrAppend(&text, ",,,,,");
+      }
+      absl::StrAppend(&text, CsvField(place.note), "\r\n");
+    }
+  }
+  return text;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,37 @@
+// Where the surface of a scene ends by right.
+#ifndef TILEMEND_CLIENT_AREA_RIM_H_
+#define TILEMEND_CLIENT_AREA_RIM_H_
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/grid/scene.h"
+
+namespace tilemend {
+
+// The rim of the area of a scene: sides of cells beyond which there is no cell, and the outline of its polygon.
+class AreaRim {
+ public:
+  // `reach`: metres that tiles reach over the sides of their cells. Cost O(cells + points of the polygon).
+  AreaRim(const Scene& scene, double reach);
+
+  // Whether an edge in the tile of `cell` lies on the rim, or along it where no triangle is cut: it is no further from
+  // it than it is long. O(points of the polygon).
+  bool HasEdge(CellId cell, const Point3& from, const Point3& to) const;
+
+  // The cells, other than `cell`, whose squares are within `reach` of p.
+  std::vector<CellId> NeighboursAt(CellId cell, const Point3& p) const;
+
+ private:
+  double DistanceFrom(CellId cell, const Point2& p) const;
+
+  const Grid grid_;
+  const double reach_;
+  std::set<CellId> cells_;
+  std::vector<std::pair<Point2, Point2>> outline_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_AREA_RIM_H_

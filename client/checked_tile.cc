@@ -1,0 +1,59 @@
+#include "client/checked_tile.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/face_looks.h"
+#include "common/codec/mesh_file.h"
+#include "common/codec/obj.h"
+#include "common/codec/osgb/osgb_tile.h"
+#include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
+#include "worker/materials/tile_look.h"
+
+namespace tilemend {
+
+namespace {
+
+absl::StatusOr<CheckedTile> ReadOsgb(const std::string& pack, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile osgb, ReadOsgbTile(pack, name));
+  CheckedTile tile;
+  for (int32_t l = 0; l < osgb.levels; ++l) {
+    OsgbLevel level = LevelOf(osgb, l);
+    std::vector<uint64_t> looks = OsgbFaceLooks(osgb, level);
+    tile.coarser.push_back({std::move(level.mesh), std::move(looks)});
+  }
+  tile.faces = std::move(tile.coarser.back());
+  tile.coarser.pop_back();
+  return tile;
+}
+
+}  // namespace
+
+absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path) {
+  const std::string name = absl::StrCat(root, "/", path);
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name));
+  if (format == MeshFormat::kOsgb) return ReadOsgb(bytes, name);
+  CheckedTile tile;
+  if (format == MeshFormat::kObj) {
+    TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
+    tile.faces.mesh = std::move(obj.file.mesh);
+    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles.size());
+    tile.files = ReadObjLook(root, path, obj.textures).files;
+    return tile;
+  }
+  TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));
+  tile.faces.mesh = std::move(file.mesh);
+  if (format == MeshFormat::kPly) {
+    TILEMEND_ASSIGN_OR_RETURN(tile.faces.looks, PlyFaceLooks(bytes, name));
+    tile.files = ReadPlyLook(root, path, bytes).files;
+  } else {
+    tile.faces.looks.assign(tile.faces.mesh.triangles.size(), 0);
+  }
+  return tile;
+}
+
+}  // namespace tilemend

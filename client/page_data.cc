@@ -1,0 +1,154 @@
+#include "client/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/escaping.h"
+#include "absl/strings/str_cat.h"
+#include "client/csv.h"
+#include "client/json_access.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Json& RowsOf(const Json& report) {
+  static const Json kNone = Json::array();
+  const Json& rows = Member(report, "per_hole");
+  return rows.is_array() ? rows : kNone;
+}
+
+bool IsLeft(const Json& hole) { return Member(hole, "outcome") != "filled"; }
+
+std::string KindNameOf(const Json& hole) {
+  const std::string type = Text(Member(hole, "type")), single = Text(Member(hole, "single"));
+  return absl::StrCat(Text(Member(hole, "kind")), type.empty() ? "" : " ", type, single.empty() ? "" : ", ", single);
+}
+
+// Why a hole is as it is: why it was left, or why it was taken for water.
+std::string ReasonOf(const Json& hole) {
+  const std::string reason = Text(Member(hole, "reason"));
+  return reason.empty() ? Text(Member(Member(hole, "water"), "reason")) : reason;
+}
+
+Json HoleJson(const Json& hole) {
+  Json row = {{"id", Member(hole, "id")},
+              {"cell", Member(hole, "cell")},
+              {"centre", Member(hole, "centre")},
+              {"kind", KindNameOf(hole)},
+              {"area", std::abs(Number(Member(hole, "area_m2")))},
+              {"rim", Member(hole, "perimeter_m")},
+              {"filled", !IsLeft(hole)},
+              {"method", Text(Member(hole, "method"))},
+              {"level", Member(hole, "level_m")},
+              {"sigma", Member(Member(hole, "water"), "sigma_m")},
+              {"reason", ReasonOf(hole)}};
+  return row;
+}
+
+// Those that were left first, then the largest first.
+std::vector<const Json*> HolesToShow(const Json& report) {
+  std::vector<const Json*> holes;
+  for (const Json& hole : RowsOf(report)) holes.push_back(&hole);
+  std::stable_sort(holes.begin(), holes.end(), [](const Json* a, const Json* b) {
+    if (IsLeft(*a) != IsLeft(*b)) return IsLeft(*a);
+    return std::abs(Number(Member(*a, "area_m2"))) > std::abs(Number(Member(*b, "area_m2")));
+  });
+  holes.resize(std::min(holes.size(), kMostPageHoles));
+  return holes;
+}
+
+// [column, row, holes filled, holes left, whether it has a tile] of each cell.
+Json CellsJson(const Json& report, const Scene* scene) {
+  struct Counts {
+    int64_t filled = 0, left = 0;
+    bool has_tile = true;
+  };
+  std::map<std::pair<int32_t, int32_t>, Counts> cells;  // by row, column
+  if (scene != nullptr) {
+    for (const SceneTile& tile : scene->tiles) cells[{tile.cell.row, tile.cell.col}].has_tile = !tile.path.empty();
+  }
+  const auto count = [&](const Json& row, int64_t filled, int64_t left) {
+    const Json& cell = Member(row, "cell");
+    if (!cell.is_array() || cell.size() != 2 || !cell[0].is_number_integer() || !cell[1].is_number_integer()) return;
+    Counts& counts = cells[{cell[1].get<int32_t>(), cell[0].get<int32_t>()}];
+    counts.filled += filled;
+    counts.left += left;
+  };
+  for (const Json& hole : RowsOf(report)) count(hole, IsLeft(hole) ? 0 : 1, IsLeft(hole) ? 1 : 0);
+  const Json& left = Member(report, "left");
+  if (left.is_array()) {
+    for (const Json& row : left) {
+      if (Member(row, "hole").is_null()) count(row, 0, 1);
+    }
+  }
+  Json rows = Json::array();
+  for (const auto& [at, counts] : cells) {
+    rows.push_back({at.second, at.first, counts.filled, counts.left, counts.has_tile ? 1 : 0});
+  }
+  return rows;
+}
+
+Json PicturesJson(const PagePictures& pictures) {
+  Json rows = Json::array();
+  for (const PagePicture& picture : pictures.pictures) {
+    rows.push_back({{"hole", picture.hole},
+                    {"triangles", picture.triangles},
+                    {"coarser", picture.coarser},
+                    {"bytes", absl::Base64Escape(picture.bytes)}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+Json PageData(const Json& report, const Scene* scene, const PagePictures& pictures) {
+  Json data = Json::object();
+  for (const char* name : {"version", "date", "scene", "options", "warnings", "holes", "filled", "water", "look_at",
+                           "left", "not_holes", "cleared", "seconds"}) {
+    data[name] = Member(report, name);
+  }
+  data["cells"] = CellsJson(report, scene);
+  data["grid"] = scene == nullptr ? Json()
+                                  : Json{{"crs", scene->crs},
+                                         {"cell_size", {scene->grid.cell_size.x(), scene->grid.cell_size.y()}},
+                                         {"corner", {scene->grid.corner.x(), scene->grid.corner.y()}}};
+  Json holes = Json::array();
+  for (const Json* hole : HolesToShow(report)) holes.push_back(HoleJson(*hole));
+  data["hole_count"] = RowsOf(report).size();
+  data["per_hole"] = std::move(holes);
+  data["pictures"] = PicturesJson(pictures);
+  data["picture_problems"] = pictures.problems;
+  return data;
+}
+
+std::string HolesCsv(const Json& report) {
+  std::string text =
+      "id,column,row,x,y,kind,type,single,area_m2,perimeter_m,outcome,method,level_m,sigma_m,taken_for,reason\r\n";
+  for (const Json& hole : RowsOf(report)) {
+    const Json &cell = Member(hole, "cell"), &centre = Member(hole, "centre"), &water = Member(hole, "water");
+    const auto entry = [](const Json& list, size_t k) {
+      return list.is_array() && list.size() > k ? Text(list[k]) : std::string();
+    };
+    const Json& level = Member(hole, "level_m");
+    const std::string level_text =
+        level.is_array() ? absl::StrCat(entry(level, 0), " to ", entry(level, 1)) : Text(level);
+    std::string line;
+    for (const std::string& field :
+         {Text(Member(hole, "id")), entry(cell, 0), entry(cell, 1), entry(centre, 0), entry(centre, 1),
+          Text(Member(hole, "kind")), Text(Member(hole, "type")), Text(Member(hole, "single")),
+          Text(Member(hole, "area_m2")), Text(Member(hole, "perimeter_m")), Text(Member(hole, "outcome")),
+          Text(Member(hole, "method")), level_text, Text(Member(water, "sigma_m")), Text(Member(water, "taken_for")),
+          ReasonOf(hole)}) {
+      absl::StrAppend(&line, line.empty() ? "" : ",", CsvField(field));
+    }
+    absl::StrAppend(&text, line, "\r\n");
+  }
+  return text;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,25 @@
+// What report.html shows, as JSON for its script.
+#ifndef TILEMEND_CLIENT_PAGE_DATA_H_
+#define TILEMEND_CLIENT_PAGE_DATA_H_
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "client/page_pictures.h"
+#include "common/grid/scene.h"
+
+namespace tilemend {
+
+// More holes than this are not listed one by one: those that were left come first, then the largest.
+inline constexpr size_t kMostPageHoles = 20000;
+
+// The members of the report that the page shows, the state of each cell, and the pictures as base64. `scene` gives the
+// cells without a hole; null: only those in the report are shown. web/src/data.ts declares the form. Linear.
+nlohmann::ordered_json PageData(const nlohmann::ordered_json& report, const Scene* scene, const PagePictures& pictures);
+
+// per_hole of the report as CSV: one line a hole. Quoted as AcceptanceCsv.
+std::string HolesCsv(const nlohmann::ordered_json& report);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_PAGE_DATA_H_

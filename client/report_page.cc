@@ -1,0 +1,69 @@
+#include "client/report_page.h"
+
+#include <array>
+#include <utility>
+
+#include "absl/strings/escaping.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
+#include "client/json_access.h"
+#include "client/page_assets.h"
+#include "client/page_data.h"
+#include "client/page_pictures.h"
+#include "common/grid/scene.h"
+#include "common/store/digest.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "coordinator/report/tile_checks.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// "'sha256-...'" for the policy.
+std::string PolicyHash(std::string_view text) {
+  const std::array<char, 32> digest = Sha256Of(text);
+  return absl::StrCat("'sha256-", absl::Base64Escape(std::string(digest.data(), digest.size())), "'");
+}
+
+}  // namespace
+
+std::string ReportPage(const Json& data) {
+  // "<" is the only character by which a text can end its element or begin another.
+  const std::string json = absl::StrReplaceAll(data.dump(-1, ' ', true, Json::error_handler_t::replace),
+                                               {{"<", "\\u003c"}, {">", "\\u003e"}, {"&", "\\u0026"}});
+  const std::string script(PageScript()), style(PageStyle());
+  return absl::StrCat(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src ",
+      PolicyHash(script), "; style-src ", PolicyHash(style),
+      "; img-src blob:; base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>tilemend report</title>\n<style>",
+      style,
+      "</style>\n</head>\n<body>\n<main id=\"page\"><noscript>This report needs JavaScript. report.json has the same "
+      "facts.</noscript></main>\n<script type=\"application/json\" id=\"data\">",
+      json, "</script>\n<script>", script, "</script>\n</body>\n</html>\n");
+}
+
+absl::Status WriteReportPage(const std::string& out) {
+  const std::string report_path = absl::StrCat(out, "/report.json");
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
+  const Json report = Json::parse(text, nullptr, false);
+  if (!report.is_object() || !report.contains("cells")) {
+    return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
+  }
+  const auto scene = LoadScene(Text(Member(report, "scene")), ReadTileBounds);
+  PagePictures pictures;
+  if (scene.ok()) {
+    pictures = MakePagePictures(report, *scene, out);
+  } else {
+    pictures.problems.push_back(absl::StrCat("No pictures: ", std::string(scene.status().message())));
+  }
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(out, "/holes.csv"), HolesCsv(report)));
+  return WriteFileAtomically(absl::StrCat(out, "/report.html"),
+                             ReportPage(PageData(report, scene.ok() ? &*scene : nullptr, pictures)));
+}
+
+}  // namespace tilemend

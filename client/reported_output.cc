@@ -1,0 +1,81 @@
+#include "client/reported_output.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "client/json_access.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kReachOfEdges = 5;  // metres around boundary edges in no loop, for each of them
+
+std::optional<CellId> CellOf(const Json& row) {
+  const Json& cell = Member(row, "cell");
+  const bool valid = cell.is_array() && cell.size() == 2 && cell[0].is_number_integer() && cell[1].is_number_integer();
+  if (!valid) return std::nullopt;
+  return CellId{cell[0].get<int32_t>(), cell[1].get<int32_t>()};
+}
+
+std::optional<Point2> PlaneOf(const Json& place) {
+  if (!place.is_array() || place.size() < 2 || !place[0].is_number() || !place[1].is_number()) return std::nullopt;
+  return Point2(place[0].get<double>(), place[1].get<double>());
+}
+
+std::vector<Json> RowsOf(const Json& rows) {
+  return rows.is_array() ? std::vector<Json>(rows.begin(), rows.end()) : std::vector<Json>();
+}
+
+void AddWater(const Json& hole, ReportedOutput& reported) {
+  const auto cell = CellOf(hole);
+  const auto centre = PlaneOf(Member(hole, "centre"));
+  const Json& level = Member(hole, "level_m");
+  if (!cell || !centre || Member(hole, "method") != "water" || Member(hole, "outcome") != "filled") return;
+  WaterHole fill{*centre, Number(level), Number(level)};
+  if (level.is_array() && level.size() == 2) {
+    const double a = Number(level[0]), b = Number(level[1]);
+    fill.lowest = std::min(a, b);
+    fill.highest = std::max(a, b);
+  }
+  reported.water[*cell].push_back({static_cast<int64_t>(Number(Member(hole, "id"))), fill});
+}
+
+void AddLeftHole(const Json& hole, ReportedOutput& reported) {
+  const auto cell = CellOf(hole);
+  const auto centre = PlaneOf(Member(hole, "centre"));
+  if (!cell || !centre || Member(hole, "outcome") != "left") return;
+  reported.left.push_back({*cell, *centre, Number(Member(hole, "perimeter_m")) / 2, Number(Member(hole, "area_m2")),
+                           Text(Member(hole, "reason"))});
+}
+
+}  // namespace
+
+ReportedOutput ReadReported(const Json& report) {
+  ReportedOutput reported;
+  for (const Json& hole : RowsOf(Member(report, "per_hole"))) {
+    AddWater(hole, reported);
+    AddLeftHole(hole, reported);
+  }
+  for (const Json& row : RowsOf(Member(report, "left"))) {
+    const auto cell = CellOf(row);
+    const auto at = PlaneOf(Member(row, "at"));
+    if (!cell || !at || !Member(row, "hole").is_null()) continue;  // those of holes are above
+    reported.left.push_back(
+        {*cell, *at, kReachOfEdges * Number(Member(row, "open_edges")), 0, Text(Member(row, "reason"))});
+  }
+  for (const Json& row : RowsOf(Member(Member(report, "cleared"), "tiles"))) {
+    if (const auto cell = CellOf(row))
+      reported.cleared[*cell] += static_cast<int64_t>(Number(Member(row, "triangles")));
+  }
+  for (const Json& border : RowsOf(Member(Member(report, "borders"), "inexact"))) {
+    for (const Json& margin : RowsOf(Member(border, "margins_m"))) {
+      reported.overlap = std::max(reported.overlap, Number(margin));
+    }
+  }
+  reported.has_textures = Text(Member(Member(report, "options"), "textures")) != "off";
+  return reported;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,30 @@
+// What the faces of a mesh file have beside positions, as digests.
+#ifndef TILEMEND_COMMON_CODEC_FACE_LOOKS_H_
+#define TILEMEND_COMMON_CODEC_FACE_LOOKS_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/codec/mesh_file.h"
+#include "common/codec/obj.h"
+#include "common/codec/osgb/osgb_tile.h"
+
+namespace tilemend {
+
+// Of each triangle: its material's name and the texture coordinates of its corners, to the bit. Linear.
+std::vector<uint64_t> ObjFaceLooks(const ObjTextures& textures, size_t triangles);
+
+// Of each triangle of the PLY file: the records of its vertices and of its face, byte by byte, but for the numbers of
+// vertices and for the property tilemend_filled, which AppendPatch adds. Errors of ParsePly. Linear.
+absl::StatusOr<std::vector<uint64_t>> PlyFaceLooks(std::string_view bytes, const std::string& name);
+
+// Of each triangle of one level of detail (LevelOf): the texture coordinates of its corners and its image, to the bit.
+// Images are decoded by nobody. Linear.
+std::vector<uint64_t> OsgbFaceLooks(const OsgbTile& tile, const OsgbLevel& level);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_CODEC_FACE_LOOKS_H_

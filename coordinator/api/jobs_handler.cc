@@ -1,0 +1,161 @@
+#include "coordinator/api/jobs_handler.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "common/options/job_options.h"
+#include "common/util/error_info.h"
+#include "common/util/folders.h"
+#include "common/util/roots.h"
+#include "common/util/status_macros.h"
+#include "common/util/text.h"
+#include "coordinator/api/page.h"
+#include "coordinator/jobs/describe_job.h"
+
+namespace tilemend {
+namespace {
+
+// Then a page ends: one job more, with its longest paths, error and warnings, fits into a message.
+constexpr size_t kMostPageBytes = size_t{2} << 20;
+
+absl::Status CheckScene(const std::string& scene) {
+  if (scene.find("://") != std::string::npos) return absl::OkStatus();
+  const absl::Status look = LookAt(scene).status();
+  if (look.ok()) return absl::OkStatus();
+  const std::string why = absl::IsNotFound(look) ? "" : absl::StrCat(" (", std::string(look.message()), ")");
+  return WithErrorInfo(absl::NotFoundError(absl::StrCat(Printable(scene), ": no such scene", why)),
+                       {"SCENE_NOT_FOUND", {{"scene", scene}}});
+}
+
+// OUTSIDE_ROOTS names the first field whose path is not below the roots. Without the lock: a mount may hang.
+absl::Status CheckRoots(const Roots* roots, const JobSpec& spec) {
+  if (roots == nullptr) return absl::OkStatus();
+  const bool water_is_file = spec.water() != "auto" && spec.water() != "off";
+  for (const auto& [field, path] : {std::pair("scene", spec.scene()), std::pair("out", spec.out()),
+                                    std::pair("water", water_is_file ? spec.water() : ""),
+                                    std::pair("clear", spec.clear()), std::pair("area", spec.area())}) {
+    const absl::Status status = path.empty() ? absl::OkStatus() : roots->Check(path);
+    if (!status.ok()) {
+      return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),
+                           {"OUTSIDE_ROOTS", {{"field", field}}});
+    }
+  }
+  return absl::OkStatus();
+}
+
+// Whether the output that a job has completed is gone. What begins with ".tilemend-" is kept for the jobs that come
+// after.
+absl::Status CheckOutputGone(const JobSpec& spec) {
+  if (spec.overwrite() || spec.dry_run()) return absl::OkStatus();
+  const auto names = ListFolder(spec.out());
+  const bool gone = !names.ok() || std::all_of(names->begin(), names->end(),
+                                               [](const std::string& name) { return name.starts_with(".tilemend-"); });
+  if (gone) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::AlreadyExistsError(
+          absl::StrCat(Printable(spec.out()), ": the output is complete; give --overwrite to do the job again there")),
+      {"OUTPUT_EXISTS", {}});
+}
+
+}  // namespace
+
+absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
+  const JobSpec spec = WithDefaults(request.spec());
+  TILEMEND_RETURN_IF_ERROR(CheckJob(spec));
+  TILEMEND_RETURN_IF_ERROR(CheckPriority(request.priority()));
+  TILEMEND_RETURN_IF_ERROR(CheckRoots(cluster_.options.roots.get(), spec));
+  const absl::Status scene = CheckScene(spec.scene());  // without the lock: a mount may hang
+  return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<v1::Job> {
+    TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), scene));
+    return runs_.StartJob(spec, request.request_id(), request.priority(), std::move(origin));
+  });
+}
+
+absl::StatusOr<v1::Job> JobsHandler::GetJob(const v1::GetJobRequest& request) {
+  return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<v1::Job> {
+    TILEMEND_ASSIGN_OR_RETURN(const Job* job, cluster_.JobNamed(request.name()));
+    return DescribeJob(cluster_, *job);
+  });
+}
+
+absl::StatusOr<v1::Job> JobsHandler::CancelJob(const v1::CancelJobRequest& request) {
+  return AnswerWhenDurable(cluster_, [&] { return steering_.Cancel(request.name()); });
+}
+
+absl::StatusOr<v1::ListJobsResponse> JobsHandler::ListJobs(const v1::ListJobsRequest& request) {
+  if (request.page_size() < 0) return InvalidPage("page_size: below 0");
+  int64_t below = std::numeric_limits<int64_t>::max();  // the token is the number of the last job that was looked at
+  if (!request.page_token().empty() &&
+      (!absl::SimpleAtoi(request.page_token(), &below) || below <= 0 || absl::StrCat(below) != request.page_token())) {
+    return InvalidPage(absl::StrCat("page_token: '", request.page_token(), "' was not given out here"));
+  }
+  const std::set<int> states(request.states().begin(), request.states().end());
+  return AnswerWhenDurable(cluster_, [&] {
+    const auto& numbers = cluster_.state.job_numbers();
+    v1::ListJobsResponse response;
+    auto it = numbers.lower_bound(below);
+    size_t bytes = 0;
+    while (it != numbers.begin() && response.jobs_size() < PageSize(request.page_size()) && bytes < kMostPageBytes) {
+      --it;
+      v1::Job job = DescribeJob(cluster_, *cluster_.state.FindJob(it->second));
+      if (!states.empty() && !states.contains(job.state())) continue;
+      bytes += job.ByteSizeLong();
+      *response.add_jobs() = std::move(job);
+    }
+    if (it != numbers.begin()) response.set_next_page_token(absl::StrCat(it->first));
+    return response;
+  });
+}
+
+absl::StatusOr<v1::Job> JobsHandler::PauseJob(const v1::PauseJobRequest& request) {
+  return AnswerWhenDurable(cluster_, [&] { return steering_.Steer(request.name(), {.job = "", .paused = true}); });
+}
+
+absl::StatusOr<v1::Job> JobsHandler::ResumeJob(const v1::ResumeJobRequest& request) {
+  return AnswerWhenDurable(cluster_, [&] { return steering_.Steer(request.name(), {.job = "", .paused = false}); });
+}
+
+absl::StatusOr<v1::Job> JobsHandler::PrioritizeJob(const v1::PrioritizeJobRequest& request) {
+  TILEMEND_RETURN_IF_ERROR(CheckPriority(request.priority()));
+  return AnswerWhenDurable(
+      cluster_, [&] { return steering_.Steer(request.name(), {.job = "", .priority = request.priority()}); });
+}
+
+absl::StatusOr<v1::Job> JobsHandler::RetryJob(const v1::RetryJobRequest& request, JobOrigin origin) {
+  JobSpec spec;
+  JobState state = JobState::kRunning;
+  int32_t priority = 0;
+  {
+    ClusterLock lock(cluster_.mutex);
+    TILEMEND_ASSIGN_OR_RETURN(const Job* job, cluster_.JobNamed(request.name()));
+    state = job->state;
+    priority = job->priority;
+    if (!IsOver(state)) {
+      return WithErrorInfo(
+          absl::FailedPreconditionError(absl::StrCat(request.name(), ": still running; cancel it first")),
+          {"JOB_NOT_OVER", {{"job", job->id}, {"state", std::string(JobStateName(state))}}});
+    }
+    spec = cluster_.jobs.at(job->id).spec;
+  }
+  spec.set_overwrite(spec.overwrite() || request.overwrite());
+  TILEMEND_RETURN_IF_ERROR(CheckRoots(cluster_.options.roots.get(), spec));
+  const bool was_completed = state == JobState::kDone || state == JobState::kPartial;
+  const absl::Status vacant = was_completed ? CheckOutputGone(spec) : absl::OkStatus();
+  return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<v1::Job> {
+    TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), vacant));
+    return runs_.StartJob(spec, request.request_id(), priority, std::move(origin));
+  });
+}
+
+absl::Status JobsHandler::OnlyIfNew(const std::string& request_id, const absl::Status& error) const {
+  const bool is_new = request_id.empty() || cluster_.state.FindRequest(request_id) == nullptr;
+  return is_new ? error : absl::OkStatus();
+}
+
+}  // namespace tilemend

@@ -1,0 +1,46 @@
+// Calls of clients on jobs.
+#ifndef TILEMEND_COORDINATOR_API_JOBS_HANDLER_H_
+#define TILEMEND_COORDINATOR_API_JOBS_HANDLER_H_
+
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "coordinator/jobs/cluster.h"
+#include "coordinator/jobs/job_journal.h"
+#include "coordinator/jobs/job_pipeline.h"
+#include "coordinator/jobs/job_runs.h"
+#include "coordinator/jobs/state_updates.h"
+#include "coordinator/jobs/steer_job.h"
+#include "tilemend/v1/jobs.pb.h"
+
+namespace tilemend {
+
+// Thread-safe; every call is short. The messages say what each call does and which errors it has.
+class JobsHandler {
+ public:
+  // All must outlive this.
+  JobsHandler(Cluster& cluster, StateUpdates& updates, const JobJournal& journal, JobRuns& runs)
+      : cluster_(cluster), runs_(runs), steering_(cluster, updates, journal) {}
+
+  absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request, JobOrigin origin = {});
+  absl::StatusOr<v1::Job> GetJob(const v1::GetJobRequest& request);
+  absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
+  absl::StatusOr<v1::Job> CancelJob(const v1::CancelJobRequest& request);
+  absl::StatusOr<v1::Job> RetryJob(const v1::RetryJobRequest& request, JobOrigin origin = {});
+  absl::StatusOr<v1::Job> PauseJob(const v1::PauseJobRequest& request);
+  absl::StatusOr<v1::Job> ResumeJob(const v1::ResumeJobRequest& request);
+  absl::StatusOr<v1::Job> PrioritizeJob(const v1::PrioritizeJobRequest& request);
+
+ private:
+  // What is wrong with a request; OK if a request with this id was taken before. Needs the lock.
+  absl::Status OnlyIfNew(const std::string& request_id, const absl::Status& error) const;
+
+  Cluster& cluster_;
+  JobRuns& runs_;
+  JobSteering steering_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_API_JOBS_HANDLER_H_

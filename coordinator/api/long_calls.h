@@ -1,0 +1,66 @@
+// Calls that wait for others: streams of blobs and watches. Each takes a thread, so they are counted and looked after.
+#ifndef TILEMEND_COORDINATOR_API_LONG_CALLS_H_
+#define TILEMEND_COORDINATOR_API_LONG_CALLS_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+
+namespace tilemend {
+
+// Thread-safe.
+class LongCalls {
+ public:
+  explicit LongCalls(size_t most) : most_(most) {}
+
+  // One call, while this lives.
+  class Call {
+   public:
+    Call(LongCalls& calls, uint64_t number) : calls_(calls), number_(number) {}
+    ~Call() { calls_.Leave(number_); }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+    // Whose it is, where that is known later.
+    void Name(std::string job) { calls_.Name(number_, std::move(job)); }
+    // It has got on.
+    void Touch(absl::Time now) { calls_.Touch(number_, now); }
+
+   private:
+    LongCalls& calls_;
+    const uint64_t number_;
+  };
+
+  // `stop` makes the call end soon; it may be called until the Call is gone, and must not wait for that.
+  // kResourceExhausted (TOO_MANY_CALLS) if there are too many.
+  absl::StatusOr<std::unique_ptr<Call>> Enter(std::string job, absl::Time now, std::function<void()> stop);
+
+  // Stops the calls that have not got on since `since`, and those of jobs that are over.
+  void Stop(absl::Time since, const std::function<bool(const std::string& job)>& is_over);
+
+ private:
+  struct Entry {
+    std::string job;
+    absl::Time last;
+    std::function<void()> stop;
+  };
+  void Name(uint64_t number, std::string job);
+  void Touch(uint64_t number, absl::Time now);
+  void Leave(uint64_t number);
+
+  const size_t most_;
+  std::mutex mutex_;
+  uint64_t last_ = 0;
+  std::map<uint64_t, Entry> entries_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_API_LONG_CALLS_H_

@@ -1,0 +1,60 @@
+// Results that workers report: looked at, then taken or refused.
+#ifndef TILEMEND_COORDINATOR_API_RESULT_INTAKE_H_
+#define TILEMEND_COORDINATOR_API_RESULT_INTAKE_H_
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "coordinator/jobs/cluster.h"
+#include "coordinator/jobs/state_updates.h"
+#include "coordinator/state/event.h"
+#include "coordinator/store/blob_folder.h"
+#include "tilemend/v1/work.pb.h"
+
+namespace tilemend {
+
+class ResultIntake {
+ public:
+  // A result as it came, made ready without the lock.
+  struct Report {
+    v1::TaskRef ref;
+    Stage stage;
+    Event event;  // TaskCompleted or TaskFailed
+    std::optional<std::string> content;
+    std::string refusal = {};  // why the result is not taken, for people; else empty
+    bool held = false;         // the worker held the task when its report came; else nobody looked at the result
+  };
+
+  // Both must outlive this.
+  ResultIntake(Cluster& cluster, StateUpdates& updates) : cluster_(cluster), updates_(updates) {}
+
+  // Checks the results that a call brings. Without the lock: it reads files.
+  std::vector<Report> Prepare(const v1::SyncRequest& request);
+  // Takes what was prepared, and acknowledges it in `response`. Needs the lock.
+  void Take(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response);
+
+ private:
+  // What a worker holds.
+  struct Holding {
+    CellId cell;
+    Stage stage;
+    std::string input;  // digest
+    std::shared_ptr<BlobFolder> blobs;
+    bool queue_full = false;
+  };
+  Report PrepareReport(const std::string& worker, const v1::FinishedTask& finished);
+  std::optional<Holding> HoldingOf(const std::string& worker, const v1::TaskRef& ref);  // takes the lock
+  void PrepareOutput(const std::string& worker, const Holding& lease, const v1::BlobRef& output, Report& report);
+  absl::Status CheckOutput(const Holding& lease, const v1::BlobRef& output) const;
+  bool TakeReport(const std::string& worker, Report& report);
+
+  Cluster& cluster_;
+  StateUpdates& updates_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_API_RESULT_INTAKE_H_

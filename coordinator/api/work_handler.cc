@@ -1,0 +1,293 @@
+#include "coordinator/api/work_handler.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/limits.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "common/util/text.h"
+#include "common/util/version.h"
+#include "coordinator/api/task_ref.h"
+#include "coordinator/state/task_choice.h"
+#include "coordinator/store/blob_folder.h"
+
+namespace tilemend {
+namespace {
+
+constexpr int32_t kMaxThreads = 2048;
+constexpr size_t kMostNameBytes = 256;
+
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+// Of another protocol anything may be said.
+std::string Shown(const std::string& text) { return Printable(text.substr(0, kMostNameBytes)); }
+
+// Whether results of the worker's program fit to those of others here.
+absl::Status CheckProgram(const v1::SyncRequest& request, const std::string& build) {
+  const std::string worker = Shown(request.worker()), have = Shown(request.build());
+  if (request.protocol() != kProtocolVersion) {
+    return WithErrorInfo(
+        absl::FailedPreconditionError(absl::StrCat("worker ", worker, " speaks protocol ", request.protocol(),
+                                                   ", this coordinator ", kProtocolVersion, "; use the same release")),
+        {"PROTOCOL_VERSION", {{"want", absl::StrCat(kProtocolVersion)}, {"have", absl::StrCat(request.protocol())}}});
+  }
+  if (request.build() == build) return absl::OkStatus();
+  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(
+                           "worker ", worker, " is of build ", have, " (", Shown(request.release()),
+                           "), this coordinator of ", build, " (", Version(), "); use programs of the same build")),
+                       {"OTHER_BUILD", {{"want", build}, {"have", have}}});
+}
+
+absl::Status CheckSync(const v1::SyncRequest& request) {
+  if (std::max({request.worker().size(), request.secret().size(), request.release().size()}) > kMostNameBytes) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("a worker's id, secret and release have at most ", kMostNameBytes, " bytes"));
+  }
+  const auto in_range = [](int32_t tasks) { return tasks >= 0 && tasks <= kMaxThreads; };
+  if (request.worker().empty() || !in_range(request.threads()) || !in_range(request.prefetch())) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("a worker needs an id, 0 to ", kMaxThreads, " threads and as many tasks beyond them"));
+  }
+  return absl::OkStatus();
+}
+
+v1::TaskRef RefOf(const TaskKey& key, uint64_t token) {
+  v1::TaskRef ref;
+  ref.set_job(key.job);
+  ref.set_task(key.task);
+  ref.set_attempt_token(token);
+  return ref;
+}
+
+// Of an attempt. Nobody is to guess it.
+uint64_t NewToken() {
+  std::random_device random;
+  const uint64_t token = static_cast<uint64_t>(random()) << 32 | random();
+  return token == 0 ? 1 : token;
+}
+
+v1::Task TaskMessage(const TaskKey& key, const Task& task, const Lease& lease) {
+  v1::Task message;
+  *message.mutable_ref() = RefOf(key, lease.token);
+  message.mutable_cell()->set_col(task.cell.col);
+  message.mutable_cell()->set_row(task.cell.row);
+  message.set_stage(static_cast<v1::Stage>(task.stage));
+  message.set_attempt(task.attempts);
+  message.mutable_input()->set_digest(task.input);
+  return message;
+}
+
+using InputFolders = std::map<std::string, std::shared_ptr<BlobFolder>>;  // by job
+
+// Needs the lock.
+InputFolders BlobsOf(const Cluster& cluster, const v1::SyncResponse& response) {
+  InputFolders blobs;
+  for (const v1::Task& task : response.start()) blobs[task.ref().job()] = cluster.jobs.at(task.ref().job()).blobs;
+  return blobs;
+}
+
+// Puts small inputs of tasks into the answer, which saves a call for each. Without the lock.
+void InlineInputs(Cluster& cluster, const InputFolders& blobs, v1::SyncResponse& response) {
+  size_t left = kMaxInlineBytesPerSync;
+  for (v1::Task& task : *response.mutable_start()) {
+    const auto& folder = blobs.at(task.ref().job());
+    if (folder == nullptr) continue;
+    v1::BlobRef& input = *task.mutable_input();
+    const auto size = folder->Size(input.digest());
+    input.set_size(size.value_or(-1));  // no size: not inside, so that nobody takes it for empty
+    if (!size.ok()) continue;           // the job has just ended, and the worker is told so next time; or it was lost
+    if (static_cast<size_t>(*size) > std::min(left, kInlineBlobBytes)) continue;
+    auto content = folder->Read(input.digest());
+    if (!content.ok()) continue;
+    left -= content->size();
+    cluster.metrics.BlobSent(*size);
+    input.set_content(*std::move(content));
+  }
+}
+
+}  // namespace
+
+absl::StatusOr<v1::SyncResponse> WorkHandler::Sync(const v1::SyncRequest& request, const std::function<bool()>& alive,
+                                                   const std::string& identity) {
+  if (const absl::Status other = CheckProgram(request, cluster_.options.build); !other.ok()) {
+    ClusterLock lock(cluster_.mutex);
+    cluster_.events.WorkerRefused(Shown(request.worker()), Shown(request.release()), other, cluster_.options.clock());
+    return other;
+  }
+  TILEMEND_RETURN_IF_ERROR(CheckSync(request));
+  std::vector<ResultIntake::Report> reports = results_.Prepare(request);
+  v1::SyncResponse response;
+  std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
+  {
+    ClusterLock lock(cluster_.mutex);
+    TILEMEND_RETURN_IF_ERROR(CheckSecret(request, identity));
+    uint64_t& sequence = cluster_.callers[request.worker()].sequence;
+    sequence = std::max(sequence, request.sequence());
+    cluster_.work_changed.notify_all();  // an older call of this worker ends
+    const bool is_new = cluster_.state.FindWorker(request.worker()) == nullptr;
+    TILEMEND_RETURN_IF_ERROR(updates_
+                                 .Apply(WorkerSeen{request.worker(), request.threads(), request.draining(),
+                                                   cluster_.options.clock(), request.prefetch()})
+                                 .status());
+    if (is_new) {
+      cluster_.events.WorkerCame(*cluster_.state.FindWorker(request.worker()), request.release(), identity);
+      cluster_.ShowMetrics();
+    }
+    results_.Take(request.worker(), std::move(reports), response);
+    RenewHeld(request);
+    if (const std::vector<std::string> unseen = TakeSeen(request); !unseen.empty()) {
+      lock.unlock();
+      FailJobsThatAreGone(unseen);
+      lock.lock();
+    }
+    TILEMEND_RETURN_IF_ERROR(AwaitNews(request, alive, lock, response));
+    blobs = BlobsOf(cluster_, response);
+  }
+  cluster_.journal->Await();
+  InlineInputs(cluster_, blobs, response);
+  return response;
+}
+
+absl::Status WorkHandler::CheckSecret(const v1::SyncRequest& request, const std::string& identity) {
+  const WorkerCaller caller{0, request.secret(), request.release(), identity, cluster_.options.clock()};
+  const WorkerCaller& known = cluster_.callers.try_emplace(request.worker(), caller).first->second;
+  if (known.secret == request.secret() && known.identity == identity) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::PermissionDeniedError(absl::StrCat("another process is worker ", Printable(request.worker()))),
+      {"WORKER_SECRET", {}});
+}
+
+std::vector<std::string> WorkHandler::TakeSeen(const v1::SyncRequest& request) {
+  std::vector<std::string> unseen;
+  std::set<std::string> told;
+  for (const v1::FoldersSeen& seen : request.seen()) {
+    if (!told.insert(seen.job()).second) continue;  // a worker says it once
+    const auto warning = cluster_.trust.TakeSeen(request.worker(), seen, cluster_.options.clock());
+    if (!warning) continue;
+    updates_.Warn(seen.job(), *warning);
+    cluster_.events.WorkerBlind(request.worker(), seen.job(), *warning);
+    unseen.push_back(seen.job());
+  }
+  cluster_.metrics.ShowTrust(cluster_.trust.set_aside(), cluster_.trust.blind());
+  return unseen;
+}
+
+// A job whose folders the coordinator does not see either any more, or where it cannot write, has no worker to wait
+// for.
+void WorkHandler::FailJobsThatAreGone(const std::vector<std::string>& jobs) {
+  for (const std::string& job : jobs) {
+    JobFolders folders;
+    {
+      ClusterLock lock(cluster_.mutex);
+      const JobFolders* known = cluster_.trust.FoldersOf(job);
+      if (known == nullptr) continue;
+      folders = *known;
+    }
+    const absl::Status fault = TryFolders(folders);
+    if (fault.ok()) continue;
+    ClusterLock lock(cluster_.mutex);
+    const auto entry = cluster_.jobs.find(job);
+    if (entry == cluster_.jobs.end() || entry->second.runner == nullptr) continue;
+    entry->second.runner->Fail(fault);
+  }
+}
+
+void WorkHandler::RenewHeld(const v1::SyncRequest& request) {
+  const absl::Time deadline = cluster_.options.clock() + cluster_.options.lease;
+  const std::set<uint64_t> begun(request.begun().begin(), request.begun().end());
+  for (const v1::TaskRef& ref : request.held()) {
+    const uint64_t token = ref.attempt_token();
+    // Fails if the lease was lost; TellState then leaves the task out.
+    updates_.Apply(LeaseRenewed{KeyOf(ref), request.worker(), token, deadline, begun.contains(token)}).IgnoreError();
+  }
+}
+
+absl::Status WorkHandler::AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive,
+                                    ClusterLock& lock, v1::SyncResponse& response) {
+  const absl::Duration wait = std::clamp(absl::Milliseconds(request.wait_ms()), absl::ZeroDuration(), kMaxPoll);
+  const SteadyTime deadline = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(wait);
+  while (true) {
+    const auto caller = cluster_.callers.find(request.worker());
+    if (caller == cluster_.callers.end() || caller->second.sequence > request.sequence()) {
+      return absl::AbortedError("a newer call of this worker took over");
+    }
+    if (!alive()) return absl::CancelledError("the worker went away");
+    if (request.draining() && request.held().empty()) {
+      updates_.Apply(WorkerLeft{request.worker()}).IgnoreError();
+      cluster_.ForgetWorker(request.worker());
+      cluster_.events.WorkerLeft(request.worker());
+      cluster_.ShowMetrics();
+      response.set_leave(true);
+      return absl::OkStatus();
+    }
+    TellState(request, response);
+    const bool news = response.start_size() > 0 || response.look_size() > 0 || response.acknowledged_size() > 0 ||
+                      response.keep_size() < request.held_size();
+    if (cluster_.stopping && !news) return absl::UnavailableError("the coordinator is shutting down");
+    if (news || std::chrono::steady_clock::now() >= deadline) return absl::OkStatus();
+    cluster_.work_changed.wait_until(lock, deadline);
+  }
+}
+
+void WorkHandler::TellState(const v1::SyncRequest& request, v1::SyncResponse& response) {
+  response.clear_start();
+  response.clear_keep();
+  response.clear_look();
+  response.set_set_aside(cluster_.trust.WhySetAside(request.worker()));
+  if (!cluster_.stopping && !request.draining()) TellToLook(request, response);
+  if (!cluster_.stopping) LeaseTasks(request.worker());
+  const WorkerRecord* worker = cluster_.state.FindWorker(request.worker());
+  if (worker == nullptr) return;  // it was lost while it waited; its next call makes it known again
+  std::set<uint64_t> known;
+  for (const v1::TaskRef& ref : request.held()) {
+    const Task* task = cluster_.state.FindTask(KeyOf(ref));
+    if (task == nullptr || FindLease(*task, request.worker(), ref.attempt_token()) == nullptr) continue;
+    known.insert(ref.attempt_token());
+    *response.add_keep() = ref;
+  }
+  // Also what it was given before, if that answer was lost.
+  for (const TaskKey& key : worker->held) {
+    const Task& task = *cluster_.state.FindTask(key);
+    const Lease& lease = *LeaseOf(task, request.worker());
+    if (known.contains(lease.token)) continue;
+    v1::Task message = TaskMessage(key, task, lease);
+    message.set_trace(cluster_.jobs.at(key.job).origin.trace);
+    *response.add_start() = std::move(message);
+  }
+}
+
+void WorkHandler::TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const {
+  std::set<std::string> busy;
+  for (const v1::FoldersSeen& seen : request.seen()) {
+    if (seen.looking()) busy.insert(seen.job());
+  }
+  for (v1::JobFolders& folders : cluster_.trust.ToLookAt(request.worker(), busy, cluster_.options.clock())) {
+    *response.add_look() = std::move(folders);
+  }
+}
+
+void WorkHandler::LeaseTasks(const std::string& worker) {
+  const absl::Time now = cluster_.options.clock();
+  for (const TaskKey& key : ChooseTasks(cluster_.state, worker, now, cluster_.MayWorkNow())) {
+    const Stage stage = cluster_.state.FindTask(key)->stage;
+    const Job& job = *cluster_.state.FindJob(key.job);
+    const bool starts = job.started == absl::InfiniteFuture();
+    if (!updates_.Apply(TaskLeased{key, worker, NewToken(), now, now + cluster_.options.lease}).ok()) continue;
+    cluster_.metrics.Started(stage);
+    if (!starts) continue;
+    journal_.PutJob(job, false);
+    cluster_.events.JobStarted(job, cluster_.jobs.at(key.job).origin);
+  }
+}
+
+}  // namespace tilemend

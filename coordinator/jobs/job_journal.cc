@@ -1,0 +1,86 @@
+#include "coordinator/jobs/job_journal.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/rpc/status_proto.h"
+#include "common/store/digest.h"
+#include "common/util/status_macros.h"
+#include "coordinator/jobs/describe_job.h"
+
+namespace tilemend {
+namespace {
+
+// Contents that wait for the pipeline in memory; beyond that they go to disk.
+constexpr size_t kMostKnownBytes = size_t{64} << 20;
+
+absl::Status ErrorOf(const std::string& bytes) {
+  v1::Status proto;
+  if (!proto.ParseFromString(bytes)) return absl::DataLossError("the journal's text of an error cannot be read");
+  return StatusFromProto(proto);
+}
+
+// In the journal: a result of one build is never used by another.
+TaskName NameOf(const Cluster& cluster, CellId cell, Stage stage, const std::string& input) {
+  return {cell, stage, Sha256Hex(absl::StrCat(cluster.options.build, "\n", input))};
+}
+
+}  // namespace
+
+void JobJournal::PutJob(const Job& job, bool released, std::optional<v1::Job> message) const {
+  if (!cluster_.journal->is_durable()) return;
+  if (!message) message = DescribeJob(cluster_, job);
+  const bool over = message->state() != v1::RUNNING;
+  cluster_.journal->PutJob({job.number, job.request_id, message->SerializeAsString(), over, released});
+}
+
+void JobJournal::PutResult(const SettledTask& task, const std::optional<std::string>& content) const {
+  if (!cluster_.journal->is_durable()) return;
+  ResultRecord result{task.state, task.output, content, "", {}};
+  if (task.state != TaskState::kCommitted) result.error = StatusToProto(task.error).SerializeAsString();
+  cluster_.journal->PutResult(cluster_.state.FindJob(task.key.job)->number,
+                              NameOf(cluster_, task.cell, task.stage, task.input), std::move(result));
+}
+
+void JobJournal::PutLoss(const StruckTask& task) const {
+  if (!cluster_.journal->is_durable()) return;
+  ResultRecord result;
+  result.state = TaskState::kPending;
+  result.lost_workers = task.lost_workers;
+  cluster_.journal->PutResult(cluster_.state.FindJob(task.key.job)->number,
+                              NameOf(cluster_, task.cell, task.stage, task.input), std::move(result));
+}
+
+absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vector<TaskSpec>& tasks) const {
+  TaskContents contents;
+  int64_t number = 0;
+  std::shared_ptr<BlobFolder> blobs;
+  {
+    const ClusterLock lock(cluster_.mutex);
+    number = cluster_.state.FindJob(job)->number;
+    blobs = cluster_.jobs.at(job).blobs;
+  }
+  size_t bytes = 0;
+  for (TaskSpec& task : tasks) {
+    TILEMEND_ASSIGN_OR_RETURN(std::optional<ResultRecord> found,
+                              cluster_.journal->Find(number, NameOf(cluster_, task.cell, task.stage, task.input)));
+    if (!found) continue;
+    if (!IsSettled(found->state)) {
+      task.lost_workers = std::move(found->lost_workers);
+      continue;
+    }
+    const bool is_blob = found->state == TaskState::kCommitted && !found->content;
+    if (is_blob && !blobs->Read(found->output).ok()) continue;  // it was lost or damaged: the task is done again
+    task.known = KnownResult{found->state, found->output, absl::OkStatus()};
+    if (found->state != TaskState::kCommitted) task.known->error = ErrorOf(found->error);
+    if (found->content) bytes += found->content->size();
+    if (found->content && bytes > kMostKnownBytes && blobs->Put(*found->content).ok()) found->content.reset();
+    contents.push_back(std::move(found->content));
+  }
+  return contents;
+}
+
+}  // namespace tilemend

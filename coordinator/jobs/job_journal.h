@@ -1,0 +1,43 @@
+// Jobs and results of tasks in the journal.
+#ifndef TILEMEND_COORDINATOR_JOBS_JOB_JOURNAL_H_
+#define TILEMEND_COORDINATOR_JOBS_JOB_JOURNAL_H_
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "coordinator/jobs/cluster.h"
+#include "coordinator/state/event.h"
+#include "tilemend/v1/jobs.pb.h"
+
+namespace tilemend {
+
+// Outputs of tasks that are settled, one after the other; none for an output that is a blob.
+using TaskContents = std::deque<std::optional<std::string>>;
+
+// Puts what changed into the journal of a cluster, and finds there what an earlier process put. The methods that put
+// need the lock and do nothing if the journal forgets everything.
+class JobJournal {
+ public:
+  // `cluster` must outlive this.
+  explicit JobJournal(Cluster& cluster) : cluster_(cluster) {}
+
+  // The job as it is now, or as `message` tells it. `released`: its output holds nothing that is in the way of others.
+  void PutJob(const Job& job, bool released, std::optional<v1::Job> message = std::nullopt) const;
+  void PutResult(const SettledTask& task, const std::optional<std::string>& content) const;
+  // A worker was lost with the task.
+  void PutLoss(const StruckTask& task) const;
+
+  // Adds to `tasks` what earlier processes know of them. Returns the contents of the known ones in order. Takes the
+  // lock. kDataLoss if the journal is damaged.
+  absl::StatusOr<TaskContents> Recall(const std::string& job, std::vector<TaskSpec>& tasks) const;
+
+ private:
+  Cluster& cluster_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_JOBS_JOB_JOURNAL_H_

@@ -1,0 +1,201 @@
+#include "coordinator/jobs/job_runner.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/error_info.h"
+#include "common/util/failpoint.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenTries(500);
+constexpr int kMostTries = 1200;
+
+}  // namespace
+
+JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink, Mode mode)
+    : spec_(std::move(spec)),
+      factory_(std::move(factory)),
+      blobs_(std::move(blobs)),
+      sink_(std::move(sink)),
+      resumes_(mode == Mode::kResume),
+      thread_([this, mode] { mode == Mode::kRelease ? ReleaseOnly() : Run(); }) {}
+
+JobRunner::~JobRunner() {
+  Cancel();
+  thread_.join();
+}
+
+void JobRunner::Deliver(SettledTask task, std::optional<std::string> content) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (cancelled_) return;
+  if (content.has_value()) queued_bytes_ += content->size();
+  deliveries_.push_back({std::move(task), std::move(content)});
+  changed_.notify_one();
+}
+
+bool JobRunner::Cancel() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return TryCancel();
+}
+
+bool JobRunner::TryCancel() {
+  if (cancelled_) return true;
+  if (too_late_ || (pipeline_ != nullptr && !pipeline_->Cancel())) return false;
+  cancelled_ = true;
+  changed_.notify_one();
+  return true;
+}
+
+void JobRunner::Abandon() {
+  leaving_.store(true);
+  std::lock_guard<std::mutex> lock(mutex_);
+  abandoned_ = TryCancel();
+}
+
+void JobRunner::Fail(absl::Status error) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  failure_ = std::move(error);
+  changed_.notify_one();
+}
+
+void JobRunner::Run() {
+  sink_.await();
+  std::unique_ptr<JobPipeline> pipeline;
+  absl::StatusOr<JobOutcome> outcome = Settle(RunPipeline(pipeline));
+  if (outcome.ok()) {
+    FailPoint("job.finished");
+    sink_.completed(*outcome, pipeline->GetProgress());
+    pipeline->Release();
+    FailPoint("job.released");
+  }
+  pipeline.reset();
+  may_write_.store(false);
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (abandoned_) return;
+  }
+  sink_.finished(std::move(outcome));  // before the blobs go, which takes time in which the job could be cancelled
+  blobs_->Remove([this] { return leaving_.load(); });  // what stays then is swept by the next process
+  sink_.released();
+  ended_.store(true);
+}
+
+void JobRunner::ReleaseOnly() {
+  // An error here says that there is nothing to release, or nothing that could be reached.
+  if (const auto pipeline = factory_(spec_); pipeline.ok()) (*pipeline)->Release();
+  may_write_.store(false);
+  sink_.released();
+  ended_.store(true);
+}
+
+absl::StatusOr<JobOutcome> JobRunner::Settle(absl::StatusOr<JobOutcome> outcome) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  pipeline_ = nullptr;
+  too_late_ = !cancelled_;
+  if (cancelled_) return absl::CancelledError("the job was cancelled");
+  return outcome;
+}
+
+absl::StatusOr<std::unique_ptr<JobPipeline>> JobRunner::MakePipeline() {
+  absl::StatusOr<std::unique_ptr<JobPipeline>> pipeline = factory_(spec_);
+  for (int tries = 0; resumes_ && tries < kMostTries; ++tries) {
+    if (ErrorReason(pipeline.status()) != "OUTPUT_IN_USE") break;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      changed_.wait_for(lock, kBetweenTries, [this] { return cancelled_ || !failure_.ok(); });
+      if (cancelled_) return absl::CancelledError("the job was cancelled");
+      TILEMEND_RETURN_IF_ERROR(failure_);
+    }
+    pipeline = factory_(spec_);
+  }
+  return pipeline;
+}
+
+absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& pipeline) {
+  try {
+    TILEMEND_ASSIGN_OR_RETURN(pipeline, MakePipeline());
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      if (cancelled_) return absl::CancelledError("the job was cancelled");
+      pipeline_ = pipeline.get();
+    }
+    TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
+    sink_.folders(std::move(folders));
+    return DrivePipeline(*pipeline);
+  } catch (const std::bad_alloc&) {
+    return absl::ResourceExhaustedError("the coordinator is out of memory");
+  } catch (const std::exception& error) {
+    return absl::InternalError(absl::StrCat("the pipeline threw: ", error.what()));
+  }
+}
+
+absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
+  if (resumes_) pipeline.Resume();
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline.Start());
+  TILEMEND_RETURN_IF_ERROR(AddTasks(pipeline, std::move(first)));
+  while (!pipeline.Done()) {
+    if (outstanding_ == 0) {
+      return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
+    }
+    TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
+    for (Delivery& delivery : deliveries) TILEMEND_RETURN_IF_ERROR(TakeDelivery(pipeline, std::move(delivery)));
+  }
+  return pipeline.Finish();
+}
+
+absl::StatusOr<std::deque<JobRunner::Delivery>> JobRunner::NextDeliveries() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait(lock, [this] { return cancelled_ || !failure_.ok() || !deliveries_.empty(); });
+  if (cancelled_) return absl::CancelledError("the job was cancelled");
+  TILEMEND_RETURN_IF_ERROR(failure_);
+  std::deque<Delivery> deliveries = std::exchange(deliveries_, {});
+  lock.unlock();
+  sink_.await();
+  return deliveries;
+}
+
+absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (cancelled_) return absl::CancelledError("the job was cancelled");
+  }
+  if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
+  --outstanding_;
+  blobs_->LetGo(delivery.task.input);
+  TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(std::move(delivery)));
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
+  return AddTasks(pipeline, std::move(tasks));
+}
+
+absl::StatusOr<TaskResult> JobRunner::ToResult(Delivery delivery) const {
+  const SettledTask& task = delivery.task;
+  TaskResult result{.cell = task.cell, .stage = task.stage, .output = std::string()};
+  if (task.state != TaskState::kCommitted) {
+    result.output = task.error;
+    return result;
+  }
+  if (delivery.content.has_value()) {
+    result.output = *std::move(delivery.content);
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(result.output, blobs_->Read(task.output));
+  }
+  return result;
+}
+
+absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks) {
+  std::vector<TaskSpec> specs;
+  specs.reserve(tasks.size());
+  for (NewTask& task : tasks) {
+    TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
+    specs.push_back({task.cell, task.stage, std::move(digest)});
+  }
+  outstanding_ += static_cast<int64_t>(specs.size());
+  return sink_.add_tasks(std::move(specs), pipeline.GetProgress());
+}
+
+}  // namespace tilemend

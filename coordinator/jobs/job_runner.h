@@ -1,0 +1,118 @@
+// Runs the pipeline of one job on a thread of its own.
+#ifndef TILEMEND_COORDINATOR_JOBS_JOB_RUNNER_H_
+#define TILEMEND_COORDINATOR_JOBS_JOB_RUNNER_H_
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "coordinator/jobs/job_pipeline.h"
+#include "coordinator/state/event.h"
+#include "coordinator/store/blob_folder.h"
+
+namespace tilemend {
+
+class JobRunner {
+ public:
+  // Called on the job's thread, without any lock of the runner.
+  struct Sink {
+    // The inputs are held in the blob folder until the task is delivered. An error fails the job.
+    std::function<absl::Status(std::vector<TaskSpec>, const Progress&)> add_tasks;
+    // Waits until all that was delivered, and the job itself, is durable: only then may anybody see what follows of it.
+    std::function<void()> await;
+    // The output is complete. Makes that durable.
+    std::function<void(const JobOutcome&, const Progress&)> completed;
+    std::function<void(absl::StatusOr<JobOutcome>)> finished;            // kCancelled after Cancel
+    std::function<void()> released;                                      // last; the job has left nothing to take away
+    std::function<void(JobFolders)> folders = [](const JobFolders&) {};  // first
+  };
+  enum class Mode { kRun, kResume, kRelease };
+
+  // Starts the thread. Removes the blob folder at the job's end. With kResume the job began in an earlier process. With
+  // kRelease the job is over, but the coordinator ended before its output was released: nothing but that is done, and
+  // `blobs` may be null.
+  JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink,
+            Mode mode = Mode::kRun);
+  // Cancels and waits for the thread.
+  ~JobRunner();
+
+  // Hands over a task that came to its end. `content` is its output if that is not a blob.
+  void Deliver(SettledTask task, std::optional<std::string> content);
+
+  // Bytes of content that wait for the pipeline.
+  size_t queued_bytes() const { return queued_bytes_.load(); }
+
+  // False if the pipeline has come to its end before: the job ends as it was about to.
+  bool Cancel();
+
+  // Ends the thread soon, and the job not at all unless that has come to its end: it tells nobody, and what is on the
+  // disk stays.
+  void Abandon();
+
+  // Ends the job with this error, unless it has come to its end.
+  void Fail(absl::Status error);
+
+  // True until the pipeline has ended: the job may write to its output, even if cancelled.
+  bool may_write() const { return may_write_.load(); }
+
+  // True once nothing runs any more.
+  bool ended() const { return ended_.load(); }
+
+ private:
+  struct Delivery {
+    SettledTask task;
+    std::optional<std::string> content;
+  };
+
+  bool TryCancel();  // with the lock held
+  void Run();
+  void ReleaseOnly();
+  // Makes the pipeline and runs it to its end, whatever it throws.
+  // Where the job resumes, an earlier coordinator that is stopped, not dead, may hold the output until it wakes and
+  // ends: that is waited for, ten minutes at most.
+  absl::StatusOr<std::unique_ptr<JobPipeline>> MakePipeline();
+  absl::StatusOr<JobOutcome> RunPipeline(std::unique_ptr<JobPipeline>& pipeline);
+  absl::StatusOr<JobOutcome> DrivePipeline(JobPipeline& pipeline);
+  // Durable ones.
+  absl::StatusOr<std::deque<Delivery>> NextDeliveries();
+  absl::Status TakeDelivery(JobPipeline& pipeline, Delivery delivery);
+  // The end as it counts: `outcome`, or that it was cancelled before. From now on it is too late for that.
+  absl::StatusOr<JobOutcome> Settle(absl::StatusOr<JobOutcome> outcome);
+  absl::StatusOr<TaskResult> ToResult(Delivery delivery) const;
+  absl::Status AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks);
+
+  const JobSpec spec_;
+  const PipelineFactory factory_;
+  const std::shared_ptr<BlobFolder> blobs_;
+  const Sink sink_;
+  const bool resumes_;
+  int64_t outstanding_ = 0;  // tasks given out and not yet taken back; the job's thread only
+  std::atomic<size_t> queued_bytes_{0};
+  std::atomic<bool> may_write_{true};
+  std::atomic<bool> ended_{false};
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Delivery> deliveries_;
+  bool cancelled_ = false;
+  bool abandoned_ = false;
+  std::atomic<bool> leaving_{false};  // Abandon was called
+  absl::Status failure_;
+  bool too_late_ = false;            // to cancel
+  JobPipeline* pipeline_ = nullptr;  // while it may be cancelled
+  std::thread thread_;               // last: it uses the others
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_JOBS_JOB_RUNNER_H_

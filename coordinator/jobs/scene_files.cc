@@ -1,0 +1,116 @@
+#include "coordinator/jobs/scene_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+
+std::string FolderInScene(const std::string& out, const std::string& root) {
+  std::error_code error;
+  const std::filesystem::path relative = std::filesystem::relative(out, root, error);
+  return error || relative.empty() || *relative.begin() == ".." ? "" : relative.string();
+}
+
+bool SceneFiles::HidesAnother(const std::string& path) const {
+  return !output_.empty() && files_.contains((std::filesystem::path(output_) / path).lexically_normal().string());
+}
+
+void SceneFiles::Take(CellId cell, const TileFiles& files, bool is_written) {
+  for (const std::vector<std::string>* list : {&files.libraries, &files.images}) {
+    for (const std::string& path : *list) {
+      File& file = files_[path];
+      spelt_small_.insert(absl::AsciiStrToLower(path));
+      ++file.tiles;
+      if (!is_written || (file.first && *file.first <= cell)) continue;
+      if (file.first) of_cells_[*file.first].erase(path);
+      file.first = cell;
+      of_cells_[cell].insert(path);
+    }
+  }
+  if (!files.libraries.empty()) libraries_[cell] = files.libraries;
+  Warn(cell, files.warnings);
+}
+
+void SceneFiles::Warn(CellId cell, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::vector<std::string>& of_cell = warnings_[cell];
+    if (of_cell.size() >= kMostWarnings) {
+      ++more_warnings_;
+      continue;
+    }
+    of_cell.push_back(Printable(warning.substr(0, kMostWarningBytes)));
+    if (++kept_warnings_ <= kMostWarnings) continue;
+    const auto last = std::prev(warnings_.end());
+    last->second.pop_back();
+    if (last->second.empty()) warnings_.erase(last);
+    --kept_warnings_;
+    ++more_warnings_;
+  }
+}
+
+std::string SceneFiles::LibraryOf(CellId cell) const {
+  const auto libraries = libraries_.find(cell);
+  if (libraries == libraries_.end()) return "";
+  const auto& paths = libraries->second;
+  const auto own = std::find_if(paths.rbegin(), paths.rend(), [&](const std::string& path) {
+    return files_.at(path).tiles == 1 && !HidesAnother(path);
+  });
+  return own == paths.rend() ? "" : *own;
+}
+
+std::string SceneFiles::NewLibraryFor(const std::string& path) const {
+  const std::string stem = std::filesystem::path(path).replace_extension().string();
+  std::string name = absl::StrCat(stem, "_tilemend.mtl");
+  const auto is_taken = [&] { return spelt_small_.contains(absl::AsciiStrToLower(name)) || HidesAnother(name); };
+  for (int n = 2; is_taken(); ++n) name = absl::StrCat(stem, "_tilemend", n, ".mtl");
+  return name;
+}
+
+std::vector<std::string> SceneFiles::CarriedBy(CellId cell) const {
+  std::vector<std::string> carried;
+  const auto paths = of_cells_.find(cell);
+  if (paths == of_cells_.end()) return carried;
+  const std::string library = LibraryOf(cell);
+  for (const std::string& path : paths->second) {
+    if (path != library && !HidesAnother(path)) carried.push_back(path);
+  }
+  return carried;
+}
+
+std::set<std::string> SceneFiles::Carried() const {
+  std::set<std::string> carried;
+  for (const auto& [path, file] : files_) {
+    if (file.first && !HidesAnother(path)) carried.insert(path);
+  }
+  return carried;
+}
+
+std::vector<std::string> SceneFiles::Warnings() const {
+  std::vector<std::string> warnings;
+  int64_t more = more_warnings_;
+  const auto add = [&](std::string warning) {
+    if (warnings.size() < kMostWarnings) {
+      warnings.push_back(std::move(warning));
+    } else {
+      ++more;
+    }
+  };
+  for (const auto& [path, file] : files_) {
+    if (HidesAnother(path)) {
+      add(absl::StrCat(Printable(path), ": would be written over another file of the scene: it is not in the output"));
+    }
+  }
+  for (const auto& [cell, of_cell] : warnings_) {
+    for (const std::string& warning : of_cell) add(warning);
+  }
+  if (more > 0) warnings.push_back(absl::StrCat(more, " more warnings on material files and images"));
+  return warnings;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,334 @@
+#include "coordinator/jobs/scene_pipeline.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/time/clock.h"
+#include "common/gis/area_file.h"
+#include "common/grid/cell_choice.h"
+#include "common/options/job_options.h"
+#include "common/records/output_names.h"
+#include "common/util/error_info.h"
+#include "common/util/files.h"
+#include "common/util/folders.h"
+#include "common/util/status_macros.h"
+#include "common/util/stopwatch.h"
+#include "common/util/utc.h"
+#include "coordinator/jobs/scene_folders.h"
+#include "coordinator/jobs/scene_options.h"
+#include "coordinator/jobs/scene_tasks.h"
+#include "coordinator/jobs/task_reuse.h"
+#include "coordinator/report/area_choice.h"
+#include "coordinator/report/left_open.h"
+#include "coordinator/report/scene_geojson.h"
+#include "coordinator/report/scene_report.h"
+#include "coordinator/report/tile_checks.h"
+#include "coordinator/report/water_choice.h"
+#include "coordinator/store/output_folder.h"
+#include "coordinator/waves/scene_waves.h"
+
+namespace tilemend {
+namespace {
+
+// What is given out at once. More follows with each result; each input is in memory until it is given out.
+constexpr size_t kEnoughTasks = 256;
+constexpr size_t kEnoughBytes = 16 << 20;
+
+// The job is kept with them, so that they are not many.
+std::vector<std::string> FirstOf(std::vector<std::string> warnings) {
+  constexpr size_t kMost = 20;
+  if (warnings.size() <= kMost) return warnings;
+  const size_t more = warnings.size() - kMost;
+  warnings.resize(kMost);
+  warnings.push_back(absl::StrCat("and ", more, " more; tilemend inspect prints all"));
+  return warnings;
+}
+
+// What says where a folder of photogrammetry tiles lies.
+absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
+  const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
+  if (KindOf(from) != PathKind::kFile) return absl::OkStatus();
+  output.Adopt({kMetadataFile});
+  return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
+}
+
+// Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
+class ScenePipeline : public JobPipeline {
+ public:
+  ScenePipeline(JobSpec spec, Scene scene, std::set<CellId> chosen, WaterOptions water,
+                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles)
+      : spec_(std::move(spec)),
+        output_(std::move(output)),
+        tile_check_(tiles),
+        waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
+               [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }),
+        tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {}
+
+  absl::StatusOr<JobFolders> Folders() const override {
+    return FoldersOf(waves_.scene(), output_ ? &output_->attempts() : nullptr);
+  }
+
+  void Resume() override {
+    resumed_ = true;
+    if (output_ && tile_check_ != TileCheck::kSize) output_->ReadAtTheEnd();
+  }
+
+  absl::StatusOr<std::vector<NewTask>> Start() override {
+    const std::vector<SceneTile>& tiles = waves_.scene().tiles;
+    if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
+      return absl::InvalidArgumentError(absl::StrCat(spec_.scene(), ": no cell of the scene has a tile"));
+    if (output_) {
+      TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), resumed_));
+      reuse_.emplace(std::move(log));
+    }
+    return NextTasks();
+  }
+
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+    --tasks_out_;
+    auto next = TakeResult(std::move(result));
+    const bool bad_input = absl::IsInvalidArgument(next.status()) || absl::IsNotFound(next.status());
+    if (bad_input && !writing_) reuse_->Discard();
+    return next;
+  }
+
+  bool Done() const override { return waves_.done(); }
+
+  Progress GetProgress() const override {
+    Progress progress;
+    progress.phase = waves_.phase();
+    progress.cells = static_cast<int64_t>(waves_.scene().tiles.size());
+    progress.cells_done = waves_.cells_done();
+    progress.holes = static_cast<int64_t>(waves_.plan().holes.size());
+    progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
+    progress.triangles = waves_.outcome().triangles;
+    progress.taken_over = reuse_->taken_over();
+    return progress;
+  }
+
+  bool Cancel() override { return EndAs(End::kCancelled); }
+
+  void Release() override {
+    // Without a report it is not the output that was finished.
+    if (!output_ || !output_->has_report()) return;
+    // Without it there is more to keep, nothing else.
+    reuse_->Finish().IgnoreError();
+    output_->Finish();
+  }
+
+  absl::StatusOr<JobOutcome> Finish() override {
+    const SceneReportInput report = Report();
+    JobOutcome outcome;
+    const auto left = LeftOf(report);
+    const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
+    outcome.partial = holes_left && !spec_.dry_run();
+    outcome.message = MessageOf(report, left.empty());
+    if (spec_.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
+    if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
+    return outcome;
+  }
+
+ private:
+  WaveOptions OptionsFor(std::set<CellId> chosen, WaterOptions water) {
+    WaveOptions options = WaveOptionsOf(spec_, std::move(water), [this] { return is_cancelled(); });
+    options.chosen = std::move(chosen);
+    // A complete output stays what it is until all of the new one is known.
+    options.write_early = output_ && !output_->has_report();
+    return options;
+  }
+
+  enum class End { kOpen, kCancelled, kComplete };
+
+  bool is_cancelled() const { return end_.load() == End::kCancelled; }
+  // Whether the output ends so: it is complete, or the job was cancelled, whichever came first.
+  bool EndAs(End end) {
+    End open = End::kOpen;
+    return end_.compare_exchange_strong(open, end) || open == end;
+  }
+
+  absl::StatusOr<std::vector<NewTask>> TakeResult(TaskResult result) {
+    if (!result.output.ok()) {
+      TILEMEND_RETURN_IF_ERROR(Leave(result));
+      return NextTasks();
+    }
+    const CellId cell = result.cell;
+    const Stage stage = result.stage;
+    TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result)));
+    const int32_t number = NumberOf(decoded.output);
+    TILEMEND_RETURN_IF_ERROR(reuse_->Resolve(decoded, number));
+    const std::string bytes = std::move(decoded.bytes);
+    TILEMEND_RETURN_IF_ERROR(tasks_.Take(std::move(decoded)));
+    TILEMEND_RETURN_IF_ERROR(reuse_->Keep(cell, stage, number, bytes));
+    return NextTasks();
+  }
+
+  absl::StatusOr<std::vector<NewTask>> NextTasks() {
+    std::vector<NewTask> tasks;
+    size_t bytes = 0;
+    while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
+      std::optional<SceneWork> next = waves_.Next();
+      if (!next) break;
+      if (is_cancelled()) return absl::CancelledError("the job was cancelled");
+      if (std::holds_alternative<AssembleWork>(*next) && !std::exchange(writing_, true)) {
+        TILEMEND_RETURN_IF_ERROR(output_->CheckRoomFor(tasks_.files().Carried()));
+        TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
+      }
+      TILEMEND_ASSIGN_OR_RETURN(NewTask task, tasks_.TaskOf(*next));
+      if (std::optional<StageResult> known = reuse_->Recall(task, tasks_.NumberOf(task))) {
+        TILEMEND_RETURN_IF_ERROR(tasks_.Take(*std::move(known)));
+      } else {
+        TILEMEND_RETURN_IF_ERROR(tasks_.AddHelp(task));
+        bytes += task.input.size();
+        ++tasks_out_;
+        tasks.push_back(std::move(task));
+      }
+    }
+    return tasks;
+  }
+
+  // Goes on without a cell that workers died of, or whose filling broke: the failure of a cell is not that of the job.
+  // Without its survey or in want of disk space there is no going on.
+  absl::Status Leave(const TaskResult& result) {
+    const absl::Status& error = result.output.status();
+    const std::string reason(error.message());
+    const bool given_up = ErrorReason(error) == "QUARANTINED" || ErrorReason(error) == "RESULT_REFUSED";
+    if (result.stage == Stage::kAssemble && given_up) {
+      waves_.LeaveTile(result.cell, reason);
+      return absl::OkStatus();
+    }
+    if (result.stage == Stage::kSmoothSeam && (given_up || absl::IsInternal(error))) {
+      waves_.LeaveSeam(result.cell, reason);
+      return absl::OkStatus();
+    }
+    if (result.stage == Stage::kGround && (given_up || absl::IsInternal(error))) {
+      waves_.LeaveGround(result.cell, reason);
+      return absl::OkStatus();
+    }
+    const bool filling =
+        result.stage != Stage::kMeasure && result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
+    if (!filling || !(given_up || absl::IsInternal(error))) return error;
+    waves_.LeaveHoles(result.cell, reason);
+    tasks_.Forget(result.cell);
+    return absl::OkStatus();
+  }
+
+  // For people. A dry run says what would be done.
+  std::string MessageOf(const SceneReportInput& report, bool all_closed) const {
+    const size_t all = report.plan->holes.size();
+    int64_t chosen = 0, stay_open = 0;
+    for (const PlannedHole& hole : report.plan->holes) {
+      if (!report.outcome.chosen.empty() && !report.outcome.chosen.contains(hole.cell)) continue;
+      ++chosen;
+      stay_open += hole.failure.empty() ? 0 : 1;
+    }
+    std::string message = spec_.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
+                                                         " to fill (filling may find some that stay open), ", stay_open,
+                                                         " that stay open")
+                                          : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
+                                                         all_closed ? "" : "; the report lists what is left open");
+    if (!spec_.cells().empty()) {
+      absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
+                      report.cells, " cells that were chosen");
+    }
+    if (reuse_->taken_over() == 0) return message;
+    return absl::StrCat(message, "; ", reuse_->taken_over(), " of ", reuse_->tasks(), " results taken over, ",
+                        reuse_->without_worker(), " of them without a task for a worker");
+  }
+
+  SceneReportInput Report() const {
+    SceneReportInput report;
+    report.plan = &waves_.plan();
+    report.outcome = waves_.outcome();
+    report.cells = static_cast<int64_t>(waves_.scene().tiles.size());
+    report.seconds = seconds_;
+    report.scene = spec_.scene();
+    report.date = UtcText(absl::Now());
+    report.tasks = reuse_->tasks();
+    report.taken_over = reuse_->taken_over();
+    report.options = ReportedOptions(spec_, kOfJobs);
+    report.warnings = waves_.scene().warnings;
+    for (std::string& warning : tasks_.files().Warnings()) report.warnings.push_back(std::move(warning));
+    return report;
+  }
+
+  absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
+    TILEMEND_RETURN_IF_ERROR(output_->SeeAll([this] { return is_cancelled(); }));
+    const Scene& scene = waves_.scene();
+    for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
+      TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
+    }
+    if (scene.found_by_name) {
+      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/", kSceneFile), SceneJson(scene)));
+    }
+    TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, *output_));
+    output_->Adopt(tasks_.files().Carried());
+    if (const int64_t others = output_->TidyUp(); others > 0) {
+      absl::StrAppend(
+          &outcome.message, "; ", others,
+          others == 1 ? " other file in the folder left as it was" : " other files in the folder left as they were");
+    }
+    const std::string folder = output_->path() + "/";
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "breaklines.geojson", BreaklinesGeoJson(report, scene)));
+    outcome.report = folder + "report.json";
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report)));
+    TILEMEND_RETURN_IF_ERROR(SyncFolder(output_->path()));
+    if (!EndAs(End::kComplete)) {
+      TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
+      return absl::CancelledError("the job was cancelled");
+    }
+    return absl::OkStatus();
+  }
+
+  const JobSpec spec_;
+  std::optional<OutputFolder> output_;  // none in a dry run
+  const TileCheck tile_check_;
+  int64_t tasks_out_ = 0;  // given out, and their results have not come
+  bool writing_ = false;
+  std::atomic<End> end_{End::kOpen};
+  Stopwatch watch_;
+  std::vector<std::pair<std::string, double>> seconds_;  // by step
+  SceneWaves waves_;
+  SceneTasks tasks_;
+  bool resumed_ = false;
+  std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
+};
+
+absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
+                                                               TileCheck tiles) {
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds));
+  CheckCrs(scene);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene)));
+  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water));
+  TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
+  water.options.profile = *WaterProfileNamed(spec.water_profile());
+  for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
+  TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells(), scene));
+  std::optional<OutputFolder> output;
+  if (!spec.dry_run()) {
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out(), scene, spec.overwrite(),
+                                                                        JobKey(spec, water, area_digest)));
+    output.emplace(std::move(claimed));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
+  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(chosen), std::move(water.options),
+                                         std::move(output), std::move(scratch), tiles);
+}
+
+}  // namespace
+
+PipelineFactory ScenePipelineFactory(std::string scratch, TileCheck tiles) {
+  return [=, scratch = std::move(scratch)](const JobSpec& spec) { return MakeScenePipeline(spec, scratch, tiles); };
+}
+
+}  // namespace tilemend

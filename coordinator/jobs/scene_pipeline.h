@@ -1,0 +1,19 @@
+// The pipeline of real scenes. Defined by the library tilemend_scene_pipeline.
+#ifndef TILEMEND_COORDINATOR_JOBS_SCENE_PIPELINE_H_
+#define TILEMEND_COORDINATOR_JOBS_SCENE_PIPELINE_H_
+
+#include <string>
+
+#include "coordinator/jobs/job_pipeline.h"
+#include "coordinator/jobs/result_checks.h"
+
+namespace tilemend {
+
+// What a job puts aside while it runs lies in `scratch`, a folder; empty: that of the system for such files. Files
+// there have no names: they end with the process. Of a job that an earlier process began, the output's tiles are read
+// once before the report, unless `tiles` is kSize.
+PipelineFactory ScenePipelineFactory(std::string scratch = "", TileCheck tiles = TileCheck::kDigest);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_JOBS_SCENE_PIPELINE_H_

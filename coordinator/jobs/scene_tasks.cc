@@ -1,0 +1,372 @@
+#include "coordinator/jobs/scene_tasks.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/mesh_file.h"
+#include "common/options/job_options.h"
+#include "common/options/method_options.h"
+#include "common/records/ground_raster.h"
+#include "common/records/patch_heights.h"
+#include "common/rpc/clear_payloads.h"
+#include "common/rpc/look_payloads.h"
+#include "common/rpc/smoothed_payloads.h"
+#include "common/rpc/stage_payloads.h"
+#include "common/store/fingerprint.h"
+#include "common/util/status_macros.h"
+#include "coordinator/jobs/scene_options.h"
+#include "coordinator/report/tile_checks.h"
+#include "coordinator/waves/local_numbers.h"
+
+namespace tilemend {
+namespace {
+
+template <typename Message>
+absl::StatusOr<Message> Parse(const std::string& bytes) {
+  Message message;
+  if (!message.ParseFromString(bytes)) return absl::InvalidArgumentError("not the expected message");
+  return message;
+}
+
+template <typename Message>
+absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Place& place) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, scratch.Get(place));
+  return Parse<Message>(bytes);
+}
+
+constexpr size_t kMostStampBytes = 128;
+
+int64_t NewPointsOf(const v1::FillOutput& output) {
+  int64_t count = 0;
+  for (const v1::PatchExtent& extent : output.patches()) count += extent.new_points();
+  return count;
+}
+
+bool HasMaterials(const SceneTile& tile) {
+  const auto format = MeshFormatOf(OutputPath(tile));
+  return format.ok() && *format == MeshFormat::kObj;
+}
+
+}  // namespace
+
+SceneTasks::SceneTasks(const JobSpec& spec, SceneWaves& waves, OutputFolder* output,
+                       std::shared_ptr<ScratchFile> scratch)
+    : spec_(spec),
+      shape_(OptionsForWorkers(spec)),
+      waves_(waves),
+      output_(output),
+      scratch_(std::move(scratch)),
+      files_(output != nullptr ? FolderInScene(output->path(), waves.scene().root) : "") {}
+
+absl::StatusOr<NewTask> SceneTasks::TaskOf(SceneWork& work) {
+  return std::visit([this](auto& w) { return Encode(w); }, work);
+}
+
+int32_t SceneTasks::NumberOf(const NewTask& task) const {
+  if (task.stage == Stage::kSmoothSeam) return last_seam_;
+  return task.stage == Stage::kSampleCluster ? clusters_of_.at(task.cell) - 1 : 0;
+}
+
+absl::Status SceneTasks::AddHelp(NewTask& task) const {
+  const auto place = surveyed_.find(task.cell);
+  if (task.stage != Stage::kAssemble || place == surveyed_.end()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));
+  if (surveyed.stamp().empty()) return absl::OkStatus();
+  v1::AssembleInput help;
+  help.set_stamp(surveyed.stamp());
+  help.set_link_tile(spec_.link());
+  help.AppendToString(&task.input);  // as one message: its other fields stay as they are
+  return absl::OkStatus();
+}
+
+void SceneTasks::Forget(CellId cell) { rims_.erase(cell); }
+
+absl::StatusOr<NewTask> SceneTasks::Encode(const MeasureWork& work) const {
+  v1::MeasureInput input;
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
+  input.mutable_tile()->clear_clear();
+  for (const PlanePolygon& polygon : work.polygons) *input.add_areas() = ToProto(ClearArea{polygon});
+  return NewTask{work.tile->cell, Stage::kMeasure, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(const SurveyWork& work) const {
+  v1::SurveyInput input;
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
+  input.set_look(!spec_.dry_run());
+  const Box2 reach = ReachOfCell(waves_.scene(), work.tile->cell);
+  for (const double x : {reach.lo.x(), reach.lo.y(), reach.hi.x(), reach.hi.y()}) input.add_reach(x);
+  const Point2& cell = waves_.scene().grid.cell_size;
+  input.set_raster_square(RasterSquareFor(cell.x(), cell.y()));
+  return NewTask{work.tile->cell, Stage::kSurvey, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(const GroundWork& work) const {
+  v1::GroundInput input;
+  const auto record = work.record.Outline();
+  for (const BoundaryVertex& v : record->vertices) {
+    for (int k = 0; k < 3; ++k) input.add_position(v.position[k]);
+  }
+  for (const CellId cell : work.around) {
+    TILEMEND_ASSIGN_OR_RETURN(*input.add_rasters(), TakeUp<v1::GroundRasterBlob>(*scratch_, lowest_.at(cell)));
+  }
+  return NewTask{work.cell, Stage::kGround, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(ClusterWork& work) {
+  v1::SampleClusterInput input;
+  const int32_t number = clusters_of_[work.holes.cell]++;
+  clusters_[{work.holes.cell, number}] = {work.cluster, Localise(work.holes).seam_vertices};
+  input.set_cluster(number);
+  *input.mutable_holes() = ToProto(work.holes);
+  *input.mutable_options() = shape_;
+  return NewTask{work.holes.cell, Stage::kSampleCluster, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(LayerWork& work) {
+  v1::SampleLayerInput input;
+  layers_[work.holes.cell] = Localise(work.holes).seam_vertices;
+  *input.mutable_holes() = ToProto(work.holes);
+  return NewTask{work.holes.cell, Stage::kSampleLayer, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(FillWork& work) {
+  v1::FillInput input;
+  CellHoles none;
+  LocalNumbers numbers = Localise(work.holes, work.sampled ? *work.sampled : none);
+  holes_[work.holes.cell] = std::move(numbers.holes);
+  if (work.sampled) {
+    sampled_[work.holes.cell] = std::move(numbers.seam_vertices);
+    *input.mutable_sampled() = ToProto(*work.sampled);
+  }
+  *input.mutable_holes() = ToProto(work.holes);
+  *input.mutable_options() = shape_;
+  for (const SceneTile* tile : work.surface) {
+    TILEMEND_ASSIGN_OR_RETURN(*input.add_surface(), Ref(*tile));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(rims_[work.holes.cell], PutAside(ToProto(work.holes.vertices)));
+  return NewTask{work.holes.cell, Stage::kFill, input.SerializeAsString()};
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(SmoothWork& work) {
+  const CellId cell = work.sides[0].cell;
+  v1::SmoothSeamInput input;
+  last_seam_ = work.number;
+  input.set_number(work.number);
+  seams_[{cell, work.number}] = {work.cells, work.vertices, {}};
+  const LocalNumbers numbers = Localise(work.sides[0], work.sides[1]);
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_a(), SideOf(work.sides[0], work.holes[0]));
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_b(), SideOf(work.sides[1], work.holes[1]));
+  for (size_t i = 0; i < work.vertices.size(); ++i) {
+    input.add_seam_vertex(LocalNumber(numbers.seam_vertices, work.vertices[i]));
+    input.add_height(work.heights[i]);
+  }
+  const WangOptions wang = WangOptionsOf(spec_);
+  input.set_smoothing(wang.seam_smoothing);
+  input.set_buffer(wang.seam_buffer);
+  input.set_lattice_step(work.sides[0].lattice_step);
+  return NewTask{cell, Stage::kSmoothSeam, input.SerializeAsString()};
+}
+
+absl::StatusOr<v1::SeamSide> SceneTasks::SideOf(const CellHoles& cell, const std::vector<int32_t>& holes) {
+  v1::SeamSide side;
+  *side.mutable_vertices() = ToProto(cell.vertices);
+  TILEMEND_ASSIGN_OR_RETURN(*side.mutable_patches(), TakeUp<v1::FillOutput>(*scratch_, patches_.at(cell.cell)));
+  for (const int32_t hole : holes) side.add_holes(LocalNumber(holes_.at(cell.cell), hole));
+  return side;
+}
+
+absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
+  const CellId cell = work.tile->cell;
+  v1::AssembleInput input;
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
+  input.set_output(OutputPath(*work.tile));
+  input.set_attempts(output_->attempts().path());
+  input.set_float32(work.float32);
+  input.set_tile_vertices(work.tile_vertices);
+  if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
+  SetFiles(*work.tile, input);
+  rims_.erase(cell);
+  holes_.erase(cell);
+  return NewTask{cell, Stage::kAssemble, input.SerializeAsString()};
+}
+
+absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input) {
+  const CellId cell = work.tile->cell;
+  TILEMEND_ASSIGN_OR_RETURN(*input.mutable_patches(),
+                            TakeUp<v1::FillOutput>(*scratch_, patches_.extract(cell).mapped()));
+  SetColours(LocalColours(work), input);
+  if (!work.holes) {
+    TILEMEND_ASSIGN_OR_RETURN(*input.mutable_vertices(), TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
+    return absl::OkStatus();
+  }
+  Localise(*work.holes);
+  *input.mutable_vertices() = ToProto(work.holes->vertices);
+  input.set_lattice_step(work.holes->lattice_step);
+  std::vector<std::vector<SmoothedPoint>> moves;
+  for (const auto& [seam, place] : smoothed_[cell]) {
+    TILEMEND_ASSIGN_OR_RETURN(v1::SmoothedPoints points, TakeUp<v1::SmoothedPoints>(*scratch_, place));
+    TILEMEND_ASSIGN_OR_RETURN(moves.emplace_back(), FromProto(points, NewPointsOf(input.patches())));
+    *input.add_smoothed() = std::move(points);
+  }
+  smoothed_.erase(cell);
+  return ComparePatches(cell, input.vertices(), input.patches(), moves);
+}
+
+// Groups name materials; where there are none they would tell a task from the same task of another plan.
+FillColours SceneTasks::LocalColours(const AssembleWork& work) const {
+  FillColours local{{}, work.colours.on_vertices};
+  const std::vector<int32_t>& holes = holes_.at(work.tile->cell);
+  for (const auto& [hole, colour] : work.colours.of_holes) {
+    FillColour& own = local.of_holes[LocalNumber(holes, hole)];
+    own = colour;
+    if (!HasMaterials(*work.tile)) own.group = 0;
+  }
+  return local;
+}
+
+void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
+  if (HasMaterials(tile)) SetLibrary(tile, input);
+  const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
+  output_->Adopt({carried.begin(), carried.end()});
+  input.mutable_carried()->Add(carried.begin(), carried.end());
+  for (const std::string& path : carried) input.add_carried_digests(file_digests_[path]);
+  input.set_link_images(spec_.textures() == "link");
+  input.set_output_root(spec_.out());
+}
+
+void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
+  std::string library = files_.LibraryOf(tile.cell);
+  input.set_new_library(library.empty());
+  if (!library.empty()) input.set_library_digest(file_digests_[library]);
+  if (library.empty()) library = files_.NewLibraryFor(OutputPath(tile));
+  output_->Adopt({library});
+  input.set_library(std::move(library));
+}
+
+absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
+  v1::TileRef ref;
+  ref.set_root(waves_.scene().root);
+  ref.set_path(tile.path);
+  ref.set_col(tile.cell.col);
+  ref.set_row(tile.cell.row);
+  for (const ClearArea& area : waves_.clearing().Areas(tile.cell)) *ref.add_clear() = ToProto(area);
+  if (const auto place = surveyed_.find(tile.cell); place != surveyed_.end()) {
+    TILEMEND_ASSIGN_OR_RETURN(auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));
+    ref.set_digest(std::move(*surveyed.mutable_digest()));
+  }
+  return ref;
+}
+
+absl::Status SceneTasks::Take(StageResult result) {
+  const absl::Status status =
+      std::visit([&](auto& output) { return TakeOutput(result.cell, std::move(output)); }, result.output);
+  if (status.ok() || result.stage == Stage::kSurvey || result.stage == Stage::kAssemble) return status;
+  return UnreadableResult(result.cell, status);
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
+  absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(std::move(output));
+  if (!tile.ok()) return UnreadableResult(cell, tile.status());
+  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(cell)));
+  if (const auto measured = measured_.extract(cell); measured && measured.mapped() != tile->digest) {
+    return ChangedInJob(absl::StrCat(waves_.scene().root, "/", waves_.tile(cell).path));
+  }
+  if (const absl::Status taken = waves_.TakeCleared(cell, tile->cleared); !taken.ok()) {
+    return UnreadableResult(cell, taken);
+  }
+  if (spec_.textures() != "off") files_.Take(cell, tile->files, waves_.IsChosen(cell));
+  v1::SurveyOutput surveyed;
+  surveyed.set_digest(std::move(tile->digest));
+  if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
+  TILEMEND_ASSIGN_OR_RETURN(surveyed_[cell], PutAside(surveyed));
+  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PutAside(tile->lowest));
+  for (const FileWitness::Read& read : tile->reads) {
+    if (read.digest.empty()) continue;
+    const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;
+    if (known != read.digest) return ChangedInJob(absl::StrCat(waves_.scene().root, "/", read.path));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(StoredRecord stored, scratch_->Keep(tile->record));
+  waves_.TakeSurvey(cell, std::move(stored));
+  return absl::OkStatus();
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::MeasureOutput& output) {
+  std::vector<HeightTally> tallies;
+  for (const v1::HeightTally& tally : output.tallies()) {
+    TILEMEND_ASSIGN_OR_RETURN(tallies.emplace_back(), FromProto(tally));
+  }
+  measured_[cell] = output.digest();
+  return waves_.TakeTallies(cell, tallies);
+}
+
+absl::StatusOr<ScratchFile::Place> SceneTasks::PutAside(const google::protobuf::MessageLite& message) {
+  return scratch_->Put(message.SerializeAsString());
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::GroundOutput& output) {
+  return waves_.TakeGround(
+      cell, {{output.on_object().begin(), output.on_object().end()}, {output.ground().begin(), output.ground().end()}});
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SampleLayerOutput& output) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto samples, SamplesOf(output, cell, layers_[cell]));
+  return waves_.TakeLayer(samples);
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SampleClusterOutput& output) {
+  const auto asked = clusters_.extract({cell, output.cluster()});
+  if (asked.empty()) return absl::InvalidArgumentError("a cluster that was not asked for");
+  TILEMEND_ASSIGN_OR_RETURN(const ClusterSamples samples, SamplesOf(output, asked.mapped()));
+  return waves_.TakeCluster(samples);
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, v1::FillOutput output) {
+  TILEMEND_ASSIGN_OR_RETURN(CellPatches patches, PatchesOf(output, holes_[cell]));
+  if (output.has_samples()) {
+    TILEMEND_ASSIGN_OR_RETURN(patches.samples, SamplesOf(output.samples(), cell, sampled_[cell]));
+    sampled_.erase(cell);
+  }
+  if (spec_.surface() != SurfaceName(Surface::kWang)) {
+    TILEMEND_ASSIGN_OR_RETURN(const auto rims, TakeUp<v1::RimVertices>(*scratch_, rims_.at(cell)));
+    TILEMEND_RETURN_IF_ERROR(ComparePatches(cell, rims, output, {}));
+  }
+  output.clear_quality();
+  output.clear_samples();
+  TILEMEND_ASSIGN_OR_RETURN(patches_[cell], PutAside(output));
+  return waves_.TakeFill(cell, patches);
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SmoothSeamOutput& output) {
+  auto asked = seams_.extract({cell, output.number()});
+  if (asked.empty()) return absl::InvalidArgumentError("a seam that was not asked for");
+  SmoothedSeam& seam = asked.mapped();
+  seam.heights.assign(output.height().begin(), output.height().end());
+  for (const auto& [side, points] : {std::pair(seam.cells[0], &output.a()), std::pair(seam.cells[1], &output.b())}) {
+    ScratchFile::Place& place = smoothed_[side][{seam.cells[0], seam.cells[1]}];
+    TILEMEND_ASSIGN_OR_RETURN(place, PutAside(*points));
+  }
+  return waves_.TakeSmooth(seam);
+}
+
+absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims, const v1::FillOutput& output,
+                                        std::span<const std::vector<SmoothedPoint>> moves) {
+  if (!waves_.CompareFills(cell)) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(rims));
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<HolePatch> patches, FromProto(output, vertices.size()));
+  MoveSmoothedPoints(moves, waves_.plan().lattice_step, patches);
+  waves_.TakePatches(cell, vertices, patches);
+  return absl::OkStatus();
+}
+
+absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& output) {
+  files_.Warn(cell, {output.warnings().begin(), output.warnings().end()});
+  waves_.TakeAssemble();
+  for (const v1::WrittenFile& file : output.files()) {
+    const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};
+    TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(placed) : output_->Place(placed));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace tilemend

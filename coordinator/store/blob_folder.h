@@ -1,0 +1,109 @@
+// The blobs of one job, named by the SHA-256 of their bytes: files in a folder, and those that are needed for a while,
+// in memory.
+#ifndef TILEMEND_COORDINATOR_STORE_BLOB_FOLDER_H_
+#define TILEMEND_COORDINATOR_STORE_BLOB_FOLDER_H_
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/store/digest.h"
+#include "common/util/files.h"
+
+namespace tilemend {
+
+inline constexpr size_t kMostHeldBytes = size_t{8} << 20;
+
+// Thread-safe. A blob appears at once or not at all. One that is written with Sync::kYes is on the disk with its name
+// when the write returns. The others are made again after a crash, so they need not be.
+class BlobFolder {
+ public:
+  // A blob that comes in pieces. Leaves nothing behind unless Commit succeeds.
+  class Writer {
+   public:
+    ~Writer();
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    // kResourceExhausted (BLOB_TOO_LARGE, or the disk is full).
+    absl::Status Append(std::string_view bytes);
+    // The blob's size. kInvalidArgument (BLOB_CORRUPT) unless the bytes have the digest `expected`.
+    absl::StatusOr<int64_t> Commit(const std::string& expected);
+
+   private:
+    friend class BlobFolder;
+    Writer(BlobFolder& folder, Sync sync, std::string path, int fd)
+        : folder_(folder), sync_(sync), path_(std::move(path)), fd_(fd) {}
+    BlobFolder& folder_;
+    const Sync sync_;
+    std::string path_;
+    int fd_;
+    int64_t size_ = 0;
+    Sha256 sha_;
+  };
+
+  // Makes the folder, or goes on with it.
+  static absl::StatusOr<std::shared_ptr<BlobFolder>> Create(const std::string& path);
+  explicit BlobFolder(std::string path) : path_(std::move(path)) {}
+  ~BlobFolder() { LetGoOfAll(); }
+  BlobFolder(const BlobFolder&) = delete;
+  BlobFolder& operator=(const BlobFolder&) = delete;
+
+  // The digest of `bytes`, which are stored unless they are there already (with Sync::kYes in any case: what is there
+  // may not be on the disk).
+  absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo);
+  // As Put, but for as long as LetGo was not called as often: in memory, unless all folders of the process hold
+  // kMostHeldBytes there with it. The first call decides where, until the last has let go.
+  absl::StatusOr<std::string> Hold(std::string bytes);
+  void LetGo(const std::string& digest);
+  absl::StatusOr<std::unique_ptr<Writer>> NewWriter(Sync sync = Sync::kNo);
+
+  // kNotFound (BLOB_NOT_FOUND), kInvalidArgument for a malformed digest, here and below.
+  absl::StatusOr<int64_t> Size(const std::string& digest) const;
+  // kUnavailable (BLOB_DAMAGED) if the bytes are not those of the digest.
+  absl::StatusOr<std::string> Read(const std::string& digest) const;
+  // Gives the blob's bytes to `take` in order, at most kMaxChunkBytes at a time, until it returns false.
+  absl::Status ReadChunks(const std::string& digest, const std::function<bool(std::string_view)>& take) const;
+
+  // Parts with all but these, and with what was being written when an earlier process ended: a folder beside this one,
+  // of the same name with an ending, holds them then, as to delete them takes long on some disks. Before anything else
+  // is called. Without hard links they are deleted at once.
+  absl::Status KeepOnly(const std::set<std::string>& digests);
+
+  // Refuses every later write and removes the folder, which on some disks takes seconds for each thousand blobs: asks
+  // before each one whether to leave the rest there.
+  void Remove(const std::function<bool()>& stop = [] { return false; });
+
+ private:
+  struct HeldBlob {
+    size_t MemoryBytes() const { return bytes == nullptr ? 0 : bytes->size(); }
+    std::shared_ptr<const std::string> bytes;  // null: in a file
+    int times = 0;
+  };
+
+  // Null if it is not in memory.
+  std::shared_ptr<const std::string> HeldBytes(const std::string& digest) const;
+  bool HoldAgain(const std::string& digest);
+  void LetGoOfAll();
+  absl::StatusOr<std::string> PathOf(const std::string& digest) const;
+  // Hard links in another such folder, synced. False if one cannot be made.
+  bool LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const;
+  absl::Status RemoveOthers(const std::set<std::string>& digests);
+  absl::Status MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync);
+
+  std::string path_;
+  std::atomic<bool> removed_{false};
+  mutable std::mutex mutex_;
+  std::map<std::string, HeldBlob> held_;  // with the lock
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_STORE_BLOB_FOLDER_H_

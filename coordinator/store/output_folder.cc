@@ -1,0 +1,370 @@
+#include "coordinator/store/output_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/records/output_names.h"
+#include "common/store/file_stamp.h"
+#include "common/store/fingerprint.h"
+#include "common/util/error_info.h"
+#include "common/util/failpoint.h"
+#include "common/util/files.h"
+#include "common/util/folders.h"
+#include "common/util/place.h"
+#include "common/util/real_path.h"
+#include "common/util/status_macros.h"
+#include "common/util/text.h"
+
+namespace tilemend {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kMarker[] = ".tilemend-job";
+constexpr char kResultLog[] = ".tilemend-results";
+
+// The folders below a root that hold `files`, relative, and the folders that hold these; "" if a file lies in the root.
+std::set<std::string> FoldersOf(const std::set<std::string>& files) {
+  std::set<std::string> folders;
+  for (const std::string& file : files) {
+    fs::path at = fs::path(file).parent_path();
+    do {
+      if (!folders.insert(at.string()).second) break;
+      at = at.parent_path();
+    } while (!at.empty());
+  }
+  return folders;
+}
+
+std::set<fs::path> RealFolders(const fs::path& root, const std::set<std::string>& relative) {
+  std::set<fs::path> folders;
+  for (const std::string& folder : relative) folders.insert(RealPath(folder.empty() ? root : root / folder));
+  return folders;
+}
+
+// Whether `path` or a folder that it lies in is one of `folders`. All are real.
+bool IsInOneOf(const std::set<fs::path>& folders, const fs::path& path) {
+  for (fs::path at = path;; at = at.parent_path()) {
+    if (folders.contains(at)) return true;
+    if (!at.has_relative_path()) return false;
+  }
+}
+
+// Whether nothing of the output would lie among the scene's files.
+absl::Status CheckApart(const std::string& path, const Scene& scene, const std::set<std::string>& files) {
+  const fs::path root = RealPath(scene.root);
+  std::set<std::string> inputs;
+  for (const SceneTile& tile : scene.tiles) {
+    if (!tile.path.empty()) inputs.insert(tile.path);
+  }
+  std::set<fs::path> sources = RealFolders(scene.root, FoldersOf(inputs));
+  sources.erase(root);  // beside tiles that lie in the scene's folder itself, a folder of its own does no harm
+  std::set<fs::path> targets = RealFolders(path, FoldersOf(files));
+  targets.insert(RealPath(path));
+  for (const fs::path& target : targets) {
+    if (target != root && !IsInOneOf(sources, target)) continue;
+    return absl::InvalidArgumentError(absl::StrCat(path, ": the output would lie among the tiles of the scene, in ",
+                                                   target.string(),
+                                                   "; choose another --out, apart from the scene's folders of tiles"));
+  }
+  return absl::OkStatus();
+}
+
+// Whether the folder holds nothing, or an unfinished output of the job `key`.
+absl::Status CheckVacant(const std::string& path, const std::string& key) {
+  const auto names = ListFolder(path);
+  if (absl::IsPermissionDenied(names.status())) {
+    return absl::PermissionDeniedError(absl::StrCat(std::string(names.status().message()), "; choose another --out"));
+  }
+  const bool empty = !names.ok() || std::all_of(names->begin(), names->end(), [](const std::string& name) {
+    return name == kMarker || name == kAttemptFolder || name == kResultLog;
+  });
+  const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
+  if (marker.ok() && *marker == key) return absl::OkStatus();
+  // A path that cannot be shows when it is made. A marker without a key is of a job that has not claimed the folder
+  // yet.
+  if (empty && (!marker.ok() || marker->empty())) return absl::OkStatus();
+  return absl::AlreadyExistsError(
+      absl::StrCat(path, ": exists already",
+                   marker.ok() ? ", an unfinished output of a job with another scene or other options" : "",
+                   "; choose another --out, or give --overwrite to replace the files that the job writes"));
+}
+
+// That `found` is in the way of what the job would make.
+absl::Status InTheWay(const std::string& path, PathKind found, PathKind wanted) {
+  const std::string what = found == PathKind::kFolder ? "a folder"
+                           : found == PathKind::kFile ? "a file"
+                                                      : "a link, a pipe or a device";
+  return absl::InvalidArgumentError(absl::StrCat(Printable(path), ": ", what, " where the job makes a ",
+                                                 wanted == PathKind::kFolder ? "folder" : "file",
+                                                 "; remove it, or choose another --out"));
+}
+
+// Whether nothing else, a link neither, is where the job would make a file or a folder of its own.
+absl::Status CheckName(const std::string& path, PathKind wanted) {
+  const auto look = LookAt(path, Links::kKeep);
+  if (!look.ok() || look->kind == wanted) return absl::OkStatus();  // what cannot be looked at shows when it is made
+  return InTheWay(path, look->kind, wanted);
+}
+
+// The same for all that the job makes in a folder.
+absl::Status CheckNames(const std::string& path, const std::set<std::string>& files) {
+  if (KindOf(path) == PathKind::kNothing) return absl::OkStatus();
+  const std::string folder = path + "/";
+  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kMarker, PathKind::kFile));
+  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kResultLog, PathKind::kFile));
+  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kAttemptFolder, PathKind::kFolder));
+  std::set<std::string> parents;
+  for (const std::string& file : files) {
+    // Anything but a folder is replaced, a link itself.
+    const auto look = LookAt(folder + file, Links::kKeep);
+    if (look.ok() && look->kind == PathKind::kFolder) return InTheWay(folder + file, look->kind, PathKind::kFile);
+    for (fs::path at = fs::path(file).parent_path(); !at.empty(); at = at.parent_path()) {
+      if (!parents.insert(at.string()).second) break;
+    }
+  }
+  for (const std::string& parent : parents) TILEMEND_RETURN_IF_ERROR(CheckName(folder + parent, PathKind::kFolder));
+  return absl::OkStatus();
+}
+
+absl::Status CheckFolder(const std::string& path) {
+  const PathKind kind = KindOf(path);
+  if (kind == PathKind::kNothing || kind == PathKind::kFolder) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a file, not a folder; choose another --out"));
+}
+
+// Those that are, the innermost first; they come the outermost first.
+void RemoveEmptyFolders(std::vector<std::string> folders) {
+  std::reverse(folders.begin(), folders.end());
+  for (const std::string& folder : folders) RemoveEmptyFolder(folder).IgnoreError();
+}
+
+// Makes the folders of `path` that are missing; gives them, the outermost first.
+absl::StatusOr<std::vector<std::string>> MakeFolders(const std::string& path) {
+  std::vector<std::string> missing;
+  for (fs::path at = path; at.has_relative_path() && KindOf(at.string()) == PathKind::kNothing; at = at.parent_path()) {
+    missing.push_back(at.string());
+  }
+  std::reverse(missing.begin(), missing.end());
+  std::vector<std::string> made;
+  for (const std::string& folder : missing) {
+    const absl::Status status = MakeFolder(folder);
+    if (!status.ok()) {
+      RemoveEmptyFolders(made);
+      return absl::Status(status.code(), absl::StrCat(std::string(status.message()), "; choose another --out"));
+    }
+    made.push_back(folder);
+  }
+  return made;
+}
+
+// What is no folder in `folder` of `root` and below, relative to `root`, but for files of attempts. Links are not
+// followed.
+std::vector<std::string> FilesBelow(const std::string& root, const std::string& folder) {
+  std::vector<std::string> files;
+  const auto names = ListFolder(absl::StrCat(root, "/", folder));
+  for (const std::string& name : names.ok() ? *names : std::vector<std::string>()) {
+    if (name == kAttemptFolder) continue;
+    const std::string file = folder.empty() ? name : absl::StrCat(folder, "/", name);
+    const auto look = LookAt(absl::StrCat(root, "/", file), Links::kKeep);
+    if (look.ok() && look->kind == PathKind::kFolder) {
+      for (std::string& below : FilesBelow(root, file)) files.push_back(std::move(below));
+    } else {
+      files.push_back(file);
+    }
+  }
+  return files;
+}
+
+// Whether `path` is the file that `opened` tells of.
+bool IsStill(const std::string& path, const struct stat& opened) {
+  const Descriptor file(OpenKept(path, O_PATH | O_NOFOLLOW | O_CLOEXEC));
+  struct stat named {};
+  return file.get() >= 0 && ::fstat(file.get(), &named) == 0 && opened.st_ino == named.st_ino;
+}
+
+absl::Status MarkerError(const std::string& path) {
+  const std::string text = absl::StrCat(path, ": cannot write there: ", std::strerror(errno), "; choose another --out");
+  return errno == ENOSPC || errno == EDQUOT ? absl::ResourceExhaustedError(text) : absl::PermissionDeniedError(text);
+}
+
+}  // namespace
+
+absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const Scene& scene, bool overwrite,
+                                                 const std::string& key) {
+  if (path.find("://") != std::string::npos) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": this release writes to folders only"));
+  }
+  TILEMEND_RETURN_IF_ERROR(CheckFolder(path));
+  std::set<std::string> files;
+  for (const SceneTile& tile : scene.tiles) files.insert(OutputPath(tile));
+  TILEMEND_RETURN_IF_ERROR(CheckApart(path, scene, files));
+  if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
+  files.insert(kSceneFile);
+  if (KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) files.insert(kMetadataFile);
+  files.insert(std::begin(kReportFiles), std::end(kReportFiles));
+  TILEMEND_RETURN_IF_ERROR(CheckNames(path, files));
+  OutputFolder folder(path, key);
+  folder.Adopt(files);
+  TILEMEND_RETURN_IF_ERROR(folder.Lock());
+  if (!overwrite) {
+    TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));  // another job may have ended here since
+    if (!folder.keep_) TILEMEND_RETURN_IF_ERROR(folder.WriteKey());
+  }
+  TILEMEND_ASSIGN_OR_RETURN(folder.attempts_, AttemptFolder::Make(path));
+  return folder;
+}
+
+absl::Status OutputFolder::Lock() {
+  TILEMEND_ASSIGN_OR_RETURN(made_, MakeFolders(path_));
+  struct stat opened {};
+  do {
+    if (marker_ >= 0) ::close(marker_);
+    marker_ = OpenKept(Marker(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    if (marker_ < 0) return MarkerError(path_);
+    // A file system without locks has to do without.
+    if (::flock(marker_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      keep_ = true;
+      return WithErrorInfo(absl::AbortedError(absl::StrCat(
+                               path_, ": another job is writing there; wait for its end, or choose another --out")),
+                           {"OUTPUT_IN_USE", {}});
+    }
+    // The job that had the marker may have removed it before the lock was taken.
+  } while (::fstat(marker_, &opened) != 0 || !IsStill(Marker(), opened));
+  keep_ = opened.st_size > 0;  // of an unfinished output
+  return absl::OkStatus();
+}
+
+OutputFolder::OutputFolder(OutputFolder&& other) noexcept
+    : path_(std::exchange(other.path_, "")),
+      key_(std::move(other.key_)),
+      files_(std::move(other.files_)),
+      made_(std::move(other.made_)),
+      marker_(std::exchange(other.marker_, -1)),
+      keep_(other.keep_),
+      wrote_(other.wrote_),
+      read_(other.read_),
+      attempts_(std::exchange(other.attempts_, std::nullopt)) {}
+
+OutputFolder::~OutputFolder() {
+  if (path_.empty()) return;
+  if (!keep_ || (!wrote_ && attempts_ && IsBare())) {
+    if (attempts_) attempts_->Remove();
+    if (marker_ >= 0) RemoveFile(Marker()).IgnoreError();
+    RemoveEmptyFolders(made_);
+  }
+  if (marker_ >= 0) ::close(marker_);
+}
+
+bool OutputFolder::IsBare() const {
+  const auto names = ListFolder(path_), attempts = ListFolder(attempts_->path());
+  const std::set<std::string> hidden = {kMarker, kAttemptFolder, kResultLog};
+  return names.ok() && attempts.ok() && attempts->size() <= 1 &&
+         std::all_of(names->begin(), names->end(), [&](const std::string& name) { return hidden.contains(name); });
+}
+
+std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kMarker); }
+
+absl::Status OutputFolder::WriteKey() {
+  const auto size = static_cast<ssize_t>(key_.size());
+  // Never empty in between: a job that is interrupted here and run again would not know its output.
+  if (::pwrite(marker_, key_.data(), key_.size(), 0) != size || ::ftruncate(marker_, size) != 0) {
+    return MarkerError(path_);
+  }
+  FailPoint("output.claimed");
+  return ::fsync(marker_) == 0 ? absl::OkStatus() : MarkerError(path_);
+}
+
+absl::Status OutputFolder::BeginWriting() {
+  TILEMEND_RETURN_IF_ERROR(WriteKey());
+  keep_ = wrote_ = true;
+  for (const char* file : kReportFiles) RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
+  return absl::OkStatus();
+}
+
+absl::Status OutputFolder::CheckRoomFor(const std::set<std::string>& files) const { return CheckNames(path_, files); }
+
+void OutputFolder::Adopt(const std::set<std::string>& files) {
+  for (const std::string& file : files) files_.try_emplace(file);
+}
+
+absl::Status OutputFolder::Place(const AttemptFile& file) {
+  if (files_.contains(file.path)) TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
+  return Keep(file);
+}
+
+absl::Status OutputFolder::Keep(const AttemptFile& file) {
+  const auto own = files_.find(file.path);
+  if (own == files_.end()) {
+    return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
+  }
+  own->second = {file.bytes, file.digest, read_ ? "" : YoungStampOf(absl::StrCat(path_, "/", file.path))};
+  return absl::OkStatus();
+}
+
+bool OutputFolder::has_report() const {
+  return KindOf(absl::StrCat(path_, "/", kReportFiles[0])) != PathKind::kNothing;
+}
+
+std::string OutputFolder::result_log() const { return absl::StrCat(path_, "/", kResultLog); }
+
+bool OutputFolder::IsThere(const std::string& path, const Placed& file) {
+  const auto look = LookAt(path, Links::kKeep);
+  if (!look.ok() || look->kind != PathKind::kFile || look->size != file.bytes) return false;
+  // A hard link to it, as by a backup, changes the stamp and no byte.
+  return file.digest.empty() || HasStamp(path, file.stamp) || FileHasDigest(path, file.digest).value_or(false);
+}
+
+absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
+  int64_t missing = 0, placed = 0;
+  std::string first;
+  std::set<std::string> folders;
+  for (const auto& [file, was] : files_) {
+    if (was.bytes < 0) continue;
+    if (ends()) return absl::CancelledError("asked to end while the output was looked at");
+    ++placed;
+    const fs::path path = fs::path(path_) / file;
+    folders.insert(path.parent_path().string());
+    if (IsThere(path.string(), was)) continue;
+    if (missing++ == 0) first = path.string();
+  }
+  if (missing > 0) {
+    const absl::Status changed = absl::AbortedError(
+        absl::StrCat(Printable(first), ": not there as it was written, as ", missing, " of ", placed,
+                     " files of the output; was something removed or changed while the job ran? Run the job again"));
+    return WithErrorInfo(changed, {"OUTPUT_CHANGED", {{"file", Printable(first)}}});
+  }
+  for (const std::string& folder : folders) TILEMEND_RETURN_IF_ERROR(SyncFolder(folder));
+  return absl::OkStatus();
+}
+
+int64_t OutputFolder::TidyUp() {
+  int64_t others = 0;
+  for (const std::string& file : FilesBelow(path_, "")) {
+    if (file == kMarker || file.starts_with(kResultLog) || files_.contains(file)) continue;
+    const size_t suffix = file.rfind(kPartSuffix);
+    if (suffix != std::string::npos && files_.contains(file.substr(0, suffix))) {
+      RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
+    } else {
+      ++others;
+    }
+  }
+  return others;
+}
+
+void OutputFolder::Finish() {
+  keep_ = wrote_ = true;
+  attempts_->Remove();
+  RemoveFile(Marker()).IgnoreError();
+}
+
+}  // namespace tilemend

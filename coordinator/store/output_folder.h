@@ -1,0 +1,101 @@
+// The folder that a job writes to, and who may write there.
+#ifndef TILEMEND_COORDINATOR_STORE_OUTPUT_FOLDER_H_
+#define TILEMEND_COORDINATOR_STORE_OUTPUT_FOLDER_H_
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/grid/scene.h"
+#include "coordinator/store/attempt_folder.h"
+
+namespace tilemend {
+
+// Claims a folder for one job. While the job lives, a file `.tilemend-job` there is locked. Until the output is
+// complete it holds the job's key, so that the same job, run again, goes on there, and no other. (The key of a job that
+// overwrites is there from its first tile on.) The files that workers write get their names from this class alone.
+//
+// What is refused:
+//  - a folder that holds anything but an unfinished output of the same job, unless it may be overwritten. Overwriting
+//    replaces the files that this job writes; other files stay as they are.
+//  - a folder that another living job writes to (kAborted), whatever it may overwrite.
+//  - what is no regular file, or no folder, where the job would write one: it is the user's to take away.
+//  - always: the scene's own folder, its folders of tiles and those that hold them (`Data`) with all below, and folders
+//    whose `tiles` lead there over a link.
+class OutputFolder {
+ public:
+  // `key` says what makes two jobs the same (scene and options). kAlreadyExists, kInvalidArgument, kPermissionDenied,
+  // kAborted, ...
+  static absl::StatusOr<OutputFolder> Claim(const std::string& path, const Scene& scene, bool overwrite,
+                                            const std::string& key);
+  OutputFolder(OutputFolder&& other) noexcept;
+  OutputFolder& operator=(OutputFolder&&) = delete;
+  // Takes away what Claim made, unless there is output. What attempts wrote for an unfinished output stays then: the
+  // same job, run again, may know them as done.
+  ~OutputFolder();
+
+  const std::string& path() const { return path_; }
+  // Where workers write, from Claim to Finish.
+  const AttemptFolder& attempts() const { return *attempts_; }
+  // Whether nothing is in the way of these files, relative. kInvalidArgument says what to remove.
+  absl::Status CheckRoomFor(const std::set<std::string>& files) const;
+  // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output
+  // and what goes with it, which would not be true any more. kResourceExhausted, kPermissionDenied.
+  absl::Status BeginWriting();
+  // These files, relative, belong to this output as well.
+  void Adopt(const std::set<std::string>& files);
+  // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
+  absl::Status Place(const AttemptFile& file);
+  // The file is there already, as it is to be. Errors as Place.
+  absl::Status Keep(const AttemptFile& file);
+  // SeeAll is to read what is placed: it may have been changed while no coordinator ran.
+  void ReadAtTheEnd() { read_ = true; }
+  // Whether a complete output lies there.
+  bool has_report() const;
+  // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
+  std::string result_log() const;
+  // Looks at every file that was placed, and has their names survive a power cut. Reads those with a digest that do not
+  // look as they did then. kAborted if one is not there as it was placed, kCancelled if `ends`.
+  absl::Status SeeAll(const std::function<bool()>& ends) const;
+  // Removes what killed workers left half-written; gives the number of files there that are not of this output.
+  int64_t TidyUp();
+  // The output is complete.
+  void Finish();
+
+ private:
+  struct Placed {
+    int64_t bytes = -1;  // until it is placed
+    std::string digest;
+    std::string stamp;  // "" where it does not count
+  };
+
+  OutputFolder(std::string path, std::string key) : path_(std::move(path)), key_(std::move(key)) {}
+  // Makes the folder, and locks the marker in it.
+  absl::Status Lock();
+  absl::Status WriteKey();
+  std::string Marker() const;
+  static bool IsThere(const std::string& path, const Placed& file);
+  // Whether there is nothing in the folder that a job, run again, could know as done.
+  bool IsBare() const;
+
+  std::string path_;
+  std::string key_;
+  std::map<std::string, Placed> files_;    // of this output, relative
+  std::vector<std::string> made_;          // folders, the outermost first
+  int marker_ = -1;                        // descriptor
+  bool keep_ = false;                      // the marker is to stay
+  bool wrote_ = false;                     // this process
+  bool read_ = false;                      // what is placed is to be read before the end
+  std::optional<AttemptFolder> attempts_;  // while the folder is claimed
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_STORE_OUTPUT_FOLDER_H_

@@ -1,0 +1,75 @@
+#include "client/area_rim.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "client/acceptance_text.h"
+#include "client/carried_files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Scene TwoCells() {
+  Scene scene;
+  scene.grid.cell_size = {10, 10};
+  scene.tiles = {{{0, 0}, "a.obj"}, {{1, 0}, "b.obj"}};
+  return scene;
+}
+
+TEST(AreaRimTest, SidesWithoutANeighbourAreTheRim) {
+  const AreaRim rim(TwoCells(), 0);
+  EXPECT_TRUE(rim.HasEdge({0, 0}, {3, 0, 5}, {4, 0, 5}));
+  EXPECT_FALSE(rim.HasEdge({0, 0}, {10, 3, 5}, {10, 4, 5}));
+  EXPECT_FALSE(rim.HasEdge({0, 0}, {5, 5, 5}, {6, 5, 5}));
+}
+
+TEST(AreaRimTest, TheOutlineOfThePolygonIsTheRim) {
+  Scene scene = TwoCells();
+  scene.area.rings = {{{2, 2}, {8, 2}, {8, 8}, {2, 8}}};
+  EXPECT_TRUE(AreaRim(scene, 0).HasEdge({0, 0}, {8, 3, 1}, {8, 4, 1}));
+  EXPECT_FALSE(AreaRim(scene, 0).HasEdge({0, 0}, {5, 5, 1}, {5.5, 5, 1}));
+}
+
+TEST(AreaRimTest, NeighboursAreThoseWithinReach) {
+  const AreaRim rim(TwoCells(), 0.1);
+  EXPECT_THAT(rim.NeighboursAt({0, 0}, {9.95, 5, 0}), ElementsAre(CellId{1, 0}));
+  EXPECT_THAT(rim.NeighboursAt({0, 0}, {9.5, 5, 0}), testing::IsEmpty());
+}
+
+TEST(CarriedFilesTest, MaterialFilesMayBeLongerAndImagesMayNot) {
+  const TemporaryFolder folder;
+  folder.Write("in/a.mtl", "newmtl a\n");
+  folder.Write("out/a.mtl", "newmtl a\nnewmtl b\n");
+  folder.Write("in/a.jpg", "abc");
+  folder.Write("out/a.jpg", "abcd");
+  folder.Write("in/b.jpg", std::string(70000, 'x'));
+  folder.Write("out/b.jpg", std::string(69999, 'x') + "y");
+  folder.Write("in/c.jpg", "c");
+  folder.Write("in/d.jpg", std::string(1 << 16, 'd'));
+  folder.Write("out/d.jpg", std::string(1 << 16, 'd'));
+  CarriedFiles files(folder / "in", folder / "out");
+  files.Compare({{"a.mtl"}, {"a.jpg", "b.jpg", "c.jpg", "d.jpg"}, {}});
+  files.Compare({{"a.mtl"}, {"c.jpg"}, {}});
+  EXPECT_THAT(files.changed(), ElementsAre("a.jpg", "b.jpg"));
+  EXPECT_THAT(files.missing(), ElementsAre("c.jpg"));
+  EXPECT_EQ(files.compared(), 5U);
+}
+
+TEST(AcceptanceTextTest, TheVerdictNamesTheFaultsAlone) {
+  Acceptance acceptance;
+  acceptance.findings = {{"open_edges", "new open edges", true, 2, {{{1, 2}, Point3(3, 4, 5), ""}}},
+                         {"left_holes", "holes left open, as reported", false, 4, {}}};
+  EXPECT_EQ(VerdictOf(acceptance), "not accepted: 2 new open edges");
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("[3.00,4.00,5.00] in cell 1,2\n             and 1 more"));
+  EXPECT_THAT(AcceptanceCsv(acceptance), HasSubstr("open_edges,yes,1,2,3.0000,4.0000,5.0000,\r\n"));
+  EXPECT_EQ(AcceptanceJson(acceptance)["findings"]["open_edges"]["places"][0]["cell"], nlohmann::ordered_json({1, 2}));
+  acceptance.findings[0].count = 0;
+  EXPECT_THAT(VerdictOf(acceptance), testing::StartsWith("accepted"));
+}
+
+}  // namespace
+}  // namespace tilemend

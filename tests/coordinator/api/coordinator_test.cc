@@ -1,0 +1,25 @@
+#include "coordinator/api/coordinator.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/coordinator/api/coordinator_fixture.h"
+
+namespace tilemend {
+namespace {
+
+TEST(CoordinatorOptionsTest, RefusesALeaseShorterThanTwoCalls) {
+  TempFolder folder;
+  CoordinatorOptions options;
+  options.work_folder = folder / "work";
+  options.lease = absl::Seconds(2);
+  EXPECT_TRUE(
+      absl::IsInvalidArgument(Coordinator::Create(options, ToyPipelineFactory(), *MetricsRegistry::Null()).status()));
+}
+
+TEST_F(CoordinatorTest, NobodyWaitsOnceItEnds) {
+  coordinator_.StopWaiting();
+  EXPECT_TRUE(absl::IsUnavailable(calls_.work.Sync(NewSync(), [] { return true; }).status()));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,214 @@
+#include "coordinator/jobs/job_runner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <future>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "common/store/digest.h"
+#include "common/util/error_info.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Gives one task, then ends with the bytes that came of it. What goes otherwise, a test says.
+class FakePipeline : public JobPipeline {
+ public:
+  struct Script {
+    std::function<void()> on_result, on_finish;
+    bool stalls = false;
+    bool too_late_to_cancel = false;
+  };
+  explicit FakePipeline(Script script) : script_(std::move(script)) {}
+
+  absl::StatusOr<std::vector<NewTask>> Start() override {
+    return std::vector<NewTask>{{{2, 1}, Stage::kFill, "the input"}};
+  }
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+    if (script_.on_result) script_.on_result();
+    result_ = std::move(result);
+    done_ = !script_.stalls;
+    return std::vector<NewTask>();
+  }
+  bool Done() const override { return done_; }
+  Progress GetProgress() const override { return {"at it", 1, 0, 0, 0}; }
+  absl::StatusOr<JobOutcome> Finish() override {
+    if (script_.on_finish) script_.on_finish();
+    JobOutcome outcome;
+    outcome.message = result_.output.ok() ? *result_.output : std::string(result_.output.status().message());
+    return outcome;
+  }
+  bool Cancel() override { return !script_.too_late_to_cancel; }
+
+ private:
+  const Script script_;
+  TaskResult result_;
+  bool done_ = false;
+};
+
+class JobRunnerTest : public ::testing::Test {
+ protected:
+  JobRunnerTest() : blobs_(BlobFolder::Create(folder_ / "blobs").value()) {}
+
+  std::unique_ptr<JobRunner> Run(FakePipeline::Script script = {}) {
+    return RunFactory([script](const JobSpec&) { return std::make_unique<FakePipeline>(script); });
+  }
+  std::unique_ptr<JobRunner> RunFactory(PipelineFactory factory, JobRunner::Mode mode = JobRunner::Mode::kRun) {
+    JobRunner::Sink sink;
+    sink.add_tasks = [this](std::vector<TaskSpec> tasks, const Progress& progress) {
+      if (!tasks.empty()) tasks_.set_value({std::move(tasks), progress});
+      return absl::OkStatus();
+    };
+    sink.await = [] {};
+    sink.completed = [](const JobOutcome&, const Progress&) {};
+    sink.released = [] {};
+    sink.finished = [this](absl::StatusOr<JobOutcome> outcome) { outcome_.set_value(std::move(outcome)); };
+    return std::make_unique<JobRunner>(JobSpec(), std::move(factory), blobs_, std::move(sink), mode);
+  }
+  // The first tasks, once they are added.
+  std::pair<std::vector<TaskSpec>, Progress> AwaitTasks() { return tasks_.get_future().get(); }
+  absl::StatusOr<JobOutcome> AwaitOutcome() { return outcome_.get_future().get(); }
+
+  static SettledTask Committed(const std::string& output = "") {
+    SettledTask task;
+    task.cell = {2, 1};
+    task.stage = Stage::kFill;
+    task.output = output;
+    return task;
+  }
+
+  const TemporaryFolder folder_;
+  const std::shared_ptr<BlobFolder> blobs_;
+  std::promise<std::pair<std::vector<TaskSpec>, Progress>> tasks_;
+  std::promise<absl::StatusOr<JobOutcome>> outcome_;
+};
+
+TEST_F(JobRunnerTest, StoresInputsAndHandsResultsToThePipeline) {
+  const auto runner = Run();
+  const auto [tasks, progress] = AwaitTasks();
+  ASSERT_EQ(tasks.size(), 1U);
+  EXPECT_EQ(tasks[0].cell, (CellId{2, 1}));
+  EXPECT_EQ(blobs_->Read(tasks[0].input).value(), "the input");
+  EXPECT_EQ(progress.phase, "at it");
+  runner->Deliver(Committed(), "the output");
+  EXPECT_EQ(AwaitOutcome()->message, "the output");
+}
+
+// Refuses the first so many times, since another process holds the output.
+PipelineFactory BusyAtFirst(int times) {
+  return [left = std::make_shared<int>(times)](const JobSpec&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+    if (--*left < 0) return std::make_unique<FakePipeline>(FakePipeline::Script());
+    return WithErrorInfo(absl::AbortedError("busy"), {"OUTPUT_IN_USE", {}});
+  };
+}
+
+TEST_F(JobRunnerTest, AJobThatResumesWaitsForItsOutput) {
+  const auto runner = RunFactory(BusyAtFirst(2), JobRunner::Mode::kResume);
+  AwaitTasks();
+  runner->Deliver(Committed(), "the output");
+  EXPECT_EQ(AwaitOutcome()->message, "the output");
+}
+
+TEST_F(JobRunnerTest, ANewJobDoesNotWaitForItsOutput) {
+  const auto runner = RunFactory(BusyAtFirst(1));
+  EXPECT_EQ(ErrorReason(AwaitOutcome().status()), "OUTPUT_IN_USE");
+}
+
+TEST_F(JobRunnerTest, ReadsAResultThatIsABlob) {
+  const auto runner = Run();
+  AwaitTasks();
+  runner->Deliver(Committed(blobs_->Put("a long output").value()), std::nullopt);
+  EXPECT_EQ(AwaitOutcome()->message, "a long output");
+}
+
+TEST_F(JobRunnerTest, AFailedTaskIsThePipelinesToJudge) {
+  const auto runner = Run();
+  AwaitTasks();
+  SettledTask task = Committed();
+  task.state = TaskState::kFailed;
+  task.error = absl::InternalError("it broke");
+  runner->Deliver(task, std::nullopt);
+  const auto outcome = AwaitOutcome();
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome->message, "it broke");
+}
+
+TEST_F(JobRunnerTest, AMissingBlobFailsTheJob) {
+  const auto runner = Run();
+  AwaitTasks();
+  runner->Deliver(Committed(Sha256Hex("never stored")), std::nullopt);
+  EXPECT_TRUE(absl::IsNotFound(AwaitOutcome().status()));
+}
+
+TEST_F(JobRunnerTest, CancelEndsAJobThatWaits) {
+  const auto runner = Run();
+  AwaitTasks();
+  EXPECT_TRUE(runner->Cancel());
+  EXPECT_TRUE(absl::IsCancelled(AwaitOutcome().status()));
+  EXPECT_TRUE(runner->Cancel()) << "again";
+}
+
+TEST_F(JobRunnerTest, CancelIsRefusedWhenThePipelineSaysThatItIsTooLate) {
+  FakePipeline::Script script;
+  script.too_late_to_cancel = true;
+  const auto runner = Run(script);
+  AwaitTasks();
+  EXPECT_FALSE(runner->Cancel());
+  runner->Deliver(Committed(), "kept");
+  EXPECT_EQ(AwaitOutcome()->message, "kept");
+  EXPECT_FALSE(runner->Cancel()) << "the job is over";
+}
+
+TEST_F(JobRunnerTest, APipelineThatThrowsFailsItsJobAlone) {
+  FakePipeline::Script script;
+  script.on_result = [] { throw std::runtime_error("out of range"); };
+  const auto runner = Run(script);
+  AwaitTasks();
+  runner->Deliver(Committed(), "x");
+  const absl::Status status = AwaitOutcome().status();
+  EXPECT_TRUE(absl::IsInternal(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("out of range"));
+}
+
+TEST_F(JobRunnerTest, WantOfMemoryIsToBeTriedAgain) {
+  FakePipeline::Script script;
+  script.on_finish = [] { throw std::bad_alloc(); };
+  const auto runner = Run(script);
+  AwaitTasks();
+  runner->Deliver(Committed(), "x");
+  EXPECT_TRUE(absl::IsResourceExhausted(AwaitOutcome().status()));
+}
+
+TEST_F(JobRunnerTest, APipelineWithoutTasksThatIsNotDoneFails) {
+  FakePipeline::Script script;
+  script.stalls = true;
+  const auto runner = Run(script);
+  AwaitTasks();
+  runner->Deliver(Committed(), "x");
+  EXPECT_TRUE(absl::IsInternal(AwaitOutcome().status()));
+}
+
+TEST_F(JobRunnerTest, AnErrorOfTheFactoryIsThatOfTheJob) {
+  const auto runner = RunFactory([](const JobSpec&) { return absl::NotFoundError("no such scene"); });
+  EXPECT_EQ(AwaitOutcome().status(), absl::NotFoundError("no such scene"));
+}
+
+TEST_F(JobRunnerTest, TheEndTakesTheBlobsAway) {
+  {
+    const auto runner = Run();
+    AwaitTasks();
+    runner->Deliver(Committed(), "x");
+    EXPECT_TRUE(AwaitOutcome().ok());
+    EXPECT_FALSE(runner->may_write());
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "blobs"));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,98 @@
+#include "coordinator/jobs/scene_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr CellId kA{0, 0}, kB{1, 0}, kC{2, 0};
+
+TEST(SceneFilesTest, EveryFileIsCarriedOnceByTheFirstCellWhateverTheOrder) {
+  const TileFiles a{{}, {"a.jpg", "shared.jpg"}, {}}, b{{}, {"shared.jpg", "b.jpg"}, {}};
+  for (const bool turned : {false, true}) {
+    SceneFiles files("");
+    files.Take(turned ? kB : kA, turned ? b : a);
+    files.Take(turned ? kA : kB, turned ? a : b);
+    EXPECT_THAT(files.CarriedBy(kA), ElementsAre("a.jpg", "shared.jpg"));
+    EXPECT_THAT(files.CarriedBy(kB), ElementsAre("b.jpg"));
+    EXPECT_THAT(files.CarriedBy(kC), IsEmpty());
+    EXPECT_THAT(files.Carried(), ElementsAre("a.jpg", "b.jpg", "shared.jpg"));
+  }
+}
+
+TEST(SceneFilesTest, ATilesOwnLibraryIsTheLastThatNoOtherNames) {
+  SceneFiles files("");
+  files.Take(kA, {{"all.mtl", "a.mtl"}, {}, {}});
+  files.Take(kB, {{"b1.mtl", "b2.mtl", "all.mtl"}, {}, {}});
+  files.Take(kC, {{"all.mtl"}, {}, {}});
+  EXPECT_EQ(files.LibraryOf(kA), "a.mtl");
+  EXPECT_EQ(files.LibraryOf(kB), "b2.mtl");
+  EXPECT_EQ(files.LibraryOf(kC), "");
+  EXPECT_THAT(files.CarriedBy(kA), ElementsAre("all.mtl")) << "its own is written with the tile";
+  EXPECT_THAT(files.CarriedBy(kB), ElementsAre("b1.mtl"));
+}
+
+TEST(SceneFilesTest, ANewLibraryHasANameThatNoFileOfTheSceneHas) {
+  SceneFiles files("");
+  EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend.mtl");
+  files.Take(kA, {{"Data/T/T_tilemend.mtl"}, {"Data/T/t_Tilemend2.MTL"}, {}});
+  EXPECT_EQ(files.NewLibraryFor("Data/T/T.obj"), "Data/T/T_tilemend3.mtl");
+}
+
+// The output is the scene's folder "out", and one of the scene's files lies where another would be written.
+TEST(SceneFilesTest, NoFileIsCarriedOverAnotherOfTheScene) {
+  SceneFiles files("out");
+  files.Take(kA, {{"a.mtl", "out/a.mtl"}, {"a.jpg", "out/a.jpg"}, {}});
+  EXPECT_THAT(files.CarriedBy(kA), ElementsAre("out/a.jpg"));
+  EXPECT_EQ(files.LibraryOf(kA), "out/a.mtl");
+  EXPECT_THAT(files.Warnings(), ElementsAre(HasSubstr("a.jpg: would be written over"), HasSubstr("a.mtl")));
+}
+
+TEST(SceneFilesTest, WarningsComeByCellAndAreCountedBeyondALimit) {
+  SceneFiles files("");
+  files.Warn(kB, {"second"});
+  files.Take(kA, {{}, {}, {"first"}});
+  EXPECT_THAT(files.Warnings(), ElementsAre("first", "second"));
+  files.Warn(kC, std::vector<std::string>(SceneFiles::kMostWarnings, "more"));
+  EXPECT_THAT(files.Warnings(), SizeIs(SceneFiles::kMostWarnings + 1));
+  EXPECT_EQ(files.Warnings().back(), "2 more warnings on material files and images");
+}
+
+TEST(SceneFilesTest, KeepsNoMoreWarningsThanItShows) {
+  SceneFiles files("");
+  files.Warn(kC, std::vector<std::string>(1000, std::string(100'000, 'x')));
+  files.Warn(kA, {"\x1b[2J"});
+  files.Warn(kB, std::vector<std::string>(SceneFiles::kMostWarnings, "b"));
+  const std::vector<std::string> warnings = files.Warnings();
+  ASSERT_THAT(warnings, SizeIs(SceneFiles::kMostWarnings + 1));
+  EXPECT_EQ(warnings[0], "\\x1b[2J");
+  EXPECT_EQ(warnings[SceneFiles::kMostWarnings - 1], "b") << "by cell, whatever came first";
+  EXPECT_EQ(warnings.back(), "1001 more warnings on material files and images");
+  SceneFiles others("");
+  others.Warn(kA, {std::string(100'000, 'x')});
+  EXPECT_EQ(others.Warnings()[0].size(), SceneFiles::kMostWarningBytes);
+}
+
+TEST(FolderInSceneTest, IsEmptyOutside) {
+  EXPECT_EQ(FolderInScene("/a/scene/deep/out", "/a/scene"), "deep/out");
+  EXPECT_EQ(FolderInScene("/a/out", "/a/scene"), "");
+  EXPECT_EQ(FolderInScene("/a/scene-2", "/a/scene"), "");
+}
+
+TEST(SceneFilesTest, ATileThatIsNotWrittenCarriesNothing) {
+  SceneFiles files("");
+  files.Take({0, 0}, {{}, {"a.jpg", "b.jpg"}, {}}, false);
+  files.Take({1, 0}, {{}, {"a.jpg"}, {}});
+  EXPECT_EQ(files.Carried(), std::set<std::string>{"a.jpg"});
+  EXPECT_EQ(files.CarriedBy({1, 0}), std::vector<std::string>{"a.jpg"});
+  EXPECT_TRUE(files.CarriedBy({0, 0}).empty());
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,349 @@
+#include "coordinator/store/output_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
+#include "common/util/error_info.h"
+#include "common/util/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A scene of one tile, tiles/a.ply, in the folder `scene`; the output goes to `out`.
+class OutputFolderTest : public ::testing::Test {
+ protected:
+  OutputFolderTest() {
+    folder_.Write("scene/tiles/a.ply", "the original");
+    scene_.root = folder_ / "scene";
+    scene_.tiles = {{{0, 0}, "tiles/a.ply"}};
+  }
+  absl::StatusOr<OutputFolder> Claim(const std::string& path, bool overwrite = false, const std::string& key = "key") {
+    return OutputFolder::Claim(path, scene_, overwrite, key);
+  }
+  bool Exists(const std::string& name) const { return fs::exists(folder_ / name); }
+
+  const TemporaryFolder folder_;
+  const std::string out_ = folder_ / "deep/out";
+  Scene scene_;
+};
+
+TEST_F(OutputFolderTest, MakesItsFolderAndTakesItAwayIfNothingIsWritten) {
+  {
+    const auto claimed = Claim(out_);
+    ASSERT_TRUE(claimed.ok()) << claimed.status();
+    EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+  }
+  EXPECT_FALSE(Exists("deep"));
+}
+
+TEST_F(OutputFolderTest, ASecondLivingJobIsRefusedWhateverItMayOverwrite) {
+  const auto first = Claim(out_);
+  ASSERT_TRUE(first.ok());
+  for (const bool overwrite : {false, true}) {
+    const absl::Status status = Claim(out_, overwrite).status();
+    EXPECT_TRUE(absl::IsAborted(status)) << status;
+    EXPECT_EQ(ErrorReason(status), "OUTPUT_IN_USE");
+  }
+  EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+}
+
+TEST_F(OutputFolderTest, TheSameJobGoesOnWithAnUnfinishedOutputAndAnotherDoesNot) {
+  {
+    auto first = Claim(out_);
+    ASSERT_TRUE(first.ok() && first->BeginWriting().ok());
+    folder_.Write("deep/out/tiles/a.ply", "filled");
+  }
+  EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+  EXPECT_TRUE(Claim(out_).ok());
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_, false, "another key").status()));
+  EXPECT_TRUE(Claim(out_, true, "another key").ok());
+}
+
+TEST_F(OutputFolderTest, AFolderOfAJobThatWasKilledBeforeItsFirstTileIsThatJobs) {
+  std::string marker;
+  {
+    const auto first = Claim(out_);
+    ASSERT_TRUE(first.ok());
+    marker = ReadFile(out_ + "/.tilemend-job").value();
+  }
+  folder_.Write("deep/out/.tilemend-job", marker);  // as the kill leaves it
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_, false, "another key").status()));
+  EXPECT_TRUE(Exists("deep/out/.tilemend-job"));
+  EXPECT_TRUE(Claim(out_).ok());
+  EXPECT_TRUE(Claim(out_, true, "another key").ok());
+}
+
+TEST_F(OutputFolderTest, AFolderWithOtherFilesIsOverwrittenOnlyIfAsked) {
+  folder_.Write("deep/out/notes.txt", "mine");
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_).status()));
+  EXPECT_TRUE(Claim(out_, true).ok());
+  EXPECT_TRUE(Exists("deep/out/notes.txt"));
+}
+
+TEST_F(OutputFolderTest, ACompleteOutputIsThereAlreadyForTheSameJob) {
+  {
+    auto first = Claim(out_);
+    ASSERT_TRUE(first.ok() && first->BeginWriting().ok());
+    folder_.Write("deep/out/tiles/a.ply", "filled");
+    first->Finish();
+  }
+  EXPECT_FALSE(Exists("deep/out/.tilemend-job"));
+  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_).status()));
+}
+
+TEST_F(OutputFolderTest, BeginningToWriteTakesAnOldReportAway) {
+  folder_.Write("deep/out/report.json", "{}");
+  auto claimed = Claim(out_, true);
+  ASSERT_TRUE(claimed.ok());
+  EXPECT_TRUE(Exists("deep/out/report.json"));
+  ASSERT_TRUE(claimed->BeginWriting().ok());
+  EXPECT_FALSE(Exists("deep/out/report.json"));
+}
+
+TEST_F(OutputFolderTest, TidiesHalfWrittenFilesOfItsOwnAndCountsOthers) {
+  auto claimed = Claim(out_);
+  ASSERT_TRUE(claimed.ok());
+  folder_.Write("deep/out/tiles/a.ply", "filled");
+  folder_.Write("deep/out/tiles/a.ply" + std::string(kPartSuffix) + "1", "half");
+  folder_.Write("deep/out/tiles/b.ply" + std::string(kPartSuffix) + "1", "of another program");
+  folder_.Write("deep/out/notes.txt", "mine");
+  EXPECT_EQ(claimed->TidyUp(), 2);
+  EXPECT_FALSE(Exists("deep/out/tiles/a.ply" + std::string(kPartSuffix) + "1"));
+  EXPECT_TRUE(Exists("deep/out/tiles/a.ply"));
+  EXPECT_TRUE(Exists("deep/out/notes.txt"));
+}
+
+TEST_F(OutputFolderTest, NeverWritesAmongTheTilesOfTheScene) {
+  for (const bool overwrite : {false, true}) {
+    for (const std::string& path :
+         {folder_ / "scene", folder_ / "scene/tiles", folder_ / "scene/../scene", folder_ / "scene/tiles/deeper"}) {
+      EXPECT_TRUE(absl::IsInvalidArgument(Claim(path, overwrite).status())) << path;
+    }
+  }
+  fs::create_directory(folder_ / "links");
+  fs::create_directory_symlink(folder_ / "scene/tiles", folder_ / "links/tiles");
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "links", true).status())) << "tiles lead there over a link";
+  EXPECT_TRUE(Claim(folder_ / "scene/out").ok()) << "a folder of its own beside the tiles' folder";
+}
+
+TEST_F(OutputFolderTest, NeverWritesToAFolderThatHoldsFoldersOfTiles) {
+  folder_.Write("scene/Data/Tile_+000_+000/a.ply", "the original");
+  folder_.Write("scene/b.ply", "beside the others");
+  scene_.tiles = {{{0, 0}, "Data/Tile_+000_+000/a.ply"}, {{1, 0}, "b.ply"}};
+  fs::create_directory_symlink(folder_ / "scene/Data", folder_ / "link");
+  for (const bool overwrite : {false, true}) {
+    for (const char* path : {"scene/Data", "scene/Data/out", "scene/Data/Tile_+000_+000", "link", "link/new/out"}) {
+      const absl::Status status = Claim(folder_ / path, overwrite).status();
+      EXPECT_TRUE(absl::IsInvalidArgument(status)) << path;
+      EXPECT_THAT(std::string(status.message()), testing::HasSubstr(folder_ / "scene/Data")) << path;
+    }
+  }
+  EXPECT_FALSE(Exists("scene/Data/out"));
+  for (const char* path : {"scene/Data-filled", "scene/out", "scene/out/Data"}) EXPECT_TRUE(Claim(folder_ / path).ok());
+}
+
+TEST_F(OutputFolderTest, RefusesAPathThatCannotBeAFolder) {
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_.Write("file", "x")).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "file/below").status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim("s3://bucket/out").status()));
+}
+
+TEST_F(OutputFolderTest, ANewClaimOfAKilledJobThatWroteNothingLeavesNothing) {
+  std::string marker;
+  {
+    const auto first = Claim(out_);
+    ASSERT_TRUE(first.ok());
+    marker = ReadFile(out_ + "/.tilemend-job").value();
+  }
+  folder_.Write("deep/out/.tilemend-job", marker);  // as the kill leaves it
+  folder_.Write("deep/out/.tilemend-attempts/key", "12345678");
+  ASSERT_TRUE(Claim(out_).ok());
+  EXPECT_FALSE(Exists("deep/out/.tilemend-job"));
+  EXPECT_FALSE(Exists("deep/out/.tilemend-attempts"));
+}
+
+TEST_F(OutputFolderTest, WhatIsInTheWayIsNamedAndStays) {
+  struct Case {
+    const char* name;
+    void (*make)(const std::string& path);
+  };
+  const auto link = [](const std::string& path) { fs::create_directory_symlink("/tmp", path); };
+  const auto folder = [](const std::string& path) { fs::create_directories(path + "/mine"); };
+  const auto pipe = [](const std::string& path) { ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0); };
+  const auto file = [](const std::string& path) { ASSERT_TRUE(WriteFileAtomically(path, "mine").ok()); };
+  const Case cases[] = {{".tilemend-job", folder},
+                        {".tilemend-job", link},
+                        {".tilemend-job", pipe},
+                        {".tilemend-results", folder},
+                        {".tilemend-results", link},
+                        {".tilemend-results", pipe},
+                        {".tilemend-attempts", link},
+                        {".tilemend-attempts", file},
+                        {"tiles/a.ply", folder},
+                        {"report.json", folder},
+                        {"tiles", file},
+                        {"tiles", link}};
+  for (const auto& [name, make] : cases) {
+    const std::string path = out_ + "/" + name;
+    fs::create_directories(fs::path(path).parent_path());
+    make(path);
+    for (const bool overwrite : {false, true}) {
+      const absl::Status status = Claim(out_, overwrite).status();
+      EXPECT_TRUE(absl::IsInvalidArgument(status) || (!overwrite && absl::IsAlreadyExists(status))) << status;
+      EXPECT_THAT(std::string(status.message()), testing::HasSubstr(overwrite ? path + ": a " : out_));
+    }
+    EXPECT_TRUE(fs::exists(fs::symlink_status(path))) << path;
+    fs::remove_all(out_);
+  }
+}
+
+TEST_F(OutputFolderTest, AFolderInPlaceOfTheMetadataIsNamed) {
+  folder_.Write("deep/out/metadata.xml/mine", "");
+  EXPECT_TRUE(Claim(out_, true).ok()) << "the scene has none";
+  folder_.Write("scene/metadata.xml", "<ModelMetadata/>");
+  const absl::Status status = Claim(out_, true).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr(out_ + "/metadata.xml: a folder where the job makes"));
+}
+
+TEST_F(OutputFolderTest, SaysWhatIsInTheWayOfFilesThatAreCarried) {
+  const auto output = Claim(out_);
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_TRUE(output->CheckRoomFor({"a.jpg", "images/b.jpg"}).ok());
+  fs::create_symlink(folder_ / "scene/tiles/a.ply", out_ + "/a.jpg");
+  EXPECT_TRUE(output->CheckRoomFor({"a.jpg"}).ok()) << "is replaced";
+  fs::create_directory_symlink("/tmp", out_ + "/images");
+  const absl::Status status = output->CheckRoomFor({"a.jpg", "images/b.jpg"});
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr(out_ + "/images: a link"));
+}
+
+class PlacedFilesTest : public OutputFolderTest {
+ protected:
+  PlacedFilesTest() {
+    auto claimed = Claim(out_);
+    EXPECT_TRUE(claimed.ok()) << claimed.status();
+    output_.emplace(*std::move(claimed));
+    EXPECT_TRUE(output_->BeginWriting().ok());
+  }
+  // As a worker leaves it.
+  AttemptFile Attempt(const std::string& content = "filled") {
+    AttemptFile file{absl::StrCat(std::string(32, 'a'), "-", ++attempts_), "tiles/a.ply",
+                     static_cast<int64_t>(content.size()), FileDigest(content)};
+    folder_.Write(absl::StrCat("deep/out/.tilemend-attempts/", file.attempt), content);
+    return file;
+  }
+  absl::Status SeeAll() const {
+    return output_->SeeAll([] { return false; });
+  }
+
+  const std::string tile_ = out_ + "/tiles/a.ply";
+  std::optional<OutputFolder> output_;
+  int attempts_ = 0;
+};
+
+TEST_F(PlacedFilesTest, GetTheirNames) {
+  const AttemptFile file = Attempt();
+  ASSERT_TRUE(output_->Place(file).ok());
+  EXPECT_EQ(ReadFile(out_ + "/tiles/a.ply").value(), "filled");
+  EXPECT_TRUE(output_->Place(file).ok()) << "again, after a restart";
+  EXPECT_TRUE(SeeAll().ok());
+  EXPECT_EQ(output_->TidyUp(), 0);
+  output_->Finish();
+  EXPECT_FALSE(Exists("deep/out/.tilemend-attempts"));
+}
+
+TEST_F(PlacedFilesTest, MustBeThereAndOfThisOutput) {
+  AttemptFile gone = Attempt();
+  ASSERT_TRUE(output_->Place(gone).ok());
+  gone.bytes += 1;
+  EXPECT_TRUE(absl::IsUnavailable(output_->Place(gone))) << "another file has the name";
+  AttemptFile strange = Attempt();
+  strange.path = "../mine.txt";
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(strange)));
+  AttemptFile outside = Attempt();
+  outside.attempt = "../../../scene/tiles/a.ply";
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  outside.attempt = "key";
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  EXPECT_TRUE(Exists("scene/tiles/a.ply"));
+}
+
+TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  EXPECT_TRUE(SeeAll().ok());
+  folder_.Write("deep/out/tiles/a.ply", "cut");
+  EXPECT_TRUE(absl::IsAborted(SeeAll()));
+  fs::remove_all(out_);
+  const absl::Status status = SeeAll();
+  EXPECT_TRUE(absl::IsAborted(status)) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("1 of 1 files"));
+}
+
+TEST_F(PlacedFilesTest, AreMissedWhenTheyHaveOtherBytesOfTheSameSize) {
+  const fs::file_time_type later = fs::file_time_type::clock::now() + std::chrono::hours(1);
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  fs::last_write_time(tile_, later);
+  EXPECT_TRUE(SeeAll().ok()) << "other times alone";
+  folder_.Write("deep/out/tiles/a.ply", "killed");
+  fs::last_write_time(tile_, later);
+  const absl::Status status = SeeAll();
+  EXPECT_TRUE(absl::IsAborted(status)) << status;
+  EXPECT_EQ(GetErrorInfo(status)->metadata.at("file"), tile_);
+  fs::remove(tile_);
+  folder_.Write("deep/out/tiles/a.ply", "filled");
+  EXPECT_TRUE(SeeAll().ok()) << "another file with the same bytes";
+}
+
+TEST_F(PlacedFilesTest, AreMissedWhereALinkIsInTheirPlace) {
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  fs::rename(tile_, folder_ / "moved.ply");
+  fs::create_symlink(folder_ / "moved.ply", tile_);
+  EXPECT_TRUE(absl::IsAborted(SeeAll()));
+}
+
+TEST_F(PlacedFilesTest, AreReadAtTheEndAfterARestart) {
+  const AttemptFile file = Attempt();
+  ASSERT_TRUE(output_->Place(file).ok());
+  output_->ReadAtTheEnd();
+  EXPECT_TRUE(output_->Place(file).ok());
+  EXPECT_TRUE(SeeAll().ok());
+  folder_.Write("deep/out/tiles/a.ply", "killed");
+  for (const bool kept : {false, true}) {
+    EXPECT_TRUE((kept ? output_->Keep(file) : output_->Place(file)).ok());
+    EXPECT_TRUE(absl::IsAborted(SeeAll()));
+  }
+}
+
+TEST_F(PlacedFilesTest, AreLookedAtUntilTheJobIsToEnd) {
+  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  EXPECT_TRUE(absl::IsCancelled(output_->SeeAll([] { return true; })));
+}
+
+TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
+  const AttemptFile file = Attempt();
+  output_.reset();
+  auto again = Claim(out_);
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_TRUE(again->Place(file).ok());
+}
+
+TEST_F(PlacedFilesTest, HaveAKeyThatStays) {
+  const std::string key = ReadFile(output_->attempts().key_file()).value();
+  EXPECT_EQ(key.size(), 32U);
+  output_.reset();
+  EXPECT_EQ(ReadFile(Claim(out_)->attempts().key_file()).value(), key);
+}
+
+}  // namespace
+}  // namespace tilemend

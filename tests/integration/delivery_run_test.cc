@@ -1,0 +1,155 @@
+// From a run to a delivery: the acceptance check finds each kind of damage, a second run finds nothing to do, and the
+// page of the report is there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
+#include "tests/support/output_checks.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/textured_scene.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+constexpr char kTile[] = "out/Data/Tile_+000_+000/Tile_+000_+000.obj";
+
+class DeliveryRunTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    WriteTexturedScene(folder_);
+    const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+  }
+  Ended Tilemend(const std::vector<std::string>& words) {
+    return Process(folder_.path(), TILEMEND_CLIENT, words).Wait();
+  }
+  // Checks, expects `code`, and gives the findings.
+  Json Check(int code) {
+    const Ended ended =
+        Tilemend({"check", folder_ / "scene", folder_ / "out", "-o", "json", "--csv", folder_ / "a.csv"});
+    EXPECT_EQ(ended.code, code) << ended.out << ended.err;
+    const Json json = Json::parse(ended.out, nullptr, false);
+    EXPECT_EQ(json.value("accepted", code != 0), code == 0);
+    return json.value("findings", Json());
+  }
+  int64_t Count(const Json& findings, const char* kind) { return findings.at(kind).at("count").get<int64_t>(); }
+  std::string Read(const std::string& name) { return ReadFile(folder_ / name).value(); }
+  // Replaces the last line that begins with `begin`.
+  void ChangeLastLine(const std::string& name, const std::string& begin, const std::string& line) {
+    const std::string text = Read(name);
+    const size_t at = text.rfind("\n" + begin) + 1, end = text.find('\n', at);
+    folder_.Write(name, absl::StrCat(text.substr(0, at), line, text.substr(line.empty() ? end + 1 : end)));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(DeliveryRunTest, AnOutputIsAccepted) {
+  const Json findings = Check(0);
+  for (const auto& [name, finding] : findings.items()) EXPECT_EQ(finding["count"], 0) << name;
+  const Ended table = Tilemend({"check", folder_ / "scene", folder_ / "out"});
+  EXPECT_EQ(table.code, 0);
+  EXPECT_THAT(table.out, StartsWith("accepted: all "));
+  EXPECT_THAT(Read("a.csv"), StartsWith("what,fault,column,row,x,y,z,note\r\n"));
+}
+
+TEST_F(DeliveryRunTest, AChangedOriginalIsFoundWithItsPlace) {
+  folder_.Write(kTile,
+                absl::StrReplaceAll(Read(kTile), {{"v 3.000000 2.000000 0.400000", "v 3.000000 2.000000 0.400001"}}));
+  const Json findings = Check(100);
+  EXPECT_GT(Count(findings, "missing_faces"), 0);
+  EXPECT_EQ(findings["missing_faces"]["places"][0]["cell"], Json({0, 0}));
+  EXPECT_THAT(Read("a.csv"), HasSubstr("\r\nmissing_faces,yes,0,0,"));
+}
+
+TEST_F(DeliveryRunTest, AnotherMaterialOrTextureCoordinateIsAChange) {
+  const std::string text = Read(kTile);
+  folder_.Write(kTile, absl::StrReplaceAll(text, {{"vt 0.5 0.5", "vt 0.5 0.6"}}));
+  EXPECT_GT(Count(Check(100), "missing_faces"), 0);
+  folder_.Write(kTile, absl::StrReplaceAll(text, {{"usemtl ground", "usemtl other"}}));
+  EXPECT_GT(Count(Check(100), "missing_faces"), 0);
+}
+
+TEST_F(DeliveryRunTest, AFilledTriangleLessOpensTheHole) {
+  ChangeLastLine(kTile, "f ", "");
+  EXPECT_GT(Count(Check(100), "open_edges"), 0);
+}
+
+TEST_F(DeliveryRunTest, ACrackBetweenTilesIsOpen) {
+  // Both tiles have the vertices of the seam. One of them is moved in one tile.
+  ChangeLastLine(kTile, "v 10 ", "v 10 5.25 0.9");
+  EXPECT_GT(Count(Check(100), "open_edges"), 0);
+}
+
+TEST_F(DeliveryRunTest, AFilledTriangleTwiceIsNonManifold) {
+  const std::string text = Read(kTile);
+  const size_t at = text.rfind("\nf ");
+  folder_.Write(kTile, absl::StrCat(text, text.substr(at + 1)));
+  EXPECT_GT(Count(Check(100), "nonmanifold_edges"), 0);
+}
+
+TEST_F(DeliveryRunTest, AnImageMustBeTheSameAndAMaterialFileMayGrow) {
+  const std::string image = "out/shared/my ground.jpg";
+  folder_.Write(image, Read(image) + " ");
+  EXPECT_EQ(Count(Check(100), "changed_files"), 1);
+  std::filesystem::remove(folder_ / image);
+  EXPECT_EQ(Count(Check(100), "missing_files"), 1);
+  folder_.Write(image, Read("scene/shared/my ground.jpg"));
+  const std::string library = "out/Data/Tile_+000_+000/Tile_+000_+000.mtl";
+  folder_.Write(library, Read(library) + "newmtl more\n");
+  Check(0);
+  folder_.Write(library, "newmtl more\n");
+  EXPECT_EQ(Count(Check(100), "changed_files"), 1);
+}
+
+TEST_F(DeliveryRunTest, AMissingTileIsNamed) {
+  std::filesystem::remove(folder_ / kTile);
+  EXPECT_EQ(Count(Check(100), "missing_tiles"), 1);
+}
+
+TEST_F(DeliveryRunTest, ASecondRunFindsNothingToDo) {
+  ASSERT_EQ(Tilemend({"run", folder_ / "out", "--out", folder_ / "again"}).code, 0);
+  const Json report = ReportOf(folder_ / "again");
+  EXPECT_EQ(report["per_hole"].size(), 0U) << report["per_hole"].dump();
+  for (const char* tile : {"Tile_+000_+000", "Tile_+001_+000"}) {
+    const std::string path = absl::StrCat("/Data/", tile, "/", tile, ".obj");
+    EXPECT_EQ(Read("out" + path), Read("again" + path));
+  }
+  EXPECT_EQ(Tilemend({"check", folder_ / "out", folder_ / "again"}).code, 0);
+}
+
+TEST_F(DeliveryRunTest, WhatIsNoOutputIsRefused) {
+  EXPECT_EQ(Tilemend({"check", folder_ / "scene", folder_ / "nowhere"}).code, 3);
+  EXPECT_EQ(Tilemend({"check", folder_ / "nowhere", folder_ / "out"}).code, 3);
+  folder_.Write("out/report.json", "[]");
+  EXPECT_EQ(Tilemend({"check", folder_ / "scene", folder_ / "out"}).code, 4);
+  EXPECT_EQ(Tilemend({"check", folder_ / "scene", "--csv", folder_ / "a.csv"}).code, 2);
+  EXPECT_EQ(Tilemend({"check", "a", "b", "c"}).code, 2);
+}
+
+TEST_F(DeliveryRunTest, ThePageIsWrittenByRunAndAgainByReport) {
+  const std::string page = Read("out/report.html");
+  EXPECT_THAT(page, StartsWith("<!doctype html>"));
+  EXPECT_THAT(page, HasSubstr("\"pictures\":[{\"hole\":"));
+  EXPECT_THAT(Read("out/holes.csv"), StartsWith("id,"));
+  std::filesystem::remove(folder_ / "out/report.html");
+  EXPECT_EQ(Tilemend({"report", folder_ / "out", "--html"}).code, 0);
+  EXPECT_EQ(Read("out/report.html"), page);
+  std::filesystem::remove_all(folder_ / "scene");
+  EXPECT_EQ(Tilemend({"report", folder_ / "out", "--html"}).code, 0);
+  EXPECT_THAT(Read("out/report.html"), HasSubstr("No pictures: "));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,67 @@
+// Opens report.html in Chromium and uses it: open_page.mjs PAGE CHROMIUM FOLDER. Prints what is wrong, one line each.
+// Writes page.pdf, light.png and dark.png to FOLDER.
+import { chromium } from 'playwright-core';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+const [, , page, program, folder] = process.argv;
+const browser = await chromium.launch({
+  executablePath: program,
+  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+const faults = [];
+const expect = (holds, what) => { if (!holds) faults.push(what); };
+
+async function open(colorScheme) {
+  const tab = await browser.newPage({ viewport: { width: 1240, height: 900 }, colorScheme });
+  tab.on('pageerror', (error) => faults.push(`error: ${error.message}`));
+  tab.on('console', (message) => { if (message.type() === 'error') faults.push(`console: ${message.text()}`); });
+  tab.on('dialog', (dialog) => { faults.push('a text of the report ran as a script'); dialog.dismiss(); });
+  tab.on('request', (request) => {
+    if (!/^(file|blob):/.test(request.url())) faults.push(`request: ${request.url()}`);
+  });
+  await tab.goto(`file://${page}`);
+  await tab.waitForSelector('body[data-pictures=ready]', { timeout: 60000 });
+  return tab;
+}
+
+// The sum of the canvas' bytes: another picture has another one.
+const pixels = (tab) => tab.locator('.view:not(.print)').first().evaluate((canvas) => canvas
+  .getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, value) => sum + value, 0));
+
+const tab = await open('light');
+expect(await tab.locator('.verdict').count() === 1, 'no verdict');
+expect(await tab.locator('svg.map rect').count() === 2, 'the map has not a square for each cell');
+expect(await tab.locator('.card[data-loaded=yes]').count() >= 1, 'no picture was loaded');
+const seen = new Set();
+for (const mode of ['before', 'after', 'marked']) {
+  await tab.locator('.card .modes button', { hasText: mode }).first().click();
+  seen.add(await pixels(tab));
+}
+expect(seen.size === 3, `before, after and marked show ${seen.size} pictures`);
+const marked = await pixels(tab), canvas = await tab.locator('.view:not(.print)').first().boundingBox();
+await tab.mouse.move(canvas.x + 200, canvas.y + 150);
+await tab.mouse.down();
+await tab.mouse.move(canvas.x + 320, canvas.y + 170, { steps: 4 });
+await tab.mouse.up();
+expect(await pixels(tab) !== marked, 'dragging does not turn the picture');
+
+const rows = tab.locator('table.holes tbody tr');
+const all = await rows.count();
+expect(all === 2, `the table has ${all} holes`);
+const area = () => rows.first().locator('td').nth(4).innerText();
+await tab.locator('table.holes th button', { hasText: 'area' }).click();
+const largest = Number((await area()).replaceAll('\u2009', ''));
+await tab.locator('table.holes th button', { hasText: 'area' }).click();
+expect(Number((await area()).replaceAll('\u2009', '')) < largest, 'the table is not sorted by area');
+await tab.locator('.filters input').fill('no such text');
+expect(await rows.count() === 0, 'the filter shows what does not match');
+await tab.locator('svg.map rect').first().click();
+expect(await rows.count() >= 1, 'a click on a cell does not show its holes');
+expect((await tab.locator('main').innerText()).includes('<img src=x onerror=alert(1)>'), 'a text with markup is not shown as it is');
+await tab.screenshot({ path: join(folder, 'light.png') });
+await tab.pdf({ path: join(folder, 'page.pdf'), format: 'A4' });
+expect(readFileSync(join(folder, 'page.pdf')).length > 10000, 'nothing was printed');
+await (await open('dark')).screenshot({ path: join(folder, 'dark.png') });
+await browser.close();
+for (const fault of faults) console.log(fault);
+process.exit(faults.length > 0 ? 1 : 0);

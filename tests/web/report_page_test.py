@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Builds the script of report.html anew and holds it to web/dist, and uses a page in Chromium.
+
+    report_page_test.py FOLDER BIN
+
+FOLDER gets the packages of web/package-lock.json and keeps them; BIN has tilemend. Exit code 77 (skipped, and says so)
+without npm, its registry or Chromium.
+"""
+import filecmp
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+WEB = os.path.join(os.path.dirname(os.path.dirname(HERE)), 'web')
+SIDE = 12  # squares of a tile
+
+
+def skip(why):
+    print(f'SKIPPED: {why}')
+    sys.exit(77)
+
+
+def fail(why):
+    print(f'FAILED: {why}')
+    sys.exit(1)
+
+
+def run(*words, cwd=None):
+    return subprocess.run(words, cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=280)
+
+
+def install(folder):
+    """The packages, unless they are there already, and the sources."""
+    os.makedirs(folder, exist_ok=True)
+    shutil.copytree(os.path.join(WEB, 'src'), os.path.join(folder, 'src'), dirs_exist_ok=True)
+    for name in ('package.json', 'package-lock.json', 'tsconfig.json', 'build.mjs'):
+        shutil.copy(os.path.join(WEB, name), folder)
+    lock = os.path.join(folder, 'installed.json')
+    if os.path.exists(lock) and filecmp.cmp(lock, os.path.join(WEB, 'package-lock.json'), shallow=False):
+        return
+    try:
+        done = run('npm', 'ci', '--ignore-scripts', '--no-audit', '--no-fund', cwd=folder)
+    except subprocess.TimeoutExpired:
+        skip('npm does not get its packages in time')
+    if done.returncode:
+        skip(f'npm cannot get its packages: {done.stdout[-1000:]}')
+    shutil.copy(os.path.join(WEB, 'package-lock.json'), lock)
+
+
+def check_bundle(folder):
+    """web/dist is what the sources give."""
+    types = run('node', 'node_modules/typescript/bin/tsc', '--noEmit', '-p', '.', cwd=folder)
+    if types.returncode:
+        fail(types.stdout)
+    built = run('node', 'build.mjs', 'built', cwd=folder)
+    if built.returncode:
+        fail(built.stdout)
+    for name in ('report.js', 'report.css'):
+        if not filecmp.cmp(os.path.join(folder, 'built', name), os.path.join(WEB, 'dist', name), shallow=False):
+            fail(f'web/dist/{name} is not what web/src gives: run `npm ci && npm run build` in web')
+
+
+def tile(column):
+    """A tile of a slope: a lake over the border of both, and a square of its own that is missing."""
+    points, faces = [], []
+    for y in range(SIDE + 1):
+        for x in range(column * SIDE, (column + 1) * SIDE + 1):
+            points.append(f'v {x} {y} {0.2 * x + 0.1 * y}')
+    for y in range(SIDE):
+        for x in range(SIDE):
+            if column == 0 and 5 <= x < 8 and 5 <= y < 8 or column == 1 and (x, y) in ((5, 8), (6, 8)):
+                continue
+            a = y * (SIDE + 1) + x + 1
+            faces += [f'f {a} {a + 1} {a + SIDE + 2}', f'f {a} {a + SIDE + 2} {a + SIDE + 1}']
+    return '\n'.join(points + faces) + '\n'
+
+
+def make_page(folder, program):
+    """The page of an output whose report has texts with markup in it."""
+    scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
+    os.makedirs(scene)
+    tiles = []
+    for column in (0, 1):
+        with open(os.path.join(scene, f't{column}.obj'), 'w') as file:
+            file.write(tile(column))
+        tiles.append({'col': column, 'row': 0, 'path': f't{column}.obj'})
+    with open(os.path.join(scene, 'scene.json'), 'w') as file:
+        json.dump({'cell_size': SIDE, 'cols': 2, 'rows': 1, 'tiles': tiles}, file)
+    done = run(program, 'run', scene, '--out', out)
+    if done.returncode:
+        fail(done.stdout)
+    path = os.path.join(out, 'report.json')
+    with open(path) as file:
+        report = json.load(file)
+    report['warnings'] = ['<img src=x onerror=alert(1)>', '</script><script>alert(2)</script>']
+    report['per_hole'][0]['reason'] = '"><svg onload=alert(3)>'
+    with open(path, 'w') as file:
+        json.dump(report, file)
+    done = run(program, 'report', out, '--html')
+    if done.returncode:
+        fail(done.stdout)
+    return os.path.join(out, 'report.html')
+
+
+def main():
+    folder, program = os.path.abspath(sys.argv[1]), os.path.join(os.path.abspath(sys.argv[2]), 'tilemend')
+    if not shutil.which('npm') or not shutil.which('node'):
+        skip('there is no npm')
+    install(folder)
+    check_bundle(folder)
+    chromium = shutil.which('chromium') or shutil.which('google-chrome')
+    if not chromium:
+        skip('there is no Chromium; web/dist is what the sources give')
+    with tempfile.TemporaryDirectory() as temporary:
+        page = make_page(temporary, program)
+        size = os.path.getsize(page)
+        if size > 1_200_000:
+            fail(f'a page with two small pictures has {size} bytes')
+        shutil.copy(os.path.join(HERE, 'open_page.mjs'), folder)
+        done = run('node', 'open_page.mjs', page, chromium, folder, cwd=folder)
+        if done.returncode:
+            fail(done.stdout)
+    print('the page works')
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,112 @@
+#include "worker/check/added_faults.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/mesh_builders.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+// A sheet with a hole of one square in its middle, and the vertices of that square.
+struct Sheet {
+  TriMesh mesh = PictureMesh({"###", "#.#", "###"});
+  int32_t At(double x, double y) const {
+    for (size_t i = 0; i < mesh.points.size(); ++i) {
+      if (mesh.points[i].x() == x && mesh.points[i].y() == y) return static_cast<int32_t>(i);
+    }
+    ADD_FAILURE();
+    return 0;
+  }
+};
+
+AddedFindings Find(const TriMesh& before, const TriMesh& after) {
+  std::vector<bool> added(after.triangles.size(), true);
+  std::fill(added.begin(), added.begin() + std::ssize(before.triangles), false);
+  return FindAddedFaults(before, after, added);
+}
+
+class AddedFaultsTest : public ::testing::Test {
+ protected:
+  // The sheet with these triangles, of the corners 0 to 3 of the hole around it, or of further points.
+  AddedFindings With(const std::vector<Triangle>& triangles, const std::vector<Point3>& further = {}) {
+    const Sheet sheet;
+    std::vector<int32_t> number = {sheet.At(1, 1), sheet.At(2, 1), sheet.At(2, 2), sheet.At(1, 2)};
+    TriMesh after = before_.mesh;
+    for (const Point3& p : further) {
+      number.push_back(static_cast<int32_t>(after.points.size()));
+      after.points.push_back(p);
+    }
+    for (const Triangle& t : triangles) after.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    return Find(before_.mesh, after);
+  }
+  static int64_t NewOpen(const AddedFindings& found) {
+    return std::count_if(found.open.begin(), found.open.end(),
+                         [](const OpenEdge& e) { return e.after == 1 && e.before != 1; });
+  }
+
+  Sheet before_;
+};
+
+TEST_F(AddedFaultsTest, AFilledHoleHasNoFaultAndNoNewOpenEdge) {
+  const AddedFindings found = With({{0, 1, 2}, {0, 2, 3}});
+  EXPECT_THAT(found.faults, IsEmpty());
+  EXPECT_EQ(NewOpen(found), 0);
+  const auto closed = std::count_if(found.open.begin(), found.open.end(),
+                                    [](const OpenEdge& e) { return e.before == 1 && e.after == 2; });
+  EXPECT_EQ(closed, 4);
+}
+
+TEST_F(AddedFaultsTest, AHalfFilledHoleHasANewOpenEdge) { EXPECT_EQ(NewOpen(With({{0, 1, 2}})), 1); }
+
+TEST_F(AddedFaultsTest, ATriangleThatFacesDownTurnsTheEdgesAroundIt) {
+  EXPECT_THAT(With({{0, 2, 1}, {0, 2, 3}}).faults.at(AddedFault::kTurnedEdge), SizeIs(3));
+}
+
+TEST_F(AddedFaultsTest, AThirdTriangleAtAnEdgeIsNamedOnce) {
+  const AddedFindings found = With({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}, {{1.5, 1.5, 5}});
+  EXPECT_THAT(found.faults.at(AddedFault::kNonManifoldEdge), SizeIs(1));
+}
+
+TEST_F(AddedFaultsTest, ATriangleWithoutAreaIsNamed) {
+  EXPECT_THAT(
+      With({{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}, {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}}).faults.at(AddedFault::kFlatTriangle),
+      SizeIs(1));
+}
+
+TEST_F(AddedFaultsTest, TellsFillsThatCrossEachOtherFromFillsThatCrossTheSurface) {
+  const AddedFindings found = With({{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}, {{1.2, 1.2, -1}, {1.8, 1.3, -1}, {1.5, 1.3, 1}});
+  EXPECT_THAT(found.faults.at(AddedFault::kCrossedFill), SizeIs(testing::Ge(2)));
+  const AddedFindings outside = With({{4, 5, 6}}, {{0.2, 0.2, -1}, {0.8, 0.3, -1}, {0.5, 0.3, 1}});
+  EXPECT_THAT(outside.faults.at(AddedFault::kCrossedSurface), SizeIs(1));
+  EXPECT_EQ(outside.faults.count(AddedFault::kCrossedFill), 0U);
+}
+
+TEST_F(AddedFaultsTest, FaultsOfTheInputAreNoneOfTheOutput) {
+  before_.mesh.points.insert(before_.mesh.points.end(), {{0.2, 0.2, -1}, {0.8, 0.3, -1}, {0.5, 0.3, 1}});
+  const auto n = static_cast<int32_t>(before_.mesh.points.size());
+  before_.mesh.triangles.push_back({n - 3, n - 2, n - 1});
+  EXPECT_THAT(With({{0, 1, 2}, {0, 2, 3}}).faults, IsEmpty());
+}
+
+TEST_F(AddedFaultsTest, SurfaceThatPassesThroughTheRimIsAFaultOfTheInput) {
+  // Stands across the edge of the hole from (1, 1) to (2, 1).
+  before_.mesh.points.insert(before_.mesh.points.end(), {{1.5, 0.9, -1}, {1.5, 1.1, -1}, {1.5, 1, 1}});
+  const auto n = static_cast<int32_t>(before_.mesh.points.size());
+  before_.mesh.triangles.push_back({n - 3, n - 2, n - 1});
+  const AddedFindings found = With({{0, 1, 2}, {0, 2, 3}});
+  EXPECT_THAT(found.faults.at(AddedFault::kCrossedRim), SizeIs(1));
+  EXPECT_THAT(found.faults, SizeIs(1));
+}
+
+TEST_F(AddedFaultsTest, TrianglesWithoutAnOriginalVertexAreInner) {
+  const AddedFindings found = With({{0, 1, 2}, {4, 5, 6}}, {{1.2, 1.2, 3}, {1.8, 1.3, 3}, {1.5, 1.8, 3}});
+  EXPECT_EQ(std::count(found.inner.begin(), found.inner.end(), true), 1);
+  EXPECT_TRUE(found.inner.back());
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,100 @@
+// The table of holes: sorted by any column, filtered by text, outcome and cell.
+import type { Cell, Hole, Level, Report } from './data';
+import { counted, el, number } from './dom';
+
+const STEP = 100; // rows that are shown at once
+
+export function levelText(level: Level): string {
+  return Array.isArray(level) ? `${number(level[0], 3)} to ${number(level[1], 3)}` : number(level, 3);
+}
+
+interface Column {
+  title: string;
+  isNumber: boolean;
+  text: (hole: Hole) => string;
+  key: (hole: Hole) => number | string;
+}
+
+const firstLevel = (level: Level) => (Array.isArray(level) ? level[0] : level) ?? -Infinity;
+const COLUMNS: Column[] = [
+  { title: 'hole', isNumber: true, text: (h) => String(h.id), key: (h) => h.id },
+  { title: 'cell', isNumber: false, text: (h) => (h.cell ?? []).join(', '),
+    key: (h) => (h.cell ? h.cell[1] * 1e6 + h.cell[0] : 0) },
+  { title: 'x, y [m]', isNumber: false, text: (h) => (h.centre ?? []).slice(0, 2).map((c) => c.toFixed(1)).join(', '),
+    key: (h) => h.centre?.[0] ?? 0 },
+  { title: 'kind', isNumber: false, text: (h) => h.kind, key: (h) => h.kind },
+  { title: 'area [m\u00b2]', isNumber: true, text: (h) => number(h.area, 1), key: (h) => h.area },
+  { title: 'outcome', isNumber: false, text: (h) => (h.filled ? h.method || 'filled' : 'left open'),
+    key: (h) => (h.filled ? h.method || 'filled' : '') },
+  { title: 'level [m]', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
+  { title: 'sigma [m]', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
+  { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
+];
+
+export interface HolesTable { element: HTMLElement; showCell: (cell: Cell) => void }
+
+export function holesTable(report: Report): HolesTable {
+  let sorted: { column: number; down: boolean } | null = null;
+  let shown = STEP;
+  const search = el('input', { type: 'search', placeholder: 'filter, e.g. water or 3, 14', 'aria-label': 'filter' });
+  const outcome = el('select', { 'aria-label': 'outcome' });
+  for (const [value, text] of [['', 'all outcomes'], ['left', 'left open'], ['filled', 'filled']] as const) {
+    outcome.append(el('option', { value }, text));
+  }
+  const kind = el('select', { 'aria-label': 'kind' }, el('option', { value: '' }, 'all kinds'));
+  for (const name of [...new Set(report.per_hole.map((h) => h.kind))].sort()) {
+    kind.append(el('option', { value: name }, name));
+  }
+  const count = el('span', { class: 'quiet' });
+  const head = el('tr'), body = el('tbody');
+  const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; update(); } }, 'show more');
+
+  const matching = (): Hole[] => {
+    const words = search.value.trim().toLowerCase();
+    const holes = report.per_hole.filter((hole) =>
+      (outcome.value === '' || (outcome.value === 'filled') === hole.filled) &&
+      (kind.value === '' || kind.value === hole.kind) &&
+      (words === '' || COLUMNS.some((column) => column.text(hole).toLowerCase().includes(words))));
+    if (!sorted) return holes;
+    const { key } = COLUMNS[sorted.column]!, sign = sorted.down ? -1 : 1;
+    return holes.sort((a, b) => {
+      const [x, y] = [key(a), key(b)];
+      return sign * (typeof x === 'number' && typeof y === 'number' ? x - y : String(x).localeCompare(String(y)));
+    });
+  };
+
+  function update(): void {
+    const holes = matching();
+    const listed = report.per_hole.length;
+    const of = listed < report.hole_count ? ` (${number(listed)} of ${number(report.hole_count)} are listed here)` : '';
+    count.textContent = counted(holes.length, 'hole') + of;
+    body.replaceChildren(...holes.slice(0, shown).map((hole) =>
+      el('tr', { class: hole.filled ? '' : 'open' },
+        ...COLUMNS.map((c) => el('td', { class: c.isNumber ? 'number' : '' }, c.text(hole))))));
+    more.hidden = holes.length <= shown;
+    head.querySelectorAll('th').forEach((th, i) => th.setAttribute(
+      'aria-sort', sorted?.column !== i ? 'none' : sorted.down ? 'descending' : 'ascending'));
+  }
+
+  COLUMNS.forEach((column, i) => {
+    const sort = () => {
+      sorted = { column: i, down: sorted?.column === i ? !sorted.down : column.isNumber };
+      update();
+    };
+    head.append(el('th', { class: column.isNumber ? 'number' : '' }, el('button', { type: 'button', click: sort }, column.title)));
+  });
+  for (const input of [search, outcome, kind]) {
+    input.addEventListener('input', () => { shown = STEP; update(); });
+  }
+  update();
+  const element = el('div', {},
+    el('div', { class: 'filters' }, search, outcome, kind, count),
+    el('div', { class: 'scroll' }, el('table', { class: 'holes' }, el('thead', {}, head), body)), more);
+  const showCell = (cell: Cell) => {
+    search.value = `${cell[0]}, ${cell[1]}`;
+    shown = STEP;
+    update();
+    element.scrollIntoView({ behavior: 'smooth' });
+  };
+  return { element, showCell };
+}

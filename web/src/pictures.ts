@@ -1,0 +1,149 @@
+// Pictures of the largest fills: one WebGL context draws them all, each into a canvas of its own, so that they print.
+import {
+  AmbientLight, Color, DirectionalLight, DoubleSide, Group, Mesh, MeshLambertMaterial, PerspectiveCamera, Scene,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { type Crop, readCrop } from './crop';
+import type { Hole, Picture, Report } from './data';
+import { el, number } from './dom';
+import { levelText } from './holes';
+
+const WIDTH = 560, HEIGHT = 380;
+type Mode = 'before' | 'after' | 'marked';
+const MARK = 0x2563c9;
+
+function makeRenderer(): WebGLRenderer | null {
+  try {
+    const renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    renderer.setPixelRatio(1);
+    renderer.setSize(2 * WIDTH, 2 * HEIGHT, false);
+    return renderer;
+  } catch {
+    return null;
+  }
+}
+
+class View {
+  private readonly scene = new Scene();
+  private readonly camera: PerspectiveCamera;
+  private readonly added: Mesh<Crop['geometries']['added'], MeshLambertMaterial>;
+  private readonly cleared: Mesh;
+
+  constructor(private readonly renderer: WebGLRenderer, crop: Crop) {
+    this.camera = new PerspectiveCamera(38, WIDTH / HEIGHT, crop.radius / 50, crop.radius * 60);
+    const material = () => new MeshLambertMaterial({
+      vertexColors: true, side: DoubleSide, flatShading: true, ...(crop.texture ? { map: crop.texture } : {}) });
+    const { kept, added, cleared } = crop.geometries;
+    this.added = new Mesh(added, material());
+    this.cleared = new Mesh(cleared, material());
+    const sun = new DirectionalLight(0xffffff, crop.texture ? 1.0 : 1.9);
+    sun.position.set(-0.6, -0.5, 1);
+    this.scene.add(new AmbientLight(0xffffff, crop.texture ? 2.4 : 1.5), sun,
+      new Group().add(new Mesh(kept, material()), this.added, this.cleared));
+  }
+
+  orbit(canvas: HTMLCanvasElement, crop: Crop, draw: () => void): void {
+    const [x, y, z] = crop.centre, distance = 3.3 * crop.radius;
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(x - 0.25 * distance, y - 0.68 * distance, z + 0.7 * distance);
+    const controls = new OrbitControls(this.camera, canvas);
+    controls.target.set(x, y, z);
+    controls.enableZoom = false; // the wheel scrolls the page, unless the picture has the focus
+    canvas.addEventListener('focus', () => { controls.enableZoom = true; });
+    canvas.addEventListener('blur', () => { controls.enableZoom = false; });
+    canvas.addEventListener('pointerdown', () => canvas.focus());
+    controls.addEventListener('change', draw);
+    controls.update();
+  }
+
+  draw(canvas: HTMLCanvasElement, mode: Mode): void {
+    this.added.visible = mode !== 'before';
+    this.cleared.visible = mode === 'before';
+    this.added.material.emissive = new Color(mode === 'marked' ? MARK : 0);
+    this.renderer.render(this.scene, this.camera);
+    const pen = canvas.getContext('2d');
+    if (!pen) return;
+    pen.clearRect(0, 0, canvas.width, canvas.height);
+    pen.drawImage(this.renderer.domElement, 0, 0, canvas.width, canvas.height);
+  }
+}
+
+function captionOf(hole: Hole | undefined, picture: Picture): string {
+  if (!hole) return `hole ${picture.hole}`;
+  const level = levelText(hole.level);
+  const sigma = hole.sigma === null || hole.sigma === undefined ? '' : `, sigma ${number(hole.sigma, 3)} m`;
+  return `hole ${hole.id}, cell ${hole.cell.join(', ')}, ${number(hole.area, 1)} m\u00b2, ${hole.method}` +
+    (level ? ` at ${level} m${sigma}` : '');
+}
+
+function canvasOf(className: string): HTMLCanvasElement {
+  const canvas = el('canvas', { class: className, tabindex: '0' });
+  canvas.width = 2 * WIDTH;
+  canvas.height = 2 * HEIGHT;
+  return canvas;
+}
+
+class Card {
+  readonly element: HTMLElement;
+  private readonly canvas = canvasOf('view');
+  private readonly printed = canvasOf('view print'); // the state before, beside the state after, on paper
+  private readonly buttons = new Map<Mode, HTMLButtonElement>();
+  private readonly note = el('p', { class: 'quiet' }, 'loading');
+  private mode: Mode = 'after';
+  private view: View | null = null;
+
+  constructor(private readonly picture: Picture, hole: Hole | undefined) {
+    const bar = el('div', { class: 'modes' });
+    for (const mode of ['before', 'after', 'marked'] as Mode[]) {
+      const button = el('button', { type: 'button', click: () => this.show(mode) }, mode);
+      this.buttons.set(mode, button);
+      bar.append(button);
+    }
+    this.canvas.setAttribute('aria-label', captionOf(hole, picture));
+    this.element = el('figure', { class: 'card' }, el('div', { class: 'views' }, this.printed, this.canvas),
+      el('figcaption', {}, el('span', {}, captionOf(hole, picture)), bar), this.note);
+    this.show('after');
+  }
+
+  async load(renderer: WebGLRenderer): Promise<void> {
+    try {
+      const crop = await readCrop(this.picture.bytes);
+      this.view = new View(renderer, crop);
+      this.view.orbit(this.canvas, crop, () => this.draw());
+      this.show(crop.texture ? 'after' : 'marked'); // without texture a fill looks like its surroundings
+      this.view.draw(this.printed, 'before');
+      this.note.textContent = this.picture.coarser ? 'Small triangles are left out of this picture.' : '';
+      this.element.dataset['loaded'] = 'yes';
+    } catch (error) {
+      this.note.textContent = `This picture cannot be shown: ${String(error)}`;
+    }
+  }
+
+  private show(mode: Mode): void {
+    this.mode = mode;
+    for (const [name, button] of this.buttons) button.setAttribute('aria-pressed', String(name === mode));
+    this.draw();
+  }
+
+  private draw(): void {
+    this.view?.draw(this.canvas, this.mode);
+  }
+}
+
+export function pictures(report: Report): HTMLElement {
+  const box = el('div', { class: 'cards' });
+  const holes = new Map(report.per_hole.map((hole) => [hole.id, hole]));
+  const renderer = report.pictures.length > 0 ? makeRenderer() : null;
+  if (report.pictures.length > 0 && !renderer) return el('p', {}, 'This browser has no WebGL, so there are no pictures.');
+  const cards = report.pictures.map((picture) => new Card(picture, holes.get(picture.hole)));
+  box.append(...cards.map((card) => card.element));
+  const loadAll = async () => {
+    for (const card of cards) {
+      if (renderer) await card.load(renderer);
+    }
+    document.body.dataset['pictures'] = 'ready';
+  };
+  void loadAll();
+  return box;
+}

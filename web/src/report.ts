@@ -1,0 +1,81 @@
+// report.html: puts the parts of the page together.
+import { type LookAt, type Report, type Water, readReport } from './data';
+import { counted, el, number } from './dom';
+import { holesTable, levelText } from './holes';
+import { cellMap } from './map';
+import { pictures } from './pictures';
+
+function verdict(report: Report): HTMLElement {
+  const left = report.cells.reduce((sum, cell) => sum + cell[3], 0);
+  const filled = report.cells.reduce((sum, cell) => sum + cell[2], 0);
+  const looks = report.look_at?.length ?? 0;
+  const text = left > 0 ? `${counted(filled, 'hole')} filled, ${number(left)} left open`
+    : filled > 0 ? `All ${counted(filled, 'hole')} filled` : 'No hole was found';
+  const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '',
+    looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
+  return el('div', { class: left > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
+}
+
+function facts(report: Report): HTMLElement {
+  const area = report.per_hole.reduce((sum, hole) => sum + (hole.filled ? hole.area : 0), 0);
+  const rows: [string, string][] = [
+    ['cells', number(report.cells.length)],
+    ['holes', number(report.hole_count)],
+    ['area filled', `${number(area)} m\u00b2`],
+    ['waters', number(report.water?.length ?? 0)]];
+  if (report.cleared?.triangles) rows.push(['triangles cleared', number(report.cleared.triangles)]);
+  return el('dl', { class: 'facts' }, ...rows.map(([name, value]) => el('div', {}, el('dt', {}, name), el('dd', {}, value))));
+}
+
+function table(headings: string[], rows: string[][], numbers: number[] = []): HTMLElement {
+  const kind = (i: number) => ({ class: numbers.includes(i) ? 'number' : '' });
+  return el('div', { class: 'scroll' }, el('table', {},
+    el('thead', {}, el('tr', {}, ...headings.map((text, i) => el('th', kind(i), text)))),
+    el('tbody', {}, ...rows.map((row) => el('tr', {}, ...row.map((text, i) => el('td', kind(i), text)))))));
+}
+
+function waters(rows: Water[]): HTMLElement {
+  return table(['water', 'kind', 'level [m]', 'sigma [m]', 'area [m\u00b2]', 'cells', 'decided by'],
+    rows.map((w) => [String(w.body), w.kind, levelText(w.level_m), number(w.sigma_m, 3), number(w.area_m2, 1),
+      number(w.cells), w.decided_by]), [2, 3, 4, 5]);
+}
+
+function looks(rows: LookAt[]): HTMLElement {
+  return table(['hole', 'cell', 'x, y [m]', 'area [m\u00b2]', 'why'],
+    rows.map((r) => [String(r.hole ?? ''), (r.cell ?? []).join(', '), (r.centre ?? []).map((c) => c.toFixed(1)).join(', '),
+      number(r.area_m2, 1), r.why ?? '']), [3]);
+}
+
+function section(title: string, ...content: HTMLElement[]): HTMLElement {
+  return el('section', {}, el('h2', {}, title), ...content);
+}
+
+function options(report: Report): HTMLElement {
+  const rows = Object.entries(report.options ?? {}).map(([name, value]) => [`--${name}`, String(value)]);
+  return el('details', {}, el('summary', {}, 'Options of this run'), table(['option', 'value'], rows));
+}
+
+function build(report: Report): HTMLElement[] {
+  const holes = holesTable(report);
+  const parts: HTMLElement[] = [
+    el('header', {}, el('h1', {}, 'tilemend report'),
+      el('p', { class: 'quiet' }, [report.scene, report.date, report.version && `release ${report.version}`].filter(Boolean).join(' \u00b7 ')),
+      el('button', { type: 'button', class: 'print', click: () => window.print() }, 'Print or save as PDF')),
+    verdict(report), facts(report)];
+  parts.push(section('Cells', cellMap(report, holes.showCell)));
+  if (report.look_at?.length) parts.push(section('Places to look at', looks(report.look_at)));
+  if (report.pictures.length || report.picture_problems.length) {
+    parts.push(section('The largest fills', el('p', { class: 'quiet' },
+      'Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in blue.'),
+      ...report.picture_problems.map((text) => el('p', { class: 'warning' }, text)), pictures(report)));
+  }
+  if (report.water?.length) parts.push(section('Waters', waters(report.water)));
+  parts.push(section('Holes', holes.element));
+  if (report.warnings?.length) {
+    parts.push(section('Warnings', el('ul', {}, ...report.warnings.map((text) => el('li', {}, text)))));
+  }
+  parts.push(options(report));
+  return parts;
+}
+
+document.getElementById('page')?.replaceChildren(...build(readReport()));

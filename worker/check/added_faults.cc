@@ -1,0 +1,164 @@
+#include "worker/check/added_faults.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "common/mesh/box_tree.h"
+#include "common/mesh/edge_key.h"
+#include "common/mesh/position_index.h"
+#include "common/mesh/triangle_shape.h"
+#include "worker/check/corner_cones.h"
+#include "worker/fill/space/patch_crossings.h"
+
+namespace tilemend {
+namespace {
+
+// One triangle at an edge.
+struct EdgeSide {
+  uint64_t edge;  // EdgeKey of the lower and the higher welded vertex
+  bool is_after, is_added, is_inner, is_forward;
+
+  bool operator<(const EdgeSide& other) const { return edge < other.edge; }
+};
+
+bool IsLower(const Point3& a, const Point3& b) {
+  return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+}
+
+class AddedFaultFinder {
+ public:
+  AddedFaultFinder(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added) {
+    Weld(before, {}, false);
+    originals_ = index_.size();
+    Weld(after, added, true);
+    points_ = index_.positions();
+  }
+
+  AddedFindings Run() {
+    LookAtEdges();
+    LookForCrossings();
+    std::sort(found_.open.begin(), found_.open.end(), [](const OpenEdge& a, const OpenEdge& b) {
+      return a.from != b.from ? IsLower(a.from, b.from) : IsLower(a.to, b.to);
+    });
+    return std::move(found_);
+  }
+
+ private:
+  void Weld(const TriMesh& mesh, const std::vector<bool>& added, bool is_after) {
+    std::vector<int32_t> number;
+    number.reserve(mesh.points.size());
+    for (const Point3& p : mesh.points) number.push_back(index_.Insert(p));
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Triangle& corners = mesh.triangles[t];
+      const bool is_added = is_after && added[t];
+      const auto is_original = [&](int32_t v) { return number[v] < originals_; };
+      const bool is_inner = is_added && std::none_of(corners.begin(), corners.end(), is_original);
+      if (is_after) found_.inner.push_back(is_inner);
+      if (TwiceVectorArea(mesh.points, corners).squaredNorm() <= 0) {
+        if (is_added) found_.faults[AddedFault::kFlatTriangle].push_back(mesh.points[corners[0]]);
+        continue;
+      }
+      const Triangle welded = {number[corners[0]], number[corners[1]], number[corners[2]]};
+      for (int k = 0; k < 3; ++k) {
+        const int32_t a = welded[k], b = welded[(k + 1) % 3];
+        sides_.push_back({EdgeKey(std::min(a, b), std::max(a, b)), is_after, is_added, is_inner, a < b});
+      }
+      if (!is_after) continue;
+      triangles_.push_back(welded);
+      is_added_.push_back(is_added);
+    }
+  }
+
+  void LookAtEdges() {
+    std::sort(sides_.begin(), sides_.end());
+    for (size_t i = 0, next = 0; i < sides_.size(); i = next) {
+      while (next < sides_.size() && sides_[next].edge == sides_[i].edge) ++next;
+      LookAtEdge(i, next);
+    }
+    sides_ = {};
+  }
+
+  void LookAtEdge(size_t first, size_t last) {
+    const auto count = [&](auto is_counted) {
+      return static_cast<int32_t>(std::count_if(sides_.begin() + static_cast<ptrdiff_t>(first),
+                                                sides_.begin() + static_cast<ptrdiff_t>(last), is_counted));
+    };
+    const int32_t before = count([](const EdgeSide& s) { return !s.is_after; });
+    const int32_t after = count([](const EdgeSide& s) { return s.is_after; });
+    const int32_t added = count([](const EdgeSide& s) { return s.is_added; });
+    const int32_t inner = count([](const EdgeSide& s) { return s.is_inner; });
+    const int32_t forward = count([](const EdgeSide& s) { return s.is_after && s.is_forward; });
+    const uint64_t edge = sides_[first].edge;
+    const auto a = static_cast<int32_t>(edge >> 32), b = static_cast<int32_t>(edge & 0xffffffffU);
+    const Point3 middle = (points_[a] + points_[b]) / 2;
+    if (after > 2 && before <= 2) found_.faults[AddedFault::kNonManifoldEdge].push_back(middle);
+    if (after == 2 && added > 0 && forward != 1) found_.faults[AddedFault::kTurnedEdge].push_back(middle);
+    if (before == 1) rim_.push_back({a, b});
+    if (before != 1 && after != 1) return;
+    const bool swap = IsLower(points_[b], points_[a]);
+    found_.open.push_back({points_[swap ? b : a], points_[swap ? a : b], before, after, added > 0, inner > 0});
+  }
+
+  SpaceTriangle InSpace(int32_t t) const {
+    return {points_[triangles_[t][0]], points_[triangles_[t][1]], points_[triangles_[t][2]]};
+  }
+
+  // Whether triangle t has a point in common with a boundary edge of the input that it has no corner at, and that an
+  // added triangle is filled to.
+  bool PassesThroughRim(int32_t t, int32_t added) const {
+    const Triangle& own = triangles_[t];
+    const auto has = [&](int32_t v) { return std::find(own.begin(), own.end(), v) != own.end(); };
+    for (int k = 0; k < 3; ++k) {
+      const int32_t a = triangles_[added][k], b = triangles_[added][(k + 1) % 3];
+      if (has(a) || has(b) || !std::binary_search(rim_.begin(), rim_.end(), std::pair(std::min(a, b), std::max(a, b))))
+        continue;
+      if (SegmentCrosses(points_[a], points_[b], InSpace(t))) return true;
+    }
+    return false;
+  }
+
+  void LookForCrossings() {
+    if (std::find(is_added_.begin(), is_added_.end(), true) == is_added_.end()) return;
+    std::sort(rim_.begin(), rim_.end());
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (int32_t t = 0; t < std::ssize(triangles_); ++t) boxes.push_back(BoxOf(InSpace(t)));
+    const CornerCones cones(points_, triangles_);
+    const BoxTree tree(boxes);
+    for (int32_t a = 0; a < std::ssize(triangles_); ++a) {
+      if (!is_added_[a]) continue;
+      bool fill = false, surface = false, rim = false;
+      tree.AnyMeeting(boxes[a], [&](int32_t b) {
+        if (a == b || cones.AreApart(a, b) || !TrianglesCross(InSpace(a), InSpace(b))) return false;
+        (is_added_[b] ? fill : PassesThroughRim(b, a) ? rim : surface) = true;
+        return fill;
+      });
+      if (!fill && !surface && !rim) continue;
+      const SpaceTriangle t = InSpace(a);
+      const AddedFault fault = fill      ? AddedFault::kCrossedFill
+                               : surface ? AddedFault::kCrossedSurface
+                                         : AddedFault::kCrossedRim;
+      found_.faults[fault].push_back((t[0] + t[1] + t[2]) / 3);
+    }
+  }
+
+  PositionIndex index_;
+  int32_t originals_ = 0;            // vertices of the tile before: the first of index_
+  std::vector<Point3> points_;       // welded
+  std::vector<Triangle> triangles_;  // of the tile after, with area
+  std::vector<bool> is_added_;       // of triangles_
+  std::vector<EdgeSide> sides_;
+  std::vector<std::pair<int32_t, int32_t>> rim_;  // boundary edges of the input
+  AddedFindings found_;
+};
+
+}  // namespace
+
+AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added) {
+  return AddedFaultFinder(before, after, added).Run();
+}
+
+}  // namespace tilemend

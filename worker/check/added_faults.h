@@ -1,0 +1,46 @@
+// What is wrong with the faces that a tile got, apart from what was wrong with the tile before.
+#ifndef TILEMEND_WORKER_CHECK_ADDED_FAULTS_H_
+#define TILEMEND_WORKER_CHECK_ADDED_FAULTS_H_
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+enum class AddedFault {
+  kCrossedFill,      // an added triangle that crosses another added one (TrianglesCross)
+  kCrossedSurface,   // an added triangle that crosses no added one, but an original one
+  kCrossedRim,       // the same, where the original one passes through the boundary of the hole: no patch is free of
+                     // it. The input's fault
+  kNonManifoldEdge,  // an edge with more than two triangles that had at most two before
+  kTurnedEdge,       // an edge whose two triangles face opposite ways, one of them or both added
+  kFlatTriangle,     // an added triangle without area
+};
+
+// An edge with one triangle, before or after. In a tile; counts over several tiles are sums.
+struct OpenEdge {
+  Point3 from, to;     // the lower position first (by x, y, z)
+  int32_t before = 0;  // triangles that have it
+  int32_t after = 0;
+  bool is_added = false;    // of one that is there after: its triangle was added
+  bool is_inner = false;    // and has no vertex at an original one
+  bool is_covered = false;  // the tile has other surface there: pieces of a tile overlap (set by CoverOpenEdges)
+};
+
+struct AddedFindings {
+  std::map<AddedFault, std::vector<Point3>> faults;  // where: middles of edges and triangles
+  std::vector<OpenEdge> open;                        // in order of their positions
+  std::vector<bool> inner;  // of each triangle of `after`: it was added, and has no vertex at an original one
+};
+
+// Compares the tile `after` with what it was `before`; `added` says which triangles of `after` are new. Vertices at
+// equal positions are one. Triangles without area count for no edge. Touching is decided by exact signs. Pure.
+// O(n log n), and crossings are looked for at the added triangles alone.
+AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_CHECK_ADDED_FAULTS_H_

@@ -1,0 +1,17 @@
+// Fills of a tile, told apart.
+#ifndef TILEMEND_WORKER_CHECK_FILL_PIECES_H_
+#define TILEMEND_WORKER_CHECK_FILL_PIECES_H_
+
+#include <vector>
+
+#include "common/mesh/tri_mesh.h"
+
+namespace tilemend {
+
+// The triangles in pieces that are connected over edges; fills of two holes may touch at a vertex. Pieces in the order
+// of their first triangles. Precondition: corners at one position have one number. O(n log n).
+std::vector<std::vector<Triangle>> PiecesByEdges(const std::vector<Triangle>& triangles);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_CHECK_FILL_PIECES_H_

@@ -1,0 +1,119 @@
+#include "worker/check/tile_joins.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "common/mesh/triangle_shape.h"
+
+namespace tilemend {
+namespace {
+
+constexpr double kSteepReach = 0.05;  // metres: a wall has no surface above or below a point beside it
+constexpr double kSteep = 0.05;       // upward part of the normal, below which a triangle is a wall
+
+Eigen::AlignedBox3d FlatBoxOf(const SpaceTriangle& t) {
+  Eigen::AlignedBox3d box;
+  for (const Point3& p : t) box.extend(Point3(p.x(), p.y(), 0));
+  return box;
+}
+
+// The height of the triangle's plane above p, where p lies in it seen from above; infinity elsewhere.
+double HeightAbove(const SpaceTriangle& t, const Point3& p) {
+  const Eigen::Vector3d normal = TwiceVectorArea(t);
+  if (std::abs(normal.z()) <= kSteep * normal.norm()) {
+    Eigen::AlignedBox3d box(t[0]);
+    box.extend(t[1]);
+    box.extend(t[2]);
+    const bool beside = (p.head<2>().array() >= box.min().head<2>().array() - kSteepReach).all() &&
+                        (p.head<2>().array() <= box.max().head<2>().array() + kSteepReach).all();
+    return beside ? std::clamp(p.z(), box.min().z(), box.max().z()) - p.z() : INFINITY;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Point3 &a = t[k], &b = t[(k + 1) % 3];
+    const double side = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    const double slack = 1e-6 * (b - a).norm();  // a micrometre beside the edge is on it
+    if (side * (normal.z() > 0 ? 1 : -1) < -slack) return INFINITY;
+  }
+  return normal.dot(t[0] - p) / normal.z();
+}
+
+}  // namespace
+
+BorderStrip::BorderStrip(std::vector<SpaceTriangle> triangles, std::vector<bool> inner)
+    : triangles_(std::move(triangles)), inner_(std::move(inner)) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const SpaceTriangle& t : triangles_) boxes.push_back(FlatBoxOf(t));
+  tree_ = BoxTree(boxes);
+}
+
+BorderStrip::Nearest BorderStrip::NearestBeside(const Point3& p, const Point3& a, const Point3& b) const {
+  Nearest nearest;
+  double best = INFINITY;
+  const Point3 flat(p.x(), p.y(), 0), reach(kSteepReach, kSteepReach, 0);
+  tree_.AnyMeeting({flat - reach, flat + reach}, [&](int32_t t) {
+    const auto is_end = [&](const Point3& corner) { return p != a && (corner == a || corner == b); };
+    if (std::any_of(triangles_[t].begin(), triangles_[t].end(), is_end)) return false;
+    const double height = HeightAbove(triangles_[t], p);
+    if (std::abs(height) < best) {
+      best = std::abs(height);
+      nearest = {true, inner_[t], height};
+    }
+    return false;
+  });
+  return nearest;
+}
+
+void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges) {
+  const auto is_new = [](const OpenEdge& e) { return e.after == 1 && e.before != 1; };
+  if (std::none_of(edges.begin(), edges.end(), is_new)) return;
+  std::vector<SpaceTriangle> triangles;
+  for (const Triangle& t : mesh.triangles) {
+    triangles.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
+  }
+  const BorderStrip surface(std::move(triangles), std::vector<bool>(mesh.triangles.size(), false));
+  for (OpenEdge& e : edges) {
+    if (!is_new(e)) continue;
+    const BorderStrip::Nearest nearest = surface.NearestBeside((e.from + e.to) / 2, e.from, e.to);
+    e.is_covered = nearest.is_covered && std::abs(nearest.height) <= kCoverReach;
+  }
+}
+
+void JoinedEdges::Add(int32_t tile, int32_t row, const std::vector<OpenEdge>& edges) {
+  for (const OpenEdge& e : edges) {
+    Sum& sum = sums_[{e.from.x(), e.from.y(), e.from.z(), e.to.x(), e.to.y(), e.to.z()}];
+    sum.before += e.before;
+    sum.after += e.after;
+    sum.row = row;
+    if (e.after > 0) sum.tile = tile;
+    sum.is_added = sum.is_added || e.is_added;
+    sum.is_inner = sum.is_inner || e.is_inner;
+    sum.is_covered = sum.is_covered || e.is_covered;
+  }
+}
+
+JoinedEdges::Released JoinedEdges::ReleaseBelow(int32_t row) {
+  Released released;
+  for (auto it = sums_.begin(); it != sums_.end();) {
+    const auto& [key, sum] = *it;
+    if (sum.row >= row) {
+      ++it;
+      continue;
+    }
+    const NewOpenEdge edge{{{key[0], key[1], key[2]},
+                            {key[3], key[4], key[5]},
+                            sum.before,
+                            sum.after,
+                            sum.is_added,
+                            sum.is_inner,
+                            sum.is_covered},
+                           sum.tile};
+    if (sum.after == 1 && sum.before != 1) released.open.push_back(edge);
+    if (sum.after > 2 && sum.before <= 2 && sum.is_added) released.crowded.push_back(edge);
+    it = sums_.erase(it);
+  }
+  return released;
+}
+
+}  // namespace tilemend

@@ -1,0 +1,76 @@
+// Open edges where tiles meet: which are new, and what the neighbour has there.
+#ifndef TILEMEND_WORKER_CHECK_TILE_JOINS_H_
+#define TILEMEND_WORKER_CHECK_TILE_JOINS_H_
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/box_tree.h"
+#include "common/mesh/tri_mesh.h"
+#include "worker/check/added_faults.h"
+
+namespace tilemend {
+
+// The surface of a tile in a strip along its cell's sides.
+class BorderStrip {
+ public:
+  BorderStrip() = default;
+  BorderStrip(std::vector<SpaceTriangle> triangles, std::vector<bool> inner);
+
+  // How far above or below `p` the nearest surface is, in metres.
+  struct Nearest {
+    bool is_covered = false;  // there is surface above or below p, or within kSteepReach beside it
+    bool is_inner = false;    // the nearest is inside a fill (AddedFindings::inner)
+    double height = 0;        // of the nearest, above p
+  };
+  Nearest NearestTo(const Point3& p) const { return NearestBeside(p, p, p); }
+  // The same without the triangles that have a corner at `a` or `b`.
+  Nearest NearestBeside(const Point3& p, const Point3& a, const Point3& b) const;
+
+ private:
+  std::vector<SpaceTriangle> triangles_;
+  std::vector<bool> inner_;
+  BoxTree tree_;  // from above
+};
+
+// Surface that is no further above or below an open edge closes it where tiles or pieces of a tile overlap, in metres.
+inline constexpr double kCoverReach = 1;
+
+// Marks the edges with one triangle in `mesh`, and not in the input, that other surface of the mesh covers. O(n log n)
+// if there are any, else O(edges).
+void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges);
+
+// An edge that has one triangle in all tiles together, and had not in the input.
+struct NewOpenEdge {
+  OpenEdge edge;
+  int32_t tile = 0;  // that has its triangle
+};
+
+// Sums the open edges of tiles, row by row of the grid: edges of tiles further apart than one row are never at the same
+// place. So memory is bounded by three rows.
+class JoinedEdges {
+ public:
+  // Precondition: rows never fall. O(log n) for each edge.
+  void Add(int32_t tile, int32_t row, const std::vector<OpenEdge>& edges);
+  // The new open edges and the edges with more than two triangles, of all tiles in rows below `row`; these are
+  // forgotten. In order of position.
+  struct Released {
+    std::vector<NewOpenEdge> open;
+    std::vector<NewOpenEdge> crowded;
+  };
+  Released ReleaseBelow(int32_t row);
+
+ private:
+  struct Sum {
+    int32_t before = 0, after = 0, tile = 0, row = 0;
+    bool is_added = false, is_inner = false, is_covered = false;
+  };
+  std::map<std::array<double, 6>, Sum> sums_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_CHECK_TILE_JOINS_H_
