@@ -14,7 +14,7 @@ import sys
 
 # Third-party libraries by the beginning of an include path. Longer beginnings are tried first.
 LIBRARIES = {
-    'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
+    'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float', 'meshoptimizer': 'meshoptimizer',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
@@ -49,6 +49,10 @@ RULES = {
     'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/codec/osgb'], ['absl', 'draco', 'fast_float']),
 
     'common/codec/osgb': rule(['common/util', 'common/mesh'], ['absl', 'eigen']),
+
+    'common/codec/gltf': rule(['common/util', 'common/mesh'], ['absl', 'draco', 'eigen', 'json', 'meshoptimizer']),
+
+    'common/codec/tiles3d': rule(['common/util', 'common/mesh', 'common/codec/gltf'], ['absl', 'eigen']),
 
     'common/assemble': rule(
         ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/mesh/winding', 'common/records', 'common/codec',
