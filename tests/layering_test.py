@@ -46,7 +46,7 @@ RULES = {
 
     'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['absl', 'eigen']),
 
-    'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/codec/osgb'], ['absl', 'draco', 'fast_float']),
+    'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/codec/tree'], ['absl', 'draco', 'fast_float']),
 
     'common/codec/osgb': rule(['common/util', 'common/mesh'], ['absl', 'eigen']),
 
@@ -54,9 +54,12 @@ RULES = {
 
     'common/codec/tiles3d': rule(['common/util', 'common/mesh', 'common/codec/gltf'], ['absl', 'eigen']),
 
+    'common/codec/tree': rule(
+        ['common/util', 'common/mesh', 'common/codec/osgb', 'common/codec/tiles3d'], ['absl']),
+
     'common/assemble': rule(
         ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/mesh/winding', 'common/records', 'common/codec',
-         'common/codec/osgb'],
+         'common/codec/tree'],
         ['absl', 'eigen']),
 
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
@@ -134,7 +137,7 @@ RULES = {
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
 
     'worker/materials': rule(
-        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/codec/osgb', 'common/image', 'worker/survey', 'worker/ground'],
+        ['common/util', 'common/records', 'common/store', 'common/codec', 'common/codec/tree', 'common/image', 'worker/survey', 'worker/ground'],
         ['absl']),
 
     'worker/service': rule(
@@ -212,7 +215,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/osgb', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'eigen', 'grpc', 'json', 'protobuf', 'zlib']),

@@ -22,8 +22,9 @@
 
 namespace tilemend {
 
-// kOsgb: the files of a tile in one pack (common/util/file_pack.h); the mesh is its finest level of detail.
-enum class MeshFormat { kPly, kObj, kOff, kStl, kOsgb };
+// kTileTree: OSGB files or a tileset with its models, in one pack (common/util/file_pack.h); the mesh is the finest
+// level.
+enum class MeshFormat { kPly, kObj, kOff, kStl, kTileTree };
 
 struct MeshFile {
   MeshFormat format = MeshFormat::kPly;
@@ -52,8 +53,8 @@ struct FilePatch {
   std::string library = {};  // a further material file that an OBJ has to name; empty: its own define the materials
 };
 
-// The format by the extension (.ply, .obj, .off, .stl, .osgb, any case). kInvalidArgument naming the format and the
-// accepted ones for anything else (.glb, .b3dm, .gltf, .las ... are refused by name).
+// The format by the extension (.ply, .obj, .off, .stl, .osgb, .json, any case). kInvalidArgument naming the format and
+// the accepted ones for anything else (.glb, .b3dm, .gltf, .las ... are refused by name).
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
 
 // Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an
@@ -75,7 +76,7 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
 //        `mtllib` with the patch's library, `g tilemend_filled`, `f` lines with `usemtl` where the material changes.
 //   OFF: counts in the header updated, vertices inserted after the originals, faces appended.
 //   STL: facets appended, the count in a binary header updated.
-//   OSGB: kInvalidArgument; its levels of detail are filled together (common/assemble/osgb_levels.h).
+//   Tree: kInvalidArgument; its levels of detail are filled together (common/assemble/tree_levels.h).
 // New coordinates are rounded to the file's number type (common/mesh/rounding.h).
 absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view original_bytes, const FilePatch& patch,
                                         const std::string& name);

@@ -276,6 +276,8 @@ absl::Status ParseMetadata(const std::string& text, const std::string& path, Sce
 absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds) {
   if (!read_bounds)
     return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no reader of bounds"));
+  TILEMEND_ASSIGN_OR_RETURN(const bool has_tileset, IsThere((fs::path(root) / kTilesetFile).string()));
+  if (has_tileset) return FindTilesetScene(root, read_bounds);
   TILEMEND_ASSIGN_OR_RETURN(const Findings findings, FindTiles(root));
   Scene scene;
   scene.root = root;

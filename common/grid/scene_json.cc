@@ -167,10 +167,10 @@ absl::StatusOr<std::string> ReadPath(const Fields& tile) {
   for (const std::filesystem::path& part : path) {
     if (part == "..") return tile.Error("path", absl::StrCat("\"", text, "\" leaves the scene's folder"));
   }
-  if (!IsTileFormat(text)) {
+  if (!IsTileFormat(text) && !IsTileset(text)) {
     const std::string format = path.extension().string();
-    return tile.Error(
-        "path", absl::StrCat("\"", text, "\": format \"", format, "\" is not read; tiles are .ply, .obj or .osgb"));
+    return tile.Error("path", absl::StrCat("\"", text, "\": format \"", format,
+                                           "\" is not read; tiles are .ply, .obj, .osgb or a tileset.json"));
   }
   return path.lexically_normal().string();
 }
@@ -197,6 +197,24 @@ absl::Status Claim(const Key& key, size_t index, const std::string& what, const 
       absl::StrCat(name, ": tiles[", at->second, "] and tiles[", index, "] are both ", what));
 }
 
+// A tileset has its folder with all below it for itself.
+absl::Status CheckTilesets(const std::vector<SceneTile>& tiles, const std::string& name) {
+  std::map<std::string, size_t> paths;
+  for (size_t i = 0; i < tiles.size(); ++i) paths.emplace(tiles[i].path, i);
+  paths.erase("");
+  for (const auto& [path, i] : paths) {
+    if (!IsTileset(path)) continue;
+    const std::string folder = FileBesideTile(path, "");
+    for (auto at = paths.lower_bound(folder); at != paths.end() && at->first.starts_with(folder); ++at) {
+      if (at->second == i) continue;
+      return absl::InvalidArgumentError(absl::StrCat(name, ": tiles[", at->second, "] (", at->first,
+                                                     ") lies in the folder of the tileset tiles[", i, "] (", path,
+                                                     "), which it has for itself"));
+    }
+  }
+  return absl::OkStatus();
+}
+
 std::string PathOrNone(const std::string& path) { return path.empty() ? "no surface" : path; }
 
 absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene) {
@@ -213,10 +231,11 @@ absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene)
     if (!tile.path.empty()) TILEMEND_RETURN_IF_ERROR(Claim(tile.path, i, "the file " + tile.path, name, &files));
     if (IsTileTree(tile.path)) {
       const std::string folder = FileBesideTile(tile.path, "");
-      TILEMEND_RETURN_IF_ERROR(Claim(folder, i, "all .osgb files of the folder " + folder, name, &folders));
+      TILEMEND_RETURN_IF_ERROR(Claim(folder, i, "all files of trees in the folder " + folder, name, &folders));
     }
     scene->tiles.push_back(std::move(tile));
   }
+  TILEMEND_RETURN_IF_ERROR(CheckTilesets(scene->tiles, name));
   for (const auto& [cell, i] : cells) {
     const SceneTile& tile = scene->tiles[i];
     const auto taken = files.find(OutputPath(tile));

@@ -27,6 +27,12 @@ absl::Status ParseMetadata(const std::string& text, const std::string& path, Sce
 // Finds the tiles of a folder without scene.json by their names.
 absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds);
 
+// The scene of a folder with a tileset of 3D Tiles: the whole tileset is the tile of one cell.
+absl::StatusOr<Scene> FindTilesetScene(const std::string& root, const BoundsReader& read_bounds);
+
+// Its entry.
+inline constexpr char kTilesetFile[] = "tileset.json";
+
 // Whether there is something at `path`. kInvalidArgument for a link that leads to nothing: who made it meant a file.
 absl::StatusOr<bool> IsThere(const std::string& path);
 

@@ -1,5 +1,7 @@
 #include "common/util/tile_files.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "absl/status/status.h"
@@ -13,27 +15,71 @@
 namespace tilemend {
 namespace {
 
+// The program's own files of this kind.
+constexpr const char* kNoTilesets[] = {"scene.json", "report.json"};
+constexpr int64_t kMostFolders = 16;
 constexpr size_t kMostFiles = 10000;  // a limit on mistakes: a tile of seven levels has some 5,500
 
 // The folder of a path, with the slash at its end; empty for a bare name.
 std::string FolderWithSlash(const std::string& path) { return path.substr(0, path.rfind('/') + 1); }
 
+bool EndsIn(std::string_view text, std::string_view end) {
+  return absl::EndsWithIgnoreCase(std::string(text), std::string(end));
+}
+
+// Adds the files of the tree whose own file `own` lies in `root`, and that lie in its folder `below`, which ends with a
+// slash if it is not empty.
+absl::Status AddFiles(const std::string& root, const std::string& below, const std::string& own,
+                      std::vector<std::string>& files) {
+  const std::string folder = absl::StrCat(root, below);
+  if (std::count(below.begin(), below.end(), '/') > kMostFolders) {
+    return absl::ResourceExhaustedError(absl::StrCat(folder, ": folders more than ", kMostFolders, " deep"));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> names, ListFolder(folder.empty() ? "." : folder));
+  for (const std::string& name : names) {
+    const std::string file = absl::StrCat(below, name);
+    if (file == own || name.starts_with('.')) continue;
+    if (IsFileOfTree(own, file) && KindOf(root + file) == PathKind::kFile) {
+      files.push_back(file);
+      if (files.size() < kMostFiles) continue;
+      return absl::ResourceExhaustedError(absl::StrCat(root, ": more than ", kMostFiles, " files for one tile"));
+    }
+    if (!IsTileset(own)) continue;
+    const auto look = LookAt(root + file, Links::kKeep);
+    if (look.ok() && look->kind == PathKind::kFolder) {
+      TILEMEND_RETURN_IF_ERROR(AddFiles(root, file + "/", own, files));
+    }
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
-bool IsTileTree(std::string_view path) { return absl::EndsWithIgnoreCase(std::string(path), ".osgb"); }
+bool IsTileset(std::string_view path) {
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  const auto is_own = [&](const char* own) { return absl::EqualsIgnoreCase(std::string(name), own); };
+  return EndsIn(name, ".json") && std::none_of(std::begin(kNoTilesets), std::end(kNoTilesets), is_own);
+}
+
+bool IsTileTree(std::string_view path) { return EndsIn(path, ".osgb") || IsTileset(path); }
+
+bool IsTreeFile(std::string_view path) { return IsTileTree(path) || EndsIn(path, ".b3dm") || EndsIn(path, ".glb"); }
+
+bool IsFileOfTree(std::string_view tile, std::string_view path) {
+  const std::string_view folder = tile.substr(0, tile.rfind('/') + 1);
+  if (!path.starts_with(folder) || !IsTreeFile(path)) return false;
+  const std::string_view name = path.substr(folder.size());
+  if (IsTileset(tile)) return !EndsIn(path, ".osgb") && !name.starts_with('.') && name.find("/.") == name.npos;
+  return EndsIn(path, ".osgb") && name.find('/') == name.npos;
+}
 
 absl::StatusOr<std::vector<std::string>> FilesOfTile(const std::string& path) {
   const std::string folder = FolderWithSlash(path);
-  std::vector<std::string> files{path.substr(folder.size())};
-  if (!IsTileTree(path)) return files;
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> names, ListFolder(folder.empty() ? "." : folder));
-  for (const std::string& name : names) {
-    if (name == files[0] || !IsTileTree(name) || KindOf(folder + name) != PathKind::kFile) continue;
-    files.push_back(name);
-    if (files.size() > kMostFiles) {
-      return absl::ResourceExhaustedError(absl::StrCat(folder, ": more than ", kMostFiles, " files for one tile"));
-    }
-  }
+  const std::string own = path.substr(folder.size());
+  std::vector<std::string> files;
+  if (IsTileTree(path)) TILEMEND_RETURN_IF_ERROR(AddFiles(folder, "", own, files));
+  std::sort(files.begin(), files.end());
+  files.insert(files.begin(), own);
   return files;
 }
 

@@ -84,8 +84,7 @@ absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile&
 // Whether a file of the output belongs to a tile that is a tree of files.
 bool IsOfTree(const v1::AssembleInput& input, const std::string& path) {
   const std::string& tile = input.tile().path();
-  if (tile.empty() || !IsTileTree(tile) || !IsTileTree(path)) return false;
-  return path == FileBesideTile(tile, path.substr(path.rfind('/') + 1));
+  return !tile.empty() && IsTileTree(tile) && IsFileOfTree(tile, path);
 }
 
 // Of a tree: all of its files are written, each as it is to be.

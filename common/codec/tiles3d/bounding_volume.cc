@@ -97,9 +97,12 @@ Point3 GeodeticOf(const Point3& earth_centred) {
   constexpr double kE2 = kF * (2 - kF), kSecondE2 = kE2 / (1 - kE2);
   const double x = earth_centred[0], y = earth_centred[1], z = earth_centred[2];
   const double p = std::hypot(x, y), r = std::hypot(p, z);
-  const double parametric = std::atan2(kB * z * (1 + kSecondE2 * kB / r), kA * p);
-  const double s = std::sin(parametric), c = std::cos(parametric);
-  const double latitude = std::atan2(z + kSecondE2 * kB * s * s * s, p - kE2 * kA * c * c * c);
+  double parametric = std::atan2(kB * z * (1 + kSecondE2 * kB / r), kA * p), latitude = 0;
+  for (int step = 0; step < 2; ++step) {
+    const double s = std::sin(parametric), c = std::cos(parametric);
+    latitude = std::atan2(z + kSecondE2 * kB * s * s * s, p - kE2 * kA * c * c * c);
+    parametric = std::atan2(kB * std::sin(latitude), kA * std::cos(latitude));
+  }
   const double sin_latitude = std::sin(latitude);
   const double height =
       p * std::cos(latitude) + z * sin_latitude - kA * std::sqrt(1 - kE2 * sin_latitude * sin_latitude);

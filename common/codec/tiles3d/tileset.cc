@@ -111,6 +111,7 @@ class TilesetReader {
     int32_t level = 0;
     bool adds = false;  // refinement ADD
     Eigen::Matrix4d to_root = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d in_root = Eigen::Matrix4d::Identity();
   };
 
   absl::Status ReadDocument(const std::string& file, const Above& above) {
@@ -155,7 +156,8 @@ class TilesetReader {
                 .depth = above.depth + 1,
                 .level = above.level + (tile.content.empty() ? 0 : 1),
                 .adds = above.adds,
-                .to_root = tile.to_root};
+                .to_root = tile.to_root,
+                .in_root = tile.in_root};
     TILEMEND_ASSIGN_OR_RETURN(below.adds, ReadRefine(view, above));
     TILEMEND_ASSIGN_OR_RETURN(const std::vector<JsonView> children, view.Elements("children"));
     if (below.adds && !tile.content.empty() && !children.empty()) {
@@ -180,6 +182,7 @@ class TilesetReader {
     TILEMEND_ASSIGN_OR_RETURN(tile.geometric_error, error.AsNumber());
     TILEMEND_ASSIGN_OR_RETURN(const Eigen::Matrix4d transform, ReadTransform(view));
     tile.to_root = above.to_root * transform;
+    if (above.parent >= 0) tile.in_root = above.in_root * transform;
     const Eigen::Matrix3d linear = tile.to_root.topLeftCorner<3, 3>();
     if (!tile.to_root.allFinite() || !Eigen::FullPivLU<Eigen::Matrix3d>(linear).isInvertible()) {
       return view.Error("the transform cannot be inverted");

@@ -38,6 +38,7 @@ struct TilesetTile {
   BoundingVolume volume;
   std::optional<BoundingVolume> content_volume;           // of the model alone
   Eigen::Matrix4d to_root = Eigen::Matrix4d::Identity();  // from the tile's frame to that of the root's parent
+  Eigen::Matrix4d in_root = Eigen::Matrix4d::Identity();  // from the tile's frame to that of the root
 };
 
 struct TilesetDocument {

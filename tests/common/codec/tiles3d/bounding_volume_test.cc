@@ -15,7 +15,7 @@ using Kind = BoundingVolume::Kind;
 
 // Earth-centred, by the definition of the ellipsoid.
 Point3 EarthCentred(double longitude, double latitude, double height) {
-  constexpr double kA = 6378137, kE2 = 0.00669437999014132;
+  constexpr double kA = 6378137, kE2 = 0.006694379990141317;
   const double n = kA / std::sqrt(1 - kE2 * std::sin(latitude) * std::sin(latitude));
   return {(n + height) * std::cos(latitude) * std::cos(longitude),
           (n + height) * std::cos(latitude) * std::sin(longitude), (n * (1 - kE2) + height) * std::sin(latitude)};
