@@ -32,10 +32,10 @@ absl::StatusOr<CheckedTile> ReadTree(const std::string& pack, const std::string&
 
 }  // namespace
 
-absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path) {
+absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path, const TileFrame& frame) {
   const std::string name = absl::StrCat(root, "/", path);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name, frame));
   if (format == MeshFormat::kTileTree) return ReadTree(bytes, name);
   CheckedTile tile;
   if (format == MeshFormat::kObj) {

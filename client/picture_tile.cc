@@ -67,10 +67,10 @@ absl::StatusOr<PictureTile> ReadTreePicture(const std::string& path, const std::
 
 }  // namespace
 
-absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::string& path) {
+absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::string& path, const TileFrame& frame) {
   const std::string name = absl::StrCat(root, "/", path);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name, frame));
   if (format == MeshFormat::kTileTree) return ReadTreePicture(path, bytes, name);
   PictureTile tile;
   if (format == MeshFormat::kObj) {

@@ -51,9 +51,9 @@ absl::StatusOr<MeshFile> ParseTileTree(std::string_view pack, const std::string&
 
 }  // namespace
 
-absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path) {
+absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path, const TileFrame& frame) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path, frame));
   return ParseMesh(format, bytes, path);
 }
 

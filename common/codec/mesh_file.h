@@ -19,6 +19,7 @@
 #include "common/mesh/rounding.h"
 #include "common/mesh/tri_mesh.h"
 #include "common/util/colour.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 
@@ -60,7 +61,7 @@ absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
 // Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an
 // index out of range, NaN or infinite coordinates, |coordinate| > 1e9 m, a size in the header that the file cannot
 // hold, no vertices at all). Time and memory linear in the file.
-absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path);
+absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path, const TileFrame& frame = {});
 
 // What becomes of an OBJ file without faces. All of a tile's faces may have been taken out (drop_faces.h).
 enum class NoFaces { kRefuse, kAccept };

@@ -134,6 +134,13 @@ absl::Status ReadHead(const Fields& fields, Scene* scene) {
     if (!fields["area_known"].is_boolean()) return fields.Error("area_known", "expected true or false");
     scene->area_known = fields["area_known"].get<bool>();
   }
+  if (fields.Has("tileset")) {
+    if (!fields["tileset"].is_string() || !IsTileset(fields["tileset"].get<std::string>())) {
+      return fields.Error("tileset", "expected the name of a .json file");
+    }
+    scene->tileset = fields["tileset"].get<std::string>();
+    if (scene->tileset.find('/') != std::string::npos) return fields.Error("tileset", "expected a name without folder");
+  }
   if (fields.Has("area")) TILEMEND_RETURN_IF_ERROR(ReadArea(fields, scene));
   return ReadGrid(fields, scene);
 }
@@ -184,6 +191,11 @@ absl::StatusOr<SceneTile> ReadTile(const Json& value, const std::string& name, s
   TILEMEND_ASSIGN_OR_RETURN(tile.cell.row, fields.Integer("row", 0, scene.rows - 1));
   if (!value.contains("path")) return fields.Error("path", "missing (null for a cell without surface)");
   TILEMEND_ASSIGN_OR_RETURN(tile.path, ReadPath(fields));
+  if (fields.Has("frame")) {
+    constexpr size_t kNumbers = 16;
+    tile.frame.resize(kNumbers);
+    TILEMEND_RETURN_IF_ERROR(fields.Numbers("frame", kNumbers, tile.frame.data()));
+  }
   return tile;
 }
 
@@ -305,13 +317,15 @@ std::string SceneJson(const Scene& scene) {
   } else {
     absl::StrAppend(&out, " \"cell_size\": [", Number(grid.cell_size.x()), ", ", Number(grid.cell_size.y()), "],\n");
   }
+  if (!scene.tileset.empty()) absl::StrAppend(&out, " \"tileset\": ", Text(scene.tileset), ",\n");
   if (!scene.area_known) out += " \"area_known\": false,\n";
   if (!scene.area.empty()) absl::StrAppend(&out, " \"area\": ", AreaText(scene.area), ",\n");
   absl::StrAppend(&out, " \"cols\": ", scene.cols, ",\n \"rows\": ", scene.rows, ",\n \"tiles\": [");
   const char* separator = "\n";
   for (const SceneTile& tile : scene.tiles) {
     absl::StrAppend(&out, separator, "  {\"col\": ", tile.cell.col, ", \"row\": ", tile.cell.row,
-                    ", \"path\": ", tile.path.empty() ? "null" : Text(tile.path), "}");
+                    ", \"path\": ", tile.path.empty() ? "null" : Text(tile.path),
+                    tile.frame.empty() ? "" : absl::StrCat(", \"frame\": ", Json(tile.frame).dump()), "}");
     separator = ",\n";
   }
   out += "\n ]\n}\n";

@@ -1,6 +1,7 @@
 #include "common/util/tile_files.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -87,7 +88,7 @@ std::string FileBesideTile(const std::string& path, const std::string& name) {
   return absl::StrCat(path.substr(0, path.rfind('/') + 1), name);
 }
 
-absl::StatusOr<std::string> ReadTileBytes(const std::string& path) {
+absl::StatusOr<std::string> ReadTileBytes(const std::string& path, const TileFrame& frame) {
   if (!IsTileTree(path)) return ReadFile(path);
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> names, FilesOfTile(path));
   std::vector<std::string> contents;
@@ -97,10 +98,22 @@ absl::StatusOr<std::string> ReadTileBytes(const std::string& path) {
     TILEMEND_ASSIGN_OR_RETURN(contents.emplace_back(), ReadFile(FileBesideTile(path, name)));
     files.push_back({name, contents.back()});
   }
+  if (IsTileset(path) && !frame.empty()) {
+    files.push_back({kFrameFile, {reinterpret_cast<const char*>(frame.data()), frame.size() * sizeof(double)}});
+  }
   return PackFiles(files);
 }
 
-absl::StatusOr<int64_t> SizeOfTile(const std::string& path) {
+TileFrame FrameIn(std::string_view bytes) {
+  constexpr size_t kNumbers = 16;
+  TileFrame frame;
+  if (bytes.size() != kNumbers * sizeof(double)) return frame;
+  frame.resize(kNumbers);
+  std::memcpy(frame.data(), bytes.data(), bytes.size());
+  return frame;
+}
+
+absl::StatusOr<int64_t> SizeOfTile(const std::string& path, const TileFrame& frame) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> names, FilesOfTile(path));
   std::vector<PackedFile> empty;
   int64_t size = 0;
@@ -108,6 +121,10 @@ absl::StatusOr<int64_t> SizeOfTile(const std::string& path) {
     TILEMEND_ASSIGN_OR_RETURN(const PathLook look, LookAt(FileBesideTile(path, name)));
     size += look.size;
     empty.push_back({name, {}});
+  }
+  if (IsTileset(path) && !frame.empty()) {
+    size += static_cast<int64_t>(frame.size() * sizeof(double));
+    empty.push_back({kFrameFile, {}});
   }
   return IsTileTree(path) ? size + static_cast<int64_t>(PackFiles(empty).size()) : size;
 }

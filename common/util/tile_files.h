@@ -32,14 +32,25 @@ bool IsFileOfTree(std::string_view tile, std::string_view path);
 // or folders more than 16 deep; errors of ListFolder.
 absl::StatusOr<std::vector<std::string>> FilesOfTile(const std::string& path);
 
+// Where a tileset stands: the matrix from the frame of its root's parent to that of the scene, 16 numbers column by
+// column. Empty: the tileset itself says it (common/codec/tiles3d/tileset_frame.h).
+using TileFrame = std::vector<double>;
+
 // The path of a file in the folder of the tile at `path`.
 std::string FileBesideTile(const std::string& path, const std::string& name);
 
-// The bytes of a mesh file, or the PackFiles of a tree. Errors of ReadFile and FilesOfTile.
-absl::StatusOr<std::string> ReadTileBytes(const std::string& path);
+// The bytes of a mesh file, or the PackFiles of a tree. A frame that is not empty is a further file of a tileset, the
+// last. Errors of ReadFile and FilesOfTile.
+absl::StatusOr<std::string> ReadTileBytes(const std::string& path, const TileFrame& frame = {});
+
+// The name of the file for the frame. No file of a tile has such a name.
+inline constexpr char kFrameFile[] = ".frame";
+
+// The frame in such a file; empty if it does not hold 16 numbers.
+TileFrame FrameIn(std::string_view bytes);
 
 // What ReadTileBytes would read, in bytes. Errors of LookAt and FilesOfTile.
-absl::StatusOr<int64_t> SizeOfTile(const std::string& path);
+absl::StatusOr<int64_t> SizeOfTile(const std::string& path, const TileFrame& frame = {});
 
 }  // namespace tilemend
 

@@ -250,6 +250,7 @@ absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
   ref.set_path(tile.path);
   ref.set_col(tile.cell.col);
   ref.set_row(tile.cell.row);
+  ref.mutable_frame()->Add(tile.frame.begin(), tile.frame.end());
   for (const ClearArea& area : waves_.clearing().Areas(tile.cell)) *ref.add_clear() = ToProto(area);
   if (const auto place = surveyed_.find(tile.cell); place != surveyed_.end()) {
     TILEMEND_ASSIGN_OR_RETURN(auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <map>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -61,8 +61,8 @@ struct ReadTree {
   TileTree tree;
 };
 
-ReadTree Read(const std::string& path) {
-  ReadTree read{*ReadTileBytes(path), {}, {}};
+ReadTree Read(const std::string& path, const TileFrame& frame = {}) {
+  ReadTree read{*ReadTileBytes(path, frame), {}, {}};
   auto models = ReadTilesetTree(read.bytes, path);
   auto tree = ReadTileTree(read.bytes, path);
   EXPECT_TRUE(models.ok() && tree.ok()) << models.status() << tree.status();
@@ -95,22 +95,26 @@ void ExpectOriginalsKept(const ReadTree& before, const ReadTree& after, bool cle
   }
 }
 
-// Of the places in the pond: which share each level has at `level` metres, to `tolerance`.
+// Of the places in the pond: which share one level of detail has at `level` metres, to `tolerance`.
+void ExpectLevelPlaces(int32_t l, double level, double tolerance, const std::function<double(const Point2&)>& top_at) {
+  int all = 0, flat = 0;
+  for (double x = OsgbScene::kCell - 16.9; x < OsgbScene::kCell + 17; x += 1.3) {
+    for (double y = OsgbScene::kCell / 2 - 16.9; y < OsgbScene::kCell / 2 + 17; y += 1.3) {
+      if (!OsgbScene::InPond(x, y)) continue;
+      const double top = top_at({x, y});
+      EXPECT_FALSE(std::isnan(top)) << "level " << l << ": a hole at " << x << ", " << y;
+      ++all;
+      flat += std::abs(top - level) <= tolerance ? 1 : 0;
+    }
+  }
+  // The rim of the coarsest level, with edges of 4 m, reaches into the pond.
+  EXPECT_GE(flat, (l == 0 ? 0.7 : 0.8) * all) << "level " << l;
+}
+
 void ExpectLevelWater(const TileTree& tree, double level, double tolerance, const Point2& origin = {0, 0}) {
   for (int32_t l = 0; l < tree.levels; ++l) {
     const TreeLevel is = LevelOf(tree, l);
-    int all = 0, flat = 0;
-    for (double x = OsgbScene::kCell - 16.9; x < OsgbScene::kCell + 17; x += 1.3) {
-      for (double y = OsgbScene::kCell / 2 - 16.9; y < OsgbScene::kCell / 2 + 17; y += 1.3) {
-        if (!OsgbScene::InPond(x, y)) continue;
-        const double top = TopAt(is.mesh, Point2(x, y) - origin);
-        EXPECT_FALSE(std::isnan(top)) << "level " << l << ": a hole at " << x << ", " << y;
-        ++all;
-        flat += std::abs(top - level) <= tolerance ? 1 : 0;
-      }
-    }
-    // The rim of the coarsest level, with edges of 4 m, reaches into the pond.
-    EXPECT_GE(flat, (l == 0 ? 0.7 : 0.8) * all) << "level " << l;
+    ExpectLevelPlaces(l, level, tolerance, [&](const Point2& p) { return TopAt(is.mesh, p - origin); });
   }
 }
 
@@ -139,6 +143,47 @@ TEST_F(TilesetRunTest, EarthCentredTilesAreFilledLevel) {
   const ReadTree before = Read(folder_ / "scene/tileset.json"), after = Read(folder_ / "out/tileset.json");
   ExpectOriginalsKept(before, after, false);
   ExpectLevelWater(after.tree, report["water"][0]["level_m"], 2e-5, middle);  // of float32 in the models
+}
+
+// Every level of the two tilesets; their frames are those of the scene.
+void ExpectLevelTiles(const std::string& scene, const std::string& out, double level, double tolerance,
+                      const Point2& origin) {
+  const Json tiles = Json::parse(*ReadFile(out + "/scene.json"))["tiles"];
+  ASSERT_EQ(tiles.size(), 2U);
+  std::vector<TileTree> trees;
+  std::vector<std::string> kept;
+  for (const Json& tile : tiles) {
+    const std::string path = "/" + tile["path"].get<std::string>();
+    const TileFrame frame = tile["frame"];
+    ExpectOriginalsKept(Read(scene + path, frame), Read(out + path, frame), false);
+    kept.push_back(*ReadTileBytes(out + path, frame));
+  }
+  for (const std::string& bytes : kept) trees.push_back(*ReadTileTree(bytes, "t.json"));
+  for (int32_t l = 0; l < 3; ++l) {
+    const TreeLevel left = LevelOf(trees[0], l), right = LevelOf(trees[1], l);
+    ExpectLevelPlaces(l, level, tolerance, [&](const Point2& p) {
+      return TopAt((p.x() < OsgbScene::kCell ? left : right).mesh, p - origin);
+    });
+  }
+}
+
+TEST_F(TilesetRunTest, TilesetsOfTilesAreCells) {
+  for (const Place place : {Place::kLocal, Place::kOnEarth, Place::kEarthCentred}) {
+    SCOPED_TRACE(static_cast<int>(place));
+    const Point2 origin = place == Place::kEarthCentred ? Point2(64, 32) : Point2(0, 0);
+    WriteScene({.files = TilesetScene::Files::kOfTiles, .place = place});
+    const Ended ended = Tilemend(
+        {"run", folder_ / "scene", "--out", folder_ / "out", "--overwrite", "--water", PondPolygon(false, origin)});
+    ASSERT_TRUE(ended.code == 0 || ended.code == 100) << ended.err;
+    const Json report = ReportOf(folder_ / "out");
+    ASSERT_EQ(report["water"].size(), 1U) << ended.out << ended.err;
+    ExpectLevelTiles(folder_ / "scene", folder_ / "out", report["water"][0]["level_m"],
+                     place == Place::kEarthCentred ? 2e-5 : 1e-6, origin);
+    EXPECT_EQ(*ReadFile(folder_ / "out/tileset.json"), *ReadFile(folder_ / "scene/tileset.json"))
+        << "the fills lie within the volumes";
+    const Ended check = Tilemend({"check", folder_ / "scene", folder_ / "out"});
+    EXPECT_EQ(check.code, 0) << check.out << check.err;
+  }
 }
 
 TEST_F(TilesetRunTest, WaterThatIsNoiseIsTakenOutOfAllLevels) {

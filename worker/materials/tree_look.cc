@@ -77,7 +77,7 @@ absl::Status SampleTreeImage(const TileTree& tile, const ImagePlace& place, cons
 TileLook ReadTreeLook(const std::string& path, const TileTree& tile) {
   TileLook look;
   for (size_t f = 1; f < tile.packed.size(); ++f) {
-    look.files.images.push_back(FileBesideTile(path, tile.packed[f].name));
+    if (tile.packed[f].name != kFrameFile) look.files.images.push_back(FileBesideTile(path, tile.packed[f].name));
   }
   return look;
 }

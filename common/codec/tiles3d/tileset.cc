@@ -150,8 +150,8 @@ class TilesetReader {
     tile.level = above.level;
     TILEMEND_RETURN_IF_ERROR(ReadOwn(view, above, tile));
     TILEMEND_ASSIGN_OR_RETURN(const std::optional<JsonView> content, ContentOf(view));
-    std::string external;
-    if (content) TILEMEND_RETURN_IF_ERROR(ReadContent(*content, document, tile, external));
+    if (content) TILEMEND_RETURN_IF_ERROR(ReadContent(*content, document, tile));
+    const std::string external = limits_.follows ? tile.external : "";
     Above below{.parent = index,
                 .depth = above.depth + 1,
                 .level = above.level + (tile.content.empty() ? 0 : 1),
@@ -190,8 +190,7 @@ class TilesetReader {
     return absl::OkStatus();
   }
 
-  // `external` becomes the path of an external tileset.
-  absl::Status ReadContent(const JsonView& content, int32_t document, TilesetTile& tile, std::string& external) {
+  absl::Status ReadContent(const JsonView& content, int32_t document, TilesetTile& tile) {
     const std::optional<JsonView> named = content.Find("uri") ? content.Find("uri") : content.Find("url");
     if (!named) return content.Error("expected a member \"uri\"");
     TILEMEND_ASSIGN_OR_RETURN(const std::string uri, named->AsText());
@@ -206,7 +205,7 @@ class TilesetReader {
     }
     const std::string extension = Lower(path->substr(std::min(path->rfind('.'), path->size())));
     if (extension == ".json") {
-      external = *std::move(path);
+      tile.external = *std::move(path);
     } else if (extension == ".glb" || extension == ".b3dm") {
       tile.content = *std::move(path);
     } else {

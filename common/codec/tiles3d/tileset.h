@@ -33,6 +33,7 @@ struct TilesetTile {
   int32_t parent = -1;   // index into Tileset::tiles, across files; -1: the root
   int32_t level = 0;     // number of tiles above it that have a model
   std::vector<int32_t> children;
+  std::string external;        // path of an external tileset, as that of a model; empty: none
   std::string content;         // path of a model relative to the tileset's folder, with "/"; empty: none
   double geometric_error = 0;  // metres
   BoundingVolume volume;
@@ -57,6 +58,7 @@ struct TilesetLimits {
   int64_t max_documents = 100'000;
   int64_t max_document_bytes = int64_t{64} << 20;
   int32_t max_depth = 100;  // of tiles, across files
+  bool follows = true;      // false: external tilesets are named, not read
 };
 
 // Gives the text of a file by its path relative to the tileset's folder, with "/"; kNotFound and other errors as

@@ -20,15 +20,6 @@ constexpr double kSemiMajor = 6378137, kFlattening = 1 / 298.257223563;  // WGS 
 
 bool IsOnEarth(const Point3& p) { return p.norm() > kDeep && p.norm() < kHigh; }
 
-// `geodetic`: longitude and latitude in radians, height in metres.
-Point3 EarthCentred(const Point3& geodetic) {
-  const double lon = geodetic.x(), lat = geodetic.y(), height = geodetic.z();
-  const double squared = kFlattening * (2 - kFlattening);
-  const double radius = kSemiMajor / std::sqrt(1 - squared * std::sin(lat) * std::sin(lat));
-  return {(radius + height) * std::cos(lat) * std::cos(lon), (radius + height) * std::cos(lat) * std::sin(lon),
-          (radius * (1 - squared) + height) * std::sin(lat)};
-}
-
 // East, north, up.
 Eigen::Matrix3d AxesAt(const Point3& geodetic) {
   const double lon = geodetic.x(), lat = geodetic.y();
@@ -71,6 +62,14 @@ std::optional<TilesetFrame> RootsFrame(const TilesetTile& root) {
 }
 
 }  // namespace
+
+Point3 EarthCentred(const Point3& geodetic) {
+  const double lon = geodetic.x(), lat = geodetic.y(), height = geodetic.z();
+  const double squared = kFlattening * (2 - kFlattening);
+  const double radius = kSemiMajor / std::sqrt(1 - squared * std::sin(lat) * std::sin(lat));
+  return {(radius + height) * std::cos(lat) * std::cos(lon), (radius + height) * std::cos(lat) * std::sin(lon),
+          (radius * (1 - squared) + height) * std::sin(lat)};
+}
 
 TilesetFrame FrameOf(const Tileset& tileset) {
   const TilesetTile& root = tileset.tiles.front();

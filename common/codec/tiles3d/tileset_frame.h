@@ -26,6 +26,9 @@ TilesetFrame FrameOf(const Tileset& tileset);
 // From the frame of a tile to that of the scene, metres.
 Eigen::Matrix4d ToScene(const TilesetFrame& frame, const TilesetTile& tile);
 
+// The Earth-centred point at a longitude and latitude in radians, and a height in metres above the ellipsoid of WGS 84.
+Point3 EarthCentred(const Point3& geodetic);
+
 // `point` moved by a matrix.
 inline Point3 Moved(const Eigen::Matrix4d& matrix, const Point3& point) {
   return matrix.topLeftCorner<3, 3>() * point + matrix.topRightCorner<3, 1>();

@@ -8,6 +8,7 @@
 #include "common/codec/tiles3d/tileset.h"
 #include "common/codec/tiles3d/tileset_frame.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 namespace {
@@ -48,6 +49,15 @@ absl::StatusOr<Tileset> ReadPackedTileset(const std::vector<PackedFile>& packed,
   return absl::Status(tileset.status().code(), InFolder(std::string(tileset.status().message()), name));
 }
 
+// The frame that is in the pack, else that of the tileset.
+TilesetFrame FrameOfPack(const Tileset& tileset, const std::vector<PackedFile>& packed) {
+  if (packed.back().name != kFrameFile) return FrameOf(tileset);
+  const TileFrame numbers = FrameIn(packed.back().bytes);
+  TilesetFrame frame;
+  if (!numbers.empty()) frame.from_outer = Eigen::Matrix4d(numbers.data());
+  return frame;
+}
+
 // A model of the pack and where it stands.
 struct PlacedModel {
   int32_t tile = 0;  // of the tileset
@@ -58,7 +68,7 @@ struct PlacedModel {
 
 std::vector<PlacedModel> ModelsOf(const Tileset& tileset, const std::vector<PackedFile>& packed) {
   const FileNumbers numbers = NumbersOf(packed);
-  const TilesetFrame frame = FrameOf(tileset);
+  const TilesetFrame frame = FrameOfPack(tileset, packed);
   std::vector<PlacedModel> models;
   for (int32_t t = 0; t < std::ssize(tileset.tiles); ++t) {
     const TilesetTile& tile = tileset.tiles[static_cast<size_t>(t)];

@@ -46,6 +46,21 @@ TEST_F(TileFilesTest, ATilesetHasTheModelsBelowItsFolder) {
   EXPECT_EQ(*SizeOfTile(path), static_cast<int64_t>(bytes->size()));
 }
 
+TEST_F(TileFilesTest, AFrameIsTheLastFileOfATileset) {
+  const std::string path = folder_.Write("scene/tileset.json", "entry");
+  TileFrame frame(16, 0.5);
+  frame[3] = -7;
+  const auto bytes = ReadTileBytes(path, frame);
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  const auto files = UnpackFiles(*bytes, path);
+  ASSERT_TRUE(files.ok()) << files.status();
+  EXPECT_EQ(*SizeOfTile(path, frame), static_cast<int64_t>(bytes->size()));
+  EXPECT_EQ(files->back().name, kFrameFile);
+  EXPECT_EQ(FrameIn(files->back().bytes), frame);
+  EXPECT_THAT(FrameIn("too short"), ::testing::IsEmpty());
+  EXPECT_EQ(*ReadTileBytes(tree_, frame), *ReadTileBytes(tree_)) << "other trees have none";
+}
+
 TEST_F(TileFilesTest, FoldersAreNotFollowedForEver) {
   std::string folder = "scene/";
   for (int i = 0; i < 20; ++i) folder += "d/";
