@@ -28,6 +28,12 @@ bool EndsIn(std::string_view text, std::string_view end) {
   return absl::EndsWithIgnoreCase(std::string(text), std::string(end));
 }
 
+// What models may name in place of images of their own.
+bool IsImage(std::string_view path) {
+  constexpr const char* kImages[] = {".jpg", ".jpeg", ".png", ".webp", ".ktx2"};
+  return std::any_of(std::begin(kImages), std::end(kImages), [&](const char* end) { return EndsIn(path, end); });
+}
+
 // Adds the files of the tree whose own file `own` lies in `root`, and that lie in its folder `below`, which ends with a
 // slash if it is not empty.
 absl::Status AddFiles(const std::string& root, const std::string& below, const std::string& own,
@@ -40,7 +46,8 @@ absl::Status AddFiles(const std::string& root, const std::string& below, const s
   for (const std::string& name : names) {
     const std::string file = absl::StrCat(below, name);
     if (file == own || name.starts_with('.')) continue;
-    if (IsFileOfTree(own, file) && KindOf(root + file) == PathKind::kFile) {
+    const bool is_of_tree = IsFileOfTree(own, file) || (IsTileset(own) && IsImage(name));
+    if (is_of_tree && KindOf(root + file) == PathKind::kFile) {
       files.push_back(file);
       if (files.size() < kMostFiles) continue;
       return absl::ResourceExhaustedError(absl::StrCat(root, ": more than ", kMostFiles, " files for one tile"));

@@ -2,7 +2,7 @@
 //
 // A tile whose path ends in .osgb is a tree: its file names finer files in the same folder, these still finer ones. All
 // .osgb files of that folder are the tile's then. A tile whose path ends in .json is a tileset of 3D Tiles: all .json,
-// .b3dm and .glb files in its folder and below are the tile's. No other tile may lie there.
+// .b3dm, .glb and image files in its folder and below are the tile's. No other tile may lie there.
 #ifndef TILEMEND_COMMON_UTIL_TILE_FILES_H_
 #define TILEMEND_COMMON_UTIL_TILE_FILES_H_
 

@@ -219,6 +219,13 @@ TEST_F(TilesetRunTest, TheAcceptanceCheckComparesAllLevels) {
   EXPECT_THAT(bad.out, HasSubstr("1  original faces that are missing or changed"));
 }
 
+TEST_F(TilesetRunTest, ImagesBesideTheModelsGoWithThem) {
+  WriteScene({});
+  folder_.Write("scene/Data/Tile_p000_p000/photo.jpg", "of a model");
+  Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"});
+  EXPECT_EQ(*ReadFile(folder_ / "out/Data/Tile_p000_p000/photo.jpg"), "of a model");
+}
+
 TEST_F(TilesetRunTest, AnOutputHasNothingToFillAndIsTheSameForAllWorkers) {
   WriteScene({});
   Tilemend({"run", folder_ / "scene", "--out", folder_ / "one", "--workers", "1"});

@@ -13,6 +13,8 @@
 namespace tilemend {
 namespace {
 
+constexpr double kMostMetres = 1e9;  // as in other formats
+
 using FileNumbers = std::map<std::string, int32_t, std::less<>>;
 
 FileNumbers NumbersOf(const std::vector<PackedFile>& packed) {
@@ -124,7 +126,12 @@ absl::StatusOr<TilesetTree> ReadTilesetTree(std::string_view pack, const std::st
     const auto t = static_cast<size_t>(placed.tile);
     TilesetModel& model = tree.models.emplace_back(TilesetModel{placed.file, tileset.tiles[t].level, !below[t], {}});
     TILEMEND_ASSIGN_OR_RETURN(model.gltf, ReadGltf(file.bytes, placed.up, InFolder(file.name, name)));
-    for (Point3& point : model.gltf.points) point = Moved(placed.to_scene, model.gltf.origin + point);
+    for (Point3& point : model.gltf.points) {
+      point = Moved(placed.to_scene, model.gltf.origin + point);
+      if (point.cwiseAbs().maxCoeff() <= kMostMetres) continue;
+      return absl::InvalidArgumentError(
+          absl::StrCat(InFolder(file.name, name), ": a vertex lies more than 1e9 m from the scene's origin"));
+    }
     is_empty = is_empty && model.gltf.points.empty();
     tree.levels = std::max(tree.levels, model.level + 1);
   }

@@ -34,13 +34,13 @@ TEST_F(TileFilesTest, ATreeHasAllFilesOfItsFolder) {
 
 TEST_F(TileFilesTest, ATilesetHasTheModelsBelowItsFolder) {
   const std::string path = folder_.Write("scene/tileset.json", "entry");
-  for (const char* const file :
-       {"scene/Data/b.json", "scene/Data/b.B3DM", "scene/a.glb", "scene/Data/deep/c.glb", "scene/scene.json",
-        "scene/report.json", "scene/holes.csv", "scene/.hidden/d.glb", "scene/.e.glb", "scene/f.osgb", "beside.glb"}) {
+  for (const char* const file : {"scene/Data/b.json", "scene/Data/b.B3DM", "scene/a.glb", "scene/Data/deep/c.glb",
+                                 "scene/scene.json", "scene/report.json", "scene/holes.csv", "scene/.hidden/d.glb",
+                                 "scene/.e.glb", "scene/f.osgb", "scene/Data/c.JPG", "beside.glb"}) {
     folder_.Write(file, "file");
   }
   EXPECT_THAT(*FilesOfTile(path),
-              ElementsAre("tileset.json", "Data/b.B3DM", "Data/b.json", "Data/deep/c.glb", "a.glb"));
+              ElementsAre("tileset.json", "Data/b.B3DM", "Data/b.json", "Data/c.JPG", "Data/deep/c.glb", "a.glb"));
   const auto bytes = ReadTileBytes(path);
   ASSERT_TRUE(bytes.ok()) << bytes.status();
   EXPECT_EQ(*SizeOfTile(path), static_cast<int64_t>(bytes->size()));

@@ -80,6 +80,17 @@ TEST(TilesetTreeTest, ErrorsNameTheFile) {
   EXPECT_FALSE(ReadTilesetTree(PackFiles({}), "folder/tileset.json").ok());
 }
 
+TEST(TilesetTreeTest, VerticesFarAwayAreRefused) {
+  const std::string pack = TilesetScene().Pack();
+  auto files = *UnpackFiles(pack, "x");
+  auto entry = nlohmann::json::parse(files[0].bytes);
+  entry["root"]["children"][1]["transform"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 2e9, 0, 1};
+  const std::string text = entry.dump();
+  files[0].bytes = text;
+  EXPECT_THAT(ReadTilesetTree(PackFiles(files), "a/t.json").status().message(),
+              HasSubstr("a/Data/Tile_p001_p000/Tile_p001_p000.glb: a vertex lies more than 1e9 m"));
+}
+
 TEST(TilesetTreeTest, ChangesGrowVolumesAndLeaveOtherFiles) {
   for (const auto place : {TilesetScene::Place::kLocal, TilesetScene::Place::kOnEarth}) {
     const std::string pack = TilesetScene{.files = TilesetScene::Files::kOfTiles, .place = place}.Pack();
