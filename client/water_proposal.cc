@@ -29,7 +29,7 @@ std::vector<ProposedSurface> SurfacesOf(const SceneWaves& waves) {
     if (stored != nullptr) rasters.push_back(stored.Outline()->lowest);
   }
   std::vector<ProposedSurface> surfaces;
-  for (LevelRegion& region : FindWaterSurfaces(rasters)) {
+  for (LowRegion& region : FindWaterSurfaces(rasters)) {
     const std::string reason =
         absl::StrFormat("level surface; ground along %.0f %% of its rim is higher by %g m or more",
                         100 * region.shore_share, LevelRegionOptions().bank);

@@ -370,6 +370,22 @@ def check_arrows_itself():
     return faults
 
 
+def check_names(files):
+    """A type of one name in two headers: programs with both would mix their functions without a word."""
+    where = {}
+    for path, text in files:
+        if path.endswith('.h'):
+            for name in re.findall(r'^(?:struct|class|enum class) (\w+)[^;\n]*\{', text, re.M):
+                where.setdefault(name, []).append(path)
+    return [f'{" and ".join(paths)}: {name} is two types' for name, paths in sorted(where.items()) if len(paths) > 1]
+
+
+def check_names_itself():
+    found = check_names([('a.h', 'struct A {\nclass B final : public A {\nenum class C : int { k };\n'),
+                         ('b.h', 'class A;\nclass B {\n  struct A {\n'), ('b.cc', 'enum class C {\n')])
+    return [] if found == ['a.h and b.h: B is two types'] else [f'self-check: names {found}']
+
+
 def main():
     root = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     faults, files = check_itself(), []
@@ -379,7 +395,7 @@ def main():
     for path, text in files:
         faults += check_text(path, text)
     used = arrows(files)
-    faults += check_unused(RULES, used) + check_circles(used)
+    faults += check_unused(RULES, used) + check_circles(used) + check_names(files) + check_names_itself()
     if not files:
         faults.append(f'{root}: no sources found')
     for line in faults:

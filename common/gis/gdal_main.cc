@@ -38,7 +38,9 @@ void Limit(decltype(RLIMIT_AS) what, rlim_t most) {
 }
 
 void LimitFor(size_t bytes) {
+#ifndef __SANITIZE_ADDRESS__  // whose shadow of memory takes terabytes of address space
   Limit(RLIMIT_AS, kBaseBytes + kBytesForAByte * bytes);
+#endif
   Limit(RLIMIT_CPU, kBaseSeconds + bytes / kBytesForASecond);
 }
 

@@ -107,23 +107,35 @@ class AddedFaultFinder {
     return {points_[triangles_[t][0]], points_[triangles_[t][1]], points_[triangles_[t][2]]};
   }
 
-  // Whether triangle t has a point in common with a boundary edge of the input that it has no corner at, and that an
-  // added triangle is filled to.
-  bool PassesThroughRim(int32_t t, int32_t added) const {
+  // The boundary edges of the input that added triangles are filled to.
+  BoxTree FilledRim() {
+    std::sort(rim_.begin(), rim_.end());
+    std::set<std::pair<int32_t, int32_t>> filled;
+    for (size_t t = 0; t < triangles_.size(); ++t) {
+      for (int k = 0; is_added_[t] && k < 3; ++k) {
+        const std::pair<int32_t, int32_t> edge = std::minmax(triangles_[t][k], triangles_[t][(k + 1) % 3]);
+        if (std::binary_search(rim_.begin(), rim_.end(), edge)) filled.insert(edge);
+      }
+    }
+    rim_.assign(filled.begin(), filled.end());
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const auto& [a, b] : rim_) boxes.push_back(Eigen::AlignedBox3d(points_[a]).extend(points_[b]));
+    return BoxTree(boxes);
+  }
+
+  // Whether triangle t has a point in common with such an edge that it has no corner at.
+  bool PassesThroughRim(int32_t t, const BoxTree& filled_rim) const {
     const Triangle& own = triangles_[t];
     const auto has = [&](int32_t v) { return std::find(own.begin(), own.end(), v) != own.end(); };
-    for (int k = 0; k < 3; ++k) {
-      const int32_t a = triangles_[added][k], b = triangles_[added][(k + 1) % 3];
-      if (has(a) || has(b) || !std::binary_search(rim_.begin(), rim_.end(), std::pair(std::min(a, b), std::max(a, b))))
-        continue;
-      if (SegmentCrosses(points_[a], points_[b], InSpace(t))) return true;
-    }
-    return false;
+    return filled_rim.AnyMeeting(BoxOf(InSpace(t)), [&](int32_t e) {
+      const auto [a, b] = rim_[e];
+      return !has(a) && !has(b) && SegmentCrosses(points_[a], points_[b], InSpace(t));
+    });
   }
 
   void LookForCrossings() {
     if (std::find(is_added_.begin(), is_added_.end(), true) == is_added_.end()) return;
-    std::sort(rim_.begin(), rim_.end());
+    const BoxTree filled_rim = FilledRim();
     std::vector<Eigen::AlignedBox3d> boxes;
     for (int32_t t = 0; t < std::ssize(triangles_); ++t) boxes.push_back(BoxOf(InSpace(t)));
     const CornerCones cones(points_, triangles_);
@@ -133,7 +145,7 @@ class AddedFaultFinder {
       bool fill = false, surface = false, rim = false;
       tree.AnyMeeting(boxes[a], [&](int32_t b) {
         if (a == b || cones.AreApart(a, b) || !TrianglesCross(InSpace(a), InSpace(b))) return false;
-        (is_added_[b] ? fill : PassesThroughRim(b, a) ? rim : surface) = true;
+        (is_added_[b] ? fill : PassesThroughRim(b, filled_rim) ? rim : surface) = true;
         return fill;
       });
       if (!fill && !surface && !rim) continue;

@@ -13,8 +13,8 @@ namespace tilemend {
 enum class AddedFault {
   kCrossedFill,      // an added triangle that crosses another added one (TrianglesCross)
   kCrossedSurface,   // an added triangle that crosses no added one, but an original one
-  kCrossedRim,       // the same, where the original one passes through the boundary of the hole: no patch is free of
-                     // it. The input's fault
+  kCrossedRim,       // the same, where the original one passes through the boundary of a filled hole: no patch is free
+                     // of it (CrossingCheck). The input's fault
   kNonManifoldEdge,  // an edge with more than two triangles that had at most two before
   kTurnedEdge,       // an edge whose two triangles face opposite ways, one of them or both added
   kFlatTriangle,     // an added triangle without area

@@ -14,6 +14,7 @@
 #include "worker/fill/hole/projection_frame.h"
 #include "worker/fill/plane/folded_fill.h"
 #include "worker/fill/plane/plane_fill.h"
+#include "worker/fill/space/mend_crossings.h"
 #include "worker/fill/space/patch_creases.h"
 #include "worker/fill/space/patch_soundness.h"
 #include "worker/fill/space/rim_junctions.h"
@@ -83,6 +84,9 @@ class HoleFiller {
       if (patch.ok()) patch.failure = FaultOf(hole_, patch);
       if (patch.ok() && way.check != Check::kNothing && crossings_.Crosses(patch)) {
         patch.failure = way.check == Check::kPublished ? FillFailure::kPatchCrosses : FillFailure::kCrosses;
+      }
+      if (patch.ok() && way.check == Check::kNothing && MayCross(way)) {
+        patch = MendCrossings(hole_, std::move(patch), crossings_);
       }
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
@@ -185,6 +189,9 @@ class HoleFiller {
   // Filled as heights even where the rim folds: the surface around them crosses itself there as well.
   bool IsHoleInGround() const { return hole_.open || hole_.level || hole_.in_ground; }
 
+  // Whether a patch that is not checked for crossings is more than heights over the ground: cut folds, walls.
+  bool MayCross(const Way& way) const { return way.name == FillWay::kFoldsCut || hole_.own_outline; }
+
   Way AsNamed() {
     return {WayOf(options_.filler), Check::kPublished,
             [&] { return options_.published->by_name(hole_, options_, [&] { return crossings_.Surface(); }); }};
@@ -197,7 +204,7 @@ class HoleFiller {
   void AddPlanes(bool cut_folds, std::vector<Way>& ways) {
     const auto add = [&](FillWay name, Check check, const ProjectionFrame& frame) {
       ways.push_back({cut_folds ? FillWay::kFoldsCut : name, check, [this, frame, cut_folds] {
-                        return cut_folds ? FillFolded(hole_, frame, options_)
+                        return cut_folds ? FillFolded(hole_, frame, options_, crossings_)
                                          : FillOverPlane(hole_, frame, options_, {});
                       }});
     };

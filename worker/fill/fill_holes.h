@@ -33,10 +33,10 @@ namespace tilemend {
 //
 // A patch of a closed hole that is no height over the ground is taken only if it crosses neither itself, nor `near`,
 // nor the patches of the cell's holes before it, and folds back on none (patch_soundness.h); else the next way is
-// tried. `near` is asked only then; without it the band stands for the surface. Open holes are not checked for
-// crossings, nor those that project on the ground: their patches cannot cross themselves or what goes on from their
-// rim. In parts, unrolled or over the facing plane no patch may face down where heights fill the hole, nor go further
-// than half the hole's extent from it.
+// tried. `near` is asked only then; without it the band stands for the surface. Heights over the ground are not checked
+// for crossings: they cannot cross themselves or what goes on from their rim. Where folds are cut off or walls stand at
+// a tile's outline, crossings are mended as far as that is possible (mend_crossings.h). In parts, unrolled or over the
+// facing plane no patch may face down where heights fill the hole, nor go further than half the hole's extent from it.
 //
 // Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it;
 // with the surface around it the patch makes no edge with three triangles and no triangle twice; new vertices lie on

@@ -54,15 +54,15 @@ class Finder {
     }
   }
 
-  std::vector<LevelRegion> Find() {
+  std::vector<LowRegion> Find() {
     nodes_ = HeightTreeOf(stepped_);
-    std::vector<LevelRegion> found;
+    std::vector<LowRegion> found;
     std::vector<bool> taken(nodes_.size(), false), above(nodes_.size(), false);
     for (const int32_t node : Candidates()) {
       bool apart = !above[node];
       for (int32_t n = node; n >= 0 && apart; n = nodes_[n].parent) apart = !taken[n];
       if (!apart) continue;
-      std::optional<LevelRegion> region = RegionOf(node);
+      std::optional<LowRegion> region = RegionOf(node);
       if (!region) continue;
       taken[node] = true;
       for (int32_t n = node; n >= 0; n = nodes_[n].parent) above[n] = true;
@@ -126,9 +126,9 @@ class Finder {
   }
 
   // None if too little of its rim has higher ground behind it.
-  std::optional<LevelRegion> RegionOf(int32_t node) const {
+  std::optional<LowRegion> RegionOf(int32_t node) const {
     const std::vector<Square> squares = SquaresAt(nodes_[node].square, nodes_[node].level);
-    LevelRegion region;
+    LowRegion region;
     std::vector<double> heights, distances;
     for (const Square& s : squares) heights.push_back(heights_.heights[heights_.IndexOf(s.col, s.row)]);
     region.level = ModeOf(heights);
@@ -185,8 +185,8 @@ class Finder {
 
 }  // namespace
 
-std::vector<LevelRegion> FindLevelRegions(const GroundRaster& heights, const std::vector<bool>& is_ground,
-                                          const LevelRegionOptions& options) {
+std::vector<LowRegion> FindLevelRegions(const GroundRaster& heights, const std::vector<bool>& is_ground,
+                                        const LevelRegionOptions& options) {
   if (heights.empty()) return {};
   return Finder(heights, is_ground, options).Find();
 }

@@ -21,7 +21,7 @@ struct LevelRegionOptions {
   int32_t smoothing = 2;      // squares: medians of so many to each side
 };
 
-struct LevelRegion {
+struct LowRegion {
   PlanePolygon outline;    // metres; islands from `min_area` on are left out
   double level = 0;        // metres: where its heights are densest (half-sample mode)
   double sigma = 0;        // metres: 1.4826 x the median distance of its heights from the level
@@ -37,8 +37,8 @@ struct LevelRegion {
 //   heights    the lowest surface in each square
 //   is_ground  for each of them, whether it has surface that is no object
 // Precondition: as many of both. Cost O(n log n) for n squares.
-std::vector<LevelRegion> FindLevelRegions(const GroundRaster& heights, const std::vector<bool>& is_ground,
-                                          const LevelRegionOptions& options);
+std::vector<LowRegion> FindLevelRegions(const GroundRaster& heights, const std::vector<bool>& is_ground,
+                                        const LevelRegionOptions& options);
 
 }  // namespace tilemend
 

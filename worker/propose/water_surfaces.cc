@@ -4,8 +4,8 @@
 
 namespace tilemend {
 
-std::vector<LevelRegion> FindWaterSurfaces(std::span<const GroundRaster> rasters, const GroundFilterOptions& ground,
-                                           const LevelRegionOptions& options) {
+std::vector<LowRegion> FindWaterSurfaces(std::span<const GroundRaster> rasters, const GroundFilterOptions& ground,
+                                         const LevelRegionOptions& options) {
   const GroundRaster lowest = JoinRasters(rasters);
   if (lowest.empty()) return {};
   const FilteredGround filtered(lowest, ground);

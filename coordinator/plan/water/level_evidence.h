@@ -13,13 +13,13 @@
 namespace tilemend {
 
 // An edge of original surface on the rim of a hole.
-struct RimEdge {
+struct ChainEdge {
   Point3 middle{0, 0, 0};
   double length = 0;  // metres, seen from above
 };
 
 // Edges in order along the rim, each beside the next one.
-using RimChain = std::vector<RimEdge>;
+using RimChain = std::vector<ChainEdge>;
 
 inline constexpr int64_t kMinWindows = 20;              // below that fractal terrain agrees on a level by chance
 inline constexpr double kSigmas = 3;                    // of noise, or of a level: more is no chance

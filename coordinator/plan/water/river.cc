@@ -99,7 +99,7 @@ std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<
   }
   std::vector<RimChain> moved(rim.begin(), rim.end());
   for (RimChain& chain : moved) {
-    for (RimEdge& e : chain) e.middle.z() -= LevelAt(river.water, e.middle.head<2>(), 0x1p-20);
+    for (ChainEdge& e : chain) e.middle.z() -= LevelAt(river.water, e.middle.head<2>(), 0x1p-20);
   }
   river.evidence = EvidenceOf(moved, outline);
   if (!river.evidence.is_level() || river.evidence.disagreement >= better * level.disagreement) return std::nullopt;
@@ -109,7 +109,7 @@ std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<
 
 std::vector<RimChain> AboveRiver(const WaterSurface& river, std::vector<RimChain> rim) {
   for (RimChain& chain : rim) {
-    for (RimEdge& e : chain) e.middle.z() -= LevelAt(river, e.middle.head<2>(), 0x1p-20);
+    for (ChainEdge& e : chain) e.middle.z() -= LevelAt(river, e.middle.head<2>(), 0x1p-20);
   }
   return rim;
 }

@@ -43,7 +43,7 @@ struct EdgeAlong {
 std::vector<EdgeAlong> EdgesAlong(const std::vector<Point3>& stations, std::span<const RimChain> rim) {
   std::vector<EdgeAlong> edges;
   for (const RimChain& chain : rim) {
-    for (const RimEdge& e : chain) {
+    for (const ChainEdge& e : chain) {
       const PlaceOnLine place = NearestOnLine(stations, e.middle.head<2>());
       const WeightedHeight height{e.middle.z(), e.length, e.length};
       edges.push_back({height, static_cast<double>(place.piece) + place.along});

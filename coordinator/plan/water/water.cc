@@ -70,7 +70,7 @@ Shore ShoreOf(const Basin& basin) {
   shore.noise = e.noise;
   shore.mean_edge = e.length / static_cast<double>(e.edges);
   for (const RimChain& chain : basin.rim) {
-    for (const RimEdge& edge : chain) {
+    for (const ChainEdge& edge : chain) {
       const Point2 at = edge.middle.head<2>();
       const double level = basin.river ? LevelAt(basin.river->water, at, 0x1p-20) : e.level;
       const bool is_at_water = edge.middle.z() <= level + above;

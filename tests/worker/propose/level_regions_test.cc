@@ -27,7 +27,7 @@ struct Made {
       }
     }
   }
-  std::vector<LevelRegion> Regions() const { return FindLevelRegions(heights, is_ground, {}); }
+  std::vector<LowRegion> Regions() const { return FindLevelRegions(heights, is_ground, {}); }
 };
 
 bool InPond(double x, double y) { return std::hypot(x - 50, y - 40) < 15; }
@@ -39,7 +39,7 @@ double Pond(double x, double y) {
 }
 
 TEST(FindLevelRegionsTest, APondIsFoundWithItsLevel) {
-  const std::vector<LevelRegion> regions = Made(Pond).Regions();
+  const std::vector<LowRegion> regions = Made(Pond).Regions();
   ASSERT_THAT(regions, SizeIs(1));
   EXPECT_NEAR(regions[0].level, 3, 0.1);
   EXPECT_NEAR(regions[0].sigma, 0.1, 0.05);
@@ -54,7 +54,7 @@ TEST(FindLevelRegionsTest, PitsOfNoiseDoNoHarm) {
   for (int32_t row = 30; row < 36; ++row) {
     for (int32_t col = 44; col < 50; ++col) made.heights.heights[row * 100 + col] -= 4;
   }
-  const std::vector<LevelRegion> regions = made.Regions();
+  const std::vector<LowRegion> regions = made.Regions();
   ASSERT_THAT(regions, SizeIs(1));
   EXPECT_NEAR(regions[0].level, 3, 0.1);
 }

@@ -25,11 +25,11 @@ GroundRaster Canal(int32_t col, int32_t cols) {
 }
 
 TEST(FindWaterSurfacesTest, ACanalIsFoundHoweverTheSceneIsCut) {
-  const std::vector<LevelRegion> whole = FindWaterSurfaces(std::vector<GroundRaster>{Canal(0, 100)});
+  const std::vector<LowRegion> whole = FindWaterSurfaces(std::vector<GroundRaster>{Canal(0, 100)});
   ASSERT_THAT(whole, SizeIs(1));
   EXPECT_NEAR(whole[0].level, 1, 1e-6);
   EXPECT_NEAR(whole[0].area, 1500, 10);
-  const std::vector<LevelRegion> cut = FindWaterSurfaces(std::vector<GroundRaster>{Canal(50, 50), Canal(0, 52)});
+  const std::vector<LowRegion> cut = FindWaterSurfaces(std::vector<GroundRaster>{Canal(50, 50), Canal(0, 52)});
   ASSERT_THAT(cut, SizeIs(1));
   EXPECT_EQ(cut[0].outline.rings, whole[0].outline.rings);
 }

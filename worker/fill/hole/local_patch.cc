@@ -14,6 +14,26 @@ void AddPart(const HolePart& part, const LocalPatch& of_part, const LocalHole& h
   }
 }
 
+void DropUnusedPoints(const LocalHole& hole, LocalPatch& patch) {
+  std::vector<int32_t> number(patch.new_points.size(), -1);
+  const auto for_each_new = [&](const auto& use) {
+    for (Triangle& t : patch.triangles) {
+      for (int32_t& v : t) {
+        if (v >= hole.size()) use(v);
+      }
+    }
+  };
+  for_each_new([&](int32_t v) { number[v - hole.size()] = 0; });
+  std::vector<Point3> points;
+  for (size_t k = 0; k < number.size(); ++k) {
+    if (number[k] < 0) continue;
+    number[k] = hole.size() + static_cast<int32_t>(points.size());
+    points.push_back(patch.new_points[k]);
+  }
+  for_each_new([&](int32_t& v) { v = number[v - hole.size()]; });
+  patch.new_points = std::move(points);
+}
+
 HolePatch ToHolePatch(const LocalHole& hole, LocalPatch patch) {
   HolePatch out;
   out.new_points = std::move(patch.new_points);

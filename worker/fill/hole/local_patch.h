@@ -19,6 +19,7 @@ struct LocalPatch {
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this patch alone
   bool is_bare = false;                  // no new vertex could be laid where the way would have liked some
   int32_t loop_cuts = 0;                 // as HolePatch
+  std::vector<int32_t> feet = {};        // of each vertex of the hole, as RaiseWalls returns them
 
   bool ok() const { return failure == FillFailure::kNone; }
 };
@@ -30,6 +31,9 @@ inline SpaceTriangle InSpace(const LocalHole& hole, const LocalPatch& patch, con
 
 // Adds the patch of a part to that of the hole.
 void AddPart(const HolePart& part, const LocalPatch& of_part, const LocalHole& hole, LocalPatch& patch);
+
+// Drops the new points that no triangle has. O(triangles).
+void DropUnusedPoints(const LocalHole& hole, LocalPatch& patch);
 
 // The patch as it leaves the filler: corners k >= 0 are rim vertices of the cell, -1 - k new points.
 HolePatch ToHolePatch(const LocalHole& hole, LocalPatch patch);

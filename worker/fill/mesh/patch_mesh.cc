@@ -153,13 +153,13 @@ bool PatchMesh::Add(const Triangle& t) {
   return true;
 }
 
-Refusal PatchMesh::ReasonToRefuse(const Triangle& t) const {
-  if (HasRepeatedCorner(t)) return Refusal::kCorners;
+TriangleRefusal PatchMesh::ReasonToRefuse(const Triangle& t) const {
+  if (HasRepeatedCorner(t)) return TriangleRefusal::kCorners;
   for (int k = 0; k < 3; ++k) {
     const HalfedgeHandle edge = HalfEdge(t[k], t[(k + 1) % 3]);
-    if (edge.is_valid() && !is_boundary(edge)) return Refusal::kEdge;
+    if (edge.is_valid() && !is_boundary(edge)) return TriangleRefusal::kEdge;
   }
-  return Refusal::kVertex;
+  return TriangleRefusal::kVertex;
 }
 
 int32_t PatchMesh::TriangleOf(FaceHandle face) const {

@@ -14,7 +14,7 @@
 namespace tilemend {
 
 // Why a triangle has no place in a PatchMesh.
-enum class Refusal {
+enum class TriangleRefusal {
   kCorners,  // two of its corners are one vertex
   kEdge,     // another triangle runs along one of its edges in the same direction: an edge with three triangles, one
              // that turns over (a Moebius strip), or a triangle that is there twice
@@ -23,7 +23,7 @@ enum class Refusal {
 
 struct RefusedTriangle {
   int32_t triangle;  // its place among all that were added
-  Refusal reason;
+  TriangleRefusal reason;
 };
 
 struct PatchTraits : public OpenMesh::DefaultTraits {
@@ -97,7 +97,7 @@ class PatchMesh : public OpenMesh::TriMesh_ArrayKernelT<PatchTraits> {
 
  private:
   bool Add(const Triangle& triangle);
-  Refusal ReasonToRefuse(const Triangle& triangle) const;
+  TriangleRefusal ReasonToRefuse(const Triangle& triangle) const;
   HalfedgeHandle StartAfterFlip(FaceHandle face, HalfedgeHandle own, HalfedgeHandle other) const;
 
   int32_t added_ = 0;  // the refused ones among them

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/disjoint_sets.h"
 #include "common/mesh/rounding.h"
 #include "common/mesh/winding/wound_region.h"
 #include "worker/fill/plane/plane_fill.h"
@@ -51,10 +52,101 @@ void DropCutInnerEdges(const ProjectionFrame& frame, LocalHole& part) {
   }
 }
 
+// Closes what lies between the boundaries of a hole and of the region that it winds around.
+class FoldCloser {
+ public:
+  //   whole  the hole, then the corners of the region
+  FoldCloser(const LocalHole& hole, const LocalHole& whole, CrossingCheck& check, LocalPatch& patch)
+      : hole_(hole), whole_(whole), taken_(check.Surface()), patch_(patch) {
+    Use(patch.triangles);
+    for (const Triangle& t : patch.triangles) taken_.Add(InSpace(hole, patch, t));
+  }
+
+  void Close(std::vector<std::vector<int32_t>> loops) {
+    loops_ = std::move(loops);
+    while (!loops_.empty()) {
+      const std::vector<int32_t> loop = std::move(loops_.back());
+      loops_.pop_back();
+      if (loop.size() > kLongestLoop && Part(loop)) continue;
+      std::vector<Triangle> triangles = TriangulateInSpace(whole_, loop, used_, taken_);
+      if (triangles.empty()) triangles = TriangulateInSpace(whole_, loop, used_, CrossingIndex({}));
+      Use(triangles);
+      for (const Triangle& t : triangles) {
+        taken_.Add({whole_.positions[t[0]], whole_.positions[t[1]], whole_.positions[t[2]]});
+      }
+      if (triangles.empty() || (loop.size() == 3 && IsOnSurface(loop))) {
+        AddFan(loop);
+      } else {
+        patch_.triangles.insert(patch_.triangles.end(), triangles.begin(), triangles.end());
+      }
+    }
+  }
+
+ private:
+  // Edges of the patch, which no triangle may have again.
+  void Use(const std::vector<Triangle>& triangles) {
+    for (const Triangle& t : triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const VertexPair edge = Undirected(t[k], t[(k + 1) % 3]);
+        if (edge.second < whole_.size()) used_.insert(edge);
+      }
+    }
+  }
+
+  // Parts a loop by its shortest chord that may be made.
+  bool Part(const std::vector<int32_t>& loop) {
+    const size_t n = loop.size(), least = n / kLeastShare;
+    double shortest = std::numeric_limits<double>::infinity();
+    std::pair<size_t, size_t> best{0, 0};
+    for (size_t i = 0; i < n; ++i) {
+      for (size_t k = i + least; k < n && k - i <= n - least; ++k) {
+        const double length = (whole_.positions[loop[i]] - whole_.positions[loop[k]]).squaredNorm();
+        if (length >= shortest || !whole_.MayJoin(loop[i], loop[k])) continue;
+        if (used_.contains(Undirected(loop[i], loop[k]))) continue;
+        shortest = length;
+        best = {i, k};
+      }
+    }
+    const auto [i, k] = best;
+    if (k == 0) return false;
+    const auto at = [&](size_t j) { return loop.begin() + static_cast<ptrdiff_t>(j); };
+    used_.insert(Undirected(loop[i], loop[k]));
+    loops_.emplace_back(at(i), at(k + 1));
+    std::vector<int32_t>& rest = loops_.emplace_back(at(k), loop.end());
+    rest.insert(rest.end(), at(0), at(i + 1));
+    return true;
+  }
+
+  bool IsOnSurface(const std::vector<int32_t>& loop) const {
+    const bool of_rim = std::all_of(loop.begin(), loop.end(), [&](int32_t v) { return v < hole_.size(); });
+    return of_rim &&
+           hole_.band->HasTriangle({hole_.vertices[loop[0]], hole_.vertices[loop[1]], hole_.vertices[loop[2]]});
+  }
+
+  // Closes a loop about a new vertex in its middle: possible where every chord is an edge already.
+  void AddFan(const std::vector<int32_t>& loop) {
+    Point3 middle = Point3::Zero();
+    for (const int32_t v : loop) middle += whole_.positions[v];
+    const auto centre = hole_.size() + static_cast<int32_t>(patch_.new_points.size());
+    patch_.new_points.push_back(
+        RoundedToLattice(Point3(middle / static_cast<double>(loop.size())), hole_.cell->lattice_step));
+    for (size_t k = 0; k < loop.size(); ++k) {
+      patch_.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], centre});
+    }
+  }
+
+  const LocalHole& hole_;
+  const LocalHole& whole_;
+  CrossingIndex taken_;
+  LocalPatch& patch_;
+  std::vector<std::vector<int32_t>> loops_;  // still to be closed
+  std::set<VertexPair> used_;                // edges between vertices of whole_ that the patch has
+};
+
 class FoldedFiller {
  public:
-  FoldedFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options)
-      : hole_(hole), frame_(frame), options_(options), whole_(hole) {}
+  FoldedFiller(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, CrossingCheck& check)
+      : hole_(hole), frame_(frame), options_(options), check_(check), whole_(hole) {}
 
   LocalPatch Run() {
     if (!FindRegion() || IsInsideOut()) {
@@ -69,8 +161,10 @@ class FoldedFiller {
       if (!of_region.ok()) return of_region;
       patch.hold_out = of_region.hold_out;
       AddPart(part, of_region, hole_, patch);
+      LowerCorners(part, of_region, patch);
     }
-    CloseLoops(patch);
+    FoldCloser(hole_, whole_, check_, patch).Close(loops_);
+    DropUnusedPoints(hole_, patch);
     return patch;
   }
 
@@ -86,7 +180,28 @@ class FoldedFiller {
       TakeRegion(FindWoundRegion(points, segments_));
       PartTakenChords();
     }
+    DropFreeParts();
     return true;
+  }
+
+  // Parts of the region whose outline passes no vertex of the hole: folds cross around them, and nothing of the hole is
+  // to be closed there.
+  void DropFreeParts() {
+    DisjointSets sets(whole_.size());
+    for (const RegionSegment& s : segments_) sets.Join(s.from, s.to);
+    std::set<int32_t> at_rim;
+    for (int32_t v = 0; v < hole_.size(); ++v) at_rim.insert(sets.LowestOf(v));
+    const auto [x, y] = PlaceOf(0);  // near by, for precision
+    std::map<int32_t, double> area;
+    for (const RegionSegment& s : segments_) {
+      const auto [ax, ay] = PlaceOf(s.from);
+      const auto [bx, by] = PlaceOf(s.to);
+      area[sets.LowestOf(s.from)] += (ax - x) * (by - y) - (ay - y) * (bx - x);
+    }
+    std::erase_if(segments_, [&](const RegionSegment& s) {
+      const int32_t part = sets.LowestOf(s.from);
+      return !at_rim.contains(part) && area.at(part) > 0;
+    });
   }
 
   // A corner that a file can only hold where a vertex is already becomes that vertex: beside it, it would come back in
@@ -240,6 +355,25 @@ class FoldedFiller {
     return part;
   }
 
+  // Corners with a wall go down to its foot instead: what closes the folds comes down to the ground by itself.
+  void LowerCorners(const HolePart& part, const LocalPatch& of_region, LocalPatch& patch) {
+    const auto first_new = static_cast<int32_t>(patch.new_points.size() - of_region.new_points.size());
+    std::map<int32_t, int32_t> corner_at;  // by foot
+    for (size_t k = 0; k < of_region.feet.size(); ++k) {
+      const int32_t corner = part.vertices[k];
+      if (of_region.feet[k] < 0 || corner < hole_.size()) continue;
+      const int32_t foot = first_new + of_region.feet[k] - part.hole.size();
+      whole_.positions[corner] = patch.new_points[corner - hole_.size()] = patch.new_points[foot];
+      corner_at[hole_.size() + foot] = corner;
+    }
+    for (Triangle& t : patch.triangles) {
+      for (int32_t& v : t) {
+        if (const auto there = corner_at.find(v); there != corner_at.end()) v = there->second;
+      }
+    }
+    std::erase_if(patch.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  }
+
   // The hole's boundary that is none of the region's: the loops are closed on it, so that no edge of the part may lie
   // there.
   //   number  of each vertex, in the part; -1: none
@@ -267,87 +401,21 @@ class FoldedFiller {
     return crossed % 2 == 1;
   }
 
-  // Edges of the patch that the walls may not have again are collected as it grows.
-  void CloseLoops(LocalPatch& patch) {
-    const auto use = [&](const std::vector<Triangle>& triangles) {
-      for (const Triangle& t : triangles) {
-        for (int k = 0; k < 3; ++k) {
-          const VertexPair edge = Undirected(t[k], t[(k + 1) % 3]);
-          if (edge.second < whole_.size()) used_.insert(edge);
-        }
-      }
-    };
-    use(patch.triangles);
-    while (!loops_.empty()) {
-      const std::vector<int32_t> loop = std::move(loops_.back());
-      loops_.pop_back();
-      if (loop.size() > kLongestLoop && Part(loop)) continue;
-      const std::vector<Triangle> triangles = TriangulateInSpace(whole_, loop, used_, CrossingIndex({}));
-      use(triangles);
-      if (triangles.empty() || (loop.size() == 3 && IsOnSurface(loop))) {
-        AddFan(loop, patch);
-      } else {
-        patch.triangles.insert(patch.triangles.end(), triangles.begin(), triangles.end());
-      }
-    }
-  }
-
-  // Parts a loop by its shortest chord that may be made.
-  bool Part(const std::vector<int32_t>& loop) {
-    const size_t n = loop.size(), least = n / kLeastShare;
-    double shortest = std::numeric_limits<double>::infinity();
-    std::pair<size_t, size_t> best{0, 0};
-    for (size_t i = 0; i < n; ++i) {
-      for (size_t k = i + least; k < n && k - i <= n - least; ++k) {
-        const double length = (whole_.positions[loop[i]] - whole_.positions[loop[k]]).squaredNorm();
-        if (length >= shortest || !whole_.MayJoin(loop[i], loop[k])) continue;
-        if (used_.contains(Undirected(loop[i], loop[k]))) continue;
-        shortest = length;
-        best = {i, k};
-      }
-    }
-    const auto [i, k] = best;
-    if (k == 0) return false;
-    const auto at = [&](size_t j) { return loop.begin() + static_cast<ptrdiff_t>(j); };
-    used_.insert(Undirected(loop[i], loop[k]));
-    loops_.emplace_back(at(i), at(k + 1));
-    std::vector<int32_t>& rest = loops_.emplace_back(at(k), loop.end());
-    rest.insert(rest.end(), at(0), at(i + 1));
-    return true;
-  }
-
-  bool IsOnSurface(const std::vector<int32_t>& loop) const {
-    const bool of_rim = std::all_of(loop.begin(), loop.end(), [&](int32_t v) { return v < hole_.size(); });
-    return of_rim &&
-           hole_.band->HasTriangle({hole_.vertices[loop[0]], hole_.vertices[loop[1]], hole_.vertices[loop[2]]});
-  }
-
-  // Closes a loop about a new vertex in its middle: possible where every chord is an edge already.
-  void AddFan(const std::vector<int32_t>& loop, LocalPatch& patch) const {
-    Point3 middle = Point3::Zero();
-    for (const int32_t v : loop) middle += whole_.positions[v];
-    const auto centre = hole_.size() + static_cast<int32_t>(patch.new_points.size());
-    patch.new_points.push_back(
-        RoundedToLattice(Point3(middle / static_cast<double>(loop.size())), hole_.cell->lattice_step));
-    for (size_t k = 0; k < loop.size(); ++k) {
-      patch.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], centre});
-    }
-  }
-
   const LocalHole& hole_;
   const ProjectionFrame& frame_;
   const FillOptions& options_;
+  CrossingCheck& check_;
   LocalHole whole_;  // the hole, then the corners of the region
   std::optional<LatticeWindow> window_;
   std::vector<RegionSegment> segments_;      // of the region, in whole_
-  std::vector<std::vector<int32_t>> loops_;  // still to be closed
-  std::set<VertexPair> used_;                // edges between vertices of whole_ that the patch has
+  std::vector<std::vector<int32_t>> loops_;  // between the two boundaries
 };
 
 }  // namespace
 
-LocalPatch FillFolded(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options) {
-  return FoldedFiller(hole, frame, options).Run();
+LocalPatch FillFolded(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options,
+                      CrossingCheck& check) {
+  return FoldedFiller(hole, frame, options, check).Run();
 }
 
 }  // namespace tilemend

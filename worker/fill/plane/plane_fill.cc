@@ -48,7 +48,9 @@ class PlaneFiller {
     planar_.reset();
     StorePoints(patch, result);
     result.triangles = std::move(patch.triangles);
-    if (frame_.upright() && (hole_.own_outline || hole_.level)) RaiseWalls(hole_, HeightsAtRim(patch), result);
+    if (frame_.upright() && (hole_.own_outline || hole_.level)) {
+      result.feet = RaiseWalls(hole_, HeightsAtRim(patch), result);
+    }
     return result;
   }
 

@@ -19,12 +19,13 @@ class WallRaiser {
   WallRaiser(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch)
       : hole_(hole), ground_(ground), patch_(patch), foot_(hole.vertices.size(), -1) {}
 
-  void Run() {
+  std::vector<int32_t> Run() {
     LayFeet();
     for (Triangle& t : patch_.triangles) {
       for (int32_t& v : t) v = Lowered(v);
     }
     for (const RegionSegment& s : hole_.segments) AddWall(s.from, s.to);
+    return std::move(foot_);
   }
 
  private:
@@ -89,8 +90,8 @@ class WallRaiser {
 
 }  // namespace
 
-void RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch) {
-  if (!hole.on_object.empty()) WallRaiser(hole, ground, patch).Run();
+std::vector<int32_t> RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch) {
+  return hole.on_object.empty() ? std::vector<int32_t>() : WallRaiser(hole, ground, patch).Run();
 }
 
 }  // namespace tilemend

@@ -2,7 +2,9 @@
 #ifndef TILEMEND_WORKER_FILL_PLANE_UPRIGHT_WALLS_H_
 #define TILEMEND_WORKER_FILL_PLANE_UPRIGHT_WALLS_H_
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "worker/fill/hole/local_patch.h"
 
@@ -16,8 +18,9 @@ namespace tilemend {
 //
 // A vertex stays where the surface is close to it, or further off than the hole is wide, and where the boundary comes
 // by more than once; so does one at the end of a seam that another tile shares (LocalHole::own_outline is false), as
-// that tile may see it otherwise. The patch must be a height field over the ground. O(triangles).
-void RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch);
+// that tile may see it otherwise. The patch must be a height field over the ground. Returns the new vertex of each
+// vertex of the hole, -1 where there is none; empty without objects. O(triangles).
+std::vector<int32_t> RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch);
 
 }  // namespace tilemend
 

@@ -10,65 +10,30 @@
 #include "common/mesh/rounding.h"
 #include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/faired_fill.h"
+#include "worker/fill/space/loop_bridges.h"
 #include "worker/fill/space/sound_triangulation.h"
 #include "worker/fill/space/unrolled_fill.h"
 
 namespace tilemend {
 namespace {
 
-using Loop = std::vector<int32_t>;  // of vertices; may pass one several times
-
 // How far a patch over triangles of the rim alone bends, tried in this order.
 constexpr double kBends[] = {1, 0.5, 0};
 // Of the ways to tie the first island to the rest of a rim.
 constexpr size_t kBridgesTried = 12;
-// Places of a loop that bridges begin or end at, at most; of a longer one every second, third and so on.
-constexpr size_t kBridgeEnds = 600;
 
-// A way from a loop to another and back.
-struct Bridge {
-  size_t from, loop, to;  // place on the first loop, the other loop, place on it
-  double length;
-};
-
-// All bridges that may be built, the shortest first.
-std::vector<Bridge> BridgesFrom(const LocalHole& hole, const std::vector<Loop>& loops) {
-  std::vector<Bridge> bridges;
-  for (size_t l = 1; l < loops.size(); ++l) {
-    const size_t step = 1 + loops[0].size() / kBridgeEnds, other_step = 1 + loops[l].size() / kBridgeEnds;
-    for (size_t i = 0; i < loops[0].size(); i += step) {
-      for (size_t k = 0; k < loops[l].size(); k += other_step) {
-        const int32_t a = loops[0][i], b = loops[l][k];
-        if (a == b || hole.MayJoin(a, b)) bridges.push_back({i, l, k, (hole.positions[a] - hole.positions[b]).norm()});
-      }
-    }
-  }
-  std::stable_sort(bridges.begin(), bridges.end(),
-                   [](const Bridge& a, const Bridge& b) { return a.length < b.length; });
-  return bridges;
+BridgeEnds EndsIn(const LocalHole& hole) {
+  return {[&](int32_t v) { return hole.positions[v]; }, [&](int32_t a, int32_t b) { return hole.MayJoin(a, b); }};
 }
 
-// Makes one loop of two: along the first to the bridge, over it, around the other and back.
-void Cross(const Bridge& bridge, std::vector<Loop>& loops, std::set<VertexPair>& bridges) {
-  const Loop other = std::move(loops[bridge.loop]);
-  loops.erase(loops.begin() + static_cast<ptrdiff_t>(bridge.loop));
-  Loop& loop = loops[0];
-  Loop around(other.begin() + static_cast<ptrdiff_t>(bridge.to), other.end());
-  around.insert(around.end(), other.begin(), other.begin() + static_cast<ptrdiff_t>(bridge.to));
-  if (loop[bridge.from] != around[0]) {
-    bridges.insert(Undirected(loop[bridge.from], around[0]));
-    around.push_back(around[0]);
-    around.push_back(loop[bridge.from]);
-  } else {
-    around.push_back(around[0]);
-    around.erase(around.begin());
-  }
-  loop.insert(loop.begin() + static_cast<ptrdiff_t>(bridge.from) + 1, around.begin(), around.end());
+void Cross(const Bridge& bridge, std::vector<VertexLoop>& loops, std::set<VertexPair>& bridges) {
+  const VertexPair ends = Undirected(loops[0][bridge.from], loops[bridge.loop][bridge.to]);
+  if (BuildBridge(bridge, loops)) bridges.insert(ends);
 }
 
 // A loop of vertices of the hole, as what triangulates it takes it.
 struct LoopInSpace {
-  LoopInSpace(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& used)
+  LoopInSpace(const LocalHole& hole, const VertexLoop& loop, const std::set<VertexPair>& used)
       : allowed([&](int32_t a, int32_t b) {
           return hole.MayJoin(loop[a], loop[b]) && !used.contains(Undirected(loop[a], loop[b]));
         }) {
@@ -83,7 +48,7 @@ struct LoopInSpace {
   std::function<bool(int32_t, int32_t)> allowed;
 };
 
-LocalPatch CloseLoopByCone(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& bridges,
+LocalPatch CloseLoopByCone(const LocalHole& hole, const VertexLoop& loop, const std::set<VertexPair>& bridges,
                            const CrossingIndex& surface) {
   // In scenes folds are cut off instead, which keeps to the ground.
   if (hole.cell->upright) return {FillFailure::kCrosses};
@@ -100,7 +65,7 @@ LocalPatch CloseLoopByCone(const LocalHole& hole, const Loop& loop, const std::s
   return patch;
 }
 
-LocalPatch FillLoop(const LocalHole& hole, const Loop& loop, const std::set<VertexPair>& bridges,
+LocalPatch FillLoop(const LocalHole& hole, const VertexLoop& loop, const std::set<VertexPair>& bridges,
                     const FillOptions& options, const CrossingIndex& surface, CrossingCheck& check) {
   LocalPatch patch;
   patch.triangles = TriangulateInSpace(hole, loop, bridges, surface);
@@ -134,31 +99,31 @@ std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vecto
 }
 
 std::vector<int32_t> JoinedLoop(const LocalHole& hole, std::set<VertexPair>& bridges) {
-  std::vector<Loop> loops;
+  std::vector<VertexLoop> loops;
   for (const RimLoop& loop : hole.loops) loops.push_back(loop.vertices);
   while (loops.size() > 1) {
-    const std::vector<Bridge> next = BridgesFrom(hole, loops);
+    const std::vector<Bridge> next = BridgesFrom(EndsIn(hole), loops);
     if (next.empty()) return {};
     Cross(next[0], loops, bridges);
   }
-  return loops.empty() ? Loop() : loops[0];
+  return loops.empty() ? VertexLoop() : loops[0];
 }
 
 LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check) {
   const bool too_long = hole.cell->upright && hole.segments.size() > kLongestSpatialLoop;
   if (hole.loops.empty() || too_long) return {FillFailure::kTooLongForSpace};
-  std::vector<Loop> loops;
+  std::vector<VertexLoop> loops;
   for (const RimLoop& loop : hole.loops) loops.push_back(loop.vertices);
   const CrossingIndex surface(check.Surface());
   if (loops.size() == 1) return FillLoop(hole, loops[0], {}, options, surface, check);
   LocalPatch patch{FillFailure::kNoBridge};
-  const std::vector<Bridge> first = BridgesFrom(hole, loops);
+  const std::vector<Bridge> first = BridgesFrom(EndsIn(hole), loops);
   for (size_t b = 0; b < std::min(first.size(), kBridgesTried); ++b) {
-    std::vector<Loop> joined = loops;
+    std::vector<VertexLoop> joined = loops;
     std::set<VertexPair> used;
     Cross(first[b], joined, used);
     while (joined.size() > 1) {
-      const std::vector<Bridge> next = BridgesFrom(hole, joined);
+      const std::vector<Bridge> next = BridgesFrom(EndsIn(hole), joined);
       if (next.empty()) return patch;
       Cross(next[0], joined, used);
     }

@@ -60,6 +60,44 @@ TEST(PieceOutlinesTest, AreLevelToo) {
   EXPECT_EQ(CountOutlines(record, 0.6), 2 * 20);
 }
 
+// A wall over y = 0 from x = 0 to 20 in two pieces, which end at z = 10 + overlap and begin at z = 10; at x = 0 they
+// are joined by a strip, as where the next leaf of the octree shares vertices with both.
+SurveyRecord JoinedWall(double overlap) {
+  SurveyRecord record;
+  const auto add_edge = [&](const Point3& from, const Point3& to) {
+    const auto base = static_cast<int32_t>(record.vertices.size());
+    for (const Point3& p : {from, to}) {
+      BoundaryVertex& vertex = record.vertices.emplace_back();
+      vertex.position = p;
+      vertex.normal = Eigen::Vector3d(0, -1, 0);
+    }
+    BoundaryEdge& edge = record.edges.emplace_back();
+    edge.from = base;
+    edge.to = base + 1;
+  };
+  for (int x = 0; x < 20; ++x) {
+    add_edge(Point3(x, 0, 10), Point3(x + 1, 0, 10));                      // the upper piece begins
+    add_edge(Point3(x + 1, 0, 10 + overlap), Point3(x, 0, 10 + overlap));  // the lower one ends
+  }
+  add_edge(Point3(0, 0, 0), Point3(20, 0, 0));
+  add_edge(Point3(20, 0, 20), Point3(0, 0, 20));
+  return record;
+}
+
+TEST(PieceOutlinesTest, AreFoundWherePiecesAreJoinedBeyond) {
+  const SurveyRecord record = JoinedWall(0.1);
+  const std::vector<bool> found = FindPieceOutlines(record, 0.3);
+  EXPECT_EQ(std::ranges::count(found, true), 40);
+  EXPECT_FALSE(found[40] || found[41]) << "where the wall itself ends";
+  EXPECT_EQ(CountOutlines(JoinedWall(0.5), 0.3), 0) << "too far apart";
+}
+
+// The boundary of a slit in the wall, which is no overlap.
+TEST(PieceOutlinesTest, AreNotWhereSurfaceIsMissing) {
+  EXPECT_EQ(CountOutlines(JoinedWall(-0.1), 0.3), 0);
+  EXPECT_EQ(CountOutlines(JoinedWall(0.01), 0.3), 0) << "level to a few millimetres, as by chance";
+}
+
 // Loose triangles at the water have level edges by chance.
 TEST(PieceOutlinesTest, AreNotSingleEdges) {
   SurveyRecord record;

@@ -94,7 +94,7 @@ TEST(FitRiverTest, TooFewHeightsAreNoRiver) {
 TEST(FitFallTest, EdgesAreMovedToTheirStations) {
   std::vector<RimChain> rim(1);
   for (const RimChain& chain : Shores(NoBank)) {
-    for (RimEdge e : chain) {
+    for (ChainEdge e : chain) {
       const double beyond = std::fmod(e.middle.x() + 12.5, 25);
       if (beyond < 1 || beyond > 12) continue;
       e.middle.z() -= 0.015 * e.middle.x();

@@ -42,5 +42,15 @@ TEST(LocalPatchTest, TakesAPartInBehindWhatItHas) {
   EXPECT_THAT(patch.new_points, ElementsAre(Point3(1, 0, 0), Point3(2, 0, 0), Point3(5, 5, 5)));
 }
 
+TEST(LocalPatchTest, DropsPointsThatNoTriangleHas) {
+  const LocalHole hole = HoleWith({7, 3, 9});
+  LocalPatch patch;
+  patch.new_points = {Point3(1, 1, 1), Point3(2, 2, 2), Point3(3, 3, 3)};
+  patch.triangles = {{0, 1, 3}, {2, 5, 3}};
+  DropUnusedPoints(hole, patch);
+  EXPECT_THAT(patch.new_points, ElementsAre(Point3(1, 1, 1), Point3(3, 3, 3)));
+  EXPECT_THAT(patch.triangles, ElementsAre(Triangle{0, 1, 3}, Triangle{2, 4, 3}));
+}
+
 }  // namespace
 }  // namespace tilemend

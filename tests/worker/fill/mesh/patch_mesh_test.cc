@@ -126,7 +126,7 @@ TEST(PatchMeshTest, FindsEdgesInTheDirectionOfTheirTriangles) {
 
 TEST(PatchMeshTest, RefusesTheThirdTriangleAtAnEdge) {
   const PatchMesh mesh = MeshOf(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {2, 1, 4}});
-  EXPECT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{2, Refusal::kEdge}));
+  EXPECT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{2, TriangleRefusal::kEdge}));
   EXPECT_FALSE(mesh.IsManifold());
   EXPECT_EQ(mesh.Triangles(), (Triangles{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}}));
   EXPECT_EQ(FaultsOf(mesh), "");
@@ -134,14 +134,15 @@ TEST(PatchMeshTest, RefusesTheThirdTriangleAtAnEdge) {
 
 TEST(PatchMeshTest, NumbersFacesPastRefusedTriangles) {
   const PatchMesh mesh = MeshOf(5, {{0, 0, 1}, {0, 1, 2}, {0, 1, 3}, {1, 0, 3}, {2, 1, 4}});
-  ASSERT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{0, Refusal::kCorners}, RefusedTriangle{2, Refusal::kEdge}));
+  ASSERT_THAT(mesh.refused(),
+              ElementsAre(RefusedTriangle{0, TriangleRefusal::kCorners}, RefusedTriangle{2, TriangleRefusal::kEdge}));
   EXPECT_EQ(mesh.TriangleOf(FaceHandle(0)), 1);
   EXPECT_EQ(mesh.TriangleOf(FaceHandle(1)), 3);
   EXPECT_EQ(mesh.TriangleOf(FaceHandle(2)), 4);
 }
 
 TEST(PatchMeshTest, RefusesATriangleThatIsThereTwice) {
-  EXPECT_THAT(MeshOf(3, {{0, 1, 2}, {1, 2, 0}}).refused(), ElementsAre(RefusedTriangle{1, Refusal::kEdge}));
+  EXPECT_THAT(MeshOf(3, {{0, 1, 2}, {1, 2, 0}}).refused(), ElementsAre(RefusedTriangle{1, TriangleRefusal::kEdge}));
 }
 
 TEST(PatchMeshTest, TakesATriangleAndItsBackAsAClosedSurface) {
@@ -151,12 +152,12 @@ TEST(PatchMeshTest, TakesATriangleAndItsBackAsAClosedSurface) {
 }
 
 TEST(PatchMeshTest, RefusesATriangleThatTurnsOver) {
-  EXPECT_THAT(MeshOf(4, {{0, 1, 2}, {1, 2, 3}}).refused(), ElementsAre(RefusedTriangle{1, Refusal::kEdge}));
+  EXPECT_THAT(MeshOf(4, {{0, 1, 2}, {1, 2, 3}}).refused(), ElementsAre(RefusedTriangle{1, TriangleRefusal::kEdge}));
 }
 
 TEST(PatchMeshTest, RefusesTheTriangleThatClosesAMoebiusStrip) {
   const Triangles strip = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}};
-  EXPECT_THAT(MeshOf(5, strip).refused(), ElementsAre(RefusedTriangle{4, Refusal::kEdge}));
+  EXPECT_THAT(MeshOf(5, strip).refused(), ElementsAre(RefusedTriangle{4, TriangleRefusal::kEdge}));
 }
 
 TEST(PatchMeshTest, TakesPinchedVerticesWithOpenFansInAnyOrder) {
@@ -189,10 +190,10 @@ TEST(PatchMeshTest, TakesAManifoldInAnyOrder) {
 TEST(PatchMeshTest, RefusesASecondFanAtASurroundedVertex) {
   Triangles triangles = ClosedFan(4);
   triangles.push_back({0, 5, 6});
-  EXPECT_THAT(MeshOf(7, triangles).refused(), ElementsAre(RefusedTriangle{4, Refusal::kVertex}));
+  EXPECT_THAT(MeshOf(7, triangles).refused(), ElementsAre(RefusedTriangle{4, TriangleRefusal::kVertex}));
   std::rotate(triangles.begin(), triangles.end() - 1, triangles.end());  // now the other fan comes first
   const PatchMesh mesh = MeshOf(7, triangles);
-  EXPECT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{4, Refusal::kVertex}));
+  EXPECT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{4, TriangleRefusal::kVertex}));
   EXPECT_EQ(FaultsOf(mesh), "");
 }
 
@@ -214,7 +215,7 @@ TEST(PatchMeshTest, ListsBoundaryEdgesInTheOrderOfTheTriangles) {
 TEST(PatchMeshTest, TakesTheBandAfterThePatch) {
   PatchMesh mesh = MeshOf(6, {{0, 1, 2}});
   mesh.AddTriangles(Triangles{{1, 0, 3}, {0, 1, 4}, {2, 1, 5}});
-  EXPECT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{2, Refusal::kEdge}));
+  EXPECT_THAT(mesh.refused(), ElementsAre(RefusedTriangle{2, TriangleRefusal::kEdge}));
   EXPECT_EQ(mesh.Apex(mesh.HalfEdge(2, 1)), 5);
 }
 

@@ -13,6 +13,12 @@
 namespace tilemend {
 namespace {
 
+LocalPatch Filled(const LocalHole& hole, Surface surface) {
+  const SurfaceNear near;
+  CrossingCheck check(hole, ReachOf(*hole.cell, hole.cell->holes[0]), near, {});
+  return FillFolded(hole, ProjectionFrame::Upright(), With(surface), check);
+}
+
 class FoldedFillTest : public testing::TestWithParam<Surface> {};
 INSTANTIATE_TEST_SUITE_P(Surfaces, FoldedFillTest, testing::Values(Surface::kWang, Surface::kThinPlate));
 
@@ -21,7 +27,7 @@ TEST_P(FoldedFillTest, FillsASimpleHoleAsItIs) {
       Disc(2, 5, 4), [](const Point3& p) { return p; }, 0);
   const CellBand band(work);
   const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  LocalPatch patch = Filled(hole, GetParam());
   ASSERT_TRUE(patch.ok());
   for (const Point3& p : patch.new_points) EXPECT_NEAR(p.z(), 0, 2 * work.lattice_step);
   ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
@@ -31,7 +37,7 @@ TEST_P(FoldedFillTest, ClosesAWallThatHasNoRegionOnTheGround) {
   const CellHoles work = WorkOfSheet(Disc(0, kWallHeight / 2, 3), FoldToBuilding, 0);
   const CellBand band(work);
   const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  LocalPatch patch = Filled(hole, GetParam());
   ASSERT_TRUE(patch.ok());
   ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
 }
@@ -48,7 +54,7 @@ TEST_P(FoldedFillTest, TakesSmallFoldsForWhatTheyAre) {
   const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
   const bool goes_around_edges = GetParam() == Surface::kWang;
   EXPECT_EQ(FillOverPlane(hole, ProjectionFrame::Upright(), With(GetParam()), {}).ok(), goes_around_edges);
-  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  LocalPatch patch = Filled(hole, GetParam());
   ASSERT_TRUE(patch.ok());
   ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
 }
@@ -60,7 +66,7 @@ TEST_P(FoldedFillTest, PassesThroughEdgesInsideTheRegion) {
   AddInnerEdge({2.25, 2.25, 0.5}, {2.75, 2.25, 0.5}, work);
   const CellBand band(work);
   const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  LocalPatch patch = Filled(hole, GetParam());
   ASSERT_TRUE(patch.ok());
   const HolePatch filled = ToHolePatch(hole, std::move(patch));
   const RimSegment in = work.holes[0].inner_edges[0], out = work.holes[0].inner_edges[1];
@@ -76,7 +82,7 @@ TEST_P(FoldedFillTest, LeavesOutEdgesThatTheFoldCuts) {
   AddInnerEdge({2.25, 4.5, 0.5}, {2.25, 2.25, 0.5}, work);
   const CellBand band(work);
   const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
-  LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+  LocalPatch patch = Filled(hole, GetParam());
   ASSERT_TRUE(patch.ok());
   const HolePatch filled = ToHolePatch(hole, std::move(patch));
   const RimSegment in = work.holes[0].inner_edges[0], cut = work.holes[0].inner_edges[1];
@@ -97,7 +103,7 @@ TEST_P(FoldedFillTest, ClosesWhateverFoldsTheBoundaryHas) {
       const CellBand band(work);
       LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
       hole.open = true;
-      LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+      LocalPatch patch = Filled(hole, GetParam());
       ASSERT_TRUE(patch.ok()) << along << ", " << radius;
       ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
     }
@@ -119,7 +125,7 @@ TEST_P(FoldedFillTest, HasNoEdgeOfTheBoundaryTwice) {
         const CellBand band(work);
         LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
         hole.open = true;
-        LocalPatch patch = FillFolded(hole, ProjectionFrame::Upright(), With(GetParam()));
+        LocalPatch patch = Filled(hole, GetParam());
         ASSERT_TRUE(patch.ok()) << along << ", " << radius;
         EXPECT_EQ(FaultOf(hole, patch), FillFailure::kNone) << along << ", " << radius << ", " << step;
       }

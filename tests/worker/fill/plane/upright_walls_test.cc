@@ -12,6 +12,7 @@
 namespace tilemend {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
 // A square hole of 8 m whose vertices 0 to 3 are at the given heights; the patch has one new point in its middle.
@@ -56,7 +57,7 @@ class UprightWallsTest : public ::testing::Test {
 };
 
 TEST_F(UprightWallsTest, StandStraightUnderObjects) {
-  RaiseWalls(hole_, ground_, patch_);
+  EXPECT_THAT(RaiseWalls(hole_, ground_, patch_), ElementsAre(5, 6, -1, -1));
   ASSERT_THAT(patch_.new_points, SizeIs(3));
   EXPECT_EQ(patch_.new_points[1].head<2>(), hole_.positions[0].head<2>());
   EXPECT_EQ(patch_.new_points[2].head<2>(), hole_.positions[1].head<2>());

@@ -1,0 +1,372 @@
+#include "worker/fill/space/mend_crossings.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/box_tree.h"
+#include "common/mesh/disjoint_sets.h"
+#include "common/mesh/edge_loops.h"
+#include "common/mesh/rounding.h"
+#include "common/mesh/triangle_shape.h"
+#include "worker/fill/space/cone_fill.h"
+#include "worker/fill/space/crossing_index.h"
+#include "worker/fill/space/loop_bridges.h"
+#include "worker/fill/space/patch_crossings.h"
+#include "worker/fill/space/sound_triangulation.h"
+
+namespace tilemend {
+namespace {
+
+// How many rings of triangles around those that cross are taken out, and whether only steep ones: so walls and cut
+// folds go before the surface beside them.
+struct Reach {
+  int rings = 0;
+  bool steep_only = false;
+};
+constexpr Reach kReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, false}, {6, true}, {4, false}};
+// A longer loop is not closed: its triangulation takes the cube of its length.
+constexpr size_t kLongestLoop = 60;
+// Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
+constexpr double kMostOff = 0.25;
+constexpr double kFacesUp = 0.5;  // cosine
+
+using Piece = std::vector<int32_t>;  // triangles that hang together at edges, rising
+
+BoxTree TreeOf(std::span<const SpaceTriangle> triangles) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(triangles.size());
+  for (const SpaceTriangle& t : triangles) boxes.push_back(BoxOf(t));
+  return BoxTree(boxes);
+}
+
+// Of the triangle over p, along the vertical; infinity where it lies neither over nor under p.
+double HeightOver(const SpaceTriangle& t, const Point3& p) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d normal = TwiceVectorArea(t);
+  if (normal.z() == 0) return kNone;
+  for (int k = 0; k < 3; ++k) {
+    const Point2 side = (t[(k + 1) % 3] - t[k]).head<2>(), to = (p - t[k]).head<2>();
+    if ((side.x() * to.y() - side.y() * to.x()) * normal.z() < 0) return kNone;
+  }
+  return normal.dot(t[0] - p) / normal.z();
+}
+
+// A patch whose triangles are taken out and put in. New ones come behind those that were there.
+class PatchEdit {
+ public:
+  PatchEdit(const LocalHole& hole, LocalPatch& patch) : hole_(hole), patch_(patch) {
+    for (const Triangle& t : patch.triangles) placed_.push_back(Place(t));
+    for (int32_t t = 0; t < count(); ++t) AddEdges(t);
+    tree_ = TreeOf(placed_);
+    first_new_ = placed_.size();
+    is_gone_.assign(placed_.size(), false);
+  }
+
+  // Makes the patch what it has become.
+  void Finish() {
+    size_t t = 0;
+    std::erase_if(patch_.triangles, [&](const Triangle&) { return is_gone_[t++]; });
+  }
+
+  int32_t count() const { return static_cast<int32_t>(patch_.triangles.size()); }
+  const Triangle& Corners(int32_t t) const { return patch_.triangles[t]; }
+  const SpaceTriangle& Placed(int32_t t) const { return placed_[t]; }
+  Point3 At(int32_t v) const { return v < hole_.size() ? hole_.positions[v] : patch_.new_points[v - hole_.size()]; }
+  SpaceTriangle Place(const Triangle& t) const { return {At(t[0]), At(t[1]), At(t[2])}; }
+
+  int32_t AddPoint(const Point3& p) {
+    patch_.new_points.push_back(p);
+    return hole_.size() + static_cast<int32_t>(patch_.new_points.size()) - 1;
+  }
+
+  void TakeOut(int32_t t) {
+    is_gone_[t] = true;
+    for (int k = 0; k < 3; ++k) std::erase(at_edge_[EdgeOf(t, k)], t);
+  }
+
+  void PutBack(int32_t t) {
+    is_gone_[t] = false;
+    AddEdges(t);
+  }
+
+  void PutIn(const Triangle& t) {
+    patch_.triangles.push_back(t);
+    placed_.push_back(Place(t));
+    is_gone_.push_back(false);
+    AddEdges(count() - 1);
+  }
+
+  bool FacesUp(int32_t t) const {
+    const Eigen::Vector3d normal = TwiceVectorArea(placed_[t]);
+    return normal.z() > kFacesUp * normal.norm();
+  }
+
+  // Whether a triangle has an edge with more than two, those of the surface counted.
+  bool HasOverfullEdge(int32_t t) const {
+    for (int k = 0; k < 3; ++k) {
+      const VertexPair edge = EdgeOf(t, k);
+      const int beside = edge.second < hole_.size() ? hole_.TrianglesBeside(edge.first, edge.second) : 0;
+      if (std::ssize(at_edge_.at(edge)) + beside > 2) return true;
+    }
+    return false;
+  }
+
+  // Whether a new edge may be made between two vertices.
+  bool MayJoin(int32_t a, int32_t b) const {
+    return a != b && !TriangleAt(a, b) && (std::max(a, b) >= hole_.size() || hole_.MayJoin(a, b));
+  }
+
+  // Of what lies beside an edge, in the patch or on the surface; zero if unknown.
+  Eigen::Vector3d NormalBeside(int32_t from, int32_t to) const {
+    if (const std::optional<int32_t> t = TriangleAt(from, to)) return TwiceVectorArea(placed_[*t]).normalized();
+    if (std::max(from, to) >= hole_.size()) return Eigen::Vector3d::Zero();
+    return hole_.NormalBeside(from, to);
+  }
+
+  // Calls use(t) for each triangle of the patch that meets the box.
+  template <typename Use>
+  void ForEachIn(const Eigen::AlignedBox3d& box, const Use& use) const {
+    tree_.AnyMeeting(box, [&](int32_t t) {
+      if (!is_gone_[t]) use(placed_[t]);
+      return false;
+    });
+    for (size_t t = first_new_; t < placed_.size(); ++t) {
+      if (!is_gone_[t]) use(placed_[t]);
+    }
+  }
+
+  std::vector<Piece> PiecesOf(const std::vector<bool>& taken) const {
+    DisjointSets sets(static_cast<int32_t>(taken.size()));
+    for (const auto& [edge, around] : at_edge_) {
+      if (around.size() == 2 && taken[around[0]] && taken[around[1]]) sets.Join(around[0], around[1]);
+    }
+    std::map<int32_t, Piece> by_lowest;
+    for (int32_t t = 0; t < std::ssize(taken); ++t) {
+      if (taken[t]) by_lowest[sets.LowestOf(t)].push_back(t);
+    }
+    std::vector<Piece> pieces;
+    for (auto& [lowest, piece] : by_lowest) pieces.push_back(std::move(piece));
+    return pieces;
+  }
+
+ private:
+  VertexPair EdgeOf(int32_t t, int k) const {
+    return Undirected(patch_.triangles[t][k], patch_.triangles[t][(k + 1) % 3]);
+  }
+
+  void AddEdges(int32_t t) {
+    for (int k = 0; k < 3; ++k) at_edge_[EdgeOf(t, k)].push_back(t);
+  }
+
+  std::optional<int32_t> TriangleAt(int32_t a, int32_t b) const {
+    const auto there = at_edge_.find(Undirected(a, b));
+    return there == at_edge_.end() || there->second.empty() ? std::nullopt : std::optional(there->second[0]);
+  }
+
+  const LocalHole& hole_;
+  LocalPatch& patch_;
+  std::vector<SpaceTriangle> placed_;  // of patch_.triangles
+  BoxTree tree_;                       // of those that were there
+  size_t first_new_ = 0;
+  std::vector<bool> is_gone_;
+  std::map<VertexPair, std::vector<int32_t>> at_edge_;  // of those that are not gone
+};
+
+class CrossingMender {
+ public:
+  CrossingMender(const LocalHole& hole, LocalPatch patch, CrossingCheck& check)
+      : hole_(hole), check_(check), patch_(std::move(patch)), surface_(check.Surface().begin(), check.Surface().end()) {
+    surface_tree_ = TreeOf(surface_);
+  }
+
+  LocalPatch Run(std::vector<int32_t> crossed) {
+    for (const Reach& reach : kReaches) {
+      if (crossed.empty()) break;
+      LocalPatch before = patch_;
+      ReplaceAround(crossed, reach);
+      std::vector<int32_t> now = check_.Crossed(patch_);
+      if (FaultOf(hole_, patch_) == FillFailure::kNone && now.size() <= crossed.size()) {
+        crossed = std::move(now);
+      } else {
+        patch_ = std::move(before);
+      }
+    }
+    DropUnusedPoints(hole_, patch_);
+    return std::move(patch_);
+  }
+
+ private:
+  void ReplaceAround(const std::vector<int32_t>& crossed, const Reach& reach) {
+    PatchEdit edit(hole_, patch_);
+    for (const Piece& piece : edit.PiecesOf(Around(edit, crossed, reach))) Replace(piece, edit);
+    edit.Finish();
+  }
+
+  std::vector<bool> Around(const PatchEdit& edit, const std::vector<int32_t>& crossed, const Reach& reach) const {
+    std::vector<bool> taken(static_cast<size_t>(edit.count()), false);
+    std::vector<bool> is_near(static_cast<size_t>(hole_.size()) + patch_.new_points.size(), false);
+    for (const int32_t t : crossed) taken[t] = true;
+    for (int ring = 0; ring < reach.rings; ++ring) {
+      for (int32_t t = 0; t < edit.count(); ++t) {
+        for (const int32_t v : edit.Corners(t)) is_near[v] = is_near[v] || taken[t];
+      }
+      for (int32_t t = 0; t < edit.count(); ++t) {
+        if (taken[t] || (reach.steep_only && edit.FacesUp(t))) continue;
+        taken[t] = std::ranges::any_of(edit.Corners(t), [&](int32_t v) { return is_near[v]; });
+      }
+    }
+    return taken;
+  }
+
+  // Puts triangles that cross nothing in place of those of a piece, if there are any.
+  void Replace(const Piece& piece, PatchEdit& edit) const {
+    std::set<VertexPair> bridges;
+    const std::optional<VertexLoop> loop = BoundaryOf(piece, edit, bridges);
+    if (!loop || loop->size() > kLongestLoop) return;
+    for (const int32_t t : piece) edit.TakeOut(t);
+    if (loop->empty()) return;  // it was closed by itself, and closed nothing
+    const int32_t first = edit.count();
+    for (const Triangle& t : Close(*loop, bridges, edit)) edit.PutIn(t);
+    if (edit.count() > first && IsManifold(first, edit) && KeepsHeights(piece, *loop, first, edit)) return;
+    for (int32_t t = first; t < edit.count(); ++t) edit.TakeOut(t);
+    for (const int32_t t : piece) edit.PutBack(t);
+  }
+
+  // In one loop: several are tied together by the shortest ways, which it adds to `bridges`. Empty if the piece has no
+  // boundary; none if it does not form loops, or no bridge may be built.
+  static std::optional<VertexLoop> BoundaryOf(const Piece& piece, const PatchEdit& edit,
+                                              std::set<VertexPair>& bridges) {
+    std::vector<VertexLoop> loops = LoopsAround(piece, edit);
+    const BridgeEnds ends = {
+        [&](int32_t v) { return edit.At(v); },
+        [&](int32_t a, int32_t b) { return edit.MayJoin(a, b) && !bridges.contains(Undirected(a, b)); }};
+    while (loops.size() > 1) {
+      const std::vector<Bridge> next = BridgesFrom(ends, loops);
+      if (next.empty()) return std::nullopt;
+      const VertexPair tied = Undirected(loops[0][next[0].from], loops[next[0].loop][next[0].to]);
+      if (BuildBridge(next[0], loops)) bridges.insert(tied);
+    }
+    return loops.empty() ? VertexLoop() : loops[0];
+  }
+
+  static std::vector<VertexLoop> LoopsAround(const Piece& piece, const PatchEdit& edit) {
+    std::set<std::pair<int32_t, int32_t>> sides;
+    for (const int32_t t : piece) {
+      const Triangle& c = edit.Corners(t);
+      for (int k = 0; k < 3; ++k) sides.insert({c[k], c[(k + 1) % 3]});
+    }
+    std::vector<DirectedEdge> edges;
+    for (const auto& [from, to] : sides) {
+      if (!sides.contains({to, from})) edges.push_back({from, to});
+    }
+    std::vector<VertexLoop> loops;
+    for (const EdgeWalk& walk : LinkEdges(edges)) {
+      VertexLoop& loop = loops.emplace_back();
+      for (const int32_t e : walk.edges) loop.push_back(edges[e].from);
+    }
+    return loops;
+  }
+
+  // Triangles that close the loop and cross nothing; empty if none are found.
+  std::vector<Triangle> Close(const VertexLoop& loop, const std::set<VertexPair>& bridges, PatchEdit& edit) const {
+    std::vector<Point3> places;
+    std::vector<Eigen::Vector3d> outside;
+    Eigen::AlignedBox3d box;
+    for (size_t i = 0; i < loop.size(); ++i) {
+      places.push_back(edit.At(loop[i]));
+      box.extend(places.back());
+      outside.push_back(edit.NormalBeside(loop[i], loop[(i + 1) % loop.size()]));
+    }
+    const std::function<bool(int32_t, int32_t)> allowed = [&](int32_t i, int32_t k) {
+      return edit.MayJoin(loop[i], loop[k]) && !bridges.contains(Undirected(loop[i], loop[k]));
+    };
+    const CrossingIndex taken = Within(box, edit);
+    std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, taken);
+    std::vector<SpaceTriangle> placed;
+    for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
+    VertexLoop vertices = loop;
+    if (triangles.empty() || !SelfCrossings(placed).empty()) {
+      if (hole_.level) return {};  // a new point would not be at it
+      const std::optional<ConeFill> cone =
+          CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return Storable(p); });
+      if (!cone) return {};
+      triangles = cone->triangles;
+      vertices.push_back(edit.AddPoint(cone->tip));
+    }
+    for (Triangle& t : triangles) t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+    return triangles;
+  }
+
+  // What new triangles may not cross.
+  CrossingIndex Within(const Eigen::AlignedBox3d& box, const PatchEdit& edit) const {
+    std::vector<SpaceTriangle> there;
+    surface_tree_.AnyMeeting(box, [&](int32_t t) {
+      there.push_back(surface_[t]);
+      return false;
+    });
+    edit.ForEachIn(box, [&](const SpaceTriangle& t) { there.push_back(t); });
+    return CrossingIndex(there);
+  }
+
+  Point3 Storable(const Point3& p) const {
+    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
+                     RoundedToLattice(p, hole_.cell->lattice_step));
+  }
+
+  static bool IsManifold(int32_t first, const PatchEdit& edit) {
+    for (int32_t t = first; t < edit.count(); ++t) {
+      if (edit.HasOverfullEdge(t)) return false;
+    }
+    return true;
+  }
+
+  // Whether the vertices that go and lie amid surface that faces up are near what comes.
+  static bool KeepsHeights(const Piece& piece, const VertexLoop& loop, int32_t first, const PatchEdit& edit) {
+    double edges = 0;
+    std::set<int32_t> inner;
+    for (const int32_t t : piece) {
+      const SpaceTriangle& p = edit.Placed(t);
+      for (int k = 0; k < 3; ++k) edges += (p[(k + 1) % 3] - p[k]).norm() / 3;
+      inner.insert(edit.Corners(t).begin(), edit.Corners(t).end());
+    }
+    for (const int32_t v : loop) inner.erase(v);
+    for (const int32_t t : piece) {
+      for (const int32_t v : edit.Corners(t)) {
+        if (!edit.FacesUp(t)) inner.erase(v);
+      }
+    }
+    const double most = kMostOff * edges / static_cast<double>(piece.size());
+    return std::ranges::all_of(inner, [&](int32_t v) {
+      for (int32_t t = first; t < edit.count(); ++t) {
+        if (std::abs(HeightOver(edit.Placed(t), edit.At(v))) <= most) return true;
+      }
+      return false;
+    });
+  }
+
+  const LocalHole& hole_;
+  CrossingCheck& check_;
+  LocalPatch patch_;
+  const std::vector<SpaceTriangle> surface_;
+  BoxTree surface_tree_;
+};
+
+}  // namespace
+
+LocalPatch MendCrossings(const LocalHole& hole, LocalPatch patch, CrossingCheck& check) {
+  std::vector<int32_t> crossed = check.Crossed(patch);
+  if (crossed.empty()) return patch;
+  return CrossingMender(hole, std::move(patch), check).Run(std::move(crossed));
+}
+
+}  // namespace tilemend
