@@ -137,7 +137,7 @@ class AcceptanceCheck {
     if (tile.path.empty() && !has_output) return absl::OkStatus();
     CheckedTile before;
     if (!tile.path.empty()) {
-      TILEMEND_ASSIGN_OR_RETURN(before, ReadCheckedTile(input_.scene.root, tile.path));
+      TILEMEND_ASSIGN_OR_RETURN(before, ReadCheckedTile(input_.scene.root, tile.path, tile.frame));
     }
     ++result_.tiles;
     result_.original_faces += std::ssize(before.faces.mesh.triangles);
@@ -146,7 +146,7 @@ class AcceptanceCheck {
       CheckFaces(t, before.faces.mesh, before.faces.mesh, TileChange{{}, NoneOf(before.faces.mesh), 0});
       return absl::OkStatus();
     }
-    TILEMEND_ASSIGN_OR_RETURN(CheckedTile after, ReadCheckedTile(input_.out, output));
+    TILEMEND_ASSIGN_OR_RETURN(CheckedTile after, ReadCheckedTile(input_.out, output, tile.frame));
     const TileChange change = CompareTiles(before.faces, after.faces);
     CheckOriginals(tile.cell, before.faces.mesh, change);
     CheckFaces(t, before.faces.mesh, after.faces.mesh, change);
@@ -342,7 +342,7 @@ absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& o
   if (!input.report.is_object() || !input.report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }
-  TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileBounds));
+  TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileBounds, ReadTilesets));
   const Json& options = Member(input.report, "options");
   const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();
   if (!area.ok()) warnings.push_back(absl::StrCat(std::string(area.message()), ": checked without the area"));

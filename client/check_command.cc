@@ -124,7 +124,7 @@ CheckedScene OutputOf(Scene scene, const Json& report, const std::string& folder
 }
 
 absl::StatusOr<CheckedScene> SceneWithItsArea(const std::string& path) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(path, ReadTileBounds));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(path, ReadTileBounds, ReadTilesets));
   ApplyArea("", scene);
   return CheckedScene{std::move(scene), {}};
 }
@@ -143,7 +143,7 @@ absl::StatusOr<CheckedScene> SceneAt(const std::string& path) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report; run the same job again"));
   }
   const std::string source = Text(Member(report, "scene"));
-  auto scene = LoadScene(source.empty() ? path : source, ReadTileBounds);
+  auto scene = LoadScene(source.empty() ? path : source, ReadTileBounds, ReadTilesets);
   if (!scene.ok()) {
     PrintWarnings(
         {absl::StrCat(std::string(scene.status().message()),

@@ -8,7 +8,7 @@
 #include "common/codec/face_looks.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/obj.h"
-#include "common/codec/osgb/osgb_tile.h"
+#include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 #include "worker/materials/tile_look.h"
@@ -17,12 +17,12 @@ namespace tilemend {
 
 namespace {
 
-absl::StatusOr<CheckedTile> ReadOsgb(const std::string& pack, const std::string& name) {
-  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile osgb, ReadOsgbTile(pack, name));
+absl::StatusOr<CheckedTile> ReadTree(const std::string& pack, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const TileTree tree, ReadTileTree(pack, name));
   CheckedTile tile;
-  for (int32_t l = 0; l < osgb.levels; ++l) {
-    OsgbLevel level = LevelOf(osgb, l);
-    std::vector<uint64_t> looks = OsgbFaceLooks(osgb, level);
+  for (int32_t l = 0; l < tree.levels; ++l) {
+    TreeLevel level = LevelOf(tree, l);
+    std::vector<uint64_t> looks = TreeFaceLooks(tree, level);
     tile.coarser.push_back({std::move(level.mesh), std::move(looks)});
   }
   tile.faces = std::move(tile.coarser.back());
@@ -32,11 +32,11 @@ absl::StatusOr<CheckedTile> ReadOsgb(const std::string& pack, const std::string&
 
 }  // namespace
 
-absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path) {
+absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path, const TileFrame& frame) {
   const std::string name = absl::StrCat(root, "/", path);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name));
-  if (format == MeshFormat::kOsgb) return ReadOsgb(bytes, name);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name, frame));
+  if (format == MeshFormat::kTileTree) return ReadTree(bytes, name);
   CheckedTile tile;
   if (format == MeshFormat::kObj) {
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));

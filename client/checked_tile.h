@@ -19,7 +19,8 @@ struct CheckedTile {
 
 // Reads the tile `path` of the scene or output `root`. The one place that knows formats of tiles. Errors of ParseMesh.
 // Linear in the file.
-absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path);
+absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path,
+                                            const TileFrame& frame = {});
 
 }  // namespace tilemend
 

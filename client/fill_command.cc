@@ -91,7 +91,7 @@ absl::Status CheckPaths(const std::string& in, const std::string& out, bool over
   }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat from, MeshFormatOf(in));
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat to, MeshFormatOf(out));
-  if (from == MeshFormat::kOsgb) {
+  if (from == MeshFormat::kTileTree) {
     return absl::InvalidArgumentError(absl::StrCat(in, ": is a tile of a scene; `tilemend run` fills scenes"));
   }
   if (from != to)

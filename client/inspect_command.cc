@@ -149,7 +149,7 @@ absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) 
 }
 
 absl::StatusOr<Inspection> InspectSceneOf(const Request& request) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(request.path, ReadTileBounds));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(request.path, ReadTileBounds, ReadTilesets));
   CheckCrs(scene);
   TILEMEND_RETURN_IF_ERROR(ApplyAreaChoice(request.area, scene).status());
   TILEMEND_ASSIGN_OR_RETURN(const PlanOptions options, PlanOptionsOf(request, scene));

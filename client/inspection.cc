@@ -56,12 +56,12 @@ absl::StatusOr<Looked> Look(const Scene& scene, const SurveyWork& work) {
   const std::string path = PathOf(scene, *work.tile);
   Looked looked;
   if (work.clear.empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path, work.tile->frame));
     TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(file, scene, *work.tile));
     return looked;
   }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path, work.tile->frame));
   TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format, bytes, work.clear, path));
   TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(cleared.file, scene, *work.tile));
   looked.cleared = std::move(cleared.triangles);

@@ -62,9 +62,9 @@ std::map<CellId, std::vector<Wanted>> WantedByCell(const Json& report) {
 absl::StatusOr<TilePair> ReadPair(const Scene& scene, const SceneTile& tile, const std::string& out) {
   TilePair pair;
   if (!tile.path.empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(pair.before, ReadPictureTile(scene.root, tile.path));
+    TILEMEND_ASSIGN_OR_RETURN(pair.before, ReadPictureTile(scene.root, tile.path, tile.frame));
   }
-  TILEMEND_ASSIGN_OR_RETURN(pair.after, ReadPictureTile(out, OutputPath(tile)));
+  TILEMEND_ASSIGN_OR_RETURN(pair.after, ReadPictureTile(out, OutputPath(tile), tile.frame));
   pair.change = CompareTiles(pair.before.faces, pair.after.faces);
   return pair;
 }

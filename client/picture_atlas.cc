@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "absl/strings/str_cat.h"
-#include "common/codec/osgb/osgb_file.h"
+#include "common/codec/tree/tile_tree.h"
 #include "common/util/files.h"
 
 namespace tilemend {
@@ -67,11 +67,7 @@ namespace {
 
 // The bytes of an image in those of its file; empty if the file has none there.
 std::string_view ImageIn(std::string_view bytes, const ImagePart& part) {
-  if (part.number < 0) return bytes;
-  const auto file = ReadOsgb(bytes, part.path);
-  if (!file.ok() || part.number >= std::ssize(file->images)) return {};
-  const OsgbImage& image = file->images[static_cast<size_t>(part.number)];
-  return image.storage == OsgbImage::Storage::kEncoded ? bytes.substr(image.offset, image.size) : std::string_view();
+  return part.number < 0 ? bytes : TreeImageIn(bytes, part.number, part.path);
 }
 
 }  // namespace

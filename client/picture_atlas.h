@@ -17,7 +17,7 @@ namespace tilemend {
 struct ImagePart {
   std::string path;
   std::array<float, 2> lo{1, 1}, hi{0, 0};
-  int32_t number = -1;  // of the image in an OSGB file; -1: the file is the image
+  int32_t number = -1;  // of the image in a file of a tree; -1: the file is the image
 };
 
 struct PictureAtlas {

@@ -7,8 +7,8 @@
 #include "common/codec/face_looks.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/obj.h"
-#include "common/codec/osgb/osgb_tile.h"
 #include "common/codec/ply_colours.h"
+#include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 #include "worker/materials/tile_look.h"
@@ -41,18 +41,18 @@ void AddObjLook(const std::string& root, const std::string& path, const ObjTextu
 }
 
 // The finest level of a tree.
-absl::StatusOr<PictureTile> ReadOsgbPicture(const std::string& path, const std::string& pack, const std::string& name) {
-  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile osgb, ReadOsgbTile(pack, name));
-  OsgbLevel finest = LevelOf(osgb, osgb.levels - 1);
+absl::StatusOr<PictureTile> ReadTreePicture(const std::string& path, const std::string& pack, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const TileTree tree, ReadTileTree(pack, name));
+  TreeLevel finest = LevelOf(tree, tree.levels - 1);
   PictureTile tile;
-  tile.faces.looks = OsgbFaceLooks(osgb, finest);
-  for (const OsgbLevel::Part& part : finest.parts) {
-    const int32_t f = osgb.pieces[part.piece].file;
-    const OsgbFile& file = osgb.files[f];
+  tile.faces.looks = TreeFaceLooks(tree, finest);
+  for (const TreeLevel::Part& part : finest.parts) {
+    const int32_t f = tree.pieces[part.piece].file;
+    const TreeFile& file = tree.files[f];
     for (const int32_t g : part.geometries) {
-      const OsgbGeometry& geometry = file.geometries[g];
+      const TreeGeometry& geometry = file.geometries[g];
       const bool has_image = geometry.texture >= 0;
-      if (has_image) tile.materials.push_back({FileBesideTile(path, osgb.packed[f].name), geometry.texture, {}});
+      if (has_image) tile.materials.push_back({FileBesideTile(path, tree.packed[f].name), geometry.texture, {}});
       const int32_t material = has_image ? static_cast<int32_t>(tile.materials.size()) - 1 : -1;
       tile.material_of.insert(tile.material_of.end(), static_cast<size_t>(geometry.triangle_count), material);
       for (int32_t t = 0; t < geometry.triangle_count; ++t) {
@@ -67,11 +67,11 @@ absl::StatusOr<PictureTile> ReadOsgbPicture(const std::string& path, const std::
 
 }  // namespace
 
-absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::string& path) {
+absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::string& path, const TileFrame& frame) {
   const std::string name = absl::StrCat(root, "/", path);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name));
-  if (format == MeshFormat::kOsgb) return ReadOsgbPicture(path, bytes, name);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(name, frame));
+  if (format == MeshFormat::kTileTree) return ReadTreePicture(path, bytes, name);
   PictureTile tile;
   if (format == MeshFormat::kObj) {
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));

@@ -9,6 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/util/colour.h"
+#include "common/util/tile_files.h"
 #include "worker/check/tile_change.h"
 
 namespace tilemend {
@@ -30,7 +31,8 @@ struct PictureTile {
 
 // Reads the tile `path` of the scene or output `root`. Errors of ParseMesh; material files that cannot be read leave
 // their triangles without a material. Linear in the file.
-absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::string& path);
+absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::string& path,
+                                            const TileFrame& frame = {});
 
 }  // namespace tilemend
 

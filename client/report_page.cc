@@ -54,7 +54,7 @@ absl::Status WriteReportPage(const std::string& out) {
   if (!report.is_object() || !report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }
-  const auto scene = LoadScene(Text(Member(report, "scene")), ReadTileBounds);
+  const auto scene = LoadScene(Text(Member(report, "scene")), ReadTileBounds, ReadTilesets);
   PagePictures pictures;
   if (scene.ok()) {
     pictures = MakePagePictures(report, *scene, out);

@@ -14,7 +14,7 @@ import sys
 
 # Third-party libraries by the beginning of an include path. Longer beginnings are tried first.
 LIBRARIES = {
-    'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float',
+    'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float', 'meshoptimizer': 'meshoptimizer',
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
@@ -46,13 +46,20 @@ RULES = {
 
     'common/records': rule(['common/util', 'common/mesh', 'common/grid'], ['absl', 'eigen']),
 
-    'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/codec/osgb'], ['absl', 'draco', 'fast_float']),
+    'common/codec': rule(['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/codec/tree'], ['absl', 'draco', 'fast_float']),
 
     'common/codec/osgb': rule(['common/util', 'common/mesh'], ['absl', 'eigen']),
 
+    'common/codec/gltf': rule(['common/util', 'common/mesh'], ['absl', 'draco', 'eigen', 'json', 'meshoptimizer']),
+
+    'common/codec/tiles3d': rule(['common/util', 'common/mesh', 'common/codec/gltf'], ['absl', 'eigen']),
+
+    'common/codec/tree': rule(
+        ['common/util', 'common/mesh', 'common/codec/osgb', 'common/codec/tiles3d'], ['absl']),
+
     'common/assemble': rule(
         ['common/util', 'common/mesh', 'common/mesh/triangulation', 'common/mesh/winding', 'common/records', 'common/codec',
-         'common/codec/osgb'],
+         'common/codec/tree'],
         ['absl', 'eigen']),
 
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
@@ -130,7 +137,7 @@ RULES = {
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
 
     'worker/materials': rule(
-        ['common/util', 'common/mesh', 'common/records', 'common/store', 'common/codec', 'common/codec/osgb', 'common/image', 'worker/survey', 'worker/ground'],
+        ['common/util', 'common/mesh', 'common/records', 'common/store', 'common/codec', 'common/codec/tree', 'common/image', 'worker/survey', 'worker/ground'],
         ['absl']),
 
     'worker/texture': rule(['common/util', 'common/mesh', 'common/image'], ['eigen'], pure=True),
@@ -185,7 +192,7 @@ RULES = {
     'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
-        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store',
+        ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tiles3d', 'common/store',
          'coordinator/plan/types',
          'coordinator/waves'],
         ['absl', 'json']),
@@ -194,7 +201,7 @@ RULES = {
         ['common/util', 'common/grid', 'common/records', 'common/store', 'common/rpc'], ['absl']),
 
     'coordinator/jobs': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tiles3d', 'common/store', 'common/metrics',
          'common/rpc', 'coordinator/state', 'coordinator/journal', 'coordinator/check', 'coordinator/waves', 'coordinator/report',
          'coordinator/store'],
         ['absl', 'protobuf']),
@@ -210,7 +217,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/osgb', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
          'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'eigen', 'grpc', 'json', 'protobuf', 'zlib']),

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/assemble/osgb_levels.h"
+#include "common/assemble/tree_levels.h"
 #include "common/codec/drop_faces.h"
 #include "common/codec/face_edits.h"
 #include "common/util/status_macros.h"
@@ -25,7 +25,7 @@ void KeepWholeFaces(const std::vector<int32_t>& face_of, std::vector<int32_t>& c
 
 absl::StatusOr<ClearedTile> ClearTile(MeshFormat format, std::string_view bytes, std::span<const ClearArea> areas,
                                       const std::string& name) {
-  if (format == MeshFormat::kOsgb) return ClearOsgbLevels(bytes, areas, name);
+  if (format == MeshFormat::kTileTree) return ClearTreeLevels(bytes, areas, name);
   TILEMEND_ASSIGN_OR_RETURN(FileFaces faces, ParseFaces(format, bytes, name));
   std::vector<int32_t> cleared_by = AreasThatClear(faces.file.mesh, areas);
   KeepWholeFaces(faces.face_of, cleared_by);

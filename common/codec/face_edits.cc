@@ -29,7 +29,7 @@ absl::StatusOr<MeshFile> Visit(MeshFormat format, std::string_view bytes, const 
       return ParseOff(bytes, name, visit);
     case MeshFormat::kStl:
       return ParseStl(bytes, name, visit);
-    case MeshFormat::kOsgb:
+    case MeshFormat::kTileTree:
       break;
   }
   return absl::InvalidArgumentError(absl::StrCat(name, ": faces of this format are not changed one by one"));

@@ -116,16 +116,16 @@ absl::StatusOr<std::vector<uint64_t>> PlyFaceLooks(std::string_view bytes, const
   return faces;
 }
 
-std::vector<uint64_t> OsgbFaceLooks(const OsgbTile& tile, const OsgbLevel& level) {
+std::vector<uint64_t> TreeFaceLooks(const TileTree& tile, const TreeLevel& level) {
   std::vector<uint64_t> looks;
-  for (const OsgbLevel::Part& part : level.parts) {
+  for (const TreeLevel::Part& part : level.parts) {
     const int32_t f = tile.pieces[part.piece].file;
-    const OsgbFile& file = tile.files[f];
+    const TreeFile& file = tile.files[f];
     for (const int32_t g : part.geometries) {
-      const OsgbGeometry& geometry = file.geometries[g];
+      const TreeGeometry& geometry = file.geometries[g];
       std::string_view image;
       if (geometry.texture >= 0) {
-        const OsgbImage& of_file = file.images[geometry.texture];
+        const TreeImage& of_file = file.images[geometry.texture];
         image = tile.packed[f].bytes.substr(of_file.offset, of_file.size);
       }
       const size_t image_hash = absl::HashOf(image);

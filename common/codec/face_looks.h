@@ -10,7 +10,7 @@
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/obj.h"
-#include "common/codec/osgb/osgb_tile.h"
+#include "common/codec/tree/tile_tree.h"
 
 namespace tilemend {
 
@@ -23,7 +23,7 @@ absl::StatusOr<std::vector<uint64_t>> PlyFaceLooks(std::string_view bytes, const
 
 // Of each triangle of one level of detail (LevelOf): the texture coordinates of its corners and its image, to the bit.
 // Images are decoded by nobody. Linear.
-std::vector<uint64_t> OsgbFaceLooks(const OsgbTile& tile, const OsgbLevel& level);
+std::vector<uint64_t> TreeFaceLooks(const TileTree& tile, const TreeLevel& level);
 
 }  // namespace tilemend
 

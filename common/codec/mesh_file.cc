@@ -6,17 +6,17 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/obj.h"
 #include "common/codec/off.h"
-#include "common/codec/osgb/osgb_tile.h"
 #include "common/codec/ply.h"
 #include "common/codec/stl.h"
 #include "common/codec/text.h"
+#include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 
 namespace tilemend {
 
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path) {
-  constexpr const char kAccepted[] = "; accepted: .ply, .obj, .off, .stl, .osgb";
+  constexpr const char kAccepted[] = "; accepted: .ply, .obj, .off, .stl, .osgb, .json (a tileset)";
   const size_t slash = path.rfind('/');
   const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
   const size_t dot = file.rfind('.');
@@ -28,17 +28,17 @@ absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path) {
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".stl") return MeshFormat::kStl;
-  if (extension == ".osgb") return MeshFormat::kOsgb;
+  if (IsTileTree(file)) return MeshFormat::kTileTree;
   return absl::InvalidArgumentError(absl::StrCat(std::string(path), ": ", extension, " files are not read", kAccepted));
 }
 
 namespace {
 
 // The finest level of detail of a tile.
-absl::StatusOr<MeshFile> ParseOsgbTile(std::string_view pack, const std::string& name, NoFaces no_faces) {
-  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile tile, ReadOsgbTile(pack, name));
+absl::StatusOr<MeshFile> ParseTileTree(std::string_view pack, const std::string& name, NoFaces no_faces) {
+  TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
   MeshFile file;
-  file.format = MeshFormat::kOsgb;
+  file.format = MeshFormat::kTileTree;
   file.number_type = NumberType::kFloat32;
   file.file_bytes = static_cast<int64_t>(pack.size());
   file.mesh = std::move(LevelOf(tile, tile.levels - 1).mesh);
@@ -51,9 +51,9 @@ absl::StatusOr<MeshFile> ParseOsgbTile(std::string_view pack, const std::string&
 
 }  // namespace
 
-absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path) {
+absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path, const TileFrame& frame) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path, frame));
   return ParseMesh(format, bytes, path);
 }
 
@@ -68,8 +68,8 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
       return ParseOff(bytes, name);
     case MeshFormat::kStl:
       return ParseStl(bytes, name);
-    case MeshFormat::kOsgb:
-      return ParseOsgbTile(bytes, name, no_faces);
+    case MeshFormat::kTileTree:
+      return ParseTileTree(bytes, name, no_faces);
   }
   return absl::InternalError(absl::StrCat(name, ": unknown mesh format"));
 }
@@ -85,8 +85,9 @@ absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view orig
       return AppendToOff(original_bytes, patch, name);
     case MeshFormat::kStl:
       return AppendToStl(original_bytes, patch, name);
-    case MeshFormat::kOsgb:
-      return absl::InvalidArgumentError(absl::StrCat(name, ": a tile of OSGB files is filled with all of its levels"));
+    case MeshFormat::kTileTree:
+      return absl::InvalidArgumentError(
+          absl::StrCat(name, ": a tile that is a tree of files is filled with all of its levels"));
   }
   return absl::InternalError(absl::StrCat(name, ": unknown mesh format"));
 }

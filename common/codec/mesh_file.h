@@ -20,11 +20,13 @@
 #include "common/mesh/rounding.h"
 #include "common/mesh/tri_mesh.h"
 #include "common/util/colour.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 
-// kOsgb: the files of a tile in one pack (common/util/file_pack.h); the mesh is its finest level of detail.
-enum class MeshFormat { kPly, kObj, kOff, kStl, kOsgb };
+// kTileTree: OSGB files or a tileset with its models, in one pack (common/util/file_pack.h); the mesh is the finest
+// level.
+enum class MeshFormat { kPly, kObj, kOff, kStl, kTileTree };
 
 struct MeshFile {
   MeshFormat format = MeshFormat::kPly;
@@ -56,14 +58,14 @@ struct FilePatch {
   std::vector<Triangle> texture_corners = {};
 };
 
-// The format by the extension (.ply, .obj, .off, .stl, .osgb, any case). kInvalidArgument naming the format and the
-// accepted ones for anything else (.glb, .b3dm, .gltf, .las ... are refused by name).
+// The format by the extension (.ply, .obj, .off, .stl, .osgb, .json, any case). kInvalidArgument naming the format and
+// the accepted ones for anything else (.glb, .b3dm, .gltf, .las ... are refused by name).
 absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path);
 
 // Reads a mesh. kNotFound when there is no such file, kPermissionDenied, kInvalidArgument for bad content (also: an
 // index out of range, NaN or infinite coordinates, |coordinate| > 1e9 m, a size in the header that the file cannot
 // hold, no vertices at all). Time and memory linear in the file.
-absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path);
+absl::StatusOr<MeshFile> ReadMeshFile(const std::string& path, const TileFrame& frame = {});
 
 // What becomes of an OBJ file without faces. All of a tile's faces may have been taken out (drop_faces.h).
 enum class NoFaces { kRefuse, kAccept };
@@ -80,7 +82,7 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
 //        changes.
 //   OFF: counts in the header updated, vertices inserted after the originals, faces appended.
 //   STL: facets appended, the count in a binary header updated.
-//   OSGB: kInvalidArgument; its levels of detail are filled together (common/assemble/osgb_levels.h).
+//   Tree: kInvalidArgument; its levels of detail are filled together (common/assemble/tree_levels.h).
 // New coordinates are rounded to the file's number type (common/mesh/rounding.h).
 absl::StatusOr<std::string> AppendPatch(MeshFormat format, std::string_view original_bytes, const FilePatch& patch,
                                         const std::string& name);

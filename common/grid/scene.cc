@@ -65,27 +65,33 @@ void WarnOfLinksOut(Scene& scene) {
                                         count > 1 ? absl::StrCat(", as do ", count - 1, " other tiles") : ""));
 }
 
-absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bounds) {
+absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bounds,
+                           const TilesetReader& read_tileset) {
   const auto look = LookAt(path);
   if (absl::IsNotFound(look.status())) return absl::NotFoundError(absl::StrCat(path, ": no such scene"));
   if (!look.ok()) return look.status();
   if (look->kind == PathKind::kFolder) {
     const std::string json = (fs::path(path) / "scene.json").string();
     TILEMEND_ASSIGN_OR_RETURN(const bool has_json, IsThere(json));
-    return has_json ? ReadSceneJson(json, path) : FindScene(path, read_bounds);
+    if (has_json) return ReadSceneJson(json, path);
+    TILEMEND_ASSIGN_OR_RETURN(const std::string tileset, FindTileset(path));
+    return tileset.empty() ? FindScene(path, read_bounds) : FindTilesetScene(path, tileset, read_tileset);
   }
   if (absl::AsciiStrToLower(fs::path(path).extension().string()) != ".json") {
     return absl::InvalidArgumentError(
         absl::StrCat(path, ": a scene is a folder of tiles or a scene.json; one mesh is for `tilemend fill`"));
   }
-  const std::string folder = fs::path(path).parent_path().string();
-  return ReadSceneJson(path, folder.empty() ? "." : folder);
+  std::string folder = fs::path(path).parent_path().string();
+  if (folder.empty()) folder = ".";
+  if (LooksLikeTileset(path)) return FindTilesetScene(folder, fs::path(path).filename().string(), read_tileset);
+  return ReadSceneJson(path, folder);
 }
 
 }  // namespace
 
-absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, Load(path, read_bounds));
+absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds,
+                                const TilesetReader& read_tileset) {
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, Load(path, read_bounds, read_tileset));
   // Outputs have it beside a scene.json, too.
   TILEMEND_RETURN_IF_ERROR(IsThere((fs::path(scene.root) / "metadata.xml").string()).status());
   WarnOfLinksOut(scene);

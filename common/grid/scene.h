@@ -10,6 +10,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/mesh/plane_polygon.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 
@@ -34,6 +35,7 @@ struct SceneTile {
   std::string path;         // relative to the scene's folder; empty: the cell has no surface
   std::string output = {};  // of a cell without surface, the file that it gets; empty: one by its number
   bool added = false;       // of a cell without surface: only the area makes it a part of the scene
+  TileFrame frame = {};     // of a tileset
 };
 
 struct Scene {
@@ -46,6 +48,7 @@ struct Scene {
   PlanePolygon area;             // what is to be covered, inside cells too; empty: the cells
   std::string area_file;         // path of a file with the area, which is not read yet (area_choice.h); or empty
   bool found_by_name = false;    // there was no scene.json
+  std::string tileset = {};      // path of the tileset that names those of the tiles; empty: none
   std::vector<SceneTile> tiles;  // every cell of the area once, sorted by (row, col)
   std::vector<std::string> warnings;
 };
@@ -65,10 +68,27 @@ struct Box {
 // the mesh readers. An error is passed on by LoadScene as it is and must name the file.
 using BoundsReader = std::function<absl::StatusOr<Box>(const std::string& path)>;
 
+// The tilesets in a folder of 3D Tiles that are tiles of a scene, in the order of their paths.
+struct TilesetTiles {
+  struct Tile {
+    std::string path;  // relative to the folder
+    TileFrame frame;
+    Box bounds;
+  };
+  std::string crs;          // of the scene's plane; empty: not known
+  std::vector<Tile> tiles;  // one that is the entry itself if the entry does not name others
+  std::string warning;      // why it is the entry itself, though it names others; or empty
+};
+
+// Reads the tileset `entry` of a folder. Injected as BoundsReader is; an error names the file.
+using TilesetReader = std::function<absl::StatusOr<TilesetTiles>(const std::string& folder, const std::string& entry)>;
+
 // Reads `path`: a folder with scene.json (or the scene.json itself), or a folder of tiles found by name:
 //   *_+CCC_+RRR.ply|obj (sign and digits) directly or under tiles/, or the photogrammetry layout
 //   Data/Tile_+CCC_+RRR/Tile_+CCC_+RRR.obj|ply (or the only .obj or .ply in that folder) with metadata.xml (SRS,
 //   SRSOrigin) beside Data.
+//   a tileset of 3D Tiles (tileset.json, or the only .json file that is one): its tilesets Tile_+CCC_+RRR, or
+//   Tile_pCCC_pRRR with p and m for the signs, or tilesets that lie in a grid; else the whole tileset is one cell.
 // scene.json: `cell_size` (number or [x, y]), `cols`, `rows` (1 to 100000), `tiles` [{`col`, `row`, `path`: file or
 // null}]; optional `crs`, `origin` [x, y, z], `grid_corner` [x, y], `area_known` (default true), `area` (a GeoJSON
 // Polygon or MultiPolygon in scene coordinates, or a file name). Other fields are ignored.
@@ -79,7 +99,8 @@ using BoundsReader = std::function<absl::StatusOr<Box>(const std::string& path)>
 // kInvalidArgument) name the file and the place: bad JSON, cell_size <= 0 or beyond kMostMetres, a tile listed twice or
 // two tiles for one cell, a path that leaves the folder, a missing tile file, a format that is not read, a file name
 // that is not UTF-8.
-absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds);
+absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds,
+                                const TilesetReader& read_tileset = nullptr);
 
 // scene.json text for `scene`; LoadScene reads it back (all but the warnings and the root).
 std::string SceneJson(const Scene& scene);

@@ -273,6 +273,14 @@ absl::Status ParseMetadata(const std::string& text, const std::string& path, Sce
   return absl::OkStatus();
 }
 
+absl::Status NumberCells(Scene* scene) {
+  ShiftToZero(scene);
+  SortTiles(&scene->tiles);
+  SetExtent(scene);
+  if (std::max(scene->cols, scene->rows) <= kMaxCellsPerSide) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(scene->root, ": more than ", kMaxCellsPerSide, " columns or rows"));
+}
+
 absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds) {
   if (!read_bounds)
     return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no reader of bounds"));
@@ -292,12 +300,7 @@ absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& rea
     }
   }
   scene.warnings.push_back(GridWarning(scene));
-  ShiftToZero(&scene);
-  SortTiles(&scene.tiles);
-  SetExtent(&scene);
-  if (std::max(scene.cols, scene.rows) > kMaxCellsPerSide) {
-    return absl::InvalidArgumentError(absl::StrCat(root, ": more than ", kMaxCellsPerSide, " columns or rows"));
-  }
+  TILEMEND_RETURN_IF_ERROR(NumberCells(&scene));
   return scene;
 }
 

@@ -134,6 +134,13 @@ absl::Status ReadHead(const Fields& fields, Scene* scene) {
     if (!fields["area_known"].is_boolean()) return fields.Error("area_known", "expected true or false");
     scene->area_known = fields["area_known"].get<bool>();
   }
+  if (fields.Has("tileset")) {
+    if (!fields["tileset"].is_string() || !IsTileset(fields["tileset"].get<std::string>())) {
+      return fields.Error("tileset", "expected the name of a .json file");
+    }
+    scene->tileset = fields["tileset"].get<std::string>();
+    if (scene->tileset.find('/') != std::string::npos) return fields.Error("tileset", "expected a name without folder");
+  }
   if (fields.Has("area")) TILEMEND_RETURN_IF_ERROR(ReadArea(fields, scene));
   return ReadGrid(fields, scene);
 }
@@ -167,10 +174,10 @@ absl::StatusOr<std::string> ReadPath(const Fields& tile) {
   for (const std::filesystem::path& part : path) {
     if (part == "..") return tile.Error("path", absl::StrCat("\"", text, "\" leaves the scene's folder"));
   }
-  if (!IsTileFormat(text)) {
+  if (!IsTileFormat(text) && !IsTileset(text)) {
     const std::string format = path.extension().string();
-    return tile.Error(
-        "path", absl::StrCat("\"", text, "\": format \"", format, "\" is not read; tiles are .ply, .obj or .osgb"));
+    return tile.Error("path", absl::StrCat("\"", text, "\": format \"", format,
+                                           "\" is not read; tiles are .ply, .obj, .osgb or a tileset.json"));
   }
   return path.lexically_normal().string();
 }
@@ -184,6 +191,11 @@ absl::StatusOr<SceneTile> ReadTile(const Json& value, const std::string& name, s
   TILEMEND_ASSIGN_OR_RETURN(tile.cell.row, fields.Integer("row", 0, scene.rows - 1));
   if (!value.contains("path")) return fields.Error("path", "missing (null for a cell without surface)");
   TILEMEND_ASSIGN_OR_RETURN(tile.path, ReadPath(fields));
+  if (fields.Has("frame")) {
+    constexpr size_t kNumbers = 16;
+    tile.frame.resize(kNumbers);
+    TILEMEND_RETURN_IF_ERROR(fields.Numbers("frame", kNumbers, tile.frame.data()));
+  }
   return tile;
 }
 
@@ -195,6 +207,24 @@ absl::Status Claim(const Key& key, size_t index, const std::string& what, const 
   if (fresh) return absl::OkStatus();
   return absl::InvalidArgumentError(
       absl::StrCat(name, ": tiles[", at->second, "] and tiles[", index, "] are both ", what));
+}
+
+// A tileset has its folder with all below it for itself.
+absl::Status CheckTilesets(const std::vector<SceneTile>& tiles, const std::string& name) {
+  std::map<std::string, size_t> paths;
+  for (size_t i = 0; i < tiles.size(); ++i) paths.emplace(tiles[i].path, i);
+  paths.erase("");
+  for (const auto& [path, i] : paths) {
+    if (!IsTileset(path)) continue;
+    const std::string folder = FileBesideTile(path, "");
+    for (auto at = paths.lower_bound(folder); at != paths.end() && at->first.starts_with(folder); ++at) {
+      if (at->second == i) continue;
+      return absl::InvalidArgumentError(absl::StrCat(name, ": tiles[", at->second, "] (", at->first,
+                                                     ") lies in the folder of the tileset tiles[", i, "] (", path,
+                                                     "), which it has for itself"));
+    }
+  }
+  return absl::OkStatus();
 }
 
 std::string PathOrNone(const std::string& path) { return path.empty() ? "no surface" : path; }
@@ -213,10 +243,11 @@ absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene)
     if (!tile.path.empty()) TILEMEND_RETURN_IF_ERROR(Claim(tile.path, i, "the file " + tile.path, name, &files));
     if (IsTileTree(tile.path)) {
       const std::string folder = FileBesideTile(tile.path, "");
-      TILEMEND_RETURN_IF_ERROR(Claim(folder, i, "all .osgb files of the folder " + folder, name, &folders));
+      TILEMEND_RETURN_IF_ERROR(Claim(folder, i, "all files of trees in the folder " + folder, name, &folders));
     }
     scene->tiles.push_back(std::move(tile));
   }
+  TILEMEND_RETURN_IF_ERROR(CheckTilesets(scene->tiles, name));
   for (const auto& [cell, i] : cells) {
     const SceneTile& tile = scene->tiles[i];
     const auto taken = files.find(OutputPath(tile));
@@ -286,13 +317,15 @@ std::string SceneJson(const Scene& scene) {
   } else {
     absl::StrAppend(&out, " \"cell_size\": [", Number(grid.cell_size.x()), ", ", Number(grid.cell_size.y()), "],\n");
   }
+  if (!scene.tileset.empty()) absl::StrAppend(&out, " \"tileset\": ", Text(scene.tileset), ",\n");
   if (!scene.area_known) out += " \"area_known\": false,\n";
   if (!scene.area.empty()) absl::StrAppend(&out, " \"area\": ", AreaText(scene.area), ",\n");
   absl::StrAppend(&out, " \"cols\": ", scene.cols, ",\n \"rows\": ", scene.rows, ",\n \"tiles\": [");
   const char* separator = "\n";
   for (const SceneTile& tile : scene.tiles) {
     absl::StrAppend(&out, separator, "  {\"col\": ", tile.cell.col, ", \"row\": ", tile.cell.row,
-                    ", \"path\": ", tile.path.empty() ? "null" : Text(tile.path), "}");
+                    ", \"path\": ", tile.path.empty() ? "null" : Text(tile.path),
+                    tile.frame.empty() ? "" : absl::StrCat(", \"frame\": ", Json(tile.frame).dump()), "}");
     separator = ",\n";
   }
   out += "\n ]\n}\n";

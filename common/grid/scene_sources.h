@@ -27,6 +27,19 @@ absl::Status ParseMetadata(const std::string& text, const std::string& path, Sce
 // Finds the tiles of a folder without scene.json by their names.
 absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds);
 
+// The file name of the tileset that a folder has: tileset.json, or the only .json file that is one; empty: none.
+absl::StatusOr<std::string> FindTileset(const std::string& root);
+
+// The scene of the tileset `entry` in a folder.
+absl::StatusOr<Scene> FindTilesetScene(const std::string& root, const std::string& entry,
+                                       const TilesetReader& read_tileset);
+
+// Whether a file is a tileset by what it has, whatever is wrong with it. Reads it.
+bool LooksLikeTileset(const std::string& path);
+
+// Numbers the cells from 0, as everywhere else, sorts the tiles and sets the extent. kInvalidArgument for too many.
+absl::Status NumberCells(Scene* scene);
+
 // Whether there is something at `path`. kInvalidArgument for a link that leads to nothing: who made it meant a file.
 absl::StatusOr<bool> IsThere(const std::string& path);
 

@@ -6,7 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/assemble/assemble.h"
-#include "common/assemble/osgb_levels.h"
+#include "common/assemble/tree_levels.h"
 #include "common/codec/obj.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
@@ -77,7 +77,7 @@ absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input) {
     result.patch.materials = {{0, "tilemend_fill"}};  // defined nowhere
     return result;
   }
-  if (format == MeshFormat::kObj || format == MeshFormat::kOsgb) result.materials = MaterialsOf(patches, colours);
+  if (format == MeshFormat::kObj || format == MeshFormat::kTileTree) result.materials = MaterialsOf(patches, colours);
   if (input.new_library()) result.patch.library = std::filesystem::path(input.library()).filename().string();
   return result;
 }
@@ -122,8 +122,8 @@ absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const Ti
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
   const std::string name = absl::StrCat(tile.root(), "/", tile.path());
   const auto append = [&](std::string_view bytes) {
-    return format == MeshFormat::kOsgb ? PatchOsgbLevels(bytes, patch, added.materials, name)
-                                       : AppendPatch(format, bytes, patch, name);
+    return format == MeshFormat::kTileTree ? PatchTreeLevels(bytes, patch, added.materials, name)
+                                           : AppendPatch(format, bytes, patch, name);
   };
   if (tile.clear().empty()) return append(original);
   TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, original));

@@ -28,9 +28,9 @@ bool TileHasStamp(const std::string& path, const std::string& stamp) {
   return !stamp.empty() && StampOfTile(path, absl::InfiniteFuture()) == stamp;
 }
 
-absl::StatusOr<bool> TileHasDigest(const std::string& path, std::string_view digest) {
+absl::StatusOr<bool> TileHasDigest(const std::string& path, std::string_view digest, const TileFrame& frame) {
   if (!IsTileTree(path)) return FileHasDigest(path, digest);
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path, frame));
   return HasFileDigest(bytes, digest);
 }
 

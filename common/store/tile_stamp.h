@@ -7,6 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 
@@ -15,7 +16,7 @@ std::string StampOfTile(const std::string& path, absl::Time now);
 bool TileHasStamp(const std::string& path, const std::string& stamp);
 
 // HasFileDigest of ReadTileBytes. Errors of it.
-absl::StatusOr<bool> TileHasDigest(const std::string& path, std::string_view digest);
+absl::StatusOr<bool> TileHasDigest(const std::string& path, std::string_view digest, const TileFrame& frame = {});
 
 }  // namespace tilemend
 

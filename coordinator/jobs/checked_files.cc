@@ -13,17 +13,17 @@ namespace tilemend {
 std::string TilePath(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
 
 absl::StatusOr<int64_t> TileSize(const v1::TileRef& tile) {
-  const auto size = SizeOfTile(TilePath(tile));
+  const auto size = SizeOfTile(TilePath(tile), {tile.frame().begin(), tile.frame().end()});
   return size.ok() ? size : absl::StatusOr<int64_t>(absl::UnavailableError(size.status().message()));
 }
 
 absl::StatusOr<std::string> BytesOf(const v1::TileRef& tile) {
-  auto bytes = ReadTileBytes(TilePath(tile));
+  auto bytes = ReadTileBytes(TilePath(tile), {tile.frame().begin(), tile.frame().end()});
   return bytes.ok() ? std::move(bytes) : absl::StatusOr<std::string>(absl::UnavailableError(bytes.status().message()));
 }
 
 absl::Status CheckTileFile(const v1::TileRef& tile, const std::string& digest, const absl::Status& otherwise) {
-  const auto same = TileHasDigest(TilePath(tile), digest);
+  const auto same = TileHasDigest(TilePath(tile), digest, {tile.frame().begin(), tile.frame().end()});
   if (!same.ok()) return absl::UnavailableError(same.status().message());
   return *same ? absl::OkStatus() : otherwise;
 }

@@ -32,8 +32,7 @@ bool IsPatched(const v1::AssembleInput& input) {
 
 bool IsOfTree(const v1::AssembleInput& input, const std::string& path) {
   const std::string& tile = input.tile().path();
-  if (tile.empty() || !IsTileTree(tile) || !IsTileTree(path)) return false;
-  return path == FileBesideTile(tile, path.substr(path.rfind('/') + 1));
+  return !tile.empty() && IsTileTree(tile) && IsFileOfTree(tile, path);
 }
 
 bool HasTexture(const v1::AssembleInput& input, const v1::AssembleOutput& output) {

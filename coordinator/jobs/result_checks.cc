@@ -142,8 +142,8 @@ absl::Status CheckFilesOfTree(const v1::SurveyInput& input, const v1::TileFiles&
   const std::string& tile = input.tile().path();
   for (const auto* list : {&files.libraries(), &files.images()}) {
     for (const std::string& path : *list) {
-      if (!IsTileTree(path)) continue;
-      const bool is_own = IsTileTree(tile) && path == FileBesideTile(tile, path.substr(path.rfind('/') + 1));
+      if (!IsTreeFile(path)) continue;
+      const bool is_own = IsTileTree(tile) && IsFileOfTree(tile, path);
       if (!is_own || path == tile) return Wrong("a file of another tile");
     }
   }

@@ -13,6 +13,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/time/clock.h"
+#include "common/codec/tiles3d/tileset_layout.h"
 #include "common/gis/area_file.h"
 #include "common/grid/cell_choice.h"
 #include "common/options/job_options.h"
@@ -59,6 +60,14 @@ absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   if (KindOf(from) != PathKind::kFile) return absl::OkStatus();
   output.Adopt({kMetadataFile});
   return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
+}
+
+// The tileset that names those of the tiles, with volumes that hold what they have now.
+absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
+  if (scene.tileset.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, GrownEntry(scene.root, scene.tileset, output.path()));
+  output.Adopt({scene.tileset});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
 }
 
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
@@ -270,6 +279,7 @@ class ScenePipeline : public JobPipeline {
       TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/", kSceneFile), SceneJson(scene)));
     }
     TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, *output_));
+    TILEMEND_RETURN_IF_ERROR(WriteTileset(scene, *output_));
     output_->Adopt(tasks_.files().Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
       absl::StrAppend(
@@ -305,7 +315,7 @@ class ScenePipeline : public JobPipeline {
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
                                                                TileCheck tiles) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
   CheckCrs(scene);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene));
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene)));

@@ -94,6 +94,17 @@ absl::Status AddTilesAround(const Scene& scene, CellId cell, const Ref& ref, v1:
   return absl::OkStatus();
 }
 
+// Where a tile lies, without what was surveyed of it.
+v1::TileRef PlaceOf(const SceneTile& tile, const std::string& root) {
+  v1::TileRef ref;
+  ref.set_root(root);
+  ref.set_path(tile.path);
+  ref.set_col(tile.cell.col);
+  ref.set_row(tile.cell.row);
+  ref.mutable_frame()->Add(tile.frame.begin(), tile.frame.end());
+  return ref;
+}
+
 }  // namespace
 
 SceneTasks::SceneTasks(const JobSpec& spec, SceneWaves& waves, OutputFolder* output,
@@ -284,11 +295,7 @@ void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
 }
 
 absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
-  v1::TileRef ref;
-  ref.set_root(waves_.scene().root);
-  ref.set_path(tile.path);
-  ref.set_col(tile.cell.col);
-  ref.set_row(tile.cell.row);
+  v1::TileRef ref = PlaceOf(tile, waves_.scene().root);
   for (const ClearArea& area : waves_.clearing().Areas(tile.cell)) *ref.add_clear() = ToProto(area);
   if (const auto place = surveyed_.find(tile.cell); place != surveyed_.end()) {
     TILEMEND_ASSIGN_OR_RETURN(auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));

@@ -1,7 +1,11 @@
 #include "coordinator/report/tile_checks.h"
 
+#include <utility>
+
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/codec/mesh_file.h"
+#include "common/codec/tiles3d/tileset_layout.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -12,14 +16,30 @@ constexpr double kReachBeyondCell = 0.25;
 
 }  // namespace
 
-absl::StatusOr<Box> ReadTileBounds(const std::string& path) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+namespace {
+
+absl::StatusOr<Box> BoundsOf(const std::string& path, const TileFrame& frame) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path, frame));
   Box box{file.mesh.points[0], file.mesh.points[0]};
   for (const Point3& p : file.mesh.points) {
     box.lo = box.lo.cwiseMin(p);
     box.hi = box.hi.cwiseMax(p);
   }
   return box;
+}
+
+}  // namespace
+
+absl::StatusOr<Box> ReadTileBounds(const std::string& path) { return BoundsOf(path, {}); }
+
+absl::StatusOr<TilesetTiles> ReadTilesets(const std::string& folder, const std::string& entry) {
+  TILEMEND_ASSIGN_OR_RETURN(TilesetLayout layout, ReadTilesetLayout(folder, entry));
+  TilesetTiles result{std::move(layout.crs), {}, std::move(layout.warning)};
+  for (TilesetPlace& place : layout.tilesets) {
+    TILEMEND_ASSIGN_OR_RETURN(const Box bounds, BoundsOf(absl::StrCat(folder, "/", place.path), place.frame));
+    result.tiles.push_back({std::move(place.path), std::move(place.frame), bounds});
+  }
+  return result;
 }
 
 Box2 ReachOfCell(const Scene& scene, CellId cell) {

@@ -14,6 +14,9 @@ namespace tilemend {
 // The bounds of a mesh file, for LoadScene on folders without scene.json.
 absl::StatusOr<Box> ReadTileBounds(const std::string& path);
 
+// The tiles of a tileset, for LoadScene on folders of 3D Tiles.
+absl::StatusOr<TilesetTiles> ReadTilesets(const std::string& folder, const std::string& entry);
+
 // Where the tile of a cell may lie: in its cell or at most a quarter cell beyond it.
 struct Box2 {
   Point2 lo, hi;

@@ -211,6 +211,7 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   if (!overwrite) TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));
   files.insert(kSceneFile);
   if (KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) files.insert(kMetadataFile);
+  if (!scene.tileset.empty()) files.insert(scene.tileset);
   files.insert(std::begin(kReportFiles), std::end(kReportFiles));
   TILEMEND_RETURN_IF_ERROR(CheckNames(path, files));
   OutputFolder folder(path, key);

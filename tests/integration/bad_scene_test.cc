@@ -154,7 +154,7 @@ std::vector<BadScene> BadGrids() {
       {"PathAbove", SetOfTile("path", "../x.ply"), 4, "tiles[0].path: \"../x.ply\" leaves the scene's folder"},
       {"PathAbsolute", SetOfTile("path", "/etc/x.ply"), 4, "is absolute"},
       {"PathOfAnotherFormat", SetOfTile("path", "tiles/x.b3dm"), 4, "format \".b3dm\" is not read"},
-      {"PathOfNoFormat", SetOfTile("path", "tiles/x"), 4, "tiles are .ply, .obj or .osgb"},
+      {"PathOfNoFormat", SetOfTile("path", "tiles/x"), 4, "tiles are .ply, .obj, .osgb or a tileset.json"},
       {"OutputsClash", Edit([](Json& json) {
          json["tiles"][0]["path"] = "tiles/Tile_+001_+000.ply";
          json["tiles"][1]["path"] = nullptr;

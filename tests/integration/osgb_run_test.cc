@@ -13,6 +13,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/osgb/osgb_tile.h"
+#include "common/codec/tree/tile_tree.h"
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
 #include "tests/support/image_builders.h"
@@ -20,6 +21,7 @@
 #include "tests/support/output_checks.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/top_at.h"
 
 namespace tilemend {
 namespace {
@@ -109,25 +111,12 @@ void ExpectOriginalsKept(const Pair& pair, bool cleared) {
   }
 }
 
-// The height of the highest surface of a mesh over p; NaN where there is none.
-double TopAt(const TriMesh& mesh, const Point2& p) {
-  double top = std::nan("");
-  for (const Triangle& t : mesh.triangles) {
-    const Point3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    const Point2 u = (b - a).head<2>(), v = (c - a).head<2>(), w = p - a.head<2>();
-    const double area = u.x() * v.y() - u.y() * v.x();
-    if (area == 0) continue;
-    const double s = (w.x() * v.y() - w.y() * v.x()) / area, r = (u.x() * w.y() - u.y() * w.x()) / area;
-    if (s < 0 || r < 0 || s + r > 1) continue;
-    top = std::fmax(top, a.z() + s * (b.z() - a.z()) + r * (c.z() - a.z()));
-  }
-  return top;
-}
-
 // Of the places in the pond over a tile: which share each level has at `level` metres.
 void ExpectLevelWater(const Pair& pair, int col, double level) {
-  for (int32_t l = 0; l < pair.after.levels; ++l) {
-    const OsgbLevel is = LevelOf(pair.after, l);
+  const auto after = ReadTileTree(pair.after_bytes, "after.osgb");
+  ASSERT_TRUE(after.ok()) << after.status();
+  for (int32_t l = 0; l < after->levels; ++l) {
+    const TreeLevel is = LevelOf(*after, l);
     int all = 0, flat = 0;
     for (double x = OsgbScene::kCell - 16.9; x < OsgbScene::kCell + 17; x += 1.3) {
       for (double y = OsgbScene::kCell / 2 - 16.9; y < OsgbScene::kCell / 2 + 17; y += 1.3) {
@@ -231,9 +220,11 @@ TEST_F(OsgbRunTest, DamagedFilesAreNamed) {
 }
 
 // In the middle of the canal.
-void ExpectLevelCanal(const OsgbTile& tile, double level) {
-  for (int32_t l = 0; l < tile.levels; ++l) {
-    const OsgbLevel is = LevelOf(tile, l);
+void ExpectLevelCanal(const Pair& pair, double level) {
+  const auto tile = ReadTileTree(pair.after_bytes, "after.osgb");
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  for (int32_t l = 0; l < tile->levels; ++l) {
+    const TreeLevel is = LevelOf(*tile, l);
     int all = 0, flat = 0;
     for (double x = 4; x < 95; x += 2.7) {
       for (double y = 1552; y < 1559; y += 1.7) {
@@ -275,7 +266,7 @@ TEST_F(OsgbRunTest, TheCanalOfARealExport) {
   const std::string tile = "/Tile_+000_+015/Tile_+000_+015.osgb";
   const Pair pair = Read(folder_ / ("scene" + tile), folder_ / ("out" + tile));
   ExpectOriginalsKept(pair, true);
-  ExpectLevelCanal(pair.after, level);
+  ExpectLevelCanal(pair, level);
 }
 
 }  // namespace

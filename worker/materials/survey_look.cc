@@ -5,13 +5,13 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/obj.h"
-#include "common/codec/osgb/osgb_tile.h"
 #include "common/codec/ply_colours.h"
+#include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
 #include "worker/ground/lowest_surface.h"
-#include "worker/materials/osgb_look.h"
 #include "worker/materials/rim_colours.h"
 #include "worker/materials/tile_look.h"
+#include "worker/materials/tree_look.h"
 #include "worker/survey/rim_spots.h"
 
 namespace tilemend {
@@ -51,15 +51,15 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
   return survey;
 }
 
-absl::StatusOr<LookSurvey> SurveyOsgb(const std::string& path, std::string_view pack, const std::string& name,
+absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view pack, const std::string& name,
                                       const SurveyChoice& choice) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kOsgb, pack, name, choice.no_faces));
-  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile tile, ReadOsgbTile(pack, name));
-  const OsgbLevel finest = LevelOf(tile, tile.levels - 1);
-  TileLook look = ReadOsgbLook(path, tile);
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kTileTree, pack, name, choice.no_faces));
+  TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
+  const TreeLevel finest = LevelOf(tile, tile.levels - 1);
+  TileLook look = ReadTreeLook(path, tile);
   LookSurvey survey{SurveyOf(file, choice), std::move(look.files), std::move(look.witness)};
   const std::vector<RimSpot> spots = RimSpots(file.mesh, survey.record);
-  RimColours sampled = SampleOsgbRim(tile, finest, spots, survey.record.vertices.size(), name);
+  RimColours sampled = SampleTreeRim(tile, finest, spots, survey.record.vertices.size(), name);
   survey.record.colours = std::move(sampled.colours);
   for (std::string& warning : sampled.warnings) survey.files.warnings.push_back(std::move(warning));
   return survey;
@@ -71,7 +71,7 @@ absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::st
                                           MeshFormat format, const SurveyChoice& choice) {
   const std::string name = absl::StrCat(root, "/", path);
   if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, choice);
-  if (format == MeshFormat::kOsgb) return SurveyOsgb(path, bytes, name, choice);
+  if (format == MeshFormat::kTileTree) return SurveyTree(path, bytes, name, choice);
   const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
   if (textured) return SurveyTexturedObj(root, path, bytes, name, choice);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name, choice.no_faces));

@@ -52,7 +52,7 @@ absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const st
 absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
   const std::string path = PathOf(input.tile());
   const std::string stamp = StampOfTile(path, absl::Now());
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(input.tile()));
   const std::string digest = FileDigest(bytes);
   v1::SurveyOutput output;
   if (input.known().digest() == digest && Holds(input.tile().root(), WitnessOf(input.known()))) {
@@ -80,7 +80,7 @@ absl::StatusOr<std::string> Survey(const v1::SurveyInput& input) {
 absl::StatusOr<std::string> RunMeasure(const v1::MeasureInput& input, TaskMemory& memory) {
   const std::string path = PathOf(input.tile());
   const HeldMemory held(memory.tasks, SurveyMemory(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(path));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTile(input.tile()));
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
   absl::StatusOr<MeshFile> file = ParseMesh(format, bytes, path);
   if (!file.ok()) return WithHint(file.status());

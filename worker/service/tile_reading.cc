@@ -15,14 +15,14 @@ namespace tilemend {
 
 std::string PathOf(const v1::TileRef& tile) { return absl::StrCat(tile.root(), "/", tile.path()); }
 
-absl::StatusOr<std::string> ReadTile(const std::string& path) {
+absl::StatusOr<std::string> ReadTile(const v1::TileRef& tile) {
   const LentCore lent;
-  return ReadTileBytes(path);
+  return ReadTileBytes(PathOf(tile), {tile.frame().begin(), tile.frame().end()});
 }
 
 absl::StatusOr<std::string> ReadSurveyed(const v1::TileRef& tile, const std::string& stamp) {
   const std::string path = PathOf(tile);
-  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTile(path));
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTile(tile));
   return TileHasStamp(path, stamp) || HasFileDigest(bytes, tile.digest())
              ? absl::StatusOr<std::string>(std::move(bytes))
              : ChangedInJob(path);

@@ -14,7 +14,7 @@ namespace tilemend {
 std::string PathOf(const v1::TileRef& tile);
 
 // The bytes of a file. While they are read the thread's core is lent to others. Errors of ReadFile.
-absl::StatusOr<std::string> ReadTile(const std::string& path);
+absl::StatusOr<std::string> ReadTile(const v1::TileRef& tile);
 
 // The bytes of a tile as it was surveyed. `stamp` is the one that the file had then, "" if it is not known: a file that
 // still has it is not digested again. Errors of ReadFile; ChangedInJob if the file is another one now.

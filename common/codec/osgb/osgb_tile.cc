@@ -70,25 +70,6 @@ class TreeReader {
   std::vector<bool> is_named_;
 };
 
-void AddPart(const OsgbTile& tile, int32_t piece, OsgbLevel& level) {
-  const OsgbFile& file = tile.files[tile.pieces[piece].file];
-  OsgbLevel::Part part{
-      piece, {}, static_cast<int32_t>(level.mesh.points.size()), static_cast<int32_t>(level.mesh.triangles.size())};
-  for (int32_t g = 0; g < std::ssize(file.geometries); ++g) {
-    const OsgbGeometry& geometry = file.geometries[g];
-    if (geometry.geode != tile.pieces[piece].geode) continue;
-    part.geometries.push_back(g);
-    const int32_t shift = static_cast<int32_t>(level.mesh.points.size()) - geometry.first_vertex;
-    const auto points = file.points.begin() + geometry.first_vertex;
-    level.mesh.points.insert(level.mesh.points.end(), points, points + geometry.vertex_count);
-    for (int32_t t = 0; t < geometry.triangle_count; ++t) {
-      const Triangle& of_file = file.triangles[geometry.first_triangle + t];
-      level.mesh.triangles.push_back({of_file[0] + shift, of_file[1] + shift, of_file[2] + shift});
-    }
-  }
-  if (!part.geometries.empty()) level.parts.push_back(std::move(part));
-}
-
 }  // namespace
 
 absl::StatusOr<OsgbTile> ReadOsgbTile(std::string_view pack, const std::string& name) {
@@ -101,19 +82,10 @@ absl::StatusOr<OsgbTile> ReadOsgbTile(std::string_view pack, const std::string& 
   return absl::InvalidArgumentError(absl::StrCat(name, ": no vertices"));
 }
 
-OsgbLevel LevelOf(const OsgbTile& tile, int32_t level) {
-  OsgbLevel result;
-  for (int32_t p = 0; p < std::ssize(tile.pieces); ++p) {
-    const OsgbPiece& piece = tile.pieces[p];
-    if (piece.level == level || (piece.level < level && piece.is_finest)) AddPart(tile, p, result);
-  }
-  return result;
-}
-
-absl::StatusOr<std::string> ChangeOsgbTile(const OsgbTile& tile, const std::vector<OsgbEdit>& edits,
+absl::StatusOr<std::string> ChangeOsgbTile(const std::vector<PackedFile>& packed, const std::vector<OsgbEdit>& edits,
                                            const std::string& name) {
-  std::vector<std::string> changed(tile.packed.size());
-  std::vector<PackedFile> files = tile.packed;
+  std::vector<std::string> changed(packed.size());
+  std::vector<PackedFile> files = packed;
   for (size_t f = 0; f < files.size(); ++f) {
     const std::string file_name = NameOf(files[f], name);
     if (!edits[f].drop.empty()) {

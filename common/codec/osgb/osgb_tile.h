@@ -9,7 +9,6 @@
 
 #include "absl/status/statusor.h"
 #include "common/codec/osgb/osgb_file.h"
-#include "common/mesh/tri_mesh.h"
 #include "common/util/file_pack.h"
 
 namespace tilemend {
@@ -34,18 +33,6 @@ struct OsgbTile {
 // named twice, or no file has a vertex. Linear in the bytes.
 absl::StatusOr<OsgbTile> ReadOsgbTile(std::string_view pack, const std::string& name);
 
-// What a viewer shows at one level: the pieces of that level, and coarser ones that nothing replaces, as one mesh.
-struct OsgbLevel {
-  struct Part {
-    int32_t piece = 0;
-    std::vector<int32_t> geometries;               // of its file
-    int32_t first_vertex = 0, first_triangle = 0;  // of `mesh`; up to those of the next part
-  };
-  TriMesh mesh;  // metres; not welded
-  std::vector<Part> parts;
-};
-OsgbLevel LevelOf(const OsgbTile& tile, int32_t level);
-
 // What is done to one file of a tile.
 struct OsgbEdit {
   std::vector<bool> drop;  // of its triangles; empty: none
@@ -53,7 +40,7 @@ struct OsgbEdit {
 };
 
 // The pack with the files changed; `edits` has one entry a file. Errors of AppendOsgb and DropOsgbTriangles.
-absl::StatusOr<std::string> ChangeOsgbTile(const OsgbTile& tile, const std::vector<OsgbEdit>& edits,
+absl::StatusOr<std::string> ChangeOsgbTile(const std::vector<PackedFile>& packed, const std::vector<OsgbEdit>& edits,
                                            const std::string& name);
 
 }  // namespace tilemend

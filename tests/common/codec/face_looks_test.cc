@@ -82,16 +82,16 @@ TEST(FaceLooksTest, ACutOffPlyIsRefused) {
   EXPECT_FALSE(PlyFaceLooks(Ply("").substr(0, Ply("").size() - 6), "a.ply").ok());
 }
 
-TEST(OsgbFaceLooksTest, ImagesAndTextureCoordinatesTell) {
+TEST(TreeFaceLooksTest, ImagesAndTextureCoordinatesTell) {
   const std::string pack = OsgbScene(OsgbScene::Pond::kHole, 80, "image a").Pack(0);
   const std::string other = OsgbScene(OsgbScene::Pond::kHole, 80, "image b").Pack(0);
-  const auto tile = ReadOsgbTile(pack, "a.osgb"), same = ReadOsgbTile(pack, "b.osgb"),
-             changed = ReadOsgbTile(other, "c");
+  const auto tile = ReadTileTree(pack, "a.osgb"), same = ReadTileTree(pack, "b.osgb"),
+             changed = ReadTileTree(other, "c");
   ASSERT_TRUE(tile.ok() && same.ok() && changed.ok());
-  const std::vector<uint64_t> looks = OsgbFaceLooks(*tile, LevelOf(*tile, 2));
+  const std::vector<uint64_t> looks = TreeFaceLooks(*tile, LevelOf(*tile, 2));
   EXPECT_EQ(looks.size(), LevelOf(*tile, 2).mesh.triangles.size());
-  EXPECT_EQ(looks, OsgbFaceLooks(*same, LevelOf(*same, 2)));
-  EXPECT_NE(looks[0], OsgbFaceLooks(*changed, LevelOf(*changed, 2))[0]);
+  EXPECT_EQ(looks, TreeFaceLooks(*same, LevelOf(*same, 2)));
+  EXPECT_NE(looks[0], TreeFaceLooks(*changed, LevelOf(*changed, 2))[0]);
   EXPECT_NE(looks[0], looks[5]) << "other texture coordinates";
 }
 

@@ -15,18 +15,19 @@ TEST(MeshFormatOfTest, GoesByTheExtensionInAnyCase) {
   EXPECT_EQ(*MeshFormatOf("a/b.c/tile.PLY"), MeshFormat::kPly);
   EXPECT_EQ(*MeshFormatOf("Tile_+000_+014.obj"), MeshFormat::kObj);
   EXPECT_EQ(*MeshFormatOf("x.y.Off"), MeshFormat::kOff);
-  EXPECT_EQ(*MeshFormatOf("Tile.osgb"), MeshFormat::kOsgb);
+  EXPECT_EQ(*MeshFormatOf("Tile.osgb"), MeshFormat::kTileTree);
 }
 
 TEST(MeshFormatOfTest, RefusesOthersByName) {
   for (const char* extension : {".glb", ".gltf", ".b3dm", ".las", ".fbx", ".dae", ".gz", ".3ds"}) {
     const absl::Status status = MeshFormatOf(absl::StrCat("dir/tile", extension)).status();
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
-    EXPECT_EQ(status.message(), absl::StrCat("dir/tile", extension, ": ", extension,
-                                             " files are not read; accepted: .ply, .obj, .off, .stl, .osgb"));
+    EXPECT_EQ(status.message(),
+              absl::StrCat("dir/tile", extension, ": ", extension,
+                           " files are not read; accepted: .ply, .obj, .off, .stl, .osgb, .json (a tileset)"));
   }
   EXPECT_EQ(MeshFormatOf("a.ply/tile").status().message(),
-            "a.ply/tile: no file extension; accepted: .ply, .obj, .off, .stl, .osgb");
+            "a.ply/tile: no file extension; accepted: .ply, .obj, .off, .stl, .osgb, .json (a tileset)");
   EXPECT_FALSE(MeshFormatOf(".ply").ok());
 }
 

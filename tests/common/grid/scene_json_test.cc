@@ -188,7 +188,8 @@ TEST_F(SceneJsonTest, RefusesWrongTiles) {
 TEST_F(SceneJsonTest, RefusesPathsOutOfTheFolderAndOtherFormats) {
   ExpectInvalid("tiles/a.ply", "/etc/a.ply", "tiles[1].path: \"/etc/a.ply\" is absolute");
   ExpectInvalid("tiles/a.ply", "tiles/../../a.ply", "leaves the scene's folder");
-  ExpectInvalid("tiles/a.ply", "tiles/a.b3dm", "format \".b3dm\" is not read; tiles are .ply, .obj or .osgb");
+  ExpectInvalid("tiles/a.ply", "tiles/a.b3dm",
+                "format \".b3dm\" is not read; tiles are .ply, .obj, .osgb or a tileset.json");
   ExpectInvalid("tiles/a.ply", "tiles/a", "format \"\" is not read");
 }
 
@@ -202,7 +203,7 @@ TEST_F(SceneJsonTest, TwoTreesInOneFolderAreAnError) {
   std::string json(kScene);
   absl::StrReplaceAll({{"tiles/a.ply", "tiles/a.osgb"}, {"./tiles/b.OBJ", "tiles/b.OSGB"}}, &json);
   const absl::Status status = Load(json).status();
-  EXPECT_THAT(std::string(status.message()), HasSubstr("are both all .osgb files of the folder tiles/"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("are both all files of trees in the folder tiles/"));
 }
 
 TEST_F(SceneJsonTest, NamesTheMissingFile) {

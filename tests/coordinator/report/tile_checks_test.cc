@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/support/tileset_scene.h"
 
 namespace tilemend {
 namespace {
@@ -53,6 +54,21 @@ TEST(ReadTileBoundsTest, GivesTheExtentOfTheVertices) {
   ASSERT_TRUE(box.ok()) << box.status();
   EXPECT_EQ(box->lo, Point3(1, 0, -2));
   EXPECT_EQ(box->hi, Point3(3, 5, 7));
+}
+
+TEST(ReadTilesetsTest, GivesTheTilesetsWithTheirBounds) {
+  const TemporaryFolder folder;
+  const TilesetScene scene{.files = TilesetScene::Files::kOfTiles, .place = TilesetScene::Place::kEarthCentred};
+  for (const auto& [path, bytes] : scene.All()) folder.Write(path, bytes);
+  const auto tilesets = ReadTilesets(folder.path(), "tileset.json");
+  ASSERT_TRUE(tilesets.ok()) << tilesets.status();
+  ASSERT_EQ(tilesets->tiles.size(), 2U);
+  EXPECT_EQ(tilesets->tiles[1].path, "Data/Tile_p001_p000/Tile_p001_p000.json");
+  EXPECT_EQ(tilesets->tiles[1].frame.size(), 16U);
+  // The middle of the scene is the origin.
+  EXPECT_NEAR(tilesets->tiles[0].bounds.lo.x(), -64.5, 0.01);
+  EXPECT_NEAR(tilesets->tiles[1].bounds.hi.y(), 32.5, 0.01);
+  EXPECT_TRUE(absl::IsNotFound(ReadTilesets(folder.path(), "none.json").status()));
 }
 
 TEST(ReadTileBoundsTest, NamesAFileThatIsNotThere) {

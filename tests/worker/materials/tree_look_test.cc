@@ -1,4 +1,4 @@
-#include "worker/materials/osgb_look.h"
+#include "worker/materials/tree_look.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,36 +19,36 @@ std::string Green() {
 }
 
 // Spots of vertices 0 and 1, in the first and the last triangle of the finest level.
-std::vector<RimSpot> Spots(const OsgbLevel& finest) {
+std::vector<RimSpot> Spots(const TreeLevel& finest) {
   const auto last = static_cast<int32_t>(finest.mesh.triangles.size()) - 1;
   return {{0, 0, {0.4, 0.3, 0.3}}, {1, last, {0.4, 0.3, 0.3}}};
 }
 
 TEST(OsgbLookTest, TakesTexelsFromTheFilesThemselves) {
   const std::string pack = OsgbScene(OsgbScene::Pond::kHole, 80, Green()).Pack(0);
-  const auto tile = ReadOsgbTile(pack, "a/Tile.osgb");
+  const auto tile = ReadTileTree(pack, "a/Tile.osgb");
   ASSERT_TRUE(tile.ok()) << tile.status();
-  const OsgbLevel finest = LevelOf(*tile, 2);
-  const RimColours rim = SampleOsgbRim(*tile, finest, Spots(finest), 3, "a/Tile.osgb");
+  const TreeLevel finest = LevelOf(*tile, 2);
+  const RimColours rim = SampleTreeRim(*tile, finest, Spots(finest), 3, "a/Tile.osgb");
   EXPECT_THAT(rim.colours, ElementsAre(Rgb{20, 120, 40}, Rgb{20, 120, 40}, std::nullopt));
   EXPECT_THAT(rim.warnings, IsEmpty());
 }
 
 TEST(OsgbLookTest, AnImageThatCannotBeReadGivesAWarningAndNoColour) {
   const std::string pack = OsgbScene().Pack(0);
-  const auto tile = ReadOsgbTile(pack, "a/Tile.osgb");
+  const auto tile = ReadTileTree(pack, "a/Tile.osgb");
   ASSERT_TRUE(tile.ok()) << tile.status();
-  const OsgbLevel finest = LevelOf(*tile, 2);
-  const RimColours rim = SampleOsgbRim(*tile, finest, Spots(finest), 2, "a/Tile.osgb");
+  const TreeLevel finest = LevelOf(*tile, 2);
+  const RimColours rim = SampleTreeRim(*tile, finest, Spots(finest), 2, "a/Tile.osgb");
   EXPECT_THAT(rim.colours, Each(std::nullopt));
   EXPECT_THAT(rim.warnings, ElementsAre(HasSubstr("a/Tile.osgb: image \"tile_0.jpg\""), HasSubstr("tile_0.jpg")));
 }
 
 TEST(OsgbLookTest, TheOtherFilesOfTheTileGoWithIt) {
   const std::string pack = OsgbScene().Pack(1);
-  const auto tile = ReadOsgbTile(pack, "a/Tile.osgb");
+  const auto tile = ReadTileTree(pack, "a/Tile.osgb");
   ASSERT_TRUE(tile.ok()) << tile.status();
-  const TileLook look = ReadOsgbLook("Data/Tile_+001_+000/Tile_+001_+000.osgb", *tile);
+  const TileLook look = ReadTreeLook("Data/Tile_+001_+000/Tile_+001_+000.osgb", *tile);
   EXPECT_EQ(look.files.images.size(), 5u);
   EXPECT_THAT(look.files.images, Each(HasSubstr("Data/Tile_+001_+000/Tile_+001_+000_L")));
 }

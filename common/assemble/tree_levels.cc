@@ -1,4 +1,4 @@
-#include "common/assemble/osgb_levels.h"
+#include "common/assemble/tree_levels.h"
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/assemble/fill_level.h"
-#include "common/codec/osgb/osgb_tile.h"
+#include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -23,48 +23,51 @@ class PieceChoice {
  public:
   // Of the pieces of `level` that are `wanted`.
   template <typename Wanted>
-  PieceChoice(const OsgbTile& tile, const OsgbLevel& level, const Wanted& wanted) {
+  PieceChoice(const TileTree& tile, const TreeLevel& level, const Wanted& wanted) {
     for (size_t p = 0; p < level.parts.size(); ++p) {
-      const OsgbPiece& piece = tile.pieces[level.parts[p].piece];
+      const TreePiece& piece = tile.pieces[level.parts[p].piece];
       const auto begin = static_cast<size_t>(level.parts[p].first_vertex);
       const size_t end =
           p + 1 < level.parts.size() ? static_cast<size_t>(level.parts[p + 1].first_vertex) : level.mesh.points.size();
       if (!wanted(piece) || begin == end) continue;
-      Eigen::AlignedBox2d box;
-      for (size_t v = begin; v < end; ++v) box.extend(Point2(level.mesh.points[v].head<2>()));
+      Eigen::AlignedBox3d box;
+      for (size_t v = begin; v < end; ++v) box.extend(level.mesh.points[v]);
       pieces_.emplace_back(level.parts[p].piece, box);
     }
   }
 
   bool empty() const { return pieces_.empty(); }
 
-  int32_t Of(const Point2& middle) const {
-    double least = std::numeric_limits<double>::infinity();
+  // Seen from above; of pieces above each other the one at this height.
+  int32_t Of(const Point3& middle) const {
+    const double far = std::numeric_limits<double>::infinity();
+    std::pair<double, double> least{far, far};
     int32_t best = -1;
     for (const auto& [piece, box] : pieces_) {
-      const double distance = box.squaredExteriorDistance(middle);
+      const Point3 gap = (box.min() - middle).cwiseMax(middle - box.max()).cwiseMax(0);
+      const std::pair<double, double> distance{gap.head<2>().squaredNorm(), gap.z()};
       if (distance < least) std::tie(least, best) = std::pair(distance, piece);
     }
     return best;
   }
 
  private:
-  std::vector<std::pair<int32_t, Eigen::AlignedBox2d>> pieces_;
+  std::vector<std::pair<int32_t, Eigen::AlignedBox3d>> pieces_;
 };
 
 // The geometry of one material in one piece.
 struct Share {
-  OsgbPatch patch;
+  TreePatch patch;
   std::unordered_map<int32_t, int32_t> number;  // of the level's vertices and the new ones
 };
 
 class LevelPatcher {
  public:
-  LevelPatcher(const OsgbTile& tile, std::span<const FillMaterial> materials) : tile_(tile), edits_(tile.files.size()) {
+  LevelPatcher(const TileTree& tile, std::span<const FillMaterial> materials) : tile_(tile), edits_(tile.files.size()) {
     for (const FillMaterial& material : materials) colours_[material.name] = material.colour;
   }
 
-  void Add(const OsgbLevel& level, const FilePatch& patch, const PieceChoice& choice) {
+  void Add(const TreeLevel& level, const FilePatch& patch, const PieceChoice& choice) {
     if (choice.empty()) return;
     std::map<std::pair<int32_t, size_t>, Share> shares;  // by piece and run
     size_t run = 0;
@@ -76,7 +79,7 @@ class LevelPatcher {
       };
       const Triangle& triangle = patch.triangles[t];
       const Point3 middle = (at(triangle[0]) + at(triangle[1]) + at(triangle[2])) / 3;
-      Share& share = shares[{choice.Of(middle.head<2>()), run}];
+      Share& share = shares[{choice.Of(middle), run}];
       Triangle& own = share.patch.triangles.emplace_back();
       for (int k = 0; k < 3; ++k) {
         const auto [number, fresh] = share.number.emplace(triangle[k], static_cast<int32_t>(share.patch.points.size()));
@@ -85,14 +88,14 @@ class LevelPatcher {
       }
     }
     for (auto& [key, share] : shares) {
-      const OsgbPiece& piece = tile_.pieces[key.first];
-      share.patch.geode = piece.geode;
+      const TreePiece& piece = tile_.pieces[key.first];
+      share.patch.part = piece.part;
       share.patch.colour = ColourOf(patch, key.second);
       edits_[piece.file].patches.push_back(std::move(share.patch));
     }
   }
 
-  const std::vector<OsgbEdit>& edits() const { return edits_; }
+  const std::vector<TreeEdit>& edits() const { return edits_; }
 
  private:
   Rgb ColourOf(const FilePatch& patch, size_t run) const {
@@ -101,30 +104,30 @@ class LevelPatcher {
     return at == colours_.end() ? kUnknownColour : at->second;
   }
 
-  const OsgbTile& tile_;
+  const TileTree& tile_;
   std::map<std::string, Rgb> colours_;
-  std::vector<OsgbEdit> edits_;
+  std::vector<TreeEdit> edits_;
 };
 
 }  // namespace
 
-absl::StatusOr<ClearedTile> ClearOsgbLevels(std::string_view pack, std::span<const ClearArea> areas,
+absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<const ClearArea> areas,
                                             const std::string& name) {
-  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile tile, ReadOsgbTile(pack, name));
-  std::vector<OsgbEdit> edits(tile.files.size());
+  TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
+  std::vector<TreeEdit> edits(tile.files.size());
   std::vector<int64_t> taken(areas.size(), 0);
   for (size_t f = 0; f < tile.files.size(); ++f) {
-    const OsgbFile& file = tile.files[f];
+    const TreeFile& file = tile.files[f];
     const std::vector<int32_t> cleared_by = AreasThatClear({file.points, file.triangles}, areas);
     bool any = false;
     for (const int32_t area : cleared_by) any = any || area >= 0;
     if (any) {
       for (const int32_t area : cleared_by) edits[f].drop.push_back(area >= 0);
     }
-    for (const OsgbPiece& piece : tile.pieces) {
+    for (const TreePiece& piece : tile.pieces) {
       if (piece.file != static_cast<int32_t>(f) || !piece.is_finest) continue;
-      for (const OsgbGeometry& geometry : file.geometries) {
-        if (geometry.geode != piece.geode) continue;
+      for (const TreeGeometry& geometry : file.geometries) {
+        if (geometry.part != piece.part) continue;
         for (int32_t t = 0; t < geometry.triangle_count; ++t) {
           const int32_t area = cleared_by[geometry.first_triangle + t];
           if (area >= 0) ++taken[static_cast<size_t>(area)];
@@ -134,23 +137,23 @@ absl::StatusOr<ClearedTile> ClearOsgbLevels(std::string_view pack, std::span<con
   }
   ClearedTile cleared;
   cleared.triangles = std::move(taken);
-  TILEMEND_ASSIGN_OR_RETURN(cleared.bytes, ChangeOsgbTile(tile, edits, name));
-  TILEMEND_ASSIGN_OR_RETURN(cleared.file, ParseMesh(MeshFormat::kOsgb, cleared.bytes, name, NoFaces::kAccept));
+  TILEMEND_ASSIGN_OR_RETURN(cleared.bytes, ChangeTileTree(tile, edits, name));
+  TILEMEND_ASSIGN_OR_RETURN(cleared.file, ParseMesh(MeshFormat::kTileTree, cleared.bytes, name, NoFaces::kAccept));
   return cleared;
 }
 
-absl::StatusOr<std::string> PatchOsgbLevels(std::string_view pack, const FilePatch& patch,
+absl::StatusOr<std::string> PatchTreeLevels(std::string_view pack, const FilePatch& patch,
                                             std::span<const FillMaterial> materials, const std::string& name) {
-  TILEMEND_ASSIGN_OR_RETURN(const OsgbTile tile, ReadOsgbTile(pack, name));
-  const OsgbLevel finest = LevelOf(tile, tile.levels - 1);
+  TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
+  const TreeLevel finest = LevelOf(tile, tile.levels - 1);
   LevelPatcher patcher(tile, materials);
-  patcher.Add(finest, patch, PieceChoice(tile, finest, [](const OsgbPiece& piece) { return piece.is_finest; }));
+  patcher.Add(finest, patch, PieceChoice(tile, finest, [](const TreePiece& piece) { return piece.is_finest; }));
   for (int32_t l = 0; l + 1 < tile.levels; ++l) {
-    const OsgbLevel level = LevelOf(tile, l);
-    const PieceChoice choice(tile, level, [](const OsgbPiece& piece) { return !piece.is_finest; });
+    const TreeLevel level = LevelOf(tile, l);
+    const PieceChoice choice(tile, level, [](const TreePiece& piece) { return !piece.is_finest; });
     if (!choice.empty()) patcher.Add(level, FillLevel(level.mesh, finest.mesh, patch), choice);
   }
-  return ChangeOsgbTile(tile, patcher.edits(), name);
+  return ChangeTileTree(tile, patcher.edits(), name);
 }
 
 }  // namespace tilemend

@@ -1,4 +1,4 @@
-#include "common/assemble/osgb_levels.h"
+#include "common/assemble/tree_levels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/codec/osgb/osgb_tile.h"
+#include "common/codec/tree/tile_tree.h"
 #include "tests/support/osgb_scene.h"
 
 namespace tilemend {
@@ -28,15 +28,15 @@ ClearArea PondArea() {
   return area;
 }
 
-TEST(ClearOsgbLevelsTest, EveryLevelLosesThePond) {
+TEST(ClearTreeLevelsTest, EveryLevelLosesThePond) {
   const std::string pack = PackOf(OsgbScene::Pond::kNoise);
   const std::vector<ClearArea> areas = {PondArea()};
-  const auto cleared = ClearOsgbLevels(pack, areas, "a/Tile.osgb");
+  const auto cleared = ClearTreeLevels(pack, areas, "a/Tile.osgb");
   ASSERT_TRUE(cleared.ok()) << cleared.status();
-  const auto before = ReadOsgbTile(pack, "a/Tile.osgb"), after = ReadOsgbTile(cleared->bytes, "a/Tile.osgb");
+  const auto before = ReadTileTree(pack, "a/Tile.osgb"), after = ReadTileTree(cleared->bytes, "a/Tile.osgb");
   ASSERT_TRUE(after.ok()) << after.status();
   for (int32_t l = 0; l < 3; ++l) {
-    const OsgbLevel was = LevelOf(*before, l), is = LevelOf(*after, l);
+    const TreeLevel was = LevelOf(*before, l), is = LevelOf(*after, l);
     EXPECT_LT(is.mesh.triangles.size(), was.mesh.triangles.size()) << l;
     EXPECT_EQ(is.mesh.points.size(), was.mesh.points.size()) << "vertices stay, " << l;
     for (const int32_t by : AreasThatClear(is.mesh, areas)) EXPECT_EQ(by, -1);
@@ -48,11 +48,11 @@ TEST(ClearOsgbLevelsTest, EveryLevelLosesThePond) {
   }
 }
 
-TEST(PatchOsgbLevelsTest, EveryLevelGetsThePatch) {
+TEST(PatchTreeLevelsTest, EveryLevelGetsThePatch) {
   const std::string pack = PackOf(OsgbScene::Pond::kHole);
-  const auto before = ReadOsgbTile(pack, "a/Tile.osgb");
+  const auto before = ReadTileTree(pack, "a/Tile.osgb");
   ASSERT_TRUE(before.ok()) << before.status();
-  const OsgbLevel finest = LevelOf(*before, 2);
+  const TreeLevel finest = LevelOf(*before, 2);
   // A triangle fan at the pond's level, about its middle in this tile.
   FilePatch patch;
   const auto first = static_cast<int32_t>(finest.mesh.points.size());
@@ -65,20 +65,20 @@ TEST(PatchOsgbLevelsTest, EveryLevelGetsThePatch) {
   patch.like.assign(patch.new_points.size(), -1);
   patch.materials = {{0, "water"}};
   const std::vector<FillMaterial> materials = {{"water", {10, 20, 30}}};
-  const auto patched = PatchOsgbLevels(pack, patch, materials, "a/Tile.osgb");
+  const auto patched = PatchTreeLevels(pack, patch, materials, "a/Tile.osgb");
   ASSERT_TRUE(patched.ok()) << patched.status();
-  const auto after = ReadOsgbTile(*patched, "a/Tile.osgb");
+  const auto after = ReadTileTree(*patched, "a/Tile.osgb");
   ASSERT_TRUE(after.ok()) << after.status();
   for (int32_t l = 0; l < 3; ++l) {
-    const OsgbLevel was = LevelOf(*before, l), is = LevelOf(*after, l);
+    const TreeLevel was = LevelOf(*before, l), is = LevelOf(*after, l);
     EXPECT_GT(is.mesh.triangles.size(), was.mesh.triangles.size()) << l;
   }
   EXPECT_EQ(LevelOf(*after, 2).mesh.triangles.size(), finest.mesh.triangles.size() + 40);
 }
 
-TEST(PatchOsgbLevelsTest, WithoutAPatchAllBytesStay) {
+TEST(PatchTreeLevelsTest, WithoutAPatchAllBytesStay) {
   const std::string pack = PackOf(OsgbScene::Pond::kHole);
-  const auto patched = PatchOsgbLevels(pack, {}, {}, "a/Tile.osgb");
+  const auto patched = PatchTreeLevels(pack, {}, {}, "a/Tile.osgb");
   ASSERT_TRUE(patched.ok()) << patched.status();
   EXPECT_EQ(*patched, pack);
 }

@@ -1,4 +1,4 @@
-#include "worker/materials/osgb_look.h"
+#include "worker/materials/tree_look.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ struct ImagePlace {
   auto operator<=>(const ImagePlace&) const = default;
 };
 
-struct OsgbTexel {
+struct TreeTexel {
   int32_t vertex = 0;
   double u = 0, v = 0;
 };
@@ -33,12 +33,12 @@ struct OsgbTexel {
 // Finds the geometry of a triangle of the finest level.
 class GeometryFinder {
  public:
-  GeometryFinder(const OsgbTile& tile, const OsgbLevel& finest) {
-    for (const OsgbLevel::Part& part : finest.parts) {
+  GeometryFinder(const TileTree& tile, const TreeLevel& finest) {
+    for (const TreeLevel::Part& part : finest.parts) {
       const int32_t file = tile.pieces[part.piece].file;
       int32_t first = part.first_triangle;
       for (const int32_t g : part.geometries) {
-        const OsgbGeometry& geometry = tile.files[file].geometries[g];
+        const TreeGeometry& geometry = tile.files[file].geometries[g];
         runs_.push_back({first, file, g});
         first += geometry.triangle_count;
       }
@@ -59,39 +59,39 @@ class GeometryFinder {
   std::vector<Run> runs_;
 };
 
-absl::Status SampleOsgbImage(const OsgbTile& tile, const ImagePlace& place, const std::vector<OsgbTexel>& texels,
+absl::Status SampleTreeImage(const TileTree& tile, const ImagePlace& place, const std::vector<TreeTexel>& texels,
                              const std::string& name, RimColours& result) {
-  const OsgbImage& image = tile.files[place.file].images[place.image];
+  const TreeImage& image = tile.files[place.file].images[place.image];
   const std::string image_name = absl::StrCat(name, ": image \"", Printable(image.name), "\"");
-  if (image.storage != OsgbImage::Storage::kEncoded) {
-    return absl::InvalidArgumentError(absl::StrCat(image_name, ": not a JPEG or PNG in the file"));
+  if (!image.is_encoded) {
+    return absl::InvalidArgumentError(absl::StrCat(image_name, ": not in the file as JPEG or PNG"));
   }
   const std::string_view bytes = tile.packed[place.file].bytes.substr(image.offset, image.size);
   TILEMEND_ASSIGN_OR_RETURN(const Image pixels, DecodeImage(bytes, image_name));
-  for (const OsgbTexel& t : texels) result.colours[static_cast<size_t>(t.vertex)] = TexelAt(pixels, t.u, t.v);
+  for (const TreeTexel& t : texels) result.colours[static_cast<size_t>(t.vertex)] = TexelAt(pixels, t.u, t.v);
   return absl::OkStatus();
 }
 
 }  // namespace
 
-TileLook ReadOsgbLook(const std::string& path, const OsgbTile& tile) {
+TileLook ReadTreeLook(const std::string& path, const TileTree& tile) {
   TileLook look;
   for (size_t f = 1; f < tile.packed.size(); ++f) {
-    look.files.images.push_back(FileBesideTile(path, tile.packed[f].name));
+    if (tile.packed[f].name != kFrameFile) look.files.images.push_back(FileBesideTile(path, tile.packed[f].name));
   }
   return look;
 }
 
-RimColours SampleOsgbRim(const OsgbTile& tile, const OsgbLevel& finest, const std::vector<RimSpot>& spots,
+RimColours SampleTreeRim(const TileTree& tile, const TreeLevel& finest, const std::vector<RimSpot>& spots,
                          size_t vertices, const std::string& name) {
   RimColours result;
   result.colours.resize(vertices);
   const GeometryFinder finder(tile, finest);
-  std::map<ImagePlace, std::vector<OsgbTexel>> texels;
+  std::map<ImagePlace, std::vector<TreeTexel>> texels;
   for (const RimSpot& spot : spots) {
     const GeometryFinder::Run& run = finder.Of(spot.triangle);
-    const OsgbFile& file = tile.files[run.file];
-    const OsgbGeometry& geometry = file.geometries[run.geometry];
+    const TreeFile& file = tile.files[run.file];
+    const TreeGeometry& geometry = file.geometries[run.geometry];
     if (geometry.texture < 0) continue;
     const Triangle& corners = file.triangles[geometry.first_triangle + spot.triangle - run.first];
     double u = 0, v = 0;
@@ -102,7 +102,7 @@ RimColours SampleOsgbRim(const OsgbTile& tile, const OsgbLevel& finest, const st
     if (std::isfinite(u) && std::isfinite(v)) texels[{run.file, geometry.texture}].push_back({spot.vertex, u, v});
   }
   for (const auto& [place, of_image] : texels) {
-    const absl::Status status = SampleOsgbImage(tile, place, of_image, name, result);
+    const absl::Status status = SampleTreeImage(tile, place, of_image, name, result);
     if (!status.ok()) {
       result.warnings.push_back(absl::StrCat(status.message(), ": fills beside it get no colour from it"));
     }

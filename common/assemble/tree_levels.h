@@ -1,0 +1,31 @@
+// Changes all levels of detail of a tile alike that is a tree of files.
+#ifndef TILEMEND_COMMON_ASSEMBLE_TREE_LEVELS_H_
+#define TILEMEND_COMMON_ASSEMBLE_TREE_LEVELS_H_
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "common/assemble/clear_tile.h"
+#include "common/codec/mesh_file.h"
+#include "common/codec/mtl.h"
+#include "common/mesh/clear_area.h"
+
+namespace tilemend {
+
+// ClearTile of a pack of files: every level loses the triangles that AreasThatClear names in it. `file` and the
+// counts of `triangles` are of the finest level.
+absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<const ClearArea> areas,
+                                            const std::string& name);
+
+// The pack with `patch`, an addition to its finest level, and with what FillLevel makes of it on each coarser one. A
+// triangle goes to the piece (tile_tree.h) in whose bounds its middle lies seen from above, or that is nearest; of
+// several the nearest in height, then the lowest. `materials` are the colours of the patch's materials. Errors of
+// ReadTileTree and ChangeTileTree. Linear in the tile, and as FillLevel for each level.
+absl::StatusOr<std::string> PatchTreeLevels(std::string_view pack, const FilePatch& patch,
+                                            std::span<const FillMaterial> materials, const std::string& name);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_ASSEMBLE_TREE_LEVELS_H_

@@ -1,0 +1,93 @@
+#include "common/codec/tiles3d/tileset_frame.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "absl/strings/str_format.h"
+#include "common/codec/tiles3d/bounding_volume.h"
+
+namespace tilemend {
+namespace {
+
+// What lies between is taken to be at the surface of the Earth, in metres from its centre.
+constexpr double kDeep = 6.33e6, kHigh = 6.4e6;
+// Of directions that are taken as the same: 1.4 cm at 1 km.
+constexpr double kSameDirection = 1e-10;
+constexpr double kSemiMajor = 6378137, kFlattening = 1 / 298.257223563;  // WGS 84
+
+bool IsOnEarth(const Point3& p) { return p.norm() > kDeep && p.norm() < kHigh; }
+
+// East, north, up.
+Eigen::Matrix3d AxesAt(const Point3& geodetic) {
+  const double lon = geodetic.x(), lat = geodetic.y();
+  Eigen::Matrix3d axes;
+  axes.col(0) = Point3(-std::sin(lon), std::cos(lon), 0);
+  axes.col(1) = Point3(-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat));
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+// The plane of an orthographic projection of the ellipsoid is that of the frame.
+std::string CrsAt(const Point3& geodetic) {
+  const double degree = 180 / std::numbers::pi;
+  return absl::StrFormat("+proj=ortho +lat_0=%.12g +lon_0=%.12g +ellps=WGS84 +units=m +no_defs", geodetic.y() * degree,
+                         geodetic.x() * degree);
+}
+
+// The middle of the root's volume in the frame of the root's parent.
+Point3 MiddleOf(const TilesetTile& root) {
+  const std::vector<double>& n = root.volume.numbers;
+  if (root.volume.kind != BoundingVolume::Kind::kRegion) return Moved(root.to_root, Point3(n[0], n[1], n[2]));
+  // A region that crosses the meridian of 180 degrees has its west behind its east.
+  const double east = n[2] < n[0] ? n[2] + 2 * std::numbers::pi : n[2];
+  return EarthCentred({(n[0] + east) / 2, (n[1] + n[3]) / 2, (n[4] + n[5]) / 2});
+}
+
+// If the root's transform puts a frame with z up onto the Earth.
+std::optional<TilesetFrame> RootsFrame(const TilesetTile& root) {
+  const Point3 origin = root.to_root.topRightCorner<3, 1>();
+  const Eigen::Matrix3d axes = root.to_root.topLeftCorner<3, 3>();
+  if (!IsOnEarth(origin)) return std::nullopt;
+  const bool is_rigid = (axes.transpose() * axes).isApprox(Eigen::Matrix3d::Identity(), 1e-9) && axes.determinant() > 0;
+  const Point3 geodetic = GeodeticOf(origin);
+  const Eigen::Matrix3d there = AxesAt(geodetic);
+  if (!is_rigid || axes.col(2).dot(there.col(2)) < 1 - kSameDirection) return std::nullopt;
+  TilesetFrame frame;
+  frame.is_roots = true;
+  if (axes.col(0).dot(there.col(0)) >= 1 - kSameDirection) frame.crs = CrsAt(geodetic);
+  return frame;
+}
+
+}  // namespace
+
+Point3 EarthCentred(const Point3& geodetic) {
+  const double lon = geodetic.x(), lat = geodetic.y(), height = geodetic.z();
+  const double squared = kFlattening * (2 - kFlattening);
+  const double radius = kSemiMajor / std::sqrt(1 - squared * std::sin(lat) * std::sin(lat));
+  return {(radius + height) * std::cos(lat) * std::cos(lon), (radius + height) * std::cos(lat) * std::sin(lon),
+          (radius * (1 - squared) + height) * std::sin(lat)};
+}
+
+TilesetFrame FrameOf(const Tileset& tileset) {
+  const TilesetTile& root = tileset.tiles.front();
+  const Point3 middle = MiddleOf(root);
+  if (!IsOnEarth(middle)) return {};
+  if (const std::optional<TilesetFrame> frame = RootsFrame(root)) return *frame;
+  const Point3 geodetic = GeodeticOf(middle);
+  TilesetFrame frame;
+  Eigen::Matrix4d to_outer = Eigen::Matrix4d::Identity();
+  to_outer.topLeftCorner<3, 3>() = AxesAt(geodetic);
+  to_outer.topRightCorner<3, 1>() = middle;
+  frame.from_outer = to_outer.inverse();
+  frame.crs = CrsAt(geodetic);
+  return frame;
+}
+
+Eigen::Matrix4d ToScene(const TilesetFrame& frame, const TilesetTile& tile) {
+  return frame.is_roots ? tile.in_root : Eigen::Matrix4d(frame.from_outer * tile.to_root);
+}
+
+}  // namespace tilemend

@@ -1,0 +1,39 @@
+// The metric frame in which a tileset is filled: z up, x to the east where the tileset says where on the Earth it lies.
+#ifndef TILEMEND_COMMON_CODEC_TILES3D_TILESET_FRAME_H_
+#define TILEMEND_COMMON_CODEC_TILES3D_TILESET_FRAME_H_
+
+#include <Eigen/Core>
+#include <string>
+
+#include "common/codec/tiles3d/tileset.h"
+
+namespace tilemend {
+
+// The frame of the scene is one of
+//  - that of the root's parent, if the tileset is not on the Earth: nothing is turned;
+//  - that of the root tile, if its transform puts a frame with z up onto the Earth: coordinates keep their bits;
+//  - one at the middle of the root's volume, with x to the east and y to the north, for Earth-centred coordinates.
+// It is plane: what is level in it sinks below the ellipsoid by 8 cm at 1 km from its origin, and by 2 m at 5 km.
+struct TilesetFrame {
+  bool is_roots = false;                                     // that of the root tile; else:
+  Eigen::Matrix4d from_outer = Eigen::Matrix4d::Identity();  // from the frame of the root's parent to that of the scene
+  std::string crs;  // its plane as a PROJ string, on the ellipsoid of WGS 84; empty: not known
+};
+
+// Pure, O(1).
+TilesetFrame FrameOf(const Tileset& tileset);
+
+// From the frame of a tile to that of the scene, metres.
+Eigen::Matrix4d ToScene(const TilesetFrame& frame, const TilesetTile& tile);
+
+// The Earth-centred point at a longitude and latitude in radians, and a height in metres above the ellipsoid of WGS 84.
+Point3 EarthCentred(const Point3& geodetic);
+
+// `point` moved by a matrix.
+inline Point3 Moved(const Eigen::Matrix4d& matrix, const Point3& point) {
+  return matrix.topLeftCorner<3, 3>() * point + matrix.topRightCorner<3, 1>();
+}
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_CODEC_TILES3D_TILESET_FRAME_H_

@@ -1,0 +1,95 @@
+#include "common/codec/tree/tile_tree.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/osgb_scene.h"
+#include "tests/support/tileset_scene.h"
+
+namespace tilemend {
+namespace {
+
+struct Case {
+  std::string pack, name;
+  size_t coarsest = 0;  // parts of the coarsest level
+};
+
+std::vector<Case> Cases() {
+  return {{OsgbScene(OsgbScene::Pond::kHole, 80).Pack(0), "a/Tile.osgb", 1},
+          {OsgbScene(OsgbScene::Pond::kHole, 161).Pack(0), "a/Tile.osgb", 1},
+          {TilesetScene().Pack(), "a/tileset.json", 2}};
+}
+
+TEST(TileTreeTest, LevelsAreFinerAndFiner) {
+  for (const Case& tile : Cases()) {
+    SCOPED_TRACE(tile.name);
+    const auto tree = ReadTileTree(tile.pack, tile.name);
+    ASSERT_TRUE(tree.ok()) << tree.status();
+    ASSERT_EQ(tree->levels, 3);
+    size_t coarser = 0;
+    for (int32_t l = 0; l < 3; ++l) {
+      const TreeLevel level = LevelOf(*tree, l);
+      EXPECT_EQ(level.parts.size(), l == 2 ? 4 * tile.coarsest : l == 0 ? tile.coarsest : level.parts.size());
+      EXPECT_GT(level.mesh.triangles.size(), 3 * coarser);
+      coarser = level.mesh.triangles.size();
+    }
+  }
+}
+
+TEST(TileTreeTest, APieceThatNothingReplacesIsInTheFinestLevel) {
+  const std::string pack = OsgbScene().Pack(0, "_L2_3.osgb");
+  const auto tree = ReadTileTree(pack, "a/Tile.osgb");
+  ASSERT_TRUE(tree.ok()) << tree.status();
+  const TreeLevel finest = LevelOf(*tree, 2);
+  ASSERT_EQ(finest.parts.size(), 4u);
+  EXPECT_EQ(tree->pieces[static_cast<size_t>(finest.parts[0].piece)].level, 1);
+}
+
+TEST(TileTreeTest, ChangesAreReadBack) {
+  for (const Case& tile : Cases()) {
+    SCOPED_TRACE(tile.name);
+    const auto before = ReadTileTree(tile.pack, tile.name);
+    ASSERT_TRUE(before.ok()) << before.status();
+    std::vector<TreeEdit> edits(before->files.size());
+    const TreePiece piece = before->pieces.back();
+    const auto f = static_cast<size_t>(piece.file);
+    edits[f].patches = {{{{1, 1, 2}, {2, 1, 2}, {1, 2, 2}}, {{0, 1, 2}}, {10, 20, 30}, piece.part}};
+    edits[f].drop.assign(before->files[f].triangles.size(), false);
+    edits[f].drop[0] = edits[f].drop[1] = true;
+    const auto bytes = ChangeTileTree(*before, edits, tile.name);
+    ASSERT_TRUE(bytes.ok()) << bytes.status();
+    const auto after = ReadTileTree(*bytes, tile.name);
+    ASSERT_TRUE(after.ok()) << after.status();
+    EXPECT_EQ(after->files[f].triangles.size() + 1, before->files[f].triangles.size());
+    EXPECT_EQ(after->files[f].points.size(), before->files[f].points.size() + 3);
+    const TreeGeometry& added = after->files[f].geometries.back();
+    EXPECT_EQ(after->files[f].points[static_cast<size_t>(added.first_vertex)], Point3(1, 1, 2));
+  }
+}
+
+TEST(TileTreeTest, WithoutChangesTheBytesStay) {
+  for (const Case& tile : Cases()) {
+    const auto tree = ReadTileTree(tile.pack, tile.name);
+    ASSERT_TRUE(tree.ok()) << tree.status();
+    EXPECT_EQ(*ChangeTileTree(*tree, std::vector<TreeEdit>(tree->files.size()), tile.name), tile.pack);
+  }
+}
+
+TEST(TileTreeTest, GivesTheImagesOfAFile) {
+  const std::string image = "\x89PNG of a test";
+  for (const Case& tile : {Case{OsgbScene(OsgbScene::Pond::kHole, 80, image).Pack(0), "a/Tile.osgb"},
+                           Case{TilesetScene{.image = image}.Pack(), "a/tileset.json"}}) {
+    const auto tree = ReadTileTree(tile.pack, tile.name);
+    ASSERT_TRUE(tree.ok()) << tree.status();
+    const PackedFile& file = tree->packed[static_cast<size_t>(tree->pieces.front().file)];
+    EXPECT_EQ(TreeImageIn(file.bytes, 0, file.name), image);
+    EXPECT_EQ(TreeImageIn(file.bytes, 1, file.name), "");
+    EXPECT_EQ(TreeImageIn("damaged", 0, file.name), "");
+  }
+}
+
+}  // namespace
+}  // namespace tilemend
