@@ -6,7 +6,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "client/mesh_filler.h"
+#include "client/mesh/mesh_filler.h"
 #include "common/grid/scene.h"
 
 namespace tilemend {

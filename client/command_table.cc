@@ -4,6 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
+#include "client/mesh/mesh_options.h"
 #include "common/options/option.h"
 #include "common/rpc/credentials.h"
 #include "common/util/settings.h"
@@ -110,7 +111,7 @@ std::vector<Command> ServiceCommands() {
   const std::vector<FlagSpec> inspect = Join(InspectFlags(), output), aggregate = Join(AggregateFlags(), output);
   const std::vector<FlagSpec> run = Join(Join(OptionFlags(kOfJobs), LocalFlags()), output);
   // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
-  const std::vector<FlagSpec> fill = Join(WithWater(OptionFlags(kOfFill), "off"), output);
+  const std::vector<FlagSpec> fill = Join(WithWater(OptionFlags(kOfFill), kMeshWater), output);
   const std::vector<FlagSpec> retry = Join(
       {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));
   const std::vector<FlagSpec> priority =

@@ -17,14 +17,14 @@
 #include "client/commands.h"
 #include "client/job_flags.h"
 #include "client/left_table.h"
-#include "client/mesh_filler.h"
+#include "client/mesh/mesh_filler.h"
+#include "client/mesh/mesh_options.h"
 #include "client/output.h"
 #include "client/output_file.h"
 #include "client/progress_display.h"
 #include "common/codec/mesh_file.h"
 #include "common/options/job_options.h"
 #include "common/records/surface.h"
-#include "common/util/colour.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
@@ -32,9 +32,7 @@
 #include "common/util/utc.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/scene_report.h"
-#include "coordinator/report/water_choice.h"
 #include "worker/materials/write_materials.h"
-#include "worker/service/fill_options.h"
 
 namespace tilemend {
 namespace {
@@ -153,56 +151,11 @@ void PrintSummary(const SceneReportInput& report, const std::string& out) {
   std::fputs(LeftLines(report).c_str(), stderr);
 }
 
-// What only `fill` asks of options, beside the table.
-absl::Status CheckFill(const Args& args, const v1::JobSpec& spec) {
-  const Filler filler = FillerNamed(spec.filler()).value_or(Filler::kAuto);
-  const bool is_wang = spec.surface() == SurfaceName(Surface::kWang), is_auto = filler == Filler::kAuto;
-  if (is_wang && !is_auto) {
-    return absl::InvalidArgumentError(
-        "--filler: the surface wang fills closed holes in its own way; leave one of the two out");
-  }
-  if (spec.has_tension() && !is_auto) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("--tension: the filler ", spec.filler(), " has none; leave it out, or choose auto"));
-  }
-  if (spec.allow_creases() && (is_wang || !is_auto)) {
-    return absl::InvalidArgumentError(
-        "--allow-creases: published methods fill with creases as they are published; leave one of the two out");
-  }
-  for (const char* flag : {"gradation", "size-limit"}) {
-    if (args.IsGiven(flag) && HasFront(filler) && spec.water() == kNoWater) {
-      return absl::InvalidArgumentError(absl::StrCat("--", flag, ": the triangles of ", spec.filler(),
-                                                     " are as large as the boundary's; leave it out"));
-    }
-  }
-  return absl::OkStatus();
-}
-
 // kInvalidArgument names a flag that is out of its range or has no effect.
 absl::StatusOr<v1::JobSpec> FillSpecFromFlags(const Args& args) {
   TILEMEND_ASSIGN_OR_RETURN(const v1::JobSpec spec, SpecFromFlags(args, kOfFill));
-  TILEMEND_RETURN_IF_ERROR(NamedAsFlag(CheckOptions(spec, kOfFill, GivenBy(args))));
-  TILEMEND_RETURN_IF_ERROR(CheckFill(args, spec));
+  TILEMEND_RETURN_IF_ERROR(NamedAsFlag(CheckMeshOptions(spec, GivenBy(args))));
   return spec;
-}
-
-MeshFillOptions MeshOptionsOf(const v1::JobSpec& spec) {
-  MeshFillOptions options;
-  options.fill = FillOptionsOf(spec);
-  if (!spec.water_colour().empty()) options.water_colour = ParseColour(spec.water_colour());
-  if (spec.has_weld()) options.weld = spec.weld();
-  options.holes.fill_outlines = spec.fill_outlines();
-  if (spec.has_largest_hole()) options.holes.largest_hole = spec.largest_hole();
-  if (spec.has_dislocation_width()) options.holes.dislocation_width = spec.dislocation_width();
-  options.library = LibraryFor(spec.out());
-  return options;
-}
-
-absl::StatusOr<WaterOptions> WaterOf(const v1::JobSpec& spec) {
-  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), SceneFrame()));
-  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), SceneFrame(), water));
-  water.options.profile = *WaterProfileNamed(spec.water_profile());
-  return water.options;
 }
 
 absl::StatusOr<FilledMesh> FillAndShow(const std::string& in, MeshFillOptions options) {
@@ -236,11 +189,10 @@ int FillCommand(const Args& args) {
   auto lock = OutputLock::Take(out);
   if (!lock.ok()) return PrintError(lock.status());
   CancelOnSignal(signals, [&lock] { lock->Release(); });
-  auto water = WaterOf(*spec);
-  if (!water.ok()) return PrintError(water.status());
-  MeshFillOptions options = MeshOptionsOf(*spec);
-  options.water = *std::move(water);
-  auto filled = FillAndShow(in, std::move(options));
+  auto options = MeshOptionsOf(*spec);
+  if (!options.ok()) return PrintError(options.status());
+  options->library = LibraryFor(out);
+  auto filled = FillAndShow(in, *std::move(options));
   signals.Stop();
   if (!filled.ok()) return PrintError(filled.status());
   Stopwatch watch;

@@ -17,6 +17,7 @@
 #include "client/job_flags.h"
 #include "client/json_access.h"
 #include "client/left_table.h"
+#include "client/mesh/single_mesh.h"
 #include "client/output.h"
 #include "client/water_proposal.h"
 #include "client/water_table.h"

@@ -157,13 +157,6 @@ bool IsSingleMesh(const std::string& path) {
   return std::filesystem::is_regular_file(p, error) && p.extension() != ".json";
 }
 
-Scene SceneOfMesh(const std::string& path) {
-  Scene scene;
-  scene.cols = scene.rows = 1;
-  scene.tiles = {{{0, 0}, path}};
-  return scene;
-}
-
 SurveyRecord SurveyOf(const MeshFile& file) { return SurveyTile(file.mesh, file.number_type == NumberType::kFloat32); }
 
 }  // namespace tilemend

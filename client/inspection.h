@@ -24,9 +24,6 @@ Inspection InspectScene(Scene scene, const PlanOptions& options);
 // Whether `path` is a file and no scene.json: a single mesh.
 bool IsSingleMesh(const std::string& path);
 
-// A single mesh as a scene: one cell (0, 0), no grid.
-Scene SceneOfMesh(const std::string& path);
-
 SurveyRecord SurveyOf(const MeshFile& file);
 
 }  // namespace tilemend

@@ -24,25 +24,31 @@ constexpr absl::Duration kLongestPause = absl::Seconds(2);
 constexpr absl::Duration kReconnectPatience = absl::Minutes(10);
 constexpr std::chrono::seconds kCallTimeout(30);
 
-absl::Status Unreachable(const absl::Status& status) {
+absl::Status Unreachable(const absl::Status& status, const std::string& hint) {
   return absl::UnavailableError(absl::StrCat(
       "cannot reach the coordinator; is it running, and are --coordinator, --tls-ca, --tls-cert and --tls-key "
-      "right? (",
-      std::string(status.message()), ")"));
+      "right?",
+      hint.empty() ? "" : " ", hint, " (", std::string(status.message()), ")"));
 }
+
+absl::Status Stopped() { return absl::CancelledError("the watch was stopped"); }
 
 }  // namespace
 
 class JobClient::Impl {
  public:
-  explicit Impl(const std::shared_ptr<grpc::Channel>& channel)
-      : stub(v1::Jobs::NewStub(channel)), workers(v1::Workers::NewStub(channel)) {}
+  Impl(const std::shared_ptr<grpc::Channel>& channel, Patience given)
+      : stub(v1::Jobs::NewStub(channel)), workers(v1::Workers::NewStub(channel)), patience(std::move(given)) {}
+
+  void TellOfWait(const absl::Status& status) {
+    if (patience.on_wait && !told.exchange(true)) patience.on_wait(status);
+  }
 
   // Repeats a call that is safe to repeat while the coordinator cannot be reached.
   template <typename Stub, typename Request, typename Response>
   absl::StatusOr<Response> Call(Stub& to, grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
-                                const Request& request, absl::Duration patience) {
-    const absl::Time give_up = absl::Now() + patience;
+                                const Request& request, absl::Duration limit) {
+    const absl::Time give_up = absl::Now() + limit;
     while (true) {
       grpc::ClientContext context;
       context.set_deadline(std::chrono::system_clock::now() + kCallTimeout);
@@ -54,7 +60,9 @@ class JobClient::Impl {
         return response;
       }
       if (!absl::IsUnavailable(status)) return status;
-      if (absl::Now() + kPause > give_up) return Unreachable(status);
+      if (absl::Now() + kPause > give_up) return Unreachable(status, patience.hint);
+      if (stopped) return Stopped();
+      TellOfWait(status);
       absl::SleepFor(kPause);
     }
   }
@@ -62,61 +70,64 @@ class JobClient::Impl {
   const std::unique_ptr<v1::Jobs::Stub> stub;
   const std::unique_ptr<v1::Workers::Stub> workers;
   const std::string trace = NewTrace();
+  const Patience patience;
   std::atomic<bool> reached{false};  // by a call
+  std::atomic<bool> stopped{false};
+  std::atomic<bool> told{false};  // of a wait
 };
 
-JobClient::JobClient(const std::shared_ptr<grpc::Channel>& channel, absl::Duration patience)
-    : impl_(std::make_unique<Impl>(channel)), patience_(patience) {}
+JobClient::JobClient(const std::shared_ptr<grpc::Channel>& channel, Patience patience)
+    : impl_(std::make_unique<Impl>(channel, std::move(patience))) {}
 
 JobClient::~JobClient() = default;
 
 absl::StatusOr<v1::Job> JobClient::Create(const v1::CreateJobRequest& request) {
   return impl_->Call(*impl_->stub, &v1::Jobs::Stub::CreateJob, request,
-                     request.request_id().empty() ? absl::ZeroDuration() : patience_);
+                     request.request_id().empty() ? absl::ZeroDuration() : impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::Job> JobClient::Get(const std::string& name) {
   v1::GetJobRequest request;
   request.set_name(name);
-  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::GetJob, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::GetJob, request, impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::ListJobsResponse> JobClient::List(const v1::ListJobsRequest& request) {
-  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::ListJobs, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::ListJobs, request, impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::ListWorkersResponse> JobClient::ListWorkers(const v1::ListWorkersRequest& request) {
-  return impl_->Call(*impl_->workers, &v1::Workers::Stub::ListWorkers, request, patience_);
+  return impl_->Call(*impl_->workers, &v1::Workers::Stub::ListWorkers, request, impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::Job> JobClient::Cancel(const std::string& name) {
   v1::CancelJobRequest request;
   request.set_name(name);
-  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::CancelJob, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::CancelJob, request, impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::Job> JobClient::Pause(const std::string& name) {
   v1::PauseJobRequest request;
   request.set_name(name);
-  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::PauseJob, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::PauseJob, request, impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::Job> JobClient::Resume(const std::string& name) {
   v1::ResumeJobRequest request;
   request.set_name(name);
-  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::ResumeJob, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::ResumeJob, request, impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::Job> JobClient::Prioritize(const std::string& name, int32_t priority) {
   v1::PrioritizeJobRequest request;
   request.set_name(name);
   request.set_priority(priority);
-  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::PrioritizeJob, request, patience_);
+  return impl_->Call(*impl_->stub, &v1::Jobs::Stub::PrioritizeJob, request, impl_->patience.of_calls);
 }
 
 absl::StatusOr<v1::Job> JobClient::Retry(const v1::RetryJobRequest& request) {
   return impl_->Call(*impl_->stub, &v1::Jobs::Stub::RetryJob, request,
-                     request.request_id().empty() ? absl::ZeroDuration() : patience_);
+                     request.request_id().empty() ? absl::ZeroDuration() : impl_->patience.of_calls);
 }
 
 absl::Status JobClient::WatchOnce(v1::WatchJobRequest& request, const std::function<void(const v1::Job&)>& show,
@@ -124,7 +135,7 @@ absl::Status JobClient::WatchOnce(v1::WatchJobRequest& request, const std::funct
   grpc::ClientContext context;
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    if (stopped_) return absl::CancelledError("the watch was stopped");
+    if (impl_->stopped) return Stopped();
     watch_context_ = &context;
   }
   const auto reader = impl_->stub->WatchJob(&context, request);
@@ -137,7 +148,7 @@ absl::Status JobClient::WatchOnce(v1::WatchJobRequest& request, const std::funct
   const absl::Status status = FromServerStatus(reader->Finish());
   std::lock_guard<std::mutex> lock(mutex_);
   watch_context_ = nullptr;
-  return stopped_ ? absl::CancelledError("the watch was stopped") : status;
+  return impl_->stopped ? Stopped() : status;
 }
 
 absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::function<void(const v1::Job&)>& show) {
@@ -145,8 +156,8 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
   request.set_name(name);
   v1::Job last;
   const absl::Duration reconnect_patience =
-      patience_ > absl::ZeroDuration() ? kReconnectPatience : absl::ZeroDuration();
-  absl::Time give_up = absl::Now() + (impl_->reached ? reconnect_patience : patience_);
+      impl_->patience.of_calls > absl::ZeroDuration() ? kReconnectPatience : absl::ZeroDuration();
+  absl::Time give_up = absl::Now() + (impl_->reached ? reconnect_patience : impl_->patience.of_calls);
   absl::Duration pause = kPause;
   while (true) {
     const uint64_t cursor = request.cursor();
@@ -159,9 +170,10 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
     const bool is_shed = absl::IsResourceExhausted(status);
     if (!status.ok() && !absl::IsUnavailable(status) && !is_shed) return status;
     if (absl::Now() + pause > give_up) {
-      if (last.name().empty()) return Unreachable(status);
+      if (last.name().empty()) return Unreachable(status, impl_->patience.hint);
       return absl::UnavailableError(absl::StrCat(name, ": lost the coordinator: ", std::string(status.message())));
     }
+    if (last.name().empty() && absl::IsUnavailable(status)) impl_->TellOfWait(status);
     absl::SleepFor(pause);
     pause = std::min(2 * pause, kLongestPause);
   }
@@ -169,7 +181,7 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
 
 void JobClient::StopWatch() {
   std::lock_guard<std::mutex> lock(mutex_);
-  stopped_ = true;
+  impl_->stopped = true;
   if (watch_context_ != nullptr) watch_context_->TryCancel();
 }
 

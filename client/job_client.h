@@ -22,9 +22,18 @@ namespace tilemend {
 // Thread-safe, except that one Watch goes at a time.
 class JobClient {
  public:
-  // Gives up on a coordinator that cannot be reached for `patience` (kUnavailable); a watch waits ten minutes, in which
-  // the coordinator may start again, where it has been under way or a call has succeeded, unless `patience` is 0.
-  JobClient(const std::shared_ptr<grpc::Channel>& channel, absl::Duration patience);
+  struct Patience {
+    absl::Duration of_calls;  // how long a call is repeated while the coordinator cannot be reached
+    // As long as that a watch waits for a coordinator that was never reached. One that was is waited for ten minutes,
+    // in which it may start again, unless `of_calls` is 0.
+    std::function<void(const absl::Status&)> on_wait = nullptr;  // told once, when a call is first repeated
+    std::string hint = {};  // what may be wrong if the coordinator cannot be reached
+  };
+
+  // Gives up on a coordinator that cannot be reached when its patience is over: kUnavailable.
+  JobClient(const std::shared_ptr<grpc::Channel>& channel, Patience patience);
+  JobClient(const std::shared_ptr<grpc::Channel>& channel, absl::Duration patience)
+      : JobClient(channel, Patience{patience}) {}
   ~JobClient();
 
   // With a request_id, safe to repeat; it is repeated while the coordinator cannot be reached.
@@ -41,7 +50,7 @@ class JobClient {
   // Calls `show` with each state of the job until it is over, and gives the last. Connects again, with the cursor, when
   // the stream is lost. kCancelled after StopWatch.
   absl::StatusOr<v1::Job> Watch(const std::string& name, const std::function<void(const v1::Job&)>& show);
-  // From another thread.
+  // From another thread. Calls that are being repeated end with kCancelled as well.
   void StopWatch();
 
  private:
@@ -49,9 +58,7 @@ class JobClient {
   absl::Status WatchOnce(v1::WatchJobRequest& request, const std::function<void(const v1::Job&)>& show, v1::Job& last);
 
   const std::unique_ptr<Impl> impl_;
-  const absl::Duration patience_;
   std::mutex mutex_;
-  bool stopped_ = false;
   grpc::ClientContext* watch_context_ = nullptr;
 };
 

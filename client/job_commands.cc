@@ -21,11 +21,13 @@
 #include "common/util/signals.h"
 #include "common/util/standard_streams.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
 
 constexpr absl::Duration kPatience = absl::Milliseconds(1500);
+constexpr absl::Duration kWatchPatience = absl::Minutes(10);    // the coordinator may start again meanwhile
 constexpr absl::Duration kRestartPatience = absl::Seconds(15);  // of a script, that has named its request
 
 std::string NewRequestId() {
@@ -40,7 +42,20 @@ struct Session {
   std::unique_ptr<SignalWatcher> signals;  // only if it is going to watch; it calls the client, so it goes first
 };
 
-absl::StatusOr<Session> OpenSession(const Args& args, bool watches) {
+// What may be wrong with a token if the coordinator cannot be reached; "" without one.
+std::string TokenHint(const Security& security) {
+  if (security.token_file.empty()) return "";
+  if (security.tls.empty()) return "--token-file is given without --tls-ca: a coordinator with TLS needs that.";
+  if (!security.tls.certificate.empty()) return "";
+  return "--token-file is given without --tls-cert and --tls-key: a coordinator with --tls-ca needs them, too.";
+}
+
+absl::Duration PatienceOf(const Args& args, bool waits_for_start) {
+  if (waits_for_start) return kWatchPatience;
+  return args.IsGiven("request-id") ? kRestartPatience : kPatience;
+}
+
+absl::StatusOr<Session> OpenSession(const Args& args, bool watches, bool waits_for_start = false) {
   Session session;
   if (watches) session.signals = std::make_unique<SignalWatcher>();  // before gRPC has threads
   TILEMEND_ASSIGN_OR_RETURN(session.format, FormatFromFlags(args));
@@ -48,8 +63,15 @@ absl::StatusOr<Session> OpenSession(const Args& args, bool watches) {
   TILEMEND_RETURN_IF_ERROR(CheckAddress(address));
   const Security security = SecurityFromFlags(args);
   TILEMEND_RETURN_IF_ERROR(CheckChannelSecurity(security, address));
-  session.client = std::make_unique<JobClient>(Connect(address, security),
-                                               args.IsGiven("request-id") ? kRestartPatience : kPatience);
+  JobClient::Patience patience{PatienceOf(args, waits_for_start)};
+  patience.hint = TokenHint(security);
+  if (waits_for_start) {
+    patience.on_wait = [address](const absl::Status& why) {
+      std::fprintf(stderr, "tilemend: waits for the coordinator at %s (%s)\n", Printable(address).c_str(),
+                   Printable(std::string(why.message())).c_str());
+    };
+  }
+  session.client = std::make_unique<JobClient>(Connect(address, security), std::move(patience));
   return session;
 }
 
@@ -63,7 +85,6 @@ int PrintJob(const absl::StatusOr<v1::Job>& job, OutputFormat format) {
 int WatchToEnd(Session& session, const std::string& name) {
   absl::StatusOr<v1::Job> job;
   {
-    session.signals->Start([client = session.client.get()](int) { client->StopWatch(); });
     ProgressDisplay display;
     job = session.client->Watch(name, [&display](const v1::Job& now) { display.Show(now); });
     session.signals->Stop();
@@ -76,12 +97,20 @@ int WatchToEnd(Session& session, const std::string& name) {
   return job.ok() ? ExitCodeOf(*job) : printed;
 }
 
+// From now on Ctrl-C ends what the session waits for.
+void StopOnSignal(Session& session) {
+  session.signals->Start([client = session.client.get()](int) { client->StopWatch(); });
+}
+
 // Prints a job that was just made, or waits for its end.
 int AfterStart(Session& session, const Args& args, absl::StatusOr<v1::Job> job) {
   if (ErrorReason(job.status()) == "SCENE_NOT_FOUND") {
     job = absl::NotFoundError(absl::StrCat(std::string(job.status().message()), " where the coordinator runs"));
   }
-  if (job.ok() && args.Switch("wait")) return WatchToEnd(session, job->name());
+  if (job.ok() && args.Switch("wait")) {
+    StopOnSignal(session);
+    return WatchToEnd(session, job->name());
+  }
   return PrintJob(job, session.format);
 }
 
@@ -168,8 +197,9 @@ int PrioritizeCommand(const Args& args) {
 }
 
 int WatchCommand(const Args& args) {
-  auto session = OpenSession(args, true);
+  auto session = OpenSession(args, true, true);
   if (!session.ok()) return PrintUsageError(session.status());
+  StopOnSignal(*session);
   const auto name = FindJobName(*session->client, args.arguments().front());
   return name.ok() ? WatchToEnd(*session, *name) : PrintError(name.status());
 }

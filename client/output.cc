@@ -35,6 +35,17 @@ std::string AgeText(const google::protobuf::Timestamp& time) {
   return DurationText(absl::Now() - absl::FromUnixSeconds(time.seconds()));
 }
 
+// As people say it: a job that is paused does not run.
+std::string StateText(const v1::Job& job) {
+  return job.paused() && job.state() == v1::RUNNING ? "paused" : StateName(job.state());
+}
+
+// Likewise: a worker that gets tasks and holds none is idle.
+std::string StateText(const v1::WorkerInfo& worker) {
+  if (worker.state() == v1::WORKING && worker.tasks() == 0) return "idle";
+  return absl::StrReplaceAll(absl::AsciiStrToLower(v1::WorkerState_Name(worker.state())), {{"_", " "}});
+}
+
 struct Column {
   size_t width = 0;
   bool has_numbers = false, has_texts = false;
@@ -150,7 +161,7 @@ std::string SurfaceText(const v1::JobSpec& spec) {
 std::string JobText(const v1::Job& job, OutputFormat format) {
   if (format == OutputFormat::kJson) return Dump(JobJson(job));
   const v1::Progress& p = job.progress();
-  std::vector<std::vector<std::string>> rows = {{"state", StateName(job.state())},
+  std::vector<std::vector<std::string>> rows = {{"state", StateText(job)},
                                                 {"scene", job.spec().scene()},
                                                 {"out", job.spec().out()},
                                                 {"surface", SurfaceText(job.spec())},
@@ -181,8 +192,7 @@ std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format, size
   }
   std::vector<std::vector<std::string>> rows;
   for (const v1::Job& job : jobs) {
-    rows.push_back({job.name(), StateName(job.state()) + (job.paused() ? ", paused" : ""),
-                    Share(job.progress().cells_done(), job.progress().cells()),
+    rows.push_back({job.name(), StateText(job), Share(job.progress().cells_done(), job.progress().cells()),
                     Share(job.progress().tasks_done(), job.progress().tasks()), AgeText(job.create_time()),
                     job.spec().out()});
   }
@@ -194,7 +204,7 @@ std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat
   std::vector<std::vector<std::string>> rows;
   Json json = Json::array();
   for (const v1::WorkerInfo& w : workers) {
-    const std::string state = absl::StrReplaceAll(absl::AsciiStrToLower(v1::WorkerState_Name(w.state())), {{"_", " "}});
+    const std::string state = StateText(w);
     rows.push_back({w.id(), state, Share(w.tasks(), w.threads()), AgeText(w.first_seen()), AgeText(w.last_seen()),
                     w.release(), w.identity(), w.message()});
     json.push_back({{"id", w.id()},

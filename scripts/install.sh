@@ -5,13 +5,16 @@
 #   install.sh --lint        the lint tools as well
 #   install.sh --coverage    the tools that measure coverage as well
 #   install.sh --package     the tools that make the Debian package as well
+#   install.sh --python      what the Python package needs as well
+#
+# Several may be given.
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
 
-# What stands before the first section, and the section that is asked for.
-wanted=$(awk -v section="${1:-}" '
+# What stands before the first section, and the sections that are asked for.
+wanted=$(awk -v sections=" $* " '
   /^# \[/ {name = "--" substr($2, 2, length($2) - 2)}
-  !/^(#|$)/ && (name == "" || name == section)' "$list")
+  !/^(#|$)/ && (name == "" || index(sections, " " name " "))' "$list")
 
 if ! command -v dpkg-query >/dev/null; then
   echo "install.sh: not a Debian system; install these yourself: $(echo $wanted)" >&2

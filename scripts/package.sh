@@ -1,7 +1,7 @@
 #!/bin/bash
-# Builds the Debian package and prints its path and the command that installs it.
+# Builds the Debian packages tilemend and python3-tilemend, and a wheel. Prints their paths and how to install them.
 #
-#   scripts/package.sh [FOLDER]     FOLDER: where the package is put (default: build/packages)
+#   scripts/package.sh [FOLDER]     FOLDER: where they are put (default: build/packages)
 #
 # JOBS sets how many compilers run at once.
 set -euo pipefail
@@ -14,17 +14,35 @@ folder="$(realpath -m "${1:-$(dirname "$0")/../build/packages}")"
 cd "$(dirname "$0")/.."
 source scripts/jobs.sh
 
-scripts/install.sh --package
+scripts/install.sh --package --python
 mkdir -p build "$folder"
-cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 1; }
-cmake --build --preset release -j "$jobs" \
-  --target tilemend tilemend-coordinator tilemend-worker tilemend_gdal tilemend_manuals
 
-log=build/release/cpack.log
-cpack -G DEB --config build/release/CPackConfig.cmake -B "$folder" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
-rm -rf "$folder/_CPack_Packages"
-package=$(sed -n 's/^CPack: - package: \(.*\.deb\) generated\.$/\1/p' "$log")
+# Configures the preset $1 and builds the targets that follow.
+build() {
+  local preset=$1; shift
+  cmake --preset "$preset" >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 1; }
+  cmake --build --preset "$preset" -j "$jobs" --target "$@"
+}
+
+# Prints the path of the Debian package that the tree of preset $1 makes.
+pack() {
+  local log=build/$1/cpack.log
+  cpack -G DEB --config "build/$1/CPackConfig.cmake" -B "$folder" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  rm -rf "$folder/_CPack_Packages"
+  sed -n 's/^CPack: - package: \(.*\.deb\) generated\.$/\1/p' "$log"
+}
+
+build release tilemend tilemend-coordinator tilemend-worker tilemend_gdal tilemend_manuals
+package=$(pack release)
+build python tilemend_python_package
+python_package=$(pack python)
+wheel_log=build/python/wheel.log
+JOBS=$jobs /usr/bin/python3 -m build --wheel --no-isolation --outdir "$folder" python >"$wheel_log" 2>&1 ||
+  { cat "$wheel_log" >&2; exit 1; }
+wheel=$folder/$(sed -n 's/^Successfully built //p' "$wheel_log")
 
 echo
 echo "Package:  $package"
 echo "Install:  sudo apt-get install $package"
+echo "Python:   sudo apt-get install $python_package"
+echo "Wheel:    pip install $wheel"

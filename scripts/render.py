@@ -215,41 +215,67 @@ def shades(corners):
     return np.clip(normal @ light / np.where(length > 0, length, 1), 0, 1) * 0.75 + 0.3
 
 
+def repeated(counts):
+    """The number of each group, as often as it has members, and the place of each member in its group."""
+    group = np.repeat(np.arange(len(counts)), counts)
+    return group, np.arange(len(group)) - (np.cumsum(counts) - counts)[group]
+
+
+def row_ranges(a, b, y, low, high):
+    """Narrows [low, high], the x that a triangle has in row y, by its edge from a to b (n x 2 each)."""
+    rise = b[:, 1] - a[:, 1]
+    crosses = ((a[:, 1] <= y) & (y <= b[:, 1])) | ((b[:, 1] <= y) & (y <= a[:, 1]))
+    steep = np.where(rise != 0, rise, 1)
+    x = a[:, 0] + (y - a[:, 1]) / steep * (b[:, 0] - a[:, 0])
+    level = crosses & (rise == 0)
+    first = np.where(level, np.minimum(a[:, 0], b[:, 0]), x)
+    last = np.where(level, np.maximum(a[:, 0], b[:, 0]), x)
+    return np.where(crosses, np.minimum(low, first), low), np.where(crosses, np.maximum(high, last), high)
+
+
 def rasterise(corners, box, shape):
-    """The number of the topmost triangle at each pixel's centre, -1 where there is none. A z-buffer by sorting."""
+    """The number of the topmost triangle at each pixel's centre, -1 where there is none. A z-buffer over spans of rows."""
     height, width = shape
     scale = np.array([width, height]) / (box[2:] - box[:2])
     xy = (corners[:, :, :2] - box[:2]) * scale - 0.5
-    low = np.clip(np.ceil(xy.min(1)), 0, [width, height]).astype(int)
-    high = np.clip(np.floor(xy.max(1)), -1, [width - 1, height - 1]).astype(int)
+    edges = xy[:, 1:] - xy[:, :1]
+    area = edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 1, 0] * edges[:, 0, 1]
+    low = np.clip(np.ceil(xy[:, :, 1].min(1) - 1e-9), 0, height).astype(int)
+    high = np.clip(np.floor(xy[:, :, 1].max(1) + 1e-9), -1, height - 1).astype(int)
+    rows = np.where(area != 0, np.maximum(high - low + 1, 0), 0)  # upright triangles cover no pixel
     owner_image, z_image = np.full(width * height, -1), np.full(width * height, -np.inf)
-    spans = np.maximum(high - low + 1, 0)
-    counts = spans.prod(1)
-    starts = np.concatenate([[0], np.cumsum(counts)])
+    # In portions of about 4 million pixels, to bound memory.
+    reach = np.clip(xy[:, :, 0].max(1), 0, width) - np.clip(xy[:, :, 0].min(1), 0, width)
+    starts = np.concatenate([[0], np.cumsum(rows * (reach / 2 + 2))])
     first = 0
-    while first < len(corners):  # in portions of about 4 million candidate pixels, to bound memory
+    while first < len(corners):
         last = max(first + 1, int(np.searchsorted(starts, starts[first] + 4_000_000, 'right')) - 1)
-        owner = np.repeat(np.arange(first, last), counts[first:last])
-        k = np.arange(len(owner)) - (starts[owner] - starts[first])
-        px, py = low[owner, 0] + k % spans[owner, 0], low[owner, 1] + k // spans[owner, 0]
-        draw(xy, corners[:, :, 2], owner, px, py, px + py * width, owner_image, z_image)
+        draw(xy[first:last], corners[first:last, :, 2], first, low[first:last], rows[first:last], width, owner_image, z_image)
         first = last
     return owner_image.reshape(shape)[::-1]
 
 
-def draw(xy, z, owner, px, py, pixel, owner_image, z_image):
-    a, b, c = (xy[owner, k] for k in range(3))
-    area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (b[:, 1] - a[:, 1])
-    seen = np.where(area != 0, area, 1)  # upright triangles cover no pixel
-    u = ((px - a[:, 0]) * (c[:, 1] - a[:, 1]) - (c[:, 0] - a[:, 0]) * (py - a[:, 1])) / seen
-    v = ((b[:, 0] - a[:, 0]) * (py - a[:, 1]) - (px - a[:, 0]) * (b[:, 1] - a[:, 1])) / seen
-    inside = np.flatnonzero((area != 0) & (u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9))
-    owner, pixel, u, v = owner[inside], pixel[inside], u[inside], v[inside]
-    depth = z[owner, 0] + u * (z[owner, 1] - z[owner, 0]) + v * (z[owner, 2] - z[owner, 0])
-    order = np.lexsort((depth, pixel))
-    top = order[np.flatnonzero(np.diff(pixel[order], append=-1))]  # the last, highest of each pixel
-    top = top[depth[top] > z_image[pixel[top]]]
-    owner_image[pixel[top]], z_image[pixel[top]] = owner[top], depth[top]
+def draw(xy, z, first, low, rows, width, owner_image, z_image):
+    """Draws the triangles from number `first` on: their spans in rows, and the pixels of these."""
+    owner, at = repeated(rows)
+    y = (low[owner] + at).astype(float)
+    begin, end = np.full(len(owner), np.inf), np.full(len(owner), -np.inf)
+    for k in range(3):
+        begin, end = row_ranges(xy[owner, k], xy[owner, (k + 1) % 3], y, begin, end)
+    begin = np.ceil(np.clip(begin, -1, width) - 1e-9).astype(int).clip(0)
+    counts = np.maximum(np.floor(np.clip(end, -1, width - 1) + 1e-9).astype(int) - begin + 1, 0)
+    # z over the plane of each triangle.
+    (bx, by), (cx, cy) = (xy[:, 1] - xy[:, 0]).T, (xy[:, 2] - xy[:, 0]).T
+    area = np.where(bx * cy != cx * by, bx * cy - cx * by, 1)
+    bz, cz = z[:, 1] - z[:, 0], z[:, 2] - z[:, 0]
+    slope_x, slope_y = (bz * cy - cz * by) / area, (cz * bx - bz * cx) / area
+    at_begin = z[owner, 0] + slope_x[owner] * (begin - xy[owner, 0, 0]) + slope_y[owner] * (y - xy[owner, 0, 1])
+    span, step = repeated(counts)
+    pixel = y.astype(int)[span] * width + begin[span] + step
+    depth = at_begin[span] + slope_x[owner][span] * step
+    seen = np.flatnonzero(depth > z_image[pixel])
+    order = seen[np.argsort(depth[seen], kind='stable')]  # of each pixel the highest is written last
+    owner_image[pixel[order]], z_image[pixel[order]] = first + owner[span[order]], depth[order]
 
 
 def picture(corners, marks, box, shape):
@@ -270,7 +296,7 @@ def write_png(path, image):
     os.makedirs(os.path.dirname(path) or '.', exist_ok=True)
     with open(path, 'wb') as file:
         file.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)) +
-                   chunk(b'IDAT', zlib.compress(rows.tobytes(), 9)) + chunk(b'IEND', b''))
+                   chunk(b'IDAT', zlib.compress(rows.tobytes(), 6)) + chunk(b'IEND', b''))
 
 
 def halve(image):

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 preset="${1:-release}"
 source scripts/jobs.sh
 
-scripts/install.sh
+scripts/install.sh --python
 cmake --preset "$preset"
 cmake --build --preset "$preset" -j "$jobs"
 

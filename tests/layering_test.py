@@ -18,7 +18,7 @@ LIBRARIES = {
     'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
-    'CLI/': 'cli11', 'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'zlib.h': 'zlib', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
+    'CLI/': 'cli11', 'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'zlib.h': 'zlib', 'pybind11/': 'pybind11', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
 }
 # Standard and system headers that a pure folder may not use: it has no files, no threads and no clock of its own.
 IMPURE = {'filesystem', 'fstream', 'thread', 'mutex', 'shared_mutex', 'condition_variable', 'future', 'stop_token',
@@ -215,15 +215,24 @@ RULES = {
         ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api'],
         ['absl']),
 
+    # One mesh in this process: geometry without a service. The Python module includes it as well.
+    'client/mesh': rule(
+        ['common/util', 'common/mesh', 'common/grid', 'common/options', 'common/records', 'common/codec', 'common/assemble',
+         'worker/papers', 'worker/survey', 'worker/fill/shape', 'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld',
+         'worker/materials', 'worker/service', 'coordinator/waves', 'coordinator/report'],
+        ['absl', 'protobuf']),
+
+    'python/binding': rule(['common/util', 'common/options', 'coordinator/report', 'client/mesh'], ['absl', 'pybind11']),
+
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground', 'worker/propose', 'worker/fill/shape',
-         'worker/fill/space', 'worker/fill', 'worker/check', 'worker/weld', 'worker/materials', 'worker/service', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/ground', 'worker/propose',
+         'worker/check', 'worker/materials', 'worker/service', 'client/mesh', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'eigen', 'grpc', 'json', 'protobuf', 'zlib']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
-OURS = ('common/', 'worker/', 'coordinator/', 'client/', 'tests/')
+OURS = ('common/', 'worker/', 'coordinator/', 'client/', 'python/', 'tests/')
 
 
 def rule_of(folder):
@@ -311,7 +320,7 @@ def check_circles(used):
 
 
 def sources(root):
-    for top in ('common', 'worker', 'coordinator', 'client'):
+    for top in ('common', 'worker', 'coordinator', 'client', 'python'):
         for folder, _, names in os.walk(os.path.join(root, top)):
             for name in sorted(names):
                 if name.endswith(('.cc', '.h')):

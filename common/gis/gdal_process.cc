@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -20,6 +21,7 @@ namespace tilemend {
 namespace {
 
 constexpr char kProgram[] = "tilemend-gdal";
+constexpr char kNamedBy[] = "TILEMEND_GDAL";  // variable of the environment
 
 // Closes a file descriptor.
 class Descriptor {
@@ -34,15 +36,18 @@ class Descriptor {
   const int number_;
 };
 
+// Beside the program that runs; a Python interpreter has it elsewhere, so the environment may name it.
 absl::StatusOr<std::string> ProgramPath() {
+  if (const char* named = std::getenv(kNamedBy); named != nullptr && named[0] != 0) return std::string(named);
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   for (const std::filesystem::path& path :
        {folder / kProgram, folder / "../bin" / kProgram, folder / "../lib/tilemend" / kProgram}) {
     if (::access(path.c_str(), X_OK) == 0) return path.string();
   }
-  return absl::InternalError(absl::StrCat("cannot find ", kProgram, ", which reads files of polygons, beside ",
-                                          folder.string(), " or in ../lib/tilemend"));
+  return absl::InternalError(
+      absl::StrCat("cannot find ", kProgram, ", which reads files of polygons, beside ", folder.string(),
+                   " or in ../lib/tilemend; install the package tilemend, or name its path in ", kNamedBy));
 }
 
 // Starts the program with `end` as its input and its output.

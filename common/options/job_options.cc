@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -20,6 +21,7 @@
 namespace tilemend {
 namespace {
 
+constexpr char kTrue[] = "true";  // the text of a switch that is on
 constexpr size_t kMaxPathBytes = 4096;
 constexpr size_t kMaxCellsBytes = size_t{64} << 10;  // kept with the job, and shown with it
 
@@ -88,6 +90,39 @@ bool IsOf(const Option& option, unsigned commands) {
   });
 }
 
+// kInvalidArgument for a field that no option of `commands` has.
+absl::Status CheckFields(const std::map<std::string, std::string>& texts, unsigned commands) {
+  std::vector<std::string> fields;
+  for (const Option& option : AllOptions()) {
+    if ((option.commands & commands) != 0) fields.emplace_back(option.field);
+  }
+  for (const auto& [field, text] : texts) {
+    if (std::ranges::find(fields, field) != fields.end()) continue;
+    return InvalidSpec(field, absl::StrCat(": there is no such option", DidYouMean(field, fields)));
+  }
+  return absl::OkStatus();
+}
+
+// `text` is what was given, or null for nothing: then fields without `optional` get their default.
+absl::Status SetFromText(const Option& option, const std::string* text, v1::JobSpec& spec) {
+  const OptionField field(option);
+  if (option.type == OptionType::kSwitch) {
+    if (text != nullptr && *text != kTrue) return InvalidValue(option, *text);
+    field.SetSwitch(text != nullptr, spec);
+    return absl::OkStatus();
+  }
+  const std::string value = text != nullptr ? *text : option.default_value;
+  if (!field.IsNumber()) {
+    if (text != nullptr || (!field.IsOptional() && !value.empty())) field.SetText(value, spec);
+    return absl::OkStatus();
+  }
+  if ((text == nullptr && field.IsOptional()) || IsWord(option, value)) return absl::OkStatus();
+  double number = 0;
+  if (!absl::SimpleAtod(value, &number) || !IsInRange(option, number)) return InvalidValue(option, value);
+  field.SetNumber(number, spec);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 v1::JobSpec WithDefaults(v1::JobSpec spec) {
@@ -124,25 +159,30 @@ absl::Status CheckJob(const v1::JobSpec& spec, const IsGiven& is_given) {
   return CheckOptions(spec, kOfJobs, is_given);
 }
 
-absl::StatusOr<v1::JobSpec> SpecFromFlags(const Flags& flags, unsigned commands) {
+absl::StatusOr<v1::JobSpec> SpecFromTexts(const std::map<std::string, std::string>& texts, unsigned commands) {
+  TILEMEND_RETURN_IF_ERROR(CheckFields(texts, commands));
   v1::JobSpec spec;
   for (const Option& option : AllOptions()) {
     if ((option.commands & commands) == 0) continue;
-    const OptionField field(option);
-    const std::string name = FlagOf(option), text = flags.Text(name);
-    if (option.type == OptionType::kSwitch) {
-      field.SetSwitch(flags.Switch(name), spec);
-    } else if (!field.IsNumber()) {
-      if (flags.IsGiven(name) || (!field.IsOptional() && !text.empty())) field.SetText(text, spec);
-    } else if ((flags.IsGiven(name) || !field.IsOptional()) && !IsWord(option, text)) {
-      double value = 0;
-      if (!absl::SimpleAtod(text, &value) || !IsInRange(option, value)) {
-        return NamedAsFlag(InvalidValue(option, text));
-      }
-      field.SetNumber(value, spec);
-    }
+    const auto given = texts.find(option.field);
+    TILEMEND_RETURN_IF_ERROR(SetFromText(option, given == texts.end() ? nullptr : &given->second, spec));
   }
   return spec;
+}
+
+absl::StatusOr<v1::JobSpec> SpecFromFlags(const Flags& flags, unsigned commands) {
+  std::map<std::string, std::string> texts;
+  for (const Option& option : AllOptions()) {
+    const std::string name = FlagOf(option);
+    if ((option.commands & commands) == 0) continue;
+    if (flags.IsGiven(name)) {
+      texts[option.field] = option.type == OptionType::kSwitch ? kTrue : flags.Text(name);
+    } else if (!OptionField(option).IsOptional() && !flags.Text(name).empty()) {
+      texts[option.field] = flags.Text(name);  // a command may have a default of its own
+    }
+  }
+  auto spec = SpecFromTexts(texts, commands);
+  return spec.ok() ? std::move(spec) : NamedAsFlag(spec.status());
 }
 
 absl::Status NamedAsFlag(const absl::Status& status) {

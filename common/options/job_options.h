@@ -7,6 +7,7 @@
 #define TILEMEND_COMMON_OPTIONS_JOB_OPTIONS_H_
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,11 @@ absl::Status CheckOptions(const v1::JobSpec& spec, unsigned commands, const IsGi
 // CheckOptions of jobs, `scene` and `out` are there, and no option of another command is set. All paths are absolute or
 // URIs, in UTF-8, and short enough.
 absl::Status CheckJob(const v1::JobSpec& spec, const IsGiven& is_given = nullptr);
+
+// The options of `commands` that `texts` gives by field, each as on the command line ("true" for a switch), and
+// defaults. Not checked but for numbers and switches. kInvalidArgument for a field that `commands` do not have, with
+// the nearest.
+absl::StatusOr<v1::JobSpec> SpecFromTexts(const std::map<std::string, std::string>& texts, unsigned commands);
 
 // The options of `commands` that `flags` gives, and defaults of the flags. Not checked but for numbers. Errors name the
 // flag.

@@ -46,6 +46,12 @@ int NoPassword(char*, int, int, void*) { return 0; }
 
 absl::Status CheckPlaintext(const Security& security, const std::string& address) {
   if (!security.tls.empty() || security.plaintext || IsLoopback(address)) return absl::OkStatus();
+  if (!security.token_file.empty()) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(address,
+                     ": --tls-ca is missing: without TLS the token would leave this machine in plain text; give "
+                     "--tls-ca, or --insecure if the network is private"));
+  }
   return absl::InvalidArgumentError(
       absl::StrCat(address,
                    ": plain text would leave this machine; give --tls-cert, --tls-key and --tls-ca, or "

@@ -63,6 +63,20 @@ absl::Status CheckOutputGone(const JobSpec& spec) {
       {"OUTPUT_EXISTS", {}});
 }
 
+// Whether the output is complete, so that a job would be refused when it starts. A job that overwrites one has its
+// marker there until it ends.
+absl::Status CheckOutputNotComplete(const JobSpec& spec) {
+  if (spec.overwrite() || spec.dry_run()) return absl::OkStatus();
+  const auto names = ListFolder(spec.out());
+  const auto has = [&](const char* name) { return std::ranges::find(*names, name) != names->end(); };
+  if (!names.ok() || !has("report.json") || has(".tilemend-job")) return absl::OkStatus();
+  return WithErrorInfo(absl::AlreadyExistsError(absl::StrCat(
+                           Printable(spec.out()),
+                           ": exists already, and is complete; choose another --out, or give --overwrite to replace "
+                           "the files that the job writes")),
+                       {"OUTPUT_EXISTS", {}});
+}
+
 }  // namespace
 
 absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
@@ -70,9 +84,11 @@ absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& reque
   TILEMEND_RETURN_IF_ERROR(CheckJob(spec));
   TILEMEND_RETURN_IF_ERROR(CheckPriority(request.priority()));
   TILEMEND_RETURN_IF_ERROR(CheckRoots(cluster_.options.roots.get(), spec));
-  const absl::Status scene = CheckScene(spec.scene());  // without the lock: a mount may hang
+  // Both without the lock: a mount may hang.
+  absl::Status folders = CheckScene(spec.scene());
+  folders.Update(CheckOutputNotComplete(spec));
   return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<v1::Job> {
-    TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), scene));
+    TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), folders));
     return runs_.StartJob(spec, request.request_id(), request.priority(), std::move(origin));
   });
 }

@@ -77,7 +77,7 @@ class Cluster:
     def await_workers(self, a, workers):
         for _ in range(300):
             seen = subprocess.run(self.command(a, 'workers'), capture_output=True, text=True, check=False)
-            if seen.stdout.count('working') == workers:
+            if seen.stdout.count('idle') == workers:
                 return
             time.sleep(0.1)
         raise SystemExit(f'the workers did not come: {seen.stdout}{seen.stderr}')

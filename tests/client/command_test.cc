@@ -300,7 +300,7 @@ TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {
       RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "--priority", "-4", "-o", "json"}).out);
   EXPECT_EQ(job["priority"], -4);
   EXPECT_THAT(RunWith({"pause", job["name"]}).out, HasSubstr("it is paused"));
-  EXPECT_THAT(RunWith({"list"}).out, HasSubstr("  running, paused  "));
+  EXPECT_THAT(RunWith({"list"}).out, HasSubstr("  paused  "));
   EXPECT_TRUE(cluster_->Get(job["name"]).paused());
   EXPECT_EQ(RunWith({"resume", job["name"]}).code, 0);
   EXPECT_FALSE(cluster_->Get(job["name"]).paused());

@@ -1,5 +1,6 @@
 #include "client/job_client.h"
 
+#include <gmock/gmock.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/security/server_credentials.h>
@@ -96,6 +97,50 @@ TEST_F(JobClientTest, AWatchThatItsUserStopsIsCancelled) {
   JobClient client = Client();
   client.StopWatch();
   EXPECT_TRUE(absl::IsCancelled(client.Watch("jobs/1", [](const v1::Job&) {}).status()));
+}
+
+TEST_F(JobClientTest, AWatchBegunWhileTheCoordinatorIsDownWaitsAndSaysSoOnce) {
+  server_->Shutdown();
+  std::promise<void> waits;
+  int told = 0;
+  JobClient::Patience patience{absl::Minutes(1)};
+  patience.on_wait = [&](const absl::Status& why) {
+    EXPECT_TRUE(absl::IsUnavailable(why)) << why;
+    if (++told == 1) waits.set_value();
+  };
+  JobClient client(grpc::CreateChannel(absl::StrCat("127.0.0.1:", port_), grpc::InsecureChannelCredentials()),
+                   std::move(patience));
+  auto watched = std::async(std::launch::async, [&] { return client.Watch("jobs/1", [](const v1::Job&) {}); });
+  waits.get_future().get();
+  server_ = Serve(jobs_, port_);
+  ASSERT_NE(server_, nullptr);
+  const absl::StatusOr<v1::Job> job = watched.get();
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->state(), v1::DONE);
+  EXPECT_EQ(told, 1);
+}
+
+TEST_F(JobClientTest, AUserMayStopACallThatWaits) {
+  server_->Shutdown();
+  JobClient::Patience patience{absl::Minutes(10)};
+  std::promise<void> waits;
+  patience.on_wait = [&](const absl::Status&) { waits.set_value(); };
+  JobClient client(grpc::CreateChannel(absl::StrCat("127.0.0.1:", port_), grpc::InsecureChannelCredentials()),
+                   std::move(patience));
+  auto asked = std::async(std::launch::async, [&] { return client.List({}); });
+  waits.get_future().get();
+  client.StopWatch();
+  EXPECT_TRUE(absl::IsCancelled(asked.get().status()));
+}
+
+TEST_F(JobClientTest, SaysWhatMayBeMissing) {
+  server_->Shutdown();
+  JobClient::Patience patience{absl::ZeroDuration()};
+  patience.hint = "--token-file is given without --tls-ca.";
+  JobClient client(grpc::CreateChannel(absl::StrCat("127.0.0.1:", port_), grpc::InsecureChannelCredentials()),
+                   std::move(patience));
+  const absl::Status status = client.Get("jobs/1").status();
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("right? --token-file is given without --tls-ca. ("));
 }
 
 TEST_F(JobClientTest, GivesUpSoonOnACoordinatorThatItNeverReached) {

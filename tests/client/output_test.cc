@@ -46,10 +46,28 @@ void ExpectLinesWithin(const std::string& text, size_t columns) {
   }
 }
 
+TEST(OutputTest, StatesAreInWordsOfPeople) {
+  v1::WorkerInfo worker;
+  worker.set_id("w");
+  worker.set_state(v1::WORKING);
+  EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), testing::HasSubstr("idle"));
+  worker.set_tasks(1);
+  EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), testing::HasSubstr("working"));
+  worker.set_tasks(0);
+  worker.set_state(v1::SET_ASIDE);
+  EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), testing::HasSubstr("set aside"));
+  v1::Job job;
+  job.set_state(v1::RUNNING);
+  job.set_paused(true);
+  EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::HasSubstr("paused"));
+  job.set_state(v1::CANCELLED);
+  EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::Not(testing::HasSubstr("paused")));
+}
+
 TEST(JobsTextTest, KeepsToEightyColumns) {
   const std::string text = JobsText({LongJob()}, OutputFormat::kTable, 80);
   ExpectLinesWithin(text, 80);
-  for (const char* shown : {"jobs/0123456789ab", "running, paused", "49999/50000", "3 d 04 h", "-filled"}) {
+  for (const char* shown : {"jobs/0123456789ab", "  paused  ", "49999/50000", "3 d 04 h", "-filled"}) {
     EXPECT_THAT(text, HasSubstr(shown));
   }
   EXPECT_THAT(text, Not(HasSubstr("CELLS")));

@@ -76,7 +76,7 @@ class Jobs:
     def time(self, workers, slow=0):
         """Seconds of a job on so many workers, and how often a second attempt was made."""
         running = [self.worker() for _ in range(workers)]
-        await_('the workers', lambda: self.bench.client('workers').stdout.count('working') >= workers)
+        await_('the workers', lambda: self.bench.client('workers').stdout.count('idle') >= workers)
         slowed = [Slowed(process) for process in running[:slow]]
         begin = time.time()
         name, out = self.submit()

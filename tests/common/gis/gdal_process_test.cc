@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
@@ -33,6 +34,13 @@ TEST(AskGdalTest, ThreadsMayAskAtOnce) {
   }
   for (std::thread& thread : threads) thread.join();
   for (const std::string& answer : answers) EXPECT_THAT(answer, HasSubstr("has degrees"));
+}
+
+TEST(AskGdalTest, TheEnvironmentMayNameTheProgram) {
+  ASSERT_EQ(::setenv("TILEMEND_GDAL", "/no/such/program", 1), 0);
+  const absl::Status status = AskGdal("CEPSG:4326", "crs").status();
+  ASSERT_EQ(::unsetenv("TILEMEND_GDAL"), 0);
+  EXPECT_THAT(std::string(status.message()), HasSubstr("cannot start /no/such/program"));
 }
 
 }  // namespace

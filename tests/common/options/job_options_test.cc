@@ -253,6 +253,25 @@ TEST(JobOptionsTest, WordsOfNumbersLeaveThemToTheProgram) {
   EXPECT_EQ(SpecFromFlags(Parsed(kOfFill, {"--largest-hole=40"}), kOfFill)->largest_hole(), 40);
 }
 
+TEST(JobOptionsTest, TextsGiveTheSameAsFlags) {
+  const auto texts = SpecFromTexts({{"tension", "2.5"}, {"uniform", "true"}, {"weld", "off"}}, kOfFill);
+  const auto flags = SpecFromFlags(Parsed(kOfFill, {"--tension", "2.5", "--uniform", "--weld=off"}), kOfFill);
+  ASSERT_TRUE(texts.ok()) << texts.status();
+  EXPECT_TRUE(AreEqual(*texts, *flags));
+}
+
+TEST(JobOptionsTest, TextsThatAreNoneNameTheField) {
+  const auto fault = [](const std::map<std::string, std::string>& texts) {
+    const absl::Status status = SpecFromTexts(texts, kOfFill).status();
+    EXPECT_TRUE(status.ok() || GetErrorInfo(status)->metadata.at("field") == texts.begin()->first);
+    return std::string(status.message());
+  };
+  EXPECT_EQ(fault({{"gradation", "big"}}), "gradation 'big': expected a number from 1 to 10");
+  EXPECT_EQ(fault({{"uniform", "1"}}), "uniform '1': expected true or false");
+  EXPECT_EQ(fault({{"gradatoin", "2"}}), "gradatoin: there is no such option; did you mean gradation?");
+  EXPECT_EQ(fault({{"cells", "0,0"}}).substr(0, 33), "cells: there is no such option");
+}
+
 TEST(JobOptionsTest, WorkersGetWhatTheirTasksDependOnAlone) {
   JobSpec spec = Valid();
   spec.set_gradation(2);

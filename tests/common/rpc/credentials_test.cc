@@ -33,6 +33,13 @@ TEST(CheckServerSecurityTest, KeepsPlainTextOnThisMachine) {
   }
 }
 
+TEST(CheckChannelSecurityTest, ATokenInPlainTextSaysWhatIsMissing) {
+  Security security;
+  security.token_file = "/no/such/token";
+  const absl::Status status = CheckChannelSecurity(security, "host:1");
+  EXPECT_THAT(std::string(status.message()), HasSubstr("--tls-ca is missing: without TLS the token would leave"));
+}
+
 TEST(CheckServerSecurityTest, RefusesFilesThatDoNotBelongTogether) {
   const TemporaryFolder folder;
   const TestAuthority authority(folder.path(), "ca");

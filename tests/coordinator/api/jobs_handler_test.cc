@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -108,6 +109,32 @@ TEST_F(JobsHandlerTest, RetryOfACompleteOutputNeedsOverwrite) {
   retry.clear_request_id();
   retry.set_overwrite(false);
   EXPECT_TRUE(calls_.jobs.RetryJob(retry).ok()) << "the output was taken away";
+}
+
+TEST_F(JobsHandlerTest, AJobOntoACompleteOutputIsRefusedAtOnce) {
+  v1::CreateJobRequest request = NewRequest();
+  const std::string out = request.spec().out();
+  std::filesystem::create_directories(out);
+  std::ofstream(out + "/report.json") << "{}";
+  const absl::Status status = calls_.jobs.CreateJob(request).status();
+  EXPECT_TRUE(absl::IsAlreadyExists(status)) << status;
+  EXPECT_EQ(ErrorReason(status), "OUTPUT_EXISTS");
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("give --overwrite"));
+  EXPECT_EQ(calls_.jobs.ListJobs({})->jobs_size(), 0);
+  std::ofstream(out + "/.tilemend-job") << "";
+  EXPECT_TRUE(calls_.jobs.CreateJob(request).ok()) << "an output that a job was writing over is not complete";
+}
+
+TEST_F(JobsHandlerTest, ACompleteOutputMayBeOverwrittenOrLeftToARehearsal) {
+  v1::CreateJobRequest request = NewRequest();
+  std::filesystem::create_directories(request.spec().out());
+  std::ofstream(request.spec().out() + "/report.json") << "{}";
+  v1::CreateJobRequest rehearsal = request;
+  rehearsal.mutable_spec()->set_dry_run(true);
+  EXPECT_TRUE(calls_.jobs.CreateJob(rehearsal).ok());
+  request.mutable_spec()->set_overwrite(true);
+  const absl::Status status = calls_.jobs.CreateJob(request).status();
+  EXPECT_NE(ErrorReason(status), "OUTPUT_EXISTS") << status;
 }
 
 TEST_F(JobsHandlerTest, RefusesPathsThatAreNotBelowItsRoots) {

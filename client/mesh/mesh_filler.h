@@ -1,6 +1,6 @@
 // Fills the holes of one mesh in this process, without a grid and without a job.
-#ifndef TILEMEND_CLIENT_MESH_FILLER_H_
-#define TILEMEND_CLIENT_MESH_FILLER_H_
+#ifndef TILEMEND_CLIENT_MESH_MESH_FILLER_H_
+#define TILEMEND_CLIENT_MESH_MESH_FILLER_H_
 
 #include <cstddef>
 #include <functional>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "client/mesh/edited_mesh.h"
 #include "common/codec/mtl.h"
 #include "common/records/tile_files.h"
 #include "common/util/colour.h"
@@ -36,16 +37,20 @@ struct MeshFillOptions {
 struct FilledMesh {
   std::unique_ptr<SceneWaves> waves;
   SceneReportInput report;              // refers to the plan of `waves`
-  std::string bytes;                    // of the filled mesh, in the format of the original
+  std::string bytes;                    // of a file: the filled mesh, in the format of the original
   TileFiles files;                      // that the original names, relative to its folder
   std::vector<FillMaterial> materials;  // that `library` has to define; empty: there need be no such file
 };
 
-// Reads, welds if asked, surveys, plans and fills the mesh in the file `path`. Errors of ReadFile and ParseMesh. Holes
-// that cannot be filled are in the report. Holds the file, its survey and its patches; and the mesh once more, if some
-// hole is no height over the ground. Keeps the process's heap (KeepHeap).
+// Welds if asked, surveys, plans and fills the mesh. Errors of its parsing; kCancelled once options.fill.refine is
+// cancelled, which is looked at within each hole and leaves the mesh without patches. Holes that cannot be filled are
+// in the report. Holds the survey and the patches; and the mesh once more, if some hole is no height over the ground.
+absl::StatusOr<FilledMesh> FillMesh(EditedMesh& mesh, const MeshFillOptions& options);
+
+// The same for the mesh in the file `path`; errors of ReadFile and ParseMesh as well. Keeps the process's heap
+// (KeepHeap).
 absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const MeshFillOptions& options);
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_CLIENT_MESH_FILLER_H_
+#endif  // TILEMEND_CLIENT_MESH_MESH_FILLER_H_

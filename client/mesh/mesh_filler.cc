@@ -1,6 +1,5 @@
-#include "client/mesh_filler.h"
+#include "client/mesh/mesh_filler.h"
 
-#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -8,22 +7,17 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "client/inspection.h"
+#include "client/mesh/file_mesh.h"
+#include "client/mesh/single_mesh.h"
 #include "common/assemble/assemble.h"
-#include "common/assemble/clear_tile.h"
-#include "common/codec/face_edits.h"
-#include "common/codec/mesh_file.h"
 #include "common/mesh/height_tally.h"
-#include "common/util/files.h"
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "worker/check/mesh_defects.h"
 #include "worker/fill/shape/patch_quality.h"
 #include "worker/fill/space/surface_index.h"
-#include "worker/materials/survey_look.h"
 #include "worker/papers/published_ways.h"
-#include "worker/weld/weld_rims.h"
 
 namespace tilemend {
 namespace {
@@ -31,8 +25,8 @@ namespace {
 // Does the work on one mesh, one piece after the other.
 class MeshFiller {
  public:
-  MeshFiller(const std::string& path, const MeshFillOptions& options)
-      : path_(path), options_(options.fill), weld_(options.weld), library_(options.library), show_(options.show) {
+  MeshFiller(EditedMesh& mesh, const MeshFillOptions& options)
+      : mesh_(mesh), options_(options.fill), weld_(options.weld), library_(options.library), show_(options.show) {
     options_.published = AllPublishedWays();
     WaveOptions waves;
     waves.plan = {
@@ -40,95 +34,68 @@ class MeshFiller {
         options.water_colour};
     waves.surface = options_.surface;
     waves.single_mesh = true;
-    filled_.waves = std::make_unique<SceneWaves>(SceneOfMesh(path), std::move(waves),
+    filled_.waves = std::make_unique<SceneWaves>(SceneOfMesh(mesh.name()), std::move(waves),
                                                  [this](std::string_view step) { EndStep(step); });
   }
 
   absl::StatusOr<FilledMesh> Fill() {
     TILEMEND_RETURN_IF_ERROR(Read());
     while (const std::optional<SceneWork> work = filled_.waves->Next()) {
+      TILEMEND_RETURN_IF_ERROR(CheckNotCancelled());
       TILEMEND_RETURN_IF_ERROR(std::visit([this](const auto& w) { return Do(w); }, *work));
     }
     SceneReportInput& report = filled_.report;
     report.plan = &filled_.waves->plan();
     report.outcome = filled_.waves->outcome();
     report.cells = 1;
-    report.scene = path_;
+    report.scene = mesh_.name();
     if (report.plan->holes.empty()) TILEMEND_RETURN_IF_ERROR(WarnOfNoSurface());
     return std::move(filled_);
   }
 
  private:
   absl::Status Read() {
-    show_("read", 0, 0);
-    TILEMEND_ASSIGN_OR_RETURN(format_, MeshFormatOf(path_));
-    TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ReadFile(path_));
     if (weld_) TILEMEND_RETURN_IF_ERROR(WeldRimsWithin(*weld_));
-    TILEMEND_ASSIGN_OR_RETURN(survey_, Survey(NoFaces::kRefuse));
+    TILEMEND_ASSIGN_OR_RETURN(survey_, mesh_.Survey(NoFaces::kRefuse));
     filled_.files = std::move(survey_.files);
     if (survey_.record.copied_triangles > 0) {
       filled_.report.warnings.push_back(
-          absl::StrCat(path_, ": every face is there more than once; the holes of one copy were filled"));
+          absl::StrCat(mesh_.name(), ": every face is there more than once; the holes of one copy were filled"));
     }
     EndStep("read");
     show_("find holes", 0, 0);
     return absl::OkStatus();
   }
 
-  absl::StatusOr<LookSurvey> Survey(NoFaces no_faces) const {
-    const std::filesystem::path path(path_);
-    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-    return SurveyWithLook(folder, path.filename().string(), filled_.bytes, format_, {PieceAreas::kYes, 0, no_faces});
-  }
-
-  // A file of needles alone has no hole, and nothing else either.
+  // A mesh of needles alone has no hole, and nothing else either.
   absl::Status WarnOfNoSurface() {
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format_, filled_.bytes, path_));
-    if (HasArea(file.mesh)) return absl::OkStatus();
+    TILEMEND_ASSIGN_OR_RETURN(const TriMesh mesh, mesh_.Mesh());
+    if (HasArea(mesh)) return absl::OkStatus();
     filled_.report.warnings.push_back(
-        absl::StrCat(path_, ": none of its ", file.mesh.triangles.size(),
+        absl::StrCat(mesh_.name(), ": none of its ", mesh.triangles.size(),
                      " triangles has an area: there is no surface that could have holes"));
     return absl::OkStatus();
   }
 
-  // Has the file's faces name the vertices that stay. The new halves of faces come first: corners of STL are vertices,
-  // and lie where they lay only until they are changed.
   absl::Status WeldRimsWithin(double tolerance) {
     show_("weld", 0, 0);
-    TILEMEND_ASSIGN_OR_RETURN(const FileFaces faces, ParseFaces(format_, filled_.bytes, path_));
-    const std::vector<Triangle>& before = faces.file.mesh.triangles;
-    Weld weld = WeldRims(faces.file.mesh, faces.face_of, tolerance, !faces.has_textures);
-    const auto halves = weld.triangles.begin() + std::ssize(before);
-    if (halves != weld.triangles.end()) {
-      FilePatch patch;
-      patch.triangles.assign(halves, weld.triangles.end());
-      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, AppendPatch(format_, filled_.bytes, patch, path_));
-    }
-    std::vector<TriangleChange> changes;
-    for (size_t t = 0; t < before.size(); ++t) {
-      if (weld.triangles[t] != before[t]) changes.push_back({static_cast<int32_t>(t), before[t], weld.triangles[t]});
-    }
-    if (!changes.empty()) {
-      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, ChangeTriangles(format_, filled_.bytes, changes, path_));
-    }
-    filled_.report.weld = std::move(weld.record);
+    TILEMEND_ASSIGN_OR_RETURN(filled_.report.weld, mesh_.Weld(tolerance));
     EndStep("weld");
     return absl::OkStatus();
   }
 
   absl::Status Do(const MeasureWork& work) {
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format_, filled_.bytes, path_));
+    TILEMEND_ASSIGN_OR_RETURN(const TriMesh mesh, mesh_.Mesh());
     std::vector<HeightTally> tallies;
-    for (const PlanePolygon& polygon : work.polygons) tallies.push_back(TallyHeights(file.mesh, polygon));
+    for (const PlanePolygon& polygon : work.polygons) tallies.push_back(TallyHeights(mesh, polygon));
     return filled_.waves->TakeTallies(work.tile->cell, tallies);
   }
 
   absl::Status Do(const SurveyWork& work) {
     if (!work.clear.empty()) {
-      TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format_, filled_.bytes, work.clear, path_));
-      TILEMEND_RETURN_IF_ERROR(filled_.waves->TakeCleared(work.tile->cell, cleared.triangles));
-      filled_.bytes = std::move(cleared.bytes);
-      TILEMEND_ASSIGN_OR_RETURN(survey_, Survey(NoFaces::kAccept));
+      TILEMEND_ASSIGN_OR_RETURN(const std::vector<int64_t> cleared, mesh_.Clear(work.clear));
+      TILEMEND_RETURN_IF_ERROR(filled_.waves->TakeCleared(work.tile->cell, cleared));
+      TILEMEND_ASSIGN_OR_RETURN(survey_, mesh_.Survey(NoFaces::kAccept));
     }
     filled_.waves->TakeSurvey(work.tile->cell, std::move(survey_.record));
     return absl::OkStatus();
@@ -140,9 +107,9 @@ class MeshFiller {
     const auto near = [&](const Point3& lo, const Point3& hi) {
       std::vector<SpaceTriangle> found;
       if (!surface) {
-        auto again = ParseMesh(format_, filled_.bytes, path_);
+        auto again = mesh_.Mesh();
         read = again.status();
-        surface.emplace(again.ok() ? std::move(again->mesh) : TriMesh());
+        surface.emplace(again.ok() ? *std::move(again) : TriMesh());
       }
       surface->AppendNear(lo, hi, found);
       return found;
@@ -152,6 +119,7 @@ class MeshFiller {
     show_("fill", done, holes);
     const std::vector<HolePatch> patches = FillHoles(work.holes, options_, near, [&] { show_("fill", ++done, holes); });
     TILEMEND_RETURN_IF_ERROR(read);
+    TILEMEND_RETURN_IF_ERROR(CheckNotCancelled());
     rim_ = work.holes.vertices;
     patches_ = patches;
     return filled_.waves->TakeFill(work.holes.cell, {ExtentsOf(patches), TallyQuality(work.holes, patches)});
@@ -161,9 +129,9 @@ class MeshFiller {
     FilePatch patch =
         MergePatches(rim_, patches_, work.tile->cell, static_cast<int32_t>(work.tile_vertices), work.colours);
     if (!patch.triangles.empty()) {
-      if (format_ == MeshFormat::kObj) filled_.materials = MaterialsOf(patches_, work.colours);
+      filled_.materials = MaterialsOf(patches_, work.colours);
       patch.library = library_;
-      TILEMEND_ASSIGN_OR_RETURN(filled_.bytes, AppendPatch(format_, filled_.bytes, patch, path_));
+      TILEMEND_RETURN_IF_ERROR(mesh_.Append(patch));
     }
     filled_.waves->TakeAssemble();
     return absl::OkStatus();
@@ -174,6 +142,10 @@ class MeshFiller {
   absl::Status Do(const LayerWork&) { return NoSeams(); }
   absl::Status Do(const SmoothWork&) { return NoSeams(); }
   static absl::Status NoSeams() { return absl::InternalError("a mesh without a grid has neither objects nor seams"); }
+
+  absl::Status CheckNotCancelled() const {
+    return options_.refine.cancelled() ? absl::CancelledError("cancelled") : absl::OkStatus();
+  }
 
   static std::vector<PatchExtent> ExtentsOf(const std::vector<HolePatch>& patches) {
     std::vector<PatchExtent> extents;
@@ -191,14 +163,13 @@ class MeshFiller {
     filled_.report.seconds.emplace_back(step == "plan" ? "survey" : step, watch_.Lap());
   }
 
-  const std::string path_;
+  EditedMesh& mesh_;
   FillOptions options_;
   const std::optional<double> weld_;
   const std::string library_;
   const ShowStep show_;
   Stopwatch watch_;
-  FilledMesh filled_;  // `bytes` are those of the original, without what is taken out, until the end
-  MeshFormat format_ = MeshFormat::kPly;
+  FilledMesh filled_;
   LookSurvey survey_;           // until it is taken
   std::vector<RimVertex> rim_;  // of all holes
   std::vector<HolePatch> patches_;
@@ -206,9 +177,18 @@ class MeshFiller {
 
 }  // namespace
 
+absl::StatusOr<FilledMesh> FillMesh(EditedMesh& mesh, const MeshFillOptions& options) {
+  return MeshFiller(mesh, options).Fill();
+}
+
 absl::StatusOr<FilledMesh> FillMesh(const std::string& path, const MeshFillOptions& options) {
   KeepHeap(1);
-  return MeshFiller(path, options).Fill();
+  options.show("read", 0, 0);
+  TILEMEND_ASSIGN_OR_RETURN(FileMesh mesh, FileMesh::Open(path));
+  TILEMEND_ASSIGN_OR_RETURN(FilledMesh filled, FillMesh(mesh, options));
+  if (mesh.format() != MeshFormat::kObj) filled.materials.clear();  // other formats name none
+  filled.bytes = mesh.TakeBytes();
+  return filled;
 }
 
 }  // namespace tilemend

@@ -1,0 +1,150 @@
+// The module tilemend._tilemend. python/tilemend/_fill.py is what users call.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstring>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "client/mesh/array_mesh.h"
+#include "client/mesh/mesh_filler.h"
+#include "client/mesh/mesh_options.h"
+#include "common/options/job_options.h"
+#include "common/options/option.h"
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "common/util/utc.h"
+#include "common/util/version.h"
+#include "coordinator/report/scene_report.h"
+#include "python/binding/array_view.h"
+#include "python/binding/background.h"
+
+namespace tilemend {
+namespace {
+
+namespace py = pybind11;
+
+// Options of `fill` that arrays do not have: what is written, and colours.
+bool IsOfFiles(const Option& option) {
+  const std::string field = option.field;
+  return field == "out" || field == "overwrite" || field == "water_colour";
+}
+
+bool IsWater(const Option& option) { return std::string_view(option.field) == "water"; }
+
+bool IsOfArrays(const Option& option) { return (option.commands & kOfFill) != 0 && !IsOfFiles(option); }
+
+std::vector<std::map<std::string, std::string>> OptionRows() {
+  std::vector<std::map<std::string, std::string>> rows;
+  for (const Option& option : AllOptions()) {
+    if (!IsOfArrays(option)) continue;
+    rows.push_back({{"name", option.field},
+                    {"expected", Expected(option)},
+                    {"default", IsWater(option) ? kMeshWater : option.default_value},
+                    {"unit", option.unit},
+                    {"help", option.help}});
+  }
+  return rows;
+}
+
+// The exception's class by the status, and the reason as its second argument.
+[[noreturn]] void Throw(const absl::Status& status) {
+  const py::module_ errors = py::module_::import("tilemend._errors");
+  const py::object made =
+      errors.attr("from_status")(static_cast<int>(status.code()), std::string(status.message()), ErrorReason(status));
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
+  throw py::error_already_set();
+}
+
+absl::StatusOr<v1::JobSpec> SpecOf(const std::map<std::string, std::string>& texts) {
+  for (const Option& option : AllOptions()) {
+    if ((option.commands & kOfFill) != 0 && IsOfFiles(option) && texts.contains(option.field)) {
+      return absl::InvalidArgumentError(absl::StrCat(option.field, ": arrays have no such option; leave it out"));
+    }
+  }
+  std::map<std::string, std::string> all = texts;
+  all.try_emplace("water", kMeshWater);
+  TILEMEND_ASSIGN_OR_RETURN(v1::JobSpec spec, SpecFromTexts(all, kOfFill));
+  TILEMEND_RETURN_IF_ERROR(CheckMeshOptions(spec, [&](const Option& option) { return texts.contains(option.field); }));
+  return spec;
+}
+
+struct Result {
+  ArrayMesh mesh;
+  std::string report;
+};
+
+absl::StatusOr<Result> FillArrays(ArrayMesh mesh, const v1::JobSpec& spec, const CancelToken& cancel,
+                                  SharedStep& step) {
+  TILEMEND_ASSIGN_OR_RETURN(MeshFillOptions options, MeshOptionsOf(spec));
+  options.fill.refine.is_cancelled = [&] { return cancel.cancelled(); };
+  options.show = [&](std::string_view name, size_t done, size_t all) { step.Set(name, done, all); };
+  TILEMEND_ASSIGN_OR_RETURN(FilledMesh filled, FillMesh(mesh, options));
+  filled.report.date = UtcText(absl::Now());
+  filled.report.options = ReportedOptions(spec, kOfFill);
+  std::string report = SceneReport(filled.report);
+  return Result{std::move(mesh), std::move(report)};
+}
+
+// The vertices of the mesh, in the number type of those that came in.
+template <typename Number>
+py::array VerticesOf(const TriMesh& mesh) {
+  py::array_t<Number> array({static_cast<py::ssize_t>(mesh.points.size()), py::ssize_t{3}});
+  auto rows = array.template mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    for (py::ssize_t k = 0; k < 3; ++k) rows(i, k) = static_cast<Number>(mesh.points[static_cast<size_t>(i)][k]);
+  }
+  return array;
+}
+
+py::array FacesOf(const TriMesh& mesh) {
+  py::array_t<int32_t> array({static_cast<py::ssize_t>(mesh.triangles.size()), py::ssize_t{3}});
+  static_assert(sizeof(Triangle) == 3 * sizeof(int32_t));
+  if (!mesh.triangles.empty()) {
+    std::memcpy(array.mutable_data(), mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+  }
+  return array;
+}
+
+// (vertices, faces, number of original faces, report as JSON).
+py::tuple Fill(const py::array& vertices, const py::array& faces, const std::map<std::string, std::string>& texts,
+               const py::object& progress) {
+  const auto spec = SpecOf(texts);
+  if (!spec.ok()) Throw(spec.status());
+  const VertexNumbers numbers = VertexView(vertices);
+  auto mesh = ArrayMesh::Make(numbers, FaceView(faces));
+  if (!mesh.ok()) Throw(mesh.status());
+  CancelToken cancel;
+  SharedStep step;
+  absl::StatusOr<Result> result = absl::UnknownError("");
+  std::function<void(const SharedStep::Step&)> show;
+  if (!progress.is_none()) {
+    show = [&](const SharedStep::Step& now) { progress(now.name, now.done, now.all); };
+  }
+  RunInBackground([&] { result = FillArrays(*std::move(mesh), *spec, cancel, step); }, cancel, step, show);
+  if (!result.ok()) Throw(result.status());
+  const TriMesh& filled = result->mesh.mesh();
+  const bool is_float32 = std::holds_alternative<std::span<const float>>(numbers);
+  return py::make_tuple(is_float32 ? VerticesOf<float>(filled) : VerticesOf<double>(filled), FacesOf(filled),
+                        result->mesh.originals(), result->report);
+}
+
+PYBIND11_MODULE(_tilemend, module) {
+  module.doc() = "Geometry of tilemend; use the package tilemend.";
+  module.attr("RELEASE") = Version();
+  module.def("options", &OptionRows);
+  module.def("fill", &Fill, py::arg("vertices"), py::arg("faces"), py::arg("options"), py::arg("progress"));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,91 @@
+"""Meshes of other libraries. None of them is imported unless its object comes in."""
+from __future__ import annotations
+
+from typing import Any, Callable, Dict, Tuple
+
+import numpy as np
+
+from ._errors import InvalidInput
+from ._fill import Filled, fill
+
+Arrays = Tuple[Any, Any]
+
+
+def fill_mesh(mesh: Any, **options: Any) -> Any:
+    """Fills the holes of a mesh of another library and returns a new one of the same kind.
+
+    Args:
+        mesh: a trimesh.Trimesh, a meshio.Mesh with cells "triangle", an open3d.geometry.TriangleMesh, or a
+            pyvista.PolyData of triangles. Other cells, colours and textures are not carried over.
+        **options: as for `fill`.
+
+    Returns:
+        A mesh of the same kind, with the original vertices and faces first. meshio and PyVista get the cell data
+        "tilemend_filled": 1 for new faces.
+
+    Raises:
+        TypeError: it is none of these.
+        As `fill`.
+    """
+    library = type(mesh).__module__.split('.')[0]
+    if library not in _LIBRARIES:
+        raise TypeError(f'{type(mesh).__module__}.{type(mesh).__name__} is no mesh of trimesh, meshio, Open3D or '
+                        'PyVista; give arrays to tilemend.fill')
+    arrays, made = _LIBRARIES[library]
+    return made(mesh, fill(*arrays(mesh), **options))
+
+
+def _of_trimesh(mesh: Any) -> Arrays:
+    return np.asarray(mesh.vertices), np.asarray(mesh.faces)
+
+
+def _to_trimesh(mesh: Any, filled: Filled) -> Any:
+    return type(mesh)(vertices=filled.vertices, faces=filled.faces, process=False)
+
+
+def _of_meshio(mesh: Any) -> Arrays:
+    others = sorted({block.type for block in mesh.cells} - {'triangle', 'vertex', 'line'})
+    if others:
+        raise InvalidInput(f'mesh.cells: has {", ".join(others)}; expected triangles, so cut them first')
+    blocks = [block.data for block in mesh.cells if block.type == 'triangle']
+    return mesh.points, np.concatenate(blocks) if blocks else np.zeros((0, 3), np.int64)
+
+
+def _to_meshio(_: Any, filled: Filled) -> Any:
+    import meshio
+    return meshio.Mesh(filled.vertices, [('triangle', filled.faces)],
+                       cell_data={'tilemend_filled': [filled.filled.astype(np.uint8)]})
+
+
+def _of_open3d(mesh: Any) -> Arrays:
+    return np.asarray(mesh.vertices), np.asarray(mesh.triangles)
+
+
+def _to_open3d(_: Any, filled: Filled) -> Any:
+    import open3d
+    utility = open3d.utility
+    return open3d.geometry.TriangleMesh(utility.Vector3dVector(filled.vertices.astype(np.float64)),
+                                        utility.Vector3iVector(filled.faces))
+
+
+def _of_pyvista(mesh: Any) -> Arrays:
+    cells = np.asarray(mesh.faces)
+    if cells.size % 4 or (cells.reshape(-1, 4)[:, 0] != 3).any():
+        raise InvalidInput('mesh.faces: not all are triangles; call mesh.triangulate() first')
+    return np.asarray(mesh.points), cells.reshape(-1, 4)[:, 1:]
+
+
+def _to_pyvista(_: Any, filled: Filled) -> Any:
+    import pyvista
+    cells = np.hstack([np.full((len(filled.faces), 1), 3, np.int64), filled.faces]).ravel()
+    made = pyvista.PolyData(filled.vertices, cells)
+    made.cell_data['tilemend_filled'] = filled.filled.astype(np.uint8)
+    return made
+
+
+_LIBRARIES: Dict[str, Tuple[Callable[[Any], Arrays], Callable[[Any, Filled], Any]]] = {
+    'trimesh': (_of_trimesh, _to_trimesh),
+    'meshio': (_of_meshio, _to_meshio),
+    'open3d': (_of_open3d, _to_open3d),
+    'pyvista': (_of_pyvista, _to_pyvista),
+}

@@ -1,0 +1,139 @@
+"""Filling of one mesh in this process."""
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _tilemend
+from ._errors import InvalidInput
+from ._report import table_of
+
+Progress = Callable[[str, int, int], Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Filled:
+    """A mesh with its holes filled. The original vertices and faces come first, unchanged and in their order.
+
+    With `weld` or `clear` faces change or are missing; vertices never do.
+
+    Attributes:
+        vertices: (n, 3) coordinates in the unit of the input, float32 if the input was, else float64.
+        faces: (m, 3) int32, indices of vertices, counter-clockwise seen from outside.
+        filled: (m,) bool, True for new faces.
+        report: what `tilemend fill -o json` prints: every hole and what became of it.
+    """
+
+    vertices: NDArray[Any]
+    faces: NDArray[np.int32]
+    filled: NDArray[np.bool_]
+    report: Dict[str, Any] = field(repr=False)
+
+    @property
+    def new_faces(self) -> NDArray[np.int32]:
+        """(k, 3) int32, the new faces alone."""
+        return self.faces[self.filled]
+
+    @property
+    def holes(self) -> List[Dict[str, Any]]:
+        """A row for each hole: `id`, `centre`, `area_m2`, `outcome`, `reason`, `method`, ... (user guide, "Report")."""
+        return list(self.report['per_hole'])
+
+    @property
+    def left(self) -> List[Dict[str, Any]]:
+        """The holes that stay open: `hole`, `reason`, `open_edges`."""
+        return list(self.report['left'])
+
+    @property
+    def warnings(self) -> List[str]:
+        return list(self.report['warnings'])
+
+    def holes_table(self) -> Any:
+        """The holes as a pandas.DataFrame, one row a hole, indexed by `id`. Needs pandas."""
+        return table_of(self.holes)
+
+
+def options() -> List[Dict[str, str]]:
+    """The options of `fill`: `name`, `expected`, `default`, `unit`, `help`."""
+    return [dict(row) for row in _tilemend.options()]
+
+
+def fill(vertices: ArrayLike, faces: ArrayLike, *, progress: Optional[Progress] = None, **options: Any) -> Filled:
+    """Fills the holes of a triangle mesh. The result is that of `tilemend fill`, bit for bit.
+
+    Args:
+        vertices: (n, 3) float32 or float64, finite, at most 1e9 in size. Metres for terrain, else any unit. Other
+            sequences become float64. Arrays in C order are read without a conversion.
+        faces: (m, 3) integers, indices of vertices, counter-clockwise seen from outside.
+        progress: called as progress(step, holes_done, holes) in this thread, at most 20 times a second. An exception
+            that it raises ends the work.
+        **options: as the flags of `tilemend fill`, with _ for -. `tilemend.options()` lists them. True turns a switch
+            on; None and False leave an option out.
+
+    Returns:
+        A new mesh; the arrays that came in are not changed. Holes that cannot be filled are in `Filled.left`.
+
+    Raises:
+        TypeError: an array has another dtype, or an option another type.
+        InvalidInput (a ValueError): a shape, a coordinate, an index or an option is wrong; the text says where.
+        NotFound: a file of `water` or `clear` is missing.
+        KeyboardInterrupt: Ctrl-C, soon after it was pressed. Other threads of Python run meanwhile.
+    """
+    points, triangles = _vertices(vertices), _faces(faces)
+    new_vertices, new_faces, originals, report = _tilemend.fill(points, triangles, _texts(options), progress)
+    return Filled(new_vertices, new_faces, np.arange(len(new_faces)) >= originals, json.loads(report))
+
+
+def _vertices(given: ArrayLike) -> NDArray[Any]:
+    if not isinstance(given, np.ndarray):
+        given = _array('vertices', given, np.float64)
+    _check_shape('vertices', given.shape)
+    if given.dtype.kind != 'f' or given.dtype.itemsize not in (4, 8):
+        raise TypeError(f'vertices: has dtype {given.dtype}; expected float32 or float64')
+    return np.require(given, given.dtype.newbyteorder('='), ('C', 'ALIGNED'))
+
+
+def _faces(given: ArrayLike) -> NDArray[Any]:
+    if not isinstance(given, np.ndarray):
+        given = _array('faces', given, None)
+        if given.size == 0:
+            given = np.zeros((0, 3), np.int64)
+    _check_shape('faces', given.shape)
+    if given.dtype.kind not in 'iu':
+        raise TypeError(f'faces: has dtype {given.dtype}; expected integers, as int32 or int64')
+    wide = np.int64 if given.dtype.itemsize < 4 else given.dtype.newbyteorder('=')
+    return np.require(given, wide, ('C', 'ALIGNED'))
+
+
+def _array(name: str, given: ArrayLike, dtype: Any) -> NDArray[Any]:
+    try:
+        return np.asarray(given, dtype)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f'{name}: cannot be made an array of shape (n, 3): {error}') from None
+
+
+def _check_shape(name: str, shape: Tuple[int, ...]) -> None:
+    if len(shape) != 2 or shape[1] != 3:
+        raise InvalidInput(f'{name}: has shape {shape}; expected (n, 3)')
+
+
+def _texts(given: Dict[str, Any]) -> Dict[str, str]:
+    """The options as on the command line."""
+    texts = {}
+    for name, value in given.items():
+        if value is None or value is False:
+            continue
+        if value is True:
+            texts[name] = 'true'
+        elif isinstance(value, (int, float, np.integer, np.floating)):
+            texts[name] = repr(value.item() if isinstance(value, np.generic) else value)
+        elif isinstance(value, (str, os.PathLike)):
+            texts[name] = os.fspath(value)
+        else:
+            raise TypeError(f'{name}: has type {type(value).__name__}; expected a number, text, a path, True or False')
+    return texts

@@ -1,0 +1,220 @@
+#!/usr/bin/env python3
+"""tilemend.Client with a coordinator and a worker, and tilemend.read_report: client_test.py BIN PACKAGE"""
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BIN, PACKAGE = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
+sys.path.insert(0, PACKAGE)
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import tilemend  # noqa: E402
+
+
+class Cluster:
+    """Programs that end with the test. `more`: flags of the coordinator."""
+
+    def __init__(self, test, *more, worker=()):
+        self.test = test
+        self.folder = tempfile.mkdtemp(prefix='tilemend-python-')
+        test.addCleanup(shutil.rmtree, self.folder)
+        self.flags, self.worker_flags = more, worker
+        self.coordinator, self.address = self.start(
+            'tilemend-coordinator', 'listening address=', '--work', f'{self.folder}/work', '--listen', '127.0.0.1:0', *more)
+
+    def start(self, program, awaited, *words):
+        process = subprocess.Popen([os.path.join(BIN, program), *words, '--log', 'text'], stderr=subprocess.PIPE, text=True)
+        self.test.addCleanup(self.end, process)
+        for line in process.stderr:
+            if awaited in line:
+                return process, line.split(awaited)[1].strip()
+        raise AssertionError(f'{program} ended with {process.wait()}')
+
+    @staticmethod
+    def end(process):
+        process.terminate()
+        process.wait()
+        process.stderr.close()
+
+    def add_worker(self):
+        return self.start('tilemend-worker', 'info connected', '--coordinator', self.address, *self.worker_flags)[0]
+
+    def scene(self, name='scene'):
+        path = os.path.join(self.folder, name)
+        subprocess.run([os.path.join(BIN, 'tilemend-make-scene'), path, '--cols', '3', '--rows', '2', '--spacing', '5'],
+                       check=True, stdout=subprocess.DEVNULL)
+        return path
+
+
+class ClientTest(unittest.TestCase):
+    def test_a_job_from_its_start_to_its_report(self):
+        cluster = Cluster(self)
+        scene, out = cluster.scene(), os.path.join(cluster.folder, 'out')
+        with tilemend.Client(cluster.address) as client:
+            job = client.submit(scene, out, priority=3, gradation=1.5)
+            self.assertEqual((job.state, job.scene, job.out, job.priority), ('RUNNING', scene, out, 3))
+            self.assertEqual(client.workers(), [])
+            self.assertTrue(client.pause(job).paused)
+            self.assertFalse(client.resume(job).paused)
+            self.assertEqual(client.prioritize(job, -4).priority, -4)
+            cluster.add_worker()
+            seen = list(client.watch(job))
+            self.assertEqual((seen[-1].state, seen[-1].is_over, seen[-1].report), ('DONE', True, f'{out}/report.json'))
+            self.assertEqual(seen[-1].progress.cells, 6)
+            self.assertLess(seen[0].created, seen[-1].ended)
+            self.assertEqual(client.wait(job.name.split('/')[1]).state, 'DONE')
+            self.assertEqual(client.get(job), seen[-1])
+            self.assertEqual([job.name], [found.name for found in client.jobs(['DONE'])])
+            self.assertEqual(list(client.jobs(['FAILED'])), [])
+            self.assertEqual([(worker.state, worker.tasks) for worker in client.workers()], [('WORKING', 0)])
+            again = client.retry(job, overwrite=True)
+            self.assertNotEqual(again.name, job.name)
+            self.assertEqual(client.wait(again).state, 'DONE')
+        self.check_report(out)
+
+    def check_report(self, out):
+        report = tilemend.read_report(out)
+        self.assertEqual(report['options']['gradation'], 1.5)
+        self.assertEqual(report.path, os.path.join(out, 'report.json'))
+        self.assertEqual(len(report.holes), len(report['per_hole']))
+        self.assertGreater(len(report.holes), 3)
+        self.assertEqual(tilemend.read_report(report.path).data, report.data)
+        try:
+            table = report.holes_table()
+            self.assertEqual(len(table), len(report.holes))
+            self.assertEqual(set(table['column']), {hole['cell'][0] for hole in report.holes})
+        except ImportError as error:
+            print(f'SKIPPED: table of the holes: {error}')
+        try:
+            holes = report.holes_map()
+            self.assertEqual(set(holes['hole']), {hole['id'] for hole in report.holes})
+            self.assertGreater(holes.geometry.area.sum(), 100)
+        except ImportError as error:
+            print(f'SKIPPED: map of the holes: {error}')
+
+    def test_errors_have_reasons(self):
+        cluster = Cluster(self)
+        scene, out = cluster.scene(), os.path.join(cluster.folder, 'out')
+        with tilemend.Client(cluster.address) as client:
+            def expect(kind, reason, call, *words, **more):
+                with self.assertRaises(kind) as caught:
+                    call(*words, **more)
+                self.assertEqual(caught.exception.reason, reason)
+                return caught.exception
+
+            error = expect(tilemend.InvalidInput, 'INVALID_SPEC', client.submit, scene, out, gradation=50.0)
+            self.assertIn('expected a number from 1 to 10', str(error))
+            self.assertEqual(error.metadata, {'field': 'gradation'})
+            expect(tilemend.InvalidInput, 'INVALID_SPEC', client.submit, scene, out, gradatoin=2.0)
+            with self.assertRaisesRegex(TypeError, 'gradation'):
+                client.submit(scene, out, gradation='much')
+            expect(tilemend.NotFound, 'SCENE_NOT_FOUND', client.submit, scene + '/none', out)
+            expect(tilemend.NotFound, 'JOB_NOT_FOUND', client.get, 'none')
+            with self.assertRaises(tilemend.NotFound):
+                next(client.watch('none'))
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'expected RUNNING, DONE'):
+                next(client.jobs(['BUSY']))
+            job = client.submit(scene, out, request_id='one')
+            self.assertEqual(client.submit(scene, out, request_id='one').name, job.name)
+            expect(tilemend.Conflict, 'OUTPUT_IN_USE', client.submit, scene, out)
+            expect(tilemend.Conflict, 'JOB_NOT_OVER', client.retry, job)
+            client.cancel(job)
+            failed = expect(tilemend.JobFailed, '', client.wait, job)
+            self.assertEqual(failed.job.state, 'CANCELLED')
+            expect(tilemend.Conflict, 'JOB_OVER', client.pause, job)
+
+    def test_a_watch_outlives_the_coordinator(self):
+        cluster = Cluster(self)
+        scene, out = cluster.scene(), os.path.join(cluster.folder, 'out')
+        with tilemend.Client(cluster.address) as client:
+            job = client.submit(scene, out)
+            watch = client.watch(job)
+            self.assertEqual(next(watch).state, 'RUNNING')
+            cluster.coordinator.kill()
+            cluster.coordinator.wait()
+            cluster.start('tilemend-coordinator', 'listening address=', '--work', f'{cluster.folder}/work', '--listen',
+                          cluster.address)
+            cluster.add_worker()
+            self.assertEqual(list(watch)[-1].state, 'DONE')
+
+    def test_says_when_nobody_answers(self):
+        with tilemend.Client('127.0.0.1:9', timeout=5) as client:
+            with self.assertRaisesRegex(tilemend.Unavailable, 'cannot reach the coordinator; is it running'):
+                list(client.jobs())
+            with self.assertRaisesRegex(ConnectionError, 'cannot reach'):
+                next(client.watch('none', patience=0.5))
+
+
+class SecurityTest(unittest.TestCase):
+    def test_says_what_is_missing(self):
+        def expect(text, *words, **more):
+            with self.assertRaises(tilemend.InvalidInput) as caught:
+                tilemend.Client(*words, **more)
+            self.assertIn(text, str(caught.exception))
+
+        expect('expected "HOST:PORT"', 'localhost')
+        expect('ca: is missing: without TLS the token would go to far.example:7070 in plain text', 'far.example:7070',
+               token='secret')
+        expect('key: is missing; cert and key go together', 'localhost:1', cert='a.pem')
+        expect('give one of the two', 'localhost:1', token='a', token_file='b')
+        expect('token: expected one word', 'localhost:1', token='two words')
+        expect('none.pem: No such file', 'localhost:1', ca='none.pem')
+        tilemend.Client('far.example:7070', insecure=True).close()
+
+    def test_tls_certificates_and_tokens(self):
+        if not shutil.which('openssl'):
+            print('SKIPPED: test_tls_certificates_and_tokens: there is no openssl')
+            self.skipTest('there is no openssl')
+        folder = tempfile.mkdtemp(prefix='tilemend-python-')
+        self.addCleanup(shutil.rmtree, folder)
+        tls = os.path.join(folder, 'tls')
+        subprocess.run([os.path.join(ROOT, 'scripts/make_certificates.sh'), tls], check=True, stderr=subprocess.DEVNULL)
+        path = lambda name: os.path.join(tls, name)
+        flags = ('--tls-cert', path('coordinator.pem'), '--tls-key', path('coordinator.key'), '--tls-ca', path('ca.pem'))
+        cluster = Cluster(self, *flags)
+        address = 'localhost:' + cluster.address.rsplit(':', 1)[1]
+        with tilemend.Client(address, ca=path('ca.pem'), cert=path('watch.pem'), key=path('watch.key')) as client:
+            self.assertEqual(list(client.jobs()), [])
+            with self.assertRaises(tilemend.NotAllowed) as caught:
+                client.submit(cluster.scene(), os.path.join(cluster.folder, 'out'))
+            self.assertEqual(caught.exception.reason, 'ROLE_NEEDED')
+        with tilemend.Client(address, timeout=5) as client, self.assertRaises(tilemend.Unavailable):
+            list(client.jobs())
+        self.check_tokens(folder, path)
+
+    def check_tokens(self, folder, path):
+        tokens = os.path.join(folder, 'tokens')
+        with open(tokens, 'w') as file:
+            file.write(f'ann watch {hashlib.sha256(b"word").hexdigest()}\n')
+        os.chmod(tokens, 0o600)
+        cluster = Cluster(self, '--tls-cert', path('coordinator.pem'), '--tls-key', path('coordinator.key'), '--tokens', tokens)
+        address = 'localhost:' + cluster.address.rsplit(':', 1)[1]
+        with tilemend.Client(address, ca=path('ca.pem'), token='word') as client:
+            self.assertEqual(list(client.jobs()), [])
+        with tilemend.Client(address, ca=path('ca.pem'), token='other') as client:
+            with self.assertRaises(tilemend.NotAllowed) as caught:
+                list(client.jobs())
+            self.assertEqual(caught.exception.reason, 'UNAUTHENTICATED')
+
+
+class ReportTest(unittest.TestCase):
+    def test_bad_files_are_refused_by_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(tilemend.NotFound, 'report.json: no such file'):
+                tilemend.read_report(folder)
+            path = os.path.join(folder, 'report.json')
+            for text, fault in ((b'{', 'is not JSON'), (b'\xff', 'is not JSON'), (b'[]', 'expected an object, found list'),
+                                (b'[' * 100000, 'is not JSON'), (b'{"per_hole": 3}', 'it has no list "per_hole"'),
+                                (json.dumps({'per_hole': []}).encode(), 'it has no list "left"')):
+                with open(path, 'wb') as file:
+                    file.write(text)
+                with self.assertRaisesRegex(tilemend.InvalidInput, fault):
+                    tilemend.read_report(path)
+
+
+if __name__ == '__main__':
+    unittest.main(argv=sys.argv[:1], verbosity=1)
