@@ -77,8 +77,9 @@ bool IsFileOfTree(std::string_view tile, std::string_view path) {
   const std::string_view folder = tile.substr(0, tile.rfind('/') + 1);
   if (!path.starts_with(folder) || !IsTreeFile(path)) return false;
   const std::string_view name = path.substr(folder.size());
-  if (IsTileset(tile)) return !EndsIn(path, ".osgb") && !name.starts_with('.') && name.find("/.") == name.npos;
-  return EndsIn(path, ".osgb") && name.find('/') == name.npos;
+  if (IsTileset(tile))
+    return !EndsIn(path, ".osgb") && !name.starts_with('.') && name.find("/.") == std::string_view::npos;
+  return EndsIn(path, ".osgb") && name.find('/') == std::string_view::npos;
 }
 
 absl::StatusOr<std::vector<std::string>> FilesOfTile(const std::string& path) {
