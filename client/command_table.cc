@@ -34,9 +34,13 @@ std::vector<FlagSpec> StartFlags() {
               Advanced({{"request-id", "ID", "a second call with the same ID gives the same job", ""}}));
 }
 
+FlagSpec VerboseFlag() {
+  return {"verbose", "", "on a terminal: show the job, its phases and its tasks as well", "", 'v'};
+}
+
 std::vector<FlagSpec> LocalFlags() {
   return Join(
-      {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""}},
+      {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""}, VerboseFlag()},
       Advanced({{"task-memory", "MB", "memory that tasks take at once, 64 to 1e6; one alone may take more", "384"},
                 {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}}));
 }
@@ -60,7 +64,8 @@ std::vector<FlagSpec> InspectFlags() {
   return Join(WithWater(OptionFlags(kOfInspect), ""),
               {{"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""},
                {"propose-water", "FILE", "write what may be water as polygons for --water: .gpkg or .geojson", ""},
-               {"overwrite", "", "replace the FILE of --propose-water if it exists", ""}});
+               {"holes", "FILE", "write the holes as polygons for a GIS, with what would become of them: GeoJSON", ""},
+               {"overwrite", "", "replace the FILE of --propose-water and --holes if it exists", ""}});
 }
 
 std::vector<FlagSpec> CheckFlags() {
@@ -78,6 +83,7 @@ std::vector<std::string> ExamplesOf(const std::string& command) {
   static const std::map<std::string, std::vector<std::string>> examples = {
       {"inspect", {"inspect scene", "inspect scene --propose-water water.gpkg"}},
       {"check", {"check scene out", "check mesh.ply --crease-angle 150"}},
+      {"demo", {"demo", "demo /tmp/first-try"}},
       {"run", {"run scene --out out", "run scene --out out --water lakes.gpkg --area boundary.geojson"}},
       {"fill", {"fill mesh.ply --out filled.ply", "fill mesh.obj --out filled.obj --weld 0.001 --largest-hole 500"}},
       {"aggregate", {"aggregate scene --out joined.ply", "aggregate scene --out joined.ply --memory 8000"}},
@@ -104,8 +110,8 @@ std::vector<Command> WithExamples(std::vector<Command> commands) {
 }  // namespace
 
 std::vector<Command> ServiceCommands() {
-  const std::vector<FlagSpec> output = {OutputFlag()};
-  const std::vector<FlagSpec> cluster = Join(CoordinatorFlags(), {OutputFlag()});
+  const std::vector<FlagSpec> output = {OutputFlag()}, cluster = Join(CoordinatorFlags(), output),
+                              demo = {VerboseFlag()};
   const std::vector<FlagSpec> list =
       Join({{"state", "STATE[,STATE]", "only jobs in these states: running, done, ...", ""}}, cluster);
   const std::vector<FlagSpec> inspect = Join(InspectFlags(), output), aggregate = Join(AggregateFlags(), output);
@@ -127,6 +133,7 @@ std::vector<Command> ServiceCommands() {
        Join(CheckFlags(), output),
        CheckCommand,
        1},
+      {"demo", "[DIR]", "make a small scene, fill it, and name the page to look at", 0, {}, demo, DemoCommand, 1},
       {"run", "SCENE --out DIR", "fill a scene on this machine", 1, {}, run, RunCommand},
       {"fill", "MESH --out FILE", "fill one mesh, without a grid", 1, {"out"}, fill, FillCommand},
       {"aggregate", "SCENE --out FILE", "join all cells and fill that", 1, {"out"}, aggregate, AggregateCommand},

@@ -42,6 +42,7 @@ int ResumeCommand(const Args& args);
 int PrioritizeCommand(const Args& args);
 int RetryCommand(const Args& args);
 int ReportCommand(const Args& args);
+int DemoCommand(const Args& args);
 
 FlagSpec OutputFlag();
 

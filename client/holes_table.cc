@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "client/json_access.h"
 #include "client/output.h"
+#include "client/repeated_reasons.h"
 
 namespace tilemend {
 namespace {
@@ -112,6 +113,7 @@ std::string LargeHolesText(const Json& report) {
     rows.push_back({Text(Member(hole, "id")), Text(Member(hole, "cell")), Text(Member(hole, "centre")),
                     AreaText(Member(hole, "area_m2")), WaterOf(hole), Text(Member(Member(hole, "water"), "reason"))});
   }
+  ShortenRepeated(rows);
   return absl::StrCat("\n", Counted(holes.size(), "large hole"), "\n",
                       Table({"hole", "cell", "centre, m", "area, m2", "filled as", "because"}, rows),
                       MoreText(holes.size(), "see `water` of per_hole in the report"));
@@ -126,6 +128,7 @@ std::string LookAtText(const Json& report) {
                     AreaText(Member(item, "area_m2")), Text(Member(item, "why"))});
   }
   if (rows.empty()) return "";
+  ShortenRepeated(rows);
   return absl::StrCat("\n", rows.size() == 1 ? "1 place" : absl::StrCat(items.size(), " places"), " to look at\n",
                       Table({"hole", "cell", "centre, m", "area, m2", "why"}, rows),
                       MoreText(items.size(), "see `look_at` in the report"));
@@ -142,6 +145,7 @@ std::string PlannedHolesText(const Json& plan) {
                     AreaText(Member(hole, "area_m2")), Decimals(Member(hole, "perimeter_m"), 1), WaterOf(hole),
                     Text(Member(Member(hole, "water"), "reason"))});
   }
+  ShortenRepeated(rows);
   return absl::StrCat("\n", Counted(holes.size(), "hole"),
                       " to fill, the largest first; filling may find some that stay open\n",
                       Table({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "taken for", "because"}, rows),

@@ -12,6 +12,8 @@
 #include "absl/strings/str_join.h"
 #include "client/border_table.h"
 #include "client/commands.h"
+#include "client/crs_text.h"
+#include "client/holes_file.h"
 #include "client/holes_table.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
@@ -19,6 +21,7 @@
 #include "client/left_table.h"
 #include "client/mesh/single_mesh.h"
 #include "client/output.h"
+#include "client/output_file.h"
 #include "client/water_proposal.h"
 #include "client/water_table.h"
 #include "common/gis/area_file.h"
@@ -114,7 +117,7 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
       "triangles: %d\n%s",
       Printable(scene.root), scene.cols, scene.rows, scene.grid.cell_size.x(), scene.grid.cell_size.y(),
       scene.grid.corner.x(), scene.grid.corner.y(), scene.tiles.size(), rows.size(),
-      scene.crs.empty() ? "not given" : Printable(scene.crs), scene.origin.x(), scene.origin.y(), scene.origin.z(),
+      scene.crs.empty() ? "not given" : CrsText(scene.crs), scene.origin.x(), scene.origin.y(), scene.origin.z(),
       triangles, HolesLine(plan));
   if (!scene.area_known) absl::StrAppend(&text, "area: not given; holes that reach its rim are left\n");
   const size_t tiles = rows.size();
@@ -131,6 +134,7 @@ struct Request {
   std::string area;           // --area
   std::string propose_area;   // --propose-area
   std::string propose_water;  // --propose-water
+  std::string holes;          // --holes
   bool overwrite = false;     // --overwrite
   std::string water;          // --water
   std::string clear;          // --clear
@@ -190,6 +194,7 @@ absl::Status ProposeWater(const Request& request, const SceneWaves& waves) {
 }
 
 absl::Status CheckOutputs(const Request& request) {
+  if (!request.holes.empty()) TILEMEND_RETURN_IF_ERROR(CheckOutputFile(request.holes, request.overwrite));
   TILEMEND_RETURN_IF_ERROR(CheckIsNew(request.propose_area));
   return request.propose_water.empty() ? absl::OkStatus()
                                        : CheckWaterProposal(request.propose_water, request.overwrite);
@@ -206,6 +211,7 @@ int InspectSceneAt(const Request& request) {
   if (!inspection->errors.empty()) return code;
   if (const absl::Status status = WriteProposal(request.propose_area, waves); !status.ok()) return PrintError(status);
   if (const absl::Status status = ProposeWater(request, waves); !status.ok()) return PrintError(status);
+  if (const absl::Status status = WriteHoles(request.holes, waves); !status.ok()) return PrintError(status);
   PrintWarnings(PlanWarnings(waves.plan()));
   PrintWarnings(ClearedWarnings(waves.outcome().cleared));
   Json plan = PlanJson(waves.plan(), static_cast<int64_t>(waves.scene().tiles.size()));
@@ -226,6 +232,7 @@ int InspectSceneAt(const Request& request) {
 }
 
 int InspectMeshAt(const Request& request) {
+  if (const absl::Status status = CheckOutputs(request); !status.ok()) return PrintError(status);
   const std::string& path = request.path;
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
@@ -236,6 +243,7 @@ int InspectMeshAt(const Request& request) {
   const Inspection inspection = InspectScene(std::move(scene), *options);
   if (!inspection.errors.empty()) return PrintError(inspection.errors.front());
   const SceneWaves& waves = *inspection.waves;
+  if (const absl::Status status = WriteHoles(request.holes, waves); !status.ok()) return PrintError(status);
   PrintWarnings(PlanWarnings(waves.plan()));
   const auto record = waves.records().at({0, 0}).Outline();
   const SurveyRecord& r = *record;
@@ -281,6 +289,7 @@ int InspectCommand(const Args& args) {
                         spec->area(),
                         args.Text("propose-area"),
                         args.Text("propose-water"),
+                        args.Text("holes"),
                         args.Switch("overwrite"),
                         spec->water(),
                         spec->clear(),

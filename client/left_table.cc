@@ -8,6 +8,7 @@
 #include "absl/strings/str_format.h"
 #include "client/json_access.h"
 #include "client/output.h"
+#include "client/repeated_reasons.h"
 #include "coordinator/report/left_open.h"
 
 namespace tilemend {
@@ -63,6 +64,7 @@ std::string LeftText(const Json& report, const std::string& title) {
     const auto holes = HolesById(report);
     std::vector<std::vector<std::string>> rows;
     for (size_t i = 0; i < std::min(items.size(), kMostListedRows); ++i) rows.push_back(Row(items[i], holes));
+    ShortenRepeated(rows);
     absl::StrAppend(&text, "\n", items.size(), " ", title, "\n",
                     Table({"hole", "cell", "centre, m", "area, m2", "edges", "reason"}, rows),
                     MoreText(items.size(), "see `left` in the report"));
@@ -71,7 +73,7 @@ std::string LeftText(const Json& report, const std::string& title) {
 }
 
 std::string LeftLines(const SceneReportInput& report) {
-  std::string lines;
+  std::vector<std::vector<std::string>> parts;  // where, why
   size_t chosen = 0;
   for (const LeftOpen& left : LeftOf(report)) {
     chosen += left.reason == kLongerThanChosen;
@@ -83,8 +85,11 @@ std::string LeftLines(const SceneReportInput& report) {
     } else if (left.at) {
       where = absl::StrFormat(", the first at (%.6g, %.6g, %.6g)", left.at->x(), left.at->y(), left.at->z());
     }
-    absl::StrAppend(&lines, "left: ", left.edges, " edges", where, ": ", left.reason, "\n");
+    parts.push_back({absl::StrCat("left: ", left.edges, " edges", where, ": "), left.reason});
   }
+  ShortenRepeated(parts);
+  std::string lines;
+  for (const std::vector<std::string>& part : parts) absl::StrAppend(&lines, part[0], part[1], "\n");
   if (chosen > 0) absl::StrAppend(&lines, "left as chosen: ", Counted(chosen, "hole"), " ", kLongerThanChosen, "\n");
   return lines;
 }

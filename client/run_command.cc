@@ -1,6 +1,9 @@
 // `tilemend run`: a coordinator and a worker inside this process, over the same calls as on a cluster.
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -14,6 +17,7 @@
 #include "client/progress_display.h"
 #include "client/report_page.h"
 #include "client/report_text.h"
+#include "client/run_display.h"
 #include "client/unfinished.h"
 #include "client/work_folder.h"
 #include "common/rpc/status_proto.h"
@@ -77,9 +81,11 @@ absl::StatusOr<std::unique_ptr<Coordinator>> EmbeddedCoordinator(const std::stri
   return Coordinator::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null());
 }
 
+using ShowJob = std::function<void(const v1::Job&)>;
+
 // Runs the job to its end. The first signal cancels it.
 absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
-                                    SignalWatcher& signals) {
+                                    SignalWatcher& signals, const ShowJob& show) {
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator, EmbeddedCoordinator(work_folder));
   TILEMEND_ASSIGN_OR_RETURN(const auto server, CoordinatorServer::Start("", *coordinator));
   JobClient client(server->rpc().InProcessChannel(), absl::ZeroDuration());
@@ -104,12 +110,22 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(means.memory_bytes),
                 *MetricsRegistry::Null());
   signals.Start([&cancel_job](int) { cancel_job(); });
-  ProgressDisplay display;
-  auto end = client.Watch(job->name(), [&display](const v1::Job& now) { display.Show(WithoutWaiting(now)); });
+  auto end = client.Watch(job->name(), [&show](const v1::Job& now) { show(WithoutWaiting(now)); });
   signals.Stop();  // before the coordinator goes
   worker.Stop();
   TILEMEND_RETURN_IF_ERROR(worker.Join());
   return end;
+}
+
+// The same, shown as `is_brief` says.
+absl::StatusOr<v1::Job> RunAndShow(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
+                                   SignalWatcher& signals, bool is_brief) {
+  if (is_brief) {
+    RunDisplay display;
+    return RunEmbedded(spec, means, work_folder, signals, [&display](const v1::Job& job) { display.Show(job); });
+  }
+  ProgressDisplay display;
+  return RunEmbedded(spec, means, work_folder, signals, [&display](const v1::Job& job) { display.Show(job); });
 }
 
 // Whether the job ended before its output was complete, and left some.
@@ -128,9 +144,9 @@ void WritePage(const v1::Job& job) {
   if (!written.ok()) PrintWarnings({absl::StrCat("no report.html: ", std::string(written.message()))});
 }
 
-// The job, and what its report says.
-void PrintEnd(const v1::Job& job, OutputFormat format) {
-  std::fputs(JobText(job, format).c_str(), stdout);
+// The job unless `is_brief`, and what its report says.
+void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief) {
+  if (!is_brief || job.report().empty()) std::fputs(JobText(job, format).c_str(), stdout);
   if (format == OutputFormat::kJson || job.report().empty()) return;
   const auto content = ReadFile(job.report());
   if (!content.ok()) {
@@ -138,7 +154,9 @@ void PrintEnd(const v1::Job& job, OutputFormat format) {
     return;
   }
   const auto report = nlohmann::ordered_json::parse(*content, nullptr, false);
-  if (report.is_object()) std::fputs(SummaryText(report).c_str(), stdout);
+  if (!report.is_object()) return;
+  const std::string page = absl::StrCat(job.spec().out(), "/report.html");
+  std::fputs((is_brief ? ResultText(report, page) : SummaryText(report)).c_str(), stdout);
 }
 
 }  // namespace
@@ -154,7 +172,10 @@ int RunCommand(const Args& args) {
   const auto work_folder = WorkFolder::Make(args.Text("work"));
   if (!work_folder.ok()) return PrintError(work_folder.status());
   KeepHeap(means->threads);
-  const auto job = RunEmbedded(*spec, *means, work_folder->path(), signals);
+  // For a person; what is read by a program stays as it is.
+  const bool is_brief = *format == OutputFormat::kTable && !args.Switch("verbose") && ::isatty(STDOUT_FILENO) == 1 &&
+                        ::isatty(STDERR_FILENO) == 1;
+  const auto job = RunAndShow(*spec, *means, work_folder->path(), signals, is_brief);
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
   if (LeftUnfinished(*job)) {
@@ -164,7 +185,7 @@ int RunCommand(const Args& args) {
   WritePage(*job);
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
-  if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format);
+  if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format, is_brief);
   return ExitCodeOf(*job);
 }
 

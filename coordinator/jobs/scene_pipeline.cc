@@ -138,8 +138,7 @@ class ScenePipeline : public JobPipeline {
     const SceneReportInput report = Report();
     JobOutcome outcome;
     const auto left = LeftOf(report);
-    const bool holes_left = std::any_of(left.begin(), left.end(), [](const LeftOpen& l) { return l.is_hole; });
-    outcome.partial = holes_left && !spec_.dry_run();
+    outcome.partial = IsPartial(report) && !spec_.dry_run();
     outcome.message = MessageOf(report, left.empty());
     if (spec_.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
     if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));

@@ -11,6 +11,12 @@ bool IsChosen(const SceneReportInput& input, CellId cell) {
   return input.outcome.chosen.empty() || input.outcome.chosen.contains(cell);
 }
 
+// Open holes that were given up early have no area yet.
+bool IsTiny(const PlannedHole& hole) {
+  const bool is_known = hole.kind == HoleKind::kClosed || (hole.area > 0 && hole.failure.empty());
+  return is_known && hole.area < kTinyHole;
+}
+
 }  // namespace
 
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
@@ -29,6 +35,13 @@ bool SomeHolesLeft(const SceneReportInput& input) {
   const std::vector<LeftOpen> left = LeftOf(input);
   return std::ranges::any_of(left, &LeftOpen::is_hole) ||
          std::ranges::any_of(input.plan->holes, [](const PlannedHole& h) { return !h.failure.empty(); });
+}
+
+bool IsPartial(const SceneReportInput& input) {
+  const std::vector<LeftOpen> left = LeftOf(input);
+  return std::ranges::any_of(left, [&](const LeftOpen& l) {
+    return l.is_hole && (l.hole < 0 || !IsTiny(input.plan->holes[static_cast<size_t>(l.hole)]));
+  });
 }
 
 std::string FailureOf(const SceneReportInput& input, int32_t hole) {

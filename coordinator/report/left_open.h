@@ -17,6 +17,13 @@ std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
 // detached pieces and of a mesh itself are none.
 bool SomeHolesLeft(const SceneReportInput& input);
 
+// A hole of less is shown as 0.0 m2. It does not make an output partial; the report lists it.
+inline constexpr double kTinyHole = 0.05;  // m2
+
+// The same of a scene, whose lengths are metres: holes of less than kTinyHole do not count. An area that is not known
+// counts.
+bool IsPartial(const SceneReportInput& input);
+
 // Why a hole is not filled; "" if it is.
 std::string FailureOf(const SceneReportInput& input, int32_t hole);
 

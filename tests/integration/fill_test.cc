@@ -114,6 +114,20 @@ TEST_P(FillTest, FillsTheHoleAndKeepsTheMesh) {
   }
 }
 
+TEST_P(FillTest, InspectWritesTheHolesThatItWouldFill) {
+  const std::string in = WriteSheet(), holes = folder_ / "holes.geojson";
+  const Ended ended = Tilemend({"inspect", in, "--holes", holes});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("1 hole to fill, 0 that stay open"));
+  const Json json = Json::parse(*ReadFile(holes), nullptr, false);
+  ASSERT_EQ(json["features"].size(), 1u);
+  EXPECT_EQ(json["features"][0]["geometry"]["type"], "Polygon");
+  EXPECT_EQ(json["features"][0]["properties"]["outcome"], "to fill");
+  EXPECT_FALSE(json["features"][0]["properties"].contains("method"));
+  EXPECT_EQ(Tilemend({"inspect", in, "--holes", holes}).code, 4);
+  EXPECT_EQ(Tilemend({"inspect", in, "--holes", holes, "--overwrite"}).code, 0);
+}
+
 TEST_P(FillTest, TheReportHasSecondsByStageAndPeakMemory) {
   const Ended ended = Tilemend({"fill", WriteSheet(), "--out", Out(), "--surface", "thin-plate", "-o", "json"});
   const Json json = Json::parse(ended.out, nullptr, false);

@@ -39,6 +39,24 @@ TEST_F(LeftOpenTest, HolesThatFailCountWhereTheirCellIsChosen) {
   EXPECT_FALSE(SomeHolesLeft(input_));
 }
 
+TEST_F(LeftOpenTest, AHoleThatIsShownAsNothingDoesNotMakeAnOutputPartial) {
+  input_.outcome.failures[1] = "a reason";
+  plan_.holes[1].area = 0.049;
+  EXPECT_TRUE(SomeHolesLeft(input_));
+  EXPECT_FALSE(IsPartial(input_));
+  plan_.holes[1].area = 0.051;
+  EXPECT_TRUE(IsPartial(input_));
+}
+
+TEST_F(LeftOpenTest, AnAreaThatIsNotKnownCounts) {
+  plan_.holes[1].kind = HoleKind::kOpenI;
+  plan_.holes[1].failure = "no way along the grid line";
+  plan_.left.push_back({{1, 0}, plan_.holes[1].failure, 1, 9});
+  EXPECT_TRUE(IsPartial(input_));
+  plan_.left.back().hole = -1;
+  EXPECT_TRUE(IsPartial(input_));
+}
+
 TEST_F(LeftOpenTest, HolesThatThePlanGaveUpCount) {
   plan_.holes[0].failure = "no way along the grid line";
   EXPECT_TRUE(SomeHolesLeft(input_));

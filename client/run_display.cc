@@ -1,0 +1,106 @@
+#include "client/run_display.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/time/clock.h"
+#include "client/holes_table.h"
+#include "client/json_access.h"
+#include "client/left_table.h"
+#include "client/output.h"
+#include "client/progress_display.h"
+#include "client/water_table.h"
+#include "common/util/standard_streams.h"
+#include "common/util/text.h"
+#include "coordinator/jobs/cluster_events.h"
+#include "coordinator/jobs/job_pipeline.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// By the beginning of a phase (coordinator/waves/scene_waves.cc).
+constexpr std::pair<std::string_view, const char*> kStages[] = {
+    {"measure", "measure levels"}, {"survey", "look at the tiles"}, {"ground", "tell ground from objects"},
+    {"plan", "find the holes"},    {"sample", "fit the surface"},   {"smooth", "smooth the seams"},
+    {"fill", "fill the holes"},    {"assemble", "write the tiles"},
+};
+
+std::string Counts(const char* name, int64_t done, int64_t all) {
+  return all == 0 ? "" : absl::StrCat(", ", done, " of ", all, " ", name);
+}
+
+// "81 of 84 holes filled, 6551.8 m2".
+std::string FilledText(const Json& report) {
+  size_t holes = 0, filled = 0;
+  double area = 0;
+  for (const Json& hole : Member(report, "per_hole")) {
+    ++holes;
+    if (Text(Member(hole, "outcome")) != "filled") continue;
+    ++filled;
+    area += Number(Member(hole, "area_m2"));
+  }
+  return absl::StrFormat("%d of %s filled, %.1f m2\n", filled, Counted(holes, "hole"), area);
+}
+
+std::string WarningsText(const Json& report) {
+  std::string text;
+  for (const Json& warning : Member(report, "warnings")) {
+    absl::StrAppend(&text, "warning: ", Printable(Text(warning)), "\n");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string StageName(std::string_view phase) {
+  for (const auto& [beginning, name] : kStages) {
+    if (phase.starts_with(beginning)) return name;
+  }
+  return Printable(std::string(phase));
+}
+
+std::string StageText(const v1::Job& job) {
+  const v1::Progress& p = job.progress();
+  const std::string name = StageName(p.phase());
+  if (p.phase().starts_with("fill")) return name + Counts("holes", p.holes_filled(), p.holes());
+  if (p.phase().starts_with("assemble")) return name + Counts("cells", p.cells_done(), p.cells());
+  return name;
+}
+
+std::string ResultText(const Json& report, const std::string& page) {
+  return absl::StrCat(FilledText(report), WarningsText(report), WaterText(report, "filled flat as water"),
+                      LookAtText(report), LeftText(report, "left open"), "\nlook at: ", Printable(page), "\n");
+}
+
+RunDisplay::RunDisplay() : begin_(absl::Now()) {}
+
+RunDisplay::~RunDisplay() { EndStage(); }
+
+void RunDisplay::EndStage() {
+  if (stage_.empty()) return;
+  EraseBar();
+  std::fprintf(stderr, "%s, %.1f s\n", stage_.c_str(), absl::ToDoubleSeconds(absl::Now() - begin_));
+}
+
+void RunDisplay::Show(const v1::Job& job) {
+  const v1::Progress& p = job.progress();
+  if (p.phase().empty() || p.phase() == kResumePhase) return;
+  if (std::string stage = StageName(p.phase()); stage != stage_) {
+    EndStage();
+    stage_ = std::move(stage);
+    begin_ = absl::Now();
+  }
+  share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.cells_done(), p.tasks(), p.tasks_done()));
+  EraseBar();
+  std::fputs(BarLine(share_, StageText(job), ColumnsOfTerminal(STDERR_FILENO)).c_str(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace tilemend

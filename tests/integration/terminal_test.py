@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""`tilemend demo` and `tilemend run` as a person at a terminal sees them: terminal_test.py BIN"""
+import os
+import pty
+import subprocess
+import sys
+import tempfile
+
+BIN = os.path.join(os.path.abspath(sys.argv[1]), 'tilemend')
+OF_PROGRAMS = ('task', 'phase', 'jobs/', 'cluster')  # words that say nothing to a surveyor
+
+
+def at_terminal(*words):
+    """What a terminal gets, and the exit code."""
+    ours, theirs = pty.openpty()
+    program = subprocess.Popen([BIN, *words], stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    shown = b''
+    while True:
+        try:
+            part = os.read(ours, 65536)
+        except OSError:  # the other end is closed
+            break
+        if not part:
+            break
+        shown += part
+    os.close(ours)
+    return program.wait(), shown.decode().replace('\r\n', '\n')
+
+
+def expect(is_true, what, shown):
+    if not is_true:
+        raise SystemExit(f'FAILED: {what}:\n{shown}')
+
+
+def main():
+    with tempfile.TemporaryDirectory(prefix='tilemend-terminal-') as folder:
+        demo = os.path.join(folder, 'demo')
+        code, shown = at_terminal('demo', demo)
+        expect(code == 0, f'demo ends with {code}', shown)
+        for part in ('write the tiles', '8 of 8 holes filled', 'filled flat as water', '412.0', f'{demo}/out/report.html'):
+            expect(part in shown, f'demo does not show {part!r}', shown)
+        for word in OF_PROGRAMS:
+            expect(word not in shown, f'demo shows {word!r}', shown)
+        for file in ('report.html', 'report.json', 'tiles/Tile_+000_+000.ply'):
+            expect(os.path.exists(os.path.join(demo, 'out', file)), f'{file} is missing', shown)
+        code, shown = at_terminal('demo', demo)
+        expect(code == 0, 'demo does not run twice', shown)
+
+        code, shown = at_terminal('run', f'{demo}/scene', '--out', f'{folder}/again', '-v')
+        expect(code == 0 and 'tasks' in shown and 'jobs/' in shown, 'run -v does not show the job', shown)
+
+        mine = os.path.join(folder, 'mine')
+        os.mkdir(mine)
+        open(os.path.join(mine, 'letter.txt'), 'w').close()
+        code, shown = at_terminal('demo', mine)
+        expect(code == 4 and os.listdir(mine) == ['letter.txt'], 'demo writes into a folder of somebody else', shown)
+
+        piped = subprocess.run([BIN, 'run', f'{demo}/scene', '--out', f'{folder}/piped'], text=True, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE)
+        expect(piped.stdout.startswith('job') and 'done' in piped.stdout, 'what programs read has changed', piped.stdout)
+    print('a terminal shows stages and the result')
+
+
+if __name__ == '__main__':
+    main()
