@@ -116,7 +116,6 @@ std::vector<Command> ServiceCommands() {
       Join({{"state", "STATE[,STATE]", "only jobs in these states: running, done, ...", ""}}, cluster);
   const std::vector<FlagSpec> inspect = Join(InspectFlags(), output), aggregate = Join(AggregateFlags(), output);
   const std::vector<FlagSpec> run = Join(Join(OptionFlags(kOfJobs), LocalFlags()), output);
-  // A mesh of its own need not be terrain: a bowl without its bottom is no lake.
   const std::vector<FlagSpec> fill = Join(WithWater(OptionFlags(kOfFill), kMeshWater), output);
   const std::vector<FlagSpec> retry = Join(
       {{"overwrite", "", "replace the files of the job's output, if it is complete", ""}}, Join(StartFlags(), output));

@@ -35,9 +35,9 @@ double Beyond(const Disk& disk, double x, double y) { return std::hypot(x - disk
 
 // Hills that rise from a level shore.
 double HeightAt(double x, double y) {
-  const double far = std::max(0.0, Beyond(kLake, x, y) - 2 * kStep);
+  const double far = std::max(0.0, Beyond(kLake, x, y) - kStep / 2);
   const double hills = 6 + 4 * std::sin(x / 37) * std::cos(y / 29) + 1.5 * std::sin((x + y) / 17);
-  return kDemoLakeLevel + hills * (1 - std::exp(-far / 25));
+  return kDemoLakeLevel + hills * (1 - std::exp(-far / 15));
 }
 
 bool IsHole(double x, double y) {
