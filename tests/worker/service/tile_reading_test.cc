@@ -30,7 +30,7 @@ class TileReadingTest : public testing::Test {
 
 TEST_F(TileReadingTest, ReadsATileThatIsAsItWasSurveyed) {
   EXPECT_EQ(PathOf(tile_), folder_ / "a.obj");
-  EXPECT_EQ(ReadTile(PathOf(tile_)).value_or(""), kTriangles);
+  EXPECT_EQ(ReadTile(tile_).value_or(""), kTriangles);
   EXPECT_EQ(ReadSurveyed(tile_).value_or(""), kTriangles);
 }
 
