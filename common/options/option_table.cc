@@ -74,7 +74,7 @@ std::vector<Option> ContentOptions() {
       {.field = "water_colour", .type = kColour, .placeholder = "R,G,B|#rrggbb",
        .help = "colour of filled water; without it, as its shore has it", .needs = kWater, .commands = kBoth},
       {.field = "textures", .type = kWord, .words = {"copy", "link", "off"}, .default_value = "copy",
-       .help = "material files and images of OBJ tiles; link: images as hard links", .group = kEveryday},
+       .help = "material files and images of OBJ tiles; link: images as hard links"},
       {.field = "texture", .type = kWord, .words = {"synthesize", "flat", "none"}, .default_value = "synthesize",
        .help = "filled faces of tiles with images: made from what lies around, one colour, or neither"},
       {.field = "clear", .type = kPath, .placeholder = "FILE",

@@ -40,7 +40,7 @@ TEST(DispatchTest, HelpShowsOptionsOfPapersOnlyIfAsked) {
 TEST(DispatchTest, HelpHasAtMostTenEverydayFlagsAndTwoExamples) {
   for (const Command& command : ServiceCommands()) {
     const auto everyday = std::ranges::count(command.flags, FlagGroup::kEveryday, &FlagSpec::group);
-    EXPECT_LE(everyday, command.name == "submit" ? 11 : 10) << command.name;
+    EXPECT_LE(everyday, 10) << command.name;
     EXPECT_EQ(command.examples.size(), 2U) << command.name;
   }
 }
