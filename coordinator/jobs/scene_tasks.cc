@@ -49,8 +49,9 @@ bool HasMaterials(const SceneTile& tile) {
   return format.ok() && *format == MeshFormat::kObj;
 }
 
-bool GetsTexture(const v1::JobSpec& spec, const SceneTile& tile) {
-  return spec.texture() == "synthesize" && !IsTileTree(tile.path) && HasMaterials(tile);
+bool GetsTexture(const v1::JobSpec& spec, const SceneTile& tile, const SceneFiles& files) {
+  const bool has_images = IsTileTree(tile.path) || (HasMaterials(tile) && files.HasImages(tile.cell));
+  return spec.texture() == "synthesize" && has_images;
 }
 
 // By the holes' numbers in the work, of which `holes` has the scene's. Groups name materials; where there are none they
@@ -65,11 +66,12 @@ FillColours LocalColours(const AssembleWork& work, const std::vector<int32_t>& h
   return local;
 }
 
-// Returns the image's path.
-std::string SetTexture(const SceneFiles& files, const v1::JobSpec& spec, v1::AssembleInput& input) {
+// Returns the files that are new: the image, unless it lies in the tile's own files.
+std::set<std::string> SetTexture(const SceneFiles& files, const v1::JobSpec& spec, v1::AssembleInput& input) {
   input.set_texture(files.NewFileFor(input.output(), "jpg"));
   input.set_water_colour(spec.water_colour());
-  return input.texture();
+  if (IsTileTree(input.tile().path())) return {};
+  return {input.texture()};
 }
 
 void SetWantedColours(const v1::JobSpec& spec, const SceneTile& tile, FillColours colours, v1::AssembleInput& input) {
@@ -83,7 +85,7 @@ template <typename Ref>
 absl::Status AddTilesAround(const Scene& scene, CellId cell, const Ref& ref, v1::AssembleInput& input) {
   for (const SceneTile& other : scene.tiles) {
     const auto [col, row] = other.cell;
-    if (std::abs(col - cell.col) > 1 || std::abs(row - cell.row) > 1 || IsTileTree(other.path)) continue;
+    if (std::abs(col - cell.col) > 1 || std::abs(row - cell.row) > 1) continue;
     v1::TextureCell& around = *input.add_around();
     TILEMEND_ASSIGN_OR_RETURN(*around.mutable_tile(), ref(other));
     around.set_x_min(scene.grid.corner.x() + col * scene.grid.cell_size.x());
@@ -243,8 +245,8 @@ absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   input.set_tile_vertices(work.tile_vertices);
   if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
-  if (input.has_patches() && files_.HasImages(cell) && GetsTexture(spec_, *work.tile)) {
-    output_->Adopt({SetTexture(files_, spec_, input)});
+  if (input.has_patches() && GetsTexture(spec_, *work.tile, files_)) {
+    output_->Adopt(SetTexture(files_, spec_, input));
     TILEMEND_RETURN_IF_ERROR(AddTilesAround(
         waves_.scene(), cell, [&](const SceneTile& other) { return Ref(other); }, input));
   }
@@ -406,7 +408,7 @@ absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& output) {
-  files_.Warn(cell, {output.warnings().begin(), output.warnings().end()});
+  for (const auto* of : {&output.warnings(), &output.texture_warnings()}) files_.Warn(cell, {of->begin(), of->end()});
   waves_.TakeAssemble();
   for (const v1::WrittenFile& file : output.files()) {
     const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};

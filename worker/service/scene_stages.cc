@@ -219,6 +219,7 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const Can
     SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
     result.image = std::move(texture.image);
   }
+  added.paint = std::move(texture.paint);
   TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added, original));
   if (has_tile && IsTileTree(input.tile().path())) {
     TILEMEND_RETURN_IF_ERROR(TakeTreeApart(input, original, result));
@@ -312,7 +313,7 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
   AttemptFiles files(input.attempts(), input.output_root());
   TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
-  output.mutable_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
+  output.mutable_texture_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
   if (!tile.image.empty()) TILEMEND_RETURN_IF_ERROR(files.Write(input.texture(), tile.image));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   TILEMEND_RETURN_IF_ERROR(tile.as_it_is ? CarryTile(input, files) : files.Write(input.output(), tile.bytes));

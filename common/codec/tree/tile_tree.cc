@@ -103,7 +103,8 @@ absl::StatusOr<std::string> ChangeTileTree(const TileTree& tile, const std::vect
     std::vector<TilesetEdit> changes;
     for (const TreeEdit& edit : edits) {
       TilesetEdit& change = changes.emplace_back(TilesetEdit{edit.drop, {}});
-      for (const TreePatch& p : edit.patches) change.patches.push_back({p.points, {}, p.triangles, "", "", p.colour});
+      for (const TreePatch& p : edit.patches)
+        change.patches.push_back({p.points, p.uv, p.triangles, p.image, p.image_name, p.colour});
     }
     return ChangeTilesetTree(tile.packed, changes, name);
   }
@@ -111,7 +112,7 @@ absl::StatusOr<std::string> ChangeTileTree(const TileTree& tile, const std::vect
   for (const TreeEdit& edit : edits) {
     OsgbEdit& change = changes.emplace_back(OsgbEdit{edit.drop, {}});
     for (const TreePatch& p : edit.patches) {
-      change.patches.push_back({p.points, {}, p.triangles, "", "", p.colour, p.part});
+      change.patches.push_back({p.points, p.uv, p.triangles, p.image, p.image_name, p.colour, p.part});
     }
   }
   return ChangeOsgbTile(tile.packed, changes, name);
