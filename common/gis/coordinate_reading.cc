@@ -250,9 +250,8 @@ bool ToLonLat(const std::string& crs, std::vector<Point2>& points) {
   const std::optional<OGRSpatialReference> from = CrsNamed(crs), to = CrsNamed(kLonLat);
   if (!from || !to) return false;
   const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&*from, &*to));
-  return way != nullptr && std::all_of(points.begin(), points.end(), [&](Point2& p) {
-           return way->Transform(1, &p.x(), &p.y()) && p.allFinite();
-         });
+  return way != nullptr && std::all_of(points.begin(), points.end(),
+                                       [&](Point2& p) { return way->Transform(1, &p.x(), &p.y()) && p.allFinite(); });
 }
 
 std::string PlaceInScene(const SceneFrame& frame, const OGRSpatialReference* named,

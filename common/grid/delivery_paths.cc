@@ -25,10 +25,13 @@ std::string WhyNot(std::string_view from, std::string_view to) {
 }
 
 absl::Status Refusal(const SceneTile& tile, std::string_view from, std::string_view to) {
-  const absl::Status status = absl::InvalidArgumentError(
-      absl::StrCat(tile.path, ": --output-format ", std::string(to), " is not possible: ", WhyNot(from, to),
-                   "; leave the option out, or choose ",
-                   from == "osgb" ? "3dtiles or obj" : from == "obj" ? "3dtiles" : from == "3dtiles" ? "obj" : "same"));
+  const absl::Status status = absl::InvalidArgumentError(absl::StrCat(tile.path, ": --output-format ", std::string(to),
+                                                                      " is not possible: ", WhyNot(from, to),
+                                                                      "; leave the option out, or choose ",
+                                                                      from == "osgb"      ? "3dtiles or obj"
+                                                                      : from == "obj"     ? "3dtiles"
+                                                                      : from == "3dtiles" ? "obj"
+                                                                                          : "same"));
   return WithErrorInfo(status, {"FORMAT_NOT_SUPPORTED", {{"file", tile.path}}});
 }
 

@@ -15,9 +15,9 @@ namespace tilemend {
 inline constexpr char kEntryFile[] = "tileset.json";
 
 struct DeliveryPlaces {
-  std::optional<Eigen::Matrix4d> root;       // from the plane at the middle of the scene to the Earth-centred frame
-  std::map<CellId, Eigen::Matrix4d> cells;   // from the scene's frame to the Earth-centred one, or to itself
-  std::string warning;                       // why there is no place on the Earth; or empty
+  std::optional<Eigen::Matrix4d> root;      // from the plane at the middle of the scene to the Earth-centred frame
+  std::map<CellId, Eigen::Matrix4d> cells;  // from the scene's frame to the Earth-centred one, or to itself
+  std::string warning;                      // why there is no place on the Earth; or empty
 };
 
 // For a scene whose tiles are delivered as 3D Tiles; else nothing. Each cell has a plane of its own that touches the

@@ -65,35 +65,42 @@ absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
 }
 
 // The tileset that names those of the tiles, with volumes that hold what they have now.
-absl::Status WriteTileset(const Scene& scene, const DeliveryPlaces& places, OutputFolder& output) {
-  if (!places.cells.empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
-    output.Adopt({kEntryFile});
-    return WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text);
-  }
-  if (scene.tileset.empty() || IsDelivered(scene)) return absl::OkStatus();
+absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
+  if (scene.tileset.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, GrownEntry(scene.root, scene.tileset, output.path()));
   output.Adopt({scene.tileset});
   return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
 }
 
-// What says where the tiles lie. A delivery as 3D Tiles says it itself.
-absl::Status WriteScene(const Scene& scene, const DeliveryPlaces& places, OutputFolder& output) {
-  if (!places.cells.empty()) return absl::OkStatus();
-  if (scene.found_by_name || IsDelivered(scene)) {
-    const std::string text = SceneJson(IsDelivered(scene) ? DeliveredScene(scene, output.path()) : scene);
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), text));
+// The tileset of tiles that are delivered as 3D Tiles, which says itself where they lie; else a scene.json.
+absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
+  if (places.cells.empty()) {
+    TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
+    return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile),
+                               SceneJson(DeliveredScene(scene, output.path())));
   }
-  return CarryMetadata(scene, output);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
+  output.Adopt({kEntryFile});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text);
+}
+
+// What says where the tiles lie.
+absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
+  if (IsDelivered(scene)) return WriteDelivery(scene, output);
+  if (scene.found_by_name) {
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(scene)));
+  }
+  TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
+  return WriteTileset(scene, output);
 }
 
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
 class ScenePipeline : public JobPipeline {
  public:
-  ScenePipeline(JobSpec spec, Scene scene, DeliveryPlaces places, std::set<CellId> chosen, WaterOptions water,
+  ScenePipeline(JobSpec spec, Scene scene, std::set<CellId> chosen, WaterOptions water,
                 std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles)
       : spec_(std::move(spec)),
-        places_(std::move(places)),
         output_(std::move(output)),
         tile_check_(tiles),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
@@ -292,8 +299,7 @@ class ScenePipeline : public JobPipeline {
     for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
       TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
     }
-    TILEMEND_RETURN_IF_ERROR(WriteScene(scene, places_, *output_));
-    TILEMEND_RETURN_IF_ERROR(WriteTileset(scene, places_, *output_));
+    TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
     output_->Adopt(tasks_.files().Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
       absl::StrAppend(
@@ -314,7 +320,6 @@ class ScenePipeline : public JobPipeline {
   }
 
   const JobSpec spec_;
-  const DeliveryPlaces places_;
   std::optional<OutputFolder> output_;  // none in a dry run
   const TileCheck tile_check_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
@@ -334,7 +339,8 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   CheckCrs(scene);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene));
   TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(spec.output_format(), scene));
-  TILEMEND_ASSIGN_OR_RETURN(DeliveryPlaces places, PlaceDelivery(scene));
+  // Again when the tiles are there; here for what is wrong with the CRS.
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
   if (!places.warning.empty()) scene.warnings.push_back(places.warning);
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water));
@@ -349,7 +355,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
-  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(places), std::move(chosen), std::move(water.options),
+  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(chosen), std::move(water.options),
                                          std::move(output), std::move(scratch), tiles);
 }
 

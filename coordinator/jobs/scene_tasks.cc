@@ -79,6 +79,12 @@ void SetWantedColours(const v1::JobSpec& spec, const SceneTile& tile, FillColour
   SetColours(colours, input);
 }
 
+void SetTile(const AssembleWork& work, v1::AssembleInput& input) {
+  input.set_output(OutputPath(*work.tile));
+  input.set_float32(work.float32);
+  input.set_tile_vertices(work.tile_vertices);
+}
+
 void SetDelivery(const Grid& grid, const std::string& format, CellId cell, v1::AssembleInput& input) {
   input.set_output_format(format);
   input.set_x_middle(grid.corner.x() + (cell.col + 0.5) * grid.cell_size.x());
@@ -244,10 +250,8 @@ absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   const CellId cell = work.tile->cell;
   v1::AssembleInput input;
   TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
-  input.set_output(OutputPath(*work.tile));
+  SetTile(work, input);
   input.set_attempts(output_->attempts().path());
-  input.set_float32(work.float32);
-  input.set_tile_vertices(work.tile_vertices);
   if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
   if (input.has_patches() && files_.HasImages(cell) && GetsTexture(spec_, *work.tile)) {

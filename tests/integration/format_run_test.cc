@@ -105,7 +105,8 @@ TEST_F(FormatRunTest, OsgbBecomesObjOfTheFinestLevelWithItsImages) {
 }
 
 TEST_F(FormatRunTest, TilesetsBecomeObj) {
-  for (const auto& [path, bytes] : TilesetScene{.files = TilesetScene::Files::kOfTiles}.All()) folder_.Write("scene/" + path, bytes);
+  for (const auto& [path, bytes] : TilesetScene{.files = TilesetScene::Files::kOfTiles}.All())
+    folder_.Write("scene/" + path, bytes);
   const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "obj"});
   ASSERT_TRUE(ended.code == 0 || ended.code == 100) << ended.err;
   const std::string stem = "out/Data/Tile_p000_p000/Tile_p000_p000";

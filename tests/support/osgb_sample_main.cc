@@ -10,8 +10,9 @@
 int main(int count, char** words) {
   using namespace tilemend;
   if (count != 2) return 2;
-  const std::string image =
-      PngImage(64, 64, [](int32_t column, int32_t row) -> Rgb { return (column + row) % 16 < 8 ? Rgb{70, 110, 60} : Rgb{110, 140, 80}; });
+  const std::string image = PngImage(64, 64, [](int32_t column, int32_t row) -> Rgb {
+    return (column + row) % 16 < 8 ? Rgb{70, 110, 60} : Rgb{110, 140, 80};
+  });
   for (const auto& [path, bytes] : OsgbScene(OsgbScene::Pond::kHole, 80, image).Files()) {
     const std::filesystem::path file = std::filesystem::path(words[1]) / path;
     std::filesystem::create_directories(file.parent_path());

@@ -76,7 +76,7 @@ def main():
         browser = chromium()
         if not browser:
             skip('there is no Chromium; the models are valid')
-        coarse, fine = (draw(folder, out, browser, f'error={error}') for error in (100000, 0.01))
+        coarse, fine = (draw(folder, out, browser, f'error={error}') for error in (300, 0.01))
     print(f'coarse: {coarse}, fine: {fine}')
     for result in (coarse, fine):
         if result['faults']:

@@ -46,10 +46,10 @@ DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels);
 
 // What an OBJ tile has beside its own file.
 struct ObjBeside {
-  std::string root;                       // the scene's folder
-  std::string path;                       // of the tile, relative to it
-  std::span<const FillMaterial> filled;   // materials of filled faces
-  std::string_view filled_image;          // their image; empty: none
+  std::string root;                      // the scene's folder
+  std::string path;                      // of the tile, relative to it
+  std::span<const FillMaterial> filled;  // materials of filled faces
+  std::string_view filled_image;         // their image; empty: none
 };
 
 // One piece of an OBJ tile with these bytes. Material files and images are read from the scene's folder; those that are

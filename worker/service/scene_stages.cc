@@ -220,8 +220,7 @@ absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const
   return delivered;
 }
 
-absl::StatusOr<std::string> RunDelivery(const v1::AssembleInput& input, const CancelToken& cancel,
-                                        TaskMemory& memory) {
+absl::StatusOr<std::string> RunDelivery(const v1::AssembleInput& input, const CancelToken& cancel, TaskMemory& memory) {
   TILEMEND_ASSIGN_OR_RETURN(const Delivered delivered, AssembleDelivery(input, cancel, memory));
   v1::AssembleOutput output;
   output.mutable_warnings()->Add(delivered.warnings.begin(), delivered.warnings.end());

@@ -21,8 +21,8 @@ absl::StatusOr<std::string> NewGlb(std::span<const GltfPatch> surfaces, const st
   OrderedJson children = OrderedJson::array();
   for (size_t k = 1; k <= surfaces.size(); ++k) children.push_back(k);
   // From z up to y up, column by column.
-  json["nodes"].push_back({{"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}},
-                           {"children", std::move(children)}});
+  json["nodes"].push_back(
+      {{"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}}, {"children", std::move(children)}});
   GltfBuilder builder(json, 0);
   for (const GltfPatch& surface : surfaces) {
     if (surface.points.empty() || surface.triangles.empty()) {

@@ -93,7 +93,7 @@ struct OsgbParse {
   std::map<uint32_t, int32_t> array_ids;   // before kOsgbArrayObjects: index into `arrays`
   std::vector<OsgbArray> arrays;
   std::vector<OsgbLook> looks;  // of state sets
-  int depth = 0;  // of objects in objects
+  int depth = 0;                // of objects in objects
 
   uint32_t version() const { return layout.file.version; }
 };

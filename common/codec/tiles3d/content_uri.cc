@@ -81,7 +81,8 @@ std::string ContentUriOf(std::string_view path) {
   constexpr char kDigits[] = "0123456789ABCDEF";
   std::string uri;
   for (const char c : path) {
-    if (absl::ascii_isalnum(static_cast<unsigned char>(c)) || std::string_view("-._~/").find(c) != std::string_view::npos) {
+    if (absl::ascii_isalnum(static_cast<unsigned char>(c)) ||
+        std::string_view("-._~/").find(c) != std::string_view::npos) {
       uri += c;
       continue;
     }

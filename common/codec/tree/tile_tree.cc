@@ -32,9 +32,8 @@ bool IsTilesetPack(const std::vector<PackedFile>& packed) {
 TreeFile FromOsgb(OsgbFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const OsgbGeometry& g : file.geometries) {
-    result.geometries.push_back(
-        {g.first_vertex, g.vertex_count, g.first_triangle, g.triangle_count, g.texture,
-         g.colour.value_or(kNoColour), g.geode});
+    result.geometries.push_back({g.first_vertex, g.vertex_count, g.first_triangle, g.triangle_count, g.texture,
+                                 g.colour.value_or(kNoColour), g.geode});
   }
   for (OsgbImage& image : file.images) {
     const bool is_encoded = image.storage == OsgbImage::Storage::kEncoded;
@@ -48,7 +47,8 @@ absl::StatusOr<TileTree> ReadOsgbTree(std::string_view pack, const std::string& 
   TileTree tree;
   tree.packed = std::move(tile.packed);
   for (OsgbFile& file : tile.files) tree.files.push_back(FromOsgb(std::move(file)));
-  for (const OsgbPiece& p : tile.pieces) tree.pieces.push_back({p.file, p.geode, p.level, p.is_finest, p.parent, p.geometric_error});
+  for (const OsgbPiece& p : tile.pieces)
+    tree.pieces.push_back({p.file, p.geode, p.level, p.is_finest, p.parent, p.geometric_error});
   tree.levels = tile.levels;
   return tree;
 }
@@ -57,8 +57,8 @@ absl::StatusOr<TileTree> ReadOsgbTree(std::string_view pack, const std::string& 
 TreeFile FromGltf(GltfFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const GltfPrimitive& p : file.primitives) {
-    result.geometries.push_back({p.first_vertex, p.vertex_count, p.first_triangle, p.triangle_count, p.texture,
-                                 SrgbOf(p.base_colour), 0});
+    result.geometries.push_back(
+        {p.first_vertex, p.vertex_count, p.first_triangle, p.triangle_count, p.texture, SrgbOf(p.base_colour), 0});
   }
   for (GltfImage& image : file.images) {
     result.images.push_back({std::move(image.name), image.offset, image.size, image.size > 0});

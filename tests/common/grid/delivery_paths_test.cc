@@ -34,8 +34,11 @@ TEST(DeliveryPathsTest, EachTileGetsAFolderOfItsOwn) {
 }
 
 TEST(DeliveryPathsTest, TheSameFormatStaysAsItIs) {
-  for (const auto& [format, path] :
-       {std::pair("osgb", "a/a.osgb"), {"3dtiles", "a/a.json"}, {"obj", "a.obj"}, {"ply", "a.ply"}, {"same", "a.obj"}}) {
+  for (const auto& [format, path] : {std::pair("osgb", "a/a.osgb"),
+                                     {"3dtiles", "a/a.json"},
+                                     {"obj", "a.obj"},
+                                     {"ply", "a.ply"},
+                                     {"same", "a.obj"}}) {
     Scene scene = SceneOf({path, ""});
     ASSERT_TRUE(SetDeliveryPaths(format, scene).ok()) << format;
     EXPECT_FALSE(IsDelivered(scene)) << format;
@@ -46,7 +49,7 @@ TEST(DeliveryPathsTest, TheSameFormatStaysAsItIs) {
 TEST(DeliveryPathsTest, WhatWouldLoseSomethingIsRefusedWithAReason) {
   const struct {
     std::string path, format, why;
-  } cases[] = {{"a.ply", "3dtiles", "colours at vertices"}, {"a.ply", "obj", "colours at vertices"},
+  } cases[] = {{"a.ply", "3dtiles", "colours at vertices"},   {"a.ply", "obj", "colours at vertices"},
                {"a.obj", "ply", "no place for their images"}, {"a/a.osgb", "ply", "no place for their images"},
                {"a.obj", "osgb", "for OSGB tiles alone"},     {"a/a.json", "osgb", "for OSGB tiles alone"}};
   for (const auto& c : cases) {

@@ -35,7 +35,8 @@ TEST(PlaceDeliveryTest, CellsMeetAtTheirBorderAndLieInTheirHeight) {
   EXPECT_NEAR(middle.z(), 107, 1e-6);
   // By PROJ: EPSG:25832 (600125, 5538755) is 10.4004 E, 49.9939 N.
   EXPECT_NEAR(middle.x() * 180 / M_PI, 10.398, 0.005);
-  EXPECT_NEAR(GeodeticOf(Moved(a, Point3(0, 0, 0))).z(), 100.0025, 0.001) << "the plane touches the Earth in its middle";
+  EXPECT_NEAR(GeodeticOf(Moved(a, Point3(0, 0, 0))).z(), 100.0025, 0.001)
+      << "the plane touches the Earth in its middle";
 }
 
 TEST(PlaceDeliveryTest, ASceneWithoutACrsIsNotOnTheEarth) {

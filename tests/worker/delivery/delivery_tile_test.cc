@@ -69,8 +69,9 @@ TEST(DeliveryOfObjTest, ImagesAndColoursOfTheMaterialsAreTaken) {
   const TemporaryFolder folder;
   folder.Write("t/a.mtl", "newmtl roof\nmap_Kd roof.jpg\nnewmtl red\nKd 1 0 0\n");
   folder.Write("t/roof.jpg", "\xff\xd8\xff roof");
-  const std::string obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
-                          "usemtl roof\nf 1/1 2/2 3/3\nusemtl red\nf 2 4 3\nusemtl fill\nf 2/1 4/2 3/3\n";
+  const std::string obj =
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+      "usemtl roof\nf 1/1 2/2 3/3\nusemtl red\nf 2 4 3\nusemtl fill\nf 2/1 4/2 3/3\n";
   const std::vector<FillMaterial> filled = {{"fill", {255, 255, 255}, "a_tilemend.jpg"}};
   const auto tile = DeliveryOfObj(obj, {folder.path(), "t/a.obj", filled, "\xff\xd8\xff fill"});
   ASSERT_TRUE(tile.ok()) << tile.status();
