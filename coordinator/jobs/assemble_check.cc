@@ -16,6 +16,7 @@
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
+#include "coordinator/jobs/delivery_check.h"
 #include "coordinator/jobs/files_beside_check.h"
 #include "coordinator/jobs/wrong_result.h"
 #include "coordinator/store/attempt_folder.h"
@@ -171,6 +172,7 @@ absl::Status CheckAssembleResult(const std::string& input_bytes, const v1::Assem
     const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
   }
+  if (!input.output_format().empty()) return CheckDelivery(input, output, reading.how);
   const bool is_tree = IsTileTree(input.tile().path());
   TILEMEND_RETURN_IF_ERROR(is_tree ? CheckTree(input, output, reading) : CheckTile(input, output, reading));
   return CheckBeside(input, output, reading.how);

@@ -45,7 +45,8 @@ int64_t NewPointsOf(const v1::FillOutput& output) {
 }
 
 bool HasMaterials(const SceneTile& tile) {
-  const auto format = MeshFormatOf(OutputPath(tile));
+  if (tile.path.empty()) return false;  // a new tile is a PLY
+  const auto format = MeshFormatOf(tile.path);
   return format.ok() && *format == MeshFormat::kObj;
 }
 
@@ -78,6 +79,18 @@ void SetWantedColours(const v1::JobSpec& spec, const SceneTile& tile, FillColour
   input.set_without_colours(spec.texture() == "none" && !IsTileTree(tile.path));
   if (input.without_colours()) colours.on_vertices = false;
   SetColours(colours, input);
+}
+
+void SetTile(const AssembleWork& work, v1::AssembleInput& input) {
+  input.set_output(OutputPath(*work.tile));
+  input.set_float32(work.float32);
+  input.set_tile_vertices(work.tile_vertices);
+}
+
+void SetDelivery(const Grid& grid, const std::string& format, CellId cell, v1::AssembleInput& input) {
+  input.set_output_format(format);
+  input.set_x_middle(grid.corner.x() + (cell.col + 0.5) * grid.cell_size.x());
+  input.set_y_middle(grid.corner.y() + (cell.row + 0.5) * grid.cell_size.y());
 }
 
 // The tiles that the texture of a cell's fill is made from: its own and those around it.
@@ -239,10 +252,8 @@ absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   const CellId cell = work.tile->cell;
   v1::AssembleInput input;
   TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
-  input.set_output(OutputPath(*work.tile));
+  SetTile(work, input);
   input.set_attempts(output_->attempts().path());
-  input.set_float32(work.float32);
-  input.set_tile_vertices(work.tile_vertices);
   if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
   if (input.has_patches() && GetsTexture(spec_, *work.tile, files_)) {
@@ -279,12 +290,13 @@ absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input
 
 void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   if (HasMaterials(tile)) SetLibrary(tile, input);
+  input.set_output_root(spec_.out());
+  if (!tile.delivered.empty()) return SetDelivery(waves_.scene().grid, spec_.output_format(), tile.cell, input);
   const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
   output_->Adopt({carried.begin(), carried.end()});
   input.mutable_carried()->Add(carried.begin(), carried.end());
   for (const std::string& path : carried) input.add_carried_digests(file_digests_[path]);
   input.set_link_images(spec_.textures() == "link");
-  input.set_output_root(spec_.out());
 }
 
 void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
@@ -412,6 +424,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& outpu
   waves_.TakeAssemble();
   for (const v1::WrittenFile& file : output.files()) {
     const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};
+    if (!waves_.tile(cell).delivered.empty()) output_->Adopt({file.path()});  // its name was checked
     TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(placed) : output_->Place(placed));
   }
   return absl::OkStatus();

@@ -23,6 +23,7 @@ struct TreeGeometry {
   int32_t first_triangle = 0;
   int32_t triangle_count = 0;
   int32_t texture = -1;  // index into TreeFile::images; -1: none
+  Rgb colour;            // without a texture
   int32_t part = 0;      // of the file
 };
 
@@ -46,7 +47,9 @@ struct TreePiece {
   int32_t file = 0;  // index into TileTree::packed
   int32_t part = 0;  // of that file: a geode of an OSGB file; a glb or b3dm file is one part
   int32_t level = 0;
-  bool is_finest = true;  // no finer file takes its place
+  bool is_finest = true;       // no finer file takes its place
+  int32_t parent = -1;         // of OSGB files: index into TileTree::pieces of the piece whose place it takes; -1: none
+  double geometric_error = 0;  // of OSGB files: metres, as 3D Tiles have it
 };
 
 struct TileTree {
