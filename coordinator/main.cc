@@ -142,18 +142,22 @@ double SizeOf(const std::string& path) {
 
 struct Audit {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file;
-  std::unique_ptr<Log> log;
+  std::unique_ptr<StreamLog> log;
 };
 
-// Null without a path.
-absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path) {
+// Null without a path. `log` is told when the file does not take lines any more.
+absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path, Log& log) {
   if (path.empty()) return nullptr;
   std::FILE* const file = std::fopen(path.c_str(), "ae");
   if (file == nullptr) {
     return absl::PermissionDeniedError(absl::StrCat(path, ": cannot append to it: ", std::strerror(errno)));
   }
+  std::setvbuf(file, nullptr, _IONBF, 0);  // so that nothing of a line that a full disk refuses is tried again
   auto audit = std::make_unique<Audit>(Audit{{file, std::fclose}, nullptr});
   audit->log = std::make_unique<StreamLog>(file, LogFormat::kJson, LogFields{{"program", kProgram}});
+  audit->log->OnLoss([path, &log] {
+    log.Error("audit lines are lost", {{"file", path}, {"hint", "is the disk full?"}});
+  });
   return audit;
 }
 
@@ -241,7 +245,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));
-  TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));
+  TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit"), log));
   TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags, log));
   const auto gate = std::make_shared<Gate>(std::move(access), metrics, audit == nullptr ? log : *audit->log);
   TILEMEND_ASSIGN_OR_RETURN(
