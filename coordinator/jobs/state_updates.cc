@@ -17,6 +17,7 @@ absl::StatusOr<Effects> StateUpdates::Apply(const Event& event, TaskContents con
     journal_.PutLoss(task);
     cluster_.events.AttemptLost(task, cluster_.jobs.at(task.key.job).origin);
   }
+  for (const StruckTask& task : effects.relieved) journal_.PutLoss(task);
   for (const SettledTask& task : effects.settled) {
     std::optional<std::string> content;
     if (!contents.empty()) {

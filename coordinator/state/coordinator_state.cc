@@ -162,13 +162,15 @@ absl::StatusOr<Effects> CoordinatorState::On(const WorkerSeen& event) {
   if (event.worker.empty() || event.threads < 0 || event.prefetch < 0) {
     return absl::InvalidArgumentError("a worker needs an id and numbers of threads and tasks that are not negative");
   }
+  Effects effects;
+  if (!workers_.contains(event.worker)) TakeLossesBack(event.worker, effects);
   WorkerRecord& worker = workers_[event.worker];
   worker.id = event.worker;
   worker.threads = event.threads;
   worker.prefetch = event.prefetch;
   worker.draining = event.draining;
   worker.last_seen = event.time;
-  return Effects();
+  return effects;
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const JobProgressed& event) {
