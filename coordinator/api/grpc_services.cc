@@ -45,11 +45,16 @@ class Entrance {
   grpc::Status Run(const ServerContext& context, std::string_view rpc, Call call) const {
     const Handling handling(context);
     const absl::Time start = absl::Now();
-    const PeerClaims claims = ClaimsOf(context);
-    const auto caller = gate_->Admit(rpc, {claims.certificate_name, claims.alternatives, claims.token}, claims.address);
+    const auto caller = Admit(context, rpc);
     const absl::Status status = caller.ok() ? call(*caller) : caller.status();
     gate_->Ended(rpc, status, absl::Now() - start);
     return ToGrpcStatus(status);
+  }
+
+  // Why a call that goes on for long is to end: its caller has gone, or may not make it any more.
+  absl::Status GoOn(const ServerContext& context, std::string_view rpc) const {
+    if (context.IsCancelled()) return absl::CancelledError("the watcher went away");
+    return Admit(context, rpc).status();
   }
 
   // Of a call that changes a job: `call` gives the job's message. `name` is the job's as far as it is known before, and
@@ -66,6 +71,11 @@ class Entrance {
   }
 
  private:
+  absl::StatusOr<Caller> Admit(const ServerContext& context, std::string_view rpc) const {
+    const PeerClaims claims = ClaimsOf(context);
+    return gate_->Admit(rpc, {claims.certificate_name, claims.uris, claims.token}, claims.address);
+  }
+
   const std::shared_ptr<Gate> gate_;
 };
 
@@ -94,7 +104,7 @@ class JobsService : public v1::Jobs::Service {
     return entrance_.Run(*context, "tilemend.v1.Jobs/WatchJob", [&](const Caller&) {
       return calls_.watch.WatchJob(
           *request, [writer](const v1::Job& job) { return writer->Write(job); },
-          [context] { return !context->IsCancelled(); });
+          [&] { return entrance_.GoOn(*context, "tilemend.v1.Jobs/WatchJob"); });
     });
   }
   grpc::Status CancelJob(ServerContext* context, const v1::CancelJobRequest* request, v1::Job* response) override {
@@ -220,7 +230,8 @@ class ScalerService : public externalscaler::ExternalScaler::Service {
         response.set_result(active);
         return writer->Write(response);
       };
-      return calls_.watch.WatchDemand(send, [context] { return !context->IsCancelled(); });
+      return calls_.watch.WatchDemand(
+          send, [&] { return entrance_.GoOn(*context, "externalscaler.ExternalScaler/StreamIsActive"); });
     });
   }
   grpc::Status GetMetricSpec(ServerContext* context, const externalscaler::ScaledObjectRef* request,
