@@ -72,7 +72,7 @@ absl::StatusOr<v1::Job> JobRuns::StartJob(const JobSpec& spec, const std::string
 
 absl::Status JobRuns::Begin(JobEntry& entry, const std::string& id) {
   try {
-    entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id));
+    entry.runner = std::make_unique<JobRunner>(entry.spec, FactoryOf(id), entry.blobs, SinkOf(id));
     return absl::OkStatus();
   } catch (const std::system_error& error) {  // no thread can be made
     cluster_.journal->DropJob(cluster_.state.FindJob(id)->number);
@@ -108,7 +108,7 @@ absl::Status JobRuns::CheckNewJob(const std::string& out_key) const {
 
 void JobRuns::Resume(const std::string& id, JobRunner::Mode mode) {
   JobEntry& entry = cluster_.jobs.at(id);
-  entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id), mode);
+  entry.runner = std::make_unique<JobRunner>(entry.spec, FactoryOf(id), entry.blobs, SinkOf(id), mode);
 }
 
 JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
@@ -124,6 +124,14 @@ JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
                 ClusterLock lock(cluster_.mutex);
                 cluster_.trust.AddJob(id, std::move(folders));
               }};
+}
+
+PipelineFactory JobRuns::FactoryOf(const std::string& id) {
+  if (!cluster_.journal->is_durable()) return factory_;  // no other coordinator resumes the job
+  return [this, id](const JobSpec& spec, const std::stop_token& stop) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+    TILEMEND_ASSIGN_OR_RETURN(const Preparations::Attempt attempt, preparations_.Begin(id, stop));
+    return factory_(spec, stop);
+  };
 }
 
 absl::Status JobRuns::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {

@@ -117,8 +117,6 @@ class CoordinatorState {
   void EnterResult(Job& job, Task& task, SettledTask settled, Effects& effects);
   void Insert(Job job);
   void LoseLease(Job& job, Task& task, const std::string& worker, Effects& effects);
-  // A worker that counts as lost has come back: it was silent for long, and no task ended it.
-  void TakeLossesBack(const std::string& worker, Effects& effects);
   using TaskLoss = void (CoordinatorState::*)(Job& job, Task& task, const std::string& worker, Effects& effects);
   // Ends the worker, and each of its attempts with `lose`.
   absl::StatusOr<Effects> TakeTasksFrom(const std::string& name, TaskLoss lose, Effects effects = {});

@@ -128,17 +128,6 @@ void CoordinatorState::LoseLease(Job& job, Task& task, const std::string& worker
   Settle(job, task, worker, {TaskState::kQuarantined, "", Quarantined(task)}, effects);
 }
 
-void CoordinatorState::TakeLossesBack(const std::string& worker, Effects& effects) {
-  for (const auto& [number, id] : running_) {
-    Job& job = jobs_.at(id);
-    for (auto& [task_id, task] : job.tasks) {
-      if (std::erase(task.lost_workers, worker) == 0) continue;
-      task.returned_by.erase(worker);
-      effects.relieved.push_back({{id, task_id}, task.cell, task.stage, task.input, task.lost_workers});
-    }
-  }
-}
-
 absl::StatusOr<Effects> CoordinatorState::On(const TaskLeased& event) {
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.key.job));
   const auto worker = workers_.find(event.worker);
