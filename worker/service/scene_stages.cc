@@ -212,6 +212,7 @@ absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadSurveyed(input.tile(), input.stamp()));
   TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, TextureOf(input, added, memory, cancel));
   if (!texture.image.empty()) SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
+  added.paint = std::move(texture.paint);
   if (!added.patch.triangles.empty() || !input.tile().clear().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(bytes, PatchedTile(input, added, bytes));
   }
