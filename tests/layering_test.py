@@ -66,7 +66,9 @@ RULES = {
 
     'common/store': rule(['common/util'], ['absl', 'openssl', 'xxhash']),
 
-    'common/metrics': rule(['common/util'], ['absl', 'httplib', 'openssl', 'prometheus']),
+    'common/http': rule([], ['absl', 'httplib', 'openssl']),
+
+    'common/metrics': rule(['common/http', 'common/util'], ['absl', 'openssl', 'prometheus']),
 
     'common/service': rule([], ['systemd']),
 
