@@ -213,8 +213,11 @@ RULES = {
          'coordinator/store', 'coordinator/jobs'],
         ['absl', 'protobuf']),
 
+    'coordinator/web': rule(
+        ['common/util', 'common/http', 'common/grid', 'common/rpc', 'common/store', 'coordinator/api', 'coordinator/report'], ['absl', 'json', 'protobuf']),
+
     'coordinator': rule(
-        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api'],
+        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api', 'coordinator/web'],
         ['absl']),
 
     # One mesh in this process: geometry without a service. The Python module includes it as well.
