@@ -61,7 +61,8 @@ export class JobView {
   private table: HolesTable | null = null;
 
   constructor(private readonly name: string) {
-    this.element.append(el('h2', {}, `Map of ${name}`), this.mapBox, this.detail, this.warnings, this.failures, this.holesBox);
+    this.element.append(el('h2', {}, `Map of ${name}`),
+      el('div', { class: 'mapanddetail' }, this.mapBox, this.detail), this.warnings, this.failures, this.holesBox);
   }
 
   async poll(job: Job): Promise<void> {
@@ -90,6 +91,7 @@ export class JobView {
     this.cells = cellsOf(map, this.holes);
     const shape = [map.column, map.row, map.columns, map.rows, this.cells.length].join();
     if (this.cells.length === 0) {
+      this.grid = null;
       this.mapBox.replaceChildren(el('p', { class: 'quiet' }, 'The cells are not known yet.'));
       return;
     }
@@ -105,6 +107,9 @@ export class JobView {
       stateOf: (cell) => cell.state + (cell.held ? ' held' : ''), textOf, choose: (cell) => this.chooseCell(cell),
       cellSize: map.cellSize ?? [1, 1] });
     this.mapBox.replaceChildren(el('div', { class: 'scroll' }, this.grid.element), legend);
+    if (this.detail.childElementCount === 0) {
+      this.detail.append(el('p', { class: 'quiet' }, 'Choose a cell of the map or a hole of the table to see more of it.'));
+    }
   }
 
   private chooseCell(cell: MapCell): void {

@@ -113,7 +113,8 @@ class JobCard {
       Number(progress.holes) > 0 ? `${number(Number(progress.holesFilled))} of ${number(Number(progress.holes))} holes filled` : '',
       job.owner ? `by ${job.owner}` : ''].filter(Boolean).join(' \u00b7 ');
     this.speed.textContent = speedText(job, rates, now);
-    this.why.textContent = job.error?.message || job.waiting || (isOver(job) ? job.message : '');
+    const message = isOver(job) && !this.facts.textContent.includes(job.message) ? job.message : '';
+    this.why.textContent = job.error?.message || (job.paused ? '' : job.waiting) || message;
     this.why.hidden = this.why.textContent === '';
     this.element.classList.toggle('chosen', chosen);
     this.steer.update(me);
