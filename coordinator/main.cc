@@ -169,9 +169,11 @@ absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path) {
 bool IsClosed(const Flags& flags) { return !flags.Text("tokens").empty() || !flags.Text("tls-ca").empty(); }
 
 // Whoever asks for certificates or gives a file of tokens wants to know who calls.
-absl::StatusOr<Access> AccessFromFlags(const Flags& flags, Log& log) {
-  if (!IsClosed(flags)) return Access::Open();
-  return Access::Closed(flags.Text("tokens"), log);
+absl::StatusOr<std::shared_ptr<Gate>> GateFromFlags(const Flags& flags, MetricsRegistry& metrics, Log& audit,
+                                                    Log& log) {
+  if (!IsClosed(flags)) return std::make_shared<Gate>(Access::Open(), metrics, audit);
+  TILEMEND_ASSIGN_OR_RETURN(Access access, Access::Closed(flags.Text("tokens"), log));
+  return std::make_shared<Gate>(std::move(access), metrics, audit);
 }
 
 // Null without --metrics.
@@ -264,8 +266,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));
-  TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags, log));
-  const auto gate = std::make_shared<Gate>(std::move(access), metrics, audit == nullptr ? log : *audit->log);
+  TILEMEND_ASSIGN_OR_RETURN(const auto gate, GateFromFlags(flags, metrics, audit == nullptr ? log : *audit->log, log));
   TILEMEND_ASSIGN_OR_RETURN(
       const auto server, CoordinatorServer::Start(flags.Text("listen"), *coordinator, {credentials->kept().tls, gate}));
   TILEMEND_ASSIGN_OR_RETURN(const auto page, ServePage(flags, credentials->kept().tls, *coordinator, gate, log));

@@ -18,12 +18,12 @@ namespace tilemend {
 struct HttpRequest {
   std::string method;  // "GET", "HEAD", "POST"
   std::string path;    // decoded, without the query
-  std::map<std::string, std::string> query;
-  std::map<std::string, std::string> headers;  // names in lower case; of one that comes twice the first
-  std::string body;
-  std::string address;           // of the caller, "ADDRESS:PORT"
-  std::string certificate_name;  // the common name of a checked certificate, "" without one
-  std::vector<std::string> certificate_alternatives;
+  std::map<std::string, std::string> query = {};
+  std::map<std::string, std::string> headers = {};  // names in lower case; of one that comes twice the first
+  std::string body = {};
+  std::string address = {};           // of the caller, "ADDRESS:PORT"
+  std::string certificate_name = {};  // the common name of a checked certificate, "" without one
+  std::vector<std::string> certificate_alternatives = {};
 
   // "" if there is none. `name` is in lower case.
   std::string Header(const std::string& name) const;
@@ -32,7 +32,7 @@ struct HttpRequest {
 struct HttpAnswer {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
-  std::string body;
+  std::string body = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
 };
 

@@ -145,7 +145,6 @@ absl::StatusOr<Effects> CoordinatorState::On(const TasksAdded& event) {
     task.stage = spec.stage;
     task.input = spec.input;
     task.lost_workers = spec.lost_workers;
-    job->board.TaskAdded(spec.cell, spec.stage);
     if (spec.known) {
       SettledTask settled = SettledAs(*spec.known);
       settled.known = true;

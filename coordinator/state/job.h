@@ -14,7 +14,6 @@
 #include "absl/time/time.h"
 #include "common/grid/scene.h"
 #include "common/util/stage.h"
-#include "coordinator/state/cell_board.h"
 
 namespace tilemend {
 
@@ -139,7 +138,6 @@ struct Job {
   std::set<int64_t> doubted;                       // ids of the tasks that are not settled and have refusals
   std::map<std::string, int64_t> refusals;         // how many of those each worker has
   std::map<Stage, StageTime> times;
-  CellBoard board;  // stays when the job is over; empty for one that is restored
 };
 
 struct WorkerRecord {

@@ -106,7 +106,6 @@ void CoordinatorState::EnterResult(Job& job, Task& task, SettledTask settled, Ef
   ++count;
   ++job.version;
   task.state = settled.state;
-  job.board.TaskSettled(task.cell, task.stage, settled.error);
   Judge(job, task, effects);
   settled.key = {job.id, task.id};
   settled.cell = task.cell;

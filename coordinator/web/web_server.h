@@ -13,8 +13,8 @@
 namespace tilemend {
 
 struct WebOptions {
-  HttpSecurity security;
-  std::shared_ptr<Gate> gate;  // null: everybody may do everything, and nobody counts it
+  HttpSecurity security = {};
+  std::shared_ptr<Gate> gate = nullptr;  // null: everybody may do everything, and nobody counts it
   // If callers need no name, only requests to an address or to localhost are answered: a page of another site, whose
   // name was made to lead here, sends that name.
   bool callers_have_names = false;

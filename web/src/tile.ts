@@ -61,7 +61,7 @@ function middleOf(positions: Float32Array): [number, number, number] {
 }
 
 function geometryOf(soup: Soup, starts: number[], middle: [number, number, number]): BufferGeometry {
-  const positions = new Float32Array(9 * starts.length), colours = new Float32Array(9 * starts.length).fill(0.62);
+  const positions = new Float32Array(9 * starts.length), colours = new Float32Array(9 * starts.length).fill(0.34);
   starts.forEach((start, t) => {
     for (let k = 0; k < 9; ++k) {
       positions[9 * t + k] = soup.positions[start + k]! - middle[k % 3]!;
