@@ -241,39 +241,42 @@ class TextureMaker {
     const TexturedSurface& surface = tiles_[tile].surface;
     const TexturedSurface::Group& group = surface.groups[number];
     const auto spots = spots_.extract({tile, number});
+    const std::vector<std::vector<TexturedFace>> near = FacesNear(surface, group, rasters);
+    const bool is_seen = std::any_of(near.begin(), near.end(), [](const auto& faces) { return !faces.empty(); });
     std::optional<Image> image;
     if (group.colour) image = Image{1, 1, 3, {group.colour->r, group.colour->g, group.colour->b}};
-    bool is_read = group.image.empty();
-    const auto read = [&] {
-      if (!is_read) image = ImageAt(tiles_[tile].root, group.image);
-      is_read = true;
-    };
-    for (OrthoRaster& raster : rasters) {
-      const std::vector<int32_t> near = TrianglesNear(surface, group, BoxOf(raster.frame));
-      if (near.empty()) continue;
-      read();
-      std::vector<TexturedFace> faces;
-      for (const int32_t t : near) {
-        faces.push_back({CornersOf(surface.mesh, t), {}});
-        if (!group.image.empty()) faces.back().uv = surface.PlacesOf(t);
-        if (!image) DrawShapes(std::span(&faces.back().corners, 1), raster);
+    if (!group.image.empty() && (is_seen || !spots.empty())) image = ImageAt(tiles_[tile].root, group.image);
+    for (size_t k = 0; k < rasters.size(); ++k) {
+      if (image) {
+        DrawFaces(near[k], *image, rasters[k]);
+      } else {
+        for (const TexturedFace& face : near[k]) DrawShapes(std::span(&face.corners, 1), rasters[k]);
       }
-      if (image) DrawFaces(faces, *image, raster);
     }
-    if (spots.empty()) return;
-    read();
+    if (spots.empty() || !image) return;
     for (const RimSpotAt& spot : spots.mapped()) {
-      if (image) rim_[static_cast<size_t>(spot.point)] = TexelAt(*image, double{spot.u}, double{spot.v});
+      rim_[static_cast<size_t>(spot.point)] = TexelAt(*image, double{spot.u}, double{spot.v});
     }
   }
 
-  static std::vector<int32_t> TrianglesNear(const TexturedSurface& surface, const TexturedSurface::Group& group,
-                                            const Eigen::AlignedBox2d& box) {
-    std::vector<int32_t> near;
+  // For each raster the faces of the group whose boxes meet it.
+  static std::vector<std::vector<TexturedFace>> FacesNear(const TexturedSurface& surface,
+                                                          const TexturedSurface::Group& group,
+                                                          const std::vector<OrthoRaster>& rasters) {
+    std::vector<std::vector<TexturedFace>> near(rasters.size());
+    std::vector<Eigen::AlignedBox2d> boxes;
+    Eigen::AlignedBox2d all;
+    for (const OrthoRaster& raster : rasters) all.extend(boxes.emplace_back(BoxOf(raster.frame)));
     for (const int32_t t : group.triangles) {
+      const SpaceTriangle corners = CornersOf(surface.mesh, t);
       Eigen::AlignedBox2d own;
-      for (const Point3& p : CornersOf(surface.mesh, t)) own.extend(Point2(p.head<2>()));
-      if (own.intersects(box)) near.push_back(t);
+      for (const Point3& p : corners) own.extend(Point2(p.head<2>()));
+      if (!own.intersects(all)) continue;
+      for (size_t k = 0; k < rasters.size(); ++k) {
+        if (!own.intersects(boxes[k])) continue;
+        near[k].push_back({corners, {}});
+        if (!group.image.empty()) near[k].back().uv = surface.PlacesOf(t);
+      }
     }
     return near;
   }

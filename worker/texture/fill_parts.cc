@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
+#include <map>
 #include <utility>
 
 #include "worker/texture/pixel_masks.h"
@@ -10,10 +12,11 @@
 namespace tilemend {
 namespace {
 
-constexpr double kSiteSquare = 0.5;                   // metres
-constexpr double kLeastMargin = 6, kMostMargin = 20;  // metres
-constexpr double kFrameStep = 4;                      // metres
-constexpr double kSteep = 0.70710678118654752;        // cosine of 45 degrees
+constexpr double kSiteSquare = 0.5;                    // metres
+constexpr double kLeastMargin = 6, kMostMargin = 20;   // metres
+constexpr double kFrameStep = 4;                       // metres
+constexpr double kSteep = 0.70710678118654752;         // cosine of 45 degrees
+constexpr double kGroundBlock = 32, kMostOfBlock = 8;  // metres: squares of the ground, and what shares a raster there
 
 SpaceTriangle CornersOf(const FilledFaces& faces, size_t t) {
   const Triangle& f = faces.triangles[t];
@@ -114,9 +117,9 @@ class Regions {
   std::vector<Eigen::AlignedBox2d> boxes_;
 };
 
-RasterFrame FrameAround(const Eigen::AlignedBox2d& region, double texel) {
-  const double size = region.sizes().maxCoeff();
-  const Point2 margin = Point2::Constant(std::clamp(2 * size, kLeastMargin, kMostMargin));
+// `largest` is the size of the largest region in the box.
+RasterFrame FrameAround(const Eigen::AlignedBox2d& region, double largest, double texel) {
+  const Point2 margin = Point2::Constant(std::clamp(2 * largest, kLeastMargin, kMostMargin));
   const auto down = [](double v) { return std::floor(v / kFrameStep) * kFrameStep; };
   const auto up = [](double v) { return std::ceil(v / kFrameStep) * kFrameStep; };
   const Point2 lo = (region.min() - margin).unaryExpr(down), hi = (region.max() + margin).unaryExpr(up);
@@ -153,25 +156,54 @@ OrthoRaster SiteRaster(const Eigen::AlignedBox2d& box) {
   return OrthoRaster(FrameOf(box, square));
 }
 
+namespace {
+
+// What shares a raster: small regions of ground in a block of the lattice, or one region alone (block and region).
+struct Sharing {
+  int64_t block_row = 0, block_column = 0;
+  int32_t region = -1;
+  auto operator<=>(const Sharing&) const = default;
+};
+
+Sharing SharingOf(int32_t region, const Eigen::AlignedBox2d& box, bool has_water) {
+  if (has_water || box.sizes().maxCoeff() > kMostOfBlock) return {0, 0, region};
+  const Point2 block = (box.center() / kGroundBlock).unaryExpr([](double v) { return std::floor(v); });
+  return {static_cast<int64_t>(block.y()), static_cast<int64_t>(block.x()), -1};
+}
+
+}  // namespace
+
 FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span<const Eigen::AlignedBox2d> cells,
                     double texel) {
   const Regions regions(faces, site, cells);
-  FillParts parts;
-  std::vector<std::pair<int32_t, int32_t>> numbers;  // region and part, in the order of the parts
+  std::map<int32_t, bool> has_water;  // by region
+  std::vector<int32_t> region_of;
   for (size_t t = 0; t < faces.triangles.size(); ++t) {
     const SpaceTriangle corners = CornersOf(faces, t);
-    const int32_t region = IsSteep(corners) ? -1 : regions.At((corners[0] + corners[1] + corners[2]) / 3);
-    parts.of_triangles.push_back(region);
-    if (region >= 0) numbers.emplace_back(region, 0);
+    region_of.push_back(IsSteep(corners) ? -1 : regions.At((corners[0] + corners[1] + corners[2]) / 3));
+    if (region_of.back() >= 0) has_water[region_of.back()] |= faces.is_water[t] != 0;
   }
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  for (auto& [region, part] : numbers) {
-    part = static_cast<int32_t>(parts.frames.size());
-    parts.frames.push_back(FrameAround(regions.BoxOf(region), texel));
+  std::map<Sharing, std::vector<int32_t>> shared;
+  for (const auto& [region, water] : has_water) {
+    shared[SharingOf(region, regions.BoxOf(region), water)].push_back(region);
   }
-  for (int32_t& of : parts.of_triangles) {
-    if (of >= 0) of = std::lower_bound(numbers.begin(), numbers.end(), std::pair(of, 0))->second;
+  FillParts parts;
+  std::map<int32_t, int32_t> part_of_region;
+  for (const auto& [key, members] : shared) {
+    Eigen::AlignedBox2d box;
+    double largest = 0;
+    for (const int32_t region : members) {
+      part_of_region[region] = static_cast<int32_t>(parts.frames.size());
+      box.extend(regions.BoxOf(region));
+      largest = std::max(largest, regions.BoxOf(region).sizes().maxCoeff());
+    }
+    parts.frames.push_back(FrameAround(box, largest, texel));
+  }
+  parts.triangles.resize(parts.frames.size());
+  for (size_t t = 0; t < region_of.size(); ++t) {
+    const int32_t part = region_of[t] < 0 ? -1 : part_of_region.at(region_of[t]);
+    parts.of_triangles.push_back(part);
+    if (part >= 0) parts.triangles[static_cast<size_t>(part)].push_back(static_cast<int32_t>(t));
   }
   return parts;
 }
@@ -183,14 +215,18 @@ FillMap FillMapOf(const FilledFaces& faces, const FillParts& parts, int32_t part
   for (size_t i = 0; i < pixels.size(); ++i) {
     if (raster.heights[i] == kNoSurface) pixels[i] = FillPixel::kForeign;
   }
+  const Eigen::AlignedBox2d box = BoxOf(raster.frame);
   for (const FillPixel layer : {FillPixel::kForeign, FillPixel::kGround, FillPixel::kWater}) {
     OrthoRaster fill(raster.frame);
-    for (size_t t = 0; t < faces.triangles.size(); ++t) {
-      if (parts.of_triangles[t] < 0) continue;
-      const FillPixel own = faces.is_water[t] != 0 ? FillPixel::kWater : FillPixel::kGround;
-      if ((parts.of_triangles[t] == part ? own : FillPixel::kForeign) != layer) continue;
-      const SpaceTriangle corners = CornersOf(faces, t);
-      DrawShapes(std::span(&corners, 1), fill);
+    for (size_t other = 0; other < parts.frames.size(); ++other) {
+      const bool is_own = other == static_cast<size_t>(part);
+      if (is_own == (layer == FillPixel::kForeign) || !BoxOf(parts.frames[other]).intersects(box)) continue;
+      for (const int32_t t : parts.triangles[other]) {
+        const bool is_water = faces.is_water[static_cast<size_t>(t)] != 0;
+        if (is_own && is_water != (layer == FillPixel::kWater)) continue;
+        const SpaceTriangle corners = CornersOf(faces, static_cast<size_t>(t));
+        DrawShapes(std::span(&corners, 1), fill);
+      }
     }
     for (size_t i = 0; i < pixels.size(); ++i) {
       if (fill.heights[i] == kNoSurface) continue;
@@ -204,8 +240,8 @@ FillMap FillMapOf(const FilledFaces& faces, const FillParts& parts, int32_t part
 FillLook LookOf(const FilledFaces& faces, const FillParts& parts, int32_t part) {
   FillLook look;
   std::vector<double> levels;
-  for (size_t t = 0; t < faces.triangles.size(); ++t) {
-    if (parts.of_triangles[t] != part) continue;
+  for (const int32_t triangle : parts.triangles[static_cast<size_t>(part)]) {
+    const auto t = static_cast<size_t>(triangle);
     (faces.is_water[t] != 0 ? look.water : look.ground) = faces.flat[t];
     if (faces.is_water[t] == 0) continue;
     for (const Point3& p : CornersOf(faces, t)) levels.push_back(p.z());

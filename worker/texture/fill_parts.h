@@ -25,7 +25,8 @@ struct FilledFaces {
 
 struct FillParts {
   std::vector<RasterFrame> frames;
-  std::vector<int32_t> of_triangles;  // into `frames`; -1: steeper than 45 degrees, or too small to be seen
+  std::vector<int32_t> of_triangles;            // into `frames`; -1: steeper than 45 degrees, or too small to be seen
+  std::vector<std::vector<int32_t>> triangles;  // of each part
 };
 
 // A raster for the shapes of all surface that PlanParts looks at: `box` in squares of 0.5 m, or larger ones if it has
@@ -33,9 +34,11 @@ struct FillParts {
 OrthoRaster SiteRaster(const Eigen::AlignedBox2d& box);
 
 // Parts are the connected regions of the fill and of squares without surface in `cells`, as far as they hold faces of
-// the fill. So two cells that share a hole give it the same part, if both see all of it. A frame reaches 6 to 20 m
-// beyond its part, by the part's size, and ends at multiples of 4 m; its texel is `texel`, or coarser by a power of two
-// so that it has at most kMostRasterPixels. Cost: linear in the site's squares and the faces.
+// the fill. So two cells that share a hole give it the same part, if both see all of it. Regions of ground of at most
+// 8 m are one part if their middles lie in the same square of 32 m: many small holes would else draw the same ground
+// many times. A frame reaches 6 to 20 m beyond its part, by the size of its largest region, and ends at multiples of 4
+// m; its texel is `texel`, or coarser by a power of two so that it has at most kMostRasterPixels. Cost: linear in the
+// site's squares and the faces.
 FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span<const Eigen::AlignedBox2d> cells,
                     double texel);
 

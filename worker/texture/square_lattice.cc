@@ -1,6 +1,8 @@
 #include "worker/texture/square_lattice.h"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -93,41 +95,82 @@ void PushPull(SquareLattice& lattice) {
   }
 }
 
-void Relax(const std::vector<uint8_t>& fixed, int64_t colour, SquareLattice& lattice) {
-  constexpr float kOverRelaxation = 1.8F;
+// A square that relaxation changes, with its neighbours.
+struct FreeSquare {
+  int32_t at = 0;
+  std::array<int32_t, 4> around{};
+  int32_t count = 0;  // of `around`
+};
+
+// The free squares of one colour of the chessboard. Absolute coordinates, so that the order is the same in all rasters.
+std::vector<FreeSquare> FreeSquares(const std::vector<uint8_t>& fixed, int64_t colour, const SquareLattice& lattice) {
+  std::vector<FreeSquare> found;
   for (int32_t y = 0; y < lattice.height; ++y) {
-    // Absolute coordinates, so that the order is the same in all rasters.
     for (auto x = static_cast<int32_t>((lattice.column + lattice.row + y + colour) & 1); x < lattice.width; x += 2) {
-      const size_t at = lattice.At(x, y);
-      if (fixed[at] != 0) continue;
-      Channels sum{};
-      float count = 0;
-      const auto add = [&](size_t of) {
-        for (size_t c = 0; c < 3; ++c) sum[c] += lattice.values[of][c];
-        count += 1;
-      };
+      const auto at = static_cast<int32_t>(lattice.At(x, y));
+      if (fixed[static_cast<size_t>(at)] != 0) continue;
+      FreeSquare square{at};
+      const auto add = [&](int32_t of) { square.around[static_cast<size_t>(square.count++)] = of; };
       if (x > 0) add(at - 1);
       if (x + 1 < lattice.width) add(at + 1);
-      if (y > 0) add(at - static_cast<size_t>(lattice.width));
-      if (y + 1 < lattice.height) add(at + static_cast<size_t>(lattice.width));
-      if (count == 0) continue;
-      Channels& value = lattice.values[at];
-      for (size_t c = 0; c < 3; ++c) value[c] += kOverRelaxation * (sum[c] / count - value[c]);
+      if (y > 0) add(at - lattice.width);
+      if (y + 1 < lattice.height) add(at + lattice.width);
+      if (square.count > 0) found.push_back(square);
+    }
+  }
+  return found;
+}
+
+// One value a column, padded to what a processor adds at once.
+using SquareValues = Eigen::Array<float, 4, Eigen::Dynamic>;
+
+void Relax(const std::vector<FreeSquare>& squares, SquareValues& values) {
+  constexpr float kOverRelaxation = 1.8F;
+  for (const FreeSquare& square : squares) {
+    Eigen::Array4f sum = values.col(square.around[0]);
+    for (int32_t k = 1; k < square.count; ++k) sum += values.col(square.around[static_cast<size_t>(k)]);
+    values.col(square.at) += kOverRelaxation * (sum / static_cast<float>(square.count) - values.col(square.at));
+  }
+}
+
+// The membrane between fixed squares.
+void RelaxAll(int sweeps, const std::vector<uint8_t>& fixed, SquareLattice& lattice) {
+  SquareValues values = SquareValues::Zero(4, static_cast<Eigen::Index>(lattice.values.size()));
+  for (size_t i = 0; i < lattice.values.size(); ++i)
+    for (size_t c = 0; c < 3; ++c)
+      values(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i)) = lattice.values[i][c];
+  const std::array<std::vector<FreeSquare>, 2> free = {FreeSquares(fixed, 0, lattice), FreeSquares(fixed, 1, lattice)};
+  for (int i = 0; i < sweeps; ++i) {
+    for (const std::vector<FreeSquare>& squares : free) Relax(squares, values);
+  }
+  for (size_t i = 0; i < lattice.values.size(); ++i)
+    for (size_t c = 0; c < 3; ++c)
+      lattice.values[i][c] = values(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i));
+}
+
+// The Gaussian along rows of `width` columns, and across them. Sums from one side to the other.
+void SmoothAlongRows(const std::vector<float>& kernel, Eigen::Index width, const SquareValues& from, SquareValues& to) {
+  const auto reach = static_cast<Eigen::Index>(kernel.size()) - 1;
+  to.setZero();
+  for (Eigen::Index row = 0; row < from.cols(); row += width) {
+    for (Eigen::Index k = std::max(-reach, 1 - width); k <= std::min(reach, width - 1); ++k) {
+      const Eigen::Index begin = std::max<Eigen::Index>(0, -k), count = width - std::abs(k);
+      to.middleCols(row + begin, count) +=
+          kernel[static_cast<size_t>(std::abs(k))] * from.middleCols(row + begin + k, count);
     }
   }
 }
 
-// One pass of the Gaussian along a line of `count` squares that lie `step` apart.
-void SmoothLine(const std::vector<float>& kernel, size_t first, size_t step, int32_t count,
-                const std::vector<std::array<float, 4>>& from, std::vector<std::array<float, 4>>& to) {
-  const auto reach = static_cast<int32_t>(kernel.size()) - 1;
-  for (int32_t i = 0; i < count; ++i) {
-    std::array<float, 4> sum{};
-    for (int32_t k = std::max(0, i - reach); k <= std::min(count - 1, i + reach); ++k) {
-      const float weight = kernel[static_cast<size_t>(std::abs(k - i))];
-      for (size_t c = 0; c < 4; ++c) sum[c] += weight * from[first + static_cast<size_t>(k) * step][c];
+void SmoothAcrossRows(const std::vector<float>& kernel, Eigen::Index width, const SquareValues& from,
+                      SquareValues& to) {
+  const auto reach = static_cast<Eigen::Index>(kernel.size()) - 1;
+  const Eigen::Index height = from.cols() / width;
+  to.setZero();
+  for (Eigen::Index y = 0; y < height; ++y) {
+    for (Eigen::Index other = std::max<Eigen::Index>(0, y - reach); other <= std::min(height - 1, y + reach); ++other) {
+      to.middleCols(y * width, width) +=
+          kernel[static_cast<size_t>(std::abs(other - y))] * from.middleCols(other * width, width);
     }
-    to[first + static_cast<size_t>(i) * step] = sum;
   }
 }
 
@@ -161,20 +204,21 @@ void SmoothSquares(double sigma, SquareLattice& lattice) {
   const auto reach = static_cast<int32_t>(std::ceil(3 * sigma));
   std::vector<float> kernel;
   for (int32_t k = 0; k <= reach; ++k) kernel.push_back(static_cast<float>(std::exp(-0.5 * k * k / (sigma * sigma))));
-  std::vector<std::array<float, 4>> from(lattice.values.size()), to(lattice.values.size());
-  for (size_t i = 0; i < from.size(); ++i) {
-    const float w = lattice.weights[i];
-    const Channels& v = lattice.values[i];
-    from[i] = {w * v[0], w * v[1], w * v[2], w};
+  const auto count = static_cast<Eigen::Index>(lattice.values.size());
+  SquareValues from(4, count), to(4, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const float w = lattice.weights[static_cast<size_t>(i)];
+    const Channels& v = lattice.values[static_cast<size_t>(i)];
+    from.col(i) << w * v[0], w * v[1], w * v[2], w;
   }
-  const auto width = static_cast<size_t>(lattice.width);
-  for (int32_t y = 0; y < lattice.height; ++y) SmoothLine(kernel, lattice.At(0, y), 1, lattice.width, from, to);
-  for (int32_t x = 0; x < lattice.width; ++x) SmoothLine(kernel, lattice.At(x, 0), width, lattice.height, to, from);
+  SmoothAlongRows(kernel, lattice.width, from, to);
+  SmoothAcrossRows(kernel, lattice.width, to, from);
   constexpr float kLeastWeight = 1e-4F;
-  for (size_t i = 0; i < from.size(); ++i) {
-    const bool known = from[i][3] > kLeastWeight;
+  for (size_t i = 0; i < lattice.values.size(); ++i) {
+    const Eigen::Array4f sum = from.col(static_cast<Eigen::Index>(i));
+    const bool known = sum[3] > kLeastWeight;
     lattice.weights[i] = known ? 1.0F : 0.0F;
-    for (size_t c = 0; c < 3; ++c) lattice.values[i][c] = known ? from[i][c] / from[i][3] : 0;
+    for (size_t c = 0; c < 3; ++c) lattice.values[i][c] = known ? sum[static_cast<Eigen::Index>(c)] / sum[3] : 0;
   }
 }
 
@@ -189,10 +233,7 @@ void FillSquares(int sweeps, SquareLattice& lattice) {
     return;
   }
   PushPull(lattice);
-  for (int i = 0; i < sweeps; ++i) {
-    Relax(fixed, 0, lattice);
-    Relax(fixed, 1, lattice);
-  }
+  if (sweeps > 0) RelaxAll(sweeps, fixed, lattice);
 }
 
 }  // namespace tilemend

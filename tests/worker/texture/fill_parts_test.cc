@@ -71,6 +71,20 @@ TEST(FillPartsTest, HolesApartArePartsAndWallsAreNone) {
   EXPECT_EQ(LookOf(faces, parts, 1).ground, (Rgb{9, 9, 9}));
 }
 
+TEST(FillPartsTest, SmallHolesOfASquareOf32MetresShareARaster) {
+  FilledFaces faces;
+  AddSquare(2, 2, 1, false, faces);
+  AddSquare(20, 20, 4, false, faces);
+  AddSquare(40, 2, 1, false, faces);   // in another square
+  AddSquare(10, 10, 1, true, faces);   // water has a level of its own
+  AddSquare(2, 40, 20, false, faces);  // large
+  const FillParts parts = PlanParts(faces, SiteWithHole(kLeft, {}), std::vector{kLeft}, 0.25);
+  EXPECT_THAT(parts.of_triangles, ElementsAre(0, 0, 0, 0, 3, 3, 1, 1, 2, 2));
+  EXPECT_THAT(parts.triangles,
+              ElementsAre(ElementsAre(0, 1, 2, 3), ElementsAre(6, 7), ElementsAre(8, 9), ElementsAre(4, 5)));
+  EXPECT_EQ(BoxOf(parts.frames[0]).min(), Point2(-8, -8)) << "twice the larger hole's size around both";
+}
+
 TEST(FillPartsTest, LargePartsHaveCoarserTexels) {
   const Eigen::AlignedBox2d cell(Point2(0, 0), Point2(2000, 2000));
   FilledFaces faces;
@@ -85,7 +99,7 @@ TEST(FillPartsTest, PixelsAreOfTheirPart) {
   FilledFaces faces;
   AddSquare(2, 2, 4, false, faces);
   AddSquare(8, 2, 4, true, faces);
-  const FillParts parts{{{1, 0, 0, 16, 8}, {1, 0, 0, 16, 8}}, {0, 0, 1, 1}};
+  const FillParts parts{{{1, 0, 0, 16, 8}, {1, 0, 0, 16, 8}}, {0, 0, 1, 1}, {{0, 1}, {2, 3}}};
   OrthoRaster raster = RasterOf(parts.frames[0], [](int64_t, int64_t) { return Rgb{}; });
   raster.heights[raster.frame.At(15, 7)] = kNoSurface;
   const std::vector<FillPixel> first = FillMapOf(faces, parts, 0, raster).pixels,
@@ -103,7 +117,7 @@ TEST(FillPartsTest, WallsTakeTheColourThatTheyHangFrom) {
   faces.triangles = {{2, 1, 0}, {2, 3, 1}, {4, 3, 2}, {4, 5, 3}};
   faces.is_water.assign(4, 0);
   faces.flat.assign(4, Rgb{7, 7, 7});
-  const FillParts parts{{}, {-1, -1, -1, -1}};
+  const FillParts parts{{}, {-1, -1, -1, -1}, {}};
   std::vector<std::optional<Rgb>> rim(6);
   rim[0] = rim[1] = Rgb{0, 200, 0};
   for (const Rgb c : SteepColours(faces, parts, rim, {})) EXPECT_EQ(c, (Rgb{0, 200, 0}));
