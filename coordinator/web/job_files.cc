@@ -22,9 +22,7 @@ namespace {
 
 constexpr char kSceneName[] = "scene.json";
 
-absl::Status Missing(const std::string& what, const std::string& reason) {
-  return WithErrorInfo(absl::NotFoundError(what), {reason, {}});
-}
+absl::Status NoTile(const std::string& what) { return WithErrorInfo(absl::NotFoundError(what), {"NO_TILE", {}}); }
 
 // A file descriptor that closes itself.
 class OpenedFile {
@@ -62,7 +60,7 @@ absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::stri
   const OpenedFile file(root->OpenFile(whole, O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat look {};
   if (file.fd() < 0 || fstat(file.fd(), &look) != 0 || !S_ISREG(look.st_mode)) {
-    return Missing(absl::StrCat(path, ": no such file in its folder"), "NO_TILE");
+    return NoTile(absl::StrCat(path, ": no such file in its folder"));
   }
   if (look.st_size > most) {
     return WithErrorInfo(absl::ResourceExhaustedError(absl::StrCat(path, ": larger than ", most, " bytes")),
@@ -80,7 +78,9 @@ bool HasSceneFile(const std::string& path) {
 
 absl::StatusOr<std::shared_ptr<const Scene>> JobFiles::SceneOf(const std::string& name, const JobSpec& spec) {
   if (auto known = scenes_.Find(name)) return known;
-  if (!HasSceneFile(spec.scene())) return Missing("the scene has no scene.json", "NO_SCENE_FILE");
+  if (!HasSceneFile(spec.scene())) {
+    return WithErrorInfo(absl::NotFoundError("the scene has no scene.json"), {"NO_SCENE_FILE", {}});
+  }
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), nullptr));
   auto kept = std::make_shared<const Scene>(std::move(scene));
   scenes_.Keep(name, kept);
@@ -89,7 +89,9 @@ absl::StatusOr<std::shared_ptr<const Scene>> JobFiles::SceneOf(const std::string
 
 absl::StatusOr<std::shared_ptr<const std::string>> JobFiles::HolesOf(const std::string& name, const JobCells& job) {
   if (auto known = holes_.Find(name)) return known;
-  if (job.report.empty()) return Missing(absl::StrCat(name, ": there is no report yet"), "NO_REPORT");
+  if (job.report.empty()) {
+    return WithErrorInfo(absl::NotFoundError(absl::StrCat(name, ": there is no report yet")), {"NO_REPORT", {}});
+  }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadBelow(job.spec.out(), "report.json", kMostReportBytes));
   const auto report = nlohmann::ordered_json::parse(text, nullptr, false);
   if (!report.is_object()) return absl::DataLossError(absl::StrCat(name, ": its report.json is not JSON"));
@@ -105,7 +107,7 @@ absl::StatusOr<JobFiles::Tile> JobFiles::TileOf(const std::string& name, const J
   TILEMEND_ASSIGN_OR_RETURN(const auto scene, SceneOf(name, spec));
   const auto tile = std::ranges::find(scene->tiles, cell, &SceneTile::cell);
   if (tile == scene->tiles.end() || (!after && tile->path.empty())) {
-    return Missing(absl::StrCat("cell ", cell.col, ", ", cell.row, ": it has no tile"), "NO_TILE");
+    return NoTile(absl::StrCat("cell ", cell.col, ", ", cell.row, ": it has no tile"));
   }
   const std::string path = after ? OutputPath(*tile) : tile->path;
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadBelow(after ? spec.out() : scene->root, path, kMostTileBytes));

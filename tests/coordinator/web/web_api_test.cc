@@ -121,6 +121,7 @@ TEST_F(WebApiTest, ABodyThatIsNoRequestIsRefused) {
 
 TEST_F(WebApiTest, WhatHasNotChangedIsNotSentAgain) {
   const std::string job = NewJob();
+  AwaitTask();  // until then the job changes by itself
   for (const std::string& path : {job, job + "/cells", std::string("/v1/jobs"), std::string("/v1/workers")}) {
     const HttpAnswer first = Get(path);
     ASSERT_EQ(first.status, 200) << path;
