@@ -22,7 +22,9 @@ namespace {
 
 constexpr char kSceneName[] = "scene.json";
 
-absl::Status NoTile(const std::string& what) { return WithErrorInfo(absl::NotFoundError(what), {"NO_TILE", {}}); }
+absl::Status NoTile(const std::string& what) {
+  return WithErrorInfo(absl::NotFoundError(what), {"TILE_NOT_FOUND", {}});
+}
 
 // A file descriptor that closes itself.
 class OpenedFile {
@@ -79,7 +81,7 @@ bool HasSceneFile(const std::string& path) {
 absl::StatusOr<std::shared_ptr<const Scene>> JobFiles::SceneOf(const std::string& name, const JobSpec& spec) {
   if (auto known = scenes_.Find(name)) return known;
   if (!HasSceneFile(spec.scene())) {
-    return WithErrorInfo(absl::NotFoundError("the scene has no scene.json"), {"NO_SCENE_FILE", {}});
+    return WithErrorInfo(absl::NotFoundError("the scene has no scene.json"), {"SCENE_FILE_NOT_FOUND", {}});
   }
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), nullptr));
   auto kept = std::make_shared<const Scene>(std::move(scene));
@@ -90,7 +92,7 @@ absl::StatusOr<std::shared_ptr<const Scene>> JobFiles::SceneOf(const std::string
 absl::StatusOr<std::shared_ptr<const std::string>> JobFiles::HolesOf(const std::string& name, const JobCells& job) {
   if (auto known = holes_.Find(name)) return known;
   if (job.report.empty()) {
-    return WithErrorInfo(absl::NotFoundError(absl::StrCat(name, ": there is no report yet")), {"NO_REPORT", {}});
+    return WithErrorInfo(absl::NotFoundError(absl::StrCat(name, ": there is no report yet")), {"REPORT_NOT_FOUND", {}});
   }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadBelow(job.spec.out(), "report.json", kMostReportBytes));
   const auto report = nlohmann::ordered_json::parse(text, nullptr, false);

@@ -56,14 +56,14 @@ class JobFiles {
   // The scene of a job. kNotFound if it has no scene.json yet; errors of LoadScene. Kept for the last jobs asked for.
   absl::StatusOr<std::shared_ptr<const Scene>> SceneOf(const std::string& name, const JobSpec& spec);
 
-  // {"holeCount", "holes"} of the report, as JSON text. kNotFound (NO_REPORT) before there is one; errors of reading.
+  // {"holeCount", "holes"} of the report, as JSON text. kNotFound (REPORT_NOT_FOUND) before there is one; errors of reading.
   absl::StatusOr<std::shared_ptr<const std::string>> HolesOf(const std::string& name, const JobCells& job);
 
   struct Tile {
     std::string name;  // the last part of its path
     std::string bytes;
   };
-  // The mesh of a cell, in the scene or in the output. kNotFound (NO_TILE) if the cell has none.
+  // The mesh of a cell, in the scene or in the output. kNotFound (TILE_NOT_FOUND) if the cell has none.
   absl::StatusOr<Tile> TileOf(const std::string& name, const JobSpec& spec, CellId cell, bool after);
 
  private:

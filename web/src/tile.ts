@@ -36,7 +36,7 @@ async function readTile(path: string): Promise<Soup> {
     });
     return soupOf(geometries);
   } catch (error) {
-    if (error instanceof ApiError && error.reason === 'NO_TILE') return EMPTY;
+    if (error instanceof ApiError && error.reason === 'TILE_NOT_FOUND') return EMPTY;
     throw error;
   }
 }

@@ -46,18 +46,18 @@ TEST_F(JobFilesTest, GivesACellBeforeAndAfter) {
 }
 
 TEST_F(JobFilesTest, HasNoTileWhereThereIsNone) {
-  EXPECT_EQ(Reason({1, 0}, true), "NO_TILE");   // not written yet
-  EXPECT_EQ(Reason({2, 0}, false), "NO_TILE");  // without surface
-  EXPECT_EQ(Reason({7, 7}, false), "NO_TILE");  // no cell
+  EXPECT_EQ(Reason({1, 0}, true), "TILE_NOT_FOUND");   // not written yet
+  EXPECT_EQ(Reason({2, 0}, false), "TILE_NOT_FOUND");  // without surface
+  EXPECT_EQ(Reason({7, 7}, false), "TILE_NOT_FOUND");  // no cell
 }
 
 TEST_F(JobFilesTest, ALinkLeadsNowhereOutOfTheFolder) {
   std::filesystem::remove(folder_ / "scene/b.obj");
   std::filesystem::create_symlink(folder_ / "secret.obj", folder_ / "scene/b.obj");
-  EXPECT_EQ(Reason({1, 0}, false), "NO_TILE");
+  EXPECT_EQ(Reason({1, 0}, false), "TILE_NOT_FOUND");
   std::filesystem::remove(folder_ / "scene/b.obj");
   std::filesystem::create_symlink("../secret.obj", folder_ / "scene/b.obj");
-  EXPECT_EQ(Reason({1, 0}, false), "NO_TILE");
+  EXPECT_EQ(Reason({1, 0}, false), "TILE_NOT_FOUND");
   std::filesystem::remove(folder_ / "scene/b.obj");
   std::filesystem::create_symlink("a.obj", folder_ / "scene/b.obj");
   EXPECT_EQ(files_.TileOf("jobs/1", spec_, {1, 0}, false)->bytes, "before");
@@ -71,7 +71,7 @@ TEST_F(JobFilesTest, APathInTheSceneLeadsNowhereOutOfTheFolder) {
 
 TEST_F(JobFilesTest, WithoutASceneFileThereIsNoScene) {
   std::filesystem::remove(folder_ / "scene/scene.json");
-  EXPECT_EQ(ErrorReason(files_.SceneOf("jobs/3", spec_).status()), "NO_SCENE_FILE");
+  EXPECT_EQ(ErrorReason(files_.SceneOf("jobs/3", spec_).status()), "SCENE_FILE_NOT_FOUND");
 }
 
 TEST_F(JobFilesTest, AFileThatIsTooLargeIsNotRead) {
@@ -82,7 +82,7 @@ TEST_F(JobFilesTest, AFileThatIsTooLargeIsNotRead) {
 TEST_F(JobFilesTest, GivesTheHolesOfTheReport) {
   JobCells job;
   job.spec = spec_;
-  EXPECT_EQ(ErrorReason(files_.HolesOf("jobs/1", job).status()), "NO_REPORT");
+  EXPECT_EQ(ErrorReason(files_.HolesOf("jobs/1", job).status()), "REPORT_NOT_FOUND");
   job.report = folder_.Write("out/report.json", R"({"per_hole": [{"id": 4, "outcome": "left", "reason": "<b>"}]})");
   const auto holes = files_.HolesOf("jobs/1", job);
   ASSERT_TRUE(holes.ok()) << holes.status();
