@@ -18,6 +18,7 @@
 #include "client/reported_output.h"
 #include "client/unfinished.h"
 #include "common/grid/cell_choice.h"
+#include "common/grid/delivery_paths.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
@@ -344,6 +345,13 @@ absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& o
   }
   TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileBounds, ReadTilesets));
   const Json& options = Member(input.report, "options");
+  const std::string format = Text(Member(options, "output-format"));
+  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(format, input.scene));
+  if (IsDelivered(input.scene)) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        out, ": was written as ", format, ", and tiles are compared in one format only; run the job without ",
+        "--output-format, compare that, or look for faults in the output alone: tilemend check ", out));
+  }
   const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();
   if (!area.ok()) warnings.push_back(absl::StrCat(std::string(area.message()), ": checked without the area"));
   TILEMEND_ASSIGN_OR_RETURN(input.chosen, ChooseCells(Text(Member(options, "cells")), input.scene));

@@ -22,6 +22,7 @@
 #include "client/unfinished.h"
 #include "common/codec/mesh_file.h"
 #include "common/grid/cell_choice.h"
+#include "common/grid/delivery_paths.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
@@ -115,6 +116,7 @@ CheckedScene OutputOf(Scene scene, const Json& report, const std::string& folder
   for (SceneTile& tile : scene.tiles) {
     std::string output = OutputPath(tile);
     tile.path = KindOf(absl::StrCat(folder, "/", output)) == PathKind::kNothing ? "" : std::move(output);
+    if (!tile.delivered.empty()) tile.frame.clear();
     tile.added = tile.added && tile.path.empty();
   }
   // Cells without a tile that the job was not to write are no holes.
@@ -151,6 +153,7 @@ absl::StatusOr<CheckedScene> SceneAt(const std::string& path) {
                       ": checked without the scene that it was made from; tiles that are missing are not named")});
     return SceneWithItsArea(path);
   }
+  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(Text(Member(Member(report, "options"), "output-format")), *scene));
   return OutputOf(*std::move(scene), report, path);
 }
 

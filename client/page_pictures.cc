@@ -64,7 +64,8 @@ absl::StatusOr<TilePair> ReadPair(const Scene& scene, const SceneTile& tile, con
   if (!tile.path.empty()) {
     TILEMEND_ASSIGN_OR_RETURN(pair.before, ReadPictureTile(scene.root, tile.path, tile.frame));
   }
-  TILEMEND_ASSIGN_OR_RETURN(pair.after, ReadPictureTile(out, OutputPath(tile), tile.frame));
+  const TileFrame frame = tile.delivered.empty() ? tile.frame : TileFrame();
+  TILEMEND_ASSIGN_OR_RETURN(pair.after, ReadPictureTile(out, OutputPath(tile), frame));
   pair.change = CompareTiles(pair.before.faces, pair.after.faces);
   return pair;
 }

@@ -10,6 +10,7 @@
 #include "client/page_assets.h"
 #include "client/page_data.h"
 #include "client/page_pictures.h"
+#include "common/grid/delivery_paths.h"
 #include "common/grid/scene.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
@@ -54,7 +55,9 @@ absl::Status WriteReportPage(const std::string& out) {
   if (!report.is_object() || !report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }
-  const auto scene = LoadScene(Text(Member(report, "scene")), ReadTileBounds, ReadTilesets);
+  auto scene = LoadScene(Text(Member(report, "scene")), ReadTileBounds, ReadTilesets);
+  const std::string format = Text(Member(Member(report, "options"), "output-format"));
+  if (scene.ok()) TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(format, *scene));
   PagePictures pictures;
   if (scene.ok()) {
     pictures = MakePagePictures(report, *scene, out);

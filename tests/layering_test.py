@@ -142,10 +142,14 @@ RULES = {
         ['common/util', 'common/mesh', 'common/records', 'common/store', 'common/codec', 'common/codec/tree', 'common/image', 'worker/survey', 'worker/ground'],
         ['absl']),
 
+    'worker/delivery': rule(
+        ['common/util', 'common/mesh', 'common/codec', 'common/codec/gltf', 'common/codec/tiles3d', 'common/codec/tree', 'worker/materials'],
+        ['absl', 'eigen']),
+
     'worker/texture': rule(['common/util', 'common/mesh', 'common/image'], ['eigen'], pure=True),
 
     'worker/service': rule(
-        ['common/util', 'common/mesh', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/papers', 'worker/survey', 'worker/ground',
+        ['common/util', 'common/mesh', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/store', 'common/metrics', 'common/rpc', 'worker/delivery', 'worker/papers', 'worker/survey', 'worker/ground',
          'worker/fill/hole', 'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials', 'worker/texture', 'common/image'],
         ['absl', 'eigen', 'grpc', 'protobuf']),
 
@@ -206,7 +210,7 @@ RULES = {
         ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tiles3d', 'common/store', 'common/metrics',
          'common/rpc', 'coordinator/state', 'coordinator/journal', 'coordinator/check', 'coordinator/waves', 'coordinator/report',
          'coordinator/store'],
-        ['absl', 'protobuf']),
+        ['absl', 'eigen', 'protobuf']),
 
     'coordinator/api': rule(
         ['common/util', 'common/options', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/state', 'coordinator/journal',

@@ -55,49 +55,73 @@ class PieceChoice {
   std::vector<std::pair<int32_t, Eigen::AlignedBox3d>> pieces_;
 };
 
-// The geometry of one material in one piece.
+// The new faces of one piece, of one material if they are not painted.
 struct Share {
-  TreePatch patch;
+  TreeFaces faces;
   std::unordered_map<int32_t, int32_t> number;  // of the level's vertices and the new ones
 };
 
 class LevelPatcher {
  public:
-  LevelPatcher(const TileTree& tile, std::span<const FillMaterial> materials) : tile_(tile), edits_(tile.files.size()) {
+  LevelPatcher(const TileTree& tile, std::span<const FillMaterial> materials, const PaintFaces& paint,
+               const std::string& image_name)
+      : tile_(tile), paint_(paint), image_name_(image_name), edits_(tile.files.size()) {
     for (const FillMaterial& material : materials) colours_[material.name] = material.colour;
   }
 
-  void Add(const TreeLevel& level, const FilePatch& patch, const PieceChoice& choice) {
-    if (choice.empty()) return;
-    std::map<std::pair<int32_t, size_t>, Share> shares;  // by piece and run
-    size_t run = 0;
-    for (size_t t = 0; t < patch.triangles.size(); ++t) {
-      while (run + 1 < patch.materials.size() && static_cast<size_t>(patch.materials[run + 1].first) <= t) ++run;
-      const auto at = [&](int32_t v) {
-        const auto old = static_cast<int32_t>(level.mesh.points.size());
-        return v < old ? level.mesh.points[v] : patch.new_points[v - old];
-      };
-      const Triangle& triangle = patch.triangles[t];
-      const Point3 middle = (at(triangle[0]) + at(triangle[1]) + at(triangle[2])) / 3;
-      Share& share = shares[{choice.Of(middle), run}];
-      Triangle& own = share.patch.triangles.emplace_back();
-      for (int k = 0; k < 3; ++k) {
-        const auto [number, fresh] = share.number.emplace(triangle[k], static_cast<int32_t>(share.patch.points.size()));
-        if (fresh) share.patch.points.push_back(at(triangle[k]));
-        own[k] = number->second;
-      }
-    }
-    for (auto& [key, share] : shares) {
+  // Of the level that is `above_finest` levels coarser than the finest.
+  absl::Status Add(const TreeLevel& level, int32_t above_finest, const FilePatch& patch, const PieceChoice& choice) {
+    if (choice.empty()) return absl::OkStatus();
+    for (auto& [key, share] : SharesOf(level, patch, choice)) {
       const TreePiece& piece = tile_.pieces[key.first];
-      share.patch.part = piece.part;
-      share.patch.colour = ColourOf(patch, key.second);
-      edits_[piece.file].patches.push_back(std::move(share.patch));
+      share.faces.file = piece.file;
+      share.faces.part = piece.part;
+      share.faces.above_finest = above_finest;
+      TILEMEND_ASSIGN_OR_RETURN(TreePatch made, PatchOf(std::move(share.faces)));
+      edits_[piece.file].patches.push_back(std::move(made));
     }
+    return absl::OkStatus();
   }
 
   const std::vector<TreeEdit>& edits() const { return edits_; }
 
  private:
+  using Shares = std::map<std::pair<int32_t, size_t>, Share>;  // by piece and run; painted ones have the run 0
+
+  Shares SharesOf(const TreeLevel& level, const FilePatch& patch, const PieceChoice& choice) const {
+    Shares shares;
+    size_t run = 0;
+    const auto old = static_cast<int32_t>(level.mesh.points.size());
+    const auto at = [&](int32_t v) { return v < old ? level.mesh.points[v] : patch.new_points[v - old]; };
+    for (size_t t = 0; t < patch.triangles.size(); ++t) {
+      while (run + 1 < patch.materials.size() && static_cast<size_t>(patch.materials[run + 1].first) <= t) ++run;
+      const Triangle& triangle = patch.triangles[t];
+      const Point3 middle = (at(triangle[0]) + at(triangle[1]) + at(triangle[2])) / 3;
+      Share& share = shares[{choice.Of(middle), paint_ ? 0 : run}];
+      share.faces.colours.push_back(ColourOf(patch, run));
+      Triangle& own = share.faces.triangles.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        const auto [number, fresh] = share.number.emplace(triangle[k], static_cast<int32_t>(share.faces.points.size()));
+        if (fresh) share.faces.points.push_back(at(triangle[k]));
+        own[k] = number->second;
+      }
+    }
+    return shares;
+  }
+
+  absl::StatusOr<TreePatch> PatchOf(TreeFaces faces) const {
+    if (paint_) {
+      TILEMEND_ASSIGN_OR_RETURN(FacePaint paint, paint_(faces));
+      return PaintedPatch(faces, std::move(paint), image_name_);
+    }
+    TreePatch patch;
+    patch.part = faces.part;
+    patch.colour = faces.colours.front();
+    patch.points = std::move(faces.points);
+    patch.triangles = std::move(faces.triangles);
+    return patch;
+  }
+
   Rgb ColourOf(const FilePatch& patch, size_t run) const {
     if (run >= patch.materials.size()) return kUnknownColour;
     const auto at = colours_.find(patch.materials[run].material);
@@ -105,6 +129,8 @@ class LevelPatcher {
   }
 
   const TileTree& tile_;
+  const PaintFaces& paint_;
+  const std::string& image_name_;
   std::map<std::string, Rgb> colours_;
   std::vector<TreeEdit> edits_;
 };
@@ -143,15 +169,19 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
 }
 
 absl::StatusOr<std::string> PatchTreeLevels(std::string_view pack, const FilePatch& patch,
-                                            std::span<const FillMaterial> materials, const std::string& name) {
+                                            std::span<const FillMaterial> materials, const std::string& name,
+                                            const PaintFaces& paint, const std::string& image_name) {
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
   const TreeLevel finest = LevelOf(tile, tile.levels - 1);
-  LevelPatcher patcher(tile, materials);
-  patcher.Add(finest, patch, PieceChoice(tile, finest, [](const TreePiece& piece) { return piece.is_finest; }));
+  LevelPatcher patcher(tile, materials, paint, image_name);
+  TILEMEND_RETURN_IF_ERROR(
+      patcher.Add(finest, 0, patch, PieceChoice(tile, finest, [](const TreePiece& piece) { return piece.is_finest; })));
   for (int32_t l = 0; l + 1 < tile.levels; ++l) {
     const TreeLevel level = LevelOf(tile, l);
     const PieceChoice choice(tile, level, [](const TreePiece& piece) { return !piece.is_finest; });
-    if (!choice.empty()) patcher.Add(level, FillLevel(level.mesh, finest.mesh, patch), choice);
+    if (choice.empty()) continue;
+    const FilePatch coarse = FillLevel(level.mesh, finest.mesh, patch);
+    TILEMEND_RETURN_IF_ERROR(patcher.Add(level, tile.levels - 1 - l, coarse, choice));
   }
   return ChangeTileTree(tile, patcher.edits(), name);
 }

@@ -8,6 +8,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/assemble/clear_tile.h"
+#include "common/assemble/tree_paint.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/mtl.h"
 #include "common/mesh/clear_area.h"
@@ -22,9 +23,11 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
 // The pack with `patch`, an addition to its finest level, and with what FillLevel makes of it on each coarser one. A
 // triangle goes to the piece (tile_tree.h) in whose bounds its middle lies seen from above, or that is nearest; of
 // several the nearest in height, then the lowest. `materials` are the colours of the patch's materials. Errors of
-// ReadTileTree and ChangeTileTree. Linear in the tile, and as FillLevel for each level.
+// ReadTileTree and ChangeTileTree. Linear in the tile, and as FillLevel for each level. With `paint` the new faces of a
+// part get the image that it gives, named `image_name`; its errors are handed on.
 absl::StatusOr<std::string> PatchTreeLevels(std::string_view pack, const FilePatch& patch,
-                                            std::span<const FillMaterial> materials, const std::string& name);
+                                            std::span<const FillMaterial> materials, const std::string& name,
+                                            const PaintFaces& paint = {}, const std::string& image_name = "");
 
 }  // namespace tilemend
 

@@ -245,6 +245,15 @@ std::string FaultOfCrs(const std::string& crs) {
   return known->IsGeographic() ? "has degrees and cannot be that of tiles in metres" : "";
 }
 
+bool ToLonLat(const std::string& crs, std::vector<Point2>& points) {
+  const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
+  const std::optional<OGRSpatialReference> from = CrsNamed(crs), to = CrsNamed(kLonLat);
+  if (!from || !to) return false;
+  const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&*from, &*to));
+  return way != nullptr && std::all_of(points.begin(), points.end(),
+                                       [&](Point2& p) { return way->Transform(1, &p.x(), &p.y()) && p.allFinite(); });
+}
+
 std::string PlaceInScene(const SceneFrame& frame, const OGRSpatialReference* named,
                          std::vector<VectorFeature>& features, std::vector<std::string>& warnings) {
   // What fails here is tried otherwise, or told in words of the scene.

@@ -10,8 +10,10 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "common/gis/package_writing.h"
 #include "common/gis/vector_file.h"
@@ -73,12 +75,26 @@ bool WriteOutput(std::string_view bytes) {
   return true;
 }
 
+// The points behind their number of bytes, and behind these the CRS; empty if there is no answer.
+std::string LonLatAnswer(std::string_view input) {
+  size_t bytes = 0;
+  if (input.size() < sizeof(bytes)) return "";
+  std::memcpy(&bytes, input.data(), sizeof(bytes));
+  input.remove_prefix(sizeof(bytes));
+  if (bytes > input.size() || bytes % sizeof(Point2) != 0) return "";
+  std::vector<Point2> points(bytes / sizeof(Point2));
+  std::memcpy(static_cast<void*>(points.data()), input.data(), bytes);
+  if (!ToLonLat(std::string(input.substr(bytes)), points)) return "";
+  return {reinterpret_cast<const char*>(points.data()), bytes};
+}
+
 // Precondition: `input` is of this build.
 std::string Answer(std::string_view input) {
   if (input.empty()) return "";
   const auto task = static_cast<GdalTask>(input.front());
   input.remove_prefix(1);
   if (task == GdalTask::kFaultOfCrs) return FaultOfCrs(std::string(input));
+  if (task == GdalTask::kLonLat) return LonLatAnswer(input);
   if (task == GdalTask::kWritePackage) {
     const size_t end = std::min(input.find('\n'), input.size());
     return PackageOf(std::string(input.substr(std::min(end + 1, input.size()))), std::string(input.substr(0, end)));

@@ -91,6 +91,9 @@ VectorFile ReadVectors(const VectorRequest& request);
 // What is wrong with the CRS of a scene, for people; "" if nothing is, or there is none.
 std::string FaultOfCrs(const std::string& crs);
 
+// Moves points of a CRS to longitude and latitude of WGS 84, degrees. False if PROJ cannot.
+bool ToLonLat(const std::string& crs, std::vector<Point2>& points);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_GIS_VECTOR_FILE_H_

@@ -10,7 +10,7 @@
 namespace tilemend {
 
 // What the first byte of a request asks for.
-enum class GdalTask : char { kReadVectors = 'R', kFaultOfCrs = 'C', kWritePackage = 'W' };
+enum class GdalTask : char { kReadVectors = 'R', kFaultOfCrs = 'C', kWritePackage = 'W', kLonLat = 'L' };
 
 // Both programs are of one build and run on one machine: numbers are as they are in memory.
 std::string Encode(const VectorRequest& request);

@@ -35,6 +35,7 @@ absl::StatusOr<bool> IsThere(const std::string& path) {
 }
 
 std::string OutputPath(const SceneTile& tile) {
+  if (!tile.delivered.empty()) return tile.delivered;
   if (!tile.path.empty()) return tile.path;
   return tile.output.empty() ? absl::StrCat("tiles/Tile_", ToString(tile.cell), ".ply") : tile.output;
 }

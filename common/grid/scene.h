@@ -32,10 +32,11 @@ struct Grid {
 
 struct SceneTile {
   CellId cell;
-  std::string path;         // relative to the scene's folder; empty: the cell has no surface
-  std::string output = {};  // of a cell without surface, the file that it gets; empty: one by its number
-  bool added = false;       // of a cell without surface: only the area makes it a part of the scene
-  TileFrame frame = {};     // of a tileset
+  std::string path;            // relative to the scene's folder; empty: the cell has no surface
+  std::string output = {};     // of a cell without surface, the file that it gets; empty: one by its number
+  std::string delivered = {};  // where it is written in another format (delivery_paths.h); empty: in its own
+  bool added = false;          // of a cell without surface: only the area makes it a part of the scene
+  TileFrame frame = {};        // of a tileset
 };
 
 struct Scene {
@@ -54,8 +55,8 @@ struct Scene {
 };
 
 // Where the surface of a cell is written, relative to the output's folder: the tile's own path, or for a cell without
-// surface SceneTile::output, else tiles/Tile_+CCC_+RRR.ply. No two cells of a scene that LoadScene returns have the
-// same.
+// surface SceneTile::output, else tiles/Tile_+CCC_+RRR.ply; in another format SceneTile::delivered. No two cells of a
+// scene that LoadScene returns have the same.
 std::string OutputPath(const SceneTile& tile);
 
 // An axis-aligned box; lo <= hi in every coordinate.

@@ -35,6 +35,9 @@ std::vector<Option> FileOptions() {
        .in_report = false},
       {.field = "dry_run", .help = "find and count the holes, write nothing", .group = kEveryday,
        .in_report = false},
+      {.field = "output_format", .type = kWord, .words = {"same", "osgb", "3dtiles", "obj", "ply"},
+       .default_value = "same",
+       .help = "format of the tiles: 3dtiles with all levels of detail and the place on the Earth, or obj"},
       {.field = "link", .help = "tiles without a patch as hard links of the originals, where they can be",
        .in_report = false},
   };

@@ -14,6 +14,7 @@
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 namespace {
@@ -97,6 +98,10 @@ void SetTexture(const v1::AssembleInput& input, std::vector<std::array<float, 2>
 absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view original, std::string_view written,
                          TilePatch& added) {
   const std::string name = absl::StrCat(input.tile().root(), "/", input.tile().path());
+  if (IsTileTree(input.tile().path())) {
+    TILEMEND_ASSIGN_OR_RETURN(added.paint, PaintOfWritten(original, written, name));
+    return absl::OkStatus();
+  }
   TILEMEND_ASSIGN_OR_RETURN(const ObjFile before, ParseTexturedObj(original, name, NoFaces::kAccept));
   TILEMEND_ASSIGN_OR_RETURN(ObjFile after, ParseTexturedObj(written, name));
   const size_t known = before.textures.coordinates.size(), count = added.patch.triangles.size();
@@ -122,8 +127,9 @@ absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const Ti
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
   const std::string name = absl::StrCat(tile.root(), "/", tile.path());
   const auto append = [&](std::string_view bytes) {
-    return format == MeshFormat::kTileTree ? PatchTreeLevels(bytes, patch, added.materials, name)
-                                           : AppendPatch(format, bytes, patch, name);
+    if (format != MeshFormat::kTileTree) return AppendPatch(format, bytes, patch, name);
+    return PatchTreeLevels(bytes, patch, added.materials, name, added.paint,
+                           std::filesystem::path(input.texture()).filename().string());
   };
   if (tile.clear().empty()) return append(original);
   TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, original));

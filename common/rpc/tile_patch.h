@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/assemble/tree_paint.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/mtl.h"
 #include "common/mesh/tri_mesh.h"
@@ -28,6 +29,7 @@ struct TilePatch {
   FilePatch patch;
   std::vector<FilledRun> runs;
   std::vector<FillMaterial> materials;  // of its filled faces; empty: it has none, or its format has no materials
+  PaintFaces paint;                     // of a tile that is a tree; empty: faces have the colours of their holes
 };
 
 // The patches of the input, moved where seams were smoothed, as an addition to its tile. kInvalidArgument if the input
@@ -38,8 +40,9 @@ absl::StatusOr<TilePatch> TilePatchOf(const v1::AssembleInput& input);
 void SetTexture(const v1::AssembleInput& input, std::vector<std::array<float, 2>> places, std::vector<Triangle> corners,
                 TilePatch& added);
 
-// Takes the places in the image from a tile that was written with the patch, for PatchedTile to be compared with it.
-// kInvalidArgument if the tile does not end with as many textured triangles. Linear.
+// Takes the places in the image from a tile that was written with the patch, for PatchedTile to be compared with it; of
+// a tree (`original` and `written` are packs), the images too. kInvalidArgument if the tile does not end with as many
+// textured triangles. Linear.
 absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view original, std::string_view written,
                          TilePatch& added);
 

@@ -16,6 +16,7 @@
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
+#include "coordinator/jobs/delivery_check.h"
 #include "coordinator/jobs/files_beside_check.h"
 #include "coordinator/jobs/wrong_result.h"
 #include "coordinator/store/attempt_folder.h"
@@ -36,9 +37,30 @@ absl::Status CheckBytes(const std::string& path, std::string_view expected) {
   return same && expected.empty() ? absl::OkStatus() : Wrong("a tile that is not the original with its patches");
 }
 
+// The tile as the attempt wrote it: a file, or of a tree the pack of all files, those of the original that were not
+// written among them.
+absl::StatusOr<std::string> WrittenTile(const v1::AssembleInput& input, const v1::AssembleOutput& output,
+                                        const std::string& original) {
+  const auto read = [&](const v1::WrittenFile& file) {
+    return ReadFile(absl::StrCat(input.attempts(), "/", file.attempt()));
+  };
+  if (!IsTileTree(input.tile().path())) return read(output.files(0));
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<PackedFile> files, UnpackFiles(original, TilePath(input.tile())));
+  std::map<std::string, std::string> written;
+  for (const v1::WrittenFile& file : output.files()) {
+    if (!IsOfTree(input, file.path())) continue;
+    TILEMEND_ASSIGN_OR_RETURN(written[file.path()], read(file));
+  }
+  for (PackedFile& file : files) {
+    const auto found = written.find(FileBesideTile(input.tile().path(), file.name));
+    if (found != written.end()) file.bytes = found->second;
+  }
+  return PackFiles(files);
+}
+
 // The bytes that the tile is to have: the original with its patches, if it has any, which are put into it here once
-// more. `textured` is the written tile if an image is laid on its patches, else "".
-absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input, const std::string& textured) {
+// more. `textured` is what the attempt wrote if images may be laid on its patches.
+absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input, const v1::AssembleOutput* textured) {
   const auto not_here = [](const absl::Status& status) { return absl::UnavailableError(status.message()); };
   std::string original;
   if (const std::string path = TilePath(input.tile()); !input.tile().path().empty()) {
@@ -50,13 +72,16 @@ absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input, const s
   if (!IsPatched(input)) return original;
   auto added = TilePatchOf(input);
   if (!added.ok()) return not_here(added.status());
-  if (!textured.empty()) {
-    const auto bytes = ReadFile(textured);
+  if (textured != nullptr) {
+    const auto bytes = WrittenTile(input, *textured, original);
     if (!bytes.ok()) return not_here(bytes.status());
     const absl::Status taken = TakeTexture(input, original, *bytes, *added);
     if (!taken.ok()) return Wrong("a tile that is not the original with its patches");
   }
   auto expected = PatchedTile(input, *added, original);
+  if (added->paint && absl::IsInvalidArgument(expected.status())) {
+    return Wrong("a tile that is not the original with its patches");
+  }
   return expected.ok() ? std::move(expected) : not_here(expected.status());
 }
 
@@ -67,11 +92,11 @@ absl::Status CheckWritten(const v1::AssembleInput& input, const v1::WrittenFile&
   return CheckBytes(absl::StrCat(input.attempts(), "/", file.attempt()), expected);
 }
 
-absl::Status CheckContent(const v1::AssembleInput& input, const v1::WrittenFile& tile, bool has_texture,
-                          TileReading& reading) {
+absl::Status CheckContent(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileReading& reading) {
+  const v1::WrittenFile& tile = output.files(0);
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
-  const std::string written = absl::StrCat(input.attempts(), "/", tile.attempt());
-  TILEMEND_ASSIGN_OR_RETURN(const std::string expected, ExpectedTile(input, has_texture ? written : ""));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string expected,
+                            ExpectedTile(input, HasTexture(input, output) ? &output : nullptr));
   return CheckWritten(input, tile, expected);
 }
 
@@ -83,7 +108,7 @@ absl::Status CheckTree(const v1::AssembleInput& input, const v1::AssembleOutput&
   std::string pack;
   std::map<std::string, std::string_view> expected;
   if (reading.how == TileCheck::kContent) {
-    TILEMEND_ASSIGN_OR_RETURN(pack, ExpectedTile(input, ""));
+    TILEMEND_ASSIGN_OR_RETURN(pack, ExpectedTile(input, input.texture().empty() ? nullptr : &output));
     TILEMEND_ASSIGN_OR_RETURN(const auto files, UnpackFiles(pack, TilePath(input.tile())));
     for (const PackedFile& file : files) expected[FileBesideTile(input.tile().path(), file.name)] = file.bytes;
   }
@@ -99,8 +124,8 @@ absl::Status CheckTree(const v1::AssembleInput& input, const v1::AssembleOutput&
   return absl::OkStatus();
 }
 
-absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& tile, bool has_texture,
-                       TileReading& reading) {
+absl::Status CheckTile(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileReading& reading) {
+  const v1::WrittenFile& tile = output.files(0);
   if (tile.path() != input.output()) return Wrong("another tile");
   if (!IsFileDigest(tile.digest())) return Wrong("a digest that is none");
   const bool patched = IsPatched(input);
@@ -112,7 +137,7 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::WrittenFile& ti
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
   if (reading.how == TileCheck::kSize) return absl::OkStatus();
-  if (reading.how == TileCheck::kContent) return CheckContent(input, tile, has_texture, reading);
+  if (reading.how == TileCheck::kContent) return CheckContent(input, output, reading);
   return CheckFile(absl::StrCat(input.attempts(), "/", tile.attempt()), tile.digest(),
                    Wrong("a tile that is not as it was written"));
 }
@@ -147,9 +172,9 @@ absl::Status CheckAssembleResult(const std::string& input_bytes, const v1::Assem
     const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
   }
+  if (!input.output_format().empty()) return CheckDelivery(input, output, reading.how);
   const bool is_tree = IsTileTree(input.tile().path());
-  TILEMEND_RETURN_IF_ERROR(is_tree ? CheckTree(input, output, reading)
-                                   : CheckTile(input, output.files(0), HasTexture(input, output), reading));
+  TILEMEND_RETURN_IF_ERROR(is_tree ? CheckTree(input, output, reading) : CheckTile(input, output, reading));
   return CheckBeside(input, output, reading.how);
 }
 

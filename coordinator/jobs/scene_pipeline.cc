@@ -16,6 +16,7 @@
 #include "common/codec/tiles3d/tileset_layout.h"
 #include "common/gis/area_file.h"
 #include "common/grid/cell_choice.h"
+#include "common/grid/delivery_paths.h"
 #include "common/options/job_options.h"
 #include "common/records/output_names.h"
 #include "common/util/error_info.h"
@@ -24,6 +25,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "common/util/utc.h"
+#include "coordinator/jobs/delivery_entry.h"
 #include "coordinator/jobs/scene_folders.h"
 #include "coordinator/jobs/scene_options.h"
 #include "coordinator/jobs/scene_tasks.h"
@@ -68,6 +70,29 @@ absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, GrownEntry(scene.root, scene.tileset, output.path()));
   output.Adopt({scene.tileset});
   return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
+}
+
+// The tileset of tiles that are delivered as 3D Tiles, which says itself where they lie; else a scene.json.
+absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
+  if (places.cells.empty()) {
+    TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
+    return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile),
+                               SceneJson(DeliveredScene(scene, output.path())));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
+  output.Adopt({kEntryFile});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text);
+}
+
+// What says where the tiles lie.
+absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
+  if (IsDelivered(scene)) return WriteDelivery(scene, output);
+  if (scene.found_by_name) {
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(scene)));
+  }
+  TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
+  return WriteTileset(scene, output);
 }
 
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
@@ -274,11 +299,7 @@ class ScenePipeline : public JobPipeline {
     for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
       TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
     }
-    if (scene.found_by_name) {
-      TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output_->path(), "/", kSceneFile), SceneJson(scene)));
-    }
-    TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, *output_));
-    TILEMEND_RETURN_IF_ERROR(WriteTileset(scene, *output_));
+    TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
     output_->Adopt(tasks_.files().Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
       absl::StrAppend(
@@ -317,6 +338,10 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
   CheckCrs(scene);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene));
+  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(spec.output_format(), scene));
+  // Again when the tiles are there; here for what is wrong with the CRS.
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
+  if (!places.warning.empty()) scene.warnings.push_back(places.warning);
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));

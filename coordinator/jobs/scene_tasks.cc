@@ -45,12 +45,14 @@ int64_t NewPointsOf(const v1::FillOutput& output) {
 }
 
 bool HasMaterials(const SceneTile& tile) {
-  const auto format = MeshFormatOf(OutputPath(tile));
+  if (tile.path.empty()) return false;  // a new tile is a PLY
+  const auto format = MeshFormatOf(tile.path);
   return format.ok() && *format == MeshFormat::kObj;
 }
 
-bool GetsTexture(const v1::JobSpec& spec, const SceneTile& tile) {
-  return spec.texture() == "synthesize" && !IsTileTree(tile.path) && HasMaterials(tile);
+bool GetsTexture(const v1::JobSpec& spec, const SceneTile& tile, const SceneFiles& files) {
+  const bool has_images = IsTileTree(tile.path) || (HasMaterials(tile) && files.HasImages(tile.cell));
+  return spec.texture() == "synthesize" && has_images;
 }
 
 // By the holes' numbers in the work, of which `holes` has the scene's. Groups name materials; where there are none they
@@ -65,11 +67,12 @@ FillColours LocalColours(const AssembleWork& work, const std::vector<int32_t>& h
   return local;
 }
 
-// Returns the image's path.
-std::string SetTexture(const SceneFiles& files, const v1::JobSpec& spec, v1::AssembleInput& input) {
+// Returns the files that are new: the image, unless it lies in the tile's own files.
+std::set<std::string> SetTexture(const SceneFiles& files, const v1::JobSpec& spec, v1::AssembleInput& input) {
   input.set_texture(files.NewFileFor(input.output(), "jpg"));
   input.set_water_colour(spec.water_colour());
-  return input.texture();
+  if (IsTileTree(input.tile().path())) return {};
+  return {input.texture()};
 }
 
 void SetWantedColours(const v1::JobSpec& spec, const SceneTile& tile, FillColours colours, v1::AssembleInput& input) {
@@ -78,12 +81,24 @@ void SetWantedColours(const v1::JobSpec& spec, const SceneTile& tile, FillColour
   SetColours(colours, input);
 }
 
+void SetTile(const AssembleWork& work, v1::AssembleInput& input) {
+  input.set_output(OutputPath(*work.tile));
+  input.set_float32(work.float32);
+  input.set_tile_vertices(work.tile_vertices);
+}
+
+void SetDelivery(const Grid& grid, const std::string& format, CellId cell, v1::AssembleInput& input) {
+  input.set_output_format(format);
+  input.set_x_middle(grid.corner.x() + (cell.col + 0.5) * grid.cell_size.x());
+  input.set_y_middle(grid.corner.y() + (cell.row + 0.5) * grid.cell_size.y());
+}
+
 // The tiles that the texture of a cell's fill is made from: its own and those around it.
 template <typename Ref>
 absl::Status AddTilesAround(const Scene& scene, CellId cell, const Ref& ref, v1::AssembleInput& input) {
   for (const SceneTile& other : scene.tiles) {
     const auto [col, row] = other.cell;
-    if (std::abs(col - cell.col) > 1 || std::abs(row - cell.row) > 1 || IsTileTree(other.path)) continue;
+    if (std::abs(col - cell.col) > 1 || std::abs(row - cell.row) > 1) continue;
     v1::TextureCell& around = *input.add_around();
     TILEMEND_ASSIGN_OR_RETURN(*around.mutable_tile(), ref(other));
     around.set_x_min(scene.grid.corner.x() + col * scene.grid.cell_size.x());
@@ -237,14 +252,12 @@ absl::StatusOr<NewTask> SceneTasks::Encode(AssembleWork& work) {
   const CellId cell = work.tile->cell;
   v1::AssembleInput input;
   TILEMEND_ASSIGN_OR_RETURN(*input.mutable_tile(), Ref(*work.tile));
-  input.set_output(OutputPath(*work.tile));
+  SetTile(work, input);
   input.set_attempts(output_->attempts().path());
-  input.set_float32(work.float32);
-  input.set_tile_vertices(work.tile_vertices);
   if (patches_.contains(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
-  if (input.has_patches() && files_.HasImages(cell) && GetsTexture(spec_, *work.tile)) {
-    output_->Adopt({SetTexture(files_, spec_, input)});
+  if (input.has_patches() && GetsTexture(spec_, *work.tile, files_)) {
+    output_->Adopt(SetTexture(files_, spec_, input));
     TILEMEND_RETURN_IF_ERROR(AddTilesAround(
         waves_.scene(), cell, [&](const SceneTile& other) { return Ref(other); }, input));
   }
@@ -277,12 +290,13 @@ absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input
 
 void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   if (HasMaterials(tile)) SetLibrary(tile, input);
+  input.set_output_root(spec_.out());
+  if (!tile.delivered.empty()) return SetDelivery(waves_.scene().grid, spec_.output_format(), tile.cell, input);
   const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
   output_->Adopt({carried.begin(), carried.end()});
   input.mutable_carried()->Add(carried.begin(), carried.end());
   for (const std::string& path : carried) input.add_carried_digests(file_digests_[path]);
   input.set_link_images(spec_.textures() == "link");
-  input.set_output_root(spec_.out());
 }
 
 void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
@@ -406,10 +420,11 @@ absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& output) {
-  files_.Warn(cell, {output.warnings().begin(), output.warnings().end()});
+  for (const auto* of : {&output.warnings(), &output.texture_warnings()}) files_.Warn(cell, {of->begin(), of->end()});
   waves_.TakeAssemble();
   for (const v1::WrittenFile& file : output.files()) {
     const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};
+    if (!waves_.tile(cell).delivered.empty()) output_->Adopt({file.path()});  // its name was checked
     TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(placed) : output_->Place(placed));
   }
   return absl::OkStatus();

@@ -14,6 +14,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/osgb/osgb_tile.h"
 #include "common/codec/tree/tile_tree.h"
+#include "common/image/image.h"
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
 #include "tests/support/image_builders.h"
@@ -86,10 +87,14 @@ void ExpectOriginalsKept(const Pair& pair, bool cleared) {
     EXPECT_EQ(pair.before.packed[f].name, pair.after.packed[f].name);
     const OsgbFile &was = pair.before.files[f], &is = pair.after.files[f];
     ASSERT_GE(is.geometries.size(), was.geometries.size());
-    ASSERT_EQ(is.images.size(), was.images.size()) << "fills have a plain colour";
-    for (size_t i = 0; i < was.images.size(); ++i) {
-      EXPECT_EQ(pair.before.packed[f].bytes.substr(was.images[i].offset, was.images[i].size),
-                pair.after.packed[f].bytes.substr(is.images[i].offset, is.images[i].size));
+    std::vector<std::string_view> left_images;  // those of fills lie between
+    for (const OsgbImage& image : is.images) {
+      left_images.push_back(pair.after.packed[f].bytes.substr(image.offset, image.size));
+    }
+    auto image_at = left_images.begin();
+    for (const OsgbImage& image : was.images) {
+      image_at = std::find(image_at, left_images.end(), pair.before.packed[f].bytes.substr(image.offset, image.size));
+      ASSERT_NE(image_at++, left_images.end());
     }
     std::map<int32_t, std::vector<const OsgbGeometry*>> left;  // of the output, by geode
     for (const OsgbGeometry& g : is.geometries) left[g.geode].push_back(&g);
@@ -171,6 +176,47 @@ TEST_F(OsgbRunTest, FillsHaveTheColourOfTheirRim) {
   ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"}).code, 0);
   const Json report = ReportOf(folder_ / "out");
   EXPECT_THAT(report.dump(), HasSubstr("#147828"));
+}
+
+// How far the mean colour of all images of new geometries is from `colour`, by level.
+std::vector<double> DistancesOfFills(const TileTree& before, const TileTree& after, Rgb colour) {
+  std::vector<double> distances(static_cast<size_t>(after.levels), NAN);
+  for (const TreePiece& piece : after.pieces) {
+    const auto f = static_cast<size_t>(piece.file);
+    const TreeFile& file = after.files[f];
+    if (file.geometries.size() == before.files[f].geometries.size()) continue;
+    for (const TreeGeometry& geometry : file.geometries) {
+      if (geometry.texture < 0 || geometry.part != piece.part) continue;
+      const TreeImage& image = file.images[static_cast<size_t>(geometry.texture)];
+      if (image.name.find("tilemend") == std::string::npos) continue;
+      const auto pixels = DecodeImage(after.packed[f].bytes.substr(image.offset, image.size), image.name);
+      EXPECT_TRUE(pixels.ok()) << pixels.status();
+      if (!pixels.ok()) continue;
+      const auto& uv = file.uv[static_cast<size_t>(geometry.first_vertex)];
+      const Rgb seen = TexelAt(*pixels, double{uv[0]}, double{uv[1]});
+      distances[static_cast<size_t>(piece.level)] =
+          std::max({std::abs(seen.r - colour.r), std::abs(seen.g - colour.g), std::abs(seen.b - colour.b)});
+    }
+  }
+  return distances;
+}
+
+TEST_F(OsgbRunTest, FillsOfAllLevelsHaveATexture) {
+  const Rgb ground = {90, 120, 40};
+  WriteScene(OsgbScene(OsgbScene::Pond::kHole, 161, JpegImage(64, 64, [&](int32_t, int32_t) { return ground; })));
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"}).code, 0);
+  for (const int col : {0, 1}) {
+    const Pair pair = MadeTile(col);
+    ExpectOriginalsKept(pair, false);
+    const auto before = ReadTileTree(pair.before_bytes, "before.osgb"),
+               after = ReadTileTree(pair.after_bytes, "a.osgb");
+    ASSERT_TRUE(before.ok() && after.ok());
+    for (const double distance : DistancesOfFills(*before, *after, ground)) EXPECT_LE(distance, 25);
+  }
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "four", "--workers", "4"}).code, 0);
+  EXPECT_EQ(FilesBelow(folder_ / "out/Data"), FilesBelow(folder_ / "four/Data"));
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "flat", "--texture", "flat"}).code, 0);
+  EXPECT_NE(FilesBelow(folder_ / "out/Data"), FilesBelow(folder_ / "flat/Data"));
 }
 
 TEST_F(OsgbRunTest, AScenesOutputHasNothingToFill) {

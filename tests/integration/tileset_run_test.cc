@@ -78,7 +78,7 @@ void ExpectOriginalsKept(const ReadTree& before, const ReadTree& after, bool cle
     SCOPED_TRACE(before.models.packed[was.file].name);
     EXPECT_EQ(before.models.packed[was.file].name, after.models.packed[is.file].name);
     ASSERT_GE(is.gltf.primitives.size(), was.gltf.primitives.size());
-    ASSERT_EQ(is.gltf.images.size(), was.gltf.images.size()) << "fills have a plain colour";
+    ASSERT_GE(is.gltf.images.size(), was.gltf.images.size());
     for (size_t i = 0; i < was.gltf.images.size(); ++i) {
       EXPECT_EQ(before.models.packed[was.file].bytes.substr(was.gltf.images[i].offset, was.gltf.images[i].size),
                 after.models.packed[is.file].bytes.substr(is.gltf.images[i].offset, is.gltf.images[i].size));

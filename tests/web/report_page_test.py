@@ -11,45 +11,19 @@ import gzip
 import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 
+from npm_packages import WEB, chromium as find_chromium, fail, install, run, skip
+
 HERE = os.path.dirname(os.path.abspath(__file__))
-WEB = os.path.join(os.path.dirname(os.path.dirname(HERE)), 'web')
 SIDE = 12  # squares of a tile
 
 
-def skip(why):
-    print(f'SKIPPED: {why}')
-    sys.exit(77)
-
-
-def fail(why):
-    print(f'FAILED: {why}')
-    sys.exit(1)
-
-
-def run(*words, cwd=None):
-    return subprocess.run(words, cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=280)
-
-
-def install(folder):
-    """The packages, unless they are there already, and the sources."""
-    os.makedirs(folder, exist_ok=True)
+def copy_sources(folder):
     shutil.copytree(os.path.join(WEB, 'src'), os.path.join(folder, 'src'), dirs_exist_ok=True)
-    for name in ('package.json', 'package-lock.json', 'tsconfig.json', 'build.mjs'):
+    for name in ('tsconfig.json', 'build.mjs'):
         shutil.copy(os.path.join(WEB, name), folder)
-    lock = os.path.join(folder, 'installed.json')
-    if os.path.exists(lock) and filecmp.cmp(lock, os.path.join(WEB, 'package-lock.json'), shallow=False):
-        return
-    try:
-        done = run('npm', 'ci', '--ignore-scripts', '--no-audit', '--no-fund', cwd=folder)
-    except subprocess.TimeoutExpired:
-        skip('npm does not get its packages in time')
-    if done.returncode:
-        skip(f'npm cannot get its packages: {done.stdout[-1000:]}')
-    shutil.copy(os.path.join(WEB, 'package-lock.json'), lock)
 
 
 def check_bundle(folder):
@@ -112,11 +86,10 @@ def make_page(folder, program):
 
 def main():
     folder, program = os.path.abspath(sys.argv[1]), os.path.join(os.path.abspath(sys.argv[2]), 'tilemend')
-    if not shutil.which('npm') or not shutil.which('node'):
-        skip('there is no npm')
     install(folder)
+    copy_sources(folder)
     check_bundle(folder)
-    chromium = shutil.which('chromium') or shutil.which('google-chrome')
+    chromium = find_chromium()
     if not chromium:
         skip('there is no Chromium; web/dist is what the sources give')
     with tempfile.TemporaryDirectory() as temporary:

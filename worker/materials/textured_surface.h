@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "common/codec/obj.h"
 #include "common/mesh/tri_mesh.h"
 #include "common/util/colour.h"
@@ -17,7 +20,7 @@ namespace tilemend {
 
 struct TexturedSurface {
   struct Group {
-    std::string image;          // relative to the scene's folder; empty: none
+    std::string image;          // relative to the scene's folder, or a name in `encoded`; empty: none
     std::optional<Rgb> colour;  // of a material without an image
     std::vector<int32_t> triangles;
   };
@@ -30,10 +33,16 @@ struct TexturedSurface {
 
   std::vector<std::array<float, 2>> coordinates;
   std::vector<Triangle> corners;  // empty: no triangle is in a group with an image
+
+  std::map<std::string, std::string> encoded;  // of a tree: its images as they lie in its files, by names for messages
 };
 
 // Triangles with an image but without texture coordinates count as those without either. Cost: O(n log n).
 TexturedSurface TexturedSurfaceOf(ObjFile obj, const TileLook& look);
+
+// The finest level of a tree, from its pack. Triangles whose image does not lie in their file as JPEG or PNG are in a
+// group without an image or a colour. `name` of the tile. Errors of ReadTileTree. Linear.
+absl::StatusOr<TexturedSurface> TexturedSurfaceOfTree(std::string_view pack, const std::string& name);
 
 }  // namespace tilemend
 

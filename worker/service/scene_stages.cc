@@ -36,6 +36,7 @@
 #include "worker/ground/rim_objects.h"
 #include "worker/materials/write_materials.h"
 #include "worker/service/attempt_files.h"
+#include "worker/service/delivery_stage.h"
 #include "worker/service/fill_options.h"
 #include "worker/service/smooth_stage.h"
 #include "worker/service/survey_stage.h"
@@ -202,6 +203,38 @@ absl::Status TakeTreeApart(const v1::AssembleInput& input, const std::string& or
   return absl::OkStatus();
 }
 
+// The tile in another format.
+absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const CancelToken& cancel,
+                                           TaskMemory& memory) {
+  TILEMEND_ASSIGN_OR_RETURN(TilePatch added, TilePatchOf(input));
+  const bool has_tile = !input.tile().path().empty();
+  if (!has_tile) return DeliverTile(input, {"", &added, {}, ""});
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadSurveyed(input.tile(), input.stamp()));
+  TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, TextureOf(input, added, memory, cancel));
+  if (!texture.image.empty()) SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
+  if (!added.patch.triangles.empty() || !input.tile().clear().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(bytes, PatchedTile(input, added, bytes));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(Delivered delivered, DeliverTile(input, {bytes, nullptr, added.materials, texture.image}));
+  for (std::string& warning : texture.warnings) delivered.warnings.push_back(std::move(warning));
+  return delivered;
+}
+
+absl::StatusOr<std::string> RunDelivery(const v1::AssembleInput& input, const CancelToken& cancel, TaskMemory& memory) {
+  TILEMEND_ASSIGN_OR_RETURN(const Delivered delivered, AssembleDelivery(input, cancel, memory));
+  v1::AssembleOutput output;
+  output.mutable_warnings()->Add(delivered.warnings.begin(), delivered.warnings.end());
+  AttemptFiles files(input.attempts(), input.output_root());
+  // The tile last: before its other files are there nobody can read it.
+  for (size_t f = delivered.files.size(); f-- > 0;) {
+    if (cancel.cancelled()) return absl::CancelledError("cancelled");
+    const DeliveryFile& file = delivered.files[f];
+    TILEMEND_RETURN_IF_ERROR(files.Write(FileBesideTile(input.output(), file.name), file.bytes));
+  }
+  for (v1::WrittenFile& file : files.Keep()) *output.add_files() = std::move(file);
+  return output.SerializeAsString();
+}
+
 // The tile with its patches.
 absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const CancelToken& cancel, TaskMemory& memory) {
   TILEMEND_ASSIGN_OR_RETURN(TilePatch added, TilePatchOf(input));
@@ -219,6 +252,7 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const Can
     SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
     result.image = std::move(texture.image);
   }
+  added.paint = std::move(texture.paint);
   TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added, original));
   if (has_tile && IsTileTree(input.tile().path())) {
     TILEMEND_RETURN_IF_ERROR(TakeTreeApart(input, original, result));
@@ -306,13 +340,14 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
     return known.SerializeAsString();
   }
   const HeldMemory held(memory.tasks, AssembleMemory(input));
+  if (!input.output_format().empty()) return RunDelivery(input, cancel, memory);
   TILEMEND_ASSIGN_OR_RETURN(const Assembled tile, AssembleTile(input, cancel, memory));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   v1::AssembleOutput output;
   AttemptFiles files(input.attempts(), input.output_root());
   TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
-  output.mutable_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
+  output.mutable_texture_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
   if (!tile.image.empty()) TILEMEND_RETURN_IF_ERROR(files.Write(input.texture(), tile.image));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   TILEMEND_RETURN_IF_ERROR(tile.as_it_is ? CarryTile(input, files) : files.Write(input.output(), tile.bytes));

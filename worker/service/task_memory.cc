@@ -44,9 +44,11 @@ int64_t GroundMemory(const v1::GroundInput& input) {
 int64_t AssembleMemory(const v1::AssembleInput& input) {
   int64_t triangles = 0;
   for (const v1::PatchExtent& patch : input.patches().patches()) triangles += patch.triangles();
-  if (triangles == 0) return 0;
+  const bool is_delivery = !input.output_format().empty();
+  if (triangles == 0 && !is_delivery) return 0;
   const std::string& path = input.tile().path();
-  const int64_t of_tile = path.empty() ? 0 : kAssembled * SizeOf(absl::StrCat(input.tile().root(), "/", path));
+  const int64_t of_tile =
+      path.empty() ? 0 : (is_delivery ? 2 : 1) * kAssembled * SizeOf(absl::StrCat(input.tile().root(), "/", path));
   return of_tile + kOfTriangle * triangles;
 }
 

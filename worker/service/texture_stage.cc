@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -16,11 +17,13 @@
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
+#include "common/util/tile_files.h"
 #include "worker/materials/textured_surface.h"
 #include "worker/materials/tile_look.h"
 #include "worker/service/tile_reading.h"
 #include "worker/texture/atlas.h"
 #include "worker/texture/fill_parts.h"
+#include "worker/texture/level_paint.h"
 #include "worker/texture/ortho_raster.h"
 #include "worker/texture/synthesize.h"
 
@@ -43,13 +46,17 @@ absl::StatusOr<LoadedTile> Load(const v1::TileRef& tile) {
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadSurveyed(tile));
   const std::string path = PathOf(tile);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  if (format != MeshFormat::kObj) {
+  if (format != MeshFormat::kObj && format != MeshFormat::kTileTree) {
     TILEMEND_ASSIGN_OR_RETURN(MeshFile file, MeshOf(tile, bytes));
     return LoadedTile{tile.root(), TexturedSurfaceOf({std::move(file), {}}, {})};
   }
   if (!tile.clear().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, bytes));
     bytes = std::move(cleared.bytes);
+  }
+  if (format == MeshFormat::kTileTree) {
+    TILEMEND_ASSIGN_OR_RETURN(TexturedSurface surface, TexturedSurfaceOfTree(bytes, path));
+    return LoadedTile{tile.root(), std::move(surface)};
   }
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, path, NoFaces::kAccept));
   const TileLook look = ReadObjLook(tile.root(), tile.path(), obj.textures);
@@ -84,6 +91,10 @@ class TextureMaker {
       if (cancel_.cancelled()) return absl::CancelledError("cancelled");
       first = MakeBatch(first);
     }
+    if (IsTileTree(input_.tile().path())) {
+      result_.paint = PaintOfLevels();
+      return std::move(result_);
+    }
     AtlasFaces atlas_faces{faces_.points, faces_.triangles, parts_.of_triangles,
                            SteepColours(faces_, parts_, rim_, made_)};
     Atlas atlas = PackAtlas(atlas_faces, made_);
@@ -94,6 +105,27 @@ class TextureMaker {
   }
 
  private:
+  // Gives the faces of each file their image when the levels of the tile are patched.
+  PaintFaces PaintOfLevels() {
+    std::map<std::array<double, 3>, Rgb> rim;
+    for (size_t v = 0; v < rim_.size(); ++v) {
+      const Point3& p = faces_.points[v];
+      if (rim_[v]) rim[{p.x(), p.y(), p.z()}] = *rim_[v];
+    }
+    auto paint = std::make_shared<LevelPaint>(std::move(parts_), std::move(made_), std::move(rim));
+    return [paint, cancel = &cancel_](const TreeFaces& faces) -> absl::StatusOr<FacePaint> {
+      if (cancel->cancelled()) return absl::CancelledError("cancelled");
+      const Atlas atlas = paint->AtlasOf(faces.points, faces.triangles, faces.colours, faces.above_finest);
+      FacePaint result;
+      TILEMEND_ASSIGN_OR_RETURN(result.image, EncodeJpeg(atlas.image, kJpegQuality));
+      for (const Triangle& corners : atlas.corners) {
+        auto& places = result.corners.emplace_back();
+        for (size_t k = 0; k < 3; ++k) places[k] = atlas.coordinates[static_cast<size_t>(corners[k])];
+      }
+      return result;
+    };
+  }
+
   // The cell's own tile, then those near its patch, in the order of the input.
   absl::Status LoadTiles() {
     TILEMEND_ASSIGN_OR_RETURN(LoadedTile own, Load(input_.tile()));
@@ -149,7 +181,7 @@ class TextureMaker {
       if (group.image.empty()) continue;
       if (largest == nullptr || group.triangles.size() > largest->triangles.size()) largest = &group;
     }
-    const std::optional<Image> image = largest == nullptr ? std::nullopt : ImageAt(tiles_[own_].root, largest->image);
+    const std::optional<Image> image = largest == nullptr ? std::nullopt : ImageAt(tiles_[own_], largest->image);
     if (!image) return 0;
     std::vector<TexturedFace> faces;
     for (const int32_t t : largest->triangles) faces.push_back({CornersOf(surface.mesh, t), surface.PlacesOf(t)});
@@ -159,8 +191,11 @@ class TextureMaker {
   }
 
   // Nothing, and a warning, if it cannot be read.
-  std::optional<Image> ImageAt(const std::string& root, const std::string& path) {
-    absl::StatusOr<std::string> bytes = ReadFile(absl::StrCat(root, "/", path));
+  std::optional<Image> ImageAt(const LoadedTile& tile, const std::string& path) {
+    const auto held = tile.surface.encoded.find(path);
+    absl::StatusOr<std::string> bytes = held != tile.surface.encoded.end()
+                                            ? absl::StatusOr<std::string>(held->second)
+                                            : ReadFile(absl::StrCat(tile.root, "/", path));
     absl::StatusOr<Image> image = bytes.ok() ? DecodeImage(*bytes, path) : absl::StatusOr<Image>(bytes.status());
     if (image.ok()) return *std::move(image);
     if (warned_.insert(path).second) {
@@ -245,7 +280,7 @@ class TextureMaker {
     const bool is_seen = std::any_of(near.begin(), near.end(), [](const auto& faces) { return !faces.empty(); });
     std::optional<Image> image;
     if (group.colour) image = Image{1, 1, 3, {group.colour->r, group.colour->g, group.colour->b}};
-    if (!group.image.empty() && (is_seen || !spots.empty())) image = ImageAt(tiles_[tile].root, group.image);
+    if (!group.image.empty() && (is_seen || !spots.empty())) image = ImageAt(tiles_[tile], group.image);
     for (size_t k = 0; k < rasters.size(); ++k) {
       if (image) {
         DrawFaces(near[k], *image, rasters[k]);

@@ -19,6 +19,7 @@ struct FillTexture {
   std::string image;                         // a JPEG; empty: faces keep the colours of their holes
   std::vector<std::array<float, 2>> places;  // in the image, u to the right, v upward
   std::vector<Triangle> corners;             // of each triangle of the patch, into `places`
+  PaintFaces paint;                          // of a tile that is a tree, in place of the image; empty: as above
   std::vector<std::string> warnings;         // images that could not be read
 };
 

@@ -24,9 +24,11 @@ SpaceTriangle CornersOf(const FilledFaces& faces, size_t t) {
           faces.points[static_cast<size_t>(f[2])]};
 }
 
-bool IsSteep(const SpaceTriangle& c) {
-  const Point3 normal = (c[1] - c[0]).cross(c[2] - c[0]);
-  return !(normal.z() >= kSteep * normal.norm()) || normal.z() == 0;
+// The number of the square that holds a point; -1 outside of the frame.
+int32_t NumberAt(const RasterFrame& frame, const std::vector<int32_t>& numbers, const Point3& p) {
+  const Point2 at = frame.PixelsOf(p);
+  const auto x = static_cast<int64_t>(std::floor(at.x())), y = static_cast<int64_t>(std::floor(at.y()));
+  return frame.Has(x, y) ? numbers[frame.At(static_cast<int32_t>(x), static_cast<int32_t>(y))] : -1;
 }
 
 // The squares of a site that hold flat faces of the fill, or nothing inside a cell.
@@ -37,7 +39,7 @@ class Regions {
     OrthoRaster fill(frame_);
     for (size_t t = 0; t < faces.triangles.size(); ++t) {
       const SpaceTriangle corners = CornersOf(faces, t);
-      if (IsSteep(corners)) continue;
+      if (IsSteepFace(corners)) continue;
       DrawShapes(std::span(&corners, 1), fill);
       for (const Point3& p : corners) Mark(p);
       Mark((corners[0] + corners[1] + corners[2]) / 3);
@@ -48,11 +50,10 @@ class Regions {
   }
 
   // The region at a point; -1: none.
-  int32_t At(const Point3& p) const {
-    const Point2 at = frame_.PixelsOf(p);
-    const auto x = static_cast<int64_t>(std::floor(at.x())), y = static_cast<int64_t>(std::floor(at.y()));
-    return frame_.Has(x, y) ? labels_[frame_.At(static_cast<int32_t>(x), static_cast<int32_t>(y))] : -1;
-  }
+  int32_t At(const Point3& p) const { return NumberAt(frame_, labels_, p); }
+
+  const RasterFrame& frame() const { return frame_; }
+  const std::vector<int32_t>& labels() const { return labels_; }
 
   const Eigen::AlignedBox2d& BoxOf(int32_t region) const { return boxes_[static_cast<size_t>(region)]; }
 
@@ -150,6 +151,11 @@ void HandOn(const FilledFaces& faces, const std::vector<size_t>& steep, std::vec
 
 }  // namespace
 
+bool IsSteepFace(const SpaceTriangle& c) {
+  const Point3 normal = (c[1] - c[0]).cross(c[2] - c[0]);
+  return !(normal.z() >= kSteep * normal.norm()) || normal.z() == 0;
+}
+
 OrthoRaster SiteRaster(const Eigen::AlignedBox2d& box) {
   double square = kSiteSquare;
   while (box.volume() / (square * square) > static_cast<double>(kMostRasterPixels)) square *= 2;
@@ -180,7 +186,7 @@ FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span
   std::vector<int32_t> region_of;
   for (size_t t = 0; t < faces.triangles.size(); ++t) {
     const SpaceTriangle corners = CornersOf(faces, t);
-    region_of.push_back(IsSteep(corners) ? -1 : regions.At((corners[0] + corners[1] + corners[2]) / 3));
+    region_of.push_back(IsSteepFace(corners) ? -1 : regions.At((corners[0] + corners[1] + corners[2]) / 3));
     if (region_of.back() >= 0) has_water[region_of.back()] |= faces.is_water[t] != 0;
   }
   std::map<Sharing, std::vector<int32_t>> shared;
@@ -205,8 +211,15 @@ FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span
     parts.of_triangles.push_back(part);
     if (part >= 0) parts.triangles[static_cast<size_t>(part)].push_back(static_cast<int32_t>(t));
   }
+  parts.site = regions.frame();
+  for (const int32_t region : regions.labels()) {
+    const auto part = part_of_region.find(region);
+    parts.of_squares.push_back(part == part_of_region.end() ? -1 : part->second);
+  }
   return parts;
 }
+
+int32_t FillParts::At(const Point3& place) const { return NumberAt(site, of_squares, place); }
 
 FillMap FillMapOf(const FilledFaces& faces, const FillParts& parts, int32_t part, const OrthoRaster& raster) {
   FillMap map{std::vector<FillPixel>(raster.frame.size(), FillPixel::kNone),

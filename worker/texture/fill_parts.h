@@ -27,7 +27,15 @@ struct FillParts {
   std::vector<RasterFrame> frames;
   std::vector<int32_t> of_triangles;            // into `frames`; -1: steeper than 45 degrees, or too small to be seen
   std::vector<std::vector<int32_t>> triangles;  // of each part
+  RasterFrame site;                             // squares of the site
+  std::vector<int32_t> of_squares;              // the part of each; -1: none
+
+  // The part at a place seen from above; -1: none.
+  int32_t At(const Point3& place) const;
 };
+
+// Whether a face is steeper than 45 degrees, or looks down: it is not seen from above.
+bool IsSteepFace(const SpaceTriangle& corners);
 
 // A raster for the shapes of all surface that PlanParts looks at: `box` in squares of 0.5 m, or larger ones if it has
 // more than kMostRasterPixels.

@@ -158,6 +158,40 @@ class LayerMaker {
   std::vector<Channels> colours_;
 };
 
+// Gives the pixels of a line that have no colour that of the nearest one that has. Then they have one.
+void ExtendLine(size_t first, size_t step, int32_t count, PixelMask& known, std::vector<Rgb>& colours) {
+  const auto at = [&](int32_t i) { return first + static_cast<size_t>(i) * step; };
+  std::vector<int32_t> nearest(static_cast<size_t>(count), -1);
+  for (int32_t i = 0, last = -1; i < count; ++i) {
+    if (known[at(i)] != 0) last = i;
+    nearest[static_cast<size_t>(i)] = last;
+  }
+  for (int32_t i = count - 1, next = -1; i >= 0; --i) {
+    if (known[at(i)] != 0) next = i;
+    int32_t& from = nearest[static_cast<size_t>(i)];
+    if (next >= 0 && (from < 0 || next - i < i - from)) from = next;
+  }
+  for (int32_t i = 0; i < count; ++i) {
+    const int32_t from = nearest[static_cast<size_t>(i)];
+    if (from < 0) return;
+    colours[at(i)] = colours[at(from)];
+  }
+  for (int32_t i = 0; i < count; ++i) known[at(i)] = 1;
+}
+
+// Pixels without surface or fill get a colour, too: texels at the end of a cell's fill are blended with them.
+void CoverBarePixels(const OrthoRaster& raster, const FillMap& fill, std::vector<Rgb>& colours) {
+  const RasterFrame& frame = raster.frame;
+  PixelMask known(colours.size());
+  for (size_t i = 0; i < known.size(); ++i) {
+    const bool is_made = fill.pixels[i] == FillPixel::kGround || fill.pixels[i] == FillPixel::kWater;
+    known[i] = is_made || raster.heights[i] != kNoSurface ? 1 : 0;
+  }
+  for (int32_t y = 0; y < frame.height; ++y) ExtendLine(frame.At(0, y), 1, frame.width, known, colours);
+  const auto width = static_cast<size_t>(frame.width);
+  for (int32_t x = 0; x < frame.width; ++x) ExtendLine(frame.At(x, 0), width, frame.height, known, colours);
+}
+
 }  // namespace
 
 std::vector<Rgb> Synthesize(const OrthoRaster& raster, const FillMap& fill, const FillLook& look) {
@@ -170,6 +204,7 @@ std::vector<Rgb> Synthesize(const OrthoRaster& raster, const FillMap& fill, cons
     water.Water(WaterPixels(raster, fill.pixels, look.water_level), look);
     water.Write(result);
   }
+  CoverBarePixels(raster, fill, result);
   return result;
 }
 

@@ -37,7 +37,8 @@ inline constexpr int64_t kMostRasterPixels = int64_t{4} << 20;
 // What Synthesize holds beside the raster, and the raster.
 inline constexpr int64_t kBytesPerPixel = 64;
 
-// The raster's colours, those of kGround and kWater made anew.
+// The raster's colours, those of kGround and kWater made anew. Pixels without surface or fill have that of the nearest
+// one in their row, or else column.
 //  - Sources of ground: pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away
 //  from the
 //    fill and from objects, neither much darker nor much brighter than their surroundings. Sources of water: pixels

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,8 +33,9 @@ struct OsgbGeometry {
   int32_t vertex_count = 0;
   int32_t first_triangle = 0;
   int32_t triangle_count = 0;
-  int32_t texture = -1;  // index into OsgbFile::images; -1: no image at texture unit 0
-  int32_t geode = 0;     // index into OsgbFile::geodes
+  int32_t texture = -1;            // index into OsgbFile::images; -1: no image at texture unit 0
+  std::optional<Rgb> colour = {};  // diffuse, of its material
+  int32_t geode = 0;               // index into OsgbFile::geodes
 };
 
 // One osg::Image. Several geometries may share it.

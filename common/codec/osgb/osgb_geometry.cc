@@ -233,13 +233,12 @@ void ReadPrimitives(OsgbParse& parse) {
   }
 }
 
-void ReadDrawableFields(OsgbParse& parse, int32_t& texture) {
+void ReadDrawableFields(OsgbParse& parse, OsgbLook& look) {
   OsgbCursor& cursor = parse.cursor;
   const uint32_t version = parse.version();
-  if (version >= kOsgbDrawableNodes) texture = ReadOsgbNodeFields(parse, texture);
+  if (version >= kOsgbDrawableNodes) look = ReadOsgbNodeFields(parse, look);
   if (version < kOsgbDrawableNodesOnly && cursor.Flag("the state set")) {
-    const int32_t image = ReadOsgbStateSet(parse);
-    if (image >= 0) texture = image;
+    look = OsgbLookOver(parse, ReadOsgbStateSet(parse), look);
   }
   if (cursor.Flag("the initial bound")) {
     cursor.Begin("the initial bound");
@@ -361,16 +360,17 @@ void AddTriangles(OsgbParse& parse, const OsgbGeometry& geometry, OsgbPrimitiveS
 
 }  // namespace
 
-void ReadOsgbGeometry(OsgbParse& parse, int32_t geode, int32_t texture) {
+void ReadOsgbGeometry(OsgbParse& parse, int32_t geode, OsgbLook look) {
   OsgbLayout& layout = parse.layout;
   const size_t first_site = layout.primitives.size();
   ReadOsgbObjectFields(parse);
-  ReadDrawableFields(parse, texture);
+  ReadDrawableFields(parse, look);
   ReadPrimitives(parse);
   const GeometryArrays arrays = ReadArrays(parse);
   OsgbGeometry geometry{.first_vertex = static_cast<int32_t>(layout.file.points.size()),
                         .first_triangle = static_cast<int32_t>(layout.file.triangles.size()),
-                        .texture = texture,
+                        .texture = look.image,
+                        .colour = look.colour,
                         .geode = geode};
   AddVertices(parse, arrays, geometry);
   for (size_t i = first_site; i < layout.primitives.size() && parse.cursor.ok(); ++i) {

@@ -86,7 +86,15 @@ void ReadOsgbObjectFields(OsgbParse& parse) {
   if (parse.cursor.Flag("user data")) ReadUserData(parse);
 }
 
-int32_t ReadOsgbNodeFields(OsgbParse& parse, int32_t inherited) {
+OsgbLook OsgbLookOver(const OsgbParse& parse, int32_t state_set, const OsgbLook& inherited) {
+  if (state_set < 0) return inherited;
+  OsgbLook look = parse.looks[static_cast<size_t>(state_set)];
+  if (look.image < 0) look.image = inherited.image;
+  if (!look.colour) look.colour = inherited.colour;
+  return look;
+}
+
+OsgbLook ReadOsgbNodeFields(OsgbParse& parse, const OsgbLook& inherited) {
   OsgbCursor& cursor = parse.cursor;
   if (cursor.Flag("the initial bound")) {
     cursor.Begin("the initial bound");
@@ -99,8 +107,7 @@ int32_t ReadOsgbNodeFields(OsgbParse& parse, int32_t inherited) {
   }
   cursor.Flag("the culling flag");
   cursor.U32("the node mask");
-  const int32_t image = cursor.Flag("the state set") ? ReadOsgbStateSet(parse) : -1;
-  return image >= 0 ? image : inherited;
+  return OsgbLookOver(parse, cursor.Flag("the state set") ? ReadOsgbStateSet(parse) : -1, inherited);
 }
 
 }  // namespace tilemend

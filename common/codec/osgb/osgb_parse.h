@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,12 @@ struct OsgbObject {
   bool is_complete = false;  // its last byte was read
 };
 
+// What a state set says of the surface.
+struct OsgbLook {
+  int32_t image = -1;  // at texture unit 0; -1: none
+  std::optional<Rgb> colour;
+};
+
 struct OsgbParse {
   OsgbParse(std::string_view bytes, const std::string& name) : cursor(bytes, name) {}
 
@@ -85,7 +92,8 @@ struct OsgbParse {
   std::map<uint32_t, OsgbObject> objects;  // by id
   std::map<uint32_t, int32_t> array_ids;   // before kOsgbArrayObjects: index into `arrays`
   std::vector<OsgbArray> arrays;
-  int depth = 0;  // of objects in objects
+  std::vector<OsgbLook> looks;  // of state sets
+  int depth = 0;                // of objects in objects
 
   uint32_t version() const { return layout.file.version; }
 };
@@ -117,14 +125,17 @@ void ExpectNoOsgbObject(OsgbParse& parse, std::string_view what);
 // The fields of osg::Object.
 void ReadOsgbObjectFields(OsgbParse& parse);
 
-// An osg::StateSet. Returns the index of the image at texture unit 0, -1 if there is none.
+// An osg::StateSet. Returns its index in OsgbParse::looks, -1 after a failure.
 int32_t ReadOsgbStateSet(OsgbParse& parse);
 
-// The fields of osg::Node. Returns the image of its state set, else `inherited`.
-int32_t ReadOsgbNodeFields(OsgbParse& parse, int32_t inherited);
+// The fields of osg::Node. Returns the look of its state set; what this does not say is as in `inherited`.
+OsgbLook ReadOsgbNodeFields(OsgbParse& parse, const OsgbLook& inherited);
 
-// The fields of an osg::Geometry behind its head, appended to the layout. `texture` is inherited.
-void ReadOsgbGeometry(OsgbParse& parse, int32_t geode, int32_t texture);
+// The look of a state set over `inherited`.
+OsgbLook OsgbLookOver(const OsgbParse& parse, int32_t state_set, const OsgbLook& inherited);
+
+// The fields of an osg::Geometry behind its head, appended to the layout. `look` is inherited.
+void ReadOsgbGeometry(OsgbParse& parse, int32_t geode, OsgbLook look);
 
 // Reads a file. `bytes` must outlive the result of the cursor only.
 absl::StatusOr<OsgbLayout> ParseOsgb(std::string_view bytes, const std::string& name);

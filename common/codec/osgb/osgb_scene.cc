@@ -15,7 +15,7 @@ constexpr int kMaxNodeDepth = 56;      // leaves room for the objects in a new g
 
 // What a node takes from those above it.
 struct Inherited {
-  int32_t texture = -1;
+  OsgbLook look = {};
   int32_t paged_lod = -1;
 };
 
@@ -46,7 +46,7 @@ void ReadGeode(OsgbParse& parse, const Inherited& inherited) {
     if (!cursor.ok() || head.class_name == "NULL") continue;
     if (head.class_name != "osg::Geometry") return RefuseOsgbClass(parse, head.class_name);
     if (head.is_done) return cursor.Fail("a geometry in several geodes is not supported");
-    ReadOsgbGeometry(parse, index, inherited.texture);
+    ReadOsgbGeometry(parse, index, inherited.look);
     EndOsgbObject(parse, head, -1);
   }
   site.bracket = cursor.bracket();
@@ -143,11 +143,11 @@ void ReadNode(OsgbParse& parse, Inherited inherited) {
     return cursor.Fail(absl::StrCat("an ", std::string(head.class_name), " with several parents is not supported"));
   }
   if (head.class_name == "osg::Geometry") {
-    ReadOsgbGeometry(parse, -1, inherited.texture);
+    ReadOsgbGeometry(parse, -1, inherited.look);
     return EndOsgbObject(parse, head, -1);
   }
   ReadOsgbObjectFields(parse);
-  inherited.texture = ReadOsgbNodeFields(parse, inherited.texture);
+  inherited.look = ReadOsgbNodeFields(parse, inherited.look);
   if (head.class_name == "osg::Geode") {
     ReadGeode(parse, inherited);
   } else if (head.class_name == "osg::Group") {

@@ -1,5 +1,8 @@
 // State sets, textures and images.
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "common/codec/osgb/osgb_parse.h"
@@ -9,17 +12,19 @@ namespace {
 
 constexpr char kImageClass[] = "osg::Image";
 constexpr char kTextureClass[] = "osg::Texture2D";
+constexpr char kMaterialClass[] = "osg::Material";
 
 // The fields of an attribute behind those of osg::StateAttribute, a letter each:
-//   b flag, i 32-bit number, v vector of four floats, d vector of four doubles; optional (a flag comes first) are
-//   o 32-bit number, m colours of front and back, s shininess of front and back.
+//   b flag, i 32-bit number, v vector of four floats, d vector of four doubles;
+//   o 32-bit number that is optional (a flag comes first).
+// A material is read by ReadMaterial.
 struct AttributeFields {
   std::string_view class_name;
   std::string_view fields;
 };
 constexpr AttributeFields kAttributes[] = {
     {kTextureClass, "oooooibbbbdiiooobiii"},
-    {"osg::Material", "immmms"},
+    {kMaterialClass, ""},
     {"osg::ShadeModel", "i"},
     {"osg::CullFace", "i"},
     {"osg::TexEnv", "iv"},
@@ -35,19 +40,35 @@ size_t BytesOfField(char field) {
       return 4 * sizeof(float);
     case 'd':
       return 4 * sizeof(double);
-    case 'm':
-      return 1 + 8 * sizeof(float);
-    case 's':
-      return 1 + 2 * sizeof(float);
     default:
       return sizeof(uint32_t);
   }
 }
 
+uint8_t ChannelAt(std::string_view bytes, size_t index) {
+  const auto bits = static_cast<uint32_t>(LoadOsgbNumber(bytes.data() + index * sizeof(float), sizeof(float)));
+  const float value = std::bit_cast<float>(bits);
+  return value > 0 ? static_cast<uint8_t>(std::lround(255 * std::min(value, 1.0f))) : 0;
+}
+
+// The fields of a material: its diffuse colour is the second of its colours.
+std::optional<Rgb> ReadMaterial(OsgbCursor& cursor) {
+  cursor.U32("the colour mode of a material");
+  std::optional<Rgb> diffuse;
+  for (int colour = 0; colour < 4; ++colour) {
+    if (!cursor.Flag("the flag of a material's colour")) continue;
+    cursor.Flag("whether front and back are alike");
+    const std::string_view front_and_back = cursor.Take(8 * sizeof(float), "a material's colour");
+    if (colour != 1 || front_and_back.empty()) continue;
+    diffuse = {ChannelAt(front_and_back, 0), ChannelAt(front_and_back, 1), ChannelAt(front_and_back, 2)};
+  }
+  if (cursor.Flag("the flag of a material's shininess")) cursor.Take(1 + 2 * sizeof(float), "a material's shininess");
+  return diffuse;
+}
+
 void SkipFields(std::string_view fields, OsgbCursor& cursor) {
   for (const char field : fields) {
-    const bool is_optional = field == 'o' || field == 'm' || field == 's';
-    if (is_optional && !cursor.Flag("the flag of a state attribute's field")) continue;
+    if (field == 'o' && !cursor.Flag("the flag of a state attribute's field")) continue;
     cursor.Take(BytesOfField(field), "a field of a state attribute");
   }
 }
@@ -114,7 +135,12 @@ int32_t ReadTextureEnd(OsgbParse& parse) {
   return image;
 }
 
-// Returns the index of the image if the attribute is a texture, else -1.
+int32_t AddLook(OsgbParse& parse, const OsgbLook& look) {
+  parse.looks.push_back(look);
+  return static_cast<int32_t>(parse.looks.size()) - 1;
+}
+
+// The index in OsgbParse::looks if the attribute is a texture or a material, else -1.
 int32_t ReadAttribute(OsgbParse& parse) {
   const OsgbHead head = BeginOsgbObject(parse);
   if (head.is_done) return head.value;
@@ -123,10 +149,15 @@ int32_t ReadAttribute(OsgbParse& parse) {
   ExpectNoOsgbObject(parse, "the event callback");
   for (const AttributeFields& attribute : kAttributes) {
     if (attribute.class_name != head.class_name) continue;
-    SkipFields(attribute.fields, parse.cursor);
-    const int32_t image = head.class_name == kTextureClass ? ReadTextureEnd(parse) : -1;
-    EndOsgbObject(parse, head, image);
-    return image;
+    int32_t look = -1;
+    if (head.class_name == kMaterialClass) {
+      look = AddLook(parse, {-1, ReadMaterial(parse.cursor)});
+    } else {
+      SkipFields(attribute.fields, parse.cursor);
+      if (head.class_name == kTextureClass) look = AddLook(parse, {ReadTextureEnd(parse), std::nullopt});
+    }
+    EndOsgbObject(parse, head, look);
+    return look;
   }
   RefuseOsgbClass(parse, head.class_name);
   return -1;
@@ -141,20 +172,24 @@ void ReadModes(OsgbCursor& cursor) {
   cursor.End("modes");
 }
 
-// Returns the index of the last texture's image, -1 without one.
-int32_t ReadAttributes(OsgbParse& parse) {
+// What the attributes say together: the image of the highest number, the last colour.
+OsgbLook ReadAttributes(OsgbParse& parse) {
   constexpr size_t kMinAttributeBytes = 8;
   OsgbCursor& cursor = parse.cursor;
   const uint32_t count = cursor.Count(kMinAttributeBytes, "attributes");
-  if (count == 0) return -1;
-  int32_t image = -1;
+  OsgbLook look;
+  if (count == 0) return look;
   cursor.Begin("attributes");
   for (uint32_t i = 0; i < count && cursor.ok(); ++i) {
-    image = std::max(image, ReadAttribute(parse));
+    const int32_t index = ReadAttribute(parse);
     cursor.U32("the value of an attribute");
+    if (index < 0 || !cursor.ok()) continue;
+    const OsgbLook& attribute = parse.looks[static_cast<size_t>(index)];
+    look.image = std::max(look.image, attribute.image);
+    if (attribute.colour) look.colour = attribute.colour;
   }
   cursor.End("attributes");
-  return image;
+  return look;
 }
 
 void ReadTextureModes(OsgbCursor& cursor) {
@@ -172,8 +207,8 @@ int32_t ReadTextures(OsgbParse& parse) {
   const uint32_t units = cursor.Count(sizeof(uint32_t), "texture units");
   cursor.Begin("textures");
   for (uint32_t i = 0; i < units && cursor.ok(); ++i) {
-    const int32_t of_unit = ReadAttributes(parse);
-    if (i == 0) image = of_unit;
+    const OsgbLook of_unit = ReadAttributes(parse);
+    if (i == 0) image = of_unit.image;
   }
   cursor.End("textures");
   return image;
@@ -201,9 +236,10 @@ int32_t ReadOsgbStateSet(OsgbParse& parse) {
   if (head.is_done || !cursor.ok()) return head.value;
   ReadOsgbObjectFields(parse);
   if (cursor.Flag("modes")) ReadModes(cursor);
-  if (cursor.Flag("attributes")) ReadAttributes(parse);
+  OsgbLook look;
+  if (cursor.Flag("attributes")) look.colour = ReadAttributes(parse).colour;
   ReadTextureModes(cursor);
-  const int32_t image = ReadTextures(parse);
+  look.image = ReadTextures(parse);
   if (cursor.Flag("uniforms")) cursor.Fail("uniforms are not supported");
   cursor.Take(3 * sizeof(uint32_t), "the render bin");
   cursor.String("the name of the render bin");
@@ -211,8 +247,9 @@ int32_t ReadOsgbStateSet(OsgbParse& parse) {
   ExpectNoOsgbObject(parse, "the update callback");
   ExpectNoOsgbObject(parse, "the event callback");
   if (parse.version() >= kOsgbDefines) ReadDefines(cursor);
-  EndOsgbObject(parse, head, image);
-  return image;
+  const int32_t index = AddLook(parse, look);
+  EndOsgbObject(parse, head, index);
+  return index;
 }
 
 }  // namespace tilemend

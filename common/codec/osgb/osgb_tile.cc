@@ -16,6 +16,21 @@ std::string NameOf(const PackedFile& file, const std::string& name) {
   return absl::StrCat(name.substr(0, name.rfind('/') + 1), file.name);
 }
 
+// A viewer of OSGB shows the finer file where the sphere of the node is larger than the range, in pixels: there a pixel
+// is 2 * radius / range metres. Viewers of 3D Tiles refine where the error is larger than 16 pixels, their default.
+double GeometricErrorOf(const OsgbPagedLod& lod) {
+  constexpr double kPixels = 16;
+  for (const OsgbChild& child : lod.children) {
+    if (child.file.empty() || !lod.has_center || !(lod.radius > 0)) continue;
+    if (lod.range_is_pixels && child.range_lo > 0) return kPixels * 2 * lod.radius / child.range_lo;
+    if (!lod.range_is_pixels && child.range_hi > 0) {
+      constexpr double kPixelsAtOneMetre = 935;  // 1080 rows that show 60 degrees
+      return kPixels * child.range_hi / kPixelsAtOneMetre;
+    }
+  }
+  return lod.has_center && lod.radius > 0 ? lod.radius / kPixels : 1;
+}
+
 // Reads files level by level, as they name each other.
 class TreeReader {
  public:
@@ -28,6 +43,7 @@ class TreeReader {
 
   absl::Status Run() {
     std::vector<int32_t> level = {0};
+    named_by_.assign(tile_.packed.size(), -1);
     for (; !level.empty(); ++tile_.levels) {
       std::vector<int32_t> finer;
       for (const int32_t f : level) TILEMEND_RETURN_IF_ERROR(Read(f, finer));
@@ -42,6 +58,7 @@ class TreeReader {
     TILEMEND_ASSIGN_OR_RETURN(tile_.files[f], ReadOsgb(packed.bytes, NameOf(packed, name_)));
     const OsgbFile& file = tile_.files[f];
     std::vector<bool> has_finer;
+    std::vector<std::vector<int32_t>> finer_of(file.paged_lods.size());
     for (const OsgbPagedLod& lod : file.paged_lods) {
       bool found = false;
       for (const OsgbChild& child : lod.children) {
@@ -53,13 +70,19 @@ class TreeReader {
         }
         is_named_[at->second] = true;
         finer.push_back(at->second);
+        finer_of[has_finer.size()].push_back(at->second);
         found = true;
       }
       has_finer.push_back(found);
     }
     for (int32_t g = 0; g < std::ssize(file.geodes); ++g) {
       const int32_t lod = file.geodes[g].paged_lod;
-      tile_.pieces.push_back({f, g, tile_.levels, lod < 0 || !has_finer[lod]});
+      const bool is_finest = lod < 0 || !has_finer[lod];
+      const double error = is_finest ? 0 : GeometricErrorOf(file.paged_lods[lod]);
+      if (!is_finest) {
+        for (const int32_t f_finer : finer_of[lod]) named_by_[f_finer] = static_cast<int32_t>(tile_.pieces.size());
+      }
+      tile_.pieces.push_back({f, g, tile_.levels, is_finest, named_by_[f], error});
     }
     return absl::OkStatus();
   }
@@ -68,6 +91,7 @@ class TreeReader {
   const std::string& name_;
   std::map<std::string, int32_t, std::less<>> file_at_;
   std::vector<bool> is_named_;
+  std::vector<int32_t> named_by_;  // of each file: the piece that it takes the place of
 };
 
 }  // namespace

@@ -19,6 +19,8 @@ struct OsgbPiece {
   int32_t geode = 0;      // of that file
   int32_t level = 0;      // 0: of the tile's own file; one more in each file that is named there
   bool is_finest = true;  // no finer file takes its place
+  int32_t parent = -1;    // index into OsgbTile::pieces, before this one: whose place it takes; -1: of the tile's file
+  double geometric_error = 0;  // metres, of 3D Tiles: what a viewer lacks that shows it in place of finer ones
 };
 
 struct OsgbTile {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -74,6 +75,21 @@ absl::StatusOr<std::string> ResolveContentUri(std::string_view document, std::st
   }
   if (segments == 0) return error("it names no file");
   return out;
+}
+
+std::string ContentUriOf(std::string_view path) {
+  constexpr char kDigits[] = "0123456789ABCDEF";
+  std::string uri;
+  for (const char c : path) {
+    if (absl::ascii_isalnum(static_cast<unsigned char>(c)) ||
+        std::string_view("-._~/").find(c) != std::string_view::npos) {
+      uri += c;
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(c);
+    uri += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+  }
+  return uri;
 }
 
 }  // namespace tilemend

@@ -14,6 +14,10 @@ namespace tilemend {
 // scheme, an authority, a root, "..", a backslash, a control character, a query or a fragment.
 absl::StatusOr<std::string> ResolveContentUri(std::string_view document, std::string_view uri);
 
+// The URI of a path relative to the document's folder, with "/": all but letters, digits and "-._~/" is
+// percent-encoded.
+std::string ContentUriOf(std::string_view path);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_CODEC_TILES3D_CONTENT_URI_H_

@@ -20,16 +20,6 @@ constexpr double kSemiMajor = 6378137, kFlattening = 1 / 298.257223563;  // WGS 
 
 bool IsOnEarth(const Point3& p) { return p.norm() > kDeep && p.norm() < kHigh; }
 
-// East, north, up.
-Eigen::Matrix3d AxesAt(const Point3& geodetic) {
-  const double lon = geodetic.x(), lat = geodetic.y();
-  Eigen::Matrix3d axes;
-  axes.col(0) = Point3(-std::sin(lon), std::cos(lon), 0);
-  axes.col(1) = Point3(-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat));
-  axes.col(2) = axes.col(0).cross(axes.col(1));
-  return axes;
-}
-
 // The plane of an orthographic projection of the ellipsoid is that of the frame.
 std::string CrsAt(const Point3& geodetic) {
   const double degree = 180 / std::numbers::pi;
@@ -62,6 +52,15 @@ std::optional<TilesetFrame> RootsFrame(const TilesetTile& root) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d AxesAt(const Point3& geodetic) {
+  const double lon = geodetic.x(), lat = geodetic.y();
+  Eigen::Matrix3d axes;
+  axes.col(0) = Point3(-std::sin(lon), std::cos(lon), 0);
+  axes.col(1) = Point3(-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat));
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
 
 Point3 EarthCentred(const Point3& geodetic) {
   const double lon = geodetic.x(), lat = geodetic.y(), height = geodetic.z();

@@ -26,6 +26,9 @@ TilesetFrame FrameOf(const Tileset& tileset);
 // From the frame of a tile to that of the scene, metres.
 Eigen::Matrix4d ToScene(const TilesetFrame& frame, const TilesetTile& tile);
 
+// East, north and up at a longitude and latitude in radians, as columns in the Earth-centred frame.
+Eigen::Matrix3d AxesAt(const Point3& geodetic);
+
 // The Earth-centred point at a longitude and latitude in radians, and a height in metres above the ellipsoid of WGS 84.
 Point3 EarthCentred(const Point3& geodetic);
 

@@ -1,5 +1,8 @@
 #include "common/codec/tree/tile_tree.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "absl/strings/match.h"
@@ -10,6 +13,18 @@
 namespace tilemend {
 namespace {
 
+constexpr Rgb kNoColour = {255, 255, 255};  // as viewers draw what has no material
+
+// Of linear colours.
+Rgb SrgbOf(const std::array<double, 4>& linear) {
+  const auto channel = [](double value) {
+    value = std::clamp(value, 0.0, 1.0);
+    value = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+    return static_cast<uint8_t>(std::lround(255 * value));
+  };
+  return {channel(linear[0]), channel(linear[1]), channel(linear[2])};
+}
+
 bool IsTilesetPack(const std::vector<PackedFile>& packed) {
   return !packed.empty() && absl::EndsWithIgnoreCase(packed[0].name, ".json");
 }
@@ -17,8 +32,8 @@ bool IsTilesetPack(const std::vector<PackedFile>& packed) {
 TreeFile FromOsgb(OsgbFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const OsgbGeometry& g : file.geometries) {
-    result.geometries.push_back(
-        {g.first_vertex, g.vertex_count, g.first_triangle, g.triangle_count, g.texture, g.geode});
+    result.geometries.push_back({g.first_vertex, g.vertex_count, g.first_triangle, g.triangle_count, g.texture,
+                                 g.colour.value_or(kNoColour), g.geode});
   }
   for (OsgbImage& image : file.images) {
     const bool is_encoded = image.storage == OsgbImage::Storage::kEncoded;
@@ -32,7 +47,8 @@ absl::StatusOr<TileTree> ReadOsgbTree(std::string_view pack, const std::string& 
   TileTree tree;
   tree.packed = std::move(tile.packed);
   for (OsgbFile& file : tile.files) tree.files.push_back(FromOsgb(std::move(file)));
-  for (const OsgbPiece& p : tile.pieces) tree.pieces.push_back({p.file, p.geode, p.level, p.is_finest});
+  for (const OsgbPiece& p : tile.pieces)
+    tree.pieces.push_back({p.file, p.geode, p.level, p.is_finest, p.parent, p.geometric_error});
   tree.levels = tile.levels;
   return tree;
 }
@@ -41,7 +57,8 @@ absl::StatusOr<TileTree> ReadOsgbTree(std::string_view pack, const std::string& 
 TreeFile FromGltf(GltfFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const GltfPrimitive& p : file.primitives) {
-    result.geometries.push_back({p.first_vertex, p.vertex_count, p.first_triangle, p.triangle_count, p.texture, 0});
+    result.geometries.push_back(
+        {p.first_vertex, p.vertex_count, p.first_triangle, p.triangle_count, p.texture, SrgbOf(p.base_colour), 0});
   }
   for (GltfImage& image : file.images) {
     result.images.push_back({std::move(image.name), image.offset, image.size, image.size > 0});
@@ -103,7 +120,8 @@ absl::StatusOr<std::string> ChangeTileTree(const TileTree& tile, const std::vect
     std::vector<TilesetEdit> changes;
     for (const TreeEdit& edit : edits) {
       TilesetEdit& change = changes.emplace_back(TilesetEdit{edit.drop, {}});
-      for (const TreePatch& p : edit.patches) change.patches.push_back({p.points, {}, p.triangles, "", "", p.colour});
+      for (const TreePatch& p : edit.patches)
+        change.patches.push_back({p.points, p.uv, p.triangles, p.image, p.image_name, p.colour});
     }
     return ChangeTilesetTree(tile.packed, changes, name);
   }
@@ -111,7 +129,7 @@ absl::StatusOr<std::string> ChangeTileTree(const TileTree& tile, const std::vect
   for (const TreeEdit& edit : edits) {
     OsgbEdit& change = changes.emplace_back(OsgbEdit{edit.drop, {}});
     for (const TreePatch& p : edit.patches) {
-      change.patches.push_back({p.points, {}, p.triangles, "", "", p.colour, p.part});
+      change.patches.push_back({p.points, p.uv, p.triangles, p.image, p.image_name, p.colour, p.part});
     }
   }
   return ChangeOsgbTile(tile.packed, changes, name);

@@ -23,6 +23,7 @@ struct TreeGeometry {
   int32_t first_triangle = 0;
   int32_t triangle_count = 0;
   int32_t texture = -1;  // index into TreeFile::images; -1: none
+  Rgb colour;            // without a texture
   int32_t part = 0;      // of the file
 };
 
@@ -46,7 +47,9 @@ struct TreePiece {
   int32_t file = 0;  // index into TileTree::packed
   int32_t part = 0;  // of that file: a geode of an OSGB file; a glb or b3dm file is one part
   int32_t level = 0;
-  bool is_finest = true;  // no finer file takes its place
+  bool is_finest = true;       // no finer file takes its place
+  int32_t parent = -1;         // of OSGB files: index into TileTree::pieces of the piece whose place it takes; -1: none
+  double geometric_error = 0;  // of OSGB files: metres, as 3D Tiles have it
 };
 
 struct TileTree {
@@ -72,12 +75,15 @@ struct TreeLevel {
 };
 TreeLevel LevelOf(const TileTree& tile, int32_t level);
 
-// New geometry of one colour.
+// New geometry of one colour, or with an image.
 struct TreePatch {
-  std::vector<Point3> points;       // frame of the scene
-  std::vector<Triangle> triangles;  // indices into points
-  Rgb colour;
-  int32_t part = 0;  // of the file
+  std::vector<Point3> points;            // frame of the scene
+  std::vector<Triangle> triangles;       // indices into points
+  Rgb colour;                            // without an image
+  int32_t part = 0;                      // of the file
+  std::vector<std::array<float, 2>> uv;  // one per point, v up; none without an image
+  std::string image;                     // a JPEG or PNG, as encoded; empty: none
+  std::string image_name;
 };
 
 // What is done to one file of a tile.

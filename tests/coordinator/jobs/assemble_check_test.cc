@@ -11,6 +11,7 @@
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
 #include "coordinator/jobs/scene_pipeline.h"
+#include "tests/support/image_builders.h"
 #include "tests/support/osgb_scene.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/temporary_folder.h"
@@ -24,8 +25,8 @@ class AssembleCheckTest : public ::testing::Test {
  protected:
   using See = std::function<void(const v1::AssembleInput&, const v1::AssembleOutput&)>;
 
-  void Run(const See& see) {
-    for (const auto& [path, bytes] : OsgbScene().Files()) folder_.Write("scene/" + path, bytes);
+  void Run(const See& see, const OsgbScene& scene = OsgbScene()) {
+    for (const auto& [path, bytes] : scene.Files()) folder_.Write("scene/" + path, bytes);
     const std::string left = OsgbScene::TileName(0), right = OsgbScene::TileName(1);
     folder_.Write("scene/scene.json", R"({"origin": [0, 0, 0], "cell_size": 64, "cols": 2, "rows": 1, "tiles": [
         {"col": 0, "row": 0, "path": "Data/)" +
@@ -99,6 +100,30 @@ TEST_F(AssembleCheckTest, AChangedFileOfATreeIsSeen) {
     }
   });
   EXPECT_EQ(seen, 12);
+}
+
+// An image of its own lies in each file with new geometry.
+TEST_F(AssembleCheckTest, TakesATexturedTree) {
+  int seen = 0;
+  const auto colour = [](int32_t x, int32_t y) {
+    return Rgb{static_cast<uint8_t>(9 * x), 120, static_cast<uint8_t>(9 * y)};
+  };
+  Run(
+      [&](const v1::AssembleInput& input, const v1::AssembleOutput& output) {
+        ++seen;
+        EXPECT_FALSE(input.texture().empty());
+        for (const TileCheck how : kAll) EXPECT_TRUE(Check(how, input, output).ok()) << Check(how, input, output);
+        const std::string path = input.attempts() + "/" + output.files(0).attempt(), sound = *ReadFile(path);
+        const size_t name = sound.find("_tilemend.jpg");
+        ASSERT_NE(name, std::string::npos) << "a painted fill";
+        std::string other = sound;
+        other[name] = '-';
+        ASSERT_TRUE(WriteFileAtomically(path, other).ok());
+        EXPECT_TRUE(absl::IsDataLoss(Check(TileCheck::kContent, input, output)));
+        ASSERT_TRUE(WriteFileAtomically(path, sound).ok());
+      },
+      OsgbScene(OsgbScene::Pond::kHole, 80, JpegImage(16, 16, colour)));
+  EXPECT_EQ(seen, 2);
 }
 
 TEST_F(AssembleCheckTest, AFileThatIsMissingOrTooMuchIsSeen) {

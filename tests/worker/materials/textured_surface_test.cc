@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/codec/tree/tile_tree.h"
+#include "tests/support/osgb_scene.h"
+
 namespace tilemend {
 namespace {
 
@@ -32,6 +35,27 @@ TEST(TexturedSurfaceTest, GroupsTrianglesByImageAndColour) {
   EXPECT_EQ(surface.groups[2].image, "a.png");
   EXPECT_THAT(surface.groups[2].triangles, ElementsAre(1));
   EXPECT_EQ(surface.PlacesOf(1)[1][0], 1);
+}
+
+TEST(TexturedSurfaceTest, ATreeGivesItsFinestLevel) {
+  const std::string image = "\xff\xd8\xff of the ground", pack = OsgbScene(OsgbScene::Pond::kHole, 80, image).Pack(0);
+  const auto tile = ReadTileTree(pack, "a/Tile.osgb");
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  const auto of_tree = TexturedSurfaceOfTree(pack, "a/Tile.osgb");
+  ASSERT_TRUE(of_tree.ok()) << of_tree.status();
+  const TexturedSurface& surface = *of_tree;
+  const TreeLevel finest = LevelOf(*tile, 2);
+  EXPECT_EQ(surface.mesh.triangles, finest.mesh.triangles);
+  ASSERT_EQ(surface.groups.size(), 4U) << "a file has an image of its own";
+  size_t triangles = 0;
+  for (const TexturedSurface::Group& group : surface.groups) {
+    EXPECT_EQ(surface.encoded.at(group.image), image);
+    triangles += group.triangles.size();
+    const auto places = surface.PlacesOf(group.triangles[0]);
+    EXPECT_GE(places[0][0], 0);
+    EXPECT_LE(places[0][0], 1);
+  }
+  EXPECT_EQ(triangles, surface.mesh.triangles.size());
 }
 
 }  // namespace

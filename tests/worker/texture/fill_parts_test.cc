@@ -67,6 +67,9 @@ TEST(FillPartsTest, HolesApartArePartsAndWallsAreNone) {
   EXPECT_EQ(parts.frames.size(), 2U);
   EXPECT_THAT(parts.of_triangles, ElementsAre(1, 1, 0, 0, -1));
   EXPECT_THAT(SteepPoints(faces, parts), ElementsAre(1, 2, 8));
+  EXPECT_EQ(parts.At({92, 42, 0}), 1);
+  EXPECT_EQ(parts.At({50, 50, 0}), -1);
+  EXPECT_EQ(parts.At({5000, 50, 0}), -1);
   EXPECT_EQ(LookOf(faces, parts, 0).water, (Rgb{1, 2, 3}));
   EXPECT_EQ(LookOf(faces, parts, 1).ground, (Rgb{9, 9, 9}));
 }
@@ -99,7 +102,7 @@ TEST(FillPartsTest, PixelsAreOfTheirPart) {
   FilledFaces faces;
   AddSquare(2, 2, 4, false, faces);
   AddSquare(8, 2, 4, true, faces);
-  const FillParts parts{{{1, 0, 0, 16, 8}, {1, 0, 0, 16, 8}}, {0, 0, 1, 1}, {{0, 1}, {2, 3}}};
+  const FillParts parts{{{1, 0, 0, 16, 8}, {1, 0, 0, 16, 8}}, {0, 0, 1, 1}, {{0, 1}, {2, 3}}, {}, {}};
   OrthoRaster raster = RasterOf(parts.frames[0], [](int64_t, int64_t) { return Rgb{}; });
   raster.heights[raster.frame.At(15, 7)] = kNoSurface;
   const std::vector<FillPixel> first = FillMapOf(faces, parts, 0, raster).pixels,
@@ -117,7 +120,7 @@ TEST(FillPartsTest, WallsTakeTheColourThatTheyHangFrom) {
   faces.triangles = {{2, 1, 0}, {2, 3, 1}, {4, 3, 2}, {4, 5, 3}};
   faces.is_water.assign(4, 0);
   faces.flat.assign(4, Rgb{7, 7, 7});
-  const FillParts parts{{}, {-1, -1, -1, -1}, {}};
+  const FillParts parts{{}, {-1, -1, -1, -1}, {}, {}, {}};
   std::vector<std::optional<Rgb>> rim(6);
   rim[0] = rim[1] = Rgb{0, 200, 0};
   for (const Rgb c : SteepColours(faces, parts, rim, {})) EXPECT_EQ(c, (Rgb{0, 200, 0}));

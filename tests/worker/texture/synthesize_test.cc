@@ -102,5 +102,19 @@ TEST(SynthesizeTest, WithoutASourceTheFlatColourStays) {
   for (const Rgb c : made) EXPECT_EQ(c, (Rgb{1, 2, 3}));
 }
 
+TEST(SynthesizeTest, PixelsOfAnotherCellsHoleHaveTheColourBeside) {
+  const RasterFrame frame{0.25, 0, 0, 96, 96};
+  OrthoRaster raster = RasterOf(frame, [](int64_t, int64_t) { return Rgb{90, 120, 40}; });
+  std::vector<FillPixel> pixels = CutHole(raster, 40, 40, 60, 60, FillPixel::kGround);
+  for (int32_t y = 40; y < 60; ++y) {
+    for (int32_t x = 50; x < 60; ++x) pixels[frame.At(x, y)] = FillPixel::kForeign;
+  }
+  for (const Rgb c : Synthesize(raster, MapOf(pixels), {})) {
+    EXPECT_NEAR(c.r, 90, 12);
+    EXPECT_NEAR(c.g, 120, 12);
+    EXPECT_NEAR(c.b, 40, 12);
+  }
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Has Khronos' glTF validator judge the files that the glTF codec writes.
 
-    gltf_validator_test.py GLTF_CHANGED SHARED_DATA
+    gltf_validator_test.py FOLDER GLTF_CHANGED SHARED_DATA
 
-GLTF_CHANGED is the program that writes them. The b3dm files of SHARED_DATA/mars_tiles are changed as well, if they are
-there. Needs node and the npm package gltf-validator, in the folder that the environment variable TILEMEND_NODE_MODULES
-names or among the global packages of npm; without them the test is skipped (exit code 77).
+FOLDER gets the packages of web/package-lock.json and keeps them. GLTF_CHANGED is the program that writes the files. The
+b3dm files of SHARED_DATA/mars_tiles are changed as well, if they are there. Without npm or its registry the test is
+skipped (exit code 77).
 """
 import glob
 import json
@@ -14,7 +14,9 @@ import subprocess
 import sys
 import tempfile
 
-SKIPPED = 77
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), *['..'] * 3, 'web'))
+import npm_packages  # noqa: E402
+
 # Prints {file: [[severity, code, pointer], ...]}; severity 0 is an error, 1 a warning.
 SCRIPT = """
 const fs = require('fs'), validator = require('gltf-validator');
@@ -30,35 +32,16 @@ const fs = require('fs'), validator = require('gltf-validator');
 """
 
 
-def skip(reason):
-    print(f'SKIPPED: {reason}: no glTF file is validated')
-    sys.exit(SKIPPED)
-
-
-def node_modules():
-    named = os.environ.get('TILEMEND_NODE_MODULES')
-    if named:
-        return named
-    try:
-        return subprocess.run(['npm', 'root', '-g'], capture_output=True, text=True, check=True).stdout.strip()
-    except (OSError, subprocess.CalledProcessError):
-        skip('npm is missing')
-
-
 def validate(folder, modules):
-    try:
-        run = subprocess.run(['node', '-e', SCRIPT, folder], capture_output=True, text=True, check=True,
-                             env={**os.environ, 'NODE_PATH': modules})
-    except OSError:
-        skip('node is missing')
+    run = subprocess.run(['node', '-e', SCRIPT, folder], capture_output=True, text=True, check=True,
+                         env={**os.environ, 'NODE_PATH': modules})
     return json.loads(run.stdout)
 
 
 def main():
-    program, shared_data = sys.argv[1:3]
-    modules = node_modules()
-    if not os.path.isdir(os.path.join(modules, 'gltf-validator')):
-        skip(f'the npm package gltf-validator is not in {modules}')
+    packages, program, shared_data = sys.argv[1:4]
+    npm_packages.install(os.path.abspath(packages))
+    modules = os.path.join(os.path.abspath(packages), 'node_modules')
     tiles = sorted(glob.glob(os.path.join(shared_data, 'mars_tiles', '*.b3dm')))
     if not tiles:
         print('NO 3D TILES: only samples are validated; set TILEMEND_SHARED_DATA')

@@ -50,5 +50,12 @@ TEST(ResolveContentUriTest, RefusesWhatLeadsOut) {
   }
 }
 
+TEST(ContentUriOfTest, IsReadAsThePath) {
+  EXPECT_EQ(ContentUriOf("Data/T_p000/a-1.glb"), "Data/T_p000/a-1.glb");
+  EXPECT_EQ(ContentUriOf("a b+#?%.glb"), "a%20b%2B%23%3F%25.glb");
+  for (const char* path : {"a b+#?%.glb", "\xc3\xa4/x.glb"})
+    EXPECT_EQ(*ResolveContentUri("t.json", ContentUriOf(path)), path);
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -56,7 +56,12 @@ TEST(TileTreeTest, ChangesAreReadBack) {
     std::vector<TreeEdit> edits(before->files.size());
     const TreePiece piece = before->pieces.back();
     const auto f = static_cast<size_t>(piece.file);
-    edits[f].patches = {{{{1, 1, 2}, {2, 1, 2}, {1, 2, 2}}, {{0, 1, 2}}, {10, 20, 30}, piece.part}};
+    TreePatch patch;
+    patch.points = {{1, 1, 2}, {2, 1, 2}, {1, 2, 2}};
+    patch.triangles = {{0, 1, 2}};
+    patch.colour = {10, 20, 30};
+    patch.part = piece.part;
+    edits[f].patches = {patch};
     edits[f].drop.assign(before->files[f].triangles.size(), false);
     edits[f].drop[0] = edits[f].drop[1] = true;
     const auto bytes = ChangeTileTree(*before, edits, tile.name);
@@ -67,6 +72,35 @@ TEST(TileTreeTest, ChangesAreReadBack) {
     EXPECT_EQ(after->files[f].points.size(), before->files[f].points.size() + 3);
     const TreeGeometry& added = after->files[f].geometries.back();
     EXPECT_EQ(after->files[f].points[static_cast<size_t>(added.first_vertex)], Point3(1, 1, 2));
+  }
+}
+
+TEST(TileTreeTest, NewGeometryHasItsImage) {
+  for (const Case& tile : Cases()) {
+    SCOPED_TRACE(tile.name);
+    const auto before = ReadTileTree(tile.pack, tile.name);
+    ASSERT_TRUE(before.ok()) << before.status();
+    std::vector<TreeEdit> edits(before->files.size());
+    const TreePiece piece = before->pieces.back();
+    const auto f = static_cast<size_t>(piece.file);
+    TreePatch patch;
+    patch.points = {{1, 1, 2}, {2, 1, 2}, {1, 2, 2}};
+    patch.triangles = {{0, 1, 2}};
+    patch.part = piece.part;
+    patch.uv = {{0.25F, 0.5F}, {1, 0}, {0, 1}};
+    patch.image = "\xff\xd8\xff of the fill";
+    patch.image_name = "fill.jpg";
+    edits[f].patches = {patch};
+    const auto bytes = ChangeTileTree(*before, edits, tile.name);
+    ASSERT_TRUE(bytes.ok()) << bytes.status();
+    const auto after = ReadTileTree(*bytes, tile.name);
+    ASSERT_TRUE(after.ok()) << after.status();
+    const TreeFile& file = after->files[f];
+    const TreeGeometry& added = file.geometries.back();
+    ASSERT_GE(added.texture, 0);
+    const TreeImage& image = file.images[static_cast<size_t>(added.texture)];
+    EXPECT_EQ(after->packed[f].bytes.substr(image.offset, image.size), patch.image);
+    EXPECT_EQ(file.uv[static_cast<size_t>(added.first_vertex)], (std::array<float, 2>{0.25F, 0.5F}));
   }
 }
 

@@ -1,0 +1,93 @@
+#include "coordinator/jobs/delivery_entry.h"
+
+#include <numbers>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/tiles3d/new_tileset.h"
+#include "common/codec/tiles3d/tileset_frame.h"
+#include "common/gis/lon_lat.h"
+#include "common/util/folders.h"
+#include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
+
+namespace tilemend {
+namespace {
+
+bool IsDeliveredAsTileset(const SceneTile& tile) { return IsTileset(tile.delivered); }
+
+constexpr double kStep = 10;  // metres, over which axes are measured
+
+// The middle of a cell and points a step to the east and to the north of it, in the CRS.
+void AddPoints(const Scene& scene, const Point2& middle, std::vector<Point2>& points) {
+  const Point2 at = scene.origin.head<2>() + middle;
+  points.insert(points.end(), {at, at + Point2(kStep, 0), at + Point2(0, kStep)});
+}
+
+Point2 MiddleOf(const Scene& scene, const Point2& cell) {
+  return scene.grid.corner + scene.grid.cell_size.cwiseProduct(cell);
+}
+
+Point3 OnEarth(const Point2& degrees, double height) {
+  const Point2 radians = degrees * (std::numbers::pi / 180);
+  return EarthCentred({radians.x(), radians.y(), height});
+}
+
+// From the scene's frame to the Earth-centred one near `middle`, by the degrees of its three points.
+Eigen::Matrix4d PlaneAt(const Scene& scene, const Point2& middle, const Point2* degrees) {
+  const double height = scene.origin.z();
+  const Point3 at = OnEarth(degrees[0], height);
+  const Point2 radians = degrees[0] * (std::numbers::pi / 180);
+  Eigen::Matrix4d plane = Eigen::Matrix4d::Identity();
+  plane.block<3, 1>(0, 0) = (OnEarth(degrees[1], height) - at) / kStep;
+  plane.block<3, 1>(0, 1) = (OnEarth(degrees[2], height) - at) / kStep;
+  plane.block<3, 1>(0, 2) = AxesAt({radians.x(), radians.y(), height}).col(2);
+  plane.block<3, 1>(0, 3) = at - plane.topLeftCorner<3, 3>() * Point3(middle.x(), middle.y(), 0);
+  return plane;
+}
+
+Eigen::Matrix4d RootAt(const Scene& scene, const Point2& degrees) {
+  const Point2 radians = degrees * (std::numbers::pi / 180);
+  Eigen::Matrix4d root = Eigen::Matrix4d::Identity();
+  root.topLeftCorner<3, 3>() = AxesAt({radians.x(), radians.y(), 0});
+  root.topRightCorner<3, 1>() = OnEarth(degrees, scene.origin.z());
+  return root;
+}
+
+}  // namespace
+
+absl::StatusOr<DeliveryPlaces> PlaceDelivery(const Scene& scene) {
+  DeliveryPlaces places;
+  std::vector<const SceneTile*> tiles;
+  for (const SceneTile& tile : scene.tiles) {
+    if (IsDeliveredAsTileset(tile)) tiles.push_back(&tile);
+  }
+  if (tiles.empty()) return places;
+  if (scene.crs.empty()) {
+    for (const SceneTile* tile : tiles) places.cells[tile->cell] = Eigen::Matrix4d::Identity();
+    places.warning = "the scene names no CRS: tileset.json has no place on the Earth";
+    return places;
+  }
+  std::vector<Point2> points;
+  AddPoints(scene, MiddleOf(scene, {scene.cols / 2.0, scene.rows / 2.0}), points);
+  const auto middle_of = [&](const CellId& cell) { return MiddleOf(scene, {cell.col + 0.5, cell.row + 0.5}); };
+  for (const SceneTile* tile : tiles) AddPoints(scene, middle_of(tile->cell), points);
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<Point2> degrees, LonLatOf(scene.crs, points));
+  places.root = RootAt(scene, degrees[0]);
+  for (size_t t = 0; t < tiles.size(); ++t) {
+    places.cells[tiles[t]->cell] = PlaneAt(scene, middle_of(tiles[t]->cell), &degrees[3 * (t + 1)]);
+  }
+  return places;
+}
+
+absl::StatusOr<std::string> DeliveryEntry(const Scene& scene, const DeliveryPlaces& places, const std::string& out) {
+  std::vector<EntryPart> parts;
+  for (const SceneTile& tile : scene.tiles) {
+    if (!IsDeliveredAsTileset(tile) || KindOf(absl::StrCat(out, "/", tile.delivered)) != PathKind::kFile) continue;
+    parts.push_back({tile.delivered, places.cells.at(tile.cell)});
+  }
+  if (parts.empty()) return absl::InvalidArgumentError(absl::StrCat(out, ": no tile was written"));
+  return NewEntry(out, parts, places.root);
+}
+
+}  // namespace tilemend

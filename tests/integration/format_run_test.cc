@@ -1,0 +1,170 @@
+// Tiles in another format from the command line: OSGB as 3D Tiles and OBJ, OBJ as 3D Tiles, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/mesh_file.h"
+#include "common/codec/tree/tile_tree.h"
+#include "common/util/files.h"
+#include "common/util/tile_files.h"
+#include "tests/support/osgb_scene.h"
+#include "tests/support/output_checks.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/tileset_scene.h"
+#include "tests/support/top_at.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+const Point2 kMiddle = {OsgbScene::kCell, OsgbScene::kCell / 2};  // of the pond
+
+class FormatRunTest : public ::testing::Test {
+ protected:
+  Ended Tilemend(const std::vector<std::string>& words) {
+    return Process(folder_.path(), TILEMEND_CLIENT, words).Wait();
+  }
+  void WriteOsgb() {
+    for (const auto& [path, bytes] : OsgbScene().Files()) folder_.Write("scene/" + path, bytes);
+    WriteScene("osgb", "EPSG:25832");
+  }
+  void WriteScene(const std::string& ending, const std::string& crs) {
+    Json json = {{"origin", {500000, 5600000, 0}}, {"cell_size", 64}, {"cols", 2}, {"rows", 1}};
+    if (!crs.empty()) json["crs"] = crs;
+    for (const int col : {0, 1}) {
+      const std::string name = OsgbScene::TileName(col);
+      json["tiles"].push_back({{"col", col}, {"row", 0}, {"path", "Data/" + name + "/" + name + "." + ending}});
+    }
+    folder_.Write("scene/scene.json", json.dump());
+  }
+  // Runs the job in the format of the tiles as well, and gives the tree of one tile of it.
+  TileTree SameFormat(int col) {
+    EXPECT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "same", "--overwrite"}).code, 0);
+    const std::string name = OsgbScene::TileName(col);
+    same_ = *ReadTileBytes(folder_ / ("same/Data/" + name + "/" + name + ".osgb"));
+    return *ReadTileTree(same_, "same.osgb");
+  }
+
+  const TemporaryFolder folder_;
+  std::string same_;
+};
+
+TEST_F(FormatRunTest, OsgbBecomesATilesetWithTheSameLevels) {
+  WriteOsgb();
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "3dtiles"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  for (const int col : {0, 1}) {
+    const std::string name = absl::StrCat("Tile_p00", col, "_p000");
+    const std::string bytes = *ReadTileBytes(folder_ / ("out/Data/" + name + "/" + name + ".json"));
+    const auto tree = ReadTileTree(bytes, name);
+    ASSERT_TRUE(tree.ok()) << tree.status();
+    const TileTree same = SameFormat(col);
+    ASSERT_EQ(tree->levels, same.levels);
+    for (int32_t l = 0; l < same.levels; ++l) {
+      const TreeLevel is = LevelOf(*tree, l), was = LevelOf(same, l);
+      EXPECT_EQ(is.mesh.triangles.size(), was.mesh.triangles.size()) << "level " << l;
+      const Point2 at = kMiddle + Point2(col == 0 ? -3 : 3, 1);
+      EXPECT_EQ(TopAt(is.mesh, at), TopAt(was.mesh, at)) << "level " << l;
+    }
+  }
+  // On the Earth, at the meridian of the zone, and without a hole.
+  const Ended again = Tilemend({"run", folder_ / "out", "--out", folder_ / "again"});
+  ASSERT_TRUE(again.code == 0 || again.code == 100) << again.err;
+  const Json report = ReportOf(folder_ / "again");
+  EXPECT_EQ(report["per_hole"].size(), report["left"].size()) << "only what reaches the rim, which is not known";
+  const Json entry = Json::parse(*ReadFile(folder_ / "out/tileset.json"));
+  EXPECT_EQ(entry["root"]["children"].size(), 2U);
+  EXPECT_NEAR(std::atan2(entry["root"]["transform"][13].get<double>(), entry["root"]["transform"][12].get<double>()),
+              9 * M_PI / 180, 1e-4);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/scene.json"));
+}
+
+TEST_F(FormatRunTest, OsgbBecomesObjOfTheFinestLevelWithItsImages) {
+  WriteOsgb();
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "obj"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const std::string name = OsgbScene::TileName(0), stem = "out/Data/" + name + "/" + name;
+  const auto file = ParseMesh(MeshFormat::kObj, *ReadFile(folder_ / (stem + ".obj")), "obj");
+  ASSERT_TRUE(file.ok()) << file.status();
+  const TileTree same = SameFormat(0);
+  const TreeLevel was = LevelOf(same, 2);
+  EXPECT_EQ(file->mesh.triangles.size(), was.mesh.triangles.size());
+  EXPECT_EQ(TopAt(file->mesh, kMiddle - Point2(3, 1)), TopAt(was.mesh, kMiddle - Point2(3, 1)));
+  EXPECT_EQ(*ReadFile(folder_ / (stem + "_0.jpg")), "\xff\xd8\xff no image");
+  EXPECT_THAT(*ReadFile(folder_ / (stem + ".mtl")), HasSubstr("map_Kd " + name + "_3.jpg"));
+  EXPECT_EQ(Json::parse(*ReadFile(folder_ / "out/scene.json"))["crs"], "EPSG:25832");
+  EXPECT_EQ(Tilemend({"check", folder_ / "out"}).code, 0);
+}
+
+TEST_F(FormatRunTest, TilesetsBecomeObj) {
+  for (const auto& [path, bytes] : TilesetScene{.files = TilesetScene::Files::kOfTiles}.All())
+    folder_.Write("scene/" + path, bytes);
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "obj"});
+  ASSERT_TRUE(ended.code == 0 || ended.code == 100) << ended.err;
+  const std::string stem = "out/Data/Tile_p000_p000/Tile_p000_p000";
+  EXPECT_TRUE(ParseMesh(MeshFormat::kObj, *ReadFile(folder_ / (stem + ".obj")), "obj").ok());
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/tileset.json"));
+}
+
+TEST_F(FormatRunTest, ObjBecomesATilesetOfOneLevel) {
+  WriteOsgb();
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "objs", "--output-format", "obj"}).code, 0);
+  const Ended ended = Tilemend({"run", folder_ / "objs", "--out", folder_ / "out", "--output-format", "3dtiles"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const std::string path = folder_ / "out/Data/Tile_p001_p000/Tile_p001_p000.json";
+  const std::string bytes = *ReadTileBytes(path);
+  const auto tree = ReadTileTree(bytes, path);
+  ASSERT_TRUE(tree.ok()) << tree.status();
+  EXPECT_EQ(tree->levels, 1);
+  EXPECT_NEAR(TopAt(LevelOf(*tree, 0).mesh, kMiddle + Point2(3, 1)), OsgbScene::kLevel, 0.2);
+  EXPECT_EQ(tree->files.back().images.size(), 4U);
+}
+
+TEST_F(FormatRunTest, AnyNumberOfWorkersGivesTheSameBytes) {
+  WriteOsgb();
+  for (const std::string n : {"1", "4"}) {
+    ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / n, "--output-format", "3dtiles", "--workers", n,
+                        "--overwrite"})
+                  .code,
+              0);
+  }
+  EXPECT_EQ(FilesBelow(folder_ / "1/Data"), FilesBelow(folder_ / "4/Data"));
+  EXPECT_EQ(*ReadFile(folder_ / "1/tileset.json"), *ReadFile(folder_ / "4/tileset.json"));
+}
+
+TEST_F(FormatRunTest, WithoutACrsThereIsAWarning) {
+  WriteOsgb();
+  WriteScene("osgb", "");
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "3dtiles"}).code, 0);
+  EXPECT_THAT(ReportOf(folder_ / "out")["warnings"].dump(), HasSubstr("no place on the Earth"));
+  EXPECT_FALSE(Json::parse(*ReadFile(folder_ / "out/tileset.json"))["root"].contains("transform"));
+}
+
+TEST_F(FormatRunTest, WhatIsNotPossibleIsRefusedBeforeAnythingIsWritten) {
+  WriteOsgb();
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "ply"});
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.err, HasSubstr("PLY has no place for their images"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  const Ended unknown = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "fbx"});
+  EXPECT_EQ(unknown.code, 2);
+}
+
+TEST_F(FormatRunTest, TheAcceptanceCheckSaysThatTheFormatsDiffer) {
+  WriteOsgb();
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "3dtiles"}).code, 0);
+  const Ended ended = Tilemend({"check", folder_ / "scene", folder_ / "out"});
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.err, HasSubstr("tiles are compared in one format only"));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,116 @@
+#include "worker/delivery/delivery_tile.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/osgb_scene.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/tileset_scene.h"
+
+namespace tilemend {
+namespace {
+
+using testing::HasSubstr;
+
+TileTree OsgbTree() { return *ReadTileTree(*new std::string(OsgbScene().Pack(0)), "a.osgb"); }
+
+TEST(DeliveryOfTreeTest, PiecesTakeThePlaceOfTheirParents) {
+  const DeliveryTile tile = DeliveryOfTree(OsgbTree(), DeliveryLevels::kAll);
+  ASSERT_EQ(tile.pieces.size(), 9u);
+  EXPECT_EQ(tile.pieces[0].parent, -1);
+  for (size_t p = 1; p < 5; ++p) {
+    EXPECT_EQ(tile.pieces[p].parent, 0);
+    EXPECT_EQ(tile.pieces[p + 4].parent, static_cast<int32_t>(p));
+    EXPECT_EQ(tile.pieces[p + 4].geometric_error, 0);
+    EXPECT_GT(tile.pieces[p].geometric_error, 0);
+  }
+  EXPECT_EQ(tile.images.size(), 9u);
+  EXPECT_EQ(tile.images[0], "\xff\xd8\xff no image");
+  EXPECT_TRUE(tile.warnings.empty());
+}
+
+TEST(DeliveryOfTreeTest, TheFinestAloneIsTheFinestLevel) {
+  const TileTree tree = OsgbTree();
+  const DeliveryTile tile = DeliveryOfTree(tree, DeliveryLevels::kFinest);
+  ASSERT_EQ(tile.pieces.size(), 4u);
+  size_t triangles = 0;
+  for (const DeliveryPiece& piece : tile.pieces) triangles += piece.surfaces.at(0).mesh.triangles.size();
+  EXPECT_EQ(triangles, LevelOf(tree, 2).mesh.triangles.size());
+}
+
+TEST(DeliveryOfTreeTest, FillsHaveTheirColourAndVerticesTheirBits) {
+  for (const bool osgb : {true, false}) {
+    const std::string pack = osgb ? OsgbScene().Pack(0) : TilesetScene().Pack(), name = osgb ? "a.osgb" : "a.json";
+    const TileTree before = *ReadTileTree(pack, name);
+    std::vector<TreeEdit> edits(before.packed.size());
+    const auto f = static_cast<size_t>(before.pieces.back().file);
+    const std::vector<Point3> points = {{1, 2, 3}, {2, 2, 3}, {1, 3, 3}};
+    edits[f].patches.push_back({points, {{0, 1, 2}}, {98, 93, 72}, before.pieces.back().part});
+    const std::string changed = *ChangeTileTree(before, edits, name);
+    const DeliveryTile tile = DeliveryOfTree(*ReadTileTree(changed, name), DeliveryLevels::kFinest);
+    const DeliverySurface& fill = tile.pieces.back().surfaces.back();
+    EXPECT_EQ(fill.image, -1);
+    EXPECT_EQ(fill.colour, (Rgb{98, 93, 72})) << name;
+    if (osgb) {
+      EXPECT_EQ(fill.mesh.points, points);
+    }
+  }
+}
+
+TEST(DeliveryOfTreeTest, AnImageOfAnUnknownFormatIsAWarning) {
+  const std::string pack = OsgbScene(OsgbScene::Pond::kHole, 80, "no image").Pack(0);
+  const DeliveryTile tile = DeliveryOfTree(*ReadTileTree(pack, "a.osgb"), DeliveryLevels::kFinest);
+  EXPECT_TRUE(tile.images.empty());
+  ASSERT_EQ(tile.warnings.size(), 4u);
+  EXPECT_THAT(tile.warnings[0], HasSubstr("no image of a known format"));
+}
+
+TEST(DeliveryOfObjTest, ImagesAndColoursOfTheMaterialsAreTaken) {
+  const TemporaryFolder folder;
+  folder.Write("t/a.mtl", "newmtl roof\nmap_Kd roof.jpg\nnewmtl red\nKd 1 0 0\n");
+  folder.Write("t/roof.jpg", "\xff\xd8\xff roof");
+  const std::string obj =
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+      "usemtl roof\nf 1/1 2/2 3/3\nusemtl red\nf 2 4 3\nusemtl fill\nf 2/1 4/2 3/3\n";
+  const std::vector<FillMaterial> filled = {{"fill", {255, 255, 255}, "a_tilemend.jpg"}};
+  const auto tile = DeliveryOfObj(obj, {folder.path(), "t/a.obj", filled, "\xff\xd8\xff fill"});
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  ASSERT_EQ(tile->pieces.size(), 1u);
+  ASSERT_EQ(tile->pieces[0].surfaces.size(), 3u);
+  EXPECT_THAT(tile->images, testing::UnorderedElementsAre("\xff\xd8\xff roof", "\xff\xd8\xff fill"));
+  EXPECT_EQ(tile->pieces[0].surfaces[0].image, -1);
+  EXPECT_EQ(tile->pieces[0].surfaces[0].colour, (Rgb{255, 0, 0}));
+  EXPECT_EQ(tile->pieces[0].surfaces[1].uv.size(), 3u);
+}
+
+TEST(DeliveryOfObjTest, AMissingOrUnknownImageIsAColour) {
+  const TemporaryFolder folder;
+  folder.Write("a.mtl", "newmtl roof\nmap_Kd roof.tif\n");
+  folder.Write("roof.tif", "II*");
+  const auto tile = DeliveryOfObj("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl roof\nf 1/1 2/1 3/1\n",
+                                  {folder.path(), "a.obj", {}, ""});
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  EXPECT_EQ(tile->pieces[0].surfaces.at(0).image, -1);
+  ASSERT_EQ(tile->warnings.size(), 1u);
+  EXPECT_THAT(tile->warnings[0], HasSubstr("roof.tif"));
+}
+
+TEST(DeliveryOfColoursTest, EachRunIsASurface) {
+  const TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const std::vector<ColourRun> runs = {{0, {1, 2, 3}}, {1, {4, 5, 6}}};
+  const DeliveryTile tile = DeliveryOfColours(mesh, runs);
+  ASSERT_EQ(tile.pieces.at(0).surfaces.size(), 2u);
+  EXPECT_EQ(tile.pieces[0].surfaces[1].colour, (Rgb{4, 5, 6}));
+  EXPECT_EQ(tile.pieces[0].surfaces[1].mesh.points.size(), 3u);
+}
+
+TEST(ImageEndingTest, IsToldByTheFirstBytes) {
+  EXPECT_EQ(ImageEnding("\xff\xd8\xff\xe0"), "jpg");
+  EXPECT_EQ(ImageEnding("\x89PNG\r\n"), "png");
+  EXPECT_EQ(ImageEnding(std::string_view("RIFF\1\2\3\4WEBPVP8", 15)), "webp");
+  EXPECT_EQ(ImageEnding("RIFF"), "");
+  EXPECT_EQ(ImageEnding(""), "");
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,202 @@
+#include "worker/delivery/delivery_tile.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/codec/obj.h"
+#include "common/util/files.h"
+#include "common/util/status_macros.h"
+#include "common/util/text.h"
+#include "worker/materials/textured_surface.h"
+#include "worker/materials/tile_look.h"
+
+namespace tilemend {
+namespace {
+
+constexpr Rgb kPlain = {200, 200, 200};  // of surface without any look
+
+// Collects surfaces of one image or colour, with the vertices that each one uses.
+class SurfaceBuilder {
+ public:
+  explicit SurfaceBuilder(DeliverySurface& surface) : surface_(surface) {}
+
+  // A corner at a point with a place in the image; `key` is the same for corners that are one vertex.
+  int32_t VertexOf(std::pair<int32_t, int32_t> key, const Point3& point, const std::array<float, 2>& uv) {
+    const auto [at, is_new] = numbers_.try_emplace(key, static_cast<int32_t>(surface_.mesh.points.size()));
+    if (is_new) {
+      surface_.mesh.points.push_back(point);
+      if (surface_.image >= 0) surface_.uv.push_back(uv);
+    }
+    return at->second;
+  }
+
+ private:
+  DeliverySurface& surface_;
+  std::map<std::pair<int32_t, int32_t>, int32_t> numbers_;
+};
+
+class TreeDelivery {
+ public:
+  TreeDelivery(const TileTree& tile, DeliveryLevels levels) : tile_(tile), levels_(levels) {}
+
+  DeliveryTile Make() {
+    for (int32_t p = 0; p < std::ssize(tile_.pieces); ++p) {
+      const TreePiece& piece = tile_.pieces[static_cast<size_t>(p)];
+      const bool is_wanted = levels_ == DeliveryLevels::kAll || piece.is_finest;
+      numbers_.push_back(is_wanted ? static_cast<int32_t>(result_.pieces.size()) : -1);
+      if (is_wanted) Add(piece);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void Add(const TreePiece& piece) {
+    DeliveryPiece made;
+    if (levels_ == DeliveryLevels::kAll) {
+      made.parent = piece.parent < 0 ? -1 : numbers_[static_cast<size_t>(piece.parent)];
+      made.geometric_error = piece.geometric_error;
+    }
+    std::map<std::pair<int32_t, uint32_t>, size_t> surfaces;  // by image and colour
+    const TreeFile& file = tile_.files[static_cast<size_t>(piece.file)];
+    for (const TreeGeometry& geometry : file.geometries) {
+      if (geometry.part != piece.part || geometry.triangle_count == 0) continue;
+      const int32_t image = geometry.texture < 0 ? -1 : ImageOf(piece.file, geometry.texture);
+      const Rgb& c = geometry.colour;
+      const uint32_t colour = image < 0 ? uint32_t{c.r} << 16 | uint32_t{c.g} << 8 | c.b : 0;
+      const auto [at, is_new] = surfaces.try_emplace({image, colour}, made.surfaces.size());
+      if (is_new) made.surfaces.push_back({{}, {}, image, c});
+      Append(file, geometry, made.surfaces[at->second]);
+    }
+    result_.pieces.push_back(std::move(made));
+  }
+
+  static void Append(const TreeFile& file, const TreeGeometry& geometry, DeliverySurface& surface) {
+    SurfaceBuilder builder(surface);
+    for (int32_t t = geometry.first_triangle; t < geometry.first_triangle + geometry.triangle_count; ++t) {
+      Triangle corners = file.triangles[static_cast<size_t>(t)];
+      for (int32_t& corner : corners) {
+        const auto v = static_cast<size_t>(corner);
+        corner = builder.VertexOf({corner, 0}, file.points[v], file.uv[v]);
+      }
+      surface.mesh.triangles.push_back(corners);
+    }
+  }
+
+  // The number of an image; -1 if its bytes are not there.
+  int32_t ImageOf(int32_t f, int32_t index) {
+    const auto [at, is_new] = images_.try_emplace({f, index}, -1);
+    if (!is_new) return at->second;
+    const PackedFile& packed = tile_.packed[static_cast<size_t>(f)];
+    const TreeImage& image = tile_.files[static_cast<size_t>(f)].images[static_cast<size_t>(index)];
+    const std::string_view bytes = packed.bytes.substr(image.offset, image.size);
+    if (!image.is_encoded || ImageEnding(bytes).empty()) {
+      result_.warnings.push_back(absl::StrCat(Printable(packed.name), ": image ", Printable(image.name),
+                                              " is no image of a known format in this file; its faces are white"));
+      return -1;
+    }
+    at->second = static_cast<int32_t>(result_.images.size());
+    result_.images.emplace_back(bytes);
+    return at->second;
+  }
+
+  const TileTree& tile_;
+  const DeliveryLevels levels_;
+  DeliveryTile result_;
+  std::vector<int32_t> numbers_;  // of each piece in the result
+  std::map<std::pair<int32_t, int32_t>, int32_t> images_;
+};
+
+// The look of an OBJ tile with that of its filled faces, whose material file is not written yet.
+TileLook LookWith(const ObjBeside& beside, const ObjTextures& textures) {
+  TileLook look = ReadObjLook(beside.root, beside.path, textures);
+  for (const FillMaterial& material : beside.filled) {
+    // The bytes of the image are in ObjBeside; a path of the scene never is empty but for the last "/".
+    look.materials[material.name] = {material.colour, material.image.empty() ? "" : "/"};
+  }
+  return look;
+}
+
+// The bytes of an image; empty, with a warning, if it cannot be used.
+std::string ReadImage(const ObjBeside& beside, const std::string& image, std::vector<std::string>& warnings) {
+  if (image == "/") return std::string(beside.filled_image);
+  auto bytes = ReadFile(absl::StrCat(beside.root, "/", image));
+  if (!bytes.ok()) {
+    warnings.emplace_back(bytes.status().message());
+  } else if (ImageEnding(*bytes).empty()) {
+    warnings.push_back(absl::StrCat(Printable(image), ": neither JPEG, PNG, WebP nor KTX2; its faces have one colour"));
+  } else {
+    return *std::move(bytes);
+  }
+  return "";
+}
+
+DeliverySurface SurfaceOf(const TexturedSurface& all, const TexturedSurface::Group& group, int32_t image) {
+  DeliverySurface surface{{}, {}, image, group.colour.value_or(kPlain)};
+  SurfaceBuilder builder(surface);
+  for (const int32_t t : group.triangles) {
+    Triangle corners = all.mesh.triangles[static_cast<size_t>(t)];
+    for (size_t k = 0; k < 3; ++k) {
+      const int32_t place = image < 0 ? -1 : all.corners[static_cast<size_t>(t)][k];
+      const std::array<float, 2> uv = image < 0 ? std::array<float, 2>{} : all.coordinates[static_cast<size_t>(place)];
+      const auto v = static_cast<size_t>(corners[k]);
+      corners[k] = builder.VertexOf({corners[k], place}, all.mesh.points[v], uv);
+    }
+    surface.mesh.triangles.push_back(corners);
+  }
+  return surface;
+}
+
+}  // namespace
+
+std::string_view ImageEnding(std::string_view image) {
+  if (image.starts_with("\xff\xd8\xff")) return "jpg";
+  if (image.starts_with("\x89PNG")) return "png";
+  if (image.starts_with("RIFF") && image.substr(0, 12).ends_with("WEBP")) return "webp";
+  if (image.starts_with("\xabKTX 20\xbb")) return "ktx2";
+  return "";
+}
+
+DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels) { return TreeDelivery(tile, levels).Make(); }
+
+absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, beside.path, NoFaces::kAccept));
+  const TileLook look = LookWith(beside, obj.textures);
+  const TexturedSurface surface = TexturedSurfaceOf(std::move(obj), look);
+  DeliveryTile tile;
+  DeliveryPiece piece;
+  for (const TexturedSurface::Group& group : surface.groups) {
+    int32_t image = -1;
+    if (!group.image.empty()) {
+      if (std::string read = ReadImage(beside, group.image, tile.warnings); !read.empty()) {
+        image = static_cast<int32_t>(tile.images.size());
+        tile.images.push_back(std::move(read));
+      }
+    }
+    piece.surfaces.push_back(SurfaceOf(surface, group, image));
+  }
+  tile.pieces.push_back(std::move(piece));
+  return tile;
+}
+
+DeliveryTile DeliveryOfColours(const TriMesh& mesh, std::span<const ColourRun> runs) {
+  DeliveryTile tile;
+  DeliveryPiece& piece = tile.pieces.emplace_back();
+  for (size_t r = 0; r < runs.size(); ++r) {
+    DeliverySurface surface{{}, {}, -1, runs[r].colour};
+    SurfaceBuilder builder(surface);
+    const size_t end = r + 1 < runs.size() ? static_cast<size_t>(runs[r + 1].first) : mesh.triangles.size();
+    for (auto t = static_cast<size_t>(runs[r].first); t < end; ++t) {
+      Triangle corners = mesh.triangles[t];
+      for (int32_t& corner : corners) {
+        corner = builder.VertexOf({corner, 0}, mesh.points[static_cast<size_t>(corner)], {});
+      }
+      surface.mesh.triangles.push_back(corners);
+    }
+    piece.surfaces.push_back(std::move(surface));
+  }
+  return tile;
+}
+
+}  // namespace tilemend

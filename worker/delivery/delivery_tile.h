@@ -1,0 +1,73 @@
+// A tile as it is delivered in another format: its levels of detail, with images and colours.
+#ifndef TILEMEND_WORKER_DELIVERY_DELIVERY_TILE_H_
+#define TILEMEND_WORKER_DELIVERY_DELIVERY_TILE_H_
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/codec/mtl.h"
+#include "common/codec/tree/tile_tree.h"
+#include "common/mesh/tri_mesh.h"
+#include "common/util/colour.h"
+
+namespace tilemend {
+
+// Triangles with one image, or with one colour.
+struct DeliverySurface {
+  TriMesh mesh;                          // metres, frame of the scene
+  std::vector<std::array<float, 2>> uv;  // one per point if there is an image, else empty; v up
+  int32_t image = -1;                    // into DeliveryTile::images
+  Rgb colour;                            // without an image
+};
+
+// What a viewer loads and replaces at once.
+struct DeliveryPiece {
+  int32_t parent = -1;         // into DeliveryTile::pieces, before this one; -1: none
+  double geometric_error = 0;  // metres, as 3D Tiles have it; 0: nothing is finer
+  std::vector<DeliverySurface> surfaces;
+};
+
+struct DeliveryTile {
+  std::vector<DeliveryPiece> pieces;
+  std::vector<std::string> images;  // encoded
+  std::vector<std::string> warnings;
+};
+
+enum class DeliveryLevels { kAll, kFinest };
+
+// The pieces of a tree; with kFinest those that nothing replaces. Images that are no encoded images in their files are
+// left out with a warning: their triangles are white. Linear.
+DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels);
+
+// What an OBJ tile has beside its own file.
+struct ObjBeside {
+  std::string root;                      // the scene's folder
+  std::string path;                      // of the tile, relative to it
+  std::span<const FillMaterial> filled;  // materials of filled faces
+  std::string_view filled_image;         // their image; empty: none
+};
+
+// One piece of an OBJ tile with these bytes. Material files and images are read from the scene's folder; those that are
+// missing give a warning. Errors of ParseTexturedObj. O(n log n).
+absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside);
+
+// Triangles from `first` to the next run's have this colour.
+struct ColourRun {
+  int32_t first = 0;
+  Rgb colour;
+};
+
+// One piece of new surface. Precondition: `runs` begin with triangle 0. Linear.
+DeliveryTile DeliveryOfColours(const TriMesh& mesh, std::span<const ColourRun> runs);
+
+// The ending of the name of an image file by its first bytes: "jpg", "png", "webp", "ktx2"; empty: unknown.
+std::string_view ImageEnding(std::string_view image);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_DELIVERY_DELIVERY_TILE_H_

@@ -1,0 +1,96 @@
+#include "worker/delivery/obj_delivery.h"
+
+#include <charconv>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+
+namespace tilemend {
+namespace {
+
+template <typename Number>
+void AppendNumber(Number value, std::string& text) {
+  char digits[32];
+  const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
+  text += ' ';
+  text.append(digits, end);
+}
+
+std::string MaterialOf(const DeliverySurface& surface) {
+  if (surface.image >= 0) return absl::StrCat("image_", surface.image);
+  return absl::StrFormat("colour_%02x%02x%02x", surface.colour.r, surface.colour.g, surface.colour.b);
+}
+
+class ObjMaker {
+ public:
+  ObjMaker(const DeliveryTile& tile, const std::string& stem) : tile_(tile), stem_(stem) {}
+
+  std::vector<DeliveryFile> Make() {
+    obj_ = absl::StrCat("mtllib ", stem_, ".mtl\n");
+    for (const DeliveryPiece& piece : tile_.pieces) {
+      for (const DeliverySurface& surface : piece.surfaces) AddSurface(surface);
+    }
+    std::vector<DeliveryFile> files = {{stem_ + ".obj", std::move(obj_)}, {stem_ + ".mtl", std::move(mtl_)}};
+    for (size_t i = 0; i < tile_.images.size(); ++i) {
+      files.push_back({ImageName(static_cast<int32_t>(i)), tile_.images[i]});
+    }
+    return files;
+  }
+
+ private:
+  std::string ImageName(int32_t image) const {
+    return absl::StrCat(stem_, "_", image, ".", std::string(ImageEnding(tile_.images[static_cast<size_t>(image)])));
+  }
+
+  void AddMaterial(const DeliverySurface& surface, const std::string& name) {
+    if (!materials_.insert(name).second) return;
+    if (surface.image >= 0) {
+      absl::StrAppend(&mtl_, "newmtl ", name, "\nKd 1 1 1\nmap_Kd ", ImageName(surface.image), "\n");
+    } else {
+      absl::StrAppendFormat(&mtl_, "newmtl %s\nKd %.6f %.6f %.6f\n", name, surface.colour.r / 255.0,
+                            surface.colour.g / 255.0, surface.colour.b / 255.0);
+    }
+  }
+
+  void AddSurface(const DeliverySurface& surface) {
+    const std::string name = MaterialOf(surface);
+    AddMaterial(surface, name);
+    for (const Point3& point : surface.mesh.points) {
+      obj_ += 'v';
+      for (int k = 0; k < 3; ++k) AppendNumber(point[k], obj_);
+      obj_ += '\n';
+    }
+    for (const std::array<float, 2>& uv : surface.uv) {
+      obj_ += "vt";
+      for (const float value : uv) AppendNumber(value, obj_);
+      obj_ += '\n';
+    }
+    absl::StrAppend(&obj_, "usemtl ", name, "\n");
+    for (const Triangle& triangle : surface.mesh.triangles) {
+      obj_ += 'f';
+      for (const int32_t corner : triangle) {
+        AppendNumber(points_ + corner + 1, obj_);
+        if (!surface.uv.empty()) absl::StrAppend(&obj_, "/", places_ + corner + 1);
+      }
+      obj_ += '\n';
+    }
+    points_ += std::ssize(surface.mesh.points);
+    places_ += std::ssize(surface.uv);
+  }
+
+  const DeliveryTile& tile_;
+  const std::string& stem_;
+  std::string obj_, mtl_;
+  std::set<std::string> materials_;
+  int64_t points_ = 0, places_ = 0;  // that are written
+};
+
+}  // namespace
+
+std::vector<DeliveryFile> ObjFilesOf(const DeliveryTile& tile, const std::string& stem) {
+  return ObjMaker(tile, stem).Make();
+}
+
+}  // namespace tilemend
