@@ -137,11 +137,13 @@ PipelineFactory JobRuns::FactoryOf(const std::string& id) {
 absl::Status JobRuns::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {
   TILEMEND_ASSIGN_OR_RETURN(TaskContents contents, journal_.Recall(id, tasks));
   ClusterLock lock(cluster_.mutex);
-  bool& resuming = cluster_.jobs.at(id).resuming;
+  JobEntry& entry = cluster_.jobs.at(id);
+  bool& resuming = entry.resuming;
   resuming = resuming && std::all_of(tasks.begin(), tasks.end(), [](const TaskSpec& t) { return t.known.has_value(); });
   // Both fail only if the job is over; then its runner is being cancelled. A job that resumes runs through all it has
   // done; nobody is to see it begin again.
   if (!resuming) updates_.Apply(JobProgressed{id, progress}).IgnoreError();
+  for (const TaskSpec& task : tasks) entry.board.TaskAdded(task.cell, task.stage);
   if (!tasks.empty()) updates_.Apply(TasksAdded{id, std::move(tasks)}, std::move(contents)).IgnoreError();
   cluster_.Changed();
   return absl::OkStatus();
