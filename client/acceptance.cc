@@ -13,7 +13,7 @@
 #include "client/area_rim.h"
 #include "client/carried_files.h"
 #include "client/checked_tile.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/output_tiles.h"
 #include "client/reported_output.h"
 #include "client/unfinished.h"

@@ -7,7 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/output.h"
 #include "common/util/text.h"
 

@@ -15,7 +15,7 @@
 #include "client/commands.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/mesh/single_mesh.h"
 #include "client/output.h"
 #include "client/output_tiles.h"

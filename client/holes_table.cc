@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
 

@@ -17,7 +17,7 @@
 #include "client/holes_table.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/left_table.h"
 #include "client/mesh/single_mesh.h"
 #include "client/output.h"

@@ -167,8 +167,14 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
       give_up = absl::Now() + reconnect_patience;
       pause = kPause;
     }
+    if (status.ok()) {  // it had to make room for another watch
+      give_up = absl::Now() + reconnect_patience;
+      pause = kPause;
+      absl::SleepFor(pause);
+      continue;
+    }
     const bool is_shed = absl::IsResourceExhausted(status);
-    if (!status.ok() && !absl::IsUnavailable(status) && !is_shed) return status;
+    if (!absl::IsUnavailable(status) && !is_shed) return status;
     if (absl::Now() + pause > give_up) {
       if (last.name().empty()) return Unreachable(status, impl_->patience.hint);
       return absl::UnavailableError(absl::StrCat(name, ": lost the coordinator: ", std::string(status.message())));

@@ -13,7 +13,7 @@
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
 #include "client/fitted_table.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "common/records/filler.h"
 #include "common/records/surface.h"
 #include "common/rpc/status_proto.h"

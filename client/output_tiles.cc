@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "absl/strings/str_cat.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "common/grid/scene_sources.h"
 #include "common/records/output_names.h"
 #include "common/util/folders.h"

@@ -1,66 +1,18 @@
 #include "client/page_data.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
-#include <vector>
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "client/csv.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
+#include "coordinator/report/page_holes.h"
 
 namespace tilemend {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const Json& RowsOf(const Json& report) {
-  static const Json kNone = Json::array();
-  const Json& rows = Member(report, "per_hole");
-  return rows.is_array() ? rows : kNone;
-}
-
-bool IsLeft(const Json& hole) { return Member(hole, "outcome") != "filled"; }
-
-std::string KindNameOf(const Json& hole) {
-  const std::string type = Text(Member(hole, "type")), single = Text(Member(hole, "single"));
-  return absl::StrCat(Text(Member(hole, "kind")), type.empty() ? "" : " ", type, single.empty() ? "" : ", ", single);
-}
-
-// Why a hole is as it is: why it was left, or why it was taken for water.
-std::string ReasonOf(const Json& hole) {
-  const std::string reason = Text(Member(hole, "reason"));
-  return reason.empty() ? Text(Member(Member(hole, "water"), "reason")) : reason;
-}
-
-Json HoleJson(const Json& hole) {
-  Json row = {{"id", Member(hole, "id")},
-              {"cell", Member(hole, "cell")},
-              {"centre", Member(hole, "centre")},
-              {"kind", KindNameOf(hole)},
-              {"area", std::abs(Number(Member(hole, "area_m2")))},
-              {"rim", Member(hole, "perimeter_m")},
-              {"filled", !IsLeft(hole)},
-              {"method", Text(Member(hole, "method"))},
-              {"level", Member(hole, "level_m")},
-              {"sigma", Member(Member(hole, "water"), "sigma_m")},
-              {"reason", ReasonOf(hole)}};
-  return row;
-}
-
-// Those that were left first, then the largest first.
-std::vector<const Json*> HolesToShow(const Json& report) {
-  std::vector<const Json*> holes;
-  for (const Json& hole : RowsOf(report)) holes.push_back(&hole);
-  std::stable_sort(holes.begin(), holes.end(), [](const Json* a, const Json* b) {
-    if (IsLeft(*a) != IsLeft(*b)) return IsLeft(*a);
-    return std::abs(Number(Member(*a, "area_m2"))) > std::abs(Number(Member(*b, "area_m2")));
-  });
-  holes.resize(std::min(holes.size(), kMostPageHoles));
-  return holes;
-}
 
 // [column, row, holes filled, holes left, whether it has a tile] of each cell.
 Json CellsJson(const Json& report, const Scene* scene) {
@@ -79,7 +31,7 @@ Json CellsJson(const Json& report, const Scene* scene) {
     counts.filled += filled;
     counts.left += left;
   };
-  for (const Json& hole : RowsOf(report)) count(hole, IsLeft(hole) ? 0 : 1, IsLeft(hole) ? 1 : 0);
+  for (const Json& hole : HoleRowsOf(report)) count(hole, IsLeftOpen(hole) ? 0 : 1, IsLeftOpen(hole) ? 1 : 0);
   const Json& left = Member(report, "left");
   if (left.is_array()) {
     for (const Json& row : left) {
@@ -117,10 +69,8 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
                                   : Json{{"crs", scene->crs},
                                          {"cell_size", {scene->grid.cell_size.x(), scene->grid.cell_size.y()}},
                                          {"corner", {scene->grid.corner.x(), scene->grid.corner.y()}}};
-  Json holes = Json::array();
-  for (const Json* hole : HolesToShow(report)) holes.push_back(HoleJson(*hole));
-  data["hole_count"] = RowsOf(report).size();
-  data["per_hole"] = std::move(holes);
+  data["hole_count"] = HoleRowsOf(report).size();
+  data["per_hole"] = PageHoles(report, kMostPageHoles);
   data["pictures"] = PicturesJson(pictures);
   data["picture_problems"] = pictures.problems;
   return data;
@@ -129,7 +79,7 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
 std::string HolesCsv(const Json& report) {
   std::string text =
       "id,column,row,x,y,kind,type,single,area_m2,perimeter_m,outcome,method,level_m,sigma_m,taken_for,reason\r\n";
-  for (const Json& hole : RowsOf(report)) {
+  for (const Json& hole : HoleRowsOf(report)) {
     const Json &cell = Member(hole, "cell"), &centre = Member(hole, "centre"), &water = Member(hole, "water");
     const auto entry = [](const Json& list, size_t k) {
       return list.is_array() && list.size() > k ? Text(list[k]) : std::string();
@@ -143,7 +93,7 @@ std::string HolesCsv(const Json& report) {
           Text(Member(hole, "kind")), Text(Member(hole, "type")), Text(Member(hole, "single")),
           Text(Member(hole, "area_m2")), Text(Member(hole, "perimeter_m")), Text(Member(hole, "outcome")),
           Text(Member(hole, "method")), level_text, Text(Member(water, "sigma_m")), Text(Member(water, "taken_for")),
-          ReasonOf(hole)}) {
+          HoleReasonOf(hole)}) {
       absl::StrAppend(&line, line.empty() ? "" : ",", CsvField(field));
     }
     absl::StrAppend(&text, line, "\r\n");

@@ -6,7 +6,7 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/page_assets.h"
 #include "client/page_data.h"
 #include "client/page_pictures.h"

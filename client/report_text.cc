@@ -8,7 +8,7 @@
 #include "absl/strings/str_join.h"
 #include "client/border_table.h"
 #include "client/holes_table.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_table.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

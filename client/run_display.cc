@@ -10,7 +10,7 @@
 #include "absl/strings/str_format.h"
 #include "absl/time/clock.h"
 #include "client/holes_table.h"
-#include "client/json_access.h"
+#include "coordinator/report/json_access.h"
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/progress_display.h"

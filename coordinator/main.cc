@@ -48,6 +48,7 @@
 #include "coordinator/journal/postgres_journal.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "coordinator/journal/work_lock.h"
+#include "coordinator/web/web_server.h"
 
 namespace tilemend {
 namespace {
@@ -57,6 +58,9 @@ constexpr char kProgram[] = "tilemend-coordinator";
 std::vector<FlagSpec> CoordinatorFlags() {
   std::vector<FlagSpec> flags = {
       {"listen", "HOST:PORT", "address for clients and workers", "127.0.0.1:7070"},
+      {"web", "HOST:PORT",
+       "serve a page with jobs, maps and workers, and the API as JSON, on http://HOST:PORT (https with --tls-cert)",
+       ""},
       {"log", "text|json|auto", "lines of the log on stderr; auto: text on a terminal, else JSON", "auto"},
       {"tokens", "FILE", "who may call by token: lines NAME ROLE[,ROLE] SHA256 [EXPIRES]", ""},
       {"audit", "FILE", "append who did what, as lines of JSON (default: in the log)", ""},
@@ -112,6 +116,10 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(SecurityFromFlags(flags), flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckStatusFlags(flags));
+  if (flags.IsGiven("web")) {
+    TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("web")));
+    TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(SecurityFromFlags(flags), flags.Text("web")));
+  }
   return options;
 }
 
@@ -142,25 +150,34 @@ double SizeOf(const std::string& path) {
 
 struct Audit {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file;
-  std::unique_ptr<Log> log;
+  std::unique_ptr<StreamLog> log;
 };
 
-// Null without a path.
-absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path) {
+// Null without a path. `log` is told when the file does not take lines any more.
+absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path, Log& log) {
   if (path.empty()) return nullptr;
   std::FILE* const file = std::fopen(path.c_str(), "ae");
   if (file == nullptr) {
     return absl::PermissionDeniedError(absl::StrCat(path, ": cannot append to it: ", std::strerror(errno)));
   }
+  std::setvbuf(file, nullptr, _IONBF, 0);  // so that nothing of a line that a full disk refuses is tried again
   auto audit = std::make_unique<Audit>(Audit{{file, std::fclose}, nullptr});
   audit->log = std::make_unique<StreamLog>(file, LogFormat::kJson, LogFields{{"program", kProgram}});
+  audit->log->OnLoss([path, &log] {
+    log.Error("audit lines are lost", {{"file", path}, {"hint", "is the disk full?"}});
+  });
   return audit;
 }
 
+// Whether callers need a name.
+bool IsClosed(const Flags& flags) { return !flags.Text("tokens").empty() || !flags.Text("tls-ca").empty(); }
+
 // Whoever asks for certificates or gives a file of tokens wants to know who calls.
-absl::StatusOr<Access> AccessFromFlags(const Flags& flags, Log& log) {
-  if (flags.Text("tokens").empty() && flags.Text("tls-ca").empty()) return Access::Open();
-  return Access::Closed(flags.Text("tokens"), log);
+absl::StatusOr<std::shared_ptr<Gate>> GateFromFlags(const Flags& flags, MetricsRegistry& metrics, Log& audit,
+                                                    Log& log) {
+  if (!IsClosed(flags)) return std::make_shared<Gate>(Access::Open(), metrics, audit);
+  TILEMEND_ASSIGN_OR_RETURN(Access access, Access::Closed(flags.Text("tokens"), log));
+  return std::make_shared<Gate>(std::move(access), metrics, audit);
 }
 
 // Null without --metrics.
@@ -178,6 +195,17 @@ absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, c
   TILEMEND_ASSIGN_OR_RETURN(
       auto server, StatusServer::Start(flags.Text("metrics"), pages, StatusSecurityFromFlags(flags, credentials)));
   log.Info("metrics served", {{"address", WithPort(flags.Text("metrics"), server->port())}});
+  return server;
+}
+
+// Null without --web.
+absl::StatusOr<std::unique_ptr<WebServer>> ServePage(const Flags& flags, const TlsFiles& tls, Coordinator& coordinator,
+                                                     const std::shared_ptr<Gate>& gate, Log& log) {
+  if (!flags.IsGiven("web")) return nullptr;
+  TILEMEND_ASSIGN_OR_RETURN(auto server,
+                            WebServer::Start(flags.Text("web"), coordinator,
+                                             {{tls.certificate, tls.key, tls.authority}, gate, IsClosed(flags)}));
+  log.Info("page served", {{"address", WithPort(flags.Text("web"), server->port())}});
   return server;
 }
 
@@ -241,11 +269,11 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));
-  TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit")));
-  TILEMEND_ASSIGN_OR_RETURN(Access access, AccessFromFlags(flags, log));
-  const auto gate = std::make_shared<Gate>(std::move(access), metrics, audit == nullptr ? log : *audit->log);
+  TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit"), log));
+  TILEMEND_ASSIGN_OR_RETURN(const auto gate, GateFromFlags(flags, metrics, audit == nullptr ? log : *audit->log, log));
   TILEMEND_ASSIGN_OR_RETURN(
       const auto server, CoordinatorServer::Start(flags.Text("listen"), *coordinator, {credentials->kept().tls, gate}));
+  TILEMEND_ASSIGN_OR_RETURN(const auto page, ServePage(flags, credentials->kept().tls, *coordinator, gate, log));
   log.Info("listening", {{"address", WithPort(flags.Text("listen"), server->rpc().port())}});
   const ServiceNotifier notifier([&coordinator] { return TextOf(coordinator->calls().cluster.DemandNow()); });
   stop.acquire();

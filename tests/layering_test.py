@@ -66,7 +66,9 @@ RULES = {
 
     'common/store': rule(['common/util'], ['absl', 'openssl', 'xxhash']),
 
-    'common/metrics': rule(['common/util'], ['absl', 'httplib', 'openssl', 'prometheus']),
+    'common/http': rule([], ['absl', 'httplib', 'openssl']),
+
+    'common/metrics': rule(['common/http', 'common/util'], ['absl', 'openssl', 'prometheus']),
 
     'common/service': rule([], ['systemd']),
 
@@ -215,8 +217,11 @@ RULES = {
          'coordinator/store', 'coordinator/jobs'],
         ['absl', 'protobuf']),
 
+    'coordinator/web': rule(
+        ['common/util', 'common/http', 'common/grid', 'common/rpc', 'common/store', 'coordinator/api', 'coordinator/report'], ['absl', 'json', 'protobuf']),
+
     'coordinator': rule(
-        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api'],
+        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api', 'coordinator/web'],
         ['absl']),
 
     # One mesh in this process: geometry without a service. The Python module includes it as well.

@@ -1,4 +1,4 @@
-// Builds dist/report.js and dist/report.css, or with an argument the same files in that folder.
+// Builds the scripts and styles of report.html and of the coordinator's page into dist, or with an argument the same files in that folder.
 import { build } from 'esbuild';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -6,13 +6,15 @@ import { fileURLToPath } from 'node:url';
 const here = dirname(fileURLToPath(import.meta.url));
 await build({
   absWorkingDir: here,
-  entryPoints: [join(here, 'src/report.ts'), join(here, 'src/report.css')],
+  entryPoints: [join(here, 'src/report.ts'), join(here, 'src/report.css'),
+    join(here, 'src/console.ts'), join(here, 'src/console.css')],
   outdir: process.argv[2] ?? join(here, 'dist'),
   bundle: true,
   minify: true,
   format: 'iife',
   target: 'es2022',
   charset: 'ascii',
+  define: { 'import.meta.url': 'document.baseURI' },
   legalComments: 'inline',
   logLevel: 'warning',
 });

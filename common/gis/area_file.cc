@@ -45,9 +45,38 @@ bool LooksLikeJson(std::string_view text) {
   return first == std::string_view::npos || text[first] == '{' || text[first] == '[';
 }
 
+// The members of GeoJSON that GDAL does not tell of.
+struct JsonMembers {
+  nlohmann::json top;     // without what is in "features"
+  int64_t features = -1;  // -1: no such array
+};
+
+// Memory does not grow with the features, of which only the number counts.
+absl::StatusOr<JsonMembers> MembersOf(const std::string& bytes, const std::string& name) {
+  using Event = nlohmann::json::parse_event_t;
+  JsonMembers members;
+  std::string member;  // at depth 1
+  const auto keep = [&](int depth, Event event, const nlohmann::json& value) {
+    const bool begins = event == Event::object_start || event == Event::array_start || event == Event::value;
+    if (depth == 1 && event == Event::key) {
+      member = value.get<std::string>();
+      return member == "crs" || member == "features";
+    }
+    if (depth >= 1 && member == "features") {
+      if (depth == 1 && begins) members.features = event == Event::array_start ? 0 : -1;
+      if (depth == 2 && begins && members.features >= 0) ++members.features;
+      return depth == 1;
+    }
+    return true;
+  };
+  TILEMEND_ASSIGN_OR_RETURN(members.top, ParseJson(bytes, name, keep));
+  return members;
+}
+
 // What JSON tells that GDAL does not.
 absl::Status LookIntoJson(const std::string& bytes, VectorRequest& request) {
-  TILEMEND_ASSIGN_OR_RETURN(const nlohmann::json json, ParseJson(bytes, request.name));
+  TILEMEND_ASSIGN_OR_RETURN(const JsonMembers members, MembersOf(bytes, request.name));
+  const nlohmann::json& json = members.top;
   if (!json.is_object()) return absl::InvalidArgumentError(absl::StrCat(request.name, ": GeoJSON: expected an object"));
   const auto crs = json.find("crs");
   request.names_crs = crs != json.end() && !crs->is_null();
@@ -58,8 +87,7 @@ absl::Status LookIntoJson(const std::string& bytes, VectorRequest& request) {
           request.name, R"(: crs: expected {"type": "name", "properties": {"name": "EPSG:..."}}, or none)"));
     }
   }
-  const auto features = json.find("features");
-  if (features != json.end() && features->is_array()) request.features = static_cast<int64_t>(features->size());
+  request.features = members.features;
   return absl::OkStatus();
 }
 
@@ -101,12 +129,12 @@ VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const
   return request;
 }
 
-absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
-                                bool unite) {
+absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame, bool unite,
+                                const std::stop_token& stop) {
   VectorRequest request = RequestFor(bytes, name, frame, unite);
   if (request.format == VectorFormat::kGeoJson) TILEMEND_RETURN_IF_ERROR(LookIntoJson(bytes.bytes, request));
   const std::string message = static_cast<char>(GdalTask::kReadVectors) + Encode(request);
-  TILEMEND_ASSIGN_OR_RETURN(const std::string answer, AskGdal(message, name));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string answer, AskGdal(message, name, stop));
   VectorFile file;
   if (!Decode(answer, file)) return absl::InternalError(absl::StrCat(name, ": tilemend-gdal is of another release"));
   if (!file.error.empty()) return absl::InvalidArgumentError(file.error);
@@ -235,13 +263,14 @@ bool IsInMetres(const std::string& crs) {
          std::abs(latitude) <= 90 && std::abs(longitude) <= 180;
 }
 
-absl::StatusOr<std::string> CrsFaultOf(const Scene& scene) {
+absl::StatusOr<std::string> CrsFaultOf(const Scene& scene, const std::stop_token& stop) {
   if (scene.crs.empty() || IsInMetres(scene.crs)) return std::string();
-  return AskGdal(static_cast<char>(GdalTask::kFaultOfCrs) + scene.crs, "crs");
+  return AskGdal(static_cast<char>(GdalTask::kFaultOfCrs) + scene.crs, "crs", stop);
 }
 
-absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame) {
-  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, false));
+absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                         const std::stop_token& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, false, stop));
   WaterFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
   for (VectorFeature& f : read.features) {
@@ -263,8 +292,9 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
   return file;
 }
 
-absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame) {
-  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, true));
+absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                       const std::stop_token& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, true, stop));
   AreaFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   if (read.features.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": holds no polygon"));
   file.area = std::move(read.features.front().polygon);

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COMMON_GIS_AREA_FILE_H_
 #define TILEMEND_COMMON_GIS_AREA_FILE_H_
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ bool IsInMetres(const std::string& crs);
 
 // What is wrong with the CRS of a scene, for people; "" if nothing is. PROJ is asked unless the name tells. kInternal
 // as below.
-absl::StatusOr<std::string> CrsFaultOf(const Scene& scene);
+absl::StatusOr<std::string> CrsFaultOf(const Scene& scene, const std::stop_token& stop = {});
 
 struct WaterFile {
   std::vector<WaterArea> areas;  // in the order of the file
@@ -39,7 +40,8 @@ struct WaterFile {
 //
 // kInvalidArgument with `name` and the place: what ReadVectors refuses, two centrelines for one area, a river with a
 // level or `clear`. Errors of AskGdal. Takes some 40 ms more than the reading.
-absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame);
+absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                         const std::stop_token& stop = {});
 
 // What `clear` says together with the other properties of an area that has it: its water is level, so that a centreline
 // is dropped, with a warning. kInvalidArgument with `name` for a river.
@@ -53,7 +55,8 @@ struct AreaFile {
 
 // Reads one area: all polygons of one layer of such a file, united. Lines are refused (of drawings left out),
 // properties ignored.
-absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame);
+absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                       const std::stop_token& stop = {});
 
 }  // namespace tilemend
 

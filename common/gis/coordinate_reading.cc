@@ -1,5 +1,7 @@
 #include "common/gis/coordinate_reading.h"
 
+#include <cpl_conv.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include "common/gis/crs_files.h"
 #include "common/gis/feature_geometry.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -75,6 +79,7 @@ std::string ProjectionOf(const std::string& crs) {
 std::optional<OGRSpatialReference> CrsNamed(const std::string& crs) {
   const char* const offline[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
   OGRSpatialReference read;
+  if (!FileNamedIn(crs).empty()) return std::nullopt;
   if (crs.empty() || read.SetFromUserInput(ProjectionOf(crs).c_str(), offline) != OGRERR_NONE) return std::nullopt;
   return EastFirst(std::move(read));
 }
@@ -84,6 +89,25 @@ std::string NameOf(const OGRSpatialReference& crs) {
   const char* const code = crs.GetAuthorityCode(nullptr);
   if (authority != nullptr && code != nullptr) return std::string(authority) + ":" + code;
   return crs.GetName() != nullptr ? crs.GetName() : "a CRS without a name";
+}
+
+// A CRS as WKT of one kind; "" if it cannot be written so.
+std::string WktOf(const OGRSpatialReference& crs, const char* format) {
+  char* written = nullptr;
+  const char* const options[] = {format, nullptr};
+  const bool is_written = crs.exportToWkt(&written, options) == OGRERR_NONE && written != nullptr;
+  std::string text = is_written ? written : "";
+  CPLFree(written);
+  return text;
+}
+
+// PROJ would open the file as soon as a position is transformed. WKT of 2019 has the grids of a bound CRS, that of GDAL
+// the PROJ strings beside a CRS.
+void CheckNoFile(const OGRSpatialReference& crs, const std::string& name) {
+  const std::string text = WktOf(crs, "FORMAT=WKT2_2019") + "\n" + WktOf(crs, "FORMAT=WKT1_GDAL");
+  if (const std::string file = FileNamedIn(text); !file.empty()) {
+    throw BadVectors{"its CRS " + name + " names a file (" + Printable(file) + "); transform it to a CRS without one"};
+  }
 }
 
 // One way to take a layer's coordinates.
@@ -119,6 +143,7 @@ class Placement {
 
   std::string ByName(const OGRSpatialReference& named) {
     const std::string name = NameOf(named);
+    CheckNoFile(named, name);
     if (frame_.crs.empty()) {
       throw BadVectors{"its coordinates are in " + name +
                        ", but the scene names no CRS; give the scene's CRS in scene.json (\"crs\", \"origin\"), or "
@@ -240,6 +265,7 @@ class Placement {
 std::string FaultOfCrs(const std::string& crs) {
   if (crs.empty()) return "";
   const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
+  if (const std::string file = FileNamedIn(crs); !file.empty()) return "names a file: " + Printable(file);
   const std::optional<OGRSpatialReference> known = CrsNamed(crs);
   if (!known) return "PROJ knows no such CRS";
   return known->IsGeographic() ? "has degrees and cannot be that of tiles in metres" : "";

@@ -1,20 +1,28 @@
 // tilemend-gdal: reads one vector file, or looks at one CRS, in a process of its own (gdal_process.h). Its input is a
 // request, its output the answer.
+#include <fcntl.h>
+#include <linux/landlock.h>
+#include <poll.h>
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "common/gis/gdal_limits.h"
 #include "common/gis/package_writing.h"
 #include "common/gis/vector_file.h"
 #include "common/gis/vector_message.h"
@@ -23,13 +31,6 @@ namespace tilemend {
 namespace {
 
 constexpr int kOutOfMemory = 1;
-
-// Limits, far above what files take (300,000 polygons of GeoJSON, 60 MB: 5 s), and below what anyone waits for: the
-// DXF driver of GDAL 3.6 never ends on some drawings that are cut off.
-constexpr rlim_t kBaseBytes = rlim_t{2} << 30;  // of address space: GDAL's libraries alone take 0.6 GB
-constexpr rlim_t kBytesForAByte = 64;
-constexpr rlim_t kBaseSeconds = 20;
-constexpr rlim_t kBytesForASecond = 1 << 18;
 
 void Limit(decltype(RLIMIT_AS) what, rlim_t most) {
   rlimit limit{};
@@ -41,15 +42,50 @@ void Limit(decltype(RLIMIT_AS) what, rlim_t most) {
 
 void LimitFor(size_t bytes) {
 #ifndef __SANITIZE_ADDRESS__  // whose shadow of memory takes terabytes of address space
-  Limit(RLIMIT_AS, kBaseBytes + kBytesForAByte * bytes);
+  Limit(RLIMIT_AS, GdalMemory(bytes));
 #endif
-  Limit(RLIMIT_CPU, kBaseSeconds + bytes / kBytesForASecond);
+  Limit(RLIMIT_CPU, GdalCpuSeconds(bytes));
+  ::alarm(static_cast<unsigned>(GdalClockSeconds(bytes)));
 }
 
-// A process that nothing can be got out of: no network (where users may have a namespace), no files, no core.
+// Lets a ruleset allow what lies beneath a folder to be read.
+void AllowToRead(int64_t ruleset, const std::string& folder) {
+  const int opened = ::open(folder.c_str(), O_PATH | O_CLOEXEC);
+  if (opened < 0) return;
+  const landlock_path_beneath_attr beneath{LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR, opened};
+  ::syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &beneath, 0);
+  ::close(opened);
+}
+
+// From here on only files of installed programs can be opened: PROJ's database and grids, GDAL's tables, character
+// sets. A CRS or a drawing that names another file, wherever it hides the name, gets none. Kernels before 5.13, or
+// without Landlock, do not limit that.
+void ConfineToInstalledFiles() {
+  const landlock_ruleset_attr all{LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR |
+                                  LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_EXECUTE |
+                                  LANDLOCK_ACCESS_FS_MAKE_REG};
+  const int64_t ruleset = ::syscall(SYS_landlock_create_ruleset, &all, sizeof all, 0);
+  if (ruleset < 0) return;
+  std::error_code error;  // of the program's own path: then it is not installed elsewhere
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
+  for (const std::string& folder :
+       {std::string("/usr"), std::string("/lib"), program + "/../lib", program + "/../share"}) {
+    AllowToRead(ruleset, folder);
+  }
+  for (const char* variable : {"PROJ_DATA", "PROJ_LIB", "GDAL_DATA"}) {
+    if (const char* folder = std::getenv(variable); folder != nullptr) AllowToRead(ruleset, folder);
+  }
+  ::syscall(SYS_landlock_restrict_self, ruleset, 0);
+  ::close(static_cast<int>(ruleset));
+}
+
+// A process that nothing can be got out of: no network (where users may have a namespace), no files, no core. It ends
+// with the thread that started it.
 void Confine() {
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   (void)::unshare(CLONE_NEWUSER | CLONE_NEWNET);  // refused in some containers
+  ConfineToInstalledFiles();
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // last of these: a new namespace takes it back
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_FSIZE, 0);
 }
@@ -63,6 +99,12 @@ std::string ReadInput() {
     if (read <= 0) return all;
     all.append(piece.data(), static_cast<size_t>(read));
   }
+}
+
+// Whether who asked had ended before this process was to end with it.
+bool HasNobodyToAnswer() {
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return ::poll(&output, 1, 0) > 0 && (output.revents & POLLHUP) != 0;
 }
 
 bool WriteOutput(std::string_view bytes) {
@@ -107,6 +149,7 @@ std::string Answer(std::string_view input) {
 int Main() {
   Confine();
   const std::string input = ReadInput();
+  if (HasNobodyToAnswer()) return 0;
   LimitFor(input.size());
   return WriteOutput(Answer(input)) ? 0 : kOutOfMemory;
 }

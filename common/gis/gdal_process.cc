@@ -1,6 +1,7 @@
 #include "common/gis/gdal_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +17,7 @@
 #include <system_error>
 
 #include "absl/strings/str_cat.h"
+#include "common/gis/gdal_limits.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -64,27 +67,54 @@ absl::StatusOr<pid_t> Start(const std::string& path, int end) {
   return process;
 }
 
-// Stops early where the other side has gone: how it ended says why.
-void SendAll(int socket, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) break;
-    bytes.remove_prefix(static_cast<size_t>(sent));
-  }
-  ::shutdown(socket, SHUT_WR);
-}
+using Clock = std::chrono::steady_clock;
 
-std::string ReceiveAll(int socket) {
-  std::string all;
-  std::array<char, 1 << 16> piece;
-  for (;;) {
-    const ssize_t read = ::recv(socket, piece.data(), piece.size(), 0);
-    if (read < 0 && errno == EINTR) continue;
-    if (read <= 0) return all;
-    all.append(piece.data(), static_cast<size_t>(read));
+// The bytes that go to a process and come from it, until a time.
+class Conversation {
+ public:
+  Conversation(int socket, Clock::time_point end) : socket_(socket), end_(end) {}
+
+  // Stops early where the other side has gone: how it ended says why.
+  void SendAll(std::string_view bytes) {
+    while (!bytes.empty() && Await(POLLOUT)) {
+      const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+      if (sent < 0) break;
+      bytes.remove_prefix(static_cast<size_t>(sent));
+    }
+    ::shutdown(socket_, SHUT_WR);
   }
-}
+
+  std::string ReceiveAll() {
+    std::string all;
+    std::array<char, 1 << 16> piece;
+    while (Await(POLLIN)) {
+      const ssize_t read = ::recv(socket_, piece.data(), piece.size(), MSG_DONTWAIT);
+      if (read < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+      if (read <= 0) break;
+      all.append(piece.data(), static_cast<size_t>(read));
+    }
+    return all;
+  }
+
+  bool is_late() const { return is_late_; }
+
+ private:
+  // False if the time is over.
+  bool Await(int16_t event) {
+    pollfd poll{socket_, event, 0};
+    for (;;) {
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now()).count();
+      is_late_ = left <= 0;
+      if (is_late_) return false;
+      if (::poll(&poll, 1, static_cast<int>(left)) > 0) return true;
+    }
+  }
+
+  const int socket_;
+  const Clock::time_point end_;
+  bool is_late_ = false;
+};
 
 // How a process ended, as an error of the file.
 absl::Status EndOf(pid_t process, const std::string& name) {
@@ -92,7 +122,7 @@ absl::Status EndOf(pid_t process, const std::string& name) {
   while (::waitpid(process, &how, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(how) && WEXITSTATUS(how) == 0) return absl::OkStatus();
-  if (WIFSIGNALED(how) && (WTERMSIG(how) == SIGXCPU || WTERMSIG(how) == SIGKILL)) {
+  if (WIFSIGNALED(how) && (WTERMSIG(how) == SIGXCPU || WTERMSIG(how) == SIGALRM || WTERMSIG(how) == SIGKILL)) {
     return absl::InvalidArgumentError(absl::StrCat(name, ": takes too long to be read for its size"));
   }
   if (WIFSIGNALED(how)) {
@@ -104,7 +134,7 @@ absl::Status EndOf(pid_t process, const std::string& name) {
 
 }  // namespace
 
-absl::StatusOr<std::string> AskGdal(std::string_view request, const std::string& name) {
+absl::StatusOr<std::string> AskGdal(std::string_view request, const std::string& name, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string path, ProgramPath());
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -117,9 +147,17 @@ absl::StatusOr<std::string> AskGdal(std::string_view request, const std::string&
     process = Start(path, other.get());
   }
   TILEMEND_RETURN_IF_ERROR(process.status());
-  SendAll(mine.get(), request);
-  std::string answer = ReceiveAll(mine.get());
-  TILEMEND_RETURN_IF_ERROR(EndOf(*process, name));
+  // Ends the waiting below. What the process would still send is of no use.
+  const std::stop_callback on_stop(stop, [&] { ::shutdown(mine.get(), SHUT_RDWR); });
+  // A second more than the process gives itself, so that it says itself that it took too long.
+  Conversation talk(mine.get(), Clock::now() + std::chrono::seconds(GdalClockSeconds(request.size()) + 1));
+  talk.SendAll(request);
+  std::string answer = talk.ReceiveAll();
+  const bool is_stopped = stop.stop_requested();
+  if (is_stopped || talk.is_late()) ::kill(*process, SIGKILL);
+  const absl::Status end = EndOf(*process, name);
+  if (is_stopped) return absl::CancelledError(absl::StrCat(name, ": reading it was stopped"));
+  TILEMEND_RETURN_IF_ERROR(end);
   return answer;
 }
 

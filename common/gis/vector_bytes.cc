@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
+#include "common/gis/gdal_limits.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 
@@ -41,11 +43,18 @@ absl::StatusOr<std::vector<std::filesystem::path>> FilesIn(const std::filesystem
   return files;
 }
 
+// Reads one more file of those that belong together.
+absl::StatusOr<std::string> ReadPart(const std::string& path, const VectorBytes& read) {
+  int64_t size = std::ssize(read.bytes);
+  for (const SideFile& side : read.beside) size += std::ssize(side.bytes);
+  return ReadFileUpTo(path, kMostVectorBytes - size);
+}
+
 absl::StatusOr<VectorBytes> ReadGeodatabase(const std::string& path) {
   VectorBytes read;
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::filesystem::path> files, FilesIn(path));
   for (const std::filesystem::path& file : files) {
-    TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(file.string()));
+    TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadPart(file.string(), read));
     read.beside.push_back({file.filename().string(), std::move(bytes)});
   }
   return read;
@@ -59,7 +68,7 @@ absl::Status AddSideFiles(const std::filesystem::path& path, const Family& famil
       return !other.empty() && candidate.stem() == path.stem() && SuffixOf(candidate) == other;
     });
     if (file == files.end()) continue;
-    TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadFile(file->string()));
+    TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadPart(file->string(), read));
     read.beside.push_back({std::string(other.substr(1)), std::move(bytes)});
   }
   return absl::OkStatus();
@@ -81,7 +90,7 @@ absl::StatusOr<VectorBytes> ReadAreaFile(const std::string& path) {
                                                    "; close the program that has it open, or save to another file"));
   }
   VectorBytes read;
-  TILEMEND_ASSIGN_OR_RETURN(read.bytes, ReadFile(path));
+  TILEMEND_ASSIGN_OR_RETURN(read.bytes, ReadPart(path, read));
   const auto family = std::ranges::find(kFamilies, SuffixOf(std::filesystem::path(path)), &Family::suffix);
   if (family != kFamilies.end()) TILEMEND_RETURN_IF_ERROR(AddSideFiles(path, *family, read));
   return read;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "common/gis/coordinate_reading.h"
+#include "common/gis/crs_files.h"
 #include "common/gis/feature_geometry.h"
 #include "common/gis/feature_properties.h"
 #include "common/gis/raw_features.h"
@@ -135,6 +136,9 @@ Datasets Open(const MemoryFolder& folder, VectorFormat format) {
 
 // GDAL takes GeoJSON with a CRS that it does not know for WGS 84 as well.
 void CheckCrsName(const std::string& name) {
+  if (const std::string file = FileNamedIn(name); !file.empty()) {
+    throw BadVectors{"it names a CRS that names a file: '" + ShownName(file) + "'"};
+  }
   OGRSpatialReference crs;
   static const char* const offline[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
   if (!name.empty() && crs.SetFromUserInput(name.c_str(), offline) != OGRERR_NONE) {
@@ -228,6 +232,7 @@ void Configure() {
       {"LIBKML_RESOLVE_STYLE", "NO"},  // likewise
       {"CPL_VSIL_CURL_ALLOWED_FILENAME", "none"}};
   for (const auto& [name, value] : kOptions) CPLSetConfigOption(name, value);
+  OSRSetPROJEnableNetwork(FALSE);  // PROJ would fetch grids
   for (void (*add)() :
        {&RegisterOGRGeoJSON, &RegisterOGRGeoPackage, &RegisterOGRShape, &RegisterOGROpenFileGDB, &RegisterOGRLIBKML,
         &RegisterOGRGML, &RegisterOGRFlatGeobuf, &RegisterOGRTAB, &RegisterOGRDXF, &RegisterOGRDGN}) {

@@ -77,14 +77,18 @@ std::string Reason(std::string_view text, size_t at, std::string_view what) {
 
 }  // namespace
 
-absl::StatusOr<Json> ParseJson(const std::string& text, const std::string& name) {
+absl::StatusOr<Json> ParseJson(const std::string& text, const std::string& name, const Json::parser_callback_t& keep) {
+  // The library would take it for the end of the text.
+  if (const size_t zero = text.find('\0'); zero != std::string::npos) {
+    return absl::InvalidArgumentError(absl::StrCat(name, ": not JSON: ", PlaceText(text, zero), ": a zero byte"));
+  }
   ErrorFinder finder;
   if (!Json::sax_parse(text, &finder)) {
     const size_t at = finder.bytes_read() > 0 ? finder.bytes_read() - 1 : 0;
     return absl::InvalidArgumentError(
         absl::StrCat(name, ": not JSON: ", PlaceText(text, at), ": ", Reason(text, at, finder.what())));
   }
-  return Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  return Json::parse(text, keep, /*allow_exceptions=*/false);
 }
 
 }  // namespace tilemend

@@ -9,8 +9,10 @@
 
 namespace tilemend {
 
-// kInvalidArgument with `name`, byte, line and column if `text` is no JSON.
-absl::StatusOr<nlohmann::json> ParseJson(const std::string& text, const std::string& name);
+// kInvalidArgument with `name`, byte, line and column if `text` is no JSON. `keep` may leave values out, which then
+// take no memory (nlohmann::json::parse). A value in memory takes up to 65 bytes for a byte of text.
+absl::StatusOr<nlohmann::json> ParseJson(const std::string& text, const std::string& name,
+                                         const nlohmann::json::parser_callback_t& keep = nullptr);
 
 }  // namespace tilemend
 

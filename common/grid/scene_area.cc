@@ -148,9 +148,21 @@ void AddCells(const std::set<CellId>& missing, Scene& scene) {
   SortTiles(&scene.tiles);
 }
 
+// The plan asks of each ring which others it lies in, which looks at all vertices: seconds, up to this.
+constexpr size_t kMostRingChecks = 1'000'000'000;
+
+absl::Status CheckRings(const PlanePolygon& area) {
+  size_t vertices = 0;
+  for (const std::vector<Point2>& ring : area.rings) vertices += ring.size();
+  if (vertices == 0 || area.rings.size() <= kMostRingChecks / vertices) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat("an area of ", area.rings.size(), " rings with ", vertices,
+                                                 " vertices; draw it with fewer holes, or coarser"));
+}
+
 }  // namespace
 
 absl::Status CoverArea(PlanePolygon area, Scene& scene) {
+  TILEMEND_RETURN_IF_ERROR(CheckRings(area));
   const auto squares = SquaresOf(area, scene.grid);
   if (!squares.ok()) return squares.status();
   std::set<CellId> known;

@@ -15,7 +15,7 @@ namespace tilemend {
 // in cells that it adds. An area that covers all cells whole is just these cells: Scene::area is empty then.
 //
 // kInvalidArgument if it covers none of the scene's cells, adds more than 10,000 and 20 for each of them, or spans more
-// than 1,000,000 squares. Cost as SharesOf (area_shares.h).
+// than 1,000,000 squares, and if its rings times their vertices are more than 1e9. Cost as SharesOf (area_shares.h).
 absl::Status CoverArea(PlanePolygon area, Scene& scene);
 
 }  // namespace tilemend

@@ -16,6 +16,8 @@ constexpr int64_t kMostPixels = int64_t{1} << 28;
 constexpr int64_t kMostBufferedPixels = int64_t{1} << 26;
 // A block of 8 x 8 pixels takes at least a bit of a JPEG, and deflate makes at most 1032 bytes of one.
 constexpr int64_t kMostJpegPixelsPerByte = 512;
+// Each scan goes over all blocks of the image, even if it says nothing of them. Programs write about ten.
+constexpr int kMostScans = 100;
 constexpr int64_t kMostPngPixelsPerByte = 8 * 1032;
 
 absl::Status Problem(const std::string& name, std::string_view what) {
@@ -31,25 +33,46 @@ absl::Status CheckSize(int64_t width, int64_t height, int64_t most, int64_t byte
   return Problem(name, absl::StrCat("an image of ", width, " x ", height, " pixels does not fit in ", bytes, " bytes"));
 }
 
-// Whether a JPEG has all its components in one sequential scan: it is decoded row by row then, else the decoder keeps
-// the coefficients of the whole image.
-bool IsOneScan(std::string_view bytes) {
-  const auto byte = [&](size_t at) { return static_cast<uint8_t>(bytes[at]); };
-  int components = -1;
-  size_t at = 2;
-  while (at + 4 < bytes.size() && byte(at) == 0xff) {
-    const uint8_t marker = byte(at + 1);
-    if (marker == 0xff) {  // padding
-      ++at;
-      continue;
-    }
-    const size_t length = static_cast<size_t>(byte(at + 2)) << 8 | byte(at + 3);
-    constexpr size_t kComponentsAt = 9;  // of a frame header, from its marker
-    if ((marker == 0xc0 || marker == 0xc1) && at + kComponentsAt < bytes.size()) components = byte(at + kComponentsAt);
-    if (marker == 0xda) return byte(at + 4) == components;
-    at += 2 + length;
+uint8_t ByteAt(std::string_view bytes, size_t at) { return static_cast<uint8_t>(bytes[at]); }
+
+// The next marker at `at` or behind it, as its place; the size if there is none. Entropy-coded data has 0xff only
+// before 0 and restart markers; padding is 0xff.
+size_t NextMarker(std::string_view bytes, size_t at) {
+  constexpr uint8_t kTemporary = 0x01, kFirstRestart = 0xd0, kImageStart = 0xd8;
+  const size_t end = std::max<size_t>(bytes.size(), 1) - 1;  // npos is beyond it
+  for (at = bytes.find('\xff', at); at < end; at = bytes.find('\xff', at + 1)) {
+    const uint8_t next = ByteAt(bytes, at + 1);
+    const bool is_alone = next <= kTemporary || (next >= kFirstRestart && next <= kImageStart);
+    if (!is_alone && next != 0xff) return at;
   }
-  return false;
+  return bytes.size();
+}
+
+// The scans of a JPEG, without decoding them.
+struct JpegScans {
+  int count = 0;
+  // All components are in one sequential scan: it is decoded row by row, else the decoder keeps the coefficients of the
+  // whole image.
+  bool is_one = false;
+};
+
+// Cost O(bytes).
+JpegScans ScansOf(std::string_view bytes) {
+  constexpr uint8_t kBaseline = 0xc0, kExtended = 0xc1, kImageEnd = 0xd9, kScan = 0xda;
+  constexpr size_t kComponentsAt = 9;  // of a frame header, from its marker
+  JpegScans scans;
+  int components = -1;
+  for (size_t at = NextMarker(bytes, 2); at + 4 < bytes.size();) {
+    const uint8_t marker = ByteAt(bytes, at + 1);
+    if (marker == kImageEnd) break;
+    if ((marker == kBaseline || marker == kExtended) && at + kComponentsAt < bytes.size()) {
+      components = ByteAt(bytes, at + kComponentsAt);
+    }
+    if (marker == kScan && ++scans.count == 1) scans.is_one = ByteAt(bytes, at + 4) == components;
+    const size_t length = static_cast<size_t>(ByteAt(bytes, at + 2)) << 8 | ByteAt(bytes, at + 3);
+    at = NextMarker(bytes, at + 2 + length);
+  }
+  return scans;
 }
 
 absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name) {
@@ -63,7 +86,11 @@ absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name
   if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &space) != 0) {
     return problem();
   }
-  const absl::Status size = CheckSize(width, height, IsOneScan(bytes) ? kMostPixels : kMostBufferedPixels,
+  const JpegScans scans = ScansOf(bytes);
+  if (scans.count > kMostScans) {
+    return Problem(name, absl::StrCat("a JPEG image of ", scans.count, " scans; at most ", kMostScans, " are read"));
+  }
+  const absl::Status size = CheckSize(width, height, scans.is_one ? kMostPixels : kMostBufferedPixels,
                                       static_cast<int64_t>(bytes.size()), kMostJpegPixelsPerByte, name);
   if (!size.ok()) return size;
   tjscalingfactor scale{1, 1};
@@ -71,7 +98,7 @@ absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name
   Image image{TJSCALED(width, scale), TJSCALED(height, scale), 3, {}};
   image.pixels.resize(size_t{3} * static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
   if (tjDecompress2(decoder.get(), data, bytes.size(), image.pixels.data(), image.width, 0, image.height, TJPF_RGB,
-                    0) != 0) {
+                    TJFLAG_LIMITSCANS) != 0) {
     return problem();
   }
   return image;

@@ -10,6 +10,8 @@
 
 namespace tilemend {
 
+class HttpServer;
+
 // What the pages say. Each is called on a thread of the server.
 struct StatusPages {
   std::function<std::string()> metrics;  // Prometheus' text
@@ -38,9 +40,8 @@ class StatusServer {
   int port() const;
 
  private:
-  struct Impl;
-  explicit StatusServer(std::unique_ptr<Impl> impl);
-  const std::unique_ptr<Impl> impl_;
+  explicit StatusServer(std::unique_ptr<HttpServer> server);
+  const std::unique_ptr<HttpServer> server_;
 };
 
 }  // namespace tilemend

@@ -165,8 +165,9 @@ PeerClaims ClaimsOf(const grpc::ServerContext& context) {
     for (const auto& name : auth->FindPropertyValues(GRPC_X509_CN_PROPERTY_NAME)) {
       claims.certificate_name.assign(name.data(), name.size());
     }
-    for (const auto& name : auth->FindPropertyValues(GRPC_X509_SAN_PROPERTY_NAME)) {
-      claims.alternatives.emplace_back(name.data(), name.size());
+    // Of URIs alone: an authority that checks who owns a DNS name would sign any that looks like a role.
+    for (const auto& uri : auth->FindPropertyValues(GRPC_PEER_URI_PROPERTY_NAME)) {
+      claims.uris.emplace_back(uri.data(), uri.size());
     }
   }
   const auto& metadata = context.client_metadata();

@@ -67,9 +67,9 @@ std::shared_ptr<grpc::ChannelCredentials> MakeChannelCredentials(const TlsFiles&
 // What a call shows of its maker. Nothing of it is checked but the certificate.
 struct PeerClaims {
   std::string address;
-  std::string certificate_name;           // the common name, "" without a certificate
-  std::vector<std::string> alternatives;  // the certificate's alternative names
-  std::string token;                      // of "authorization: Bearer TOKEN"
+  std::string certificate_name;   // the common name, "" without a certificate
+  std::vector<std::string> uris;  // alternative names of the certificate
+  std::string token;              // of "authorization: Bearer TOKEN"
 };
 PeerClaims ClaimsOf(const grpc::ServerContext& context);
 

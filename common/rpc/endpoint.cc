@@ -1,6 +1,7 @@
 #include "common/rpc/endpoint.h"
 
 #include <google/protobuf/stubs/logging.h>
+#include <grpc/compression.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
@@ -32,6 +33,15 @@ constexpr int kMostCallsOfConnection = 512;
 // Of what callers send and nobody has looked at yet. gRPC reads a message that is too long to its end before it refuses
 // it.
 constexpr size_t kMostReceivedBytes = size_t{64} << 20;
+
+// gRPC 1.51 bounds a message before it decompresses it, so that 400 KB of gzip would become 450 MB. What is stored here
+// is compressed already.
+void RefuseCompression(grpc::ServerBuilder& builder) {
+  for (const grpc_compression_algorithm algorithm : {GRPC_COMPRESS_DEFLATE, GRPC_COMPRESS_GZIP}) {
+    builder.SetCompressionAlgorithmSupportStatus(algorithm, false);
+  }
+  builder.AddChannelArgument(GRPC_ARG_ENABLE_PER_MESSAGE_DECOMPRESSION, 0);
+}
 
 grpc::ChannelArguments ChannelArguments() {
   grpc::ChannelArguments arguments;
@@ -105,6 +115,7 @@ absl::StatusOr<std::unique_ptr<RpcServer>> RpcServer::Start(const std::string& l
   grpc::ServerBuilder builder;
   builder.SetMaxReceiveMessageSize(kMaxMessageBytes);
   builder.SetMaxSendMessageSize(kMaxMessageBytes);
+  RefuseCompression(builder);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   // A connection that says nothing, or has nothing to say any more, makes room for others.

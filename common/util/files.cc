@@ -210,6 +210,16 @@ absl::StatusOr<std::string> ReadFile(const std::string& path) {
   return ReadRange(file.get(), 0, info.st_size, path);
 }
 
+absl::StatusOr<std::string> ReadFileUpTo(const std::string& path, int64_t most) {
+  struct stat info {};
+  const Descriptor file(OpenToRead(path));
+  TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
+  if (info.st_size <= most) return ReadRange(file.get(), 0, info.st_size, path);
+  constexpr int64_t kMebibyte = 1 << 20;
+  return absl::InvalidArgumentError(absl::StrCat(path, ": ", info.st_size / kMebibyte, " MiB, but at most ",
+                                                 most / kMebibyte, " MiB of such a file are read"));
+}
+
 absl::StatusOr<std::string> ReadOwnFile(const std::string& path) {
   struct stat info {};
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

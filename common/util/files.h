@@ -17,6 +17,9 @@ namespace tilemend {
 // the message names the path.
 absl::StatusOr<std::string> ReadFile(const std::string& path);
 
+// The same for a file of which more than `most` bytes are not read: kInvalidArgument with both sizes.
+absl::StatusOr<std::string> ReadFileUpTo(const std::string& path, int64_t most);
+
 // The same for a file of the program's own (a certificate, a token), which may lie outside of its roots (roots.h).
 absl::StatusOr<std::string> ReadOwnFile(const std::string& path);
 

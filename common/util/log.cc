@@ -91,8 +91,25 @@ void StreamLog::Write(LogLevel level, std::string_view event, const LogFields& f
   if (format_ == LogFormat::kJson) all.insert(all.begin(), always_.begin(), always_.end());
   const std::string line = LogLine(format_, clock_(), level, event, all);
   std::lock_guard<std::mutex> lock(mutex_);
-  std::fwrite(line.data(), 1, line.size(), stream_);
-  std::fflush(stream_);
+  if (lost_ > 0) {
+    LogFields lost = format_ == LogFormat::kJson ? always_ : LogFields();
+    lost.emplace_back("lines", lost_);
+    if (Put(LogLine(format_, clock_(), LogLevel::kError, "lines lost", lost))) lost_ = 0;
+  }
+  if (lost_ == 0 && Put(line)) return;
+  if (++lost_ == 1) on_loss_();
+}
+
+bool StreamLog::Put(const std::string& line) {
+  const std::string whole = is_torn_ ? "\n" + line : line;
+  const size_t written = std::fwrite(whole.data(), 1, whole.size(), stream_);
+  if (written == whole.size() && std::fflush(stream_) == 0) {
+    is_torn_ = false;
+    return true;
+  }
+  std::clearerr(stream_);
+  is_torn_ = is_torn_ || written > 0;
+  return false;
 }
 
 absl::StatusOr<LogFormat> LogFormatNamed(const std::string& name, std::FILE* stream) {

@@ -54,17 +54,26 @@ class Log {
 std::string LogLine(LogFormat format, absl::Time time, LogLevel level, std::string_view event, const LogFields& fields);
 
 // Writes whole lines to a stream that outlives it. `always` goes with every line of JSON: the program and its release.
+// Lines that the stream does not take (the disk is full) are counted; the next one that it takes says how many. A
+// stream without a buffer (setvbuf) repeats nothing of them.
 class StreamLog : public Log {
  public:
   StreamLog(std::FILE* stream, LogFormat format, LogFields always, std::function<absl::Time()> clock = absl::Now);
   void Write(LogLevel level, std::string_view event, const LogFields& fields) override;
+  // `tell` is called with the first line of a series that the stream does not take. Before the first Write.
+  void OnLoss(std::function<void()> tell) { on_loss_ = std::move(tell); }
 
  private:
+  bool Put(const std::string& line);
+
   std::FILE* const stream_;
   const LogFormat format_;
   const LogFields always_;
   const std::function<absl::Time()> clock_;
   std::mutex mutex_;
+  std::function<void()> on_loss_ = [] {};
+  int64_t lost_ = 0;      // lines that the stream did not take, and nobody can read of
+  bool is_torn_ = false;  // the last line ends in its middle
 };
 
 // "text", "json" or "auto": text on a terminal, else JSON. kInvalidArgument for another word.

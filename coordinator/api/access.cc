@@ -152,7 +152,7 @@ absl::StatusOr<Caller> Access::Identify(const Claims& claims, absl::Time now) {
   }
   if (claims.certificate_name.empty()) return Unauthenticated("neither a certificate nor a token says who calls");
   Caller caller{claims.certificate_name, {}};
-  for (const std::string& name : claims.alternatives) {
+  for (const std::string& name : claims.uris) {
     if (!absl::StartsWith(name, kRolePrefix)) continue;
     if (const auto role = RoleNamed(std::string_view(name).substr(sizeof(kRolePrefix) - 1))) caller.roles.insert(*role);
   }

@@ -44,7 +44,7 @@ struct Caller {
 // What a call shows: see PeerClaims (common/rpc/credentials.h).
 struct Claims {
   std::string certificate_name;
-  std::vector<std::string> alternatives;
+  std::vector<std::string> uris;  // alternative names of the certificate
   std::string token;
 };
 
@@ -64,10 +64,10 @@ class Access {
  public:
   // Everybody may do everything: for a coordinator that listens on this machine, or in process, alone.
   static Access Open() { return Access(); }
-  // A caller needs a certificate (its name is the common name, its roles are alternative names tilemend:role:ROLE) or
-  // a token of the file, if there is one ("" if not). A call with a token has the token's name and roles alone.
-  // kNotFound, kInvalidArgument for the file. It is read again when it changes; what is no such file then, or cannot be
-  // read, changes nothing. `log`, which outlives this, is told of both.
+  // A caller needs a certificate (its name is the common name, its roles are URIs tilemend:role:ROLE among its
+  // alternative names) or a token of the file, if there is one ("" if not). A call with a token has the token's name
+  // and roles alone. kNotFound, kInvalidArgument for the file. It is read again when it changes; what is no such file
+  // then, or cannot be read, changes nothing. `log`, which outlives this, is told of both.
   static absl::StatusOr<Access> Closed(const std::string& token_file, Log& log);
 
   // kUnauthenticated (UNAUTHENTICATED) for a caller without a name, or with a token that is unknown or has expired;

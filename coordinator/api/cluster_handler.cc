@@ -13,6 +13,21 @@
 namespace tilemend {
 namespace {
 
+constexpr int kMostTasksShown = 16;
+
+void AddTasks(const Cluster& cluster, const WorkerRecord& worker, v1::WorkerInfo& info) {
+  for (const TaskKey& key : worker.held) {
+    const Task* const task = cluster.state.FindTask(key);
+    if (task == nullptr || info.doing_size() >= kMostTasksShown) continue;
+    v1::WorkerTask& shown = *info.add_doing();
+    shown.set_job(absl::StrCat("jobs/", key.job));
+    shown.set_stage(std::string(StageName(task->stage)));
+    shown.set_col(task->cell.col);
+    shown.set_row(task->cell.row);
+    if (const Lease* const lease = LeaseOf(*task, worker.id)) SetTime(lease->since, *shown.mutable_since());
+  }
+}
+
 v1::WorkerInfo DescribeWorker(const Cluster& cluster, const WorkerRecord& worker) {
   v1::WorkerInfo info;
   info.set_id(worker.id);
@@ -24,6 +39,7 @@ v1::WorkerInfo DescribeWorker(const Cluster& cluster, const WorkerRecord& worker
     info.set_identity(caller->second.identity);
     SetTime(caller->second.first_seen, *info.mutable_first_seen());
   }
+  AddTasks(cluster, worker, info);
   info.set_message(cluster.trust.WhySetAside(worker.id));
   info.set_state(!info.message().empty() ? v1::SET_ASIDE : worker.draining ? v1::DRAINING : v1::WORKING);
   if (const std::vector<std::string> jobs = cluster.trust.BlindTo(worker.id); info.message().empty() && !jobs.empty()) {

@@ -1,5 +1,6 @@
 #include "coordinator/api/gate.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -25,7 +26,7 @@ Gate::Gate(Access access, MetricsRegistry& metrics, Log& audit) : access_(std::m
 
 absl::StatusOr<Caller> Gate::Admit(std::string_view rpc, const Claims& claims, const std::string& address) {
   auto caller = access_.Admit(rpc, claims, absl::Now());
-  if (!caller.ok()) {
+  if (!caller.ok() && MayWriteRefusal(absl::Now())) {
     audit_.Warn("refused", {{"rpc", rpc},
                             {"certificate", claims.certificate_name},
                             {"address", address},
@@ -33,6 +34,21 @@ absl::StatusOr<Caller> Gate::Admit(std::string_view rpc, const Claims& claims, c
                             {"message", std::string(caller.status().message())}});
   }
   return caller;
+}
+
+bool Gate::MayWriteRefusal(absl::Time now) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const double earned = kRefusalsASecond * absl::ToDoubleSeconds(now - last_refusal_);
+  refusals_left_ = std::clamp(refusals_left_ + earned, 0.0, double{kRefusalsAtOnce});
+  last_refusal_ = now;
+  if (refusals_left_ < 1) {
+    ++not_written_;
+    return false;
+  }
+  refusals_left_ -= 1;
+  if (not_written_ > 0) audit_.Warn("refused calls not listed", {{"calls", not_written_}});
+  not_written_ = 0;
+  return true;
 }
 
 void Gate::Ended(std::string_view rpc, const absl::Status& status, absl::Duration took) {

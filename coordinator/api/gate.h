@@ -3,8 +3,10 @@
 #define TILEMEND_COORDINATOR_API_GATE_H_
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -16,10 +18,14 @@
 
 namespace tilemend {
 
+inline constexpr int kRefusalsAtOnce = 100;  // as many as a person looks through
+inline constexpr int kRefusalsASecond = 1;   // 30 MB a day at most
+
 // Thread-safe.
 class Gate {
  public:
-  // `audit` gets a line for each call that changes something, and for each that was refused. All outlive the gate.
+  // `audit` gets a line for each call that changes something, and for each that was refused, up to a limit. All outlive
+  // the gate.
   Gate(Access access, MetricsRegistry& metrics, Log& audit);
 
   // Admits a call or refuses it.
@@ -31,6 +37,10 @@ class Gate {
              const absl::Status& status);
 
  private:
+  // The refused calls that are written down: kRefusalsAtOnce, and kRefusalsASecond more each second. Who tries tokens
+  // or certificates must not fill a disk. All are counted by the metrics.
+  bool MayWriteRefusal(absl::Time now);
+
   struct PerRpc {
     std::array<Counter*, 17> ended;  // by code
     Histogram* seconds;
@@ -38,6 +48,10 @@ class Gate {
   Access access_;
   Log& audit_;
   std::map<std::string, PerRpc, std::less<>> rpcs_;
+  std::mutex mutex_;  // guards all below
+  absl::Time last_refusal_ = absl::InfinitePast();
+  double refusals_left_ = 0;  // that may be written at last_refusal_
+  int64_t not_written_ = 0;
 };
 
 }  // namespace tilemend

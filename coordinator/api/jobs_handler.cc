@@ -100,6 +100,19 @@ absl::StatusOr<v1::Job> JobsHandler::GetJob(const v1::GetJobRequest& request) {
   });
 }
 
+absl::StatusOr<JobCells> JobsHandler::GetCells(const std::string& name) {
+  return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<JobCells> {
+    TILEMEND_ASSIGN_OR_RETURN(const Job* job, cluster_.JobNamed(name));
+    const JobEntry& entry = cluster_.jobs.at(job->id);
+    JobCells answer{entry.board.Cells(), entry.board.failures(), {}, job->state, job->version,
+                    entry.spec,          entry.outcome.report};
+    for (const auto& [id, task] : job->tasks) {
+      if (!task.leases.empty()) answer.held.insert(task.cell);
+    }
+    return answer;
+  });
+}
+
 absl::StatusOr<v1::Job> JobsHandler::CancelJob(const v1::CancelJobRequest& request) {
   return AnswerWhenDurable(cluster_, [&] { return steering_.Cancel(request.name()); });
 }

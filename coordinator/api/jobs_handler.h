@@ -2,7 +2,11 @@
 #ifndef TILEMEND_COORDINATOR_API_JOBS_HANDLER_H_
 #define TILEMEND_COORDINATOR_API_JOBS_HANDLER_H_
 
+#include <cstdint>
+#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -12,9 +16,21 @@
 #include "coordinator/jobs/job_runs.h"
 #include "coordinator/jobs/state_updates.h"
 #include "coordinator/jobs/steer_job.h"
+#include "coordinator/state/cell_board.h"
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
+
+// How far a job is, cell by cell.
+struct JobCells {
+  std::map<CellId, CellProgress> cells;  // that had a task; none of a job of an earlier process that is over
+  std::vector<CellFailure> failures;
+  std::set<CellId> held;  // cells of tasks that workers hold now
+  JobState state = JobState::kRunning;
+  uint64_t version = 0;  // another one whenever something of the job has changed
+  JobSpec spec;
+  std::string report;  // path of report.json, "" if there is none
+};
 
 // Thread-safe; every call is short. The messages say what each call does and which errors it has.
 class JobsHandler {
@@ -30,6 +46,8 @@ class JobsHandler {
   absl::StatusOr<v1::Job> RetryJob(const v1::RetryJobRequest& request, JobOrigin origin = {});
   absl::StatusOr<v1::Job> PauseJob(const v1::PauseJobRequest& request);
   absl::StatusOr<v1::Job> ResumeJob(const v1::ResumeJobRequest& request);
+  // How far the cells of the job `name` are. Errors of GetJob. Cost: O(cells).
+  absl::StatusOr<JobCells> GetCells(const std::string& name);
   absl::StatusOr<v1::Job> PrioritizeJob(const v1::PrioritizeJobRequest& request);
 
  private:

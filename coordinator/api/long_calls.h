@@ -19,7 +19,12 @@ namespace tilemend {
 // Thread-safe.
 class LongCalls {
  public:
-  explicit LongCalls(size_t most) : most_(most) {}
+  // What a further call does to `most` others.
+  enum class WhenFull {
+    kRefuse,      // it is refused
+    kStopOldest,  // it takes the place of the one that has not got on for longest, which is stopped
+  };
+  explicit LongCalls(size_t most, WhenFull when_full = WhenFull::kRefuse) : most_(most), when_full_(when_full) {}
 
   // One call, while this lives.
   class Call {
@@ -39,7 +44,7 @@ class LongCalls {
   };
 
   // `stop` makes the call end soon; it may be called until the Call is gone, and must not wait for that.
-  // kResourceExhausted (TOO_MANY_CALLS) if there are too many.
+  // kResourceExhausted (TOO_MANY_CALLS) if there are too many; with kStopOldest if as many again are about to end.
   absl::StatusOr<std::unique_ptr<Call>> Enter(std::string job, absl::Time now, std::function<void()> stop);
 
   // Stops the calls that have not got on since `since`, and those of jobs that are over.
@@ -50,14 +55,18 @@ class LongCalls {
     std::string job;
     absl::Time last;
     std::function<void()> stop;
+    bool is_stopped = false;  // by a later one
   };
+  void StopOldest();
   void Name(uint64_t number, std::string job);
   void Touch(uint64_t number, absl::Time now);
   void Leave(uint64_t number);
 
   const size_t most_;
+  const WhenFull when_full_;
   std::mutex mutex_;
   uint64_t last_ = 0;
+  size_t stopped_ = 0;  // entries with is_stopped
   std::map<uint64_t, Entry> entries_;
 };
 

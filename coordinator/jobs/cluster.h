@@ -25,6 +25,7 @@
 #include "coordinator/jobs/job_runner.h"
 #include "coordinator/jobs/worker_trust.h"
 #include "coordinator/journal/journal.h"
+#include "coordinator/state/cell_board.h"
 #include "coordinator/state/coordinator_state.h"
 #include "coordinator/state/task_choice.h"
 #include "coordinator/store/blob_folder.h"
@@ -40,6 +41,7 @@ struct JobEntry {
   absl::Status error;
   std::shared_ptr<BlobFolder> blobs;
   std::unique_ptr<JobRunner> runner;
+  CellBoard board;         // empty for one that was over when this process began
   bool completed = false;  // its output is, and its end is in the journal
   absl::Time ended;        // if it is
   bool resuming = false;   // all its tasks so far were settled by an earlier process

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -101,8 +102,9 @@ class JobPipeline {
 };
 
 // Makes the pipeline of one job; runs on the job's thread, so it may read the scene. kNotFound, kInvalidArgument, ...
-// fail the job.
-using PipelineFactory = std::function<absl::StatusOr<std::unique_ptr<JobPipeline>>(const JobSpec&)>;
+// fail the job. It returns soon, with any status, once a stop is requested.
+using PipelineFactory =
+    std::function<absl::StatusOr<std::unique_ptr<JobPipeline>>(const JobSpec&, const std::stop_token&)>;
 
 }  // namespace tilemend
 

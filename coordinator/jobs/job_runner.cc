@@ -32,7 +32,7 @@ JobRunner::~JobRunner() {
 
 void JobRunner::Deliver(SettledTask task, std::optional<std::string> content) {
   std::lock_guard<std::mutex> lock(mutex_);
-  if (cancelled_) return;
+  if (cancel_.stop_requested()) return;
   if (content.has_value()) queued_bytes_ += content->size();
   deliveries_.push_back({std::move(task), std::move(content)});
   changed_.notify_one();
@@ -44,9 +44,9 @@ bool JobRunner::Cancel() {
 }
 
 bool JobRunner::TryCancel() {
-  if (cancelled_) return true;
+  if (cancel_.stop_requested()) return true;
   if (too_late_ || (pipeline_ != nullptr && !pipeline_->Cancel())) return false;
-  cancelled_ = true;
+  cancel_.request_stop();
   changed_.notify_one();
   return true;
 }
@@ -87,7 +87,7 @@ void JobRunner::Run() {
 
 void JobRunner::ReleaseOnly() {
   // An error here says that there is nothing to release, or nothing that could be reached.
-  if (const auto pipeline = factory_(spec_); pipeline.ok()) (*pipeline)->Release();
+  if (const auto pipeline = factory_(spec_, cancel_.get_token()); pipeline.ok()) (*pipeline)->Release();
   may_write_.store(false);
   sink_.released();
   ended_.store(true);
@@ -96,22 +96,22 @@ void JobRunner::ReleaseOnly() {
 absl::StatusOr<JobOutcome> JobRunner::Settle(absl::StatusOr<JobOutcome> outcome) {
   std::lock_guard<std::mutex> lock(mutex_);
   pipeline_ = nullptr;
-  too_late_ = !cancelled_;
-  if (cancelled_) return absl::CancelledError("the job was cancelled");
+  too_late_ = !cancel_.stop_requested();
+  if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
   return outcome;
 }
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> JobRunner::MakePipeline() {
-  absl::StatusOr<std::unique_ptr<JobPipeline>> pipeline = factory_(spec_);
+  absl::StatusOr<std::unique_ptr<JobPipeline>> pipeline = factory_(spec_, cancel_.get_token());
   for (int tries = 0; resumes_ && tries < kMostTries; ++tries) {
     if (ErrorReason(pipeline.status()) != "OUTPUT_IN_USE") break;
     {
       std::unique_lock<std::mutex> lock(mutex_);
-      changed_.wait_for(lock, kBetweenTries, [this] { return cancelled_ || !failure_.ok(); });
-      if (cancelled_) return absl::CancelledError("the job was cancelled");
+      changed_.wait_for(lock, kBetweenTries, [this] { return cancel_.stop_requested() || !failure_.ok(); });
+      if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
       TILEMEND_RETURN_IF_ERROR(failure_);
     }
-    pipeline = factory_(spec_);
+    pipeline = factory_(spec_, cancel_.get_token());
   }
   return pipeline;
 }
@@ -121,7 +121,7 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
     TILEMEND_ASSIGN_OR_RETURN(pipeline, MakePipeline());
     {
       std::lock_guard<std::mutex> lock(mutex_);
-      if (cancelled_) return absl::CancelledError("the job was cancelled");
+      if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
       pipeline_ = pipeline.get();
     }
     TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
@@ -150,8 +150,8 @@ absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
 
 absl::StatusOr<std::deque<JobRunner::Delivery>> JobRunner::NextDeliveries() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return cancelled_ || !failure_.ok() || !deliveries_.empty(); });
-  if (cancelled_) return absl::CancelledError("the job was cancelled");
+  changed_.wait(lock, [this] { return cancel_.stop_requested() || !failure_.ok() || !deliveries_.empty(); });
+  if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
   TILEMEND_RETURN_IF_ERROR(failure_);
   std::deque<Delivery> deliveries = std::exchange(deliveries_, {});
   lock.unlock();
@@ -162,7 +162,7 @@ absl::StatusOr<std::deque<JobRunner::Delivery>> JobRunner::NextDeliveries() {
 absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    if (cancelled_) return absl::CancelledError("the job was cancelled");
+    if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
   --outstanding_;

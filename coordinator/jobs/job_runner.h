@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -104,8 +105,8 @@ class JobRunner {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Delivery> deliveries_;
-  bool cancelled_ = false;
   bool abandoned_ = false;
+  std::stop_source cancel_;           // also of the making of the pipeline
   std::atomic<bool> leaving_{false};  // Abandon was called
   absl::Status failure_;
   bool too_late_ = false;            // to cancel

@@ -72,7 +72,7 @@ absl::StatusOr<v1::Job> JobRuns::StartJob(const JobSpec& spec, const std::string
 
 absl::Status JobRuns::Begin(JobEntry& entry, const std::string& id) {
   try {
-    entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id));
+    entry.runner = std::make_unique<JobRunner>(entry.spec, FactoryOf(id), entry.blobs, SinkOf(id));
     return absl::OkStatus();
   } catch (const std::system_error& error) {  // no thread can be made
     cluster_.journal->DropJob(cluster_.state.FindJob(id)->number);
@@ -108,7 +108,7 @@ absl::Status JobRuns::CheckNewJob(const std::string& out_key) const {
 
 void JobRuns::Resume(const std::string& id, JobRunner::Mode mode) {
   JobEntry& entry = cluster_.jobs.at(id);
-  entry.runner = std::make_unique<JobRunner>(entry.spec, factory_, entry.blobs, SinkOf(id), mode);
+  entry.runner = std::make_unique<JobRunner>(entry.spec, FactoryOf(id), entry.blobs, SinkOf(id), mode);
 }
 
 JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
@@ -126,14 +126,24 @@ JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
               }};
 }
 
+PipelineFactory JobRuns::FactoryOf(const std::string& id) {
+  if (!cluster_.journal->is_durable()) return factory_;  // no other coordinator resumes the job
+  return [this, id](const JobSpec& spec, const std::stop_token& stop) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+    TILEMEND_ASSIGN_OR_RETURN(const Preparations::Attempt attempt, preparations_.Begin(id, stop));
+    return factory_(spec, stop);
+  };
+}
+
 absl::Status JobRuns::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {
   TILEMEND_ASSIGN_OR_RETURN(TaskContents contents, journal_.Recall(id, tasks));
   ClusterLock lock(cluster_.mutex);
-  bool& resuming = cluster_.jobs.at(id).resuming;
+  JobEntry& entry = cluster_.jobs.at(id);
+  bool& resuming = entry.resuming;
   resuming = resuming && std::all_of(tasks.begin(), tasks.end(), [](const TaskSpec& t) { return t.known.has_value(); });
   // Both fail only if the job is over; then its runner is being cancelled. A job that resumes runs through all it has
   // done; nobody is to see it begin again.
   if (!resuming) updates_.Apply(JobProgressed{id, progress}).IgnoreError();
+  for (const TaskSpec& task : tasks) entry.board.TaskAdded(task.cell, task.stage);
   if (!tasks.empty()) updates_.Apply(TasksAdded{id, std::move(tasks)}, std::move(contents)).IgnoreError();
   cluster_.Changed();
   return absl::OkStatus();

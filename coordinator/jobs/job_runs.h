@@ -13,6 +13,7 @@
 #include "coordinator/jobs/job_journal.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/job_runner.h"
+#include "coordinator/jobs/preparations.h"
 #include "coordinator/jobs/state_updates.h"
 #include "tilemend/v1/jobs.pb.h"
 
@@ -26,7 +27,11 @@ class JobRuns {
  public:
   // All but the factory must outlive this.
   JobRuns(Cluster& cluster, StateUpdates& updates, const JobJournal& journal, PipelineFactory factory)
-      : cluster_(cluster), updates_(updates), journal_(journal), factory_(std::move(factory)) {}
+      : cluster_(cluster),
+        updates_(updates),
+        journal_(journal),
+        factory_(std::move(factory)),
+        preparations_(cluster.options.work_folder + "/preparing") {}
 
   // A new job with this spec, or the job that this request made before. Needs the lock. kInvalidArgument
   // (INVALID_SPEC, REQUEST_ID_REUSED), kAborted (OUTPUT_IN_USE), kResourceExhausted (TOO_MANY_JOBS); errors of
@@ -43,6 +48,9 @@ class JobRuns {
   absl::Status CheckNewJob(const std::string& out_key) const;
   JobRunner::Sink SinkOf(const std::string& id);
 
+  // Counts how often coordinators end while the pipeline of the job is made.
+  PipelineFactory FactoryOf(const std::string& id);
+
   // Calls of the runners; each takes the lock.
   absl::Status OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress);
   void OnCompleted(const std::string& id, const JobOutcome& outcome, const Progress& progress);
@@ -53,6 +61,7 @@ class JobRuns {
   StateUpdates& updates_;
   const JobJournal& journal_;
   const PipelineFactory factory_;
+  Preparations preparations_;
 };
 
 }  // namespace tilemend

@@ -334,16 +334,16 @@ class ScenePipeline : public JobPipeline {
 };
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
-                                                               TileCheck tiles) {
+                                                               TileCheck tiles, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
-  CheckCrs(scene);
-  TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene));
+  CheckCrs(scene, stop);
+  TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene, stop));
   TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(spec.output_format(), scene));
   // Again when the tiles are there; here for what is wrong with the CRS.
   TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
   if (!places.warning.empty()) scene.warnings.push_back(places.warning);
-  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene)));
-  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water));
+  TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene), stop));
+  TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water, stop));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
@@ -362,7 +362,9 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
 }  // namespace
 
 PipelineFactory ScenePipelineFactory(std::string scratch, TileCheck tiles) {
-  return [=, scratch = std::move(scratch)](const JobSpec& spec) { return MakeScenePipeline(spec, scratch, tiles); };
+  return [=, scratch = std::move(scratch)](const JobSpec& spec, const std::stop_token& stop) {
+    return MakeScenePipeline(spec, scratch, tiles, stop);
+  };
 }
 
 }  // namespace tilemend

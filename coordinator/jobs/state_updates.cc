@@ -17,6 +17,7 @@ absl::StatusOr<Effects> StateUpdates::Apply(const Event& event, TaskContents con
     journal_.PutLoss(task);
     cluster_.events.AttemptLost(task, cluster_.jobs.at(task.key.job).origin);
   }
+  for (const StruckTask& task : effects.relieved) journal_.PutLoss(task);
   for (const SettledTask& task : effects.settled) {
     std::optional<std::string> content;
     if (!contents.empty()) {
@@ -40,7 +41,9 @@ void StateUpdates::Settle(const SettledTask& task, std::optional<std::string> co
     cluster_.metrics.Settled(task, cluster_.options.clock());
     journal_.PutResult(task, content);
   }
-  JobRunner* runner = cluster_.jobs.at(task.key.job).runner.get();
+  JobEntry& entry = cluster_.jobs.at(task.key.job);
+  entry.board.TaskSettled(task.cell, task.stage, task.error);
+  JobRunner* runner = entry.runner.get();
   if (runner != nullptr) runner->Deliver(task, std::move(content));
 }
 

@@ -23,8 +23,8 @@ absl::Status Cover(PlanePolygon area, const std::string& name, Scene& scene) {
 
 }  // namespace
 
-void CheckCrs(Scene& scene) {
-  const auto fault = CrsFaultOf(scene);
+void CheckCrs(Scene& scene, const std::stop_token& stop) {
+  const auto fault = CrsFaultOf(scene, stop);
   const std::string what = fault.ok() ? *fault : absl::StrCat("not checked: ", std::string(fault.status().message()));
   if (what.empty()) return;
   const std::string place = scene.found_by_name ? "/metadata.xml: SRS" : "/scene.json: crs";
@@ -32,7 +32,7 @@ void CheckCrs(Scene& scene) {
                                         "; the fill is the same, but files for a GIS carry that name"));
 }
 
-absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& scene) {
+absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& scene, const std::stop_token& stop) {
   const std::string path = value.empty() ? scene.area_file : value;
   if (path.empty()) {
     if (!scene.area.empty()) TILEMEND_RETURN_IF_ERROR(Cover(scene.area, scene.root + "/scene.json: area", scene));
@@ -40,7 +40,7 @@ absl::StatusOr<std::string> ApplyAreaChoice(const std::string& value, Scene& sce
     return std::string();
   }
   TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(path));
-  TILEMEND_ASSIGN_OR_RETURN(AreaFile file, ParseAreaFile(bytes, path, FrameOf(scene)));
+  TILEMEND_ASSIGN_OR_RETURN(AreaFile file, ParseAreaFile(bytes, path, FrameOf(scene), stop));
   TILEMEND_RETURN_IF_ERROR(Cover(std::move(file.area), path, scene));
   for (std::string& warning : file.warnings) scene.warnings.push_back(std::move(warning));
   return Sha256Hex(ContentOf(bytes));

@@ -36,12 +36,13 @@ bool CrossesEdge(const PlanePolygon& a, const PlanePolygon& b) {
 
 }  // namespace
 
-absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const SceneFrame& frame) {
+absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const SceneFrame& frame,
+                                            const std::stop_token& stop) {
   WaterChoice choice;
   choice.options.find = value != kNoWater;
   if (value == kFindWater || value == kNoWater) return choice;
   TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(value));
-  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame));
+  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame, stop));
   choice.options.areas = std::move(file.areas);
   choice.coordinates = std::move(file.coordinates);
   choice.warnings = std::move(file.warnings);
@@ -49,10 +50,11 @@ absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const Scen
   return choice;
 }
 
-absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, WaterChoice& choice) {
+absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
+                          const std::stop_token& stop) {
   if (value.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(value));
-  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame));
+  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame, stop));
   for (WaterArea& area : file.areas) {
     if (!area.clear) TILEMEND_RETURN_IF_ERROR(CheckClear(value, area, file.warnings));
     area.clear = true;

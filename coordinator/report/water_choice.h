@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_
 #define TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,13 @@ struct WaterChoice {
 
 // kFindWater, kNoWater, or a file of exceptions from kFindWater (common/gis/area_file.h). `frame` says where the
 // scene's coordinates lie. Errors of ReadAreaFile and ParseWaterFile, with the file in their text.
-absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const SceneFrame& frame);
+absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const SceneFrame& frame,
+                                            const std::stop_token& stop = {});
 
 // The value of --clear: adds the areas of the file, all with `clear`, behind those that are there. "" adds none. Errors
 // as above.
-absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, WaterChoice& choice);
+absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
+                          const std::stop_token& stop = {});
 
 // Takes polygons with `clear` out of the choice that lie outside the area that is to be covered, with a warning: what
 // they took out would not be filled again. kInvalidArgument for one that lies across the area's edge. An empty area is

@@ -22,6 +22,20 @@ absl::Status JobOver(const Job& job) {
                        {"JOB_OVER", {{"job", job.id}, {"state", state}}});
 }
 
+// A worker that counts as lost has come back: it was silent for long, and no task ended it. Cost O(tasks).
+Effects LossesTakenBack(const std::string& worker, const std::map<int64_t, std::string>& running,
+                        std::map<std::string, Job>& jobs) {
+  Effects effects;
+  for (const auto& [number, id] : running) {
+    for (auto& [task_id, task] : jobs.at(id).tasks) {
+      if (std::erase(task.lost_workers, worker) == 0) continue;
+      task.returned_by.erase(worker);
+      effects.relieved.push_back({{id, task_id}, task.cell, task.stage, task.input, task.lost_workers});
+    }
+  }
+  return effects;
+}
+
 }  // namespace
 
 std::string_view JobStateName(JobState state) {
@@ -107,7 +121,6 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobCreated& event) {
   job.number = last_number_ + 1;
   job.created = event.time;
   job.priority = event.priority;
-  job.version = FirstVersion();
   Insert(std::move(job));
   return Effects();
 }
@@ -121,12 +134,12 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobRestored& event) {
         absl::StrCat("jobs/", event.job.id, ": number ", event.job.number, " is not new"));
   }
   Job job = event.job;
-  job.version = FirstVersion();
   Insert(std::move(job));
   return Effects();
 }
 
 void CoordinatorState::Insert(Job job) {
+  job.version = FirstVersion();
   last_number_ = job.number;
   job_numbers_[job.number] = job.id;
   if (!IsOver(job.state)) running_[job.number] = job.id;
@@ -162,13 +175,14 @@ absl::StatusOr<Effects> CoordinatorState::On(const WorkerSeen& event) {
   if (event.worker.empty() || event.threads < 0 || event.prefetch < 0) {
     return absl::InvalidArgumentError("a worker needs an id and numbers of threads and tasks that are not negative");
   }
+  Effects effects = workers_.contains(event.worker) ? Effects() : LossesTakenBack(event.worker, running_, jobs_);
   WorkerRecord& worker = workers_[event.worker];
   worker.id = event.worker;
   worker.threads = event.threads;
   worker.prefetch = event.prefetch;
   worker.draining = event.draining;
   worker.last_seen = event.time;
-  return Effects();
+  return effects;
 }
 
 absl::StatusOr<Effects> CoordinatorState::On(const JobProgressed& event) {

@@ -209,6 +209,7 @@ struct Effects {
   std::vector<SettledTask> settled;
   std::vector<Stage> retried;  // one for each task that went back to pending
   std::vector<StruckTask> struck;
+  std::vector<StruckTask> relieved;  // they count a worker less, which has come back
   std::vector<Contradicted> contradicted;
   // Who is to get no task until it is cleared: the first worker whose result a job refuses.
   std::vector<Blamed> suspected;

@@ -14,6 +14,10 @@ constexpr int kMostStragglers = 16;
 // does none is not waited for until its attempts are over.
 constexpr absl::Duration kUnknownTime = absl::Minutes(1);
 
+// A worker says once a second which tasks it has begun. What it holds and has not begun for longer goes to one that has
+// a thread for it: workers may hold more than they do.
+constexpr absl::Duration kTimeToBegin = absl::Seconds(5);
+
 // Not whether it has a thread for it now.
 bool MayTry(const WorkerRecord& worker, const Job& job, const Task& task, const MayWork& may) {
   return !worker.draining && !task.refused.contains(worker.id) && may(worker.id, job.id);
@@ -128,6 +132,7 @@ class TaskChooser {
     if (!task.lost_workers.empty() || task.refused.contains(worker_.id) || task.returned_by.contains(worker_.id)) {
       return false;
     }
+    if (!task.leases.front().begun) return now_ - since > kTimeToBegin;
     const StateOptions& options = state_.options();
     const auto time = job.times.find(task.stage);
     const absl::Duration usual = time == job.times.end() ? kUnknownTime : time->second.total / time->second.tasks;

@@ -15,8 +15,9 @@ address, scene, out = sys.argv[1:]
 jobs = jobs_pb2_grpc.JobsStub(grpc.insecure_channel(address))  # or grpc.secure_channel with ssl_channel_credentials
 spec = job_spec_pb2.JobSpec(scene=scene, out=out)
 job = jobs.CreateJob(jobs_pb2.CreateJobRequest(spec=spec, request_id=str(uuid.uuid4())))
-for job in jobs.WatchJob(jobs_pb2.WatchJobRequest(name=job.name)):
-    print(f'{job.progress.phase}: {job.progress.tasks_done} of {job.progress.tasks} tasks', file=sys.stderr)
+while job.state == jobs_pb2.RUNNING:  # a watch may end before the job, to make room for others
+    for job in jobs.WatchJob(jobs_pb2.WatchJobRequest(name=job.name, cursor=job.cursor)):
+        print(f'{job.progress.phase}: {job.progress.tasks_done} of {job.progress.tasks} tasks', file=sys.stderr)
 if not job.report:
     sys.exit(f'{job.name}: {jobs_pb2.JobState.Name(job.state)}: {job.error.message}')
 with open(job.report) as report:

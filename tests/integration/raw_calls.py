@@ -20,9 +20,14 @@ def header_block(pairs):
     return b''.join(bytes([0, len(name)]) + name.encode() + bytes([len(value)]) + value.encode() for name, value in pairs)
 
 
-def call_headers(method):
+def call_headers(method, more=()):
     return header_block([(':method', 'POST'), (':scheme', 'http'), (':path', method), (':authority', 'coordinator'),
-                         ('content-type', 'application/grpc'), ('te', 'trailers')])
+                         ('content-type', 'application/grpc'), ('te', 'trailers'), *more])
+
+
+def compressed_call(port, method, encoding, message):
+    """Sends one message that says it is compressed so, and waits until the peer has ended the call."""
+    LongCall(port, method, [('grpc-encoding', encoding)]).send(len(message), message, flag=1)
 
 
 def unread_calls(port, method, count):
@@ -52,11 +57,11 @@ def begun_calls(port, method, count):
 
 
 class LongCall:
-    def __init__(self, port, method):
+    def __init__(self, port, method, more=()):
         self.socket = socket.create_connection(('127.0.0.1', port))
         self.windows = {0: 65535, STREAM: 65535}
         self.is_over = False
-        self.socket.sendall(PREFACE + frame(SETTINGS, 0, 0) + frame(HEADERS, END_HEADERS, STREAM, call_headers(method)))
+        self.socket.sendall(PREFACE + frame(SETTINGS, 0, 0) + frame(HEADERS, END_HEADERS, STREAM, call_headers(method, more)))
 
     def read(self, count):
         data = b''
@@ -89,17 +94,18 @@ class LongCall:
         for stream in self.windows:
             self.windows[stream] -= len(piece)
 
-    def send(self, length):
-        """Sends a message of so many bytes until it is there, or the peer ends the call. The bytes that were sent."""
+    def send(self, length, content=None, flag=0):
+        """Sends a message of so many bytes, or this one, until the peer ends the call. The bytes that were sent."""
         sent = 0
         try:
-            self.put(struct.pack('>BI', 0, length))
+            self.put(struct.pack('>BI', flag, length))
             while not self.is_over:
                 room = min(self.windows.values())
                 if room <= 0 or sent == length or select.select([self.socket], [], [], 0)[0]:
                     self.take_frame()
                     continue
-                piece = PIECE[:min(room, length - sent)]
+                size = min(room, length - sent, len(PIECE))
+                piece = PIECE[:size] if content is None else content[sent:sent + size]
                 self.put(piece)
                 sent += len(piece)
         except ConnectionError:

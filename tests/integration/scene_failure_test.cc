@@ -165,8 +165,8 @@ class FinishWatcher : public JobPipeline {
 
 ClusterOptions WatchingFinish(const std::function<void()>& before, const std::function<void()>& after) {
   ClusterOptions options;
-  options.factory = [=, scenes = ScenePipelineFactory()](const JobSpec& spec) {
-    auto pipeline = scenes(spec);
+  options.factory = [=, scenes = ScenePipelineFactory()](const JobSpec& spec, const std::stop_token& stop) {
+    auto pipeline = scenes(spec, stop);
     if (!pipeline.ok()) return pipeline;
     return absl::StatusOr<std::unique_ptr<JobPipeline>>(
         std::make_unique<FinishWatcher>(*std::move(pipeline), before, after));

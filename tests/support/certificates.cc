@@ -56,6 +56,7 @@ TlsFiles TestAuthority::Issue(const std::string& file, const Wanted& wanted) con
   X509_set_issuer_name(certificate.get(), X509_get_subject_name(certificate_.get()));
   std::string names = "DNS:localhost,IP:127.0.0.1";
   for (const std::string& role : wanted.roles) absl::StrAppend(&names, ",URI:tilemend:role:", role);
+  for (const std::string& more : wanted.names) absl::StrAppend(&names, ",", more);
   AddExtension(certificate.get(), NID_subject_alt_name, names);
   X509_sign(certificate.get(), key_.get(), EVP_sha256());
   const TlsFiles files = {absl::StrCat(folder_, "/", file, ".pem"), absl::StrCat(folder_, "/", file, ".key"), path_};

@@ -24,6 +24,7 @@ class TestAuthority {
     std::string name;
     std::vector<std::string> roles = {};  // tilemend:role:ROLE
     long from_s = -3600, until_s = 3600;  // from now
+    std::vector<std::string> names = {};  // further alternative names: "DNS:example.org"
   };
   // Writes FILE.pem and FILE.key (over old ones) for localhost and 127.0.0.1, and gives them with this authority.
   TlsFiles Issue(const std::string& file, const Wanted& wanted) const;

@@ -10,7 +10,7 @@
 
 namespace tilemend {
 
-std::string HttpGet(int port, const std::string& path) {
+std::string HttpAsk(int port, const std::string& request) {
   const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -18,7 +18,6 @@ std::string HttpGet(int port, const std::string& path) {
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   std::string answer;
   if (connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0) {
-    const std::string request = "GET " + path + " HTTP/1.0\r\nConnection: close\r\n\r\n";
     if (write(connection, request.data(), request.size()) == static_cast<ssize_t>(request.size())) {
       std::array<char, 4096> buffer;
       for (ssize_t n = 1; n > 0;) {
@@ -29,6 +28,10 @@ std::string HttpGet(int port, const std::string& path) {
   }
   close(connection);
   return answer;
+}
+
+std::string HttpGet(int port, const std::string& path) {
+  return HttpAsk(port, "GET " + path + " HTTP/1.0\r\nConnection: close\r\n\r\n");
 }
 
 }  // namespace tilemend

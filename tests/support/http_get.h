@@ -9,6 +9,9 @@ namespace tilemend {
 // The whole answer to GET `path` at 127.0.0.1:`port`, headers and all; "" if there is none.
 std::string HttpGet(int port, const std::string& path);
 
+// The whole answer to the bytes `request`, likewise.
+std::string HttpAsk(int port, const std::string& request);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_TESTS_SUPPORT_HTTP_GET_H_

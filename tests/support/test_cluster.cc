@@ -141,7 +141,7 @@ v1::Job TestCluster::WaitFor(const std::string& name) {
         last = job;
         return true;
       },
-      [] { return true; });
+      [] { return absl::OkStatus(); });
   EXPECT_TRUE(status.ok()) << status;
   return last;
 }

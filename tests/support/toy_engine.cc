@@ -175,7 +175,7 @@ absl::StatusOr<std::string> Fill(const std::string& input) {
 }  // namespace
 
 PipelineFactory ToyPipelineFactory() {
-  return [](const JobSpec& spec) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+  return [](const JobSpec& spec, const std::stop_token&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
     TILEMEND_ASSIGN_OR_RETURN(ToyScene scene, ParseToyScene(spec.scene()));
     return std::make_unique<ToyPipeline>(std::move(scene), spec);
   };

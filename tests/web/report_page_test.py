@@ -7,6 +7,7 @@ FOLDER gets the packages of web/package-lock.json and keeps them; BIN has tileme
 without npm, its registry or Chromium.
 """
 import filecmp
+import gzip
 import json
 import os
 import shutil
@@ -33,9 +34,12 @@ def check_bundle(folder):
     built = run('node', 'build.mjs', 'built', cwd=folder)
     if built.returncode:
         fail(built.stdout)
-    for name in ('report.js', 'report.css'):
+    for name in ('report.js', 'report.css', 'console.js', 'console.css'):
         if not filecmp.cmp(os.path.join(folder, 'built', name), os.path.join(WEB, 'dist', name), shallow=False):
             fail(f'web/dist/{name} is not what web/src gives: run `npm ci && npm run build` in web')
+    size = sum(len(gzip.compress(open(os.path.join(WEB, 'dist', f'console.{kind}'), 'rb').read(), 9)) for kind in ('js', 'css'))
+    if size > 400_000:
+        fail(f'the page of the coordinator has {size} bytes compressed, more than 400,000')
 
 
 def tile(column):

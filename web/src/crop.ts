@@ -65,9 +65,10 @@ export async function readCrop(base64: string): Promise<Crop> {
     ...sphereOf(positions, added.length > 0 ? added : kept) };
 }
 
-function sphereOf(positions: Float32Array, corners: number[]): { centre: [number, number, number]; radius: number } {
+export function sphereOf(positions: Float32Array, corners: ArrayLike<number>): { centre: [number, number, number]; radius: number } {
   const lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
-  for (const v of corners) {
+  for (let i = 0; i < corners.length; ++i) {
+    const v = corners[i]!;
     for (let k = 0; k < 3; ++k) {
       lo[k] = Math.min(lo[k]!, positions[3 * v + k]!);
       hi[k] = Math.max(hi[k]!, positions[3 * v + k]!);

@@ -1,5 +1,5 @@
 // The table of holes: sorted by any column, filtered by text, outcome and cell.
-import type { Cell, Hole, Level, Report } from './data';
+import type { Hole, Level, Report } from './data';
 import { counted, el, number } from './dom';
 
 const STEP = 100; // rows that are shown at once
@@ -31,9 +31,16 @@ const COLUMNS: Column[] = [
   { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
 ];
 
-export interface HolesTable { element: HTMLElement; showCell: (cell: Cell) => void }
+export interface HolesTable { element: HTMLElement; showCell: (cell: readonly [number, number, ...number[]]) => void }
 
-export function holesTable(report: Report): HolesTable {
+// A number that an entry must reach to be shown.
+function least(name: string): HTMLInputElement {
+  return el('input', { type: 'number', min: '0', step: 'any', placeholder: name, 'aria-label': name, class: 'least' });
+}
+
+// `choose` hears of a hole whose row was chosen.
+export function holesTable(
+  report: Pick<Report, 'per_hole' | 'hole_count'>, choose?: (hole: Hole) => void): HolesTable {
   let sorted: { column: number; down: boolean } | null = null;
   let shown = STEP;
   const search = el('input', { type: 'search', placeholder: 'filter, e.g. water or 3, 14', 'aria-label': 'filter' });
@@ -45,7 +52,8 @@ export function holesTable(report: Report): HolesTable {
   for (const name of [...new Set(report.per_hole.map((h) => h.kind))].sort()) {
     kind.append(el('option', { value: name }, name));
   }
-  const count = el('span', { class: 'quiet' });
+  const area = least('least area [m\u00b2]'), sigma = least('least sigma [m]');
+  const count = el('span', { class: 'quiet', role: 'status' });
   const head = el('tr'), body = el('tbody');
   const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; update(); } }, 'show more');
 
@@ -54,6 +62,8 @@ export function holesTable(report: Report): HolesTable {
     const holes = report.per_hole.filter((hole) =>
       (outcome.value === '' || (outcome.value === 'filled') === hole.filled) &&
       (kind.value === '' || kind.value === hole.kind) &&
+      (area.value === '' || hole.area >= Number(area.value)) &&
+      (sigma.value === '' || (hole.sigma ?? -Infinity) >= Number(sigma.value)) &&
       (words === '' || COLUMNS.some((column) => column.text(hole).toLowerCase().includes(words))));
     if (!sorted) return holes;
     const { key } = COLUMNS[sorted.column]!, sign = sorted.down ? -1 : 1;
@@ -69,7 +79,8 @@ export function holesTable(report: Report): HolesTable {
     const of = listed < report.hole_count ? ` (${number(listed)} of ${number(report.hole_count)} are listed here)` : '';
     count.textContent = counted(holes.length, 'hole') + of;
     body.replaceChildren(...holes.slice(0, shown).map((hole) =>
-      el('tr', { class: hole.filled ? '' : 'open' },
+      el('tr', { class: hole.filled ? '' : 'open', ...(choose ? { tabindex: '0', click: () => choose(hole),
+        keydown: (event: Event) => { if ((event as KeyboardEvent).key === 'Enter') choose(hole); } } : {}) },
         ...COLUMNS.map((c) => el('td', { class: c.isNumber ? 'number' : '' }, c.text(hole))))));
     more.hidden = holes.length <= shown;
     head.querySelectorAll('th').forEach((th, i) => th.setAttribute(
@@ -83,14 +94,14 @@ export function holesTable(report: Report): HolesTable {
     };
     head.append(el('th', { class: column.isNumber ? 'number' : '' }, el('button', { type: 'button', click: sort }, column.title)));
   });
-  for (const input of [search, outcome, kind]) {
+  for (const input of [search, outcome, kind, area, sigma]) {
     input.addEventListener('input', () => { shown = STEP; update(); });
   }
   update();
   const element = el('div', {},
-    el('div', { class: 'filters' }, search, outcome, kind, count),
+    el('div', { class: 'filters' }, search, outcome, kind, area, sigma, count),
     el('div', { class: 'scroll' }, el('table', { class: 'holes' }, el('thead', {}, head), body)), more);
-  const showCell = (cell: Cell) => {
+  const showCell = (cell: readonly [number, number, ...number[]]) => {
     search.value = `${cell[0]}, ${cell[1]}`;
     shown = STEP;
     update();

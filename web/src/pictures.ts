@@ -13,7 +13,7 @@ const WIDTH = 560, HEIGHT = 380;
 type Mode = 'before' | 'after' | 'marked';
 const MARK = 0x2563c9;
 
-function makeRenderer(): WebGLRenderer | null {
+export function makeRenderer(): WebGLRenderer | null {
   try {
     const renderer = new WebGLRenderer({ antialias: true, alpha: true });
     renderer.setPixelRatio(1);
@@ -84,7 +84,7 @@ function canvasOf(className: string): HTMLCanvasElement {
   return canvas;
 }
 
-class Card {
+export class Card {
   readonly element: HTMLElement;
   private readonly canvas = canvasOf('view');
   private readonly printed = canvasOf('view print'); // the state before, beside the state after, on paper
@@ -93,30 +93,34 @@ class Card {
   private mode: Mode = 'after';
   private view: View | null = null;
 
-  constructor(private readonly picture: Picture, hole: Hole | undefined) {
+  // `remark` is shown below the picture.
+  constructor(private readonly read: () => Promise<Crop>, caption: string, private readonly remark: string) {
     const bar = el('div', { class: 'modes' });
     for (const mode of ['before', 'after', 'marked'] as Mode[]) {
       const button = el('button', { type: 'button', click: () => this.show(mode) }, mode);
       this.buttons.set(mode, button);
       bar.append(button);
     }
-    this.canvas.setAttribute('aria-label', captionOf(hole, picture));
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', caption);
+    this.printed.setAttribute('aria-hidden', 'true');
+    this.printed.tabIndex = -1;
     this.element = el('figure', { class: 'card' }, el('div', { class: 'views' }, this.printed, this.canvas),
-      el('figcaption', {}, el('span', {}, captionOf(hole, picture)), bar), this.note);
+      el('figcaption', {}, el('span', {}, caption), bar), this.note);
     this.show('after');
   }
 
   async load(renderer: WebGLRenderer): Promise<void> {
     try {
-      const crop = await readCrop(this.picture.bytes);
+      const crop = await this.read();
       this.view = new View(renderer, crop);
       this.view.orbit(this.canvas, crop, () => this.draw());
       this.show(crop.texture ? 'after' : 'marked'); // without texture a fill looks like its surroundings
       this.view.draw(this.printed, 'before');
-      this.note.textContent = this.picture.coarser ? 'Small triangles are left out of this picture.' : '';
+      this.note.textContent = this.remark;
       this.element.dataset['loaded'] = 'yes';
     } catch (error) {
-      this.note.textContent = `This picture cannot be shown: ${String(error)}`;
+      this.note.textContent = `This picture cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
     }
   }
 
@@ -136,7 +140,8 @@ export function pictures(report: Report): HTMLElement {
   const holes = new Map(report.per_hole.map((hole) => [hole.id, hole]));
   const renderer = report.pictures.length > 0 ? makeRenderer() : null;
   if (report.pictures.length > 0 && !renderer) return el('p', {}, 'This browser has no WebGL, so there are no pictures.');
-  const cards = report.pictures.map((picture) => new Card(picture, holes.get(picture.hole)));
+  const cards = report.pictures.map((picture) => new Card(() => readCrop(picture.bytes),
+    captionOf(holes.get(picture.hole), picture), picture.coarser ? 'Small triangles are left out of this picture.' : ''));
   box.append(...cards.map((card) => card.element));
   const loadAll = async () => {
     for (const card of cards) {

@@ -1,10 +1,15 @@
 #include "common/util/log.h"
 
 #include <gtest/gtest.h>
+#include <sys/types.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <memory>
+#include <string>
 
 namespace tilemend {
 namespace {
@@ -57,6 +62,37 @@ TEST(StreamLogTest, SaysWithEveryLineWhichProgramWroteIt) {
   ASSERT_NE(std::fgets(line.data(), line.size(), file.get()), nullptr);
   EXPECT_STREQ(line.data(),
                "{\"time\":\"2023-11-14T22:13:20.123Z\",\"level\":\"error\",\"event\":\"stopped\",\"program\":\"p\"}\n");
+}
+
+// A line that a full disk takes in part, then two that it does not take, then two that it takes.
+TEST(StreamLogTest, SaysHowManyLinesWereLost) {
+  struct Disk {
+    std::string text;
+    size_t room = 30;
+  } disk;
+  const auto write = [](void* to, const char* bytes, size_t size) -> ssize_t {
+    auto& full = *static_cast<Disk*>(to);
+    const size_t taken = std::min(size, full.room);
+    full.text.append(bytes, taken);
+    full.room -= taken;
+    errno = ENOSPC;
+    return static_cast<ssize_t>(taken);
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      ::fopencookie(&disk, "w", {nullptr, write, nullptr, nullptr}), std::fclose);
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);
+  StreamLog log(file.get(), LogFormat::kText, {}, [] { return kTime; });
+  int told = 0;
+  log.OnLoss([&] { ++told; });
+  for (const char* lost : {"first", "second", "third"}) log.Info(lost);
+  EXPECT_EQ(told, 1);
+  disk.room = 1000;
+  log.Info("fourth");
+  log.Info("fifth");
+  const std::string time = "2023-11-14T22:13:20.123Z ";
+  EXPECT_EQ(disk.text,
+            time + "info \n" + time + "error lines lost lines=3\n" + time + "info fourth\n" + time + "info fifth\n");
+  EXPECT_EQ(told, 1);
 }
 
 TEST(LogFormatNamedTest, IsJsonWhereNoTerminalReads) {

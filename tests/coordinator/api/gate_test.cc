@@ -31,6 +31,14 @@ TEST_F(GateTest, PutsDownWhoWasRefused) {
                                         "needs the role submit\"\n"));
 }
 
+// A caller that tries tokens must not fill a disk.
+TEST_F(GateTest, WritesAFewOfVeryManyRefusals) {
+  constexpr int kCalls = 10'000;
+  for (int i = 0; i < kCalls; ++i) EXPECT_FALSE(gate_.Admit(kCreate, {"", {}, "guess"}, "a").ok());
+  EXPECT_GE(log_.lines().size(), size_t{kRefusalsAtOnce});
+  EXPECT_LT(log_.lines().size(), size_t{kCalls / 10});
+}
+
 TEST_F(GateTest, NeverWritesATokenDown) {
   EXPECT_FALSE(gate_.Admit(kCreate, {"", {}, "my-secret"}, "a").ok());
   EXPECT_THAT(log_.lines(), ElementsAre(Not(HasSubstr("my-secret"))));

@@ -20,6 +20,23 @@ TEST(LongCallsTest, RefusesTooManyAndTakesOthersLater) {
   EXPECT_TRUE(calls.Enter("a", kStart, [] {}).ok());
 }
 
+TEST(LongCallsTest, AFurtherOneMayTakeThePlaceOfTheOldest) {
+  LongCalls calls(2, LongCalls::WhenFull::kStopOldest);
+  int old = 0, busy = 0;
+  auto first = calls.Enter("a", kStart, [&] { ++old; });
+  const auto second = calls.Enter("a", kStart, [&] { ++busy; });
+  (*second)->Touch(kStart + absl::Seconds(1));
+  auto third = calls.Enter("a", kStart + absl::Seconds(2), [] {});
+  EXPECT_TRUE(third.ok());
+  EXPECT_EQ(old, 1);
+  EXPECT_EQ(busy, 0);
+  const auto fourth = calls.Enter("a", kStart + absl::Seconds(2), [] {});
+  EXPECT_EQ(busy, 1);
+  EXPECT_EQ(ErrorReason(calls.Enter("a", kStart, [] {}).status()), "TOO_MANY_CALLS");  // until those two have ended
+  first->reset();
+  EXPECT_TRUE(calls.Enter("a", kStart, [] {}).ok());
+}
+
 TEST(LongCallsTest, StopsWhatDoesNotGetOn) {
   LongCalls calls(9);
   int idle = 0, busy = 0;

@@ -98,7 +98,7 @@ class ScalerOverGrpcTest : public CoordinatorTest {
     v1::WatchJobRequest watch;
     watch.set_name(job.name());
     const auto until_they_are_there = [&](const v1::Job& now) { return now.progress().tasks() < cells; };
-    EXPECT_TRUE(absl::IsCancelled(calls_.watch.WatchJob(watch, until_they_are_there, [] { return true; })));
+    EXPECT_TRUE(absl::IsCancelled(calls_.watch.WatchJob(watch, until_they_are_there, [] { return absl::OkStatus(); })));
     return job;
   }
 

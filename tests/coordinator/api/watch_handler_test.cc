@@ -13,7 +13,7 @@ namespace {
 
 using WatchHandlerTest = CoordinatorTest;
 
-bool Always() { return true; }
+absl::Status Always() { return absl::OkStatus(); }
 
 TEST_F(WatchHandlerTest, EndsWithTheJob) {
   v1::CancelJobRequest cancel;
@@ -46,6 +46,14 @@ TEST_F(WatchHandlerTest, TellsWhenThereIsSomethingToDo) {
   };
   EXPECT_TRUE(absl::IsCancelled(calls_.watch.WatchDemand(send, Always)));
   EXPECT_EQ(told, (std::vector<bool>{false, true}));
+}
+
+TEST_F(WatchHandlerTest, EndsWhenItsCallerMayNotWatchAnyMore) {
+  v1::WatchJobRequest watch;
+  watch.set_name(cluster_.Submit("toy://2x1").name());
+  const auto send = [](const v1::Job&) { return true; };
+  EXPECT_TRUE(absl::IsUnauthenticated(
+      calls_.watch.WatchJob(watch, send, [] { return absl::UnauthenticatedError("the token has expired"); })));
 }
 
 TEST_F(WatchHandlerTest, EndsWithTheCoordinator) {

@@ -177,8 +177,8 @@ class LookingWorkerTest : public CoordinatorTest {
  protected:
   static ClusterOptions Seen() {
     ClusterOptions options = Options();
-    options.factory = [](const JobSpec& spec) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
-      auto toy = ToyPipelineFactory()(spec);
+    options.factory = [](const JobSpec& spec, const std::stop_token&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+      auto toy = ToyPipelineFactory()(spec, {});
       if (!toy.ok()) return toy.status();
       return std::make_unique<SeenPipeline>(*std::move(toy));
     };
@@ -236,8 +236,8 @@ class FullPipeline : public SeenPipeline {
 
 TEST(FullOutputTest, AJobThatTheCoordinatorCannotWriteForEitherFails) {
   ClusterOptions options;
-  options.factory = [](const JobSpec& spec) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
-    auto toy = ToyPipelineFactory()(spec);
+  options.factory = [](const JobSpec& spec, const std::stop_token&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+    auto toy = ToyPipelineFactory()(spec, {});
     if (!toy.ok()) return toy.status();
     return std::make_unique<FullPipeline>(*std::move(toy));
   };

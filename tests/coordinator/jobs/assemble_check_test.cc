@@ -36,7 +36,7 @@ class AssembleCheckTest : public ::testing::Test {
     JobSpec spec = WithDefaults({});
     spec.set_scene(folder_ / "scene");
     spec.set_out(folder_ / "out");
-    auto pipeline = ScenePipelineFactory()(spec);
+    auto pipeline = ScenePipelineFactory()(spec, {});
     ASSERT_TRUE(pipeline.ok()) << pipeline.status();
     auto tasks = (*pipeline)->Start();
     ASSERT_TRUE(tasks.ok()) << tasks.status();

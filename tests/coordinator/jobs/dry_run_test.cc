@@ -25,7 +25,7 @@ class DryRunTest : public ::testing::Test {
  protected:
   absl::StatusOr<JobOutcome> Run() {
     spec_.set_dry_run(true);
-    auto pipeline = ScenePipelineFactory()(spec_);
+    auto pipeline = ScenePipelineFactory()(spec_, {});
     if (!pipeline.ok()) return pipeline.status();
     auto first = (*pipeline)->Start();
     if (!first.ok()) return first.status();

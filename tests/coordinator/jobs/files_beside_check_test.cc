@@ -30,7 +30,7 @@ class FilesBesideCheckTest : public testing::Test {
     spec.set_scene(folder_ / "scene");
     spec.set_out(folder_ / absl::StrCat("out_", ++runs_));
     spec.set_texture(texture);
-    auto pipeline = ScenePipelineFactory()(spec);
+    auto pipeline = ScenePipelineFactory()(spec, {});
     ASSERT_TRUE(pipeline.ok()) << pipeline.status();
     auto tasks = (*pipeline)->Start();
     ASSERT_TRUE(tasks.ok()) << tasks.status();

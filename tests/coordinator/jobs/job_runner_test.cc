@@ -57,7 +57,8 @@ class JobRunnerTest : public ::testing::Test {
   JobRunnerTest() : blobs_(BlobFolder::Create(folder_ / "blobs").value()) {}
 
   std::unique_ptr<JobRunner> Run(FakePipeline::Script script = {}) {
-    return RunFactory([script](const JobSpec&) { return std::make_unique<FakePipeline>(script); });
+    return RunFactory(
+        [script](const JobSpec&, const std::stop_token&) { return std::make_unique<FakePipeline>(script); });
   }
   std::unique_ptr<JobRunner> RunFactory(PipelineFactory factory, JobRunner::Mode mode = JobRunner::Mode::kRun) {
     JobRunner::Sink sink;
@@ -102,7 +103,8 @@ TEST_F(JobRunnerTest, StoresInputsAndHandsResultsToThePipeline) {
 
 // Refuses the first so many times, since another process holds the output.
 PipelineFactory BusyAtFirst(int times) {
-  return [left = std::make_shared<int>(times)](const JobSpec&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+  return [left = std::make_shared<int>(times)](const JobSpec&,
+                                               const std::stop_token&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
     if (--*left < 0) return std::make_unique<FakePipeline>(FakePipeline::Script());
     return WithErrorInfo(absl::AbortedError("busy"), {"OUTPUT_IN_USE", {}});
   };
@@ -195,7 +197,8 @@ TEST_F(JobRunnerTest, APipelineWithoutTasksThatIsNotDoneFails) {
 }
 
 TEST_F(JobRunnerTest, AnErrorOfTheFactoryIsThatOfTheJob) {
-  const auto runner = RunFactory([](const JobSpec&) { return absl::NotFoundError("no such scene"); });
+  const auto runner =
+      RunFactory([](const JobSpec&, const std::stop_token&) { return absl::NotFoundError("no such scene"); });
   EXPECT_EQ(AwaitOutcome().status(), absl::NotFoundError("no such scene"));
 }
 

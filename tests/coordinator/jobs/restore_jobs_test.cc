@@ -201,7 +201,7 @@ class Elsewhere : public JobPipeline {
 
 TEST(RestoreJobsTest, WarningsAreRemembered) {
   ClusterOptions options = Durable();
-  options.factory = [](const JobSpec&) { return std::make_unique<Elsewhere>(); };
+  options.factory = [](const JobSpec&, const std::stop_token&) { return std::make_unique<Elsewhere>(); };
   TestCluster cluster(options);
   cluster.AddWorker("w");
   const std::string name = cluster.Submit("toy://1x1").name();
@@ -249,7 +249,8 @@ TEST(RestoreJobsTest, AnOutputThatWasNotReleasedIs) {
     options.journal = std::move(journal);
     options.background_ticks = false;
     const auto coordinator = Coordinator::Create(
-        std::move(options), [&](const JobSpec&) { return std::make_unique<Releasing>(released); },
+        std::move(options),
+        [&](const JobSpec&, const std::stop_token&) { return std::make_unique<Releasing>(released); },
         *MetricsRegistry::Null());
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     v1::GetJobRequest get;

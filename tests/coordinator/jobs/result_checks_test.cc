@@ -38,7 +38,7 @@ class ResultChecksTest : public testing::Test {
     spec.set_scene(folder_ / "scene");
     spec.set_out(folder_ / std::string(SurfaceName(surface)));
     spec.set_surface(SurfaceName(surface));
-    auto pipeline = ScenePipelineFactory()(spec);
+    auto pipeline = ScenePipelineFactory()(spec, {});
     ASSERT_TRUE(pipeline.ok()) << pipeline.status();
     auto tasks = (*pipeline)->Start();
     ASSERT_TRUE(tasks.ok()) << tasks.status();

@@ -40,7 +40,7 @@ class ScenePipelineTest : public ::testing::Test {
   }
 
   std::unique_ptr<JobPipeline> Make() {
-    auto pipeline = ScenePipelineFactory()(spec_);
+    auto pipeline = ScenePipelineFactory()(spec_, {});
     EXPECT_TRUE(pipeline.ok()) << pipeline.status();
     return pipeline.ok() ? *std::move(pipeline) : nullptr;
   }
@@ -283,7 +283,7 @@ TEST_F(ScenePipelineTest, ADryRunSaysWhichHolesAreChosen) {
 
 TEST_F(ScenePipelineTest, CellsThatTheSceneDoesNotHaveAreRefused) {
   spec_.set_cells("1,1 90,90");
-  EXPECT_THAT(std::string(ScenePipelineFactory()(spec_).status().message()), HasSubstr("+090_+090"));
+  EXPECT_THAT(std::string(ScenePipelineFactory()(spec_, {}).status().message()), HasSubstr("+090_+090"));
 }
 
 TEST_F(ScenePipelineTest, AnotherRunTakesOverEverything) {
@@ -403,7 +403,7 @@ TEST_F(ScenePipelineTest, ATileThatIsChangedWhileNoCoordinatorRunsFailsTheJob) {
     std::deque<std::string> told;
     ASSERT_TRUE(RunTasks(*Make(), [&](TaskResult& result) { told.push_back(*result.output); }).ok());
     ChangeATile(spec_.out());
-    const auto pipeline = ScenePipelineFactory("", tiles)(spec_).value();
+    const auto pipeline = ScenePipelineFactory("", tiles)(spec_, {}).value();
     pipeline->Resume();
     const auto tell_again = [&](TaskResult& result) {
       result.output = told.front();

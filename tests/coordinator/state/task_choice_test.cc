@@ -176,7 +176,8 @@ class StragglerTest : public StateTest {
     const uint64_t token = Lease(Key("a", 1), "idle");
     now_ += absl::Seconds(2);
     Complete(Key("a", 1), "idle", token);
-    Lease(Key("a", 2), "slow");
+    const uint64_t slow = Lease(Key("a", 2), "slow");
+    Do(LeaseRenewed{Key("a", 2), "slow", slow, now_ + kLease, true});
   }
 };
 
@@ -212,10 +213,24 @@ TEST_F(TaskChoiceTest, AWorkerThatTakesAllTasksAndDoesNoneIsNotWaitedFor) {
   See("greedy", 2048);
   for (const int64_t task : {1, 2}) Lease(Key("a", task), "greedy");
   See("idle", 4);
-  now_ += absl::Minutes(3);
+  now_ += absl::Seconds(5);
   EXPECT_THAT(Choose("idle"), IsEmpty());
   now_ += absl::Seconds(1);
   EXPECT_THAT(Choose("idle"), ElementsAre(TaskKey{"a", 1}, TaskKey{"a", 2}));
+}
+
+TEST_F(TaskChoiceTest, AWorkerThatSaysItIsAtAllTasksIsNotWaitedForLong) {
+  AddJob("a", 2);
+  See("greedy", 2048);
+  for (const int64_t task : {1, 2}) {
+    const uint64_t token = Lease(Key("a", task), "greedy");
+    Do(LeaseRenewed{Key("a", task), "greedy", token, now_ + kLease, true});
+  }
+  See("idle", 4);
+  now_ += absl::Minutes(3);
+  EXPECT_THAT(Choose("idle"), IsEmpty());
+  now_ += absl::Seconds(1);
+  EXPECT_THAT(Choose("idle"), SizeIs(2));
 }
 
 class LongestAttemptTest : public StateTest {

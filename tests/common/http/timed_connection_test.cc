@@ -1,4 +1,4 @@
-#include "common/metrics/timed_connection.h"
+#include "common/http/timed_connection.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -67,7 +67,11 @@ TEST_F(TimedConnectionTest, AByteNowAndThenDoesNotMakeItLonger) {
 
 TEST_F(TimedConnectionTest, HasLessTimeWhileOthersWait) {
   std::atomic<bool> others_wait{false};
-  TimedConnection connection(ends_[0], {absl::Hours(1), absl::Milliseconds(10)}, [&] { return others_wait.load(); });
+  TimedConnection connection(ends_[0],
+                             {.time = absl::Hours(1),
+                              .time_while_others_wait = absl::Milliseconds(10),
+                              .write_time_while_others_wait = absl::Milliseconds(10)},
+                             [&] { return others_wait.load(); });
   std::thread reader([&] { EXPECT_EQ(ReadAll(connection), 0U); });
   others_wait = true;
   reader.join();

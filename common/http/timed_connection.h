@@ -1,6 +1,6 @@
 // One connection of the web server that must come to its end in time, however slowly the other side speaks.
-#ifndef TILEMEND_COMMON_METRICS_TIMED_CONNECTION_H_
-#define TILEMEND_COMMON_METRICS_TIMED_CONNECTION_H_
+#ifndef TILEMEND_COMMON_HTTP_TIMED_CONNECTION_H_
+#define TILEMEND_COMMON_HTTP_TIMED_CONNECTION_H_
 
 #include <httplib.h>
 #include <openssl/ssl.h>
@@ -17,8 +17,9 @@ namespace tilemend {
 // What a connection gets in all. A byte now and then does not make it longer.
 struct ConnectionLimits {
   absl::Duration time = absl::Seconds(5);
-  absl::Duration time_while_others_wait = absl::Milliseconds(250);
+  absl::Duration time_while_others_wait = absl::Milliseconds(250);  // until the answer begins
   size_t read_bytes = size_t{64} << 10;
+  absl::Duration write_time_while_others_wait = absl::Milliseconds(250);  // once it has begun
 };
 
 // Reads and writes a socket, in plain text or over TLS, until it has had what it gets; then reads and writes fail.
@@ -37,12 +38,17 @@ class TimedConnection : public httplib::Stream {
   bool is_writable() const override { return true; }
   ssize_t read(char* to, size_t size) override;
   ssize_t write(const char* from, size_t size) override;
+  // The certificate that the other side has shown; null without one.
+  std::unique_ptr<X509, void (*)(X509*)> PeerCertificate() const;
+
   void get_remote_ip_and_port(std::string& ip, int& port) const override;
   void get_local_ip_and_port(std::string& ip, int& port) const override;
   socket_t socket() const override { return fd_; }
 
  private:
   bool HasTime() const;
+  // From now on the answer's limits count.
+  void StartWriting() { allowed_while_others_wait_ = limits_.write_time_while_others_wait; }
   // Until the socket is ready for `events` (poll); false if there is no more time.
   bool AwaitReady(short events) const;  // NOLINT(google-runtime-int): as poll has it
   // Whether a call of TLS that gave `result` is to be repeated, after waiting for what it lacks.
@@ -57,6 +63,7 @@ class TimedConnection : public httplib::Stream {
   const ConnectionLimits limits_;
   const std::function<bool()> others_wait_;
   const absl::Time begin_;
+  absl::Duration allowed_while_others_wait_;
   std::unique_ptr<SSL, FreeSsl> ssl_;  // null: plain text
   std::array<char, 4096> buffer_{};    // the server reads byte by byte
   size_t at_ = 0, end_ = 0;            // what of it is still to be read
@@ -65,4 +72,4 @@ class TimedConnection : public httplib::Stream {
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_COMMON_METRICS_TIMED_CONNECTION_H_
+#endif  // TILEMEND_COMMON_HTTP_TIMED_CONNECTION_H_

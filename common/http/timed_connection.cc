@@ -1,12 +1,15 @@
-#include "common/metrics/timed_connection.h"
+#include "common/http/timed_connection.h"
 
 #include <fcntl.h>
+#include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -21,7 +24,11 @@ constexpr int kLookMilliseconds = 50;
 }  // namespace
 
 TimedConnection::TimedConnection(int fd, ConnectionLimits limits, std::function<bool()> others_wait)
-    : fd_(fd), limits_(limits), others_wait_(std::move(others_wait)), begin_(absl::Now()) {
+    : fd_(fd),
+      limits_(limits),
+      others_wait_(std::move(others_wait)),
+      begin_(absl::Now()),
+      allowed_while_others_wait_(limits.time_while_others_wait) {
   fcntl(fd_, F_SETFL, fcntl(fd_, F_GETFL) | O_NONBLOCK);
 }
 
@@ -32,7 +39,7 @@ TimedConnection::~TimedConnection() {
 }
 
 bool TimedConnection::HasTime() const {
-  return absl::Now() - begin_ < (others_wait_() ? limits_.time_while_others_wait : limits_.time);
+  return absl::Now() - begin_ < (others_wait_() ? allowed_while_others_wait_ : limits_.time);
 }
 
 bool TimedConnection::AwaitReady(short events) const {  // NOLINT(google-runtime-int)
@@ -97,6 +104,7 @@ ssize_t TimedConnection::read(char* to, size_t size) {
 }
 
 ssize_t TimedConnection::write(const char* from, size_t size) {
+  StartWriting();
   if (!HasTime()) return -1;
   if (ssl_ != nullptr) {
     int count = 0;
@@ -112,8 +120,23 @@ ssize_t TimedConnection::write(const char* from, size_t size) {
   return count;
 }
 
-// The pages do not depend on who asks.
-void TimedConnection::get_remote_ip_and_port(std::string&, int&) const {}
+std::unique_ptr<X509, void (*)(X509*)> TimedConnection::PeerCertificate() const {
+  return {ssl_ == nullptr ? nullptr : SSL_get1_peer_certificate(ssl_.get()), X509_free};
+}
+
+void TimedConnection::get_remote_ip_and_port(std::string& ip, int& port) const {
+  sockaddr_storage address{};
+  socklen_t length = sizeof(address);
+  std::array<char, NI_MAXHOST> host{};
+  std::array<char, NI_MAXSERV> service{};
+  auto* const any = reinterpret_cast<sockaddr*>(&address);
+  if (getpeername(fd_, any, &length) != 0 || getnameinfo(any, length, host.data(), host.size(), service.data(),
+                                                         service.size(), NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
+    return;
+  }
+  ip = host.data();
+  port = std::atoi(service.data());  // NOLINT(cert-err34-c): the library writes a number
+}
 void TimedConnection::get_local_ip_and_port(std::string&, int&) const {}
 
 }  // namespace tilemend

@@ -1,6 +1,6 @@
 // Reading a report that may come from another release: members that are missing or of another type are empty.
-#ifndef TILEMEND_CLIENT_JSON_ACCESS_H_
-#define TILEMEND_CLIENT_JSON_ACCESS_H_
+#ifndef TILEMEND_COORDINATOR_REPORT_JSON_ACCESS_H_
+#define TILEMEND_COORDINATOR_REPORT_JSON_ACCESS_H_
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -40,4 +40,4 @@ inline std::string AreaText(const nlohmann::ordered_json& value) {
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_CLIENT_JSON_ACCESS_H_
+#endif  // TILEMEND_COORDINATOR_REPORT_JSON_ACCESS_H_

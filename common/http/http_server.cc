@@ -1,0 +1,241 @@
+#include "common/http/http_server.h"
+
+#include <httplib.h>
+#include <openssl/ssl.h>
+#include <openssl/x509v3.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <semaphore>
+#include <thread>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "common/http/timed_connection.h"
+
+namespace tilemend {
+namespace {
+
+constexpr size_t kThreads = 16;
+constexpr std::ptrdiff_t kMostConnections = 64;  // served or waiting for a thread; the others wait in the kernel
+
+// Threads that have a bounded queue before them: who comes when it is full waits to be accepted.
+class BoundedPool : public httplib::TaskQueue {
+ public:
+  explicit BoundedPool(std::atomic<int>& waiting) : waiting_(waiting) {}
+  void enqueue(std::function<void()> answer) override {
+    room_.acquire();
+    ++waiting_;
+    pool_.enqueue([this, answer = std::move(answer)] {
+      --waiting_;
+      answer();
+      room_.release();
+    });
+  }
+  void shutdown() override { pool_.shutdown(); }
+
+ private:
+  std::atomic<int>& waiting_;  // for a thread
+  std::counting_semaphore<kMostConnections> room_{kMostConnections};
+  httplib::ThreadPool pool_{kThreads};
+};
+
+// Before each handshake, so that new files count at once.
+int LoadCertificate(SSL* connection, void* data) {
+  const auto& security = *static_cast<const HttpSecurity*>(data);
+  if (SSL_use_certificate_chain_file(connection, security.certificate.c_str()) != 1 ||
+      SSL_use_PrivateKey_file(connection, security.key.c_str(), SSL_FILETYPE_PEM) != 1) {
+    return 0;
+  }
+  if (security.authority.empty()) return 1;
+  X509_STORE* const store = X509_STORE_new();
+  if (X509_STORE_load_locations(store, security.authority.c_str(), nullptr) != 1 ||
+      SSL_set1_verify_cert_store(connection, store) != 1) {
+    X509_STORE_free(store);
+    return 0;
+  }
+  X509_STORE_free(store);
+  SSL_set_verify(connection, SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT, nullptr);
+  return 1;
+}
+
+struct FreeContext {
+  void operator()(SSL_CTX* context) const { SSL_CTX_free(context); }
+};
+using TlsContext = std::unique_ptr<SSL_CTX, FreeContext>;
+
+// None for plain text. `security` must outlive it.
+TlsContext NewContext(HttpSecurity& security) {
+  if (security.certificate.empty()) return nullptr;
+  TlsContext context(SSL_CTX_new(TLS_server_method()));
+  SSL_CTX_set_min_proto_version(context.get(), TLS1_2_VERSION);
+  // A session that goes on would bring no certificate along.
+  SSL_CTX_set_session_cache_mode(context.get(), SSL_SESS_CACHE_OFF);
+  SSL_CTX_set_options(context.get(), SSL_OP_NO_TICKET);
+  SSL_CTX_set_cert_cb(context.get(), LoadCertificate, &security);
+  return context;
+}
+
+// The connection that this thread answers.
+thread_local const TimedConnection* current_connection = nullptr;
+
+class TimedServer : public httplib::Server {
+ public:
+  TimedServer(TlsContext context, ConnectionLimits limits) : context_(std::move(context)), limits_(limits) {
+    new_task_queue = [this] { return new BoundedPool(waiting_); };
+  }
+  // Once it is bound. The library has the kernel keep five connections, and a sixth tries again after a second.
+  void KeepMoreInTheKernel() { ::listen(svr_sock_.load(), SOMAXCONN); }
+
+ private:
+  bool process_and_close_socket(socket_t fd) override {
+    TimedConnection connection(fd, limits_, [this] { return waiting_ > 0; });
+    if (context_ != nullptr && !connection.Encrypt(context_.get())) return false;
+    current_connection = &connection;
+    bool closed = false;
+    const bool answered = process_request(connection, true, closed, [](httplib::Request& request) {
+      request.ranges.clear();                    // an answer is whole: 8 KB of ranges made an answer of 0.2 GB
+      request.headers.erase("Accept-Encoding");  // the library's compression takes a second for a megabyte
+      request.set_header("Accept-Encoding", "");
+    });
+    current_connection = nullptr;
+    return answered;
+  }
+
+  const TlsContext context_;
+  const ConnectionLimits limits_;
+  std::atomic<int> waiting_{0};
+};
+
+// Alternative names that are URIs, as over gRPC.
+std::vector<std::string> UrisOf(const X509& certificate) {
+  std::vector<std::string> names;
+  auto* const all = static_cast<GENERAL_NAMES*>(X509_get_ext_d2i(&certificate, NID_subject_alt_name, nullptr, nullptr));
+  for (int k = 0; k < sk_GENERAL_NAME_num(all); ++k) {
+    const GENERAL_NAME* const name = sk_GENERAL_NAME_value(all, k);
+    if (name->type != GEN_URI) continue;
+    const ASN1_STRING* const text = name->d.ia5;
+    names.emplace_back(reinterpret_cast<const char*>(ASN1_STRING_get0_data(text)),
+                       static_cast<size_t>(ASN1_STRING_length(text)));
+  }
+  GENERAL_NAMES_free(all);
+  return names;
+}
+
+void SetCaller(const TimedConnection& connection, HttpRequest& request) {
+  std::string ip;
+  int port = 0;
+  connection.get_remote_ip_and_port(ip, port);
+  request.address = absl::StrCat(ip, ":", port);
+  const auto certificate = connection.PeerCertificate();
+  if (certificate == nullptr) return;
+  std::array<char, 256> name{};
+  const int length = X509_NAME_get_text_by_NID(X509_get_subject_name(certificate.get()), NID_commonName, name.data(),
+                                               static_cast<int>(name.size()));
+  if (length > 0) request.certificate_name.assign(name.data(), static_cast<size_t>(length));
+  request.certificate_uris = UrisOf(*certificate);
+}
+
+HttpRequest RequestOf(const httplib::Request& from) {
+  HttpRequest request;
+  request.method = from.method;
+  request.path = from.path;
+  for (const auto& [name, value] : from.params) request.query.emplace(name, value);
+  for (const auto& [name, value] : from.headers) request.headers.emplace(absl::AsciiStrToLower(name), value);
+  request.body = from.body;
+  if (current_connection != nullptr) SetCaller(*current_connection, request);
+  return request;
+}
+
+void AllowAddressAgain(int socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+}
+
+}  // namespace
+
+std::string HttpRequest::Header(const std::string& name) const {
+  const auto found = headers.find(name);
+  return found == headers.end() ? "" : found->second;
+}
+
+struct HttpServer::Impl {
+  ~Impl() {
+    if (!thread.joinable()) return;
+    server->stop();
+    thread.join();
+  }
+  void Answer(const httplib::Request& request, httplib::Response& response) const;
+  bool Listen(const std::string& host, int wanted_port, size_t request_body_bytes);
+
+  Handler handler;
+  HttpSecurity security;
+  std::unique_ptr<TimedServer> server;
+  int port = 0;
+  std::thread thread;
+};
+
+void HttpServer::Impl::Answer(const httplib::Request& request, httplib::Response& response) const {
+  HttpAnswer answer = handler(RequestOf(request));
+  response.status = answer.status;
+  for (const auto& [name, value] : answer.headers) response.set_header(name, value);
+  if (answer.status == 304) return;
+  response.body = std::move(answer.body);
+  response.set_header("Content-Type", answer.type);
+}
+
+bool HttpServer::Impl::Listen(const std::string& host, int wanted_port, size_t request_body_bytes) {
+  server->set_payload_max_length(request_body_bytes);
+  server->set_socket_options(AllowAddressAgain);
+  const auto answer = [this](const httplib::Request& request, httplib::Response& response) {
+    Answer(request, response);
+  };
+  server->Get(".*", answer);
+  server->Post(".*", answer);
+  if (wanted_port == 0) {
+    port = server->bind_to_any_port(host);
+  } else if (server->bind_to_port(host, wanted_port)) {
+    port = wanted_port;
+  }
+  if (port <= 0) return false;
+  server->KeepMoreInTheKernel();
+  thread = std::thread([this] { server->listen_after_bind(); });
+  while (!server->is_running()) std::this_thread::yield();  // before that it cannot be stopped
+  return true;
+}
+
+absl::StatusOr<std::unique_ptr<HttpServer>> HttpServer::Start(const std::string& address, const std::string& what,
+                                                              Handler handler, HttpSecurity security,
+                                                              HttpLimits limits) {
+  auto impl = std::make_unique<Impl>();
+  impl->handler = std::move(handler);
+  impl->security = std::move(security);
+  impl->server = std::make_unique<TimedServer>(
+      NewContext(impl->security),
+      ConnectionLimits{.time = limits.time,
+                       .time_while_others_wait = limits.read_time_while_others_wait,
+                       .write_time_while_others_wait = limits.write_time_while_others_wait});
+  const size_t colon = address.rfind(':');
+  std::string host = address.substr(0, colon);
+  if (host.size() > 2 && host.front() == '[') host = host.substr(1, host.size() - 2);
+  int port = -1;
+  if (colon == std::string::npos || !absl::SimpleAtoi(address.substr(colon + 1), &port)) {
+    return absl::InvalidArgumentError(absl::StrCat(address, ": expected HOST:PORT to serve ", what, " at"));
+  }
+  errno = 0;
+  if (!impl->Listen(host, port, limits.request_body_bytes)) {
+    const std::string why = errno == 0 ? "no address of this machine" : std::strerror(errno);
+    return absl::UnavailableError(absl::StrCat(address, ": cannot serve ", what, " there: ", why));
+  }
+  return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
+}
+
+HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+HttpServer::~HttpServer() = default;
+
+int HttpServer::port() const { return impl_->port; }
+
+}  // namespace tilemend

@@ -1,0 +1,93 @@
+#include "coordinator/web/cell_map.h"
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/util/error_info.h"
+#include "common/util/stage.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kNoCell = ' ', kWithoutSurface = '-';
+
+// The rectangle around cells.
+struct Frame {
+  int64_t c0 = std::numeric_limits<int32_t>::max(), c1 = std::numeric_limits<int32_t>::min();
+  int64_t r0 = c0, r1 = c1;
+
+  void Add(CellId cell) {
+    c0 = std::min<int64_t>(c0, cell.col);
+    c1 = std::max<int64_t>(c1, cell.col);
+    r0 = std::min<int64_t>(r0, cell.row);
+    r1 = std::max<int64_t>(r1, cell.row);
+  }
+  bool empty() const { return c1 < c0; }
+  int64_t columns() const { return empty() ? 0 : c1 - c0 + 1; }
+  int64_t rows() const { return empty() ? 0 : r1 - r0 + 1; }
+  size_t IndexOf(CellId cell) const { return static_cast<size_t>((cell.row - r0) * columns() + cell.col - c0); }
+};
+
+Frame FrameOf(const JobCells& job, const Scene* scene) {
+  Frame frame;
+  for (const auto& [cell, progress] : job.cells) frame.Add(cell);
+  if (scene == nullptr) return frame;
+  for (const SceneTile& tile : scene->tiles) frame.Add(tile.cell);
+  return frame;
+}
+
+// What is shown of a cell that had no task.
+char LetterOf(const JobCells& job, const SceneTile& tile) {
+  if (tile.path.empty()) return kWithoutSurface;
+  const bool done = job.state == JobState::kDone || job.state == JobState::kPartial;
+  return static_cast<char>(done ? CellProgress::kWritten : CellProgress::kWaiting);
+}
+
+std::string LettersOf(const JobCells& job, const Scene* scene, const Frame& frame) {
+  std::string letters(static_cast<size_t>(frame.columns() * frame.rows()), kNoCell);
+  if (scene != nullptr) {
+    for (const SceneTile& tile : scene->tiles) letters[frame.IndexOf(tile.cell)] = LetterOf(job, tile);
+  }
+  for (const auto& [cell, progress] : job.cells) letters[frame.IndexOf(cell)] = static_cast<char>(progress);
+  return letters;
+}
+
+Json FailuresOf(const JobCells& job) {
+  Json rows = Json::array();
+  for (const CellFailure& failure : job.failures) {
+    rows.push_back({{"cell", {failure.cell.col, failure.cell.row}},
+                    {"stage", StageName(failure.stage)},
+                    {"reason", failure.reason}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+absl::StatusOr<std::string> CellMapJson(const JobCells& job, const Scene* scene) {
+  const Frame frame = FrameOf(job, scene);
+  if (frame.columns() * frame.rows() > kMostMapSquares) {
+    return WithErrorInfo(absl::ResourceExhaustedError(
+                             absl::StrCat("a map of ", frame.columns(), " x ", frame.rows(), " cells is too large")),
+                         {"TOO_LARGE", {{"limit", absl::StrCat(kMostMapSquares)}}});
+  }
+  Json map = {{"state", JobStateName(job.state)},
+              {"column", frame.empty() ? 0 : frame.c0},
+              {"row", frame.empty() ? 0 : frame.r0},
+              {"columns", frame.columns()},
+              {"rows", frame.rows()}};
+  if (scene != nullptr) map["cellSize"] = {scene->grid.cell_size.x(), scene->grid.cell_size.y()};
+  map["hasTiles"] = scene != nullptr;
+  map["cells"] = LettersOf(job, scene, frame);
+  map["held"] = Json::array();
+  for (const CellId cell : job.held) map["held"].push_back({cell.col, cell.row});
+  map["failures"] = FailuresOf(job);
+  return map.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace tilemend

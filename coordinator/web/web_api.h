@@ -1,0 +1,46 @@
+// The JSON mirror: requests of the web server as calls of clients, and their answers as JSON.
+#ifndef TILEMEND_COORDINATOR_WEB_WEB_API_H_
+#define TILEMEND_COORDINATOR_WEB_WEB_API_H_
+
+#include <map>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/http/http_server.h"
+#include "coordinator/api/guarded_calls.h"
+#include "coordinator/web/job_files.h"
+#include "coordinator/web/routes.h"
+
+namespace tilemend {
+
+// Thread-safe. Who calls is said by "Authorization: Bearer TOKEN" or by a certificate, as over gRPC, and has the same
+// rights there and here (GuardedCalls).
+class WebApi {
+ public:
+  // `calls` must outlive this.
+  explicit WebApi(const GuardedCalls& calls) : calls_(calls) {}
+
+  // The answer to a request below /v1/. Errors are {"error": {"code", "message", "reason", "metadata"}}. An answer to
+  // GET has an ETag; 304 if that is the one in If-None-Match.
+  HttpAnswer Answer(const HttpRequest& request);
+
+ private:
+  absl::StatusOr<HttpAnswer> AnswerMatch(const Match& match, const HttpRequest& request);
+  absl::StatusOr<HttpAnswer> Read(const Match& match, const HttpRequest& request, const Peer& peer);
+  absl::StatusOr<HttpAnswer> Steer(const Match& match, const HttpRequest& request, const Peer& peer);
+  absl::StatusOr<HttpAnswer> Me(const Peer& peer) const;
+  absl::StatusOr<HttpAnswer> Cells(const std::string& name, const Peer& peer);
+  absl::StatusOr<HttpAnswer> Holes(const std::string& name, const Peer& peer);
+  absl::StatusOr<HttpAnswer> TileOf(const std::string& name, const std::string& cell, bool after, const Peer& peer);
+
+  const GuardedCalls& calls_;
+  JobFiles files_;
+};
+
+// The HTTP status for an error of a call.
+int HttpStatusOf(absl::StatusCode code);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_WEB_WEB_API_H_

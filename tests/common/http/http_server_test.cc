@@ -1,0 +1,149 @@
+#include "common/http/http_server.h"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "tests/support/certificates.h"
+#include "tests/support/http_get.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::unique_ptr<HttpServer> Serve(HttpServer::Handler handler, HttpSecurity security = {}) {
+  auto server = HttpServer::Start("127.0.0.1:0", "pages", std::move(handler), std::move(security));
+  EXPECT_TRUE(server.ok()) << server.status();
+  return server.ok() ? *std::move(server) : nullptr;
+}
+
+int Connected(int port) {
+  const int fd = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0 ? fd : -1;
+}
+
+TEST(HttpServerTest, HandsOverWhatIsAskedAndAnswersIt) {
+  const auto server = Serve([](const HttpRequest& request) {
+    HttpAnswer answer;
+    answer.status = 201;
+    answer.type = "application/json";
+    answer.body = absl::StrCat(request.method, " ", request.path, " ", request.query.at("a"), " ",
+                               request.Header("x-own"), " ", request.Header("none"), request.body);
+    answer.headers = {{"ETag", "\"1\""}};
+    return answer;
+  });
+  httplib::Client client("127.0.0.1", server->port());
+  const auto result = client.Post("/v1/x%20y?a=b%2Fc", {{"X-Own", "mine"}}, "body", "text/plain");
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->status, 201);
+  EXPECT_EQ(result->body, "POST /v1/x y b/c mine body");
+  EXPECT_EQ(result->get_header_value("ETag"), "\"1\"");
+  EXPECT_EQ(result->get_header_value("Content-Type"), "application/json");
+}
+
+TEST(HttpServerTest, SaysWhereACallComesFrom) {
+  const auto server = Serve([](const HttpRequest& request) { return HttpAnswer{.body = request.address}; });
+  EXPECT_THAT(HttpGet(server->port(), "/"), HasSubstr("\r\n\r\n127.0.0.1:"));
+}
+
+TEST(HttpServerTest, NotModifiedHasNoBody) {
+  const auto server = Serve([](const HttpRequest&) { return HttpAnswer{.status = 304, .body = "no"}; });
+  EXPECT_THAT(HttpGet(server->port(), "/"), StartsWith("HTTP/1.1 304 "));
+  EXPECT_THAT(HttpGet(server->port(), "/"), ::testing::Not(HasSubstr("no\n")));
+}
+
+TEST(HttpServerTest, CompressesNothingByItself) {
+  const auto server = Serve([](const HttpRequest&) { return HttpAnswer{.body = std::string(100, 'a')}; });
+  httplib::Client client("127.0.0.1", server->port());
+  client.set_decompress(false);
+  const auto result = client.Get("/", {{"Accept-Encoding", "gzip, br"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->body, std::string(100, 'a'));
+}
+
+TEST(HttpServerTest, RefusesABodyThatIsTooLarge) {
+  const auto server = Serve([](const HttpRequest&) { return HttpAnswer{.body = "taken"}; });
+  const auto result = httplib::Client("127.0.0.1", server->port()).Post("/", std::string(5000, 'a'), "text/plain");
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->status, 413);
+}
+
+TEST(HttpServerTest, TwoThousandOpenConnectionsKeepNobodyOutForLong) {
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+  if (limit.rlim_cur < 5000) GTEST_SKIP() << "needs 5,000 open files";
+  const auto server = Serve([](const HttpRequest&) { return HttpAnswer{.body = "here"}; });
+  std::vector<int> open;
+  for (int i = 0; i < 2000; ++i) open.push_back(Connected(server->port()));
+  EXPECT_THAT(open, ::testing::Not(Contains(-1)));
+  httplib::Client client("127.0.0.1", server->port());
+  client.set_read_timeout(90);
+  const absl::Time begin = absl::Now();
+  const auto result = client.Get("/");
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->body, "here");
+  // A quarter of a second for each of 2,000, sixteen at a time: 31 s.
+  EXPECT_LT(absl::Now() - begin, absl::Seconds(60));
+  for (const int fd : open) close(fd);
+}
+
+TEST(HttpServerTest, TakesOnlyCertificatesOfItsAuthorityAndSaysWhoseTheyAre) {
+  const TemporaryFolder folder;
+  const TestAuthority ours(folder.path(), "ours"), others(folder.path(), "others");
+  const TlsFiles own = ours.Issue("server", {"server"});
+  const TlsFiles caller = ours.Issue("ann", {"ann", {"watch"}}), stranger = others.Issue("eve", {"eve", {"admin"}});
+  const auto server = Serve(
+      [](const HttpRequest& request) {
+        HttpAnswer answer{.body = request.certificate_name};
+        for (const std::string& name : request.certificate_uris) absl::StrAppend(&answer.body, " ", name);
+        return answer;
+      },
+      {own.certificate, own.key, own.authority});
+  const auto get = [&](const TlsFiles* files) {
+    const std::string address = absl::StrCat("https://127.0.0.1:", server->port());
+    auto client = files == nullptr ? std::make_unique<httplib::Client>(address)
+                                   : std::make_unique<httplib::Client>(address, files->certificate, files->key);
+    client->set_ca_cert_path(ours.path());
+    const auto result = client->Get("/");
+    return result ? result->body : "refused";
+  };
+  EXPECT_THAT(get(&caller), StartsWith("ann "));
+  EXPECT_THAT(get(&caller), HasSubstr("tilemend:role:watch"));
+  EXPECT_EQ(get(&stranger), "refused");
+  EXPECT_EQ(get(nullptr), "refused");
+}
+
+TEST(HttpServerTest, SaysWhatItCannotServe) {
+  const auto answer = [](const HttpRequest&) { return HttpAnswer(); };
+  const auto wrong = HttpServer::Start("nowhere", "the page", answer);
+  EXPECT_TRUE(absl::IsInvalidArgument(wrong.status()));
+  EXPECT_THAT(std::string(wrong.status().message()), HasSubstr("expected HOST:PORT to serve the page at"));
+  const auto first = Serve(answer);
+  const auto second = HttpServer::Start(absl::StrCat("127.0.0.1:", first->port()), "the page", answer);
+  EXPECT_TRUE(absl::IsUnavailable(second.status()));
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,35 @@
+#include "coordinator/report/page_holes.h"
+
+#include <gtest/gtest.h>
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(PageHolesTest, ShowsThoseThatWereLeftFirstThenTheLargest) {
+  const Json report = Json::parse(R"({"per_hole": [
+      {"id": 0, "kind": "closed", "single": "simple", "area_m2": -4, "outcome": "filled", "method": "plane"},
+      {"id": 1, "kind": "open", "type": "B", "area_m2": 9, "outcome": "filled", "water": {"reason": "lake", "sigma_m": 0.1}},
+      {"id": 2, "kind": "open", "area_m2": 1, "outcome": "left", "reason": "crossed"}]})");
+  const Json holes = PageHoles(report, 10);
+  ASSERT_EQ(holes.size(), 3);
+  EXPECT_EQ(holes[0]["id"], 2);
+  EXPECT_EQ(holes[0]["reason"], "crossed");
+  EXPECT_EQ(holes[0]["filled"], false);
+  EXPECT_EQ(holes[1]["kind"], "open B");
+  EXPECT_EQ(holes[1]["sigma"], 0.1);
+  EXPECT_EQ(holes[1]["reason"], "lake");
+  EXPECT_EQ(holes[2]["kind"], "closed, simple");
+  EXPECT_EQ(holes[2]["area"], 4);
+  EXPECT_EQ(PageHoles(report, 1).size(), 1);
+}
+
+TEST(PageHolesTest, OfWhatIsNoReportThereIsNone) {
+  EXPECT_EQ(PageHoles(Json(), 10), Json::array());
+  EXPECT_EQ(PageHoles(Json{{"per_hole", 3}}, 10), Json::array());
+  EXPECT_EQ(PageHoles(Json{{"per_hole", {3}}}, 10)[0]["filled"], false);
+}
+
+}  // namespace
+}  // namespace tilemend

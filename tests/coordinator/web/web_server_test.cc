@@ -1,0 +1,79 @@
+#include "coordinator/web/web_server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/http_get.h"
+#include "tests/support/test_cluster.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class WebServerTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto server = WebServer::Start("127.0.0.1:0", cluster_.coordinator());
+    ASSERT_TRUE(server.ok()) << server.status();
+    server_ = *std::move(server);
+  }
+  std::string Ask(const std::string& request) const { return HttpAsk(server_->port(), request + "\r\n\r\n"); }
+
+  TestCluster cluster_;
+  std::unique_ptr<WebServer> server_;
+};
+
+TEST_F(WebServerTest, ServesThePageAndItsFilesCompressed) {
+  const std::string page = Ask("GET / HTTP/1.1\r\nHost: localhost:1");
+  EXPECT_THAT(page, StartsWith("HTTP/1.1 200 "));
+  EXPECT_THAT(page, HasSubstr("<script src=\"/console.js\"></script>"));
+  EXPECT_THAT(Ask("GET /console.js HTTP/1.1\r\nHost: 127.0.0.1"), HasSubstr("Content-Encoding: gzip"));
+  EXPECT_THAT(Ask("GET /console.css HTTP/1.1\r\nHost: [::1]:1"), HasSubstr("Content-Type: text/css"));
+  EXPECT_THAT(Ask("GET /etc/passwd HTTP/1.1\r\nHost: localhost"), StartsWith("HTTP/1.1 404 "));
+  EXPECT_THAT(Ask("GET /../../etc/passwd HTTP/1.1\r\nHost: localhost"), StartsWith("HTTP/1.1 404 "));
+  EXPECT_THAT(Ask("GET /%2e%2e/%2e%2e/etc/passwd HTTP/1.1\r\nHost: localhost"), StartsWith("HTTP/1.1 404 "));
+  EXPECT_THAT(Ask("GET /v1/jobs HTTP/1.1\r\nHost: localhost"), HasSubstr("{\"jobs\":[]"));
+}
+
+TEST_F(WebServerTest, EveryAnswerHasTheSecurityHeaders) {
+  for (const char* path : {"/", "/console.js", "/v1/jobs", "/v1/nothing", "/nothing"}) {
+    const std::string answer = Ask(std::string("GET ") + path + " HTTP/1.1\r\nHost: localhost");
+    EXPECT_THAT(answer, HasSubstr("Content-Security-Policy: default-src 'none'; script-src 'self'")) << path;
+    EXPECT_THAT(answer, Not(HasSubstr("unsafe"))) << path;
+    EXPECT_THAT(answer, HasSubstr("X-Content-Type-Options: nosniff")) << path;
+    EXPECT_THAT(answer, HasSubstr("frame-ancestors 'none'")) << path;
+  }
+}
+
+TEST_F(WebServerTest, AnotherSiteMayNotCall) {
+  const std::string post = "POST /v1/jobs/1/cancel HTTP/1.1\r\nContent-Type: application/json\r\nContent-Length: 0\r\n";
+  EXPECT_THAT(Ask(post + "Host: localhost:1\r\nOrigin: http://localhost:1"), StartsWith("HTTP/1.1 404 "));
+  EXPECT_THAT(Ask(post + "Host: localhost:1\r\nOrigin: https://evil.example"), StartsWith("HTTP/1.1 403 "));
+  EXPECT_THAT(Ask(post + "Host: localhost:1\r\nOrigin: null"), StartsWith("HTTP/1.1 403 "));
+  EXPECT_THAT(Ask("GET /v1/jobs HTTP/1.1\r\nHost: localhost\r\nSec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: no-cors"),
+              StartsWith("HTTP/1.1 403 "));
+  // A name that leads here: DNS rebinding.
+  EXPECT_THAT(Ask("GET /v1/jobs HTTP/1.1\r\nHost: evil.example:80"), StartsWith("HTTP/1.1 421 "));
+  EXPECT_THAT(Ask("GET /v1/jobs HTTP/1.1"), StartsWith("HTTP/1.1 421 "));
+  EXPECT_THAT(Ask("POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0"), StartsWith("HTTP/1.1 405 "));
+}
+
+TEST_F(WebServerTest, WhereCallersHaveNamesAnyHostNameWillDo) {
+  const auto server = WebServer::Start("127.0.0.1:0", cluster_.coordinator(), {.callers_have_names = true});
+  ASSERT_TRUE(server.ok()) << server.status();
+  EXPECT_THAT(HttpAsk((*server)->port(), "GET / HTTP/1.1\r\nHost: coordinator.example\r\n\r\n"),
+              StartsWith("HTTP/1.1 200 "));
+}
+
+TEST_F(WebServerTest, SaysIfItCannotServeThere) {
+  const auto status = WebServer::Start("nowhere", cluster_.coordinator()).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Starts a coordinator with its page, three jobs and a worker, and uses the page in Chromium.
+
+    console_page_test.py FOLDER BIN
+
+FOLDER is that of report_page_test.py, which installs the packages. BIN has the programs. Exit code 77 (skipped, and says
+so) without npm, its registry or Chromium.
+"""
+import hashlib
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+
+from report_page_test import HERE, SIDE, fail, install, skip
+
+sys.path.insert(0, os.path.join(os.path.dirname(HERE), 'integration'))
+from free_port import free_port  # noqa: E402
+
+LARGE = 100  # cells along a side
+
+
+def tile(column, row):
+    """A tile of a slope with a lake in every second cell."""
+    points, faces = [], []
+    for y in range(row * SIDE, (row + 1) * SIDE + 1):
+        for x in range(column * SIDE, (column + 1) * SIDE + 1):
+            points.append(f'v {x} {y} {0.2 * x + 0.1 * y}')
+    for y in range(SIDE):
+        for x in range(SIDE):
+            if (column + row) % 2 == 0 and 4 <= x < 8 and 5 <= y < 8 or column % 3 == 1 and (x, y) in ((2, 2), (3, 2)):
+                continue
+            a = y * (SIDE + 1) + x + 1
+            faces += [f'f {a} {a + 1} {a + SIDE + 2}', f'f {a} {a + SIDE + 2} {a + SIDE + 1}']
+    return '\n'.join(points + faces) + '\n'
+
+
+def make_scene(folder, columns, rows, text_of):
+    os.makedirs(folder)
+    tiles = []
+    for row in range(rows):
+        for column in range(columns):
+            path = f't{column}_{row}.obj'
+            with open(os.path.join(folder, path), 'w') as file:
+                file.write(text_of(column, row))
+            tiles.append({'col': column, 'row': row, 'path': path})
+    with open(os.path.join(folder, 'scene.json'), 'w') as file:
+        json.dump({'cell_size': SIDE, 'cols': columns, 'rows': rows, 'tiles': tiles}, file)
+    return folder
+
+
+def square(column, row):
+    x, y = column * SIDE, row * SIDE
+    return f'v {x} {y} 0\nv {x + SIDE} {y} 0\nv {x + SIDE} {y + SIDE} 0\nv {x} {y + SIDE} 0\nf 1 2 3\nf 1 3 4\n'
+
+
+class Cluster:
+    def __init__(self, folder, programs):
+        self.folder, self.programs = folder, programs
+        self.address, self.web = f'127.0.0.1:{free_port()}', f'127.0.0.1:{free_port()}'
+        with open(self.path('tokens'), 'w') as file:
+            for name, role in (('ann', 'admin'), ('eve', 'watch'), ('wrk', 'worker')):
+                file.write(f'{name} {role} {hashlib.sha256(name.encode()).hexdigest()}\n')
+                with open(self.path(f'token_{name}'), 'w') as token:
+                    token.write(name)
+        os.chmod(self.path('tokens'), 0o600)
+        self.coordinator = self.worker = None
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def program(self, name):
+        return os.path.join(self.programs, name)
+
+    def start(self):
+        self.coordinator = subprocess.Popen(
+            [self.program('tilemend-coordinator'), '--work', self.path('work'), '--listen', self.address, '--web', self.web,
+             '--tokens', self.path('tokens')], stderr=open(self.path('coordinator.log'), 'a'))
+        end = time.time() + 30
+        while time.time() < end:
+            try:
+                urllib.request.urlopen(f'http://{self.web}/', timeout=5).read()
+                return
+            except OSError:
+                time.sleep(0.05)
+        fail('the coordinator does not serve its page: ' + open(self.path('coordinator.log')).read())
+
+    def kill(self):
+        self.coordinator.send_signal(signal.SIGKILL)
+        self.coordinator.wait()
+
+    def start_worker(self):
+        self.worker = subprocess.Popen(
+            [self.program('tilemend-worker'), '--coordinator', self.address, '--threads', '1', '--token-file',
+             self.path('token_wrk')], stderr=open(self.path('worker.log'), 'w'))
+
+    def client(self, *words):
+        done = subprocess.run([self.program('tilemend'), *words, '--coordinator', self.address, '--token-file', self.path('token_ann'),
+                               '-o', 'json'], capture_output=True, text=True, timeout=120)
+        if done.returncode not in (0, 100):
+            fail(f'{words}: {done.stderr}')
+        return done.stdout
+
+    def submit(self, scene, *words):
+        return json.loads(self.client('submit', scene, '--out', self.path('out_' + os.path.basename(scene)), *words))
+
+    def close(self):
+        for process in (self.coordinator, self.worker):
+            if process is not None and process.poll() is None:
+                process.kill()
+                process.wait()
+
+
+def drive(cluster, folder, chromium, job):
+    """Runs the script, and does what it asks for."""
+    script = subprocess.Popen(['node', 'open_console.mjs', f'http://{cluster.web}', chromium, folder, job], cwd=folder,
+                              stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    said = []
+    for line in script.stdout:
+        if line.startswith('DO '):
+            {'kill': cluster.kill, 'start': cluster.start}[line.split()[1]]()
+            script.stdin.write('\n')
+            script.stdin.flush()
+        else:
+            said.append(line)
+    if script.wait():
+        fail(''.join(said))
+    print(''.join(said), end='')
+
+
+def median_and_p95(web, job):
+    """Seconds for the map of a job, without what a browser keeps."""
+    took = []
+    for _ in range(40):
+        begin = time.time()
+        request = urllib.request.Request(f'http://{web}/v1/{job}/cells', headers={'Authorization': 'Bearer eve'})
+        urllib.request.urlopen(request, timeout=30).read()
+        took.append(time.time() - begin)
+    took.sort()
+    return took[20], took[37]
+
+
+def main():
+    folder, programs = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+    if not shutil.which('npm') or not shutil.which('node'):
+        skip('there is no npm')
+    chromium = shutil.which('chromium') or shutil.which('google-chrome')
+    if not chromium:
+        skip('there is no Chromium')
+    install(folder)
+    shutil.copy(os.path.join(HERE, 'open_console.mjs'), folder)
+    with tempfile.TemporaryDirectory() as temporary:
+        cluster = Cluster(temporary, programs)
+        try:
+            cluster.start()
+            cluster.start_worker()
+            first = cluster.submit(make_scene(cluster.path('lakes'), 4, 3, tile), '--wait')
+            cluster.submit(make_scene(cluster.path('<img src=x onerror=alert(1)>'), 2, 1, tile), '--wait')
+            large = cluster.submit(make_scene(cluster.path('large'), LARGE, LARGE, square))
+            cluster.client('pause', large['name'])
+            print('the map of 10,000 cells: median %.3f s, 95 %% within %.3f s' % median_and_p95(cluster.web, large['name']))
+            drive(cluster, folder, chromium, first['name'])
+        finally:
+            cluster.close()
+    print('the page works')
+
+
+if __name__ == '__main__':
+    main()

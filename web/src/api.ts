@@ -1,0 +1,82 @@
+// The JSON mirror of the coordinator (/v1/openapi.json).
+import type { Hole } from './data';
+
+export interface Progress {
+  phase: string; cells: string; cellsDone: string; holes: string; holesFilled: string;
+  tasks: string; tasksDone: string; tasksRunning: string; tasksRetried: string; tasksQuarantined: string;
+}
+
+export type JobState = 'RUNNING' | 'DONE' | 'PARTIAL' | 'FAILED' | 'CANCELLED';
+
+export interface Job {
+  name: string; state: JobState; spec: { scene: string; out: string }; progress: Progress;
+  createTime: string; startTime?: string; endTime?: string; error?: { message: string }; message: string; report: string;
+  warnings: string[]; owner: string; trace: string; waiting: string; priority: number; paused: boolean;
+}
+
+export interface WorkerTask { job: string; stage: string; col: number; row: number; since: string }
+
+export interface WorkerInfo {
+  id: string; state: string; threads: number; tasks: number; firstSeen: string; lastSeen: string; release: string;
+  identity: string; message: string; doing: WorkerTask[];
+}
+
+export interface Failure { cell: [number, number]; stage: string; reason: string }
+
+export interface Cells {
+  state: string; column: number; row: number; columns: number; rows: number; cellSize?: [number, number];
+  hasTiles: boolean; cells: string; held: [number, number][]; failures: Failure[];
+}
+
+export interface Holes { holeCount: number; holes: Hole[] }
+
+export interface Me { name: string; maySteer: boolean; isAdmin: boolean }
+
+// `status` 0: the coordinator did not answer.
+export class ApiError extends Error {
+  constructor(readonly status: number, message: string, readonly reason: string) { super(message); }
+}
+
+const TOKEN = 'tilemend-token';
+const known = new Map<string, { tag: string; value: unknown }>();
+
+export const hasToken = (): boolean => sessionStorage.getItem(TOKEN) !== null;
+
+export function setToken(token: string): void {
+  known.clear();
+  if (token) sessionStorage.setItem(TOKEN, token);
+  else sessionStorage.removeItem(TOKEN);
+}
+
+async function call(method: string, path: string, headers: Record<string, string>, body?: string): Promise<Response> {
+  const token = sessionStorage.getItem(TOKEN);
+  if (token) headers['Authorization'] = `Bearer ${token}`;
+  let answer: Response;
+  try {
+    answer = await fetch(path, { method, headers, cache: 'no-store', ...(body === undefined ? {} : { body }) });
+  } catch {
+    throw new ApiError(0, 'the coordinator does not answer', '');
+  }
+  if (answer.ok || answer.status === 304) return answer;
+  const { error } = await answer.json().catch(() => ({})) as { error?: { message: string; reason: string } };
+  throw new ApiError(answer.status, error?.message ?? answer.statusText, error?.reason ?? '');
+}
+
+// The same object as before if nothing has changed.
+export async function get<T>(path: string): Promise<T> {
+  const before = known.get(path);
+  const answer = await call('GET', path, before ? { 'If-None-Match': before.tag } : {});
+  if (answer.status === 304 && before) return before.value as T;
+  const value = await answer.json() as T;
+  known.set(path, { tag: answer.headers.get('ETag') ?? '', value });
+  return value;
+}
+
+export async function getTile(path: string): Promise<{ format: string; bytes: ArrayBuffer }> {
+  const answer = await call('GET', path, {});
+  return { format: (answer.headers.get('X-Tile-Format') ?? '').toLowerCase(), bytes: await answer.arrayBuffer() };
+}
+
+export async function post(path: string, body: unknown): Promise<Job> {
+  return await (await call('POST', path, { 'Content-Type': 'application/json' }, JSON.stringify(body))).json() as Job;
+}

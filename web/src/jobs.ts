@@ -1,0 +1,147 @@
+// The list of jobs: how far each is, how fast it goes, and what may be done with it.
+import { type Job, type Me, post } from './api';
+import { el, number } from './dom';
+
+// In a surveyor's words.
+export function stateText(job: Job): string {
+  switch (job.state) {
+    case 'RUNNING': return job.paused ? 'paused' : job.waiting ? 'waiting' : 'running';
+    case 'DONE': return 'done';
+    case 'PARTIAL': return 'done, some left open';
+    case 'FAILED': return 'failed';
+    default: return 'cancelled';
+  }
+}
+
+export const isOver = (job: Job): boolean => job.state !== 'RUNNING';
+
+// Cells a second over the last minute that was seen, else since the job began.
+export class Rates {
+  private readonly seen = new Map<string, [number, number][]>();
+
+  add(job: Job, now: number): void {
+    const list = this.seen.get(job.name) ?? [];
+    list.push([now, Number(job.progress.cellsDone)]);
+    while (list.length > 2 && now - list[0]![0] > 60_000) list.shift();
+    this.seen.set(job.name, list);
+  }
+
+  of(job: Job, now: number): number {
+    const list = this.seen.get(job.name) ?? [], first = list[0], last = list[list.length - 1];
+    if (first && last && last[0] - first[0] > 10_000 && last[1] > first[1]) return 1000 * (last[1] - first[1]) / (last[0] - first[0]);
+    const begun = Date.parse(job.startTime ?? '');
+    return Number.isNaN(begun) ? 0 : 1000 * Number(job.progress.cellsDone) / Math.max(1, (isOver(job) ? Date.parse(job.endTime ?? '') : now) - begun);
+  }
+}
+
+export function durationText(seconds: number): string {
+  if (!Number.isFinite(seconds)) return '';
+  if (seconds < 90) return `${Math.round(seconds)} s`;
+  if (seconds < 5400) return `${Math.round(seconds / 60)} min`;
+  return `${(seconds / 3600).toFixed(1)} h`;
+}
+
+function speedText(job: Job, rates: Rates, now: number): string {
+  const begun = Date.parse(job.startTime ?? '');
+  if (isOver(job)) return Number.isNaN(begun) ? '' : `took ${durationText((Date.parse(job.endTime ?? '') - begun) / 1000)}`;
+  const rate = rates.of(job, now), left = Number(job.progress.cells) - Number(job.progress.cellsDone);
+  if (job.paused || rate <= 0 || left <= 0) return '';
+  const speed = rate >= 1 ? `${number(rate, 1)} cells/s` : `${number(60 * rate, 1)} cells/min`;
+  return `${speed}, ${durationText(left / rate)} left`;
+}
+
+const baseName = (path: string): string => path.replace(/\/+$/, '').split('/').pop() || path;
+
+export interface JobActions { choose: (job: Job) => void; failed: (error: unknown) => void; changed: () => void }
+
+function steerButtons(job: () => Job, actions: JobActions): { element: HTMLElement; update: (me: Me) => void } {
+  const run = (verb: string, body: unknown) => {
+    post(`/v1/${job().name}/${verb}`, body).then(actions.changed, actions.failed);
+  };
+  const button = (text: string, click: () => void) => el('button', { type: 'button', click }, text);
+  const pause = button('pause', () => run(job().paused ? 'resume' : 'pause', {}));
+  const cancel = button('cancel', () => {
+    if (cancel.dataset['sure'] === 'yes') return run('cancel', {});
+    cancel.dataset['sure'] = 'yes';
+    cancel.textContent = 'really cancel?';
+    setTimeout(() => { cancel.dataset['sure'] = ''; cancel.textContent = 'cancel'; }, 4000);
+  });
+  const retry = button('do again', () => run('retry', { requestId: crypto.randomUUID?.() ?? String(Math.random()) }));
+  const priority = el('input', { type: 'number', min: '-100', max: '100', class: 'priority', 'aria-label': 'priority', title: 'priority',
+    change: () => run('priority', { priority: Number(priority.value) }) });
+  const element = el('div', { class: 'steer' }, pause, cancel, retry, el('label', {}, 'priority ', priority));
+  const update = (me: Me) => {
+    const over = isOver(job());
+    element.hidden = !(me.isAdmin || (me.maySteer && job().owner === me.name));
+    pause.hidden = cancel.hidden = priority.parentElement!.hidden = over;
+    retry.hidden = !over;
+    pause.textContent = job().paused ? 'resume' : 'pause';
+    if (document.activeElement !== priority) priority.value = String(job().priority);
+  };
+  return { element, update };
+}
+
+class JobCard {
+  readonly element: HTMLElement;
+  private readonly title = el('button', { type: 'button', class: 'name' });
+  private readonly state = el('span', { class: 'state' });
+  private readonly bar = el('progress', { max: '1', value: '0' });
+  private readonly facts = el('span', { class: 'quiet' });
+  private readonly speed = el('span', { class: 'quiet speed' });
+  private readonly why = el('p', { class: 'quiet' });
+  private readonly steer;
+
+  constructor(private job: Job, actions: JobActions) {
+    this.steer = steerButtons(() => this.job, actions);
+    this.title.addEventListener('click', () => actions.choose(this.job));
+    this.element = el('article', { class: 'job' },
+      el('div', { class: 'line' }, this.title, this.state, this.speed), this.bar,
+      el('div', { class: 'line' }, this.facts, this.steer.element), this.why);
+  }
+
+  update(job: Job, me: Me, rates: Rates, chosen: boolean, now: number): void {
+    this.job = job;
+    const { progress } = job, cells = Number(progress.cells), done = Number(progress.cellsDone);
+    this.title.textContent = `${job.name} \u00b7 ${baseName(job.spec.scene)}`;
+    this.title.title = `${job.spec.scene} \u2192 ${job.spec.out}`;
+    this.title.setAttribute('aria-pressed', String(chosen));
+    this.state.textContent = stateText(job);
+    this.state.className = `state ${job.state.toLowerCase()}`;
+    this.bar.value = isOver(job) && (job.state === 'DONE' || job.state === 'PARTIAL') ? 1 : cells > 0 ? done / cells : 0;
+    this.bar.setAttribute('aria-label', `progress of ${job.name}`);
+    this.facts.textContent = [isOver(job) ? '' : progress.phase, `${number(done)} of ${number(cells)} cells`,
+      Number(progress.holes) > 0 ? `${number(Number(progress.holesFilled))} of ${number(Number(progress.holes))} holes filled` : '',
+      job.owner ? `by ${job.owner}` : ''].filter(Boolean).join(' \u00b7 ');
+    this.speed.textContent = speedText(job, rates, now);
+    const message = isOver(job) && !this.facts.textContent.includes(job.message) ? job.message : '';
+    this.why.textContent = job.error?.message || (job.paused ? '' : job.waiting) || message;
+    this.why.hidden = this.why.textContent === '';
+    this.element.classList.toggle('chosen', chosen);
+    this.steer.update(me);
+  }
+}
+
+// Cards that stay where they are while their jobs change.
+export class JobList {
+  readonly element = el('div', { class: 'jobs' });
+  private readonly cards = new Map<string, JobCard>();
+  private readonly none = el('p', { class: 'quiet' }, 'No job yet. `tilemend submit SCENE --out DIR --coordinator HOST:PORT` makes one.');
+
+  constructor(private readonly actions: JobActions) {}
+
+  update(jobs: Job[], me: Me, rates: Rates, chosen: string): void {
+    const now = Date.now();
+    const elements = jobs.map((job) => {
+      const card = this.cards.get(job.name) ?? new JobCard(job, this.actions);
+      this.cards.set(job.name, card);
+      card.update(job, me, rates, job.name === chosen, now);
+      return card.element;
+    });
+    const names = new Set(jobs.map((job) => job.name));
+    for (const name of this.cards.keys()) if (!names.has(name)) this.cards.delete(name);
+    const shown = elements.length > 0 ? elements : [this.none];
+    if (shown.length !== this.element.children.length || shown.some((e, k) => e !== this.element.children[k])) {
+      this.element.replaceChildren(...shown);
+    }
+  }
+}
