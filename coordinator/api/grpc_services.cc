@@ -174,7 +174,7 @@ class ScalerService : public externalscaler::ExternalScaler::Service {
         response.set_result(active);
         return writer->Write(response);
       };
-      return calls_.watch.WatchDemand(
+      return served_.calls.watch.WatchDemand(
           send, [&] { return served_.GoOn(*context, "externalscaler.ExternalScaler/StreamIsActive"); });
     });
   }
