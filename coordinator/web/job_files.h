@@ -56,7 +56,8 @@ class JobFiles {
   // The scene of a job. kNotFound if it has no scene.json yet; errors of LoadScene. Kept for the last jobs asked for.
   absl::StatusOr<std::shared_ptr<const Scene>> SceneOf(const std::string& name, const JobSpec& spec);
 
-  // {"holeCount", "holes"} of the report, as JSON text. kNotFound (REPORT_NOT_FOUND) before there is one; errors of reading.
+  // {"holeCount", "holes"} of the report, as JSON text. kNotFound (REPORT_NOT_FOUND) before there is one; errors of
+  // reading.
   absl::StatusOr<std::shared_ptr<const std::string>> HolesOf(const std::string& name, const JobCells& job);
 
   struct Tile {
