@@ -77,13 +77,13 @@ TreeLevel LevelOf(const TileTree& tile, int32_t level);
 
 // New geometry of one colour, or with an image.
 struct TreePatch {
-  std::vector<Point3> points;            // frame of the scene
-  std::vector<Triangle> triangles;       // indices into points
-  Rgb colour;                            // without an image
-  int32_t part = 0;                      // of the file
-  std::vector<std::array<float, 2>> uv;  // one per point, v up; none without an image
-  std::string image;                     // a JPEG or PNG, as encoded; empty: none
-  std::string image_name;
+  std::vector<Point3> points;                 // frame of the scene
+  std::vector<Triangle> triangles;            // indices into points
+  Rgb colour;                                 // without an image
+  int32_t part = 0;                           // of the file
+  std::vector<std::array<float, 2>> uv = {};  // one per point, v up; none without an image
+  std::string image = {};                     // a JPEG or PNG, as encoded; empty: none
+  std::string image_name = {};
 };
 
 // What is done to one file of a tile.
