@@ -7,9 +7,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
-#include "coordinator/report/json_access.h"
 #include "client/output.h"
 #include "common/util/text.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

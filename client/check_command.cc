@@ -15,7 +15,6 @@
 #include "client/commands.h"
 #include "client/inspection.h"
 #include "client/job_flags.h"
-#include "coordinator/report/json_access.h"
 #include "client/mesh/single_mesh.h"
 #include "client/output.h"
 #include "client/output_tiles.h"
@@ -29,6 +28,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/report/area_choice.h"
+#include "coordinator/report/json_access.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/mesh_defects.h"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "coordinator/report/json_access.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
-#include "coordinator/report/json_access.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
+#include "coordinator/report/json_access.h"
 #include "coordinator/report/left_open.h"
 
 namespace tilemend {

@@ -13,13 +13,13 @@
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
 #include "client/fitted_table.h"
-#include "coordinator/report/json_access.h"
 #include "common/records/filler.h"
 #include "common/records/surface.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

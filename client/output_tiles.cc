@@ -5,11 +5,11 @@
 #include <iterator>
 
 #include "absl/strings/str_cat.h"
-#include "coordinator/report/json_access.h"
 #include "common/grid/scene_sources.h"
 #include "common/records/output_names.h"
 #include "common/util/folders.h"
 #include "common/util/tile_files.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

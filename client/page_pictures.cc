@@ -9,9 +9,9 @@
 #include "absl/strings/str_cat.h"
 #include "client/crop_bytes.h"
 #include "client/hole_crop.h"
-#include "coordinator/report/json_access.h"
 #include "client/picture_tile.h"
 #include "common/util/status_macros.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

@@ -6,7 +6,6 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
-#include "coordinator/report/json_access.h"
 #include "client/page_assets.h"
 #include "client/page_data.h"
 #include "client/page_pictures.h"
@@ -15,6 +14,7 @@
 #include "common/store/digest.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "coordinator/report/json_access.h"
 #include "coordinator/report/tile_checks.h"
 
 namespace tilemend {

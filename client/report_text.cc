@@ -8,11 +8,11 @@
 #include "absl/strings/str_join.h"
 #include "client/border_table.h"
 #include "client/holes_table.h"
-#include "coordinator/report/json_access.h"
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/water_table.h"
 #include "common/util/text.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

@@ -10,7 +10,6 @@
 #include "absl/strings/str_format.h"
 #include "absl/time/clock.h"
 #include "client/holes_table.h"
-#include "coordinator/report/json_access.h"
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/progress_display.h"
@@ -19,6 +18,7 @@
 #include "common/util/text.h"
 #include "coordinator/jobs/cluster_events.h"
 #include "coordinator/jobs/job_pipeline.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "coordinator/report/json_access.h"
 #include "client/output.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {

@@ -21,8 +21,8 @@ struct HttpRequest {
   std::map<std::string, std::string> query = {};
   std::map<std::string, std::string> headers = {};  // names in lower case; of one that comes twice the first
   std::string body = {};
-  std::string address = {};           // of the caller, "ADDRESS:PORT"
-  std::string certificate_name = {};  // the common name of a checked certificate, "" without one
+  std::string address = {};                        // of the caller, "ADDRESS:PORT"
+  std::string certificate_name = {};               // the common name of a checked certificate, "" without one
   std::vector<std::string> certificate_uris = {};  // its alternative names
 
   // "" if there is none. `name` is in lower case.
