@@ -53,7 +53,7 @@ await tab.locator('table.holes th button', { hasText: 'area' }).click();
 const largest = Number((await area()).replaceAll('\u2009', ''));
 await tab.locator('table.holes th button', { hasText: 'area' }).click();
 expect(Number((await area()).replaceAll('\u2009', '')) < largest, 'the table is not sorted by area');
-await tab.locator('.filters input').fill('no such text');
+await tab.locator('.filters input[type=search]').fill('no such text');
 expect(await rows.count() === 0, 'the filter shows what does not match');
 await tab.locator('svg.map rect').first().click();
 expect(await rows.count() >= 1, 'a click on a cell does not show its holes');

@@ -53,17 +53,7 @@ TEST(PatchTreeLevelsTest, EveryLevelGetsThePatch) {
   const auto before = ReadTileTree(pack, "a/Tile.osgb");
   ASSERT_TRUE(before.ok()) << before.status();
   const TreeLevel finest = LevelOf(*before, 2);
-  // A triangle fan at the pond's level, about its middle in this tile.
-  FilePatch patch;
-  const auto first = static_cast<int32_t>(finest.mesh.points.size());
-  patch.new_points = {{56, 32, 2}};
-  for (int k = 0; k < 40; ++k) {
-    const double angle = k * M_PI / 20;
-    patch.new_points.emplace_back(56 + 7 * std::cos(angle), 32 + 7 * std::sin(angle), 2);
-    patch.triangles.push_back({first, first + 1 + k, first + 1 + (k + 1) % 40});
-  }
-  patch.like.assign(patch.new_points.size(), -1);
-  patch.materials = {{0, "water"}};
+  const FilePatch patch = FanInPond(static_cast<int32_t>(finest.mesh.points.size()));
   const std::vector<FillMaterial> materials = {{"water", {10, 20, 30}}};
   const auto patched = PatchTreeLevels(pack, patch, materials, "a/Tile.osgb");
   ASSERT_TRUE(patched.ok()) << patched.status();

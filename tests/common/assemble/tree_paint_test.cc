@@ -14,18 +14,10 @@ namespace {
 
 using testing::HasSubstr;
 
-// A fan over the pond in the finest level.
+// Of two materials, which one image covers.
 FilePatch FanOf(const TileTree& tile) {
-  FilePatch patch;
-  const auto first = static_cast<int32_t>(LevelOf(tile, 2).mesh.points.size());
-  patch.new_points = {{56, 32, 2}};
-  for (int k = 0; k < 40; ++k) {
-    const double angle = k * M_PI / 20;
-    patch.new_points.emplace_back(56 + 7 * std::cos(angle), 32 + 7 * std::sin(angle), 2);
-    patch.triangles.push_back({first, first + 1 + k, first + 1 + (k + 1) % 40});
-  }
-  patch.like.assign(patch.new_points.size(), -1);
-  patch.materials = {{0, "water"}, {20, "ground"}};
+  FilePatch patch = FanInPond(static_cast<int32_t>(LevelOf(tile, 2).mesh.points.size()));
+  patch.materials.push_back({20, "ground"});
   return patch;
 }
 

@@ -23,6 +23,22 @@ std::vector<Case> Cases() {
           {TilesetScene().Pack(), "a/tileset.json", 2}};
 }
 
+// A case's tile with one patch in its last piece.
+struct Patched {
+  explicit Patched(const Case& tile) : before(*ReadTileTree(tile.pack, tile.name)), edits(before.files.size()) {
+    const TreePiece& piece = before.pieces.back();
+    file = static_cast<size_t>(piece.file);
+    TreePatch& patch = edits[file].patches.emplace_back();
+    patch.points = {{1, 1, 2}, {2, 1, 2}, {1, 2, 2}};
+    patch.triangles = {{0, 1, 2}};
+    patch.colour = {10, 20, 30};
+    patch.part = piece.part;
+  }
+  TileTree before;
+  std::vector<TreeEdit> edits;
+  size_t file = 0;
+};
+
 TEST(TileTreeTest, LevelsAreFinerAndFiner) {
   for (const Case& tile : Cases()) {
     SCOPED_TRACE(tile.name);
@@ -51,25 +67,18 @@ TEST(TileTreeTest, APieceThatNothingReplacesIsInTheFinestLevel) {
 TEST(TileTreeTest, ChangesAreReadBack) {
   for (const Case& tile : Cases()) {
     SCOPED_TRACE(tile.name);
-    const auto before = ReadTileTree(tile.pack, tile.name);
-    ASSERT_TRUE(before.ok()) << before.status();
-    std::vector<TreeEdit> edits(before->files.size());
-    const TreePiece piece = before->pieces.back();
-    const auto f = static_cast<size_t>(piece.file);
-    TreePatch patch;
-    patch.points = {{1, 1, 2}, {2, 1, 2}, {1, 2, 2}};
-    patch.triangles = {{0, 1, 2}};
-    patch.colour = {10, 20, 30};
-    patch.part = piece.part;
-    edits[f].patches = {patch};
-    edits[f].drop.assign(before->files[f].triangles.size(), false);
-    edits[f].drop[0] = edits[f].drop[1] = true;
-    const auto bytes = ChangeTileTree(*before, edits, tile.name);
+    Patched patched(tile);
+    const size_t f = patched.file;
+    const TreeFile& was = patched.before.files[f];
+    std::vector<bool>& drop = patched.edits[f].drop;
+    drop.assign(was.triangles.size(), false);
+    drop[0] = drop[1] = true;
+    const auto bytes = ChangeTileTree(patched.before, patched.edits, tile.name);
     ASSERT_TRUE(bytes.ok()) << bytes.status();
     const auto after = ReadTileTree(*bytes, tile.name);
     ASSERT_TRUE(after.ok()) << after.status();
-    EXPECT_EQ(after->files[f].triangles.size() + 1, before->files[f].triangles.size());
-    EXPECT_EQ(after->files[f].points.size(), before->files[f].points.size() + 3);
+    EXPECT_EQ(after->files[f].triangles.size() + 1, was.triangles.size());
+    EXPECT_EQ(after->files[f].points.size(), was.points.size() + 3);
     const TreeGeometry& added = after->files[f].geometries.back();
     EXPECT_EQ(after->files[f].points[static_cast<size_t>(added.first_vertex)], Point3(1, 1, 2));
   }
@@ -78,28 +87,20 @@ TEST(TileTreeTest, ChangesAreReadBack) {
 TEST(TileTreeTest, NewGeometryHasItsImage) {
   for (const Case& tile : Cases()) {
     SCOPED_TRACE(tile.name);
-    const auto before = ReadTileTree(tile.pack, tile.name);
-    ASSERT_TRUE(before.ok()) << before.status();
-    std::vector<TreeEdit> edits(before->files.size());
-    const TreePiece piece = before->pieces.back();
-    const auto f = static_cast<size_t>(piece.file);
-    TreePatch patch;
-    patch.points = {{1, 1, 2}, {2, 1, 2}, {1, 2, 2}};
-    patch.triangles = {{0, 1, 2}};
-    patch.part = piece.part;
+    Patched patched(tile);
+    TreePatch& patch = patched.edits[patched.file].patches[0];
     patch.uv = {{0.25F, 0.5F}, {1, 0}, {0, 1}};
     patch.image = "\xff\xd8\xff of the fill";
     patch.image_name = "fill.jpg";
-    edits[f].patches = {patch};
-    const auto bytes = ChangeTileTree(*before, edits, tile.name);
+    const auto bytes = ChangeTileTree(patched.before, patched.edits, tile.name);
     ASSERT_TRUE(bytes.ok()) << bytes.status();
     const auto after = ReadTileTree(*bytes, tile.name);
     ASSERT_TRUE(after.ok()) << after.status();
-    const TreeFile& file = after->files[f];
+    const TreeFile& file = after->files[patched.file];
     const TreeGeometry& added = file.geometries.back();
     ASSERT_GE(added.texture, 0);
     const TreeImage& image = file.images[static_cast<size_t>(added.texture)];
-    EXPECT_EQ(after->packed[f].bytes.substr(image.offset, image.size), patch.image);
+    EXPECT_EQ(after->packed[patched.file].bytes.substr(image.offset, image.size), patch.image);
     EXPECT_EQ(file.uv[static_cast<size_t>(added.first_vertex)], (std::array<float, 2>{0.25F, 0.5F}));
   }
 }
