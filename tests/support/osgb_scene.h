@@ -12,7 +12,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
-#include "common/codec/mesh_file.h"
 #include "common/util/file_pack.h"
 #include "tests/support/osgb_builder.h"
 
@@ -136,20 +135,6 @@ class OsgbScene {
   const uint32_t version_;
   const std::string image_;
 };
-
-// A fan at the pond's level over a part of it, for a surface with `first` vertices.
-inline FilePatch FanInPond(int32_t first) {
-  FilePatch patch;
-  patch.new_points = {{56, 32, OsgbScene::kLevel}};
-  for (int k = 0; k < 40; ++k) {
-    const double angle = k * M_PI / 20;
-    patch.new_points.emplace_back(56 + 7 * std::cos(angle), 32 + 7 * std::sin(angle), OsgbScene::kLevel);
-    patch.triangles.push_back({first, first + 1 + k, first + 1 + (k + 1) % 40});
-  }
-  patch.like.assign(patch.new_points.size(), -1);
-  patch.materials = {{0, "water"}};
-  return patch;
-}
 
 }  // namespace tilemend
 

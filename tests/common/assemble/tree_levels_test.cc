@@ -9,6 +9,7 @@
 
 #include "common/codec/tree/tile_tree.h"
 #include "tests/support/osgb_scene.h"
+#include "tests/support/pond_fan.h"
 
 namespace tilemend {
 namespace {

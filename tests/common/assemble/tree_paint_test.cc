@@ -8,6 +8,7 @@
 
 #include "common/assemble/tree_levels.h"
 #include "tests/support/osgb_scene.h"
+#include "tests/support/pond_fan.h"
 
 namespace tilemend {
 namespace {
