@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -178,6 +179,24 @@ absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBesi
   }
   tile.pieces.push_back(std::move(piece));
   return tile;
+}
+
+void KeepGltfImages(DeliveryTile& tile) {
+  std::set<std::string_view> left_out;
+  for (DeliveryPiece& piece : tile.pieces) {
+    for (DeliverySurface& surface : piece.surfaces) {
+      if (surface.image < 0) continue;
+      const std::string_view ending = ImageEnding(tile.images[static_cast<size_t>(surface.image)]);
+      if (ending == "jpg" || ending == "png") continue;
+      left_out.insert(ending);
+      surface.image = -1;
+      surface.uv.clear();
+    }
+  }
+  for (const std::string_view ending : left_out) {
+    tile.warnings.push_back(absl::StrCat("images of the format ", std::string(ending),
+                                         " are not written to glb files; their faces have one colour"));
+  }
 }
 
 DeliveryTile DeliveryOfColours(const TriMesh& mesh, std::span<const ColourRun> runs) {

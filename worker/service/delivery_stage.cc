@@ -37,6 +37,7 @@ Point3 OriginFor(const v1::AssembleInput& input) {
 
 absl::StatusOr<Delivered> DeliverTile(const v1::AssembleInput& input, const AssembledTile& tile) {
   TILEMEND_ASSIGN_OR_RETURN(DeliveryTile delivery, DeliveryOf(input, tile));
+  if (input.output_format() == "3dtiles") KeepGltfImages(delivery);
   const std::string stem = std::filesystem::path(input.output()).stem().string();
   Delivered result;
   result.warnings = std::move(delivery.warnings);

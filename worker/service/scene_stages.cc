@@ -203,6 +203,15 @@ absl::Status TakeTreeApart(const v1::AssembleInput& input, const std::string& or
   return absl::OkStatus();
 }
 
+// Makes the texture of the patch and lays it on; what is left is its image beside the tile and the warnings.
+absl::StatusOr<FillTexture> LayTexture(const v1::AssembleInput& input, const CancelToken& cancel, TaskMemory& memory,
+                                       TilePatch& added) {
+  TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, TextureOf(input, added, memory, cancel));
+  if (!texture.image.empty()) SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
+  added.paint = std::move(texture.paint);
+  return texture;
+}
+
 // The tile in another format.
 absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const CancelToken& cancel,
                                            TaskMemory& memory) {
@@ -210,9 +219,7 @@ absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const
   const bool has_tile = !input.tile().path().empty();
   if (!has_tile) return DeliverTile(input, {"", &added, {}, ""});
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadSurveyed(input.tile(), input.stamp()));
-  TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, TextureOf(input, added, memory, cancel));
-  if (!texture.image.empty()) SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
-  added.paint = std::move(texture.paint);
+  TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, LayTexture(input, cancel, memory, added));
   if (!added.patch.triangles.empty() || !input.tile().clear().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(bytes, PatchedTile(input, added, bytes));
   }
@@ -247,13 +254,9 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const Can
     TILEMEND_ASSIGN_OR_RETURN(original, ReadSurveyed(input.tile(), input.stamp()));
   }
   Assembled result;
-  TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, TextureOf(input, added, memory, cancel));
+  TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, LayTexture(input, cancel, memory, added));
   result.warnings = std::move(texture.warnings);
-  if (!texture.image.empty()) {
-    SetTexture(input, std::move(texture.places), std::move(texture.corners), added);
-    result.image = std::move(texture.image);
-  }
-  added.paint = std::move(texture.paint);
+  result.image = std::move(texture.image);
   TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added, original));
   if (has_tile && IsTileTree(input.tile().path())) {
     TILEMEND_RETURN_IF_ERROR(TakeTreeApart(input, original, result));

@@ -112,5 +112,23 @@ TEST(ImageEndingTest, IsToldByTheFirstBytes) {
   EXPECT_EQ(ImageEnding(""), "");
 }
 
+TEST(KeepGltfImagesTest, LeavesOutWebPWithAWarning) {
+  DeliveryTile tile;
+  tile.images = {"\xff\xd8\xff a photograph", std::string("RIFF\1\2\3\4WEBPVP8", 15)};
+  DeliveryPiece& piece = tile.pieces.emplace_back();
+  for (const int32_t image : {0, 1, -1}) {
+    DeliverySurface& surface = piece.surfaces.emplace_back();
+    surface.image = image;
+    if (image >= 0) surface.uv.resize(3);
+  }
+  KeepGltfImages(tile);
+  EXPECT_EQ(piece.surfaces[0].image, 0);
+  EXPECT_EQ(piece.surfaces[0].uv.size(), 3U);
+  EXPECT_EQ(piece.surfaces[1].image, -1);
+  EXPECT_TRUE(piece.surfaces[1].uv.empty());
+  ASSERT_EQ(tile.warnings.size(), 1U);
+  EXPECT_NE(tile.warnings[0].find("webp"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tilemend
