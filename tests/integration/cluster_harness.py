@@ -8,6 +8,8 @@ import shutil
 import signal
 import sqlite3
 import subprocess
+import sys
+import tempfile
 import time
 import urllib.request
 
@@ -169,3 +171,17 @@ def check_output(reference, out):
     require(wanted == found, f'missing {sorted(wanted - found)}, too many {sorted(found - wanted)}')
     wrong = [name for name in sorted(wanted) if content(os.path.join(reference, name)) != content(os.path.join(out, name))]
     require(not wrong, f'other bytes: {wrong}')
+
+
+def run_attack(attack):
+    """The exit code of a test that calls `attack` with a bench for the programs in the folder sys.argv[1]."""
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(sys.argv[1], folder)
+        try:
+            attack(bench)
+        except Failure as failure:
+            print(failure)
+            return 1
+        finally:
+            bench.close()
+    return 0

@@ -8,11 +8,10 @@ by MOST_MEGABYTES. Exit code 1 if it grows more, or if the coordinator does not 
 """
 import os
 import sys
-import tempfile
 import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'integration'))
-from cluster_harness import Bench, Failure, require  # noqa: E402
+from cluster_harness import require, run_attack  # noqa: E402
 from raw_calls import compressed_call  # noqa: E402
 
 MEGABYTES = 400  # of the message once it is decompressed
@@ -49,18 +48,5 @@ def attack(bench):
     require(bench.client('list').returncode == 0, 'the coordinator does not serve any more')
 
 
-def main():
-    with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(sys.argv[1], folder)
-        try:
-            attack(bench)
-        except Failure as failure:
-            print(failure)
-            return 1
-        finally:
-            bench.close()
-    return 0
-
-
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(run_attack(attack))

@@ -12,11 +12,10 @@ import os
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'integration'))
-from cluster_harness import Bench, Failure, await_, require  # noqa: E402
+from cluster_harness import await_, require, run_attack  # noqa: E402
 from vector_bombs import crossing_ring, endless_view, many_holes  # noqa: E402
 
 MOST_SECONDS = 5  # far below the 20 s after which the reader ends by itself
@@ -111,18 +110,5 @@ def attack(bench):
     read_shapes(bench, scene)
 
 
-def main():
-    with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(sys.argv[1], folder)
-        try:
-            attack(bench)
-        except Failure as failure:
-            print(failure)
-            return 1
-        finally:
-            bench.close()
-    return 0
-
-
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(run_attack(attack))

@@ -9,7 +9,6 @@ validation. Before that, faults are put into copies, and each must be found. Exi
 npm, its registry or python3-yaml.
 """
 import copy
-import filecmp
 import importlib.util
 import json
 import os
@@ -22,6 +21,9 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 PACKAGES = os.path.join(HERE, 'schemas')
+sys.path.insert(0, os.path.join(ROOT, 'tests/web'))
+from npm_packages import install, skip  # noqa: E402
+
 GROUPS = {'v1': 'kubernetes-models/v1', 'apps/v1': 'kubernetes-models/apps/v1', 'policy/v1': 'kubernetes-models/policy/v1',
           'networking.k8s.io/v1': 'kubernetes-models/networking.k8s.io/v1',
           'keda.sh/v1alpha1': '@kubernetes-models/keda/keda.sh/v1alpha1'}
@@ -31,30 +33,8 @@ type Options = {legend?: Partial<VizLegendOptions>, tooltip?: {mode?: `${Tooltip
 '''
 
 
-def skip(why):
-    print(f'SKIPPED: {why}')
-    sys.exit(77)
-
-
 def run(*words, cwd=None, timeout=300):
     return subprocess.run(words, cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout)
-
-
-def install(folder):
-    """The packages, unless they are there already."""
-    lock = os.path.join(folder, 'installed.json')
-    if os.path.exists(lock) and filecmp.cmp(lock, os.path.join(PACKAGES, 'package-lock.json'), shallow=False):
-        return
-    os.makedirs(folder, exist_ok=True)
-    for name in ('package.json', 'package-lock.json'):
-        shutil.copy(os.path.join(PACKAGES, name), folder)
-    try:
-        done = run('npm', 'ci', '--ignore-scripts', '--no-audit', '--no-fund', cwd=folder)
-    except subprocess.TimeoutExpired:
-        skip('npm does not get its packages in time')
-    if done.returncode:
-        skip(f'npm cannot get its packages: {done.stdout[-1000:]}')
-    shutil.copy(os.path.join(PACKAGES, 'package-lock.json'), lock)
 
 
 def load_manifests():
@@ -133,7 +113,7 @@ def main():
     if not shutil.which('npm') or importlib.util.find_spec('yaml') is None:
         skip('there is no npm or no python3-yaml')
     folder = os.path.abspath(sys.argv[1])
-    install(folder)
+    install(folder, PACKAGES)
     objects, dashboard = load_manifests(), load_dashboard()
     cases = {f'fault{i}': case for i, case in enumerate(spoilt(objects, dashboard))}
     programs = {name: program_of(*them) for name, (_, *them) in cases.items()}

@@ -1,4 +1,4 @@
-"""The npm packages of web/package-lock.json, for tests."""
+"""Packages of npm by a lock file, those of web/ if none is given, for tests."""
 import fcntl
 import filecmp
 import os
@@ -25,7 +25,7 @@ def run(*words, cwd=None, env=None):
                           timeout=280)
 
 
-def install(folder):
+def install(folder, of=WEB):
     """Puts the packages into FOLDER/node_modules, unless they are there already. One process at a time does so; the
     test is skipped where npm or its registry is missing."""
     if not shutil.which('npm') or not shutil.which('node'):
@@ -34,11 +34,11 @@ def install(folder):
     with open(os.path.join(folder, 'install.lock'), 'w') as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         installed = os.path.join(folder, 'installed.json')
-        wanted = os.path.join(WEB, 'package-lock.json')
+        wanted = os.path.join(of, 'package-lock.json')
         if os.path.exists(installed) and filecmp.cmp(installed, wanted, shallow=False):
             return
         for name in ('package.json', 'package-lock.json'):
-            shutil.copy(os.path.join(WEB, name), folder)
+            shutil.copy(os.path.join(of, name), folder)
         try:
             done = run('npm', 'ci', '--ignore-scripts', '--no-audit', '--no-fund', cwd=folder)
         except subprocess.TimeoutExpired:
