@@ -128,6 +128,8 @@ std::string SceneText(const Inspection& inspection, const Json& plan) {
   return text;
 }
 
+constexpr const char* kOnlyForScenes[] = {"area", "decisions", "propose-area", "propose-water"};
+
 // What is to be looked at, and how.
 struct Request {
   std::string path;
@@ -138,6 +140,7 @@ struct Request {
   bool overwrite = false;     // --overwrite
   std::string water;          // --water
   std::string clear;          // --clear
+  std::string decisions;      // --decisions
   WaterProfile water_profile;
   OutputFormat format = OutputFormat::kTable;
 };
@@ -146,6 +149,7 @@ absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) 
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(request.clear, FrameOf(scene), water));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
+  TILEMEND_RETURN_IF_ERROR(AddDecisions(request.decisions, FrameOf(scene), water));
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   PlanOptions options;
   options.water = std::move(water.options);
@@ -278,8 +282,10 @@ int InspectCommand(const Args& args) {
   auto spec = SpecFromFlags(args, kOfInspect);
   if (!spec.ok()) return PrintUsageError(spec.status());
   const bool mesh = IsSingleMesh(path);
-  if (mesh && (args.IsGiven("area") || args.IsGiven("propose-area") || args.IsGiven("propose-water"))) {
-    return PrintUsageError(absl::InvalidArgumentError("--area, --propose-area, --propose-water: only for scenes"));
+  const auto is_given = [&args](const char* flag) { return args.IsGiven(flag); };
+  if (mesh && std::ranges::any_of(kOnlyForScenes, is_given)) {
+    return PrintUsageError(
+        absl::InvalidArgumentError("--area, --decisions, --propose-area, --propose-water: only for scenes"));
   }
   if (spec->water().empty()) spec->set_water(kFindWater);
   const absl::Status status = NamedAsFlag(CheckOptions(*spec, kOfInspect, GivenBy(args)));
@@ -293,6 +299,7 @@ int InspectCommand(const Args& args) {
                         args.Switch("overwrite"),
                         spec->water(),
                         spec->clear(),
+                        spec->decisions(),
                         *WaterProfileNamed(spec->water_profile()),
                         *format};
   return mesh ? InspectMeshAt(request) : InspectSceneAt(request);

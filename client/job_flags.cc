@@ -28,6 +28,7 @@ void MakePathsAbsolute(v1::JobSpec& spec) {
   spec.set_out(AbsolutePath(spec.out()));
   if (spec.water() != kFindWater && spec.water() != kNoWater) spec.set_water(AbsolutePath(spec.water()));
   spec.set_clear(AbsolutePath(spec.clear()));
+  spec.set_decisions(AbsolutePath(spec.decisions()));
   spec.set_area(AbsolutePath(spec.area()));
 }
 

@@ -9,6 +9,7 @@
 #include "client/page_assets.h"
 #include "client/page_data.h"
 #include "client/page_pictures.h"
+#include "client/page_review.h"
 #include "common/grid/delivery_paths.h"
 #include "common/grid/scene.h"
 #include "common/store/digest.h"
@@ -26,6 +27,13 @@ using Json = nlohmann::ordered_json;
 std::string PolicyHash(std::string_view text) {
   const std::array<char, 32> digest = Sha256Of(text);
   return absl::StrCat("'sha256-", absl::Base64Escape(std::string(digest.data(), digest.size())), "'");
+}
+
+// null where there is no holes.geojson, as for a single mesh.
+absl::StatusOr<Json> ReviewOf(const Json& report, const std::string& out, const Scene* scene) {
+  const auto holes = ReadFile(absl::StrCat(out, "/holes.geojson"));
+  if (!holes.ok()) return Json();
+  return PageReview(report, *holes, scene);
 }
 
 }  // namespace
@@ -65,8 +73,10 @@ absl::Status WriteReportPage(const std::string& out) {
     pictures.problems.push_back(absl::StrCat("No pictures: ", std::string(scene.status().message())));
   }
   TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(out, "/holes.csv"), HolesCsv(report)));
-  return WriteFileAtomically(absl::StrCat(out, "/report.html"),
-                             ReportPage(PageData(report, scene.ok() ? &*scene : nullptr, pictures)));
+  const Scene* const known = scene.ok() ? &*scene : nullptr;
+  Json data = PageData(report, known, pictures);
+  TILEMEND_ASSIGN_OR_RETURN(data["review"], ReviewOf(report, out, known));
+  return WriteFileAtomically(absl::StrCat(out, "/report.html"), ReportPage(data));
 }
 
 }  // namespace tilemend

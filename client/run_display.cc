@@ -49,6 +49,13 @@ std::string FilledText(const Json& report) {
   return absl::StrFormat("%d of %s filled, %.1f m2\n", filled, Counted(holes, "hole"), area);
 }
 
+// "61 of 64 tiles kept as they were", where some were.
+std::string KeptText(const Json& report) {
+  const Json &all = Member(Member(report, "tiles"), "all"), &kept = Member(Member(report, "tiles"), "kept");
+  if (Number(kept) == 0) return "";
+  return absl::StrCat(Text(kept), " of ", Text(all), " tiles kept as they were\n");
+}
+
 std::string WarningsText(const Json& report) {
   std::string text;
   for (const Json& warning : Member(report, "warnings")) {
@@ -75,7 +82,7 @@ std::string StageText(const v1::Job& job) {
 }
 
 std::string ResultText(const Json& report, const std::string& page) {
-  return absl::StrCat(FilledText(report), WarningsText(report), WaterText(report, "filled flat as water"),
+  return absl::StrCat(FilledText(report), KeptText(report), WarningsText(report), WaterText(report, "filled flat as water"),
                       LookAtText(report), LeftText(report, "left open"), "\nlook at: ", Printable(page), "\n");
 }
 

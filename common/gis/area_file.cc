@@ -113,10 +113,14 @@ std::string SuffixFor(VectorFormat format, const std::string& name) {
   return absl::AsciiStrToLower(std::filesystem::path(name).extension().string());
 }
 
-VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const SceneFrame& frame, bool unite) {
+// What the features of a file are.
+enum class FileUse { kWater, kArea, kDecisions };
+
+VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const SceneFrame& frame, FileUse use) {
   VectorRequest request;
   request.name = name;
-  request.unite = unite;
+  request.unite = use == FileUse::kArea;
+  request.decisions = use == FileUse::kDecisions;
   request.frame = frame;
   request.format = FormatOf(file);
   request.opened = kStem + SuffixFor(request.format, name);
@@ -129,9 +133,9 @@ VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const
   return request;
 }
 
-absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame, bool unite,
+absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame, FileUse use,
                                 const std::stop_token& stop) {
-  VectorRequest request = RequestFor(bytes, name, frame, unite);
+  VectorRequest request = RequestFor(bytes, name, frame, use);
   if (request.format == VectorFormat::kGeoJson) TILEMEND_RETURN_IF_ERROR(LookIntoJson(bytes.bytes, request));
   const std::string message = static_cast<char>(GdalTask::kReadVectors) + Encode(request);
   TILEMEND_ASSIGN_OR_RETURN(const std::string answer, AskGdal(message, name, stop));
@@ -270,7 +274,7 @@ absl::StatusOr<std::string> CrsFaultOf(const Scene& scene, const std::stop_token
 
 absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                          const std::stop_token& stop) {
-  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, false, stop));
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, FileUse::kWater, stop));
   WaterFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
   for (VectorFeature& f : read.features) {
@@ -292,9 +296,36 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
   return file;
 }
 
+absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                            const std::stop_token& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, FileUse::kDecisions, stop));
+  WaterFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
+  for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
+  for (VectorFeature& f : read.features) {
+    if (f.polygon.empty()) {
+      return absl::InvalidArgumentError(
+          absl::StrCat(name, ": ", f.label, ": a decision on a line; expected the polygon of a hole"));
+    }
+    const bool is_water = f.decision == ReviewDecision::kWater;
+    if (f.level && !is_water) {
+      file.warnings.push_back(
+          absl::StrCat(name, ": ", f.label, ": its level_m has no effect, since its decision is not water"));
+    }
+    WaterArea& area = file.areas.emplace_back();
+    area.water = is_water;
+    area.polygon = std::move(f.polygon);
+    if (is_water) area.level = f.level;
+    area.label = absl::StrCat(f.label, " of --decisions", f.hole ? absl::StrCat(" (hole ", *f.hole, ")") : "");
+    area.decision = f.decision;
+  }
+  if (file.areas.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no decision, so it has no effect"));
+  KeepFirst(kMostWarnings, name, file.warnings);
+  return file;
+}
+
 absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                        const std::stop_token& stop) {
-  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, true, stop));
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, FileUse::kArea, stop));
   AreaFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   if (read.features.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": holds no polygon"));
   file.area = std::move(read.features.front().polygon);

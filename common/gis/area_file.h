@@ -1,4 +1,4 @@
-// The files of --water and --area.
+// The files of --water, --area and --decisions.
 #ifndef TILEMEND_COMMON_GIS_AREA_FILE_H_
 #define TILEMEND_COMMON_GIS_AREA_FILE_H_
 
@@ -42,6 +42,14 @@ struct WaterFile {
 // level or `clear`. Errors of AskGdal. Takes some 40 ms more than the reading.
 absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                          const std::stop_token& stop = {});
+
+// Reads what was decided on holes: polygons with the properties `decision` ("accept", "water", "ground" or "open"),
+// `level_m` (of water; absent: from its shore) and `hole` (for messages). Features without a decision are left out. All
+// areas have a decision; kWater has `water` set.
+//
+// Errors as above, with `name` and the feature; kInvalidArgument also for another word, and for a decision on a line.
+absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                            const std::stop_token& stop = {});
 
 // What `clear` says together with the other properties of an area that has it: its water is level, so that a centreline
 // is dropped, with a warning. kInvalidArgument with `name` for a river.

@@ -97,12 +97,32 @@ WaterKind KindOf(const OGRFeature& feature, const std::string& place) {
 }
 
 // Nothing for a property that is no whole number: it is not that of holes.geojson.
-std::optional<int64_t> BodyOf(const OGRFeature& feature) {
-  const int index = FieldOf(feature, kBodyProperty);
-  if (index < 0 || FieldOf(feature, kHoleProperty) < 0) return std::nullopt;
+std::optional<int64_t> WholeNumberOf(const OGRFeature& feature, const char* property) {
+  const int index = FieldOf(feature, property);
+  if (index < 0) return std::nullopt;
   const OGRFieldType type = feature.GetFieldDefnRef(index)->GetType();
   if (type != OFTInteger && type != OFTInteger64) return std::nullopt;
   return feature.GetFieldAsInteger64(index);
+}
+
+std::optional<int64_t> BodyOf(const OGRFeature& feature) {
+  return FieldOf(feature, kHoleProperty) < 0 ? std::nullopt : WholeNumberOf(feature, kBodyProperty);
+}
+
+ReviewDecision DecisionOf(const OGRFeature& feature, const std::string& place) {
+  const int index = FieldOf(feature, kDecisionProperty);
+  if (index < 0) return ReviewDecision::kNone;
+  const std::string word = WordOf(feature, index);
+  if (word == "accept") return ReviewDecision::kAccept;
+  if (word == "water") return ReviewDecision::kWater;
+  if (word == "ground") return ReviewDecision::kGround;
+  if (word == "open") return ReviewDecision::kOpen;
+  RefuseValue(place, kDecisionProperty, feature.GetFieldAsString(index), "accept, water, ground or open");
+}
+
+std::optional<double> LevelOf(const OGRFeature& feature, const std::string& place) {
+  return MetresOf(feature, kLevelProperty, -kMostHeight, kMostHeight,
+                  "a height in metres, such as 3.25 or \"3.25 m\"", place);
 }
 
 }  // namespace
@@ -125,13 +145,19 @@ std::string LabelOf(const OGRFeature& feature, const std::string& prefix) {
 
 void SetProperties(const OGRFeature& feature, VectorFeature& to) {
   to.water = BooleanOf(feature, kWaterProperty, true, to.label);
-  to.level = MetresOf(feature, kLevelProperty, -kMostHeight, kMostHeight,
-                      "a height in metres, such as 3.25 or \"3.25 m\"", to.label);
+  to.level = LevelOf(feature, to.label);
   to.clear = BooleanOf(feature, kClearProperty, false, to.label);
   to.clear_height =
       MetresOf(feature, kClearHeightProperty, 0, kMostClearHeight, "a number of metres from 0 to 1000", to.label);
   to.kind = KindOf(feature, to.label);
   to.body = BodyOf(feature);
+}
+
+void SetDecision(const OGRFeature& feature, VectorFeature& to) {
+  to.decision = DecisionOf(feature, to.label);
+  to.hole = WholeNumberOf(feature, kHoleProperty);
+  to.body = WholeNumberOf(feature, kClusterProperty);
+  to.level = LevelOf(feature, to.label);
 }
 
 std::vector<Point2> CentrelineOf(const OGRFeature& feature, const std::string& place) {

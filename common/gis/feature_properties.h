@@ -25,6 +25,10 @@ std::string LabelOf(const OGRFeature& feature, const std::string& prefix);
 // BadVectors with the feature's label.
 void SetProperties(const OGRFeature& feature, VectorFeature& to);
 
+// Of a reviewed hole: sets its decision ("accept", "water", "ground" or "open"), the number of the hole, its level, as
+// above, and as its body the cluster of holes. Throws BadVectors with the feature's label.
+void SetDecision(const OGRFeature& feature, VectorFeature& to);
+
 // The property `centreline`: a GeoJSON LineString or its coordinates, or WKT; empty if there is none. Throws BadVectors
 // with `place`.
 std::vector<Point2> CentrelineOf(const OGRFeature& feature, const std::string& place);

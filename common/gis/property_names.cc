@@ -17,11 +17,12 @@ struct Word {
   std::string_view letters, property;
 };
 // Words that are not in the first list are taken as they are.
-constexpr std::array<Word, 5> kProperties = {{{"water", kWaterProperty},
+constexpr std::array<Word, 6> kProperties = {{{"water", kWaterProperty},
                                               {"levelm", kLevelProperty},
                                               {"centreline", kCentrelineProperty},
                                               {"clear", kClearProperty},
-                                              {"clearheight", kClearHeightProperty}}};
+                                              {"clearheight", kClearHeightProperty},
+                                              {"decision", kDecisionProperty}}};
 constexpr std::array<Word, 5> kOtherWords = {{{"level", kLevelProperty},
                                               {"z", kLevelProperty},
                                               {"height", kLevelProperty},

@@ -1,4 +1,4 @@
-// The properties of a polygon of water, and names that are likely meant for one of them.
+// The properties of a polygon of water or of a reviewed hole, and names that are likely meant for one of them.
 #ifndef TILEMEND_COMMON_GIS_PROPERTY_NAMES_H_
 #define TILEMEND_COMMON_GIS_PROPERTY_NAMES_H_
 
@@ -13,9 +13,13 @@ inline constexpr char kKindProperty[] = "kind";
 inline constexpr char kClearProperty[] = "clear";
 inline constexpr char kClearHeightProperty[] = "clear_height";
 
+// Of a reviewed hole.
+inline constexpr char kDecisionProperty[] = "decision";
+
 // Of holes.geojson: the number of the hole, and of the water that it is part of.
 inline constexpr char kHoleProperty[] = "hole";
 inline constexpr char kBodyProperty[] = "body";
+inline constexpr char kClusterProperty[] = "cluster";  // open holes that are one, over several cells
 
 // The one of these that a property of another name is likely meant for, "" if none: the same letters but for case and
 // what is between them ("Centre Line"), other words for it ("elevation"), or one letter in four of it put in, taken out

@@ -38,7 +38,8 @@ class Layer {
 
   void Add(const OGRFeature& feature) {
     const std::string label = LabelOf(feature, prefix_);
-    if (!rules_.is_area && IsDryHole(feature)) return dry_.Add(label);
+    if (rules_.is_decision && FieldOf(feature, kDecisionProperty) < 0) return;
+    if (!rules_.is_area && !rules_.is_decision && IsDryHole(feature)) return dry_.Add(label);
     const OGRGeometry* geometry = feature.GetGeometryRef();
     if (geometry == nullptr && rules_.needs_geometry)
       throw BadVectors{label + ": no geometry, or none that can be read"};
@@ -69,13 +70,17 @@ class Layer {
     VectorFeature& raw = read_.features.emplace_back();
     raw.label = label;
     SetGeometry(geometry, raw);
-    if (!rules_.is_area) SetProperties(feature, raw);
+    if (rules_.is_decision) {
+      SetDecision(feature, raw);
+    } else if (!rules_.is_area) {
+      SetProperties(feature, raw);
+    }
     if (raw.polygon.empty()) return;
     const std::string fault = Repair(geometry, rules_.is_area ? Crossings::kRefuse : Crossings::kRepair, raw);
     if (!fault.empty()) {
       read_.warnings.push_back(label + ": " + fault + "; it is taken as repaired: all that it surrounds is inside");
     }
-    if (!rules_.is_area) raw.line = CentrelineOf(feature, label);
+    if (!rules_.is_area && !rules_.is_decision) raw.line = CentrelineOf(feature, label);
   }
 
   const std::string prefix_;
@@ -86,9 +91,10 @@ class Layer {
 
 // Features of one body that say the same become the first of them.
 void UniteBodies(std::vector<VectorFeature>& features) {
-  using Said = std::tuple<int64_t, bool, std::optional<double>, WaterKind, bool, std::optional<double>>;
+  using Said =
+      std::tuple<int64_t, bool, std::optional<double>, WaterKind, bool, std::optional<double>, ReviewDecision>;
   const auto said = [](const VectorFeature& f) {
-    return Said(*f.body, f.water, f.level, f.kind, f.clear, f.clear_height);
+    return Said(*f.body, f.water, f.level, f.kind, f.clear, f.clear_height, f.decision);
   };
   std::map<Said, std::vector<VectorFeature>> bodies;
   for (VectorFeature& f : features) {

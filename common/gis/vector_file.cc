@@ -214,7 +214,8 @@ void Read(const VectorRequest& request, VectorFile& file) {
     const bool is_drawing = EQUAL(set->GetDriverName(), "DXF") || EQUAL(set->GetDriverName(), "DGN");
     for (OGRLayer* layer : set->GetLayers()) {
       if (IsOfUse(*layer, request)) {
-        layers.push_back({layer, {request.unite, is_drawing, request.format == VectorFormat::kGeoJson}});
+        layers.push_back(
+            {layer, {request.unite, is_drawing, request.decisions, request.format == VectorFormat::kGeoJson}});
       }
     }
   }

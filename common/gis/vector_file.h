@@ -35,7 +35,9 @@ struct VectorFeature {
   WaterKind kind = WaterKind::kUnsaid;  // property `kind`
   bool clear = false;                   // property `clear`
   std::optional<double> clear_height;   // property `clear_height`, metres, >= 0
-  std::optional<int64_t> body;          // of a hole in holes.geojson: property `body`
+  std::optional<int64_t> body;          // of a hole in holes.geojson: property `body`; of a decision `cluster`
+  std::optional<int64_t> hole = {};     // of a decision: property `hole`
+  ReviewDecision decision = ReviewDecision::kNone;  // property `decision`
 };
 
 // How the bytes begin. Of kOther GDAL finds out the format, with the help of the suffix.
@@ -56,6 +58,7 @@ struct VectorRequest {
   std::string crs_name;           // of GeoJSON that names one: as it does
   int64_t features = -1;          // that the file must have; -1: not known
   bool unite = false;             // one polygon of all; lines and outlines that cross are refused
+  bool decisions = false;         // only features with a property `decision` count
   SceneFrame frame;
 };
 

@@ -105,6 +105,7 @@ void Each(Archive& archive, T& item) {
   } else if constexpr (std::is_same_v<Type, VectorFeature>) {
     archive(item.label), archive(item.polygon.rings), archive(item.line), archive(item.water), archive(item.level);
     archive(item.kind), archive(item.clear), archive(item.clear_height), archive(item.body);
+    archive(item.hole), archive(item.decision);
   } else {
     archive(item);
   }
@@ -113,7 +114,7 @@ void Each(Archive& archive, T& item) {
 template <typename Archive, typename Request>
 void RequestMembers(Archive& archive, Request& r) {
   archive(r.format), archive(r.opened), archive(r.parts), archive(r.name), archive(r.names_crs), archive(r.crs_name);
-  archive(r.features), archive(r.unite), archive(r.frame.crs);
+  archive(r.features), archive(r.unite), archive(r.decisions), archive(r.frame.crs);
   archive(r.frame.origin.x()), archive(r.frame.origin.y()), archive(r.frame.origin.z());
   Each(archive, r.frame.lo), Each(archive, r.frame.hi);
 }
@@ -126,6 +127,10 @@ void FileMembers(Archive& archive, File& f) {
 // Whether a value is one of `kind`: a byte of a message may be any.
 bool IsKind(WaterKind kind) {
   return kind == WaterKind::kUnsaid || kind == WaterKind::kLake || kind == WaterKind::kRiver;
+}
+
+bool IsDecision(ReviewDecision decision) {
+  return decision >= ReviewDecision::kNone && decision <= ReviewDecision::kOpen;
 }
 
 }  // namespace
@@ -152,7 +157,7 @@ bool Decode(std::string_view bytes, VectorFile& file) {
   Unpacker unpacker(bytes);
   FileMembers(unpacker, file);
   for (const VectorFeature& feature : file.features) {
-    if (!IsKind(feature.kind)) return false;
+    if (!IsKind(feature.kind) || !IsDecision(feature.decision)) return false;
   }
   return unpacker.Done();
 }

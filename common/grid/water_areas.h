@@ -1,4 +1,4 @@
-// Where a user says what is water and what is not.
+// Where a user says what is water, what is not, and what was decided on holes.
 #ifndef TILEMEND_COMMON_GRID_WATER_AREAS_H_
 #define TILEMEND_COMMON_GRID_WATER_AREAS_H_
 
@@ -13,6 +13,10 @@ namespace tilemend {
 
 // What a user says that the water in an area is. A lake has one level; a river falls along a line.
 enum class WaterKind { kUnsaid, kLake, kRiver };
+
+// What a reviewer decided on the holes that an area covers (--decisions). kWater and kGround: what the area's `water`
+// and `level` say.
+enum class ReviewDecision { kNone, kAccept, kWater, kGround, kOpen };
 
 inline constexpr double kClearHeight = 1.5;  // metres, of WaterArea::clear_height where none is given
 
@@ -32,6 +36,7 @@ struct WaterArea {
   // (waves/clearing.h).
   std::optional<double> level_sigma = std::nullopt;
   std::vector<CellId> cleared_cells = {};  // of whose tiles triangles were taken out
+  ReviewDecision decision = ReviewDecision::kNone;  // kNone: an area of --water or --clear
 };
 
 }  // namespace tilemend

@@ -39,7 +39,8 @@ absl::Status CheckRoots(const Roots* roots, const JobSpec& spec) {
   const bool water_is_file = spec.water() != "auto" && spec.water() != "off";
   for (const auto& [field, path] : {std::pair("scene", spec.scene()), std::pair("out", spec.out()),
                                     std::pair("water", water_is_file ? spec.water() : ""),
-                                    std::pair("clear", spec.clear()), std::pair("area", spec.area())}) {
+                                    std::pair("clear", spec.clear()), std::pair("decisions", spec.decisions()),
+                                    std::pair("area", spec.area())}) {
     const absl::Status status = path.empty() ? absl::OkStatus() : roots->Check(path);
     if (!status.ok()) {
       return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),
@@ -64,16 +65,18 @@ absl::Status CheckOutputGone(const JobSpec& spec) {
 }
 
 // Whether the output is complete, so that a job would be refused when it starts. A job that overwrites one has its
-// marker there until it ends.
+// marker there until it ends. Decisions are applied to a complete output, if it is of the same scene and options: the
+// job itself looks at that.
 absl::Status CheckOutputNotComplete(const JobSpec& spec) {
-  if (spec.overwrite() || spec.dry_run()) return absl::OkStatus();
+  if (spec.overwrite() || spec.dry_run() || !spec.decisions().empty()) return absl::OkStatus();
   const auto names = ListFolder(spec.out());
   const auto has = [&](const char* name) { return std::ranges::find(*names, name) != names->end(); };
   if (!names.ok() || !has("report.json") || has(".tilemend-job")) return absl::OkStatus();
   return WithErrorInfo(absl::AlreadyExistsError(absl::StrCat(
                            Printable(spec.out()),
-                           ": exists already, and is complete; choose another --out, or give --overwrite to replace "
-                           "the files that the job writes")),
+                           ": exists already, and is complete; choose another --out, give --overwrite to replace the "
+                           "files that the job writes, or --decisions FILE to do only the holes again that a reviewer "
+                           "decided on")),
                        {"OUTPUT_EXISTS", {}});
 }
 

@@ -27,10 +27,10 @@ WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function
   return options;
 }
 
-std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
+std::string SceneKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
   std::string key = absl::StrCat("scene ", spec.scene(), "\n");
   for (const ReportedOption& option : ReportedOptions(spec, kOfJobs)) {
-    if (option.name == "clear" || option.name == "area") continue;
+    if (option.name == "clear" || option.name == "area" || option.name == "decisions") continue;
     const auto* number = std::get_if<double>(&option.value);
     const auto* text = std::get_if<std::string>(&option.value);
     const bool* is_on = std::get_if<bool>(&option.value);
@@ -41,6 +41,12 @@ std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::str
                     "\n");
   }
   return absl::StrCat(key, "files ", water.digest, " ", water.clear_digest, " ", area_digest, "\n");
+}
+
+std::string JobKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest) {
+  std::string key = SceneKey(spec, water, area_digest);
+  if (!water.decisions_digest.empty()) absl::StrAppend(&key, "decisions ", water.decisions_digest, "\n");
+  return key;
 }
 
 }  // namespace tilemend

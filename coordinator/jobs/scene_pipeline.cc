@@ -26,6 +26,7 @@
 #include "common/util/stopwatch.h"
 #include "common/util/utc.h"
 #include "coordinator/jobs/delivery_entry.h"
+#include "coordinator/jobs/earlier_output.h"
 #include "coordinator/jobs/scene_folders.h"
 #include "coordinator/jobs/scene_options.h"
 #include "coordinator/jobs/scene_tasks.h"
@@ -99,8 +100,10 @@ absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
 class ScenePipeline : public JobPipeline {
  public:
   ScenePipeline(JobSpec spec, Scene scene, std::set<CellId> chosen, WaterOptions water,
-                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles)
+                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles,
+                std::string key)
       : spec_(std::move(spec)),
+        key_(std::move(key)),
         output_(std::move(output)),
         tile_check_(tiles),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
@@ -273,6 +276,9 @@ class ScenePipeline : public JobPipeline {
                       report.cells, " cells that were chosen");
     }
     if (reuse_->taken_over() == 0) return message;
+    if (reuse_->tiles_kept() > 0) {
+      absl::StrAppend(&message, "; ", reuse_->tiles_kept(), " of ", reuse_->tiles(), " tiles kept as they were");
+    }
     return absl::StrCat(message, "; ", reuse_->taken_over(), " of ", reuse_->tasks(), " results taken over, ",
                         reuse_->without_worker(), " of them without a task for a worker");
   }
@@ -287,6 +293,9 @@ class ScenePipeline : public JobPipeline {
     report.date = UtcText(absl::Now());
     report.tasks = reuse_->tasks();
     report.taken_over = reuse_->taken_over();
+    report.tiles = reuse_->tiles();
+    report.tiles_kept = reuse_->tiles_kept();
+    report.key = key_;
     report.options = ReportedOptions(spec_, kOfJobs);
     report.warnings = waves_.scene().warnings;
     for (std::string& warning : tasks_.files().Warnings()) report.warnings.push_back(std::move(warning));
@@ -320,6 +329,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   const JobSpec spec_;
+  const std::string key_;  // as OutputKey
   std::optional<OutputFolder> output_;  // none in a dry run
   const TileCheck tile_check_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
@@ -345,18 +355,21 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene), stop));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water, stop));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
+  TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), FrameOf(scene), water, stop));
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells(), scene));
+  std::string key = OutputKey(SceneKey(spec, water, area_digest));
   std::optional<OutputFolder> output;
   if (!spec.dry_run()) {
-    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out(), scene, spec.overwrite(),
+    TILEMEND_ASSIGN_OR_RETURN(const bool overwrite, MayReplace(spec, key));
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out(), scene, overwrite,
                                                                         JobKey(spec, water, area_digest)));
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
   return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(chosen), std::move(water.options),
-                                         std::move(output), std::move(scratch), tiles);
+                                         std::move(output), std::move(scratch), tiles, std::move(key));
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ std::string WithKnownFiles(const std::string& bytes, const std::string& known) {
 
 std::optional<StageResult> TaskReuse::Recall(NewTask& task, int32_t number) {
   ++tasks_;
+  if (task.stage == Stage::kAssemble) ++tiles_;
   if (!log_ || task.stage == Stage::kMeasure) return std::nullopt;
   std::string key = KeyOf(task);
   std::optional<std::string> known = log_->Find(key);
@@ -62,6 +63,7 @@ absl::Status TaskReuse::Resolve(StageResult& result, int32_t number) {
     if (!known) return absl::AbortedError("results of an earlier job were changed while this one ran; run it again");
     TILEMEND_ASSIGN_OR_RETURN(result, DecodeResult({result.cell, result.stage, *std::move(known)}));
   }
+  if (result.stage == Stage::kAssemble) ++tiles_kept_;
   keys_.erase(key);
   ++taken_over_;
   return absl::OkStatus();

@@ -47,13 +47,15 @@ class TaskReuse {
   int64_t tasks() const { return tasks_; }  // so far
   int64_t taken_over() const { return taken_over_; }
   int64_t without_worker() const { return without_worker_; }  // of these: Recall gave the result
+  int64_t tiles() const { return tiles_; }                    // that were to be written
+  int64_t tiles_kept() const { return tiles_kept_; }          // of these: they lay there as they are to be
 
  private:
   using Name = std::tuple<CellId, Stage, int32_t>;
 
   std::optional<ResultLog> log_;
   std::map<Name, std::string> keys_;  // of the tasks that are given out
-  int64_t tasks_ = 0, taken_over_ = 0, without_worker_ = 0;
+  int64_t tasks_ = 0, taken_over_ = 0, without_worker_ = 0, tiles_ = 0, tiles_kept_ = 0;
 };
 
 }  // namespace tilemend

@@ -30,6 +30,7 @@
 #include "coordinator/plan/rim/rim_sizes.h"
 #include "coordinator/plan/seam/area_edge.h"
 #include "coordinator/plan/water/clear_shores.h"
+#include "coordinator/plan/water/decided_holes.h"
 #include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
@@ -270,6 +271,7 @@ Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLay
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
   RefuseWithoutSurface(input, options.water.areas, plan);
+  DecideHoles(options.water.areas, plan);
   LeaveFailedHoles(plan);
   return plan;
 }

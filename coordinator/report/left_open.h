@@ -20,8 +20,8 @@ bool SomeHolesLeft(const SceneReportInput& input);
 // A hole of less is shown as 0.0 m2. It does not make an output partial; the report lists it.
 inline constexpr double kTinyHole = 0.05;  // m2
 
-// The same of a scene, whose lengths are metres: holes of less than kTinyHole do not count. An area that is not known
-// counts.
+// The same of a scene, whose lengths are metres: holes of less than kTinyHole, and those that a reviewer wants open, do
+// not count. An area that is not known counts.
 bool IsPartial(const SceneReportInput& input);
 
 // Why a hole is not filled; "" if it is.

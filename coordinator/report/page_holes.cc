@@ -28,6 +28,8 @@ Json PageHole(const Json& hole) {
           {"method", Text(Member(hole, "method"))},
           {"level", Member(hole, "level_m")},
           {"sigma", Member(Member(hole, "water"), "sigma_m")},
+          {"doubt", Member(hole, "doubt_m3")},
+          {"decision", Text(Member(hole, "decision"))},
           {"reason", HoleReasonOf(hole)}};
 }
 
@@ -51,6 +53,8 @@ Json PageHoles(const Json& report, size_t most) {
   for (const Json& hole : HoleRowsOf(report)) holes.push_back(&hole);
   std::stable_sort(holes.begin(), holes.end(), [](const Json* a, const Json* b) {
     if (IsLeftOpen(*a) != IsLeftOpen(*b)) return IsLeftOpen(*a);
+    const double doubt_a = Number(Member(*a, "doubt_m3")), doubt_b = Number(Member(*b, "doubt_m3"));
+    if (doubt_a != doubt_b) return doubt_a > doubt_b;
     return std::abs(Number(Member(*a, "area_m2"))) > std::abs(Number(Member(*b, "area_m2")));
   });
   holes.resize(std::min(holes.size(), most));

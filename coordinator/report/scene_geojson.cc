@@ -15,6 +15,7 @@
 #include "common/records/water_surface.h"
 #include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/left_open.h"
+#include "coordinator/report/review_queue.h"
 #include "coordinator/report/ring_chains.h"
 
 namespace tilemend {
@@ -193,12 +194,14 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"taken_for", nullptr},
               {"because", nullptr},
               {"body", nullptr},
+              {"decision", nullptr},
               {"share_on_objects", Millimetres(ShareOnObjects(*input.plan, hole))}};
   if (const char* type = TypeName(hole.type)) row["type"] = type;
   if (hole.kind != HoleKind::kClosed) {
     row["cluster"] = hole.cluster;
     row["layer"] = hole.layer;
   }
+  if (hole.decision >= 0) row["decision"] = DecisionName(input.plan->water_answers[hole.decision].decision);
   const auto size = input.outcome.sizes.find(h);
   if (size != input.outcome.sizes.end() && failure.empty())
     row["method"] = MethodOf(*input.plan, hole, size->second.way);

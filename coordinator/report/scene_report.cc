@@ -19,6 +19,7 @@
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/look_at.h"
 #include "coordinator/report/plan_warnings.h"
+#include "coordinator/report/review_queue.h"
 #include "coordinator/report/rounded.h"
 #include "coordinator/report/water_rows.h"
 
@@ -78,7 +79,7 @@ void AddMeasures(const Plan& plan, const PlannedHole& hole, Json& row) {
   row["perimeter_m"] = Rounded(hole.perimeter, digits);
 }
 
-Json HoleRow(const SceneReportInput& input, int32_t h) {
+Json HoleRow(const SceneReportInput& input, int32_t h, const std::vector<ReviewedGroup>& groups) {
   const PlannedHole& hole = input.plan->holes[h];
   const std::string failure = FailureOf(input, h);
   Json row = {{"id", h}, {"cell", CellJson(hole.cell)}, {"kind", KindName(hole.kind)}};
@@ -93,6 +94,8 @@ Json HoleRow(const SceneReportInput& input, int32_t h) {
   row["boundary_vertices"] = hole.boundary_vertices;
   if (hole.water >= 0) row["level_m"] = LevelJson(input.plan->water[hole.water]);
   if (hole.evidence >= 0) row["water"] = HoleEvidenceJson(input.plan->evidence[hole.evidence]);
+  if (hole.evidence >= 0) row["doubt_m3"] = Rounded(groups[hole.evidence].doubt * hole.area, 3);
+  if (hole.decision >= 0) row["decision"] = DecisionName(input.plan->water_answers[hole.decision].decision);
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
@@ -182,12 +185,13 @@ HoleTables TablesOf(const SceneReportInput& input) {
   HoleTables tables;
   for (const char* name : {"crack", "dislocation", "annular", "island", "simple"}) tables.single[name] = 0;
   const std::vector<PlannedHole>& holes = input.plan->holes;
+  const std::vector<ReviewedGroup> groups = ReviewedGroups(input);
   for (size_t h = 0; h < holes.size(); ++h) {
     const auto id = static_cast<int32_t>(h);
     Count(holes[h], tables.found);
     if (FailureOf(input, id).empty()) Count(holes[h], tables.filled);
     if (const char* name = SingleName(holes[h].single)) tables.single[name] = tables.single[name].get<int>() + 1;
-    tables.rows.push_back(HoleRow(input, id));
+    tables.rows.push_back(HoleRow(input, id, groups));
   }
   return tables;
 }
@@ -362,6 +366,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"water", WaterRows(input)},
                  {"water_areas", WaterAreaRows(plan)},
                  {"look_at", LookAtJson(input)},
+                 {"review", ReviewJson(input)},
                  {"cleared", ClearedJson(input.outcome.cleared, input.outcome.chosen)},
                  {"left", LeftRows(left)},
                  {"not_holes", NotHoles(left)},
@@ -369,9 +374,11 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"borders", Borders(plan, input.outcome)},
                  {"tension", Tensions(input)},
                  {"tasks", {{"all", input.tasks}, {"taken_over", input.taken_over}}},
+                 {"tiles", {{"all", input.tiles}, {"kept", input.tiles_kept}}},
                  {"seconds", seconds},
                  {"peak_rss_bytes", PeakRssBytes()}};
   report["per_hole"] = std::move(tables.rows);  // kilobytes a hole, which a list would copy
+  if (!input.key.empty()) report["key"] = input.key;
   if (input.weld) report["weld"] = WeldJson(*input.weld);
   return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -26,6 +26,8 @@ struct SceneReportInput {
   std::vector<std::string> warnings;
   std::optional<WeldRecord> weld;     // of a single mesh, if it was asked for
   int64_t tasks = 0, taken_over = 0;  // how many there were, and were taken over from an earlier job
+  int64_t tiles = 0, tiles_kept = 0;  // likewise of tiles: those that lay there as they are to be
+  std::string key;                    // of scene and options (coordinator/jobs/earlier_output.h); "": none
 };
 
 // All that the report has: the input's own, those of the plan, and of patches that fold back.

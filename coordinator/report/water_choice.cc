@@ -1,5 +1,7 @@
 #include "coordinator/report/water_choice.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -63,6 +65,17 @@ absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, Wat
   }
   for (std::string& warning : file.warnings) choice.warnings.push_back(std::move(warning));
   choice.clear_digest = Sha256Hex(ContentOf(bytes));
+  return absl::OkStatus();
+}
+
+absl::Status AddDecisions(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
+                          const std::stop_token& stop) {
+  if (value.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(value));
+  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseDecisionFile(bytes, value, frame, stop));
+  std::ranges::move(file.areas, std::back_inserter(choice.options.areas));
+  std::ranges::move(file.warnings, std::back_inserter(choice.warnings));
+  choice.decisions_digest = Sha256Hex(ContentOf(bytes));
   return absl::OkStatus();
 }
 

@@ -1,4 +1,4 @@
-// The values of --water and --clear.
+// The values of --water, --clear and --decisions.
 #ifndef TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_
 #define TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_
 
@@ -20,6 +20,7 @@ struct WaterChoice {
   WaterOptions options;
   std::string digest;             // SHA-256 of the file and what belongs to it, hex; empty without one
   std::string clear_digest = {};  // likewise of the file of AddClearFile
+  std::string decisions_digest = {};  // and of AddDecisions
   std::string coordinates;        // what those of the file were taken for; empty without one
   std::vector<std::string> warnings;
 };
@@ -32,6 +33,11 @@ absl::StatusOr<WaterChoice> ReadWaterChoice(const std::string& value, const Scen
 // The value of --clear: adds the areas of the file, all with `clear`, behind those that are there. "" adds none. Errors
 // as above.
 absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
+                          const std::stop_token& stop = {});
+
+// The value of --decisions: adds the decisions of the file behind the areas that are there. "" adds none. Errors of
+// ReadAreaFile and ParseDecisionFile, with the file in their text.
+absl::Status AddDecisions(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
                           const std::stop_token& stop = {});
 
 // Takes polygons with `clear` out of the choice that lie outside the area that is to be covered, with a warning: what

@@ -96,7 +96,8 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
   return absl::AlreadyExistsError(
       absl::StrCat(path, ": exists already",
                    marker.ok() ? ", an unfinished output of a job with another scene or other options" : "",
-                   "; choose another --out, or give --overwrite to replace the files that the job writes"));
+                   "; choose another --out, give --overwrite to replace the files that the job writes, or --decisions "
+                   "FILE to do only the holes again that a reviewer decided on"));
 }
 
 // That `found` is in the way of what the job would make.

@@ -63,8 +63,8 @@ TEST(ReportPageTest, NoTextEndsTheElementItIsIn) {
 TEST(HolesCsvTest, QuotesTextsAndDisarmsFormulas) {
   const std::string csv = HolesCsv(Report());
   EXPECT_THAT(csv, StartsWith("id,column,row,x,y,kind,"));
-  EXPECT_THAT(csv, HasSubstr("0,0,0,1,2,I,B,,5.5,9,filled,water,3.5 to 3.25,0.02,,level\r\n"));
-  EXPECT_THAT(csv, HasSubstr("-70,12,left,,,,,\"'=cmd, \"\"quoted\"\" "));
+  EXPECT_THAT(csv, HasSubstr("0,0,0,1,2,I,B,,5.5,9,filled,water,3.5 to 3.25,0.02,,,,level\r\n"));
+  EXPECT_THAT(csv, HasSubstr("-70,12,left,,,,,,,\"'=cmd, \"\"quoted\"\" "));
   EXPECT_EQ(CsvField("-3.5"), "-3.5");
   EXPECT_EQ(CsvField("@x"), "'@x");
 }

@@ -17,6 +17,7 @@
 #include "common/image/image.h"
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
+#include "tests/support/decisions.h"
 #include "tests/support/image_builders.h"
 #include "tests/support/osgb_scene.h"
 #include "tests/support/output_checks.h"
@@ -154,6 +155,25 @@ TEST_F(OsgbRunTest, APondIsFilledAtOneHeightInAllLevels) {
     }
     EXPECT_EQ(*ReadFile(folder_ / "scene/metadata.xml"), OsgbScene().Files().at("metadata.xml"));
   }
+}
+
+TEST_F(OsgbRunTest, ADecisionSetsTheLevelInAllLevels) {
+  WriteScene(OsgbScene());
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"}).code, 0);
+  const double level = 2.5;
+  const std::string marks = folder_.Write("marks.geojson", DecisionsOnHoles(folder_ / "out", "water", level, false));
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--decisions", marks});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ReportOf(folder_ / "out")["water"][0]["level_m"], level);
+  for (const int col : {0, 1}) {
+    const Pair pair = MadeTile(col);
+    ExpectOriginalsKept(pair, false);
+    ExpectLevelWater(pair, col, level);
+  }
+  const std::string open = folder_.Write("open.geojson", DecisionsOnHoles(folder_ / "out", "open", {}, false));
+  const Ended left = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--decisions", open});
+  ASSERT_EQ(left.code, 0) << left.err;
+  EXPECT_EQ(FilesBelow(folder_ / "out/Data"), FilesBelow(folder_ / "scene/Data"));
 }
 
 TEST_F(OsgbRunTest, WaterThatIsNoiseIsTakenOutOfAllLevels) {
@@ -313,6 +333,17 @@ TEST_F(OsgbRunTest, TheCanalOfARealExport) {
   const Pair pair = Read(folder_ / ("scene" + tile), folder_ / ("out" + tile));
   ExpectOriginalsKept(pair, true);
   ExpectLevelCanal(pair, level);
+
+  const auto tiles = FilesBelow(folder_ / "out");
+  const std::string marks = folder_.Write("marks.geojson", DecisionsOnHoles(folder_ / "out", "water", level - 0.25));
+  const Ended again =
+      Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", polygon, "--decisions", marks});
+  ASSERT_TRUE(again.code == 0 || again.code == 100) << again.err;
+  ExpectLevelCanal(Read(folder_ / ("scene" + tile), folder_ / ("out" + tile)), level - 0.25);
+  EXPECT_EQ(ReportOf(folder_ / "out")["tiles"]["kept"], 3);
+  for (const auto& [path, bytes] : FilesBelow(folder_ / "out")) {
+    if (path.ends_with(".osgb") && !path.starts_with("Tile_+000_+015/")) EXPECT_EQ(bytes, tiles.at(path)) << path;
+  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
+#include "tests/support/decisions.h"
 #include "tests/support/image_builders.h"
 #include "tests/support/osgb_scene.h"
 #include "tests/support/output_checks.h"
@@ -130,6 +131,21 @@ TEST_F(TilesetRunTest, APondIsFilledAtOneHeightInAllLevels) {
     ExpectOriginalsKept(before, after, false);
     ExpectLevelWater(after.tree, report["water"][0]["level_m"], 1e-6);
   }
+}
+
+TEST_F(TilesetRunTest, ADecisionSetsTheLevelInAllLevels) {
+  WriteScene({.place = Place::kOnEarth});
+  const std::string water = PondPolygon(false);
+  const Ended first = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", water});
+  ASSERT_TRUE(first.code == 0 || first.code == 100) << first.err;
+  const double level = ReportOf(folder_ / "out")["water"][0]["level_m"].get<double>() - 0.5;
+  const std::string marks = folder_.Write("marks.geojson", DecisionsOnHoles(folder_ / "out", "water", level));
+  const Ended again =
+      Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", water, "--decisions", marks});
+  ASSERT_TRUE(again.code == 0 || again.code == 100) << again.err;
+  const ReadTree before = Read(folder_ / "scene/tileset.json"), after = Read(folder_ / "out/tileset.json");
+  ExpectOriginalsKept(before, after, false);
+  ExpectLevelWater(after.tree, level, 1e-6);
 }
 
 TEST_F(TilesetRunTest, EarthCentredTilesAreFilledLevel) {

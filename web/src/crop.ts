@@ -1,16 +1,12 @@
 // Reads the surface around a fill: client/crop_bytes.h has the form.
 import { BufferAttribute, BufferGeometry, Texture, SRGBColorSpace } from 'three';
+import { unzip } from './unzip';
 
 export interface Crop {
   geometries: { kept: BufferGeometry; added: BufferGeometry; cleared: BufferGeometry };
   texture: Texture | null;
   centre: [number, number, number]; // of the fill, relative to the middle of the crop
   radius: number;                   // of the fill, metres
-}
-
-async function unzip(base64: string): Promise<ArrayBuffer> {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
 const linear = Float32Array.from({ length: 256 }, (_, i) => {

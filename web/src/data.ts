@@ -13,6 +13,8 @@ export interface Hole {
   method: string;
   level: Level;
   sigma: number | null;
+  doubt: number | null; // m3
+  decision: string;
   reason: string;
 }
 
@@ -32,6 +34,28 @@ export interface LookAt {
   centre?: number[];
   area_m2?: number;
   why?: string;
+}
+
+// Holes that are decided on together, and what they were taken for.
+export interface ReviewItem {
+  hole: number;
+  holes: number[];
+  cell: [number, number];
+  area_m2: number;
+  taken_for: string;
+  level_m?: number;
+  sigma_m?: number;
+  reason: string;
+  doubt_m: number;
+  doubt_m3: number;
+}
+
+export interface Review {
+  count: number; // of all in doubt, which may be more than the items
+  items: ReviewItem[];
+  z: number | null; // the height of the levels' zero
+  crs: unknown;
+  outlines: string; // gzip, as base64: by hole of the item the coordinates of a MultiPolygon
 }
 
 export interface Picture {
@@ -59,6 +83,8 @@ export interface Report {
   per_hole: Hole[];
   pictures: Picture[];
   picture_problems: string[];
+  review: Review | null;
+  tiles: { all: number; kept: number } | null;
 }
 
 export function readReport(): Report {

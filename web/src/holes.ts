@@ -28,6 +28,7 @@ const COLUMNS: Column[] = [
     key: (h) => (h.filled ? h.method || 'filled' : '') },
   { title: 'level [m]', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
   { title: 'sigma [m]', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
+  { title: 'doubt [m\u00b3]', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
   { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
 ];
 

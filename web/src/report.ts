@@ -4,6 +4,7 @@ import { counted, el, number } from './dom';
 import { holesTable, levelText } from './holes';
 import { cellMap } from './map';
 import { pictures } from './pictures';
+import { reviewQueue } from './review';
 
 function verdict(report: Report): HTMLElement {
   const left = report.cells.reduce((sum, cell) => sum + cell[3], 0);
@@ -23,6 +24,7 @@ function facts(report: Report): HTMLElement {
     ['holes', number(report.hole_count)],
     ['area filled', `${number(area)} m\u00b2`],
     ['waters', number(report.water?.length ?? 0)]];
+  if (report.tiles?.kept) rows.push(['tiles kept', `${number(report.tiles.kept)} of ${number(report.tiles.all)}`]);
   if (report.cleared?.triangles) rows.push(['triangles cleared', number(report.cleared.triangles)]);
   return el('dl', { class: 'facts' }, ...rows.map(([name, value]) => el('div', {}, el('dt', {}, name), el('dd', {}, value))));
 }
@@ -63,7 +65,11 @@ function build(report: Report): HTMLElement[] {
       el('button', { type: 'button', class: 'print', click: () => window.print() }, 'Print or save as PDF')),
     verdict(report), facts(report)];
   parts.push(section('Cells', cellMap(report, holes.showCell)));
-  if (report.look_at?.length) parts.push(section('Places to look at', looks(report.look_at)));
+  const review = report.review;
+  if (review?.items.length) parts.push(section('Review', reviewQueue(report, review)));
+  const queued = new Set(review?.items.map((item) => item.hole));
+  const others = (report.look_at ?? []).filter((look) => !queued.has(look.hole ?? -1));
+  if (others.length) parts.push(section('Places to look at', looks(others)));
   if (report.pictures.length || report.picture_problems.length) {
     parts.push(section('The largest fills', el('p', { class: 'quiet' },
       'Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in blue.'),

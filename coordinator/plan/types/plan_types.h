@@ -104,6 +104,7 @@ struct PlannedHole {
   Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)
   int32_t water = -1;                // into Plan::water; -1: no water
   int32_t evidence = -1;             // into Plan::evidence; -1: too small to be judged
+  int32_t decision = -1;             // into Plan::water_answers: that of the reviewer's decision on it; -1: none
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
   // Where tiles end at outlines of their own: what bounds the parts that are filled, each up to such an outline. None:
@@ -171,6 +172,8 @@ struct HoleEvidence {
   std::string reason;                 // what the verdict follows from, in words
   bool is_of_whole_scene = false;     // its level is told by the scene without the area (known_water.h)
   int32_t area = -1;                  // into Plan::water_answers: that of the user's area that decides on it
+  double dry_difference = 0;          // metres: how far a dry surface is from level water there (LevelEvidence)
+  double chance_wrong = 0;            // of the verdict, 0 to 0.5 (verdict_chance.h); 0: nothing was tested
 };
 
 // What became of an area of the user's (water_answers.h).
@@ -182,10 +185,12 @@ struct WaterAnswer {
   std::string reason;                       // not taken, or not for the hole of which it covers most: why
   std::string doubt = {};                   // not empty: taken, but likely wrong
   std::optional<double> clear_height = {};  // of an area with `clear`
+  ReviewDecision decision = ReviewDecision::kNone;  // of the area
 };
 
 // A reason of LeftOpen, of holes that nobody wants filled.
 inline constexpr char kLongerThanChosen[] = "longer than --largest-hole";
+inline constexpr char kLeftByDecision[] = "left open by decision";
 
 struct LeftOpen {
   CellId cell;

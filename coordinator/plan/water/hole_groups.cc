@@ -38,6 +38,19 @@ std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan) {
   return groups;
 }
 
+std::vector<std::vector<int32_t>> GroupAllHoles(const Plan& plan) {
+  std::vector<std::vector<int32_t>> groups;
+  std::map<int32_t, size_t> group_of_cluster;
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    const int32_t cluster = plan.holes[h].cluster;
+    size_t group = groups.size();
+    if (cluster >= 0) group = group_of_cluster.try_emplace(cluster, group).first->second;
+    if (group == groups.size()) groups.emplace_back();
+    groups[group].push_back(static_cast<int32_t>(h));
+  }
+  return groups;
+}
+
 std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes) {
   std::set<int32_t> vertices;
   for (const int32_t h : holes) {

@@ -15,6 +15,9 @@ namespace tilemend {
 // that can't be filled are in none. Cost O(n log n) in the plan's holes and segments.
 std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan);
 
+// The same of all holes, also of those that can't be filled or do not face up. Cost O(n log n) in the plan's holes.
+std::vector<std::vector<int32_t>> GroupAllHoles(const Plan& plan);
+
 // The boundary of a hole and of the regions that tiles fill of it for themselves.
 template <typename Visit>
 void ForRimSegments(const PlannedHole& hole, const Visit& visit) {

@@ -15,6 +15,7 @@
 #include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/lower_surface.h"
 #include "coordinator/plan/water/rim_chains.h"
+#include "coordinator/plan/water/verdict_chance.h"
 #include "coordinator/plan/water/verdict_words.h"
 
 namespace tilemend {
@@ -49,7 +50,10 @@ std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& ho
   std::optional<size_t> decider;
   if (areas.empty()) return decider;
   const CoverLines region(BoundaryOf(plan, holes));
+  const int32_t decision = plan.holes[holes.front()].decision;
+  if (decision >= 0 && areas[decision].decision != ReviewDecision::kAccept) return decision;
   for (size_t a = 0; a < areas.size(); ++a) {
+    if (areas[a].decision != ReviewDecision::kNone) continue;
     if (region.ShareIn(areas[a]) > 0.5 && !LiesAbove(plan, holes, areas[a])) decider = a;
   }
   return decider;
@@ -216,8 +220,10 @@ class WaterFinder {
     }
     for (const size_t g : basin.members) {
       groups_[g].is_judged = groups_[g].is_judged || verdict != Verdict::kNoWater;
-      groups_[g].evidence = {verdict, true, e.level, e.sigma(),
-                             ReasonFor(verdict, basin, lower_share, options_.profile)};
+      HoleEvidence& evidence = groups_[g].evidence;
+      evidence = {verdict, true, e.level, e.sigma(), ReasonFor(verdict, basin, lower_share, options_.profile)};
+      evidence.dry_difference = basin.evidence.dry_difference;
+      evidence.chance_wrong = ChanceOfError(verdict, basin.evidence);
     }
     if (verdict == Verdict::kNoWater) return;
     WaterBody body;

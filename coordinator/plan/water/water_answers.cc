@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "coordinator/plan/water/area_cover.h"
 #include "coordinator/plan/water/centreline.h"
 #include "coordinator/plan/water/given_line.h"
+#include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/level_evidence.h"
 
 namespace tilemend {
@@ -33,17 +33,9 @@ struct Body {
 
 std::vector<Body> BodiesOf(const Plan& plan) {
   std::vector<Body> bodies;
-  std::map<int32_t, size_t> of_cluster;
-  for (size_t h = 0; h < plan.holes.size(); ++h) {
-    const PlannedHole& hole = plan.holes[h];
-    size_t body = bodies.size();
-    if (hole.cluster >= 0) body = of_cluster.try_emplace(hole.cluster, body).first->second;
-    if (body == bodies.size()) bodies.emplace_back();
-    bodies[body].holes.push_back(static_cast<int32_t>(h));
-    for (const RimSegment& s : hole.segments) {
-      bodies[body].boundary.emplace_back(plan.vertices[s.from].position.head<2>(),
-                                         plan.vertices[s.to].position.head<2>());
-    }
+  for (std::vector<int32_t>& holes : GroupAllHoles(plan)) {
+    std::vector<PlaneSegment> boundary = BoundaryOf(plan, holes);
+    bodies.push_back({std::move(holes), std::move(boundary)});
   }
   return bodies;
 }
@@ -100,7 +92,9 @@ class Answers {
       for (size_t a = 0; a < areas.size(); ++a) {
         const double share = region.ShareIn(areas[a]);
         if (share > 0) shares_[a].emplace_back(b, share);
-        if (share > kDecides) bodies_[b].decided_by = static_cast<int32_t>(a);
+        // Who accepts what was filled leaves it to the areas before.
+        if (share > kDecides && areas[a].decision != ReviewDecision::kAccept)
+          bodies_[b].decided_by = static_cast<int32_t>(a);
       }
     }
   }
@@ -110,6 +104,7 @@ class Answers {
       WaterAnswer answer;
       answer.label = areas_[a].label;
       answer.water = areas_[a].water;
+      answer.decision = areas_[a].decision;
       if (areas_[a].clear) answer.clear_height = areas_[a].clear_height;
       double most = -1, taken = 0, under = 0;  // m2
       for (const auto& [b, share] : shares_[a]) {
@@ -241,6 +236,7 @@ class Answers {
       return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) +
              ", which is filled as one; to decide on it, draw it over more than half";
     }
+    if (areas_[a].decision == ReviewDecision::kAccept) return "";
     if (body.decided_by != a) return "another after it decides on the same hole: " + areas_[body.decided_by].label;
     return areas_[a].water ? WhyNoWater(plan_, body) : "";
   }

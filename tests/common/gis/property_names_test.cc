@@ -17,6 +17,9 @@ TEST(PropertyMeantByTest, KnowsOtherSpellingsAndWords) {
   for (const char* name : {"centerline", "centre_line", "Center Line", "centrelin", "centrline", "cetnreline"}) {
     EXPECT_EQ(PropertyMeantBy(name), kCentrelineProperty) << name;
   }
+  for (const char* name : {"decision", "Decisions", "descision"}) {
+    EXPECT_EQ(PropertyMeantBy(name), kDecisionProperty) << name;
+  }
   for (const char* name : {"Clear", "cleared", "clears"}) EXPECT_EQ(PropertyMeantBy(name), kClearProperty) << name;
 }
 

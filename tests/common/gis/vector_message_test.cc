@@ -19,6 +19,8 @@ VectorFile SomeFile() {
   VectorFeature& line = file.features.emplace_back();
   line.line = {{1, 2}, {3, 4}};
   line.water = false;
+  line.hole = 12;
+  line.decision = ReviewDecision::kOpen;
   file.coordinates = "EPSG:25832";
   file.warnings = {"one", ""};
   file.error = "none";
@@ -38,6 +40,8 @@ TEST(VectorMessageTest, AFileComesBackAsItWas) {
   EXPECT_EQ(read.features[1].line, file.features[1].line);
   EXPECT_FALSE(read.features[1].water);
   EXPECT_EQ(read.features[1].level, std::nullopt);
+  EXPECT_EQ(read.features[1].hole, 12);
+  EXPECT_EQ(read.features[1].decision, ReviewDecision::kOpen);
   EXPECT_EQ(read.coordinates, file.coordinates);
   EXPECT_EQ(read.warnings, file.warnings);
   EXPECT_EQ(read.error, file.error);
@@ -51,6 +55,7 @@ TEST(VectorMessageTest, ARequestComesBackAsItWas) {
   request.names_crs = false;
   request.features = 3;
   request.unite = true;
+  request.decisions = true;
   request.frame = {"EPSG:25832", {1, 2, 3}, {4, 5}, {6, 7}};
   const std::string bytes = Encode(request);
   VectorRequest read;
@@ -62,6 +67,7 @@ TEST(VectorMessageTest, ARequestComesBackAsItWas) {
   EXPECT_FALSE(read.names_crs);
   EXPECT_EQ(read.features, 3);
   EXPECT_TRUE(read.unite);
+  EXPECT_TRUE(read.decisions);
   EXPECT_EQ(read.frame.crs, "EPSG:25832");
   EXPECT_EQ(read.frame.origin, Point3(1, 2, 3));
   EXPECT_EQ(read.frame.hi, Point2(6, 7));

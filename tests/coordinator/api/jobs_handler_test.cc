@@ -137,6 +137,16 @@ TEST_F(JobsHandlerTest, ACompleteOutputMayBeOverwrittenOrLeftToARehearsal) {
   EXPECT_NE(ErrorReason(status), "OUTPUT_EXISTS") << status;
 }
 
+// The job itself looks whether they are on this output.
+TEST_F(JobsHandlerTest, DecisionsMayBeAppliedToACompleteOutput) {
+  v1::CreateJobRequest request = NewRequest();
+  std::filesystem::create_directories(request.spec().out());
+  std::ofstream(request.spec().out() + "/report.json") << "{}";
+  request.mutable_spec()->set_decisions("/marks.geojson");
+  const absl::Status status = calls_.jobs.CreateJob(request).status();
+  EXPECT_TRUE(status.ok()) << status;
+}
+
 TEST_F(JobsHandlerTest, RefusesPathsThatAreNotBelowItsRoots) {
   const TempFolder folder;
   std::filesystem::create_directories(folder / "data");

@@ -28,6 +28,17 @@ TEST(SceneOptionsTest, WavesAskWhetherTheJobIsCancelled) {
   EXPECT_TRUE(options.plan.cancelled());
 }
 
+TEST(JobKeyTest, DecisionsCountForTheJobButNotForItsScene) {
+  JobSpec spec = WithDefaults({});
+  WaterChoice water;
+  const std::string scene = SceneKey(spec, water, ""), job = JobKey(spec, water, "");
+  EXPECT_EQ(job, scene);
+  spec.set_decisions("/marks.geojson");
+  water.decisions_digest = "ab";
+  EXPECT_EQ(SceneKey(spec, water, ""), scene);
+  EXPECT_NE(JobKey(spec, water, ""), job);
+}
+
 TEST(JobKeyTest, TellsApartWhatGivesOtherBytes) {
   std::set<std::string> keys;
   const auto add = [&](auto change) {

@@ -25,6 +25,19 @@ TEST(PageHolesTest, ShowsThoseThatWereLeftFirstThenTheLargest) {
   EXPECT_EQ(PageHoles(report, 1).size(), 1);
 }
 
+TEST(PageHolesTest, RanksThemByTheirDoubtBeforeTheirArea) {
+  const Json report = Json::parse(R"({"per_hole": [
+      {"id": 0, "area_m2": 9, "outcome": "filled"},
+      {"id": 1, "area_m2": 5, "outcome": "filled", "doubt_m3": 1.5},
+      {"id": 2, "area_m2": 4, "outcome": "filled", "doubt_m3": 2, "decision": "accept"}]})");
+  const Json holes = PageHoles(report, 10);
+  EXPECT_EQ(holes[0]["id"], 2);
+  EXPECT_EQ(holes[0]["doubt"], 2);
+  EXPECT_EQ(holes[0]["decision"], "accept");
+  EXPECT_EQ(holes[1]["id"], 1);
+  EXPECT_TRUE(holes[2]["doubt"].is_null());
+}
+
 TEST(PageHolesTest, OfWhatIsNoReportThereIsNone) {
   EXPECT_EQ(PageHoles(Json(), 10), Json::array());
   EXPECT_EQ(PageHoles(Json{{"per_hole", 3}}, 10), Json::array());

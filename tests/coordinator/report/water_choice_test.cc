@@ -47,6 +47,21 @@ TEST(WaterChoiceTest, AllOfASecondFileIsCleared) {
   EXPECT_THAT(std::string(refused.message()), HasSubstr("kind is river, but clear"));
 }
 
+TEST(WaterChoiceTest, DecisionsComeLastAndCountByTheirContent) {
+  const TemporaryFolder folder;
+  const std::string ring = R"("geometry": {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}})";
+  WaterChoice choice = *ReadWaterChoice(folder.Write("a.geojson", R"({"type": "Feature", "properties": {}, )" + ring), {});
+  ASSERT_TRUE(AddDecisions("", {}, choice).ok());
+  EXPECT_EQ(choice.decisions_digest, "");
+  const std::string text = R"({"type": "Feature", "properties": {"decision": "open"}, )" + ring;
+  ASSERT_TRUE(AddDecisions(folder.Write("d.geojson", text), {}, choice).ok());
+  ASSERT_EQ(choice.options.areas.size(), 2U);
+  EXPECT_EQ(choice.options.areas[1].decision, ReviewDecision::kOpen);
+  EXPECT_EQ(choice.decisions_digest, Sha256Hex(text));
+  const absl::Status missing = AddDecisions(folder / "none.geojson", {}, choice);
+  EXPECT_TRUE(absl::IsNotFound(missing)) << missing;
+}
+
 // What was taken out beyond the area would stay open.
 TEST(WaterChoiceTest, WhatIsClearedHasToLieInTheArea) {
   const auto box = [](double lo, double hi) { return PlanePolygon{{{{lo, lo}, {hi, lo}, {hi, hi}, {lo, hi}}}}; };

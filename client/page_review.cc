@@ -1,0 +1,78 @@
+#include "client/page_review.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "absl/strings/escaping.h"
+#include "absl/strings/str_cat.h"
+#include "client/crop_bytes.h"
+#include "common/util/status_macros.h"
+#include "coordinator/report/json_access.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// For each hole the item that it belongs to, by the item's own hole.
+std::map<int64_t, int64_t> ItemsOfHoles(const Json& items) {
+  std::map<int64_t, int64_t> item_of;
+  for (const Json& item : items) {
+    const Json& hole = Member(item, "hole");
+    if (!hole.is_number_integer()) continue;
+    for (const Json& part : Member(item, "holes")) {
+      if (part.is_number_integer()) item_of[part.get<int64_t>()] = hole.get<int64_t>();
+    }
+  }
+  return item_of;
+}
+
+const Json& HoleIn(const Json& feature) { return Member(Member(feature, "properties"), "hole"); }
+
+// holes.geojson without the features of other holes.
+absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, int64_t>& item_of) {
+  const auto is_wanted = [&](int depth, Json::parse_event_t event, const Json& value) {
+    if (event != Json::parse_event_t::object_end || depth != 2) return true;
+    const Json& hole = HoleIn(value);
+    return hole.is_number_integer() && item_of.contains(hole.get<int64_t>());
+  };
+  Json json = Json::parse(text, is_wanted, false);
+  if (!json.is_object()) return absl::InvalidArgumentError("holes.geojson: not GeoJSON (expected an object)");
+  return json;
+}
+
+// The polygons of each item, by its hole.
+Json OutlinesOf(const Json& holes, const std::map<int64_t, int64_t>& item_of) {
+  Json outlines = Json::object();
+  for (const Json& feature : Member(holes, "features")) {
+    const Json &geometry = Member(feature, "geometry"), &hole = HoleIn(feature);
+    const Json &type = Member(geometry, "type"), &coordinates = Member(geometry, "coordinates");
+    if (!hole.is_number_integer() || !coordinates.is_array()) continue;
+    Json& polygons = outlines[absl::StrCat(item_of.at(hole.get<int64_t>()))];
+    if (type == "Polygon") polygons.push_back(coordinates);
+    if (type != "MultiPolygon") continue;
+    for (const Json& polygon : coordinates) polygons.push_back(polygon);
+  }
+  return outlines;
+}
+
+}  // namespace
+
+absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, const Scene* scene) {
+  const Json& rows = Member(report, "review");
+  Json items = Json::array();
+  const size_t count = rows.is_array() ? rows.size() : 0;
+  for (size_t i = 0; i < std::min(count, kMostReviewItems); ++i) items.push_back(rows[i]);
+  const std::map<int64_t, int64_t> item_of = ItemsOfHoles(items);
+  TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string outlines, Gzip(OutlinesOf(geojson, item_of).dump()));
+  return Json{{"count", count},
+              {"items", std::move(items)},
+              {"z", scene == nullptr ? Json() : Json(scene->origin.z())},
+              {"crs", Member(geojson, "crs")},
+              {"outlines", absl::Base64Escape(outlines)}};
+}
+
+}  // namespace tilemend

@@ -1,0 +1,27 @@
+// The review queue of report.html: the fills to decide on, with the polygons that decisions name.
+#ifndef TILEMEND_CLIENT_PAGE_REVIEW_H_
+#define TILEMEND_CLIENT_PAGE_REVIEW_H_
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/grid/scene.h"
+
+namespace tilemend {
+
+// Fills of less doubt are not in the page's queue: it holds the outline of each.
+inline constexpr size_t kMostReviewItems = 1000;
+
+// As JSON for the page (web/src/data.ts): "count" of all fills with a doubt, "items" with the most doubt, as the
+// report's `review` has them, with "z", the height of their levels' zero; "crs" of `holes`, the text of holes.geojson;
+// and "outlines", base64 of gzip of an object: by hole number of the item the coordinates of a MultiPolygon.
+// "z" is null without `scene`. kInvalidArgument if `holes` is no GeoJSON. Cost: linear; features of other holes are
+// dropped as they are read.
+absl::StatusOr<nlohmann::ordered_json> PageReview(const nlohmann::ordered_json& report, const std::string& holes,
+                                                  const Scene* scene);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_PAGE_REVIEW_H_

@@ -1,0 +1,22 @@
+// The complete output of an earlier job, onto which a reviewer's decisions are applied.
+#ifndef TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
+#define TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
+
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "coordinator/jobs/job_pipeline.h"
+
+namespace tilemend {
+
+// What report.json keeps of a SceneKey: its SHA-256, hex.
+std::string OutputKey(const std::string& scene_key);
+
+// Whether the job may replace files of a complete output in its folder: with `overwrite`; with decisions also if the
+// output is of the same scene and options, as its report's `key` says. kAlreadyExists (OUTPUT_EXISTS) for decisions on
+// the output of another scene or other options. Cost: reads the report if there are decisions.
+absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_

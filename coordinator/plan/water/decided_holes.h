@@ -1,0 +1,17 @@
+// The holes that a reviewer decided on.
+#ifndef TILEMEND_COORDINATOR_PLAN_WATER_DECIDED_HOLES_H_
+#define TILEMEND_COORDINATOR_PLAN_WATER_DECIDED_HOLES_H_
+
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+// Sets PlannedHole::decision, by WaterAreas with a decision: the last one that covers more than half of a cluster of
+// open holes, or of a closed hole, decides on it. Holes whose decision is kOpen get the failure kLeftByDecision, unless
+// they have one. To be called when clusters are known and before water is found.
+// Cost O(decisions * groups), and as CoverLines where they meet.
+void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_PLAN_WATER_DECIDED_HOLES_H_

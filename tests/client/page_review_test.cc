@@ -1,0 +1,74 @@
+#include "client/page_review.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <string>
+
+#include "absl/strings/escaping.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kReview[] = R"({"review": [
+  {"hole": 4, "holes": [3, 4], "area_m2": 9, "doubt_m3": 2}, {"hole": 7, "holes": [7], "area_m2": 5, "doubt_m3": 1}]})";
+
+std::string HoleFeature(int hole, const std::string& geometry) {
+  return R"({"type": "Feature", "properties": {"hole": )" + std::to_string(hole) + R"(}, "geometry": )" + geometry + "}";
+}
+
+std::string Holes() {
+  const std::string ring = "[[0, 0], [4, 0], [4, 4], [0, 0]]";
+  return R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}},
+             "features": [)" +
+         HoleFeature(3, R"({"type": "Polygon", "coordinates": [)" + ring + "]}") + "," +
+         HoleFeature(4, R"({"type": "MultiPolygon", "coordinates": [[)" + ring + "], [" + ring + "]]}") + "," +
+         HoleFeature(5, R"({"type": "Polygon", "coordinates": [)" + ring + "]}") + "," +
+         HoleFeature(7, R"({"type": "MultiLineString", "coordinates": [[[0, 0], [4, 0]]]})") + "]}";
+}
+
+std::string Unzipped(const Json& base64) {
+  std::string zipped, text(1 << 16, '\0');
+  EXPECT_TRUE(absl::Base64Unescape(base64.get<std::string>(), &zipped));
+  z_stream stream{};
+  inflateInit2(&stream, 15 + 16);
+  stream.next_in = reinterpret_cast<Bytef*>(zipped.data());
+  stream.avail_in = static_cast<uInt>(zipped.size());
+  stream.next_out = reinterpret_cast<Bytef*>(text.data());
+  stream.avail_out = static_cast<uInt>(text.size());
+  EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
+  text.resize(stream.total_out);
+  inflateEnd(&stream);
+  return text;
+}
+
+TEST(PageReviewTest, AnItemHasThePolygonsOfAllItsHoles) {
+  Scene scene;
+  scene.origin = {0, 0, 120};
+  const auto review = PageReview(Json::parse(kReview), Holes(), &scene);
+  ASSERT_TRUE(review.ok()) << review.status();
+  EXPECT_EQ((*review)["count"], 2);
+  EXPECT_EQ((*review)["z"], 120);
+  EXPECT_EQ((*review)["items"][0]["hole"], 4);
+  EXPECT_EQ((*review)["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::25832");
+  const Json outlines = Json::parse(Unzipped((*review)["outlines"]));
+  EXPECT_EQ(outlines["4"].size(), 3U);
+  EXPECT_EQ(outlines["4"][0][0][1], Json({4, 0}));
+  EXPECT_FALSE(outlines.contains("5"));
+  EXPECT_TRUE(outlines["7"].is_null()) << "a boundary that is not closed has no polygon";
+}
+
+TEST(PageReviewTest, AReportOfAnotherFormHasNoQueue) {
+  for (const char* report : {"{}", R"({"review": 7})", R"({"review": [3, {"hole": "x", "holes": 2}]})"}) {
+    const auto review = PageReview(Json::parse(report), Holes(), nullptr);
+    ASSERT_TRUE(review.ok()) << review.status();
+    EXPECT_TRUE((*review)["z"].is_null());
+    EXPECT_EQ(Unzipped((*review)["outlines"]), "{}");
+  }
+  EXPECT_FALSE(PageReview(Json::parse(kReview), "[", nullptr).ok());
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,56 @@
+#include "coordinator/jobs/earlier_output.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/util/error_info.h"
+#include "tests/support/temporary_folder.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::HasSubstr;
+
+class EarlierOutputTest : public ::testing::Test {
+ protected:
+  EarlierOutputTest() {
+    spec_.set_out(folder_ / "out");
+    spec_.set_decisions("/marks.geojson");
+  }
+  void WriteReport(const std::string& key) {
+    folder_.Write("out/report.json",
+                  R"({"version": "1", "per_hole": [{"key": "no"}], "options": {"key": "no"}, "key": ")" + key + "\"}");
+  }
+
+  const TemporaryFolder folder_;
+  JobSpec spec_;
+};
+
+TEST_F(EarlierOutputTest, DecisionsReplaceFilesOfTheSameJob) {
+  WriteReport(OutputKey("scene"));
+  EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), true);
+}
+
+TEST_F(EarlierOutputTest, DecisionsOnAnotherOutputAreRefused) {
+  for (const char* key : {"", "other"}) {
+    WriteReport(key);
+    const absl::Status status = MayReplace(spec_, OutputKey("scene")).status();
+    EXPECT_TRUE(absl::IsAlreadyExists(status)) << status;
+    EXPECT_EQ(ErrorReason(status), "OUTPUT_EXISTS");
+    EXPECT_THAT(std::string(status.message()), HasSubstr("another scene or other options"));
+  }
+  folder_.Write("out/report.json", "[3");
+  EXPECT_TRUE(absl::IsAlreadyExists(MayReplace(spec_, OutputKey("scene")).status()));
+  spec_.set_overwrite(true);
+  EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), true);
+}
+
+TEST_F(EarlierOutputTest, WithoutDecisionsOrWithoutAReportNothingIsReplaced) {
+  EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), false);
+  WriteReport(OutputKey("scene"));
+  spec_.clear_decisions();
+  EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), false);
+}
+
+}  // namespace
+}  // namespace tilemend

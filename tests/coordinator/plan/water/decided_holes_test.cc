@@ -1,0 +1,112 @@
+#include "coordinator/plan/water/decided_holes.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "coordinator/plan/water/water_answers.h"
+
+namespace tilemend {
+namespace {
+
+std::vector<Point2> BoxOf(double x0, double x1) { return {{x0, 0}, {x1, 0}, {x1, 10}, {x0, 10}}; }
+
+// A lake over two cells at x from 0 to 20, and a closed hole from 50 to 60.
+class DecideHolesTest : public ::testing::Test {
+ protected:
+  DecideHolesTest() {
+    AddHole(HoleKind::kOpenI, BoxOf(0, 10), 0);
+    AddHole(HoleKind::kClosed, BoxOf(50, 60), -1);
+    AddHole(HoleKind::kOpenI, BoxOf(10, 20), 0);
+  }
+
+  void AddHole(HoleKind kind, const std::vector<Point2>& ring, int32_t cluster) {
+    const auto base = static_cast<int32_t>(plan_.vertices.size());
+    PlannedHole& hole = plan_.holes.emplace_back();
+    hole.kind = kind;
+    hole.cluster = cluster;
+    hole.area = 100;
+    for (int32_t i = 0; i < 4; ++i) {
+      plan_.vertices.push_back({{0, 0}, i, {ring[i].x(), ring[i].y(), 0}});
+      hole.segments.push_back({base + i, base + (i + 1) % 4});
+    }
+  }
+  static WaterArea Decision(ReviewDecision decision, double x0, double x1) {
+    WaterArea area;
+    area.water = decision == ReviewDecision::kWater;
+    area.decision = decision;
+    area.polygon.rings = {BoxOf(x0, x1)};
+    area.label = "mark";
+    return area;
+  }
+  std::vector<int32_t> Decide(const std::vector<WaterArea>& areas) {
+    DecideHoles(areas, plan_);
+    std::vector<int32_t> decisions;
+    for (const PlannedHole& hole : plan_.holes) decisions.push_back(hole.decision);
+    return decisions;
+  }
+
+  Plan plan_;
+};
+
+TEST_F(DecideHolesTest, ADecisionIsOnAllHolesOfACluster) {
+  EXPECT_EQ(Decide({Decision(ReviewDecision::kGround, 0, 20)}), (std::vector{0, -1, 0}));
+  for (const PlannedHole& hole : plan_.holes) EXPECT_EQ(hole.failure, "");
+}
+
+TEST_F(DecideHolesTest, LessThanHalfOfAClusterDecidesNothing) {
+  EXPECT_EQ(Decide({Decision(ReviewDecision::kOpen, 0, 9)}), (std::vector{-1, -1, -1}));
+}
+
+TEST_F(DecideHolesTest, TheLastOneDecides) {
+  EXPECT_EQ(Decide({Decision(ReviewDecision::kOpen, 0, 99), Decision(ReviewDecision::kAccept, 49, 61)}),
+            (std::vector{0, 1, 0}));
+  EXPECT_EQ(plan_.holes[1].failure, "");
+  EXPECT_EQ(plan_.holes[2].failure, kLeftByDecision);
+}
+
+TEST_F(DecideHolesTest, AHoleThatCannotBeFilledKeepsItsReason) {
+  plan_.holes[1].failure = "its boundary crosses itself";
+  Decide({Decision(ReviewDecision::kOpen, 49, 61)});
+  EXPECT_EQ(plan_.holes[1].decision, 0);
+  EXPECT_EQ(plan_.holes[1].failure, "its boundary crosses itself");
+}
+
+TEST_F(DecideHolesTest, AreasOfWaterAreNoDecisions) {
+  WaterArea water;
+  water.polygon.rings = {BoxOf(0, 99)};
+  EXPECT_EQ(Decide({water}), (std::vector{-1, -1, -1}));
+}
+
+TEST_F(DecideHolesTest, ADecisionThatMatchesNoHoleIsAnswered) {
+  WaterOptions options;
+  options.areas = {Decision(ReviewDecision::kAccept, 49, 61), Decision(ReviewDecision::kAccept, 200, 210),
+                   Decision(ReviewDecision::kOpen, 0, 9), Decision(ReviewDecision::kOpen, 0, 20)};
+  Decide(options.areas);
+  AnswerWaterAreas(options, plan_);
+  ASSERT_EQ(plan_.water_answers.size(), 4U);
+  EXPECT_TRUE(plan_.water_answers[0].taken);
+  EXPECT_EQ(plan_.water_answers[0].decision, ReviewDecision::kAccept);
+  EXPECT_FALSE(plan_.water_answers[1].taken);
+  EXPECT_EQ(plan_.water_answers[1].reason, "no hole lies under it");
+  EXPECT_FALSE(plan_.water_answers[2].taken);
+  EXPECT_NE(plan_.water_answers[2].reason.find("it covers 45 % of the hole"), std::string::npos);
+  EXPECT_TRUE(plan_.water_answers[3].taken);
+}
+
+// Who accepts a fill leaves it to the area that decided on it.
+TEST_F(DecideHolesTest, AnAcceptedHoleIsStillThatOfItsArea) {
+  WaterArea dry;
+  dry.water = false;
+  dry.polygon.rings = {BoxOf(49, 61)};
+  WaterOptions options;
+  options.areas = {dry, Decision(ReviewDecision::kAccept, 49, 61)};
+  Decide(options.areas);
+  AnswerWaterAreas(options, plan_);
+  EXPECT_TRUE(plan_.water_answers[0].taken) << plan_.water_answers[0].reason;
+  EXPECT_TRUE(plan_.water_answers[1].taken);
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,188 @@
+#!/usr/bin/python3
+"""Applies a reviewer's decisions to a finished output and looks at what was written again.
+
+    decisions_test.py TILEMEND TOOLS
+
+TOOLS has make_city.py. The city has a river, a lake, and holes between houses. Exits 77 (skipped) without the tool or
+without numpy.
+"""
+import hashlib
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+from city_test import skip, tool
+
+CITY = ['--cols', '4', '--rows', '3', '--cell', '80', '--seed', '3', '--no-objects']
+RAISED = 0.5  # metres
+LEFT = 'left open by decision'
+
+
+def fail(why):
+    sys.exit(f'FAILED: {why}')
+
+
+def expect(holds, what):
+    if not holds:
+        fail(what)
+
+
+def run(tilemend, *words, codes=(0, 100)):
+    done = subprocess.run([tilemend, *words], capture_output=True, text=True, timeout=280)
+    expect(done.returncode in codes, f'{" ".join(words)}: exit code {done.returncode}\n{done.stdout}{done.stderr}')
+    return done.stdout + done.stderr
+
+
+def report_of(out):
+    with open(os.path.join(out, 'report.json')) as file:
+        return json.load(file)
+
+
+def tiles_of(out):
+    """{path: (digest, inode, time)} of all tiles."""
+    found = {}
+    for base, _, names in os.walk(os.path.join(out, 'tiles')):
+        for name in names:
+            path = os.path.join(base, name)
+            status = os.stat(path)
+            with open(path, 'rb') as file:
+                digest = hashlib.sha256(file.read()).hexdigest()
+            found[os.path.relpath(path, out)] = (digest, status.st_ino, status.st_mtime_ns)
+    return found
+
+
+def digests(tiles):
+    return {path: digest for path, (digest, _, _) in tiles.items()}
+
+
+def queue_item(report, taken_for):
+    """The first fill of the queue that was taken for that."""
+    for item in report['review']:
+        if item['taken_for'] == taken_for:
+            return item
+    fail(f'no {taken_for} in {report["review"]}')
+
+
+class Marks:
+    """Decisions, with the polygons of holes.geojson, as report.html writes them."""
+
+    def __init__(self, out):
+        with open(os.path.join(out, 'holes.geojson')) as file:
+            self.holes = json.load(file)
+        self.features = []
+
+    def add(self, item, decision, level=None):
+        polygons = []
+        for feature in self.holes['features']:
+            geometry = feature['geometry']
+            if feature['properties']['hole'] not in item['holes']:
+                continue
+            polygons += geometry['coordinates'] if geometry['type'] == 'MultiPolygon' else [geometry['coordinates']]
+        self.add_polygons(item['hole'], decision, level, polygons)
+
+    def add_polygons(self, hole, decision, level, polygons):
+        self.features.append({'type': 'Feature', 'properties': {'hole': hole, 'decision': decision, 'level_m': level},
+                              'geometry': {'type': 'MultiPolygon', 'coordinates': polygons}})
+
+    def write(self, path):
+        with open(path, 'w') as file:
+            json.dump({'type': 'FeatureCollection', 'crs': self.holes['crs'], 'features': self.features}, file)
+        return path
+
+
+def tiles_of_holes(report, holes):
+    return {f"tiles/Tile_{row['cell'][0]:+04d}_{row['cell'][1]:+04d}.ply" for row in report['per_hole'] if row['id'] in holes}
+
+
+def check_queue(report):
+    volumes = [item['doubt_m3'] for item in report['review']]
+    expect(volumes and volumes == sorted(volumes, reverse=True), f'the queue is not by doubt x area: {volumes}')
+
+
+def check_result(report, lake, level, open_item):
+    for row in report['per_hole']:
+        if row['id'] in lake['holes']:
+            expect(row['decision'] == 'water' and abs(row['level_m'] - level) < 0.001, f'the lake: {row}')
+        if row['id'] in open_item['holes']:
+            expect(row['outcome'] == 'left' and row['reason'] == LEFT and row['decision'] == 'open', f'the open one: {row}')
+    expect(any('hole 999' in w and 'no hole lies under it' in w for w in report['warnings']),
+           f"no warning names the decision without a hole: {report['warnings']}")
+    queued = {item['hole'] for item in report['review']}
+    expect(not queued & {lake['hole'], open_item['hole']}, 'what is decided is still in the queue')
+
+
+def check_refusals(tilemend, scene, out, marks, folder):
+    text = run(tilemend, 'run', scene, '--out', out, codes=(4,))
+    expect('--decisions' in text, f'onto a finished output: {text}')
+    text = run(tilemend, 'run', scene, '--out', out, '--decisions', marks, '--gradation', '1.5', codes=(4,))
+    expect('another scene or other options' in text, f'with other options: {text}')
+    bad = os.path.join(folder, 'bad.geojson')
+    with open(bad, 'w') as file:
+        file.write('{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"decision": "maybe"}, '
+                   '"geometry": {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}}]}')
+    text = run(tilemend, 'run', scene, '--out', out, '--decisions', bad, codes=(4,))
+    expect(f'{bad}: feature 0: property decision' in text, f'a bad file: {text}')
+
+
+def main():
+    tilemend, tools = sys.argv[1:]
+    if not os.path.exists(os.path.join(tools, 'make_city.py')):
+        skip(f'{tools}/make_city.py is not there; set TILEMEND_SHARED_TOOLS')
+    try:
+        import numpy  # noqa: F401
+    except ImportError as error:
+        skip(f'{error}; install python3-numpy')
+    with tempfile.TemporaryDirectory() as folder:
+        scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
+        made = tool(tools, 'make_city.py', scene, *CITY)
+        expect(made.returncode == 0, made.stderr)
+        run(tilemend, 'run', scene, '--out', out)
+        before, tiles = report_of(out), tiles_of(out)
+        check_queue(before)
+        lake, river = queue_item(before, 'lake'), queue_item(before, 'river')
+        level = lake['level_m'] + RAISED
+        marks = Marks(out)
+        marks.add(lake, 'water', level)
+        marks.add_polygons(999, 'accept', None, [[[[500000 + x, 4100000 + y] for x, y in ((1, 1), (2, 1), (2, 2), (1, 1))]]])
+        file = marks.write(os.path.join(folder, 'marks.geojson'))
+
+        # Nothing but the lake's tiles is written again.
+        text = run(tilemend, 'run', scene, '--out', out, '--decisions', file)
+        after, now = report_of(out), tiles_of(out)
+        touched = tiles_of_holes(before, lake['holes'])
+        written = {path for path in now if now[path] != tiles.get(path)}
+        expect(now.keys() == tiles.keys(), 'tiles came or went')
+        expect(written == touched, f'written again: {sorted(written)}, of the lake: {sorted(touched)}')
+        kept = len(tiles) - len(touched)
+        expect(after['tiles'] == {'all': len(tiles), 'kept': kept}, f"the report counts {after['tiles']}")
+        expect(f'{kept} of {len(tiles)} tiles kept' in text, f'the end does not say what was kept: {text}')
+
+        # More decisions, on an output that has some; all is as from nothing.
+        marks.add(river, 'open')
+        file = marks.write(os.path.join(folder, 'marks.geojson'))
+        run(tilemend, 'run', scene, '--out', out, '--decisions', file)
+        check_result(report_of(out), lake, level, river)
+        fresh = os.path.join(folder, 'fresh')
+        run(tilemend, 'run', scene, '--out', fresh, '--decisions', file)
+        expect(digests(tiles_of(fresh)) == digests(tiles_of(out)), 'a run from nothing gives other tiles')
+        again = tiles_of(out)
+        run(tilemend, 'run', scene, '--out', out, '--decisions', file)
+        expect(tiles_of(out) == again, 'the same decisions write a tile again')
+
+        # Accepting changes nothing; ground is not level.
+        marks = Marks(fresh)
+        marks.add(lake, 'ground')
+        marks.add(river, 'accept')
+        run(tilemend, 'run', scene, '--out', out, '--decisions', marks.write(file))
+        report = report_of(out)
+        expect(all('level_m' not in row for row in report['per_hole'] if row['id'] in lake['holes']), 'the lake is level ground')
+        for path in tiles_of_holes(before, river['holes']) - touched:
+            expect(tiles_of(out)[path][0] == tiles[path][0], f'{path}: accepted, and not as it was')
+        check_refusals(tilemend, scene, out, file, folder)
+        print('decisions are applied, and nothing else is written')
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,188 @@
+// The review queue: what a reviewer decides on fills in doubt. It is kept in the browser until it is downloaded.
+import type { LookAt, Report, Review, ReviewItem } from './data';
+import { counted, el, number } from './dom';
+import { unzip } from './unzip';
+
+const STEP = 50; // rows that are shown at once
+const CHOICES = [['', 'not decided'], ['accept', 'accept'], ['water', 'redo as water'], ['ground', 'redo as ground'],
+  ['open', 'leave open']] as const;
+type Decision = 'accept' | 'water' | 'ground' | 'open';
+const KEYS: Record<string, Decision | ''> = { a: 'accept', w: 'water', g: 'ground', o: 'open', x: '' };
+
+interface Mark { decision: Decision; level: string } // the level as it was typed; of water alone
+type Outlines = Record<string, number[][][][]>;      // by hole: the coordinates of a MultiPolygon
+
+// The marks of one report, kept in the browser where it keeps anything.
+class Marks {
+  private readonly marks = new Map<number, Mark>();
+  keeps = true;
+
+  constructor(private readonly name: string) {
+    try {
+      const text = localStorage.getItem(name);
+      for (const [hole, mark] of JSON.parse(text ?? '[]') as [number, Mark][]) this.marks.set(hole, mark);
+    } catch {
+      this.keeps = false;
+    }
+  }
+
+  get size(): number { return this.marks.size; }
+  get(hole: number): Mark | undefined { return this.marks.get(hole); }
+  entries(): [number, Mark][] { return [...this.marks]; }
+
+  set(hole: number, mark: Mark | null): void {
+    if (mark) this.marks.set(hole, mark);
+    else this.marks.delete(hole);
+    this.keep();
+  }
+
+  clear(): void {
+    this.marks.clear();
+    this.keep();
+  }
+
+  private keep(): void {
+    try {
+      localStorage.setItem(this.name, JSON.stringify(this.entries()));
+    } catch {
+      this.keeps = false;
+    }
+  }
+}
+
+// A level as it was typed: a number, null for none, undefined for what is no number.
+function levelOf(text: string): number | null | undefined {
+  const trimmed = text.trim();
+  if (trimmed === '') return null;
+  return Number.isFinite(Number(trimmed)) ? Number(trimmed) : undefined;
+}
+
+export function decisionsGeoJson(marks: [number, Mark][], outlines: Outlines, crs: unknown): string {
+  const features = marks.filter(([hole]) => outlines[hole]).map(([hole, { decision, level }]) => JSON.stringify({
+    type: 'Feature',
+    properties: { hole, decision, level_m: decision === 'water' ? levelOf(level) ?? null : null },
+    geometry: { type: 'MultiPolygon', coordinates: outlines[hole] } }));
+  const head = crs ? `"crs": ${JSON.stringify(crs)},\n` : '';
+  return `{"type": "FeatureCollection",\n${head}"features": [\n${features.join(',\n')}\n]}\n`;
+}
+
+function save(text: string, name: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type: 'application/geo+json' }));
+  const link = el('a', { href: url, download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+
+class Row {
+  readonly element: HTMLTableRowElement;
+  private readonly choice: HTMLSelectElement;
+  private readonly level: HTMLInputElement;
+
+  constructor(item: ReviewItem, rank: number, why: string, private readonly absolute: number | null,
+    private readonly marks: Marks, changed: () => void) {
+    const name = `hole ${item.hole}`;
+    this.hole = item.hole;
+    this.choice = el('select', { 'aria-label': `decision on ${name}`,
+      change: () => { this.set(this.choice.value as Decision | ''); changed(); } },
+      ...CHOICES.map(([value, text]) => el('option', { value }, text)));
+    this.level = el('input', { type: 'text', inputmode: 'decimal', class: 'level', placeholder: 'as its shore',
+      'aria-label': `level of ${name} [m]`, input: () => { this.store('water'); changed(); } });
+    const text = (...parts: string[]) => parts.filter(Boolean).join('; ');
+    const cells = [String(rank), String(item.hole), (item.cell ?? []).join(', '), number(item.area_m2, 1), item.taken_for,
+      number(absolute, 3), number(item.doubt_m, 3), number(item.doubt_m3, 1), text(item.reason, why)];
+    this.element = el('tr', { tabindex: '0', 'aria-label': `${rank}, ${name}`, 'data-hole': String(item.hole) },
+      ...cells.map((cell, i) => el('td', { class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, cell)),
+      el('td', {}, el('div', { class: 'decide' }, this.choice, this.level)));
+    this.show();
+  }
+  readonly hole: number;
+
+  // True if the level is a number or empty.
+  get isGood(): boolean {
+    const mark = this.marks.get(this.hole);
+    return mark?.decision !== 'water' || levelOf(mark.level) !== undefined;
+  }
+
+  set(decision: Decision | ''): void {
+    if (decision === 'water' && this.level.value === '' && this.absolute !== null) this.level.value = this.absolute.toFixed(3);
+    this.store(decision);
+    if (decision === 'water') this.level.select();
+  }
+
+  show(): void {
+    const mark = this.marks.get(this.hole);
+    this.choice.value = mark?.decision ?? '';
+    if (mark?.decision === 'water' && this.level.value !== mark.level) this.level.value = mark.level;
+    this.level.hidden = mark?.decision !== 'water';
+    this.level.setAttribute('aria-invalid', this.isGood ? 'false' : 'true');
+    this.element.classList.toggle('decided', mark !== undefined);
+  }
+
+  private store(decision: Decision | ''): void {
+    this.marks.set(this.hole, decision ? { decision, level: decision === 'water' ? this.level.value : '' } : null);
+    this.show();
+  }
+}
+
+export function reviewQueue(report: Report, review: Review): HTMLElement {
+  const marks = new Marks(`tilemend decisions ${report.scene ?? ''} ${report.date ?? ''}`);
+  const reasons = new Map((report.look_at ?? []).map((look: LookAt) => [look.hole, look.why ?? '']));
+  const rows = review.items.map((item, i) => new Row(item, i + 1, reasons.get(item.hole) ?? '',
+    item.level_m === undefined || review.z === null ? null : item.level_m + review.z, marks, () => tell()));
+  const body = el('tbody', {}), status = el('span', { class: 'quiet', role: 'status' });
+  let shown = STEP;
+  const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; fill(); } }, 'show more');
+  const download = el('button', { type: 'button', class: 'download', click: () => void write() }, 'Download decisions');
+  const forget = el('button', { type: 'button', click: () => { marks.clear(); rows.forEach((row) => row.show()); tell(); } },
+    'Forget decisions');
+
+  function fill(): void {
+    body.replaceChildren(...rows.slice(0, shown).map((row) => row.element));
+    more.hidden = rows.length <= shown;
+  }
+
+  function tell(): void {
+    const bad = rows.find((row) => !row.isGood);
+    const all = review.count > review.items.length ? ` (of ${number(review.count)} in doubt the ${number(review.items.length)} first)` : '';
+    status.textContent = bad ? `The level of hole ${bad.hole} is no number.`
+      : `${number(marks.size)} of ${counted(rows.length, 'fill')}${all} decided${marks.keeps ? '' : '; this browser does not keep decisions'}`;
+    download.disabled = marks.size === 0 || bad !== undefined;
+    forget.disabled = marks.size === 0;
+  }
+
+  async function write(): Promise<void> {
+    const outlines = JSON.parse(new TextDecoder().decode(await unzip(review.outlines))) as Outlines;
+    save(decisionsGeoJson(marks.entries(), outlines, review.crs), 'decisions.geojson');
+    const without = marks.entries().filter(([hole]) => !outlines[hole]).map(([hole]) => hole);
+    if (without.length > 0) status.textContent = `Not in the file, as they have no outline: holes ${without.join(', ')}`;
+  }
+
+  // Keys on a row: arrows go up and down, letters decide.
+  body.addEventListener('keydown', (event) => {
+    const target = event.target as HTMLElement, element = target.closest('tr');
+    const row = rows.find((r) => r.element === element);
+    if (!row || !element) return;
+    if (target !== element) {
+      if (event.key === 'Enter' || event.key === 'Escape') element.focus();
+      return;
+    }
+    const step = event.key === 'ArrowDown' ? element.nextElementSibling : event.key === 'ArrowUp' ? element.previousElementSibling : null;
+    if (step) (step as HTMLElement).focus();
+    const decision = event.ctrlKey || event.metaKey || event.altKey ? undefined : KEYS[event.key.toLowerCase()];
+    if (decision !== undefined) {
+      row.set(decision);
+      tell();
+    }
+    if (step || decision !== undefined) event.preventDefault();
+  });
+  fill();
+  tell();
+  const headings = ['', 'hole', 'cell', 'area [m\u00b2]', 'taken for', 'level [m]', 'doubt [m]', 'doubt [m\u00b3]', 'because', 'decision'];
+  return el('div', { class: 'review' },
+    el('p', { class: 'quiet' }, 'Fills by their doubt: the error of height that is to be expected, times the area. ' +
+      'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. Levels are heights of the scene\u2019s CRS. ' +
+      'tilemend run with --decisions FILE and the same options makes the fills anew that are to be redone.'),
+    el('div', { class: 'filters' }, download, forget, status),
+    el('div', { class: 'scroll' }, el('table', { class: 'queue' }, el('thead', {}, el('tr', {},
+      ...headings.map((text, i) => el('th', { scope: 'col', class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, text)))), body)), more);
+}
