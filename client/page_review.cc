@@ -34,7 +34,8 @@ const Json& HoleIn(const Json& feature) { return Member(Member(feature, "propert
 // holes.geojson without the features of other holes.
 absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, int64_t>& item_of) {
   const auto is_wanted = [&](int depth, Json::parse_event_t event, const Json& value) {
-    if (event != Json::parse_event_t::object_end || depth != 2) return true;
+    const bool is_feature = event == Json::parse_event_t::object_end && depth == 2 && value.contains("geometry");
+    if (!is_feature) return true;  // the CRS has an object at this depth as well
     const Json& hole = HoleIn(value);
     return hole.is_number_integer() && item_of.contains(hole.get<int64_t>());
   };

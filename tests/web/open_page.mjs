@@ -1,5 +1,5 @@
 // Opens report.html in Chromium and uses it: open_page.mjs PAGE CHROMIUM FOLDER. Prints what is wrong, one line each.
-// Writes page.pdf, light.png and dark.png to FOLDER.
+// Writes page.pdf, light.png, dark.png and, with what it marked in the review queue, decisions.geojson to FOLDER.
 import { chromium } from 'playwright-core';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -58,6 +58,26 @@ expect(await rows.count() === 0, 'the filter shows what does not match');
 await tab.locator('svg.map rect').first().click();
 expect(await rows.count() >= 1, 'a click on a cell does not show its holes');
 expect((await tab.locator('main').innerText()).includes('<img src=x onerror=alert(1)>'), 'a text with markup is not shown as it is');
+
+// The review queue: marked by keys, kept over a reload, written as a file.
+const queued = (page) => page.locator('table.queue tbody tr'), load = (page) => page.locator('.review .download');
+expect(await queued(tab).count() === 2, 'the queue has not both holes');
+expect(await load(tab).isDisabled(), 'nothing is decided, and it can be downloaded');
+await queued(tab).first().focus();
+await tab.keyboard.press('w');
+const level = queued(tab).first().locator('input');
+await level.fill('about 1');
+expect(await load(tab).isDisabled() && await level.getAttribute('aria-invalid') === 'true', 'a level that is no number is taken');
+await level.fill('1.25');
+await tab.keyboard.press('Enter');
+await tab.keyboard.press('ArrowDown');
+await tab.keyboard.press('o');
+expect((await tab.locator('.review [role=status]').innerText()).startsWith('2 of 2 fills decided'), 'the queue does not count what is decided');
+await tab.reload();
+await tab.waitForSelector('body[data-pictures=ready]', { timeout: 60000 });
+expect(await queued(tab).nth(1).locator('select').inputValue() === 'open', 'a decision is lost when the page is opened again');
+const [file] = await Promise.all([tab.waitForEvent('download'), load(tab).click()]);
+await file.saveAs(join(folder, 'decisions.geojson'));
 await tab.screenshot({ path: join(folder, 'light.png') });
 await tab.pdf({ path: join(folder, 'page.pdf'), format: 'A4' });
 expect(readFileSync(join(folder, 'page.pdf')).length > 10000, 'nothing was printed');

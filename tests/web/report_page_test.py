@@ -57,6 +57,30 @@ def tile(column):
     return '\n'.join(points + faces) + '\n'
 
 
+def review_item(hole):
+    """A row of the review queue; holes as small as these are not judged."""
+    return {'hole': hole['id'], 'holes': [hole['id']], 'cell': hole['cell'], 'centre': [0, 0], 'area_m2': 9,
+            'taken_for': 'ground', 'reason': '<b>markup</b>', 'doubt_m': 0.5, 'doubt_m3': 4.5}
+
+
+def check_decisions(program, folder, path):
+    """What was marked in the page is what the next run does."""
+    with open(path) as file:
+        marks = {f['properties']['hole']: f['properties'] for f in json.load(file)['features']}
+    if sorted((m['decision'], m['level_m']) for m in marks.values()) != [('open', None), ('water', 1.25)]:
+        fail(f'the page wrote {marks}')
+    scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
+    done = run(program, 'run', scene, '--out', out, '--decisions', path)
+    if done.returncode != 0:  # what a decision leaves open is no failure
+        fail(f'exit code {done.returncode}: {done.stdout}')
+    with open(os.path.join(out, 'report.json')) as file:
+        found = {row['id']: row for row in json.load(file)['per_hole']}
+    for hole, mark in marks.items():
+        row = found[hole]
+        if row['decision'] != mark['decision'] or row.get('level_m') != mark['level_m']:
+            fail(f'{mark} gave {row}')
+
+
 def make_page(folder, program):
     """The page of an output whose report has texts with markup in it."""
     scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
@@ -76,6 +100,7 @@ def make_page(folder, program):
         report = json.load(file)
     report['warnings'] = ['<img src=x onerror=alert(1)>', '</script><script>alert(2)</script>']
     report['per_hole'][0]['reason'] = '"><svg onload=alert(3)>'
+    report['review'] = [review_item(row) for row in report['per_hole']]
     with open(path, 'w') as file:
         json.dump(report, file)
     done = run(program, 'report', out, '--html')
@@ -101,6 +126,7 @@ def main():
         done = run('node', 'open_page.mjs', page, chromium, folder, cwd=folder)
         if done.returncode:
             fail(done.stdout)
+        check_decisions(program, temporary, os.path.join(folder, 'decisions.geojson'))
     print('the page works')
 
 
