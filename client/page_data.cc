@@ -79,7 +79,8 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
 
 std::string HolesCsv(const Json& report) {
   std::string text =
-      "id,column,row,x,y,kind,type,single,area_m2,perimeter_m,outcome,method,level_m,sigma_m,taken_for,doubt_m3,decision,reason\r\n";
+      "id,column,row,x,y,kind,type,single,area_m2,perimeter_m,outcome,method,level_m,sigma_m,taken_for,doubt_m3,"
+      "decision,reason\r\n";
   for (const Json& hole : HoleRowsOf(report)) {
     const Json &cell = Member(hole, "cell"), &centre = Member(hole, "centre"), &water = Member(hole, "water");
     const auto entry = [](const Json& list, size_t k) {

@@ -82,8 +82,9 @@ std::string StageText(const v1::Job& job) {
 }
 
 std::string ResultText(const Json& report, const std::string& page) {
-  return absl::StrCat(FilledText(report), KeptText(report), WarningsText(report), WaterText(report, "filled flat as water"),
-                      LookAtText(report), LeftText(report, "left open"), "\nlook at: ", Printable(page), "\n");
+  return absl::StrCat(FilledText(report), KeptText(report), WarningsText(report),
+                      WaterText(report, "filled flat as water"), LookAtText(report), LeftText(report, "left open"),
+                      "\nlook at: ", Printable(page), "\n");
 }
 
 RunDisplay::RunDisplay() : begin_(absl::Now()) {}

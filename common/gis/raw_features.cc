@@ -91,8 +91,7 @@ class Layer {
 
 // Features of one body that say the same become the first of them.
 void UniteBodies(std::vector<VectorFeature>& features) {
-  using Said =
-      std::tuple<int64_t, bool, std::optional<double>, WaterKind, bool, std::optional<double>, ReviewDecision>;
+  using Said = std::tuple<int64_t, bool, std::optional<double>, WaterKind, bool, std::optional<double>, ReviewDecision>;
   const auto said = [](const VectorFeature& f) {
     return Said(*f.body, f.water, f.level, f.kind, f.clear, f.clear_height, f.decision);
   };

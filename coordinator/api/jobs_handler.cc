@@ -37,10 +37,10 @@ absl::Status CheckScene(const std::string& scene) {
 absl::Status CheckRoots(const Roots* roots, const JobSpec& spec) {
   if (roots == nullptr) return absl::OkStatus();
   const bool water_is_file = spec.water() != "auto" && spec.water() != "off";
-  for (const auto& [field, path] : {std::pair("scene", spec.scene()), std::pair("out", spec.out()),
-                                    std::pair("water", water_is_file ? spec.water() : ""),
-                                    std::pair("clear", spec.clear()), std::pair("decisions", spec.decisions()),
-                                    std::pair("area", spec.area())}) {
+  for (const auto& [field, path] :
+       {std::pair("scene", spec.scene()), std::pair("out", spec.out()),
+        std::pair("water", water_is_file ? spec.water() : ""), std::pair("clear", spec.clear()),
+        std::pair("decisions", spec.decisions()), std::pair("area", spec.area())}) {
     const absl::Status status = path.empty() ? absl::OkStatus() : roots->Check(path);
     if (!status.ok()) {
       return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),

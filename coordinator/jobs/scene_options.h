@@ -15,8 +15,8 @@ namespace tilemend {
 // All cells are chosen.
 WaveOptions WaveOptionsOf(const JobSpec& spec, WaterOptions water, std::function<bool()> is_cancelled);
 
-// What makes two jobs write the same bytes, but for decisions on holes. The files of water and of the area count by their
-// content.
+// What makes two jobs write the same bytes, but for decisions on holes. The files of water and of the area count by
+// their content.
 std::string SceneKey(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest);
 
 // The same with the decisions, by the content of their file.

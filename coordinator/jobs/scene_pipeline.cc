@@ -96,6 +96,14 @@ absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
   return WriteTileset(scene, output);
 }
 
+// How long each step took.
+struct StepTimes {
+  Stopwatch watch;
+  std::vector<std::pair<std::string, double>> seconds;
+
+  void End(std::string_view step) { seconds.emplace_back(step, watch.Lap()); }
+};
+
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
 class ScenePipeline : public JobPipeline {
  public:
@@ -107,7 +115,7 @@ class ScenePipeline : public JobPipeline {
         output_(std::move(output)),
         tile_check_(tiles),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
-               [this](std::string_view step) { seconds_.emplace_back(step, watch_.Lap()); }),
+               [this](std::string_view step) { steps_.End(step); }),
         tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {}
 
   absl::StatusOr<JobFolders> Folders() const override {
@@ -288,7 +296,7 @@ class ScenePipeline : public JobPipeline {
     report.plan = &waves_.plan();
     report.outcome = waves_.outcome();
     report.cells = static_cast<int64_t>(waves_.scene().tiles.size());
-    report.seconds = seconds_;
+    report.seconds = steps_.seconds;
     report.scene = spec_.scene();
     report.date = UtcText(absl::Now());
     report.tasks = reuse_->tasks();
@@ -329,14 +337,13 @@ class ScenePipeline : public JobPipeline {
   }
 
   const JobSpec spec_;
-  const std::string key_;  // as OutputKey
+  const std::string key_;               // as OutputKey
   std::optional<OutputFolder> output_;  // none in a dry run
   const TileCheck tile_check_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
   bool writing_ = false;
   std::atomic<End> end_{End::kOpen};
-  Stopwatch watch_;
-  std::vector<std::pair<std::string, double>> seconds_;  // by step
+  StepTimes steps_;
   SceneWaves waves_;
   SceneTasks tasks_;
   bool resumed_ = false;
@@ -363,8 +370,8 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   std::optional<OutputFolder> output;
   if (!spec.dry_run()) {
     TILEMEND_ASSIGN_OR_RETURN(const bool overwrite, MayReplace(spec, key));
-    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed, OutputFolder::Claim(spec.out(), scene, overwrite,
-                                                                        JobKey(spec, water, area_digest)));
+    TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
+                              OutputFolder::Claim(spec.out(), scene, overwrite, JobKey(spec, water, area_digest)));
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));

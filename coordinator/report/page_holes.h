@@ -17,8 +17,8 @@ bool IsLeftOpen(const nlohmann::ordered_json& hole);
 // Why a hole is as it is: why it was left, or why it was taken for water.
 std::string HoleReasonOf(const nlohmann::ordered_json& hole);
 
-// At most `most` holes: those that were left first, then those of the most doubt, then the largest. web/src/data.ts declares the form.
-// Cost: O(n log n).
+// At most `most` holes: those that were left first, then those of the most doubt, then the largest. web/src/data.ts
+// declares the form. Cost: O(n log n).
 nlohmann::ordered_json PageHoles(const nlohmann::ordered_json& report, size_t most);
 
 }  // namespace tilemend

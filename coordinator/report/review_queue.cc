@@ -30,7 +30,7 @@ double ErrorIfRight(const SceneReportInput& input, const HoleEvidence& evidence,
 }
 
 bool IsDecided(const Plan& plan, const HoleEvidence& evidence, const ReviewedGroup& group) {
-  return evidence.area >= 0 || plan.holes[group.largest].decision >= 0;
+  return evidence.area >= 0 || plan.decisions.contains(group.largest);
 }
 
 Json RowOf(const Plan& plan, const HoleEvidence& evidence, const ReviewedGroup& group) {
@@ -85,6 +85,11 @@ const char* DecisionName(ReviewDecision decision) {
       return "open";
   }
   return "";
+}
+
+const char* DecisionOn(const Plan& plan, int32_t hole) {
+  const auto found = plan.decisions.find(hole);
+  return found == plan.decisions.end() ? nullptr : DecisionName(plan.water_answers[found->second].decision);
 }
 
 Json ReviewJson(const SceneReportInput& input) {

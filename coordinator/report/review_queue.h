@@ -30,6 +30,8 @@ std::vector<ReviewedGroup> ReviewedGroups(const SceneReportInput& input);
 
 // "accept", "water", "ground" or "open".
 const char* DecisionName(ReviewDecision decision);
+// That of the decision on the hole; nullptr if there is none.
+const char* DecisionOn(const Plan& plan, int32_t hole);
 
 // A row for each group with a doubt, by doubt x area, the largest first: "hole" (its largest), "holes", "cell" and
 // "centre" of that, "area_m2" of all, what it was taken for and why (HoleEvidenceJson), "doubt_m" and "doubt_m3".

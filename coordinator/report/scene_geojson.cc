@@ -201,7 +201,7 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
     row["cluster"] = hole.cluster;
     row["layer"] = hole.layer;
   }
-  if (hole.decision >= 0) row["decision"] = DecisionName(input.plan->water_answers[hole.decision].decision);
+  if (const char* decision = DecisionOn(*input.plan, h)) row["decision"] = decision;
   const auto size = input.outcome.sizes.find(h);
   if (size != input.outcome.sizes.end() && failure.empty())
     row["method"] = MethodOf(*input.plan, hole, size->second.way);

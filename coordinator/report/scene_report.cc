@@ -95,7 +95,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h, const std::vector<Reviewe
   if (hole.water >= 0) row["level_m"] = LevelJson(input.plan->water[hole.water]);
   if (hole.evidence >= 0) row["water"] = HoleEvidenceJson(input.plan->evidence[hole.evidence]);
   if (hole.evidence >= 0) row["doubt_m3"] = Rounded(groups[hole.evidence].doubt * hole.area, 3);
-  if (hole.decision >= 0) row["decision"] = DecisionName(input.plan->water_answers[hole.decision].decision);
+  if (const char* decision = DecisionOn(*input.plan, h)) row["decision"] = decision;
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {

@@ -18,10 +18,10 @@ inline constexpr char kNoWater[] = "off";
 
 struct WaterChoice {
   WaterOptions options;
-  std::string digest;             // SHA-256 of the file and what belongs to it, hex; empty without one
-  std::string clear_digest = {};  // likewise of the file of AddClearFile
+  std::string digest;                 // SHA-256 of the file and what belongs to it, hex; empty without one
+  std::string clear_digest = {};      // likewise of the file of AddClearFile
   std::string decisions_digest = {};  // and of AddDecisions
-  std::string coordinates;        // what those of the file were taken for; empty without one
+  std::string coordinates;            // what those of the file were taken for; empty without one
   std::vector<std::string> warnings;
 };
 

@@ -16,7 +16,8 @@ constexpr char kReview[] = R"({"review": [
   {"hole": 4, "holes": [3, 4], "area_m2": 9, "doubt_m3": 2}, {"hole": 7, "holes": [7], "area_m2": 5, "doubt_m3": 1}]})";
 
 std::string HoleFeature(int hole, const std::string& geometry) {
-  return R"({"type": "Feature", "properties": {"hole": )" + std::to_string(hole) + R"(}, "geometry": )" + geometry + "}";
+  return R"({"type": "Feature", "properties": {"hole": )" + std::to_string(hole) + R"(}, "geometry": )" + geometry +
+         "}";
 }
 
 std::string Holes() {

@@ -125,6 +125,56 @@ def check_refusals(tilemend, scene, out, marks, folder):
     expect(f'{bad}: feature 0: property decision' in text, f'a bad file: {text}')
 
 
+def check_accepting(tilemend, scene, out, file, before, tiles):
+    """Accepting changes nothing; ground is not level."""
+    lake, other = two_bodies(before)
+    marks = Marks(out)
+    marks.add(lake, 'ground')
+    marks.add(other, 'accept')
+    run(tilemend, 'run', scene, '--out', out, '--decisions', marks.write(file))
+    report = report_of(out)
+    expect(all('level_m' not in row for row in report['per_hole'] if row['id'] in lake['holes']), 'the lake is level ground')
+    for path in tiles_of_holes(before, other['holes']) - tiles_of_holes(before, lake['holes']):
+        expect(tiles_of(out)[path][0] == tiles[path][0], f'{path}: accepted, and not as it was')
+
+
+def check_reruns(tilemend, folder):
+    scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
+    before, tiles = report_of(out), tiles_of(out)
+    check_queue(before)
+    lake, other = two_bodies(before)
+    level = lake['level_m'] + RAISED
+    marks = Marks(out)
+    marks.add(lake, 'water', level)
+    marks.add_polygons(999, 'accept', None, [[[[500000 + x, 4100000 + y] for x, y in ((1, 1), (2, 1), (2, 2), (1, 1))]]])
+    file = marks.write(os.path.join(folder, 'marks.geojson'))
+
+    # Nothing but the lake's tiles is written again.
+    text = run(tilemend, 'run', scene, '--out', out, '--decisions', file)
+    after, now = report_of(out), tiles_of(out)
+    touched = tiles_of_holes(before, lake['holes'])
+    written = {path for path in now if now[path] != tiles.get(path)}
+    expect(now.keys() == tiles.keys(), 'tiles came or went')
+    expect(written == touched, f'written again: {sorted(written)}, of the lake: {sorted(touched)}')
+    kept = len(tiles) - len(touched)
+    expect(after['tiles'] == {'all': len(tiles), 'kept': kept}, f"the report counts {after['tiles']}")
+    expect(f'{kept} of {len(tiles)} tiles kept' in text, f'the end does not say what was kept: {text}')
+
+    # More decisions, on an output that has some; all is as from nothing.
+    marks.add(other, 'open')
+    file = marks.write(os.path.join(folder, 'marks.geojson'))
+    run(tilemend, 'run', scene, '--out', out, '--decisions', file)
+    check_result(report_of(out), lake, level, other)
+    fresh = os.path.join(folder, 'fresh')
+    run(tilemend, 'run', scene, '--out', fresh, '--decisions', file)
+    expect(digests(tiles_of(fresh)) == digests(tiles_of(out)), 'a run from nothing gives other tiles')
+    again = tiles_of(out)
+    run(tilemend, 'run', scene, '--out', out, '--decisions', file)
+    expect(tiles_of(out) == again, 'the same decisions write a tile again')
+    check_accepting(tilemend, scene, out, file, before, tiles)
+    check_refusals(tilemend, scene, out, file, folder)
+
+
 def main():
     tilemend, tools = sys.argv[1:]
     if not os.path.exists(os.path.join(tools, 'make_city.py')):
@@ -138,48 +188,7 @@ def main():
         made = tool(tools, 'make_city.py', scene, *CITY)
         expect(made.returncode == 0, made.stderr)
         run(tilemend, 'run', scene, '--out', out)
-        before, tiles = report_of(out), tiles_of(out)
-        check_queue(before)
-        lake, other = two_bodies(before)
-        level = lake['level_m'] + RAISED
-        marks = Marks(out)
-        marks.add(lake, 'water', level)
-        marks.add_polygons(999, 'accept', None, [[[[500000 + x, 4100000 + y] for x, y in ((1, 1), (2, 1), (2, 2), (1, 1))]]])
-        file = marks.write(os.path.join(folder, 'marks.geojson'))
-
-        # Nothing but the lake's tiles is written again.
-        text = run(tilemend, 'run', scene, '--out', out, '--decisions', file)
-        after, now = report_of(out), tiles_of(out)
-        touched = tiles_of_holes(before, lake['holes'])
-        written = {path for path in now if now[path] != tiles.get(path)}
-        expect(now.keys() == tiles.keys(), 'tiles came or went')
-        expect(written == touched, f'written again: {sorted(written)}, of the lake: {sorted(touched)}')
-        kept = len(tiles) - len(touched)
-        expect(after['tiles'] == {'all': len(tiles), 'kept': kept}, f"the report counts {after['tiles']}")
-        expect(f'{kept} of {len(tiles)} tiles kept' in text, f'the end does not say what was kept: {text}')
-
-        # More decisions, on an output that has some; all is as from nothing.
-        marks.add(other, 'open')
-        file = marks.write(os.path.join(folder, 'marks.geojson'))
-        run(tilemend, 'run', scene, '--out', out, '--decisions', file)
-        check_result(report_of(out), lake, level, other)
-        fresh = os.path.join(folder, 'fresh')
-        run(tilemend, 'run', scene, '--out', fresh, '--decisions', file)
-        expect(digests(tiles_of(fresh)) == digests(tiles_of(out)), 'a run from nothing gives other tiles')
-        again = tiles_of(out)
-        run(tilemend, 'run', scene, '--out', out, '--decisions', file)
-        expect(tiles_of(out) == again, 'the same decisions write a tile again')
-
-        # Accepting changes nothing; ground is not level.
-        marks = Marks(fresh)
-        marks.add(lake, 'ground')
-        marks.add(other, 'accept')
-        run(tilemend, 'run', scene, '--out', out, '--decisions', marks.write(file))
-        report = report_of(out)
-        expect(all('level_m' not in row for row in report['per_hole'] if row['id'] in lake['holes']), 'the lake is level ground')
-        for path in tiles_of_holes(before, other['holes']) - touched:
-            expect(tiles_of(out)[path][0] == tiles[path][0], f'{path}: accepted, and not as it was')
-        check_refusals(tilemend, scene, out, file, folder)
+        check_reruns(tilemend, folder)
         print('decisions are applied, and nothing else is written')
 
 

@@ -303,7 +303,26 @@ void ExpectLevelCanal(const Pair& pair, double level) {
 }
 
 // The canal of a real export is there as noise. Set TILEMEND_SHARED_DATA to run it.
-TEST_F(OsgbRunTest, TheCanalOfARealExport) {
+class OsgbCanalTest : public OsgbRunTest {
+ protected:
+  static constexpr char kTile[] = "/Tile_+000_+015/Tile_+000_+015.osgb";
+
+  // A decision gives the canal of the output another level, and only its tile changes.
+  void ExpectDecisionOnCanal(const std::string& polygon, double level) {
+    const auto tiles = FilesBelow(folder_ / "out");
+    const std::string marks = folder_.Write("marks.geojson", DecisionsOnHoles(folder_ / "out", "water", level));
+    const Ended again =
+        Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", polygon, "--decisions", marks});
+    ASSERT_TRUE(again.code == 0 || again.code == 100) << again.err;
+    ExpectLevelCanal(Read(folder_ / (std::string("scene") + kTile), folder_ / (std::string("out") + kTile)), level);
+    EXPECT_EQ(ReportOf(folder_ / "out")["tiles"]["kept"], 3);
+    for (const auto& [path, bytes] : FilesBelow(folder_ / "out")) {
+      if (path.ends_with(".osgb") && !path.starts_with("Tile_+000_+015/")) EXPECT_EQ(bytes, tiles.at(path)) << path;
+    }
+  }
+};
+
+TEST_F(OsgbCanalTest, OfARealExport) {
   const char* const variable = std::getenv("TILEMEND_SHARED_DATA");
   const std::string data = absl::StrCat(variable != nullptr ? variable : TILEMEND_SHARED_DATA, "/cc_tiles/osgb");
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "NO OSGB EXPORT at " << data << "; set TILEMEND_SHARED_DATA";
@@ -329,21 +348,10 @@ TEST_F(OsgbRunTest, TheCanalOfARealExport) {
   ASSERT_EQ(report["water"].size(), 1U) << ended.out << ended.err;
   const double level = report["water"][0]["level_m"];
   EXPECT_NEAR(level, 0.905, 0.05);
-  const std::string tile = "/Tile_+000_+015/Tile_+000_+015.osgb";
-  const Pair pair = Read(folder_ / ("scene" + tile), folder_ / ("out" + tile));
+  const Pair pair = Read(folder_ / (std::string("scene") + kTile), folder_ / (std::string("out") + kTile));
   ExpectOriginalsKept(pair, true);
   ExpectLevelCanal(pair, level);
-
-  const auto tiles = FilesBelow(folder_ / "out");
-  const std::string marks = folder_.Write("marks.geojson", DecisionsOnHoles(folder_ / "out", "water", level - 0.25));
-  const Ended again =
-      Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", polygon, "--decisions", marks});
-  ASSERT_TRUE(again.code == 0 || again.code == 100) << again.err;
-  ExpectLevelCanal(Read(folder_ / ("scene" + tile), folder_ / ("out" + tile)), level - 0.25);
-  EXPECT_EQ(ReportOf(folder_ / "out")["tiles"]["kept"], 3);
-  for (const auto& [path, bytes] : FilesBelow(folder_ / "out")) {
-    if (path.ends_with(".osgb") && !path.starts_with("Tile_+000_+015/")) EXPECT_EQ(bytes, tiles.at(path)) << path;
-  }
+  ExpectDecisionOnCanal(polygon, level - 0.25);
 }
 
 }  // namespace

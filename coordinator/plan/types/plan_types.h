@@ -104,7 +104,6 @@ struct PlannedHole {
   Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)
   int32_t water = -1;                // into Plan::water; -1: no water
   int32_t evidence = -1;             // into Plan::evidence; -1: too small to be judged
-  int32_t decision = -1;             // into Plan::water_answers: that of the reviewer's decision on it; -1: none
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
   // Where tiles end at outlines of their own: what bounds the parts that are filled, each up to such an outline. None:
@@ -178,13 +177,13 @@ struct HoleEvidence {
 
 // What became of an area of the user's (water_answers.h).
 struct WaterAnswer {
-  std::string label;                        // of the area
-  bool water = true;                        // what the area says
-  bool taken = false;                       // some hole is filled as it says
-  std::vector<int32_t> holes;               // those, into Plan::holes
-  std::string reason;                       // not taken, or not for the hole of which it covers most: why
-  std::string doubt = {};                   // not empty: taken, but likely wrong
-  std::optional<double> clear_height = {};  // of an area with `clear`
+  std::string label;                                // of the area
+  bool water = true;                                // what the area says
+  bool taken = false;                               // some hole is filled as it says
+  std::vector<int32_t> holes;                       // those, into Plan::holes
+  std::string reason;                               // not taken, or not for the hole of which it covers most: why
+  std::string doubt = {};                           // not empty: taken, but likely wrong
+  std::optional<double> clear_height = {};          // of an area with `clear`
   ReviewDecision decision = ReviewDecision::kNone;  // of the area
 };
 
@@ -209,6 +208,7 @@ struct Plan {
   std::vector<WaterBody> water;            // in order of their first hole
   std::vector<HoleEvidence> evidence;      // in order of the first holes that it is about
   std::vector<WaterAnswer> water_answers;  // one for each of WaterOptions::areas
+  std::map<int32_t, int32_t> decisions;    // holes that a reviewer decided on: into water_answers
   std::vector<BorderAudit> borders;        // in order of a; of one a that to the east first
   std::vector<LeftOpen> left;
   int32_t clusters = 0;

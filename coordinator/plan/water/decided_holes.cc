@@ -26,7 +26,7 @@ void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan) {
     if (decision < 0) continue;
     for (const int32_t h : holes) {
       PlannedHole& hole = plan.holes[h];
-      hole.decision = decision;
+      plan.decisions[h] = decision;
       if (areas[decision].decision == ReviewDecision::kOpen && hole.failure.empty()) hole.failure = kLeftByDecision;
     }
   }

@@ -50,8 +50,9 @@ std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& ho
   std::optional<size_t> decider;
   if (areas.empty()) return decider;
   const CoverLines region(BoundaryOf(plan, holes));
-  const int32_t decision = plan.holes[holes.front()].decision;
-  if (decision >= 0 && areas[decision].decision != ReviewDecision::kAccept) return decision;
+  const auto decision = plan.decisions.find(holes.front());
+  if (decision != plan.decisions.end() && areas[decision->second].decision != ReviewDecision::kAccept)
+    return decision->second;
   for (size_t a = 0; a < areas.size(); ++a) {
     if (areas[a].decision != ReviewDecision::kNone) continue;
     if (region.ShareIn(areas[a]) > 0.5 && !LiesAbove(plan, holes, areas[a])) decider = a;

@@ -49,8 +49,8 @@ TEST(DecisionFileTest, EachDecisionIsAnArea) {
 }
 
 TEST(DecisionFileTest, HolesWithoutADecisionAreLeftOut) {
-  const auto file =
-      Parse({DecisionAt(0, R"({"hole": 1, "decision": null, "water": true})"), DecisionAt(10, R"({"decision": "open"})")});
+  const auto file = Parse(
+      {DecisionAt(0, R"({"hole": 1, "decision": null, "water": true})"), DecisionAt(10, R"({"decision": "open"})")});
   ASSERT_TRUE(file.ok()) << file.status();
   ASSERT_THAT(file->areas, SizeIs(1));
   EXPECT_EQ(file->areas[0].polygon.rings[0][0].x(), 10);

@@ -84,7 +84,7 @@ TEST_F(ReviewQueueTest, HolesOfOneClusterAreOneRow) {
 TEST_F(ReviewQueueTest, WhatTheUserDecidedIsNotInDoubt) {
   Add(Verdict::kLake, 0.2, 100, 100).area = 0;
   Add(Verdict::kLake, 0.2, 100, 100);
-  plan_.holes[1].decision = 0;
+  plan_.decisions[1] = 0;
   EXPECT_EQ(ReviewJson(input_), Json::array());
 }
 

@@ -50,7 +50,8 @@ TEST(WaterChoiceTest, AllOfASecondFileIsCleared) {
 TEST(WaterChoiceTest, DecisionsComeLastAndCountByTheirContent) {
   const TemporaryFolder folder;
   const std::string ring = R"("geometry": {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}})";
-  WaterChoice choice = *ReadWaterChoice(folder.Write("a.geojson", R"({"type": "Feature", "properties": {}, )" + ring), {});
+  WaterChoice choice =
+      *ReadWaterChoice(folder.Write("a.geojson", R"({"type": "Feature", "properties": {}, )" + ring), {});
   ASSERT_TRUE(AddDecisions("", {}, choice).ok());
   EXPECT_EQ(choice.decisions_digest, "");
   const std::string text = R"({"type": "Feature", "properties": {"decision": "open"}, )" + ring;

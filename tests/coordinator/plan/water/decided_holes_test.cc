@@ -43,7 +43,10 @@ class DecideHolesTest : public ::testing::Test {
   std::vector<int32_t> Decide(const std::vector<WaterArea>& areas) {
     DecideHoles(areas, plan_);
     std::vector<int32_t> decisions;
-    for (const PlannedHole& hole : plan_.holes) decisions.push_back(hole.decision);
+    for (size_t h = 0; h < plan_.holes.size(); ++h) {
+      const auto found = plan_.decisions.find(static_cast<int32_t>(h));
+      decisions.push_back(found == plan_.decisions.end() ? -1 : found->second);
+    }
     return decisions;
   }
 
@@ -69,7 +72,7 @@ TEST_F(DecideHolesTest, TheLastOneDecides) {
 TEST_F(DecideHolesTest, AHoleThatCannotBeFilledKeepsItsReason) {
   plan_.holes[1].failure = "its boundary crosses itself";
   Decide({Decision(ReviewDecision::kOpen, 49, 61)});
-  EXPECT_EQ(plan_.holes[1].decision, 0);
+  EXPECT_EQ(plan_.decisions.at(1), 0);
   EXPECT_EQ(plan_.holes[1].failure, "its boundary crosses itself");
 }
 
