@@ -73,7 +73,7 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
   data["per_hole"] = PageHoles(report, kMostPageHoles);
   data["pictures"] = PicturesJson(pictures);
   data["picture_problems"] = pictures.problems;
-  data["tiles"] = Member(report, "tiles");
+  data["tasks"] = Member(report, "tasks");
   return data;
 }
 

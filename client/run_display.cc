@@ -51,7 +51,7 @@ std::string FilledText(const Json& report) {
 
 // "61 of 64 tiles kept as they were", where some were.
 std::string KeptText(const Json& report) {
-  const Json &all = Member(Member(report, "tiles"), "all"), &kept = Member(Member(report, "tiles"), "kept");
+  const Json &tasks = Member(report, "tasks"), &all = Member(tasks, "tiles"), &kept = Member(tasks, "tiles_kept");
   if (Number(kept) == 0) return "";
   return absl::StrCat(Text(kept), " of ", Text(all), " tiles kept as they were\n");
 }

@@ -238,6 +238,11 @@ Json WeldJson(const WeldRecord& weld) {
   return json;
 }
 
+Json TasksJson(const SceneReportInput& input) {
+  return {
+      {"all", input.tasks}, {"taken_over", input.taken_over}, {"tiles", input.tiles}, {"tiles_kept", input.tiles_kept}};
+}
+
 Json Options(const SceneReportInput& input) {
   Json options = Json::object();
   for (const ReportedOption& option : input.options) {
@@ -373,8 +378,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"quality", QualityJson(input.outcome.quality)},
                  {"borders", Borders(plan, input.outcome)},
                  {"tension", Tensions(input)},
-                 {"tasks", {{"all", input.tasks}, {"taken_over", input.taken_over}}},
-                 {"tiles", {{"all", input.tiles}, {"kept", input.tiles_kept}}},
+                 {"tasks", TasksJson(input)},
                  {"seconds", seconds},
                  {"peak_rss_bytes", PeakRssBytes()}};
   report["per_hole"] = std::move(tables.rows);  // kilobytes a hole, which a list would copy

@@ -157,7 +157,8 @@ def check_reruns(tilemend, folder):
     expect(now.keys() == tiles.keys(), 'tiles came or went')
     expect(written == touched, f'written again: {sorted(written)}, of the lake: {sorted(touched)}')
     kept = len(tiles) - len(touched)
-    expect(after['tiles'] == {'all': len(tiles), 'kept': kept}, f"the report counts {after['tiles']}")
+    counts = after['tasks']
+    expect((counts['tiles'], counts['tiles_kept']) == (len(tiles), kept), f'the report counts {counts}')
     expect(f'{kept} of {len(tiles)} tiles kept' in text, f'the end does not say what was kept: {text}')
 
     # More decisions, on an output that has some; all is as from nothing.

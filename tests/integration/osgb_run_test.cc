@@ -315,7 +315,7 @@ class OsgbCanalTest : public OsgbRunTest {
         Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--water", polygon, "--decisions", marks});
     ASSERT_TRUE(again.code == 0 || again.code == 100) << again.err;
     ExpectLevelCanal(Read(folder_ / (std::string("scene") + kTile), folder_ / (std::string("out") + kTile)), level);
-    EXPECT_EQ(ReportOf(folder_ / "out")["tiles"]["kept"], 3);
+    EXPECT_EQ(ReportOf(folder_ / "out")["tasks"]["tiles_kept"], 3);
     for (const auto& [path, bytes] : FilesBelow(folder_ / "out")) {
       if (!path.ends_with(".osgb") || path.starts_with("Tile_+000_+015/")) continue;
       EXPECT_EQ(bytes, tiles.at(path)) << path;

@@ -84,7 +84,7 @@ export interface Report {
   pictures: Picture[];
   picture_problems: string[];
   review: Review | null;
-  tiles: { all: number; kept: number } | null;
+  tasks: { tiles: number; tiles_kept: number } | null;
 }
 
 export function readReport(): Report {

@@ -24,7 +24,7 @@ function facts(report: Report): HTMLElement {
     ['holes', number(report.hole_count)],
     ['area filled', `${number(area)} m\u00b2`],
     ['waters', number(report.water?.length ?? 0)]];
-  if (report.tiles?.kept) rows.push(['tiles kept', `${number(report.tiles.kept)} of ${number(report.tiles.all)}`]);
+  if (report.tasks?.tiles_kept) rows.push(['tiles kept', `${number(report.tasks.tiles_kept)} of ${number(report.tasks.tiles)}`]);
   if (report.cleared?.triangles) rows.push(['triangles cleared', number(report.cleared.triangles)]);
   return el('dl', { class: 'facts' }, ...rows.map(([name, value]) => el('div', {}, el('dt', {}, name), el('dd', {}, value))));
 }
