@@ -31,13 +31,16 @@ std::map<int64_t, int64_t> ItemsOfHoles(const Json& items) {
 
 const Json& HoleIn(const Json& feature) { return Member(Member(feature, "properties"), "hole"); }
 
-// holes.geojson without the features of other holes.
+// Whether a reviewer decided on the hole before.
+bool IsDecided(const Json& feature) { return Member(Member(feature, "properties"), "decision").is_string(); }
+
+// holes.geojson without the features of other holes that nobody decided on.
 absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, int64_t>& item_of) {
   const auto is_wanted = [&](int depth, Json::parse_event_t event, const Json& value) {
     const bool is_feature = event == Json::parse_event_t::object_end && depth == 2 && value.contains("geometry");
     if (!is_feature) return true;  // the CRS has an object at this depth as well
     const Json& hole = HoleIn(value);
-    return hole.is_number_integer() && item_of.contains(hole.get<int64_t>());
+    return IsDecided(value) || (hole.is_number_integer() && item_of.contains(hole.get<int64_t>()));
   };
   Json json = Json::parse(text, is_wanted, false);
   if (!json.is_object()) return absl::InvalidArgumentError("holes.geojson: not GeoJSON (expected an object)");
@@ -51,12 +54,36 @@ Json OutlinesOf(const Json& holes, const std::map<int64_t, int64_t>& item_of) {
     const Json &geometry = Member(feature, "geometry"), &hole = HoleIn(feature);
     const Json &type = Member(geometry, "type"), &coordinates = Member(geometry, "coordinates");
     if (!hole.is_number_integer() || !coordinates.is_array()) continue;
-    Json& polygons = outlines[absl::StrCat(item_of.at(hole.get<int64_t>()))];
+    const auto item = item_of.find(hole.get<int64_t>());
+    if (item == item_of.end()) continue;
+    Json& polygons = outlines[absl::StrCat(item->second)];
     if (type == "Polygon") polygons.push_back(coordinates);
     if (type != "MultiPolygon") continue;
     for (const Json& polygon : coordinates) polygons.push_back(polygon);
   }
   return outlines;
+}
+
+// The features of earlier decisions, with what --decisions reads of them. What has no polygon is left out: no decision
+// could have covered it.
+Json EarlierOf(const Json& holes) {
+  Json earlier = Json::array();
+  for (const Json& feature : Member(holes, "features")) {
+    const Json& type = Member(Member(feature, "geometry"), "type");
+    if (!IsDecided(feature) || (type != "Polygon" && type != "MultiPolygon")) continue;
+    Json properties = Json::object();
+    for (const char* name : {"hole", "cluster", "decision", "level_m"}) {
+      properties[name] = Member(Member(feature, "properties"), name);
+    }
+    if (properties["decision"] != "water") properties["level_m"] = nullptr;
+    earlier.push_back({{"type", "Feature"}, {"properties", std::move(properties)}, {"geometry", feature["geometry"]}});
+  }
+  return earlier;
+}
+
+absl::StatusOr<std::string> Packed(const Json& json) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, Gzip(json.dump()));
+  return absl::Base64Escape(bytes);
 }
 
 }  // namespace
@@ -68,12 +95,14 @@ absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, co
   for (size_t i = 0; i < std::min(count, kMostReviewItems); ++i) items.push_back(rows[i]);
   const std::map<int64_t, int64_t> item_of = ItemsOfHoles(items);
   TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string outlines, Gzip(OutlinesOf(geojson, item_of).dump()));
+  TILEMEND_ASSIGN_OR_RETURN(std::string outlines, Packed(OutlinesOf(geojson, item_of)));
+  TILEMEND_ASSIGN_OR_RETURN(std::string earlier, Packed(EarlierOf(geojson)));
   return Json{{"count", count},
               {"items", std::move(items)},
               {"z", scene == nullptr ? Json() : Json(scene->origin.z())},
               {"crs", Member(geojson, "crs")},
-              {"outlines", absl::Base64Escape(outlines)}};
+              {"outlines", std::move(outlines)},
+              {"earlier", std::move(earlier)}};
 }
 
 }  // namespace tilemend

@@ -16,7 +16,8 @@ inline constexpr size_t kMostReviewItems = 1000;
 
 // As JSON for the page (web/src/data.ts): "count" of all fills with a doubt, "items" with the most doubt, as the
 // report's `review` has them, with "z", the height of their levels' zero; "crs" of `holes`, the text of holes.geojson;
-// and "outlines", base64 of gzip of an object: by hole number of the item the coordinates of a MultiPolygon.
+// "outlines", base64 of gzip of an object: by hole number of the item the coordinates of a MultiPolygon; and "earlier",
+// the same of a list: the features of decisions that were made before, so that the next file has them too.
 // "z" is null without `scene`. kInvalidArgument if `holes` is no GeoJSON. Cost: linear; features of other holes are
 // dropped as they are read.
 absl::StatusOr<nlohmann::ordered_json> PageReview(const nlohmann::ordered_json& report, const std::string& holes,

@@ -61,6 +61,30 @@ TEST(PageReviewTest, AnItemHasThePolygonsOfAllItsHoles) {
   EXPECT_TRUE(outlines["7"].is_null()) << "a boundary that is not closed has no polygon";
 }
 
+// Else the next run would undo them.
+TEST(PageReviewTest, EarlierDecisionsAreKeptWithTheirLevelAndCluster) {
+  const auto decided = [](const std::string& properties, const std::string& geometry) {
+    return R"({"type": "Feature", "properties": {)" + properties + R"(}, "geometry": )" + geometry + "}";
+  };
+  const std::string polygon = R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]]]})";
+  const std::string holes =
+      R"({"features": [)" +
+      decided(R"("hole": 8, "cluster": 2, "decision": "water", "level_m": 10.7958984375, "sigma_m": 0.1)", polygon) +
+      "," + decided(R"("hole": 9, "decision": "open", "level_m": 3)", polygon) + "," +
+      decided(R"("hole": 7, "decision": null)", polygon) + "," +
+      decided(R"("hole": 6, "decision": "accept")", R"({"type": "MultiLineString", "coordinates": []})") + "]}";
+  const auto review = PageReview(Json::parse(kReview), holes, nullptr);
+  ASSERT_TRUE(review.ok()) << review.status();
+  const Json earlier = Json::parse(Unzipped((*review)["earlier"]));
+  ASSERT_EQ(earlier.size(), 2U);
+  EXPECT_EQ(earlier[0]["properties"],
+            Json({{"hole", 8}, {"cluster", 2}, {"decision", "water"}, {"level_m", 10.7958984375}}));
+  EXPECT_EQ(earlier[0]["geometry"], Json::parse(polygon));
+  EXPECT_EQ(earlier[1]["properties"]["decision"], "open");
+  EXPECT_TRUE(earlier[1]["properties"]["level_m"].is_null()) << "a level says something of water alone";
+  EXPECT_EQ(Json::parse(Unzipped((*review)["outlines"])).count("7"), 1U);
+}
+
 TEST(PageReviewTest, AReportOfAnotherFormHasNoQueue) {
   for (const char* report : {"{}", R"({"review": 7})", R"({"review": [3, {"hole": "x", "holes": 2}]})"}) {
     const auto review = PageReview(Json::parse(report), Holes(), nullptr);

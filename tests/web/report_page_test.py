@@ -81,6 +81,33 @@ def check_decisions(program, folder, path):
             fail(f'{mark} gave {row}')
 
 
+def check_second_round(program, folder, chromium, temporary):
+    """A file of a second round has the decisions of the first, so that a run with it does not undo them."""
+    out = os.path.join(temporary, 'out')
+    path = os.path.join(out, 'report.json')
+    with open(path) as file:
+        report = json.load(file)
+    first = {row['id']: row for row in report['per_hole']}
+    again = next(row for row in report['per_hole'] if row['decision'] == 'open')
+    report['review'] = [review_item(again)]
+    with open(path, 'w') as file:
+        json.dump(report, file)
+    shutil.copy(os.path.join(HERE, 'mark_fill.mjs'), folder)
+    marks = os.path.join(folder, 'second.geojson')
+    for command in ((program, 'report', out, '--html'), ('node', 'mark_fill.mjs', os.path.join(out, 'report.html'), chromium, marks),
+                    (program, 'run', os.path.join(temporary, 'scene'), '--out', out, '--decisions', marks)):
+        done = run(*command, cwd=folder)
+        if done.returncode:
+            fail(done.stdout)
+    with open(path) as file:
+        second = {row['id']: row for row in json.load(file)['per_hole']}
+    if second[again['id']]['decision'] != 'accept':
+        fail(f"the mark of the second round gave {second[again['id']]}")
+    kept = [row for row in first.values() if row['id'] != again['id']]
+    if not kept or any((second[r['id']]['decision'], second[r['id']].get('level_m')) != (r['decision'], r.get('level_m')) for r in kept):
+        fail(f'the second round changed what the first decided: {first}, {second}')
+
+
 def make_page(folder, program):
     """The page of an output whose report has texts with markup in it."""
     scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
@@ -127,6 +154,7 @@ def main():
         if done.returncode:
             fail(done.stdout)
         check_decisions(program, temporary, os.path.join(folder, 'decisions.geojson'))
+        check_second_round(program, folder, chromium, temporary)
     print('the page works')
 
 

@@ -56,6 +56,7 @@ export interface Review {
   z: number | null; // the height of the levels' zero
   crs: unknown;
   outlines: string; // gzip, as base64: by hole of the item the coordinates of a MultiPolygon
+  earlier: string;  // the same: the features of decisions that were made before
 }
 
 export interface Picture {

@@ -57,13 +57,19 @@ function levelOf(text: string): number | null | undefined {
   return Number.isFinite(Number(trimmed)) ? Number(trimmed) : undefined;
 }
 
-export function decisionsGeoJson(marks: [number, Mark][], outlines: Outlines, crs: unknown): string {
-  const features = marks.filter(([hole]) => outlines[hole]).map(([hole, { decision, level }]) => JSON.stringify({
+// Earlier decisions come first: of several on one hole the last one decides.
+export function decisionsGeoJson(earlier: unknown[], marks: [number, Mark][], outlines: Outlines, crs: unknown): string {
+  const made = marks.filter(([hole]) => outlines[hole]).map(([hole, { decision, level }]) => JSON.stringify({
     type: 'Feature',
     properties: { hole, decision, level_m: decision === 'water' ? levelOf(level) ?? null : null },
     geometry: { type: 'MultiPolygon', coordinates: outlines[hole] } }));
+  const features = [...earlier.map((feature) => JSON.stringify(feature)), ...made];
   const head = crs ? `"crs": ${JSON.stringify(crs)},\n` : '';
   return `{"type": "FeatureCollection",\n${head}"features": [\n${features.join(',\n')}\n]}\n`;
+}
+
+async function unpack(packed: string): Promise<unknown> {
+  return JSON.parse(new TextDecoder().decode(await unzip(packed)));
 }
 
 function save(text: string, name: string): void {
@@ -151,8 +157,8 @@ export function reviewQueue(report: Report, review: Review): HTMLElement {
   }
 
   async function write(): Promise<void> {
-    const outlines = JSON.parse(new TextDecoder().decode(await unzip(review.outlines))) as Outlines;
-    save(decisionsGeoJson(marks.entries(), outlines, review.crs), 'decisions.geojson');
+    const outlines = await unpack(review.outlines) as Outlines, earlier = await unpack(review.earlier) as unknown[];
+    save(decisionsGeoJson(earlier, marks.entries(), outlines, review.crs), 'decisions.geojson');
     const without = marks.entries().filter(([hole]) => !outlines[hole]).map(([hole]) => hole);
     if (without.length > 0) status.textContent = `Not in the file, as they have no outline: holes ${without.join(', ')}`;
   }
@@ -181,7 +187,8 @@ export function reviewQueue(report: Report, review: Review): HTMLElement {
   return el('div', { class: 'review' },
     el('p', { class: 'quiet' }, 'Fills by their doubt: the error of height that is to be expected, times the area. ' +
       'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. Levels are heights of the scene\u2019s CRS. ' +
-      'tilemend run with --decisions FILE and the same options makes the fills anew that are to be redone.'),
+      'tilemend run with --decisions FILE and the same options makes the fills anew that are to be redone. ' +
+      'The file has the decisions of earlier rounds as well.'),
     el('div', { class: 'filters' }, download, forget, status),
     el('div', { class: 'scroll' }, el('table', { class: 'queue' }, el('thead', {}, el('tr', {},
       ...headings.map((text, i) => el('th', { scope: 'col', class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, text)))), body)), more);
