@@ -285,7 +285,7 @@ int InspectCommand(const Args& args) {
   const auto is_given = [&args](const char* flag) { return args.IsGiven(flag); };
   if (mesh && std::ranges::any_of(kOnlyForScenes, is_given)) {
     return PrintUsageError(
-        absl::InvalidArgumentError("--area, --decisions, --propose-area, --propose-water: only for scenes"));
+        absl::InvalidArgumentError(absl::StrCat("--", absl::StrJoin(kOnlyForScenes, ", --"), ": only for scenes")));
   }
   if (spec->water().empty()) spec->set_water(kFindWater);
   const absl::Status status = NamedAsFlag(CheckOptions(*spec, kOfInspect, GivenBy(args)));

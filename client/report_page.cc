@@ -32,7 +32,8 @@ std::string PolicyHash(std::string_view text) {
 // null where there is no holes.geojson, as for a single mesh.
 absl::StatusOr<Json> ReviewOf(const Json& report, const std::string& out, const Scene* scene) {
   const auto holes = ReadFile(absl::StrCat(out, "/holes.geojson"));
-  if (!holes.ok()) return Json();
+  if (absl::IsNotFound(holes.status())) return Json();
+  TILEMEND_RETURN_IF_ERROR(holes.status());
   return PageReview(report, *holes, scene);
 }
 

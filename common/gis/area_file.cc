@@ -113,14 +113,10 @@ std::string SuffixFor(VectorFormat format, const std::string& name) {
   return absl::AsciiStrToLower(std::filesystem::path(name).extension().string());
 }
 
-// What the features of a file are.
-enum class FileUse { kWater, kArea, kDecisions };
-
-VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const SceneFrame& frame, FileUse use) {
+VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const SceneFrame& frame, VectorUse use) {
   VectorRequest request;
   request.name = name;
-  request.unite = use == FileUse::kArea;
-  request.decisions = use == FileUse::kDecisions;
+  request.use = use;
   request.frame = frame;
   request.format = FormatOf(file);
   request.opened = kStem + SuffixFor(request.format, name);
@@ -133,8 +129,8 @@ VectorRequest RequestFor(const VectorBytes& file, const std::string& name, const
   return request;
 }
 
-absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame, FileUse use,
-                                const std::stop_token& stop) {
+absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                VectorUse use, const std::stop_token& stop) {
   VectorRequest request = RequestFor(bytes, name, frame, use);
   if (request.format == VectorFormat::kGeoJson) TILEMEND_RETURN_IF_ERROR(LookIntoJson(bytes.bytes, request));
   const std::string message = static_cast<char>(GdalTask::kReadVectors) + Encode(request);
@@ -272,11 +268,17 @@ absl::StatusOr<std::string> CrsFaultOf(const Scene& scene, const std::stop_token
   return AskGdal(static_cast<char>(GdalTask::kFaultOfCrs) + scene.crs, "crs", stop);
 }
 
-absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
-                                         const std::stop_token& stop) {
-  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, FileUse::kWater, stop));
+// What is read of a file beside its features, which stay in `read`.
+WaterFile WithoutAreas(VectorFile& read, const std::string& name) {
   WaterFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
+  return file;
+}
+
+absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
+                                         const std::stop_token& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, VectorUse::kWater, stop));
+  WaterFile file = WithoutAreas(read, name);
   for (VectorFeature& f : read.features) {
     if (f.polygon.empty()) continue;
     file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.kind, f.clear,
@@ -298,9 +300,8 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
 
 absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                             const std::stop_token& stop) {
-  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, FileUse::kDecisions, stop));
-  WaterFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
-  for (std::string& warning : file.warnings) warning = absl::StrCat(name, ": ", warning);
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, VectorUse::kDecisions, stop));
+  WaterFile file = WithoutAreas(read, name);
   for (VectorFeature& f : read.features) {
     if (f.polygon.empty()) {
       return absl::InvalidArgumentError(
@@ -325,7 +326,7 @@ absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std:
 
 absl::StatusOr<AreaFile> ParseAreaFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                        const std::stop_token& stop) {
-  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, FileUse::kArea, stop));
+  TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, VectorUse::kArea, stop));
   AreaFile file{{}, std::move(read.coordinates), std::move(read.warnings)};
   if (read.features.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": holds no polygon"));
   file.area = std::move(read.features.front().polygon);

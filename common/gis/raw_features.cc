@@ -38,8 +38,8 @@ class Layer {
 
   void Add(const OGRFeature& feature) {
     const std::string label = LabelOf(feature, prefix_);
-    if (rules_.is_decision && FieldOf(feature, kDecisionProperty) < 0) return;
-    if (!rules_.is_area && !rules_.is_decision && IsDryHole(feature)) return dry_.Add(label);
+    if (rules_.use == VectorUse::kDecisions && FieldOf(feature, kDecisionProperty) < 0) return;
+    if (rules_.use == VectorUse::kWater && IsDryHole(feature)) return dry_.Add(label);
     const OGRGeometry* geometry = feature.GetGeometryRef();
     if (geometry == nullptr && rules_.needs_geometry)
       throw BadVectors{label + ": no geometry, or none that can be read"};
@@ -70,17 +70,15 @@ class Layer {
     VectorFeature& raw = read_.features.emplace_back();
     raw.label = label;
     SetGeometry(geometry, raw);
-    if (rules_.is_decision) {
-      SetDecision(feature, raw);
-    } else if (!rules_.is_area) {
-      SetProperties(feature, raw);
-    }
+    if (rules_.use == VectorUse::kDecisions) SetDecision(feature, raw);
+    if (rules_.use == VectorUse::kWater) SetProperties(feature, raw);
     if (raw.polygon.empty()) return;
-    const std::string fault = Repair(geometry, rules_.is_area ? Crossings::kRefuse : Crossings::kRepair, raw);
+    const std::string fault =
+        Repair(geometry, rules_.use == VectorUse::kArea ? Crossings::kRefuse : Crossings::kRepair, raw);
     if (!fault.empty()) {
       read_.warnings.push_back(label + ": " + fault + "; it is taken as repaired: all that it surrounds is inside");
     }
-    if (!rules_.is_area && !rules_.is_decision) raw.line = CentrelineOf(feature, label);
+    if (rules_.use == VectorUse::kWater) raw.line = CentrelineOf(feature, label);
   }
 
   const std::string prefix_;
@@ -119,7 +117,7 @@ RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, const Laye
   Layer read(prefix, rules);
   for (const auto& feature : layer) read.Add(*feature);
   RawFeatures raw = std::move(read).Done();
-  if (!rules.is_area) UniteBodies(raw.features);
+  if (rules.use != VectorUse::kArea) UniteBodies(raw.features);
   return raw;
 }
 

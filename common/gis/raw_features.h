@@ -18,9 +18,8 @@ struct RawFeatures {
 
 // How the features of a layer are taken.
 struct LayerRules {
-  bool is_area = false;         // crossings are refused and properties ignored
+  VectorUse use = VectorUse::kWater;
   bool is_drawing = false;      // closed lines are polygons, and there are no other lines
-  bool is_decision = false;     // only features with a property `decision` count, and no property of water
   bool needs_geometry = false;  // a feature without one is refused: GDAL leaves out what it cannot read of GeoJSON
 };
 

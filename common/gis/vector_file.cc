@@ -159,7 +159,8 @@ bool IsOfUse(OGRLayer& layer, const VectorRequest& request) {
   const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
   if (type == wkbNone) return false;
   return request.format == VectorFormat::kGeoJson ||
-         (type != wkbPoint && type != wkbMultiPoint && (!request.unite || layer.GetFeatureCount() != 0));
+         (type != wkbPoint && type != wkbMultiPoint &&
+          (request.use != VectorUse::kArea || layer.GetFeatureCount() != 0));
 }
 
 [[noreturn]] void RefuseSeveral(const std::vector<std::pair<OGRLayer*, LayerRules>>& layers) {
@@ -180,7 +181,7 @@ void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string&
   auto [features, warnings] = RawFeaturesOf(layer, prefix, rules);
   if (request.features >= 0 && layer.GetFeatureCount() != request.features)
     throw BadVectors{"not all members of \"features\" are Features"};
-  if (request.unite) {
+  if (request.use == VectorUse::kArea) {
     features = {Unite(features)};
   } else {
     for (std::string& warning : NearMisses(layer, prefix)) warnings.push_back(std::move(warning));
@@ -214,13 +215,13 @@ void Read(const VectorRequest& request, VectorFile& file) {
     const bool is_drawing = EQUAL(set->GetDriverName(), "DXF") || EQUAL(set->GetDriverName(), "DGN");
     for (OGRLayer* layer : set->GetLayers()) {
       if (IsOfUse(*layer, request)) {
-        layers.push_back(
-            {layer, {request.unite, is_drawing, request.decisions, request.format == VectorFormat::kGeoJson}});
+        layers.push_back({layer, {request.use, is_drawing, request.format == VectorFormat::kGeoJson}});
       }
     }
   }
-  if (request.unite && layers.empty()) throw BadVectors{"holds no polygon"};
-  if (request.unite && layers.size() > 1) RefuseSeveral(layers);
+  const bool is_area = request.use == VectorUse::kArea;
+  if (is_area && layers.empty()) throw BadVectors{"holds no polygon"};
+  if (is_area && layers.size() > 1) RefuseSeveral(layers);
   for (const auto& [layer, rules] : layers) {
     ReadLayer(*layer, request, layers.size() > 1 ? ShownName(layer->GetName()) + ", " : "", rules, file);
   }

@@ -49,6 +49,13 @@ struct MemoryPart {
   std::string_view bytes;
 };
 
+// What a file is read for.
+enum class VectorUse {
+  kWater,
+  kArea,       // one polygon of all; lines and outlines that cross are refused, properties ignored
+  kDecisions,  // only features with a property `decision` count, and no property of water
+};
+
 struct VectorRequest {
   VectorFormat format = VectorFormat::kOther;
   std::string opened;             // the name that GDAL opens: that of a part, or of a folder of parts
@@ -57,8 +64,7 @@ struct VectorRequest {
   bool names_crs = true;          // false: GeoJSON without the member `crs`
   std::string crs_name;           // of GeoJSON that names one: as it does
   int64_t features = -1;          // that the file must have; -1: not known
-  bool unite = false;             // one polygon of all; lines and outlines that cross are refused
-  bool decisions = false;         // only features with a property `decision` count
+  VectorUse use = VectorUse::kWater;
   SceneFrame frame;
 };
 

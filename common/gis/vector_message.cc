@@ -114,7 +114,7 @@ void Each(Archive& archive, T& item) {
 template <typename Archive, typename Request>
 void RequestMembers(Archive& archive, Request& r) {
   archive(r.format), archive(r.opened), archive(r.parts), archive(r.name), archive(r.names_crs), archive(r.crs_name);
-  archive(r.features), archive(r.unite), archive(r.decisions), archive(r.frame.crs);
+  archive(r.features), archive(r.use), archive(r.frame.crs);
   archive(r.frame.origin.x()), archive(r.frame.origin.y()), archive(r.frame.origin.z());
   Each(archive, r.frame.lo), Each(archive, r.frame.hi);
 }

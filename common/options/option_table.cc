@@ -84,7 +84,7 @@ std::vector<Option> ContentOptions() {
        .help = "polygons whose surface is taken out and filled anew, a file of a GIS", .group = kEveryday,
        .commands = kAll},
       {.field = "decisions", .type = kPath, .placeholder = "FILE",
-       .help = "what a reviewer decided on holes, as report.html writes it; DIR may hold this job's output",
+       .help = "a reviewer's decisions on holes, as report.html writes them; of a finished output only these are redone",
        .commands = kOfJobs | kOfInspect},
       {.field = "area", .type = kPath, .placeholder = "FILE",
        .help = "polygon of what is to be covered, as a GIS writes it; without it, the scene's cells",

@@ -9,6 +9,7 @@
 #include "coordinator/report/report_key.h"
 
 namespace tilemend {
+
 std::string OutputKey(const std::string& scene_key) { return Sha256Hex(scene_key); }
 
 absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key) {
@@ -19,9 +20,8 @@ absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key) {
   return WithErrorInfo(
       absl::AlreadyExistsError(absl::StrCat(
           Printable(spec.out()),
-          ": the output there is of another scene or other options, so decisions do not apply to it; give the scene "
-          "and "
-          "the options that its report.json names, choose another --out, or give --overwrite to do all of it again")),
+          ": the output there is of another scene or other options, so decisions do not apply to it; give those that "
+          "its report.json names, choose another --out, or give --overwrite to do all of it again")),
       {"OUTPUT_EXISTS", {}});
 }
 

@@ -101,6 +101,8 @@ def check_queue(report):
 
 
 def check_result(report, lake, level, open_item):
+    ids = {row['id'] for row in report['per_hole']}
+    expect(ids >= set(lake['holes']) | set(open_item['holes']), f'holes are missing: {sorted(ids)}')
     for row in report['per_hole']:
         if row['id'] in lake['holes']:
             expect(row['decision'] == 'water' and abs(row['level_m'] - level) < 0.001, f'the lake: {row}')

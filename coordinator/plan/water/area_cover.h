@@ -10,6 +10,9 @@
 
 namespace tilemend {
 
+// An area decides on a hole, a cluster or a body of water if it covers more than this share: most of it.
+inline constexpr double kDecidingShare = 0.5;
+
 using PlaneSegment = std::pair<Point2, Point2>;
 
 // A region that segments bound (even-odd rule, any order), on 128 lines across it. Segments that occur twice, such as

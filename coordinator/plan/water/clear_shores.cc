@@ -12,14 +12,13 @@
 namespace tilemend {
 namespace {
 
-constexpr double kDecides = 0.5;     // share of a body
 constexpr double kIsCovered = 0.01;  // share of a cell, as that of squares that --area makes cells
 
 // Decisions of a reviewer change no shore.
 bool IsCleared(const WaterBody& body, const std::vector<WaterArea>& areas, const Plan& plan) {
   const CoverLines region(BoundaryOf(plan, body.holes));
   const auto decides = std::find_if(areas.rbegin(), areas.rend(), [&](const WaterArea& area) {
-    return area.decision == ReviewDecision::kNone && region.ShareIn(area) > kDecides;
+    return area.decision == ReviewDecision::kNone && region.ShareIn(area) > kDecidingShare;
   });
   return decides != areas.rend() && decides->clear;
 }

@@ -9,8 +9,6 @@
 namespace tilemend {
 namespace {
 
-constexpr double kDecidedShare = 0.5;  // of a group of holes
-
 bool IsDecision(const WaterArea& area) { return area.decision != ReviewDecision::kNone; }
 
 }  // namespace
@@ -21,7 +19,7 @@ void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan) {
     const CoverLines region(BoundaryOf(plan, holes));
     int32_t decision = -1;
     for (size_t a = 0; a < areas.size(); ++a) {
-      if (IsDecision(areas[a]) && region.ShareIn(areas[a]) > kDecidedShare) decision = static_cast<int32_t>(a);
+      if (IsDecision(areas[a]) && region.ShareIn(areas[a]) > kDecidingShare) decision = static_cast<int32_t>(a);
     }
     if (decision < 0) continue;
     for (const int32_t h : holes) {

@@ -55,7 +55,7 @@ std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& ho
     return decision->second;
   for (size_t a = 0; a < areas.size(); ++a) {
     if (areas[a].decision != ReviewDecision::kNone) continue;
-    if (region.ShareIn(areas[a]) > 0.5 && !LiesAbove(plan, holes, areas[a])) decider = a;
+    if (region.ShareIn(areas[a]) > kDecidingShare && !LiesAbove(plan, holes, areas[a])) decider = a;
   }
   return decider;
 }

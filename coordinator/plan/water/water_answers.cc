@@ -14,7 +14,6 @@
 namespace tilemend {
 namespace {
 
-constexpr double kDecides = 0.5;  // share of a body
 // Metres, beside three standard deviations: a given level farther from the shore's own may be a mistake.
 constexpr double kLevelOff = 1;
 constexpr double kStation = 25;  // metres: what is no longer is no reach of a river
@@ -93,7 +92,7 @@ class Answers {
         const double share = region.ShareIn(areas[a]);
         if (share > 0) shares_[a].emplace_back(b, share);
         // Who accepts what was filled leaves it to the areas before.
-        if (share > kDecides && areas[a].decision != ReviewDecision::kAccept)
+        if (share > kDecidingShare && areas[a].decision != ReviewDecision::kAccept)
           bodies_[b].decided_by = static_cast<int32_t>(a);
       }
     }
@@ -232,7 +231,7 @@ class Answers {
   // Why area `a` does not decide on a body; "" if it does.
   std::string WhyNot(int32_t a, const Body& body, double share) const {
     const Point2 at = plan_.holes[body.holes.front()].centre;
-    if (share <= kDecides) {
+    if (share <= kDecidingShare) {
       return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) +
              ", which is filled as one; to decide on it, draw it over more than half";
     }

@@ -54,8 +54,7 @@ TEST(VectorMessageTest, ARequestComesBackAsItWas) {
   request.parts = {{"polygons.zip", std::string_view("\0bytes", 6)}, {"b", ""}};
   request.names_crs = false;
   request.features = 3;
-  request.unite = true;
-  request.decisions = true;
+  request.use = VectorUse::kDecisions;
   request.frame = {"EPSG:25832", {1, 2, 3}, {4, 5}, {6, 7}};
   const std::string bytes = Encode(request);
   VectorRequest read;
@@ -66,8 +65,7 @@ TEST(VectorMessageTest, ARequestComesBackAsItWas) {
   EXPECT_EQ(read.parts[0].bytes, request.parts[0].bytes);
   EXPECT_FALSE(read.names_crs);
   EXPECT_EQ(read.features, 3);
-  EXPECT_TRUE(read.unite);
-  EXPECT_TRUE(read.decisions);
+  EXPECT_EQ(read.use, VectorUse::kDecisions);
   EXPECT_EQ(read.frame.crs, "EPSG:25832");
   EXPECT_EQ(read.frame.origin, Point3(1, 2, 3));
   EXPECT_EQ(read.frame.hi, Point2(6, 7));
