@@ -175,33 +175,31 @@ class FoldedFiller {
     for (int round = 0; round < kMostRounds; ++round) {
       if (segments_.empty()) break;
       const std::vector<LatticePoint> points = LatticePoints();
-      if (round > 0 && TriangulateRegion(points, segments_).conflicts.empty()) break;
+      const RegionTriangulation triangulation = TriangulateRegion(points, segments_);
+      if (round > 0 && triangulation.conflicts.empty()) {
+        DropFreeParts(triangulation);
+        return true;
+      }
       if (round + 1 == kMostRounds) return false;
       TakeRegion(FindWoundRegion(points, segments_));
       PartTakenChords();
     }
-    DropFreeParts();
     return true;
   }
 
-  // Parts of the region whose outline passes no vertex of the hole: folds cross around them, and nothing of the hole is
-  // to be closed there.
-  void DropFreeParts() {
-    DisjointSets sets(whole_.size());
-    for (const RegionSegment& s : segments_) sets.Join(s.from, s.to);
-    std::set<int32_t> at_rim;
-    for (int32_t v = 0; v < hole_.size(); ++v) at_rim.insert(sets.LowestOf(v));
-    const auto [x, y] = PlaceOf(0);  // near by, for precision
-    std::map<int32_t, double> area;
-    for (const RegionSegment& s : segments_) {
-      const auto [ax, ay] = PlaceOf(s.from);
-      const auto [bx, by] = PlaceOf(s.to);
-      area[sets.LowestOf(s.from)] += (ax - x) * (by - y) - (ay - y) * (bx - x);
+  // Parts of the region that reach no vertex of the hole, not even from corner to corner: folds cross around them, and
+  // nothing of the hole is to be closed there.
+  //   triangulation  of the region
+  void DropFreeParts(const RegionTriangulation& triangulation) {
+    DisjointSets sets(whole_.size() + triangulation.component_count);  // vertices, then connected parts
+    std::vector<int32_t> part_of;
+    for (size_t k = 0; k < segments_.size(); ++k) {
+      part_of.push_back(whole_.size() + triangulation.component[triangulation.segment_triangle[k]]);
+      sets.Join(segments_[k].from, part_of[k]);
+      sets.Join(segments_[k].to, part_of[k]);
     }
-    std::erase_if(segments_, [&](const RegionSegment& s) {
-      const int32_t part = sets.LowestOf(s.from);
-      return !at_rim.contains(part) && area.at(part) > 0;
-    });
+    size_t k = 0;  // the vertices of the hole have the lowest numbers
+    std::erase_if(segments_, [&](const RegionSegment&) { return sets.LowestOf(part_of[k++]) >= hole_.size(); });
   }
 
   // A corner that a file can only hold where a vertex is already becomes that vertex: beside it, it would come back in

@@ -110,6 +110,39 @@ TEST_P(FoldedFillTest, ClosesWhateverFoldsTheBoundaryHas) {
   }
 }
 
+// Four strips of surface in a hole cross like a #. The square that they enclose, smaller than their edges, has none of
+// their vertices, but there is a piece of surface inside.
+TEST_P(FoldedFillTest, FillsAroundAnIslandBetweenCrossings) {
+  const auto in = [](const Point3& p, double u, double v, double width, double height) {
+    return p.x() >= u && p.x() <= u + width && p.y() >= v && p.y() <= v + height;
+  };
+  const auto is_left = [=](const Point3& p) { return in(p, -4, -3, 1, 16); };
+  const auto is_right = [=](const Point3& p) { return in(p, 4, -3, 1, 16); };
+  const auto is_lower = [=](const Point3& p) { return in(p, -8, -7, 16, 1); };
+  const auto is_upper = [=](const Point3& p) { return in(p, -8, 16, 16, 1); };
+  const auto is_island = [=](const Point3& p) { return in(p, 10, 5, 1, 1); };
+  const auto hole_of = [=](double u, double v) {
+    const Point3 p(u, v, 0);
+    return in(p, -14, -9, 28, 28) && !is_left(p) && !is_right(p) && !is_lower(p) && !is_upper(p) && !is_island(p);
+  };
+  const auto cross = [=](const Point3& p) {
+    if (is_left(p)) return Point3(p + Point3(3.2, 0, 0));
+    if (is_right(p)) return Point3(p - Point3(3.2, 0, 0));
+    if (is_lower(p)) return Point3(p + Point3(0, 6.2, 1));
+    if (is_upper(p)) return Point3(p + Point3(0, -15.2, 1));
+    if (is_island(p)) return Point3(0.35 + 0.3 * (p.x() - 10), 0.35 + 0.3 * (p.y() - 5), 0);
+    return p;
+  };
+  const CellHoles work = WorkOfSheet(hole_of, cross, 0);
+  const CellBand band(work);
+  LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  hole.open = true;
+  LocalPatch patch = Filled(hole, GetParam());
+  ASSERT_TRUE(patch.ok()) << TextOf(patch.failure, 0);
+  EXPECT_EQ(FaultOf(hole, patch), FillFailure::kNone);
+  ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
+}
+
 // Of seams and feet of walls no surface tells that the edges are there: the region's part knows the boundary's edges
 // that it goes around, and has none of them again.
 TEST_P(FoldedFillTest, HasNoEdgeOfTheBoundaryTwice) {
