@@ -24,6 +24,8 @@ namespace {
 
 // Twice as coarse each time: more rounds would outgrow any window.
 constexpr int kMostCoarsenings = 28;
+// Straight lines in place of corners may make new crossings.
+constexpr int kMostRounds = 5;
 // Coarse triangles grow at least as fast.
 constexpr double kCoarseGradation = 1.3;
 
@@ -150,11 +152,12 @@ class ClusterSampler {
       refine.size_limit *= coarsening_;
     }
     region_ = RefineRegion(planar_->points, hole_.segments, planar_->sizes, refine);
-    if (!has_conflicts()) return;
-    const std::vector<RegionSegment> simple = WithoutFolds();
-    if (simple.empty()) return;
-    region_ = RefineRegion(planar_->points, simple, planar_->sizes, refine);
-    segments_ = simple;
+    for (int round = 0; has_conflicts() && round < kMostRounds; ++round) {
+      std::vector<RegionSegment> simple = WithoutFolds();
+      if (simple.empty()) return;
+      segments_ = std::move(simple);
+      region_ = RefineRegion(planar_->points, segments_, planar_->sizes, refine);
+    }
   }
 
   // The segments with what the outline winds around in place of the outline (wound_region.h), and straight where that
@@ -177,7 +180,7 @@ class ClusterSampler {
       if (!on_outline.contains({s.from, s.to})) at_fold_.insert({s.from, s.to});
     }
     at_fold_.insert(cut_off.begin(), cut_off.end());
-    for (const RegionSegment& s : hole_.segments) {
+    for (const RegionSegment& s : segments_) {
       const bool inner = !on_outline.contains({s.from, s.to});
       if (inner && !cut_off.contains(s.from) && !cut_off.contains(s.to)) segments.push_back(s);
     }

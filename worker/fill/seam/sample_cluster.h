@@ -36,9 +36,8 @@ struct ClusterSurface {
 // whole.
 //
 // Folds of the boundary seen from above (vertical edges) are cut off as FillHoles does. Heights of seam vertices need
-// not be known; those that are stay, as where water ends. If what remains bounds no region, or a new vertex of a seam
-// is in a fold: among objects the surface that is linear between the ground of the rim, which needs no region; else
-// nothing.
+// not be known; those that are stay, as where water ends. Nothing if what remains bounds no region, or a new vertex of
+// a seam is in a fold.
 std::optional<ClusterSurface> SampleCluster(const CellHoles& cluster, const FillOptions& options,
                                             int64_t most_unknowns = kMostClusterUnknowns);
 

@@ -19,8 +19,9 @@ struct Projection {
 };
 
 struct HoleBoundary {
-  std::vector<int32_t> known, unknown;  // vertices of the hole, each once, in order of the segments
-  std::set<int32_t> seam_ends;          // original vertices at which a seam begins
+  // Vertices of the hole, each once, in order of the segments. Known ones on objects only where there are no others.
+  std::vector<int32_t> known, unknown;
+  std::set<int32_t> seam_ends;  // original vertices at which a seam begins
 };
 
 HoleBoundary Collect(const CellHoles& cell, const CellHole& hole) {
@@ -34,6 +35,8 @@ HoleBoundary Collect(const CellHoles& cell, const CellHole& hole) {
       (cell.vertices[v].height_known ? boundary.known : boundary.unknown).push_back(v);
     }
   }
+  const auto is_on_object = [&](int32_t v) { return cell.vertices[v].on_object; };
+  if (!std::ranges::all_of(boundary.known, is_on_object)) std::erase_if(boundary.known, is_on_object);
   return boundary;
 }
 

@@ -15,12 +15,12 @@ struct HeightSample {
   double height = 0;
 };
 
-// Height projection transformation (Wang 2021, 3.3, figure 8): every boundary point of a hole whose height is known is
-// projected onto the grid boundaries; a seam vertex takes the height of the point that projects to its place (to within
-// the lattice's step), else what is linear between projections, the point nearest to the grid line counting where
-// several project to one place. An original boundary point
-// gives the mean height of the centroids of the triangles at it, or its own height where a seam begins at it. The
-// corners of the cell part its grid boundary: a seam vertex at a corner takes the mean of both sides.
+// Height projection transformation (Wang 2021, 3.3, figure 8). Every boundary point of a hole whose height is known is
+// projected onto the grid boundaries. A seam vertex takes the height of the point that projects to its place, to within
+// the lattice's step. Else it takes what is linear between projections; of several that project to one place, the point
+// nearest to the grid line counts. An original boundary point gives the mean height of the centroids of the triangles
+// at it, or its own height where a seam begins at it. The corners of the cell part its grid boundary: a seam vertex at
+// a corner takes the mean of both sides. Vertices on objects count only where there are no others.
 //
 // Returns one sample for every seam vertex of unknown height, in order of the holes and of their vertices. Cost O(n log
 // n).

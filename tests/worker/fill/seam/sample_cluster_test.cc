@@ -81,6 +81,31 @@ TEST(SampleClusterTest, DoesSoWhereTheBoundaryHasVerticalEdges) {
   for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 0.01);
 }
 
+// A bay of the western rim crosses itself. The straight line that cuts it off passes through an island.
+TEST(SampleClusterTest, CutsFoldsOffWhereThatMakesNewCrossings) {
+  CellHoles cluster = Cluster(0);
+  const auto move = [&](double y, const Point3& to) {
+    std::ranges::find_if(cluster.vertices, [&](const RimVertex& v) {
+      return v.position.x() == 0 && v.position.y() == y;
+    })->position = to;
+  };
+  move(6, {-3, 4.8, 3});
+  move(5, {-3.2, 5, 3});
+  move(4, {-3, 5.2, 3});
+  std::vector<int32_t> island;
+  for (const Point2& p : {Point2(-0.7, 5), Point2(-0.2, 5.5), Point2(0.3, 5), Point2(-0.2, 4.5)}) {
+    island.push_back(Add(cluster, {p.x(), p.y(), 3}, false));
+  }
+  island.push_back(island.front());
+  Join(cluster.holes[0], island, false);
+  cluster.band.points.clear();
+  for (const RimVertex& v : cluster.vertices) cluster.band.points.push_back(v.position);
+  const auto surface = SampleCluster(cluster, Untaut());
+  ASSERT_TRUE(surface.has_value());
+  ASSERT_GE(surface->samples.size(), 9U);
+  for (const auto& sample : surface->samples) EXPECT_NEAR(sample.height, 3, 1e-6);
+}
+
 // A corner of the western rim lies beyond the seam: seen from above the two bound nothing.
 TEST(SampleClusterTest, ARimThatCrossesTheSeamHasNoSurface) {
   CellHoles cluster = Cluster(0);

@@ -103,6 +103,20 @@ TEST(SampleHeightsTest, TakesTheProjectionNearestToTheGridLine) {
   EXPECT_THAT(Sample(work), ElementsAre(Pair(101, 10)));
 }
 
+// A roof beside the grid line tells nothing of the ground, unless there is nothing else.
+TEST(SampleHeightsTest, LeavesOutVerticesOnObjects) {
+  CellHoles work = HoleBuilder()
+                       .Original(10, 0, 3, 3)
+                       .Unknown(10, 5, kVertical)
+                       .Original(10, 10, 3, 3)
+                       .Original(9, 5, 20, 20)
+                       .Work();
+  work.vertices[3].on_object = true;
+  EXPECT_THAT(Sample(work), ElementsAre(Pair(101, 3)));
+  for (RimVertex& v : work.vertices) v.on_object = true;
+  EXPECT_THAT(Sample(work), ElementsAre(Pair(101, 20)));
+}
+
 // The point nearest to the line in the same stretch of it has another place.
 TEST(SampleHeightsTest, TakesWhatProjectsToThePlaceItself) {
   CellHoles work = HoleBuilder()
