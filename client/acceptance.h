@@ -41,12 +41,14 @@ struct Acceptance {
   bool IsAccepted() const;
 };
 
-// Compares the output `out` of `tilemend run` with the scene `in`. Faults are: an original face that is not in its tile
-// to the bit, but for those that the report says were cleared; a changed image or material file; self-intersections,
-// edges with more than two triangles, turned edges and triangles without area that come with the added faces; open
-// edges that the input had not, over all tiles together, except on the rim of the area, at holes that the report lists
-// as left, and where tiles overlap and the neighbour covers them; water off its level; fills of overlapping tiles more
-// than 2 cm apart at more than 1 % of the places of a border.
+// Compares the output `out` of `tilemend run` with the scene `in`. Faults are
+//   an original face that its tile does not have to the bit, unless the report says that it was cleared;
+//   a changed image or material file;
+//   self-intersections, edges with more than two triangles, turned edges and triangles without area, with added faces;
+//   an open edge, over all tiles together, that the input does not have (exceptions: on the rim of the area, at holes
+//   that the report lists as left, and where tiles overlap and the neighbour covers it);
+//   water off its level;
+//   fills of overlapping tiles that are more than 2 cm apart at more than 1 % of the places of a border.
 //
 // Tiles are read one after another; memory is bounded by three rows of border edges and one tile. Cost O(n log n).
 // kNotFound and kInvalidArgument if `in` is no scene or `out` no complete output, or a tile of one cannot be read.

@@ -17,9 +17,9 @@ struct AggregateOptions {
   int32_t longest_loop = 2000;
 };
 
-// Reads all tiles of the scene, welds equal positions, writes the mesh as a binary PLY of 64-bit numbers, and fills its
-// closed loops with the filler minimum-area. The outline of the joined surface is no hole: holes that reach it stay
-// open, as in the paper. Materials, textures and colours of the tiles are lost.
+// Reads all tiles of the scene, welds equal positions and writes the mesh as a binary PLY of 64-bit numbers. Then it
+// fills the closed loops of that mesh with the filler minimum-area. The outline of the joined surface is no hole: holes
+// that reach it stay open, as in the paper. Materials, textures and colours of the tiles are lost.
 //
 // Memory grows with the scene. Where it is more than allowed the error is kResourceExhausted and says how far it came;
 // the process keeps the limit. Errors of ReadMeshFile and FillMesh.

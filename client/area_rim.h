@@ -16,8 +16,8 @@ class AreaRim {
   // `reach`: metres that tiles reach over the sides of their cells. Cost O(cells + points of the polygon).
   AreaRim(const Scene& scene, double reach);
 
-  // Whether an edge in the tile of `cell` lies on the rim, or along it where no triangle is cut: it is no further from
-  // it than it is long. O(points of the polygon).
+  // Whether an edge in the tile of `cell` lies on the rim. Where no triangle is cut, an edge also counts that is no
+  // further from the rim than it is long. O(points of the polygon).
   bool HasEdge(CellId cell, const Point3& from, const Point3& to) const;
 
   // The cells, other than `cell`, whose squares are within `reach` of p.

@@ -7,9 +7,9 @@
 
 namespace tilemend {
 
-// The field `borders` of a report: how many pairs of tiles meet in which way, how far their fills are apart at most,
-// and the pairs whose original surfaces are further apart than 0.1 m, or their fills than 0.02 m, the furthest first.
-// Begins with an empty line; "" if there is nothing to tell.
+// The field `borders` of a report: how many pairs of tiles meet in which way, and how far their fills are apart at
+// most. Then the pairs whose original surfaces are more than 0.1 m apart, or their fills more than 0.02 m, the furthest
+// first. Begins with an empty line; "" if there is nothing to tell.
 std::string BordersText(const nlohmann::ordered_json& report);
 
 }  // namespace tilemend

@@ -14,8 +14,9 @@ struct FittedColumn {
   bool squeezable = false;  // of long cells the two ends do
 };
 
-// As Table (output.h). With `columns` > 0, those of a terminal, long cells are squeezed to 20 columns first, then
-// columns are left out, then cells are squeezed to 8, until no line is longer, or nothing is left to do.
+// As Table (output.h). With `columns` > 0, the width of the terminal, the table is made narrower until no line is
+// longer, as far as that goes. First long cells are squeezed to 20 columns, then columns are left out, then cells are
+// squeezed to 8.
 std::string FittedTable(std::vector<FittedColumn> table, std::vector<std::vector<std::string>> rows, size_t columns);
 
 }  // namespace tilemend

@@ -9,8 +9,8 @@
 
 namespace tilemend {
 
-// The holes of a plan as HolesGeoJson has them (coordinator/report/scene_geojson.h). `outcome` is "to fill" or "left",
-// with the reason; filling may find some more that stay open. There is no `method` yet.
+// The holes of a plan as HolesGeoJson has them (coordinator/report/scene_geojson.h). The `outcome` is "to fill" or
+// "left", with the reason; filling may find some more that stay open. There is no `method` yet.
 std::string PlannedHolesGeoJson(const SceneWaves& waves);
 
 // Writes that to `path`, and says on stderr how many would be filled; "" writes nothing. Errors of WriteFileAtomically.

@@ -62,8 +62,9 @@ class JobClient {
   grpc::ClientContext* watch_context_ = nullptr;
 };
 
-// The name of the job that `argument` means: a name, an id or the beginning of an id that no other job has.
-// kInvalidArgument if several have it, or if it is empty. Else the name as it was given, for the coordinator to refuse.
+// The name of the job that `argument` means: a name, an id, or the beginning of an id that no other job has.
+// Returns kInvalidArgument if several jobs have it, or if it is empty. A name of no job is returned as it is, for the
+// coordinator to refuse.
 absl::StatusOr<std::string> FindJobName(JobClient& client, const std::string& argument);
 
 // "jobs/X" for "X" and "jobs/X".

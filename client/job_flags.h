@@ -13,7 +13,7 @@
 
 namespace tilemend {
 
-// The spec that the first argument and the flags of jobs say, with absolute paths (a scene with :// is kept as it is).
+// The spec that the first argument and the flags of jobs say. Paths are absolute; a scene with :// is kept as it is.
 // kInvalidArgument, naming the flag, its value and what is allowed.
 absl::StatusOr<v1::JobSpec> JobFromFlags(const Args& args);
 

@@ -9,13 +9,13 @@
 
 namespace tilemend {
 
-// An empty line, the number of rows of `left` with `title` behind it ("left"), and the rows: holes first, with their
-// id, cell, centre and area, at most kMostListedRows; then what is open but no hole, counted by what it is. Empty
-// without rows.
+// An empty line, the number of rows of `left` with `title` behind it ("left"), and the rows. Holes come first, with
+// their id, cell, centre and area, at most kMostListedRows. Then comes what is open but no hole, counted by what it is.
+// Empty without rows.
 std::string LeftText(const nlohmann::ordered_json& report, const std::string& title);
 
-// Of a mesh alone, a line each: what stays open of holes, with where it is and why, and how many stay open as chosen
-// (--largest-hole).
+// For a mesh without a scene, a line each: the holes that stay open, with where each is and why. The last line counts
+// those that stay open as chosen (--largest-hole).
 std::string LeftLines(const SceneReportInput& report);
 
 }  // namespace tilemend

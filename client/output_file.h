@@ -12,15 +12,15 @@
 
 namespace tilemend {
 
-// Whether a command may write a file of that name: kAlreadyExists where one is there without `overwrite`;
-// kInvalidArgument where something is that is no file (a folder, a pipe, a device, a link to nothing).
+// Whether a command may write a file of that name. Returns kAlreadyExists if the file exists and `overwrite` is false.
+// Returns kInvalidArgument if something that is no file has the name: a folder, a pipe, a device, a link to nothing.
 absl::Status CheckOutputFile(const std::string& path, bool overwrite);
 
 // The same with what to do about it, where the place is what is wrong.
 absl::Status WithOtherOut(const absl::Status& status);
 
-// Holds the name of an output against other processes of this program, with a hidden file beside it that goes with this
-// object; one that is left by a process that was killed holds nothing. Makes missing folders, which go as well if
+// Holds the name of an output against other processes of this program, by a lock on a hidden file beside it. This
+// object removes the file; one that a killed process left holds nothing. Makes missing folders, which go as well if
 // nothing is in them. A file system without locks has to do without.
 class OutputLock {
  public:

@@ -25,8 +25,8 @@ struct PagePictures {
   std::vector<std::string> problems;  // tiles that could not be read
 };
 
-// The largest fill of each cluster and closed hole of the report, kMostPictures at most, none below half a square
-// metre. `scene` is what the output `out` was made from. Reads the tiles of these fills, one after another. Cost:
+// The largest fill of each cluster and closed hole of the report: at most kMostPictures, none below half a square
+// metre. The output `out` was made from `scene`. Reads the tiles of these fills, one after another. Cost:
 // linear in these tiles.
 PagePictures MakePagePictures(const nlohmann::ordered_json& report, const Scene& scene, const std::string& out);
 

@@ -33,8 +33,8 @@ struct PictureAtlas {
   std::array<double, 2> PlaceOf(const ImagePart& part, size_t number, std::array<float, 2> uv) const;
 };
 
-// Puts the parts side by side, each scaled down, into an image of at most kAtlasSide pixels a side. `root`: the folder
-// that their paths are relative to. Decodes one image after another. Images that cannot be read are left out.
+// Puts the parts side by side, each scaled down, into one image of at most kAtlasSide pixels a side. The paths of the
+// parts are relative to the folder `root`. Decodes one image after another. Images that cannot be read are left out.
 PictureAtlas MakePictureAtlas(const std::string& root, const std::vector<ImagePart>& parts);
 
 inline constexpr int32_t kAtlasSide = 768;

@@ -11,8 +11,8 @@
 
 namespace tilemend {
 
-// Whether a file can be written there: kInvalidArgument for a name that ends neither in .gpkg nor in .geojson,
-// kAlreadyExists for one that is there unless `overwrite`.
+// Whether a file can be written there. Returns kInvalidArgument for a name that ends neither in .gpkg nor in .geojson.
+// Returns kAlreadyExists for an existing file unless `overwrite`.
 absl::Status CheckWaterProposal(const std::string& path, bool overwrite);
 
 // Writes polygons for --water: the waters that the plan fills, and surface that looks like water (water_surfaces.h).

@@ -7,8 +7,8 @@
 
 namespace tilemend {
 
-// A table of the report's field `water` under `title`, the largest first, at most kMostListedRows, with an empty line
-// before; "" if it is no list or empty.
+// A table of the report's field `water` under `title`: the largest first, at most kMostListedRows, with an empty line
+// before. "" if it is no list or empty.
 std::string WaterText(const nlohmann::ordered_json& report, const std::string& title);
 
 }  // namespace tilemend

@@ -24,9 +24,9 @@ using FaceNumbers = std::variant<std::span<const int32_t>, std::span<const int64
 
 class ArrayMesh : public EditedMesh {
  public:
-  // Copies both. kInvalidArgument names the array, the row and what was expected: no vertices, a coordinate that is not
-  // finite or beyond 1e9, an index out of range, more rows than int32_t counts. Precondition: the lengths are
-  // multiples of 3. Cost: linear.
+  // Copies both. Errors are kInvalidArgument and name the array, the row and what was expected. They are: no vertices,
+  // a coordinate that is not finite or beyond 1e9, an index out of range, more rows than int32_t counts. Precondition:
+  // the lengths are multiples of 3. Cost: linear.
   static absl::StatusOr<ArrayMesh> Make(const VertexNumbers& vertices, const FaceNumbers& faces);
 
   const std::string& name() const override { return name_; }
