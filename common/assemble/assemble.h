@@ -13,11 +13,12 @@
 
 namespace tilemend {
 
-// The patches of one cell as an addition to its tile. `vertices` are those of the CellHoles that the patches were made
-// from, and `tile_vertices` is the number of vertices in the tile (0 without a tile). Vertices of neighbours and seam
-// vertices become new vertices, each once; a new vertex takes its further properties from the nearest vertex of the
-// tile along the patch, and the colour of its hole if `colours` says so. The triangles of each hole get the material of
-// its colour. Patches with a failure are left out. Precondition: `colours` has all holes of the other patches. Linear.
+// The patches of one cell as an addition to its tile. The `vertices` are those of the CellHoles that the patches were
+// made from. The number of vertices in the tile is `tile_vertices` (0 without a tile). Vertices of neighbours and seam
+// vertices become new vertices, each once. A new vertex takes its further properties from the nearest vertex of the
+// tile along the patch. If `colours` says so, it takes the colour of its hole. The triangles of each hole get the
+// material of its colour. Patches with a failure are left out. Precondition: `colours` has all holes of the other
+// patches. Linear.
 FilePatch MergePatches(std::span<const RimVertex> vertices, std::span<const HolePatch> patches, CellId cell,
                        int32_t tile_vertices, const FillColours& colours);
 

@@ -7,11 +7,11 @@
 
 namespace tilemend {
 
-// The patch of a coarser level. It covers what the finest level has, its own surface or its patch, and `level` has not,
-// beside the finest patch: so it ends at the rim that `level` itself has. At rim vertices of `level` it takes these;
-// all other vertices are vertices of the finest patch, as many of them as the level's edges are long, so that water has
-// the same height to the bit, and two levels differ by at most the coarser one's edge times the slope. Triangles take
-// the material that the finest patch has there.
+// The patch of a coarser level. It covers what the finest level covers, by its own surface or by its patch, and `level`
+// does not, beside the finest patch. So it ends at the rim that `level` itself has. At its rim it uses rim vertices of
+// `level`. All other vertices are vertices of the finest patch, as many as fit the length of the level's edges. So
+// water has the same height to the bit, and two levels differ by at most the coarser one's edge times the slope.
+// Triangles take the material that the finest patch has there.
 //   level    the coarser surface, in metres: one level of detail of the tile
 //   finest   the surface of the finest level
 //   patch    what was added to it; indices as AppendPatch takes them

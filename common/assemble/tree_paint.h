@@ -36,10 +36,9 @@ using PaintFaces = std::function<absl::StatusOr<FacePaint>(const TreeFaces& face
 // another number of triangles. O(n log n).
 absl::StatusOr<TreePatch> PaintedPatch(const TreeFaces& faces, FacePaint paint, const std::string& image_name);
 
-// What another has painted: takes it from a tile that was written with the faces, for the tile to be made once more and
-// compared. `original` and `written` are packs; the result has all that it needs. It is empty if the written tile has
-// no new geometry with an image; it gives kInvalidArgument for faces that are not in the written tile. Errors of
-// ReadTileTree.
+// The paint of a tile that was written, for its faces: with it the tile can be made once more and compared. Both
+// `original` and `written` are packs; the result has all that it needs. It is empty if the written tile has no new
+// geometry with an image. For faces that are not in the written tile it gives kInvalidArgument. Errors of ReadTileTree.
 absl::StatusOr<PaintFaces> PaintOfWritten(std::string_view original, std::string_view written, const std::string& name);
 
 }  // namespace tilemend

@@ -1,9 +1,9 @@
 // The frame around encoded meshes, and the check of a Draco stream before Draco sees it.
 //
 // Draco trusts its input: 61 bytes can make its decoder allocate 20 GB (google/draco#1169). Two guards stand before it.
-// The frame carries a length and a CRC-32C, so that damaged bytes never reach Draco; and as a malicious peer can
-// compute those, CheckDracoStream reads the stream's headers itself and holds every count in them against the limits
-// and the bytes that are there.
+// The frame carries a length and a CRC-32C, so that damaged bytes never reach Draco. A malicious peer can compute
+// those, so CheckDracoStream reads the stream's headers itself. It holds every count in them against the limits and the
+// bytes that are there.
 #ifndef TILEMEND_COMMON_CODEC_DRACO_FRAME_H_
 #define TILEMEND_COMMON_CODEC_DRACO_FRAME_H_
 
@@ -36,9 +36,9 @@ struct DracoCounts {
   uint32_t triangles = 0;
 };
 
-// Accepts exactly what EncodeDraco makes Draco write: version 2.2, a sequentially encoded mesh without metadata, plain
-// indices, one int32 attribute of three components, integer coding with difference prediction or none, symbol tables no
-// larger than their bit length allows. Returns the counts.
+// Accepts exactly what EncodeDraco makes Draco write: version 2.2, a sequentially encoded mesh without metadata, with
+// plain indices. It has one int32 attribute of three components, in integer coding with difference prediction or none.
+// Symbol tables are no larger than their bit length allows. Returns the counts.
 absl::StatusOr<DracoCounts> CheckDracoStream(std::string_view stream, const DracoLimits& limits);
 
 // kResourceExhausted if the counts are beyond the limits.

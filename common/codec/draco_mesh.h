@@ -32,8 +32,9 @@ struct DracoLimits {
 // same bytes. Precondition: indices are in range, fewer than 2^31 points.
 std::string EncodeDraco(const LatticeMesh& mesh);
 
-// The mesh that was encoded: same points, same triangles, same order. kInvalidArgument for bytes that EncodeDraco did
-// not write, kResourceExhausted for a mesh beyond `limits` or beyond the memory. Does not throw.
+// The mesh that was encoded: same points, same triangles, same order. Returns kInvalidArgument for bytes that
+// EncodeDraco did not write. Returns kResourceExhausted for a mesh beyond `limits` or beyond the memory. Does not
+// throw.
 absl::StatusOr<LatticeMesh> DecodeDraco(std::string_view bytes, const DracoLimits& limits);
 
 }  // namespace tilemend

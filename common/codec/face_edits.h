@@ -28,9 +28,9 @@ struct TriangleChange {
   Triangle from, to;     // vertices of the file; no new ones
 };
 
-// `bytes` with the corners of some triangles changed. Numbers of corners that stay are not written anew. In STL, which
-// has no numbers, a corner takes the coordinates of the vertex that it changes to, as they are written there; normals
-// of facets stay. Precondition: ParseMesh takes `bytes`; triangles of one polygon agree. Linear.
+// `bytes` with the corners of some triangles changed. Numbers of corners that stay are not written anew. STL has no
+// numbers of vertices: there a corner takes the coordinates of its new vertex, as they are written there. Normals of
+// facets stay. Precondition: ParseMesh takes `bytes`; triangles of one polygon agree. Linear.
 absl::StatusOr<std::string> ChangeTriangles(MeshFormat format, std::string_view bytes,
                                             std::span<const TriangleChange> changes, const std::string& name);
 

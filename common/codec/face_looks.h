@@ -17,8 +17,8 @@ namespace tilemend {
 // Of each triangle: its material's name and the texture coordinates of its corners, to the bit. Linear.
 std::vector<uint64_t> ObjFaceLooks(const ObjTextures& textures, size_t triangles);
 
-// Of each triangle of the PLY file: the records of its vertices and of its face, byte by byte, but for the numbers of
-// vertices and for the property tilemend_filled, which AppendPatch adds. Errors of ParsePly. Linear.
+// For each triangle of the PLY file, the records of its vertices and of its face, byte by byte. The numbers of vertices
+// and the property tilemend_filled, which AppendPatch adds, are left out. Errors of ParsePly. Linear.
 absl::StatusOr<std::vector<uint64_t>> PlyFaceLooks(std::string_view bytes, const std::string& name);
 
 // Of each triangle of one level of detail (LevelOf): the texture coordinates of its corners and its image, to the bit.

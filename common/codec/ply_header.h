@@ -63,8 +63,9 @@ struct PlyHeader {
 // The properties red, green, blue of an element, where it has all three as uchar.
 std::optional<std::array<size_t, 3>> ColourProperties(const PlyElement& element);
 
-// Reads and checks a header: one vertex element with scalar float or double x, y, z, one face element with
-// vertex_indices (or vertex_index), at least one vertex, and no counts that the bytes after the header cannot hold.
+// Reads and checks a header. It must have one vertex element with scalar float or double x, y, z, and one face element
+// with vertex_indices (or vertex_index). There must be at least one vertex, and no counts that the bytes after the
+// header cannot hold.
 absl::StatusOr<PlyHeader> ParsePlyHeader(std::string_view bytes, const std::string& name);
 
 }  // namespace tilemend

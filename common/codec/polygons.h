@@ -21,8 +21,8 @@ struct TextRange {
   size_t end = 0;
 };
 
-// Hears of each face that adds triangles to the mesh: the number of the first, where its corners are said, and the
-// triangles by places in these.
+// Called for each face that adds triangles to the mesh. It gets the number of the first, where the corners stand in the
+// text, and the triangles by places in these.
 using FaceVisitor =
     std::function<void(size_t first_triangle, std::span<const TextRange> corners, std::span<const Triangle> triangles)>;
 
@@ -37,8 +37,8 @@ void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector
 void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> places, const FaceVisitor& visit,
                 MeshFile& file, std::vector<Triangle>& cut);
 
-// Checks a patch against the number of vertices of the file that it is for: `like` has an entry per new point, indices
-// are in range, coordinates valid, and all vertices together can be indexed.
+// Checks a patch against the number of vertices of its file. There must be an entry of `like` per new point, indices
+// must be in range and coordinates valid. It must be possible to index all vertices together.
 absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::string& name);
 
 }  // namespace tilemend

@@ -65,9 +65,9 @@ void AppendNumber(int64_t value, std::string& out);
 // "\r\n", "\r" (only if the text has no "\n" at all) or "\n": what ends the first line of `text`.
 std::string_view LineEndingOf(std::string_view text);
 
-// The words of `text` up to its first line end (a backslash before that continues the line) or, with `all_lines`, up to
-// its end, each after a space: the further columns of a vertex. Comments (#) are left out, what is not a number becomes
-// 0, and there are at most 16: many new vertices may copy them.
+// The words of `text`, each after a space: the further columns of a vertex. With `all_lines` they go up to its end,
+// else up to its first line end that no backslash stands before. Comments (#) are left out, and what is not a number
+// becomes 0. There are at most 16, since many new vertices may copy them.
 std::string FurtherColumns(std::string_view text, char newline, bool all_lines);
 
 // What stands at `offset`, for a message: a number as it is, "end of line", "end of file" or "something else". A file

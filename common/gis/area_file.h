@@ -17,8 +17,8 @@ namespace tilemend {
 // Where a scene's coordinates lie. Of a single mesh (no cell size) nothing is known.
 SceneFrame FrameOf(const Scene& scene);
 
-// Whether a CRS is in metres by its very name: a zone of UTM by its code (WGS 84: EPSG:32601 to 32660, 32701 to 32760;
-// ETRS89: EPSG:25828 to 25838), or a place on Earth ("ENU:48.1,11.5").
+// Whether the name of a CRS says that it is in metres. It is a zone of UTM by its code, or a place on Earth
+// ("ENU:48.1,11.5"). Codes are EPSG:32601 to 32660 and 32701 to 32760 (WGS 84), and EPSG:25828 to 25838 (ETRS89).
 bool IsInMetres(const std::string& crs);
 
 // What is wrong with the CRS of a scene, for people; "" if nothing is. PROJ is asked unless the name tells. kInternal
@@ -31,28 +31,32 @@ struct WaterFile {
   std::vector<std::string> warnings;
 };
 
-// Reads a file of polygons in any of the formats of vector_file.h. A polygon is an area; it may have the properties
-// `water` (true, as without it, or false), `level_m` (a number, or text: "3.25 m"), `kind` ("lake" or "river"), `clear`
-// (true or false), `clear_height` (metres, 0 to 1000; only beside `clear` and of water, else there is a warning) and
-// `centreline` (a GeoJSON LineString or its coordinates, or WKT, in the coordinates of the file). A LineString that is
-// a feature of its own is the centreline of the area of water that most of its points are in. Centrelines of less than
-// a metre, beside a level or `clear`, and of a lake are dropped, with a warning; so are kinds of what is no water.
+// Reads a file of polygons in any of the formats of vector_file.h. A polygon is an area; its properties may be
+//   water         true (the default) or false
+//   level_m       a number, or text: "3.25 m"
+//   kind          "lake" or "river"
+//   clear         true or false
+//   clear_height  metres, 0 to 1000; only for water with `clear`, else there is a warning
+//   centreline    a GeoJSON LineString or its coordinates, or WKT, in the coordinates of the file
+// A LineString that is a feature of its own is the centreline of the area of water that most of its points are in.
+// Dropped with a warning are centrelines of less than a metre, beside a level or `clear`, or of a lake. So is the kind
+// of an area that is no water.
 //
 // kInvalidArgument with `name` and the place: what ReadVectors refuses, two centrelines for one area, a river with a
 // level or `clear`. Errors of AskGdal. Takes some 40 ms more than the reading.
 absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                          const std::stop_token& stop = {});
 
-// Reads what was decided on holes: polygons with the properties `decision` ("accept", "water", "ground" or "open"),
-// `level_m` (of water; absent: from its shore) and `hole` (for messages). Features without a decision are left out. All
-// areas have a decision; kWater has `water` set.
+// Reads what was decided on holes: polygons with the property `decision` ("accept", "water", "ground" or "open"). They
+// may have `level_m` (of water; absent: from its shore) and `hole` (for messages). Features without a decision are left
+// out. All areas have a decision; kWater has `water` set.
 //
 // Errors as above, with `name` and the feature; kInvalidArgument also for another word, and for a decision on a line.
 absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                             const std::stop_token& stop = {});
 
-// What `clear` says together with the other properties of an area that has it: its water is level, so that a centreline
-// is dropped, with a warning. kInvalidArgument with `name` for a river.
+// Checks `clear` against the other properties of an area that has it. Its water is level, so a centreline is dropped,
+// with a warning.
 absl::Status CheckClear(const std::string& name, WaterArea& area, std::vector<std::string>& warnings);
 
 struct AreaFile {

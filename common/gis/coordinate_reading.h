@@ -11,8 +11,8 @@
 
 namespace tilemend {
 
-// Puts the features of a layer into the scene's coordinates as ReadVectors says; gives what they were taken for.
-// `named` is the CRS that the layer names, or null. Appends warnings. Throws BadVectors.
+// Puts the features of a layer into the scene's coordinates as ReadVectors says; returns what they were taken for. The
+// CRS that the layer names is `named`, or null. Appends warnings. Throws BadVectors.
 std::string PlaceInScene(const SceneFrame& frame, const OGRSpatialReference* named,
                          std::vector<VectorFeature>& features, std::vector<std::string>& warnings);
 

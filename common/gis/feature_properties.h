@@ -19,14 +19,14 @@ std::string ShownName(const std::string& name);
 // "feature 3 (Pond)", with `prefix` before it.
 std::string LabelOf(const OGRFeature& feature, const std::string& prefix);
 
-// Sets all members of `to` that are properties, but not its centreline. `water` and `clear` may be a boolean, 0 or 1,
-// or such a word as dBase and people have (true, yes, t, y and their opposites); `level_m` and `clear_height` a number
-// or text ("3.25", "3.25 m"); `kind` is "lake" or "river". In text, case and blanks around do not matter. Throws
-// BadVectors with the feature's label.
+// Sets all members of `to` that are properties, but not its centreline. Values of `water` and `clear` may be a boolean,
+// 0 or 1, or a word as in dBase (true, yes, t, y and their opposites). Values of `level_m` and `clear_height` may be a
+// number or text ("3.25", "3.25 m"). The kind is "lake" or "river". In text, case and blanks around do not matter.
+// Throws BadVectors with the feature's label.
 void SetProperties(const OGRFeature& feature, VectorFeature& to);
 
-// Of a reviewed hole: sets its decision ("accept", "water", "ground" or "open"), the number of the hole, its level, as
-// above, and as its body the cluster of holes. Throws BadVectors with the feature's label.
+// Of a reviewed hole: sets its decision ("accept", "water", "ground" or "open"), the number of the hole, and its level,
+// as above. The cluster of holes becomes its body. Throws BadVectors with the feature's label.
 void SetDecision(const OGRFeature& feature, VectorFeature& to);
 
 // The property `centreline`: a GeoJSON LineString or its coordinates, or WKT; empty if there is none. Throws BadVectors

@@ -8,8 +8,8 @@
 
 namespace tilemend {
 
-// The bytes of a GeoPackage with the features of `geojson`, which this program wrote, in one layer `layer`. `name` is
-// that of the file, for messages. Errors of AskGdal; kInternal if GDAL cannot write it.
+// The bytes of a GeoPackage with the features of `geojson`, which this program wrote, in one layer `layer`. In messages
+// `name` stands for the file. Errors of AskGdal; kInternal if GDAL cannot write it.
 absl::StatusOr<std::string> GeoPackageOf(const std::string& geojson, const std::string& layer, const std::string& name);
 
 }  // namespace tilemend

@@ -11,8 +11,8 @@
 namespace tilemend {
 
 // Longitude and latitude of WGS 84 in degrees of each point (east, north in metres; `crs` as SceneFrame::crs).
-// kInvalidArgument with the CRS if PROJ does not know it, or a point is none of it; errors of AskGdal. Takes some 40
-// ms.
+// Returns kInvalidArgument with the CRS if PROJ does not know it, or if a point is none of it. Errors of AskGdal. Takes
+// some 40 ms.
 absl::StatusOr<std::vector<Point2>> LonLatOf(const std::string& crs, const std::vector<Point2>& points);
 
 }  // namespace tilemend

@@ -21,9 +21,10 @@ inline constexpr char kHoleProperty[] = "hole";
 inline constexpr char kBodyProperty[] = "body";
 inline constexpr char kClusterProperty[] = "cluster";  // open holes that are one, over several cells
 
-// The one of these that a property of another name is likely meant for, "" if none: the same letters but for case and
-// what is between them ("Centre Line"), other words for it ("elevation"), or one letter in four of it put in, taken out
-// or changed ("watr"). Files from a GIS have dozens of other properties: "layer" is not near "water".
+// The one of these that a property of another name is likely meant for, "" if none. It has the same letters but for
+// case and what is between them ("Centre Line"), or is another word for it ("elevation"). Or one letter in four of it
+// is put in, taken out or changed ("watr"). Files from a GIS have dozens of other properties: "layer" is not near
+// "water".
 std::string_view PropertyMeantBy(std::string_view name);
 
 }  // namespace tilemend

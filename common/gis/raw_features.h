@@ -23,10 +23,10 @@ struct LayerRules {
   bool needs_geometry = false;  // a feature without one is refused: GDAL leaves out what it cannot read of GeoJSON
 };
 
-// The features of a layer; `prefix` stands before their labels. A polygon that is not valid (outlines that cross, parts
-// that lie over each other) is repaired, with a warning that says where: what any part surrounds is inside. Features
-// that are no polygon and no line are left out, with a warning that counts them; so are those of holes.geojson that are
-// no water. Those of one body there that say the same are one feature. Throws BadVectors.
+// The features of a layer; `prefix` stands before their labels. A polygon that is not valid has outlines that cross, or
+// parts that lie over each other. It is repaired, with a warning that says where: what any part surrounds is inside.
+// Features that are no polygon and no line are left out, with a warning that counts them. So are those of holes.geojson
+// that are no water. Those of one body there that say the same are one feature. Throws BadVectors.
 RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, const LayerRules& rules);
 
 // Warnings of properties that polygons have in vain: their names are near one that has an effect (property_names.h),

@@ -19,10 +19,11 @@ struct VectorBytes {
   std::vector<SideFile> beside = {};
 };
 
-// Reads a file for --water or --area, with what belongs to it: the `.dbf`, `.shx`, `.prj` and `.cpg` of a shapefile,
-// the other files of MapInfo, the schema of GML, all files of a File Geodatabase (a folder `*.gdb`). Suffixes may be in
-// capital letters. Errors as ReadFile; kInvalidArgument for a URL, another folder, and a GeoPackage with changes that
-// are still in its log (`path`-wal), because another program has it open.
+// Reads a file for --water or --area, with the files that belong to it. For a shapefile these are the `.dbf`, `.shx`,
+// `.prj` and `.cpg`. Likewise the other files of MapInfo, the schema of GML, and all files of a File Geodatabase (a
+// folder `*.gdb`). Suffixes may be in capital letters. Errors as ReadFile. kInvalidArgument for a URL and for another
+// folder. The same for a GeoPackage with changes that are still in its log (`path`-wal), because another program has it
+// open.
 absl::StatusOr<VectorBytes> ReadAreaFile(const std::string& path);
 
 // What tells two such files apart: the bytes of a file without others beside it, else all of them with their names.

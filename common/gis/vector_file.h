@@ -1,7 +1,7 @@
 // Polygons and lines that users draw in a GIS or a CAD program, read by GDAL; coordinate systems by PROJ.
 //
-// GDAL brings more than a hundred shared libraries, and reads files of others: these sources are those of a program of
-// their own, which area_file.h starts when a file is to be read (gdal_process.h).
+// GDAL brings more than a hundred shared libraries, and reads files of others. So these sources make a program of their
+// own, which area_file.h starts when a file is to be read (gdal_process.h).
 #ifndef TILEMEND_COMMON_GIS_VECTOR_FILE_H_
 #define TILEMEND_COMMON_GIS_VECTOR_FILE_H_
 
@@ -80,7 +80,7 @@ struct VectorFile {
 // (DXF, DGN) closed lines are polygons and nothing else is read. Other geometries are left out, with one warning that
 // counts them.
 //
-// Formats: GeoJSON, GeoPackage, ESRI Shapefile and File Geodatabase, KML, GML, FlatGeobuf, MapInfo, DXF, DGN; in a ZIP
+// Formats: GeoJSON, GeoPackage, ESRI Shapefile and File Geodatabase, KML, GML, FlatGeobuf, MapInfo, DXF, DGN. In a ZIP
 // archive (or KMZ) all of these but the first two. No other driver of GDAL is registered: none that opens a further
 // file or a URL that its input names.
 //
@@ -88,13 +88,13 @@ struct VectorFile {
 // value of `water`. Those of one `body` that say the same are parts of one feature.
 //
 // What coordinates are. Those of a layer that names its CRS are transformed to the scene's. Others are taken for
-// longitude and latitude (WGS 84), for coordinates of the scene, or of its CRS, in this order, whichever puts the layer
-// into the scene; between the first two the better fit decides. Heights are never transformed: level_m is relative to
-// the origin if coordinates are, else it is a height of the scene's CRS.
+// longitude and latitude (WGS 84), for coordinates of the scene, or of its CRS. The first of these that puts the layer
+// into the scene is taken; between the first two the better fit decides. Heights are never transformed: level_m is
+// relative to the origin if coordinates are, else it is a height of the scene's CRS.
 //
 // Errors: bytes of no such format, a geometry that cannot be read, a ring with fewer than four positions or not
-// closed, a coordinate that is no number or ends up beyond 1e9 m, a property of another type or value, a CRS that is
-// not known, coordinates that cannot be those of this scene (also: that would be, with x and y exchanged).
+// closed. A coordinate that is no number or ends up beyond 1e9 m. A property of another type or value. A CRS that is
+// not known. Coordinates that cannot be those of this scene (also: that would be, with x and y exchanged).
 VectorFile ReadVectors(const VectorRequest& request);
 
 // What is wrong with the CRS of a scene, for people; "" if nothing is, or there is none.

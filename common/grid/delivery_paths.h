@@ -17,9 +17,9 @@ std::string_view DeliveryFormatOf(std::string_view path);
 // folder of its own. "3dtiles": "Data/Tile_+000_-001/Tile_+000_-001.osgb" becomes
 // "Data/Tile_p000_m001/Tile_p000_m001.json", since some servers take "+" in a URI for a blank.
 //
-// kInvalidArgument (FORMAT_NOT_SUPPORTED), with what can be done, for a format that the tiles cannot be written in
-// without loss: 3dtiles are made from OSGB and OBJ, obj from OSGB and 3dtiles, osgb and ply from none. Likewise if two
-// tiles would be written to one folder. O(n log n).
+// Returns kInvalidArgument (FORMAT_NOT_SUPPORTED), with what can be done, if the tiles cannot be written in that format
+// without loss. From OSGB, 3dtiles and obj are made; from OBJ, 3dtiles; from 3dtiles, obj. No tiles are converted to
+// osgb or ply. The same error is returned if two tiles would be written to one folder. O(n log n).
 absl::Status SetDeliveryPaths(std::string_view format, Scene& scene);
 
 // Whether SetDeliveryPaths set any path.

@@ -18,11 +18,11 @@ struct PlacedTile {
 
 // Works out cell size and corner so that cell (c, r) holds tile (c, r). `tiles` is not empty.
 //
-// The pitch along an axis is the median of (difference of bounds) / (difference of index) over tiles near each other,
-// taken from both low and high sides: tiles that are all grown by one overlap, cut along a zigzag or shortened by a
-// hole at their border do not shift it. With one column (row) only, cells are taken as square if the tiles' own extent
-// agrees, else the median extent is the cell size. The results are rounded to the coarsest decimal step that lies
-// within the scatter of the tiles.
+// The pitch along an axis is the median of (difference of bounds) / (difference of index) over tiles near each other.
+// It is taken from both low and high sides. So it does not shift if all tiles are grown by one overlap, cut along a
+// zigzag, or shortened by a hole at their border. With one column (row) only, cells are taken as square if the tiles'
+// own extent agrees, else the median extent is the cell size. The results are rounded to the coarsest decimal step that
+// lies within the scatter of the tiles.
 //
 // kInvalidArgument, naming the tile, if a tile lies mostly outside the cell that its index gives it, or if the indices
 // run against the coordinates. Deterministic for any order of `tiles`. O(n log n).

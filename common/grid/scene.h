@@ -54,9 +54,9 @@ struct Scene {
   std::vector<std::string> warnings;
 };
 
-// Where the surface of a cell is written, relative to the output's folder: the tile's own path, or for a cell without
-// surface SceneTile::output, else tiles/Tile_+CCC_+RRR.ply; in another format SceneTile::delivered. No two cells of a
-// scene that LoadScene returns have the same.
+// Where the surface of a cell is written, relative to the output's folder: the tile's own path. For a cell without
+// surface it is SceneTile::output, else tiles/Tile_+CCC_+RRR.ply; in another format SceneTile::delivered. No two cells
+// of a scene that LoadScene returns have the same.
 std::string OutputPath(const SceneTile& tile);
 
 // An axis-aligned box; lo <= hi in every coordinate.
@@ -90,16 +90,23 @@ using TilesetReader = std::function<absl::StatusOr<TilesetTiles>(const std::stri
 //   SRSOrigin) beside Data.
 //   a tileset of 3D Tiles (tileset.json, or the only .json file that is one): its tilesets Tile_+CCC_+RRR, or
 //   Tile_pCCC_pRRR with p and m for the signs, or tilesets that lie in a grid; else the whole tileset is one cell.
-// scene.json: `cell_size` (number or [x, y]), `cols`, `rows` (1 to 100000), `tiles` [{`col`, `row`, `path`: file or
-// null}]; optional `crs`, `origin` [x, y, z], `grid_corner` [x, y], `area_known` (default true), `area` (a GeoJSON
-// Polygon or MultiPolygon in scene coordinates, or a file name). Other fields are ignored.
+// scene.json has
+//   cell_size    number or [x, y]
+//   cols, rows   1 to 100000
+//   tiles        [{`col`, `row`, `path`: file or null}]
+//   crs          optional, as are all below
+//   origin       [x, y, z]
+//   grid_corner  [x, y]
+//   area_known   default true
+//   area         a GeoJSON Polygon or MultiPolygon in scene coordinates, or a file name
+// Other fields are ignored.
 //
-// For a scene found by name the grid is worked out from the tiles' bounds and indices (all tiles must agree), a warning
-// says what was found, area_known is false, and the numbering is shifted if an index is negative. `read_bounds` is
-// called once for each tile then, and never for a scene with scene.json; it may be empty for those. Errors (kNotFound,
-// kInvalidArgument) name the file and the place: bad JSON, cell_size <= 0 or beyond kMostMetres, a tile listed twice or
-// two tiles for one cell, a path that leaves the folder, a missing tile file, a format that is not read, a file name
-// that is not UTF-8.
+// For a scene found by name the grid is worked out from the tiles' bounds and indices, on which all tiles must agree. A
+// warning says what was found, area_known is false, and the numbering is shifted if an index is negative. Only then
+// `read_bounds` is called, once for each tile; for a scene with scene.json it may be empty. Errors (kNotFound,
+// kInvalidArgument) name the file and the place. Faults are bad JSON, cell_size <= 0 or beyond kMostMetres, a tile
+// listed twice or two tiles for one cell. Also a path that leaves the folder, a missing tile file, a format that is not
+// read, a file name that is not UTF-8.
 absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds,
                                 const TilesetReader& read_tileset = nullptr);
 

@@ -28,8 +28,8 @@ struct WaterArea {
   std::vector<Point2> centreline = {};         // of a river, in either direction; empty or at least two points
   std::string label = {};                      // of the feature in the file, for people
   WaterKind kind = WaterKind::kUnsaid;         // kRiver has no level, kLake no centreline, both have water
-  // Surface inside is taken out before holes are looked for: of water what stands no higher than clear_height above the
-  // level; where `water` is false everything.
+  // Surface inside is taken out before holes are looked for. Of water that is what stands no higher than clear_height
+  // above the level; if `water` is false, everything.
   bool clear = false;
   double clear_height = kClearHeight;
   // How far the surface inside that is taken out scatters about `level`, metres, where that was measured on it

@@ -15,8 +15,8 @@ struct WaterProfile {
   double least_level;  // m2: smaller holes with a level rim are filled like the surface around them
 };
 
-// The default first. usgs: the thresholds of the USGS Lidar Base Specification 2024, "Hydro-flattening": ponds and
-// lakes of 2 acres (8,000 m2), rivers 100 feet (30 m) wide.
+// The default first. "usgs" has the thresholds of the USGS Lidar Base Specification 2024, "Hydro-flattening". They are
+// ponds and lakes of 2 acres (8,000 m2), rivers 100 feet (30 m) wide.
 inline constexpr WaterProfile kWaterProfiles[] = {{"city", 1000, 6, 100}, {"usgs", 8000, 30, 8000}};
 
 // nullptr: there is none of this name.

@@ -15,12 +15,12 @@ namespace tilemend {
 
 // A uniform grid of square bins over a box; each bin lists the things whose boxes meet it, by their numbers, rising.
 // What lies outside the grid counts to the nearest bins. Building is linear in the entries (a thing has one in every
-// bin that it meets); memory is 4 bytes an entry and a bin. Deterministic; exact up to which bin a coordinate within a
-// rounding error of a line falls in, so that a search must not depend on that.
+// bin that it meets); memory is 4 bytes an entry and a bin. Deterministic. It is exact but for coordinates within a
+// rounding error of a line. Their bin may be either, so a search must not depend on that.
 class BinGrid {
  public:
-  // Bins of `step` metres over `extent` (not empty) for things 0 to count - 1; box_of(i) is thing i's
-  // Eigen::AlignedBox2d. step > 0, and the bins must be fewer than 2^31.
+  // Bins of `step` metres over `extent` (not empty) for things 0 to count - 1. The box of thing i is box_of(i), an
+  // Eigen::AlignedBox2d. Preconditions: step > 0, and the bins are fewer than 2^31.
   template <typename BoxOf>
   BinGrid(const Eigen::AlignedBox2d& extent, double step, int32_t count, const BoxOf& box_of);
 
@@ -34,8 +34,8 @@ class BinGrid {
     return BinAt(p.y() - lo_.y(), rows_) * columns_ + BinAt(p.x() - lo_.x(), columns_);
   }
 
-  // Calls visit(bin, things) for every bin that `box` meets, rising. A thing comes in all of its bins; to take it once,
-  // take it in BinOf the lower corner of what its box has in common with `box`.
+  // Calls visit(bin, things) for every bin that `box` meets, rising. A thing is passed in all of its bins. To take it
+  // once, take it in BinOf the lower corner of what its box has in common with `box`.
   template <typename Visit>
   void ForBins(const Eigen::AlignedBox2d& box, const Visit& visit) const;
 

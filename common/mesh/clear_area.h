@@ -18,12 +18,12 @@ struct ClearArea {
 };
 
 // A triangle goes if more than this share of it, seen from above, lies in the polygon. Triangles are not cut, so along
-// the outline some surface stays inside and some goes outside: the smaller the share, the less of the one and the more
-// of the other. docs/decisions/2026-11-26-clear-polygons.md has the experiment.
+// the outline some surface stays inside and some goes outside. The smaller the share, the less stays and the more goes.
+// The experiment is in docs/decisions/2026-11-26-clear-polygons.md.
 inline constexpr double kClearedShare = 0.1;
 
 // For each triangle the first area that takes it out, or -1 if it stays. An area takes out a triangle that has no
-// corner above `top` and more than kClearedShare of which lies in the polygon; the share is measured at 36 points.
+// corner above `top` and more than kClearedShare of which lies in the polygon. The share is measured at 36 points.
 // Pure. Cost O(n + points of the polygons) for n triangles, plus O(sqrt(points)) for each triangle near a polygon.
 std::vector<int32_t> AreasThatClear(const TriMesh& mesh, std::span<const ClearArea> areas);
 

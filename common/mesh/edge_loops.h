@@ -22,16 +22,17 @@ struct EdgeWalk {
   bool closed = false;  // a loop: the last edge runs on into the first
 };
 
-// Of several edges that leave the vertex where `edge` ends: the one that it runs on into. `candidates` are those not
-// walked yet and, if it leaves there, the first edge of the walk, which closes it; rising, at least one.
+// Of several edges that leave the vertex where `edge` ends: the one that it runs on into. `candidates` are the edges
+// not walked yet. The first edge of the walk is one of them too if it leaves there; it closes the walk. They are
+// rising, and at least one.
 using ChooseEdge = std::function<int32_t(int32_t edge, std::span<const int32_t> candidates)>;
 
-// Walks along all edges, each once. An edge runs on into the one that follows it in the list if that begins where it
-// ends, else into the first in the list that does and is not walked yet. So a loop that the list has in one piece stays
-// one, however often it passes a vertex.
+// Walks along all edges, each once. An edge runs on into the one that follows it in the list, if that begins where it
+// ends. Else it runs on into the first in the list that begins there and is not walked yet. So a loop that the list has
+// in one piece stays one, however often it passes a vertex.
 //
-// The walks begin with the chains, each at an edge that none leads to, in order of these; then come the loops, each
-// from the lowest edge that is left. If as many edges leave every vertex as arrive at it, all walks are closed; else a
+// The walks begin with the chains, each at an edge that none leads to, in order of these. Then come the loops, each
+// from the lowest edge that is left. If as many edges leave every vertex as arrive at it, all walks are closed. Else a
 // walk may also end, open, where all edges that leave are walked already.
 //
 // Vertices are any numbers. Cost O(n log n), and for each vertex the square of its edges. Deterministic: depends on the
@@ -45,9 +46,9 @@ std::vector<EdgeWalk> LinkEdges(std::span<const DirectedEdge> edges, const Choos
 // into the same one. Cost O(n).
 std::vector<EdgeWalk> FollowEdges(std::span<const int32_t> next);
 
-// A loop that passes corners more than once, as loops that do not: a part between two passages that has no other such
-// is a loop, and the rest goes on without it. A way there and back is a loop of two. Cost O(n log n). Corner: anything
-// in an order.
+// Cuts a loop that passes corners more than once into loops that do not. A part between two passages that has no other
+// such is a loop, and the rest goes on without it. A way there and back is a loop of two. Cost O(n log n). Corner:
+// anything in an order.
 template <typename Corner>
 std::vector<std::vector<Corner>> CutWhereItTouches(std::span<const Corner> loop) {
   std::vector<std::vector<Corner>> loops;

@@ -27,14 +27,14 @@ inline constexpr double kAreaUnit = 1e-6;  // m2
 // Cost as AreasThatClear.
 HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon);
 
-// The half-sample mode (Bickel and Fruehwirth 2006, "On a fast, robust estimator of the mode"), weighted by area: the
-// shortest interval that holds half of the area, and of that again, until it is at most three bins long; then its
-// weighted mean. nullopt for an empty tally. Deterministic. Cost O(bins log bins).
+// The half-sample mode (Bickel and Fruehwirth 2006, "On a fast, robust estimator of the mode"), weighted by area. It
+// takes the shortest interval that holds half of the area, and of that again, until it is at most three bins long. The
+// result is the weighted mean of the last one, or nullopt for an empty tally. Deterministic. Cost O(bins log bins).
 std::optional<double> HalfSampleMode(const HeightTally& tally);
 
-// How far the heights up to `top` scatter about a level: 1.4826 times the distance that half of their area lies within,
-// the standard deviation of normal heights (metres, whole bins). 0 where no height is up to there. Cost O(bins log
-// bins).
+// How far the heights up to `top` scatter about a level, in metres (whole bins). It is 1.4826 times the distance that
+// half of their area lies within: the standard deviation of normal heights. Where no height is up to there it is 0.
+// Cost O(bins log bins).
 double SpreadAbout(const HeightTally& tally, double level, double top);
 
 }  // namespace tilemend

@@ -1,7 +1,7 @@
 // Integer points and exact predicates for planar triangulation.
 //
 // All topology is decided on integers: no epsilon, no rounding, the same answer on every machine. A window of the plane
-// is mapped to a local lattice of at most 2^28 steps a side; with coordinates below 2^29 in magnitude the in-circle
+// is mapped to a local lattice of at most 2^28 steps a side. With coordinates below 2^29 in magnitude the in-circle
 // determinant stays below 2^127, so 128-bit integers hold it exactly.
 #ifndef TILEMEND_COMMON_MESH_LATTICE_H_
 #define TILEMEND_COMMON_MESH_LATTICE_H_
@@ -30,8 +30,7 @@ int InCircle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d);
 class LatticeWindow {
  public:
   // The finest window that holds the box [lo, hi], grown by 1/16 of its larger side. lo <= hi. The window depends on
-  // the box alone, so equal boxes give equal lattices; of a box that is 2^k times as large the step is 2^k times as
-  // long.
+  // the box alone, so equal boxes give equal lattices. If a box is 2^k times as large, the step is 2^k times as long.
   LatticeWindow(const Point2& lo, const Point2& hi);
 
   double step() const { return step_; }

@@ -19,8 +19,8 @@ struct OutlineCrossing {
   Point2 at{0, 0};
 };
 
-// The first crossing, by x, of two edges of the polygon; none if they touch at most, or pass each other by no more than
-// 1e-9 of the coordinates' size, which is what transformations leave. Cost O(n log n + pairs of edges that share an x).
+// The first crossing, by x, of two edges of the polygon. None if they only touch, or pass each other by at most 1e-9 of
+// the coordinates' size, which is what transformations leave. Cost O(n log n + pairs of edges that share an x).
 std::optional<OutlineCrossing> FindCrossing(const PlanePolygon& polygon);
 
 // For people: "ring 0 crosses itself at (3, 4), where the edges from positions 1 and 3 meet".

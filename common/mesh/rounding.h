@@ -25,9 +25,9 @@ inline Point3 RoundedToLattice(const Point3& p, double step) {
 
 // The double that a file of `type` gives back for `value`.
 //
-// The store to memory is needed: g++ 12 at -O2 turns neighbouring `double(float(x))` into nothing when it vectorises
-// them (a[0] = double(float(a[0])); a[1] = double(float(a[1])); leaves `a` as it was), Eigen's
-// cast<float>().cast<double>() included.
+// The store to memory is needed. Compiled by g++ 12 at -O2, neighbouring `double(float(x))` do nothing when they are
+// vectorised: a[0] = double(float(a[0])); a[1] = double(float(a[1])); leaves `a` as it was. The same goes for Eigen's
+// cast<float>().cast<double>().
 inline double RoundedTo(NumberType type, double value) {
   if (type == NumberType::kFloat64) return value;
   volatile float rounded = static_cast<float>(value);

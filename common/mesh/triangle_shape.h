@@ -36,7 +36,7 @@ inline double TriangleQuality(const Point3& a, const Point3& b, const Point3& c)
   return divisor > 0 ? 4 * area2 * area2 / divisor : 0;
 }
 
-// A smoother measure of the same, to be made as large as possible: 4 sqrt(3) area / sum of squared edges, 1 if
+// A smoother measure of the same, to be made as large as possible: 4 sqrt(3) area / sum of squared edges. It is 1 if
 // equilateral, NaN if all corners are one. (Bank and Smith 1997; not negative in space, but with the sign of the area
 // that is given to the second form.)
 inline double TriangleShape(double twice_area, double squared_edges) {

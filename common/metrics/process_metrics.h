@@ -29,8 +29,8 @@ class ProcessMetrics {
   Gauge* memory_limit_;
 };
 
-// The least of the machine's memory and the limits of the control group that the process is in and of those around it,
-// of version 2 and 1. `groups` says which group that is, as proc(5) does; `folder` is where groups are seen.
+// The least of the machine's memory and of the limits of control groups, version 2 and 1: the process's own group and
+// those around it. The file `groups` says which group that is, as proc(5) does; `folder` is where groups are seen.
 double MemoryLimitBytes(const std::string& groups = "/proc/self/cgroup", const std::string& folder = "/sys/fs/cgroup");
 
 }  // namespace tilemend

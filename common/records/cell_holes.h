@@ -14,8 +14,8 @@
 
 namespace tilemend {
 
-// A vertex on the boundary of a hole: an original vertex of some tile (often this cell's own; a neighbour's where the
-// hole closes on the neighbour's border), or a seam vertex that the plan made.
+// A vertex on the boundary of a hole: an original vertex of some tile, or a seam vertex that the plan made. The tile is
+// often the cell's own; it is a neighbour's if the hole closes on the neighbour's border.
 struct RimVertex {
   CellId tile;               // whose vertex it is; meaningless for a seam vertex
   int32_t index = -1;        // in that tile; -1: a seam vertex

@@ -18,8 +18,8 @@ struct FillColour {
   bool is_water = false;
 };
 
-// How materials of filled faces are called, in every tile. The colour is part of it, so that the materials of an output
-// that is filled once more do not get in the way of the new ones.
+// How materials of filled faces are called, in every tile. The colour is part of the name. So if an output is filled
+// once more, its materials do not get in the way of the new ones.
 inline std::string MaterialName(const FillColour& colour) {
   return "tilemend_fill_" + std::to_string(colour.group) + "_" + ColourText(colour.colour).substr(1);
 }

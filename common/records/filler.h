@@ -122,8 +122,8 @@ struct FillerOptions {
   int32_t most_work = 100;  // [1, 1000000]
   // Of Sun 2012, eq. 5: eta, metres. None: half the new edge, with which the new vertex lies on the osculating circle.
   std::optional<double> bend = {};  // [0, 10000]
-  // Of Xu 2014: edges of the rim longer than this many mean ones are split (3.1: k), the rings of the surface that are
-  // learnt from (3.3: k), gamma of eq. 11, the width of the kernel in mean edges of the rim.
+  // Of Xu 2014. Edges of the rim longer than this many mean ones are split (3.1: k). Next are the rings of the surface
+  // that are learnt from (3.3: k) and gamma of eq. 11. Last is the width of the kernel in mean edges of the rim.
   double long_edge = 1.5;  // [1, 100]
   LaplacianScale scale = LaplacianScale::kArea;
   int32_t rings = 3;         // [1, 20]

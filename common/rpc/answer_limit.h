@@ -1,7 +1,7 @@
 // An end to calls whose answer nobody takes.
 //
-// A thread of gRPC's holds a call until its answer is on the way, and a caller that reads nothing holds the thread: as
-// many of them as the server has calls at once, and nobody else is served.
+// A thread of gRPC holds a call until its answer is on the way, so a caller that reads nothing holds the thread. As
+// many such callers as the server has calls at once, and nobody else is served.
 #ifndef TILEMEND_COMMON_RPC_ANSWER_LIMIT_H_
 #define TILEMEND_COMMON_RPC_ANSWER_LIMIT_H_
 
@@ -40,8 +40,9 @@ class AnswerLimit {
   std::map<const void*, Call> calls_;
 };
 
-// While a server of the process runs: calls end half a minute after their handler, which is as long as our own callers
-// wait, or half a minute after they began if no Handling is told of. Made before the first server of the process.
+// Works while a server of the process runs. Calls end half a minute after their handler, which is as long as our own
+// callers wait. If no Handling is reported, they end half a minute after they began. Made before the first server of
+// the process.
 class AnswerWatch {
  public:
   AnswerWatch();

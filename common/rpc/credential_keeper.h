@@ -1,6 +1,6 @@
-// Certificates, keys and tokens as they last were in order. What reads them by itself again and again (gRPC, OpenSSL,
-// the sender of tokens) reads them here: a file that is replaced by something else, removed, or written just now
-// changes nothing and is told in the log.
+// Certificates, keys and tokens as they last were in order. Programs that read such files again and again by themselves
+// (gRPC, OpenSSL, the sender of tokens) read them here. A file that is replaced by something else, removed, or written
+// just now changes nothing; the log says so.
 #ifndef TILEMEND_COMMON_RPC_CREDENTIAL_KEEPER_H_
 #define TILEMEND_COMMON_RPC_CREDENTIAL_KEEPER_H_
 
@@ -22,7 +22,7 @@
 
 namespace tilemend {
 
-// A text in memory at a path of the process's own, where it always stands whole: a new text takes the place of the old
+// A text in memory at a path of the process's own, where it always stands whole. A new text takes the place of the old
 // one in one step, and its file has another time of change. Not thread-safe but for those who read the file.
 class KeptText {
  public:

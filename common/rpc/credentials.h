@@ -49,14 +49,14 @@ Security SecurityFromFlags(const Flags& flags);
 // of ReadOwnFile. They speak of the files by the paths of `names`, and of nothing that stands in them.
 absl::Status CheckTlsFiles(const TlsFiles& files, const TlsFiles& names);
 
-// kInvalidArgument if a file is missing or is not what it should be, if key and certificate do not belong together, or
-// if plain text would leave this machine: `address` (HOST:PORT) is no loopback address, and there is neither TLS nor
-// --insecure.
+// Returns kInvalidArgument if a file is missing or is not what it should be, or if key and certificate do not belong
+// together. The same if plain text would leave this machine: `address` (HOST:PORT) is no loopback address, and there is
+// neither TLS nor --insecure.
 absl::Status CheckServerSecurity(const Security& security, const std::string& address);
 absl::Status CheckChannelSecurity(const Security& security, const std::string& address);
 
-// The token that a file holds, without the blanks around it. kInvalidArgument unless it is one word of printable ASCII
-// of at most 4096 letters: gRPC ends the process for a call with anything else. Errors of ReadOwnFile.
+// The token that a file holds, without the blanks around it. Returns kInvalidArgument unless it is one word of
+// printable ASCII of at most 4096 letters: gRPC ends the process for a call with anything else. Errors of ReadOwnFile.
 absl::StatusOr<std::string> ReadToken(const std::string& file);
 
 // For files that passed the check. They are looked at again every few seconds: connections that are made later have

@@ -23,8 +23,8 @@ class RpcServer {
  public:
   // Listens on `listen` ("HOST:PORT", port 0 takes a free one) or, if it is empty, only in process. Answers the
   // standard health check and reflection. kInvalidArgument for a malformed address, kUnavailable if the address cannot
-  // be had. Connections, calls at once, what a connection may keep the server waiting for and how long an answer may
-  // wait to be taken are bounded; beyond that connections are closed and calls fail with kResourceExhausted.
+  // be had. Connections and calls at once are bounded. So are the times that a connection may keep the server waiting
+  // and that an answer may wait to be taken. Beyond that connections are closed and calls fail with kResourceExhausted.
   static absl::StatusOr<std::unique_ptr<RpcServer>> Start(const std::string& listen,
                                                           const std::vector<grpc::Service*>& services,
                                                           const TlsFiles& tls = {});
@@ -53,9 +53,9 @@ absl::Status CheckAddress(const std::string& address);
 // `address` with another port: where it is known, that of a server that chose one.
 std::string WithPort(const std::string& address, int port);
 
-// For the start of main. Opens standard streams that are closed (OpenStandardStreams), raises the limit of open files
-// as far as allowed, keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise, and protobuf's, and ends the
-// process in order where it runs short (EndOnShortage).
+// For the start of main. Opens standard streams that are closed (OpenStandardStreams), and raises the limit of open
+// files as far as allowed. Keeps gRPC's own log quiet unless GRPC_VERBOSITY says otherwise, and protobuf's. From then
+// on the process ends in order where it runs short (EndOnShortage).
 void PrepareProcess();
 
 }  // namespace tilemend

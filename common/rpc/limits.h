@@ -9,8 +9,8 @@
 
 namespace tilemend {
 
-// Grows with every change after which a coordinator and a worker of before and after it would not understand each
-// other, or would give other bytes: one output is the work of one release.
+// Grows with every change that makes a coordinator and a worker of before and after it not understand each other, or
+// give other bytes. One output is the work of one release.
 inline constexpr int32_t kProtocolVersion = 6;
 
 // Bytes of a blob in one message of a stream.

@@ -1,5 +1,5 @@
 // What a program tells the service manager that runs it (systemd, Type=notify): that it is ready, what it does, that it
-// is alive, that it ends. Where there is none, nothing happens.
+// is alive or ends. Where there is none, nothing happens.
 #ifndef TILEMEND_COMMON_SERVICE_SERVICE_NOTIFIER_H_
 #define TILEMEND_COMMON_SERVICE_SERVICE_NOTIFIER_H_
 

@@ -1,14 +1,14 @@
 // Content-addressed blobs in a folder: border profiles, bands, samples and patches between the stages.
 //
-// A blob's name is the SHA-256 of its bytes, so that a blob never changes, putting the same bytes twice is the same as
-// once, and a retry cannot overwrite another attempt's result. Blob abcdef... lies in <folder>/ab/cdef....
+// A blob's name is the SHA-256 of its bytes, so a blob never changes. Putting the same bytes twice is the same as once,
+// and a retry cannot overwrite another attempt's result. Blob abcdef... lies in <folder>/ab/cdef....
 //
 //   TILEMEND_ASSIGN_OR_RETURN(BlobStore store, BlobStore::Open(folder));
 //   TILEMEND_ASSIGN_OR_RETURN(const std::string digest, store.Put(bytes));
 //   TILEMEND_ASSIGN_OR_RETURN(const std::string same, store.Get(digest));
 //
 // Thread-safe, also between processes on one folder: a blob appears whole or not at all. Blobs are not synced to the
-// disk: one that a power cut tore is found by its digest (kDataLoss) and is made again by the stage that put it.
+// disk. One that a power cut tore is found by its digest (kDataLoss), and the stage that put it makes it again.
 #ifndef TILEMEND_COMMON_STORE_BLOB_STORE_H_
 #define TILEMEND_COMMON_STORE_BLOB_STORE_H_
 
@@ -29,8 +29,8 @@ class BlobStore {
   // Stores `bytes` and returns their digest. kResourceExhausted (disk full), kPermissionDenied, kInternal.
   absl::StatusOr<std::string> Put(std::string_view bytes) const;
 
-  // The bytes of the blob. kNotFound; kDataLoss if the bytes on the disk are not those that were put; kInvalidArgument
-  // if `digest` is no digest (here and below).
+  // The bytes of the blob. Errors: kNotFound, kDataLoss if the bytes on the disk are not those that were put,
+  // kInvalidArgument if `digest` is no digest (here and below).
   absl::StatusOr<std::string> Get(const std::string& digest) const;
 
   absl::StatusOr<bool> Contains(const std::string& digest) const;

@@ -8,13 +8,14 @@
 
 namespace tilemend {
 
-// Size, number and times of a regular file as it is now: who reads the file after that knows what it held while it has
-// this stamp. The time of the last change of its entry is among them, which no program can set. "" if that is less than
-// two seconds ago (another change may then leave no trace, as times are coarse), or there is no such file.
+// Size, number and times of a regular file as it is now. A caller that reads the file after that knows its content as
+// long as the file has this stamp. The time of the last change of its entry is among them, which no program can set.
+// Returns "" if there is no such file, or if that is less than two seconds ago. Times are coarse, so another change may
+// then leave no trace.
 std::string StampOf(const std::string& path, absl::Time now);
 
-// The same of a file that has just been put there, however young: a change within the next tick of the file system's
-// clock (some milliseconds, on few 2 s) may leave no trace.
+// The same of a file that has just been put there, however young. A change within the next tick of the file system's
+// clock may leave no trace: some milliseconds, on few 2 s.
 std::string YoungStampOf(const std::string& path);
 
 // Whether the file still has a stamp that is not "". It has not after a hard link to it was made.

@@ -10,8 +10,8 @@
 
 namespace tilemend {
 
-// A SHA-256 over the size of a regular file and its first and last 64 KiB: two machines that see the same file get the
-// same, and copies of it as well. Errors as ReadFile.
+// A SHA-256 over the size of a regular file and its first and last 64 KiB. It is the same on all machines that see the
+// file, and for copies of it. Errors as ReadFile.
 absl::StatusOr<std::string> FingerprintOf(const std::string& path);
 
 // FileDigest of a whole file; holds a quarter of a MiB of it at a time. Errors as ReadFile.

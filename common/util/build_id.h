@@ -5,9 +5,10 @@
 
 namespace tilemend {
 
-// 16 hexadecimal digits that stand for all that results depend on beside their inputs: the sources of coordinator and
-// worker, the compiler, its flags and the releases of the libraries that are compiled in. All programs of one build
-// have the same, and so have builds of the same sources in the same way on other machines (cmake/build_id.cmake).
+// Stands for all that results depend on beside their inputs, in 16 hexadecimal digits. These are the sources of
+// coordinator and worker, the compiler, its flags and the releases of the libraries that are compiled in. All programs
+// of one build have the same, and so have builds of the same sources in the same way on other machines
+// (cmake/build_id.cmake).
 std::string BuildId();
 
 }  // namespace tilemend

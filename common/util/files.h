@@ -41,19 +41,20 @@ enum class Sync { kYes, kNo };
 // leaves such a file behind.
 inline constexpr char kPartSuffix[] = ".part-";
 
-// Writes `content` beside `path` under a temporary name, syncs it (unless `sync` is kNo) and renames it into place: a
-// reader sees the old file or the whole new one. Creates missing parent folders. kPermissionDenied, kInvalidArgument (a
-// path below a file, onto a folder, too long), kResourceExhausted (disk full), kInternal; after an error nothing is
-// left behind but folders.
+// Writes `content` beside `path` under a temporary name, syncs it (unless `sync` is kNo) and renames it into place. So
+// a reader sees the old file or the whole new one. Creates missing parent folders. Errors: kPermissionDenied,
+// kInvalidArgument (a path below a file, onto a folder, too long), kResourceExhausted (disk full), kInternal. After an
+// error nothing is left behind but folders.
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync = Sync::kYes);
 
-// How a file gets to another place. kCopy: a file of its own, which shares its blocks with the other until one of them
-// is changed, on file systems that can. kLink: a hard link, one file under two names; a copy where there can be none.
+// How a file gets to another place. With kCopy it is a file of its own. On file systems that can, it shares its blocks
+// with the other until one of them is changed. With kLink it is a hard link, one file under two names; a copy where
+// there can be none.
 enum class Carry { kCopy, kLink };
 
 // Puts a file with the content of `from` at `to`, at once or not at all, in place of what is there, a link itself.
-// Creates missing parent folders. `from` stays as it is. kNotFound and kInvalidArgument for `from`, which is to be a
-// regular file; kInvalidArgument if `to` is `from`; else as WriteFileAtomically.
+// Creates missing parent folders. `from` stays as it is. Returns kNotFound and kInvalidArgument for `from`, which must
+// be a regular file, and kInvalidArgument if `to` is `from`. Other errors as WriteFileAtomically.
 absl::Status CarryFile(const std::string& from, const std::string& to, Carry how);
 
 // For files whose folder must be there, and that nobody else writes: no temporary name, and no folder is made.

@@ -35,8 +35,8 @@ struct FlagSpec {
 // What was given. Asking for a flag that is not in the table is a programmer's mistake and gives "".
 class Flags {
  public:
-  // kInvalidArgument for an unknown flag (with the nearest name), a missing value, a value for a switch.
-  // `settings`: values by name, for what `words` do not give.
+  // Returns kInvalidArgument for an unknown flag (with the nearest name), a missing value, a value for a switch. The
+  // `settings` are values by name, for what `words` do not give.
   static absl::StatusOr<Flags> Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
                                      const std::map<std::string, std::string>& settings = {});
 

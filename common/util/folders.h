@@ -1,5 +1,6 @@
-// Folders and what lies in them: looked at, listed, made and removed. In a process that keeps to some folders (roots.h)
-// all of that is relative to them: what a path or a link leads out to is as if it was not there, and stays as it is.
+// Folders and what lies in them: looked at, listed, made and removed. In a process that is confined to some folders
+// (roots.h) all of that is relative to them. What a path or a link leads out to is treated as missing, and stays as it
+// is.
 #ifndef TILEMEND_COMMON_UTIL_FOLDERS_H_
 #define TILEMEND_COMMON_UTIL_FOLDERS_H_
 

@@ -9,9 +9,9 @@ namespace tilemend {
 // at most as many as there are cores, and all the others together. Without effect where the C library is not glibc.
 void KeepHeap(int threads);
 
-// For a process of many threads of which few take much memory, each for a while: they share what is kept, at most 16
-// MiB beyond what is in use, and blocks of 1 MiB and more are given back as soon as they are freed. Without effect
-// where the C library is not glibc.
+// For a process of many threads of which few take much memory, each for a while. They share what is kept, at most 16
+// MiB beyond what is in use. Blocks of 1 MiB and more are given back as soon as they are freed. Without effect where
+// the C library is not glibc.
 void ShareHeap();
 
 // Gives freed memory back to the system after all: for when there is nothing more to do for a while.

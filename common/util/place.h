@@ -35,8 +35,8 @@ class Descriptor {
 // As open(2), below the roots. -1 with errno, which is EXDEV for what is not below them.
 int OpenKept(const std::string& path, int flags, mode_t mode = 0);
 
-// The folder that holds a path, opened, and the path's name in it: for the calls that end in -at, which follow no link
-// in a name. Where nothing is confined, the path as it is.
+// The folder that holds a path, opened, and the path's name in it. It is for the calls that end in -at, which follow no
+// link in a name. Where nothing is confined, the path as it is.
 struct Place {
   explicit Place(const std::string& path);
   bool ok() const { return !confined || folder.get() >= 0; }

@@ -12,8 +12,8 @@ std::filesystem::path RealPath(const std::filesystem::path& path);
 // The same, but what is named itself may be a link: where a file is put that is renamed to `path`.
 std::filesystem::path RealPlace(const std::filesystem::path& path);
 
-// Whether a file with the content of `from` that is renamed to `to` would take the place of that file, or of the link
-// to it that `from` is. A link at `to` is replaced itself.
+// Whether a file with the content of `from`, renamed to `to`, would take the place of `from`. That is either the file,
+// or the link to it. A link at `to` is replaced itself.
 bool TakesThePlaceOf(const std::filesystem::path& from, const std::filesystem::path& to);
 
 // Whether `path` is `folder` or lies below it. Both are real.

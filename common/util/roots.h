@@ -17,19 +17,19 @@ namespace tilemend {
 // Thread-safe. Needs Linux 5.6 (openat2).
 class Roots {
  public:
-  // Absolute paths of folders. They are what the names lead to now, however the links in them change. kInvalidArgument
-  // for a path that is not absolute, kNotFound, kUnimplemented for an older kernel.
+  // Absolute paths of folders. They are what the names lead to now, however the links in them change. Errors:
+  // kInvalidArgument for a path that is not absolute, kNotFound, kUnimplemented for an older kernel.
   static absl::StatusOr<std::shared_ptr<const Roots>> Open(const std::vector<std::string>& folders);
   ~Roots();
   Roots(const Roots&) = delete;
   Roots& operator=(const Roots&) = delete;
 
-  // As open(2). -1 with EXDEV for a path that is not below a root or that a link (an absolute one always) leads out of
-  // it.
+  // As open(2). It is -1 with EXDEV for a path that is not below a root, or that a link leads out of it. An absolute
+  // link always does.
   int OpenFile(const std::string& path, int flags, mode_t mode = 0) const;
 
-  // For a path that need not be there yet. kPermissionDenied (OUTSIDE_ROOTS) if it is not below a root, or what is
-  // there of it leads out.
+  // For a path that need not be there yet. Returns kPermissionDenied (OUTSIDE_ROOTS) if it is not below a root, or the
+  // part of it that exists leads out.
   absl::Status Check(const std::string& path) const;
 
  private:

@@ -22,8 +22,9 @@ using Environment = std::function<const char*(const char*)>;
 
 // What stands in the environment and in the file for the flags whose `setting` is true; of a switch "true" alone.
 // Without TILEMEND_CONFIG the file is `usual_file`, which need not be there. A line of the file for another flag of
-// tilemend is passed over, since several programs and commands share it; kInvalidArgument names the line if it is none
-// at all, if its name is nearly that of one of these flags, or for a switch that is neither true nor false.
+// tilemend is passed over, since several programs and commands share it. Returns kInvalidArgument, with the line, if it
+// is none at all, or if its name is nearly that of one of these flags. The same for a switch that is neither true nor
+// false.
 absl::StatusOr<Settings> ReadSettings(const std::vector<FlagSpec>& specs, const std::string& usual_file,
                                       const Environment& environment);
 

@@ -6,9 +6,10 @@
 
 namespace tilemend {
 
-// For the start of main. An exception of that kind that nobody catches (std::bad_alloc, std::system_error) and an abort
-// of a library while the system gives neither end the process with a line on stderr and kExitRetryable. Every other
-// abort stays one. A write beyond a limit of file sizes (`ulimit -f`) fails, in place of the process.
+// For the start of main. An exception of a shortage that nobody catches (std::bad_alloc, std::system_error) ends the
+// process with a line on stderr and kExitRetryable. So does an abort of a library while the system gives no memory or
+// no threads. Every other abort stays one. A write beyond a limit of file sizes (`ulimit -f`) fails, in place of the
+// process.
 void EndOnShortage();
 
 // A folder that goes away, with all that is in it, when the process ends so; "" for none. Of several calls the last one

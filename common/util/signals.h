@@ -16,8 +16,8 @@ class SignalWatcher {
   SignalWatcher(const SignalWatcher&) = delete;
   SignalWatcher& operator=(const SignalWatcher&) = delete;
 
-  // From now on, calls `on_signal` with 1 for the first signal (which may have come before), 2 for the second, and so
-  // on, on a thread of its own. Once.
+  // From now on, calls `on_signal` on a thread of its own. The argument is 1 for the first signal (which may have come
+  // before), 2 for the second, and so on. Once.
   void Start(std::function<void(int count)> on_signal);
   // No call begins after it returns; waits for one that runs. Signals stay blocked. The destructor does it too; it
   // drops signals that came since.

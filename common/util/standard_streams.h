@@ -8,7 +8,7 @@
 
 namespace tilemend {
 
-// For the start of main. A stream that is closed (`>&-`) becomes /dev/null: else the first file that the program opens
+// For the start of main. A stream that is closed (`>&-`) becomes /dev/null. Else the first file that the program opens
 // gets its number, and what is printed is written into that file.
 void OpenStandardStreams();
 

@@ -12,15 +12,15 @@ namespace tilemend {
 // Whether `text` is well-formed UTF-8 (no surrogates, no overlong forms, at most U+10FFFF).
 bool IsUtf8(std::string_view text);
 
-// How many columns of a terminal `text` takes, which is UTF-8 without control characters: two for ideographs and the
-// like, none for marks that combine with the character before them.
+// How many columns of a terminal `text` takes, which is UTF-8 without control characters. It is two for ideographs and
+// the like, none for marks that combine with the character before them.
 size_t ColumnsOf(std::string_view text);
 
 // The longest beginning of `text` with no more columns.
 std::string CutToColumns(std::string_view text, size_t columns);
 
-// `text` or, if it has more columns, its two ends with "..." between them; most of it is the second end, where paths
-// and names differ.
+// Returns `text` or, if it has more columns, its two ends with "..." between them. Most of it is the second end, where
+// paths and names differ.
 std::string SqueezedTo(std::string_view text, size_t columns);
 
 // `text` or, if it has more than `most` bytes (at least 5), its two ends with " ... " between them.

@@ -1,7 +1,7 @@
 // The files of a tile: one mesh file, or a tree of files with levels of detail.
 //
 // A tile whose path ends in .osgb is a tree: its file names finer files in the same folder, these still finer ones. All
-// .osgb files of that folder are the tile's then. A tile whose path ends in .json is a tileset of 3D Tiles: all .json,
+// .osgb files of that folder are the tile's then. A tile whose path ends in .json is a tileset of 3D Tiles. All .json,
 // .b3dm, .glb and image files in its folder and below are the tile's. No other tile may lie there.
 #ifndef TILEMEND_COMMON_UTIL_TILE_FILES_H_
 #define TILEMEND_COMMON_UTIL_TILE_FILES_H_
@@ -28,8 +28,8 @@ bool IsTreeFile(std::string_view path);
 bool IsFileOfTree(std::string_view tile, std::string_view path);
 
 // The names of the files of a tile, relative to its folder: its own first, the others sorted. Of a mesh file: its own
-// alone. Hidden files and folders, and links to folders, are left out. kResourceExhausted for more than 10,000 files,
-// or folders more than 16 deep; errors of ListFolder.
+// alone. Hidden files and folders, and links to folders, are left out. Returns kResourceExhausted for more than 10,000
+// files, or folders more than 16 deep. Errors of ListFolder.
 absl::StatusOr<std::vector<std::string>> FilesOfTile(const std::string& path);
 
 // Where a tileset stands: the matrix from the frame of its root's parent to that of the scene, 16 numbers column by

@@ -27,8 +27,8 @@ struct GltfContainer {
 // kInvalidArgument with `name` and byte offset for malformed input and for glTF 1.0. The JSON chunk may have 32 MiB.
 absl::StatusOr<GltfContainer> ParseGltfContainer(std::string_view bytes, const std::string& name);
 
-// The file with another JSON, and with `added` behind the binary chunk, which begins at a multiple of 4.
-// kInvalidArgument if it would be over 4 GiB.
+// The file with another JSON, and with `added` behind the binary chunk, at a multiple of 4. kInvalidArgument if it
+// would be over 4 GiB.
 absl::StatusOr<std::string> WriteGltfContainer(const GltfContainer& container, const OrderedJson& json,
                                                std::string_view added, const std::string& name);
 

@@ -34,7 +34,7 @@ struct GltfDracoLimits {
   int64_t max_faces = 8'000'000;
 };
 
-// Reads version 2.2, sequential or edgebreaker, without metadata. kInvalidArgument for other streams,
+// Reads version 2.2, sequential or edgebreaker, without metadata. Returns kInvalidArgument for other streams. Returns
 // kResourceExhausted beyond the limits, 64 faces or points for each byte of the stream, or 256 bytes for each point.
 // Takes at most about 1 kB of memory for each byte of the stream. Does not throw.
 absl::StatusOr<GltfDracoMesh> DecodeGltfDraco(std::string_view stream, const GltfDracoLimits& limits = {});

@@ -88,8 +88,8 @@ struct GltfPatch {
   int32_t node = 0;  // index into GltfFile::nodes: equal coordinates give equal bits in its frame
 };
 
-// Reads `bytes`, a glb or a b3dm; `name` stands in messages. kInvalidArgument for malformed input and for what is
-// refused, kResourceExhausted beyond `limits` or the memory. Linear in the file and in what it draws.
+// Reads `bytes`, a glb or a b3dm; `name` stands in messages. Returns kInvalidArgument for malformed input and for what
+// is refused, and kResourceExhausted beyond `limits` or the memory. Linear in the file and in what it draws.
 absl::StatusOr<GltfFile> ReadGltf(std::string_view bytes, GltfUpAxis up, const std::string& name,
                                   const GltfLimits& limits = {});
 
@@ -105,8 +105,8 @@ struct GltfEdit {
 //    written again without compression. A node whose mesh loses all triangles has no mesh afterwards.
 //  - A new node is a sibling of the patch's node and has the same transform. Its material is unlit and double-sided if
 //    that of the node's first primitive is.
-// kInvalidArgument as ReadGltf, if sizes or indices do not fit the file, if a matrix cannot be inverted, and if two
-// nodes share a mesh but not what is dropped of it. Linear.
+// kInvalidArgument as ReadGltf, or if sizes or indices do not fit the file, or if a matrix cannot be inverted. The same
+// if two nodes share a mesh but do not drop the same triangles of it. Linear.
 absl::StatusOr<std::string> ChangeGltf(std::string_view bytes, GltfUpAxis up, const GltfEdit& edit,
                                        const std::string& name);
 

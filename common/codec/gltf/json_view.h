@@ -18,9 +18,9 @@ namespace tilemend {
 // Keeps the order of members, so that what is written looks like what was read.
 using OrderedJson = nlohmann::ordered_json;
 
-// Parses the `text` that begins at byte `offset` of the file `name`. kInvalidArgument with the byte of the file if it
-// is no JSON, nests deeper than 250 levels or has an object of more than 1,024 members (OrderedJson looks them up one
-// by one). Takes up to about 50 bytes of memory for each byte of text.
+// Parses the `text` that begins at byte `offset` of the file `name`. Returns kInvalidArgument with the byte of the file
+// if it is no JSON or nests deeper than 250 levels. The same for an object of more than 1,024 members, since
+// OrderedJson looks them up one by one. Takes up to about 50 bytes of memory for each byte of text.
 absl::StatusOr<OrderedJson> ParseOrderedJson(std::string_view text, size_t offset, const std::string& name);
 
 // A value with its place. All errors are kInvalidArgument and begin with "NAME: JSON PATH: ". The value and the name

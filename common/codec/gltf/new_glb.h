@@ -11,8 +11,8 @@
 namespace tilemend {
 
 // A glb with one mesh for each of `surfaces`, unlit, since photographs have their light in them. Points are in metres,
-// z up, and are written as float32; a node turns them to y up. `node` is not looked at. kInvalidArgument with `name`
-// for a surface without triangles, and for a file over 4 GiB. Linear.
+// z up, and are written as float32; a node turns them to y up. The `node` of a patch is not used. Returns
+// kInvalidArgument with `name` for a surface without triangles, and for a file over 4 GiB. Linear.
 absl::StatusOr<std::string> NewGlb(std::span<const GltfPatch> surfaces, const std::string& name);
 
 }  // namespace tilemend

@@ -107,8 +107,8 @@ absl::StatusOr<std::string> AppendOsgb(std::string_view bytes, std::span<const O
                                        const std::string& name);
 
 // `bytes` without the triangles in `drop` (one entry per triangle of OsgbFile::triangles). Vertices and images stay; a
-// geometry may have no triangle then. kInvalidArgument as ReadOsgb, if `drop` has another size, and if it takes a part
-// of a primitive set that is no list of triangles by index. Linear.
+// geometry may have no triangle then. kInvalidArgument as ReadOsgb, or if `drop` has another size. The same if it takes
+// a part of a primitive set that is no list of triangles by index. Linear.
 absl::StatusOr<std::string> DropOsgbTriangles(std::string_view bytes, const std::vector<bool>& drop,
                                               const std::string& name);
 

@@ -31,8 +31,8 @@ struct OsgbTile {
 };
 
 // Reads a tile from its pack (common/util/file_pack.h). Files that it names but that are not in the pack are left out,
-// as viewers do; so are files that nothing names. kInvalidArgument with file and byte offset as ReadOsgb; if a file is
-// named twice, or no file has a vertex. Linear in the bytes.
+// as viewers do; so are files that nothing names. Returns kInvalidArgument with file and byte offset as ReadOsgb. The
+// same if a file is named twice, or no file has a vertex. Linear in the bytes.
 absl::StatusOr<OsgbTile> ReadOsgbTile(std::string_view pack, const std::string& name);
 
 // What is done to one file of a tile.

@@ -29,9 +29,9 @@ struct EntryPart {
   Eigen::Matrix4d transform;  // from its frame to that of the root's parent
 };
 
-// The text of an entry that names `parts`, which are read in `folder` for their volumes. `root`: from the frame of the
-// root to that of its parent, the Earth-centred one of WGS 84, or none. Errors of ReadTileset. Linear in the parts'
-// own files.
+// The text of an entry that names `parts`, which are read in `folder` for their volumes. The transform `root` leads
+// from the frame of the root to that of its parent, the Earth-centred one of WGS 84, or is none. Errors of ReadTileset.
+// Linear in the parts' own files.
 absl::StatusOr<std::string> NewEntry(const std::string& folder, const std::vector<EntryPart>& parts,
                                      const std::optional<Eigen::Matrix4d>& root);
 

@@ -79,15 +79,15 @@ class FolderSource : public TilesetSource {
   std::string folder_;
 };
 
-// Reads the tileset `entry`, a path relative to the source, with all external tilesets. kInvalidArgument for malformed
-// input and for what is refused, kResourceExhausted beyond `limits`; errors of the source for files that are missing.
-// Linear in the bytes.
+// Reads the tileset `entry`, a path relative to the source, with all external tilesets. Returns kInvalidArgument for
+// malformed input and for what is refused. Returns kResourceExhausted beyond `limits`. Errors of the source for files
+// that are missing. Linear in the bytes.
 absl::StatusOr<Tileset> ReadTileset(const TilesetSource& source, const std::string& entry,
                                     const TilesetLimits& limits = {});
 
-// Grows the bounding volumes of a tile and of its model, and those of all tiles above it, to hold `points` (tile's
-// frame, metres; for a b3dm with its RTC_CENTER). Volumes that hold the points already stay as they are. For a region,
-// the root's parent is the Earth-centred frame of WGS 84. O(points * depth).
+// Grows the bounding volumes of a tile, of its model and of all tiles above it, so that they hold `points`. These are
+// in metres in the tile's frame; for a b3dm they include its RTC_CENTER. Volumes that hold the points already stay as
+// they are. For a region, the root's parent is the Earth-centred frame of WGS 84. O(points * depth).
 void GrowVolumes(Tileset& tileset, int32_t tile, const std::vector<Point3>& points);
 
 // The text of a document with the bounding volumes of `tileset`; nothing else changes. The same bytes as `text` if no

@@ -25,9 +25,9 @@ struct TilesetLayout {
 // their own and the entry itself has no model. Errors of ReadTileset, with the path. Linear in the entry.
 absl::StatusOr<TilesetLayout> ReadTilesetLayout(const std::string& folder, const std::string& entry);
 
-// The text of the entry with bounding volumes that hold those of the tilesets in `written`, where these are others than
-// in `folder`: after they were filled. Both are folders that the paths of the entry are relative to. Tilesets that are
-// not in `written` are taken as unchanged. Errors of ReadTileset. Linear in the files of the tilesets' entries.
+// The text of the entry with bounding volumes that hold the filled tilesets, which are in `written` where they differ
+// from those in `folder`. Both are folders that the paths of the entry are relative to. Tilesets that are not in
+// `written` are taken as unchanged. Errors of ReadTileset. Linear in the files of the tilesets' entries.
 absl::StatusOr<std::string> GrownEntry(const std::string& folder, const std::string& entry, const std::string& written);
 
 }  // namespace tilemend

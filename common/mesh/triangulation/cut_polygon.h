@@ -10,10 +10,10 @@
 
 namespace tilemend {
 
-// Puts into `triangles` those of a face, by the places of its corners in it: as a fan around its first corner where
-// none of that is turned over, which is so of every convex face; else those of a constrained Delaunay triangulation
-// seen along the face's normal. A face that crosses itself, or has corners that are not known yet, is a fan whatever
-// its shape.
+// Puts into `triangles` those of a face, by the places of its corners in it. They are a fan around its first corner if
+// no triangle of that is turned over, as in every convex face. Else they are those of a constrained Delaunay
+// triangulation seen along the face's normal. A face that crosses itself, or has corners that are not known yet, is a
+// fan whatever its shape.
 //   corners  indices of points, at least 3, none twice; points that are not there yet are not known
 // O(n), or O(n log n) where it is no fan.
 void CutPolygon(std::span<const int32_t> corners, std::span<const Point3> points, std::vector<Triangle>& triangles);

@@ -1,8 +1,8 @@
 // The mesh that triangulation and refinement share: a constrained Delaunay triangulation in flat arrays.
 //
 // A half-edge is 4 * triangle + k: the edge opposite to corner k, from corner k+1 to corner k+2 (mod 3). Triangles are
-// counter-clockwise. The plane outside the hull, while there is one, is covered by ghost triangles that have the corner
-// kGhost; a region cut out of it has walls instead.
+// counter-clockwise. Ghost triangles, which have the corner kGhost, cover the plane outside the hull, while there is
+// one. A region cut out of it has walls instead.
 #ifndef TILEMEND_COMMON_MESH_TRIANGULATION_DELAUNAY_H_
 #define TILEMEND_COMMON_MESH_TRIANGULATION_DELAUNAY_H_
 
@@ -64,8 +64,8 @@ class DelaunayMesh {
   // The first triangle and its three ghosts; a, b, c turn left.
   void Start(int32_t a, int32_t b, int32_t c);
 
-  // Walks from `start` towards p. Ends at the first wall in the way, or after `step_limit` steps (a walk in a Delaunay
-  // triangulation always ends; in a constrained one it could go round in circles). Precondition: start is no ghost.
+  // Walks from `start` towards p. Ends at the first wall in the way, or after `step_limit` steps: a walk in a
+  // constrained Delaunay triangulation could go round in circles. Precondition: start is no ghost.
   Location Locate(Point32 p, int32_t start, int64_t step_limit = INT64_MAX);
 
   // Finds the triangles whose circle p lies in and that p sees: those that inserting p replaces. The mesh stays as is.

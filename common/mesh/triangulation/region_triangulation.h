@@ -1,10 +1,9 @@
 // Constrained Delaunay triangulation of planar regions given by directed segments, on exact integer predicates.
 //
 // A region is described by segments that have it on their left: the outer boundary counter-clockwise, islands
-// clockwise, in any order, any number of separate regions in one call, regions that touch themselves or each other at
-// vertices
-// ("pinches") allowed. No polygon needs to be traced by the caller: which triangles are inside follows from the sides
-// of the segments by flood fill.
+// clockwise, in any order. One call may have any number of separate regions, and they may touch themselves or each
+// other at vertices ("pinches"). The caller need not trace polygons: a flood fill from the sides of the segments finds
+// which triangles are inside.
 //
 // Source: incremental insertion in Hilbert order with Lawson flips; constraint insertion after Sloan 1993 / Anglada
 // 1997. Cost O(n log n) expected; deterministic: the result depends on the input values alone.
@@ -54,9 +53,8 @@ struct RegionTriangulation {
   std::vector<RegionConflict> conflicts;
 };
 
-// Triangulates the regions that `segments` bound. `points` that no segment uses are inserted too when they lie inside a
-// region (free points; a free point on another point or outside is ignored).
-// Precondition: segment indices are in range (CHECKed).
+// Triangulates the regions that `segments` bound. Free points, which no segment uses, are inserted too if they lie
+// inside a region and on no other point; others are ignored. Precondition: segment indices are in range (CHECKed).
 RegionTriangulation TriangulateRegion(std::span<const LatticePoint> points, std::span<const RegionSegment> segments);
 
 }  // namespace tilemend

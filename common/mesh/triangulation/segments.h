@@ -11,9 +11,9 @@
 namespace tilemend::internal {
 
 // Makes segments edges of a triangulation with ghosts, one after the other, keeping it constrained Delaunay. The
-// triangles that a segment crosses are replaced on either side by a linear-time scan over the chain of their vertices
-// (every one of which sees the segment along an edge that crossed it, so the scan is that of a weakly visible polygon),
-// then made Delaunay by Lawson flips.
+// triangles that a segment crosses are replaced on either side, then made Delaunay by Lawson flips. The replacement is
+// a linear-time scan over the chain of their vertices. Every vertex of the chain sees the segment along an edge that
+// crossed it, so the scan is that of a weakly visible polygon.
 class SegmentInserter {
  public:
   // What stood in the way.

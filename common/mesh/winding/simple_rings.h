@@ -13,10 +13,10 @@ enum class Wound {
   kEither,  // and clockwise
 };
 
-// The outline of the region that closed rings, which may cross and fold over themselves, wind around: rings with the
-// region on their left that do not cross and touch in single points at most, so that PolygonsOf makes valid polygons of
-// them. In metres, rounded to millimetres (where the rings are larger than 268 km to a coarser step); empty if nothing
-// as large is left. Rings do not repeat their first point. Cost as of FindWoundRegion.
+// The outline of the region that closed rings wind around; they may cross and fold over themselves. The result is rings
+// with the region on their left that do not cross and touch in single points at most. So PolygonsOf makes valid
+// polygons of them. In metres, rounded to millimetres (where the rings are larger than 268 km to a coarser step); empty
+// if nothing as large is left. Rings do not repeat their first point. Cost as of FindWoundRegion.
 std::vector<std::vector<Point2>> SimpleRings(const std::vector<std::vector<Point2>>& rings, Wound wound);
 
 }  // namespace tilemend

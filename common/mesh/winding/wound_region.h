@@ -46,9 +46,9 @@ WoundRegion FindWoundRegion(std::span<const LatticePoint> points, std::span<cons
 WoundRegion UniteWoundRegions(std::span<const LatticePoint> points, std::span<const DirectedEdge> segments,
                               size_t first_of_second, const LatticeBox& box);
 
-// What has to be added to boundary `inner` to make it boundary `outer`, as loops: edges of `outer` and edges of `inner`
-// the other way round, those of both left out. Both close. No loop passes a vertex twice; two edges to and fro are no
-// loop.
+// What has to be added to boundary `inner` to make it boundary `outer`, as loops. These are edges of `outer` and
+// reversed edges of `inner`, without those that both have. Both close. No loop passes a vertex twice; two edges to and
+// fro are no loop.
 std::vector<std::vector<int32_t>> LoopsBetween(std::span<const DirectedEdge> outer,
                                                std::span<const DirectedEdge> inner);
 
