@@ -1,4 +1,4 @@
-// Who may do what. Every RPC is in one table with the role that it needs; a caller has a name and roles by a token or
+// Who may do what. Every RPC is in one table with the role that it needs. A caller has a name and roles by a token or
 // by its certificate.
 #ifndef TILEMEND_COORDINATOR_API_ACCESS_H_
 #define TILEMEND_COORDINATOR_API_ACCESS_H_
@@ -64,14 +64,15 @@ class Access {
  public:
   // Everybody may do everything: for a coordinator that listens on this machine, or in process, alone.
   static Access Open() { return Access(); }
-  // A caller needs a certificate (its name is the common name, its roles are URIs tilemend:role:ROLE among its
-  // alternative names) or a token of the file, if there is one ("" if not). A call with a token has the token's name
-  // and roles alone. kNotFound, kInvalidArgument for the file. It is read again when it changes; what is no such file
-  // then, or cannot be read, changes nothing. `log`, which outlives this, is told of both.
+  // A caller needs a certificate or a token of the file, if there is one ("" if not). By a certificate, its name is the
+  // common name, and its roles are URIs tilemend:role:ROLE among the alternative names. A call with a token has the
+  // token's name and roles alone. Returns kNotFound or kInvalidArgument for the file. The file is read again when it
+  // changes. If it is no such file then, or cannot be read, nothing changes. The `log`, which outlives this, is told of
+  // both.
   static absl::StatusOr<Access> Closed(const std::string& token_file, Log& log);
 
-  // kUnauthenticated (UNAUTHENTICATED) for a caller without a name, or with a token that is unknown or has expired;
-  // kPermissionDenied (ROLE_NEEDED) for one whose roles do not do.
+  // Returns kUnauthenticated (UNAUTHENTICATED) for a caller without a name, or with a token that is unknown or has
+  // expired. Returns kPermissionDenied (ROLE_NEEDED) for one whose roles do not do.
   absl::StatusOr<Caller> Admit(std::string_view rpc, const Claims& claims, absl::Time now);
 
   Access(Access&& other) noexcept

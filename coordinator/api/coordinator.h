@@ -34,8 +34,8 @@ struct CallHandlers {
 // Thread-safe.
 class Coordinator {
  public:
-  // Goes on with the jobs of the journal. kInvalidArgument for a lease that is too short, kPermissionDenied if the work
-  // folder cannot be used; errors of JobRestorer.
+  // Goes on with the jobs of the journal. Errors: kInvalidArgument for a lease that is too short, kPermissionDenied if
+  // the work folder cannot be used, and those of JobRestorer.
   static absl::StatusOr<std::unique_ptr<Coordinator>> Create(CoordinatorOptions options, PipelineFactory factory,
                                                              MetricsRegistry& metrics);
   // Leaves jobs as they are: with the journal they go on.

@@ -1,5 +1,5 @@
-// The calls of clients, each behind the gate: who calls is admitted or refused, counted, and put down where it matters.
-// gRPC and the JSON mirror are adapters over it, so that both have the same permissions.
+// The calls of clients, each behind the gate. The caller is admitted or refused, counted, and written to the log where
+// it matters. Both gRPC and the JSON mirror are adapters over it, so they have the same permissions.
 #ifndef TILEMEND_COORDINATOR_API_GUARDED_CALLS_H_
 #define TILEMEND_COORDINATOR_API_GUARDED_CALLS_H_
 
@@ -55,8 +55,8 @@ class Entrance {
     return status.ok() ? std::move(result) : absl::StatusOr<T>(status);
   }
 
-  // Of a call that changes a job: `call` gives the job's message. `name` is the job's as far as it is known before, and
-  // `how` what else the call asks for.
+  // Of a call that changes a job: `call` gives the job's message. The `name` is the job's as far as it is known before,
+  // and `how` what else the call asks for.
   absl::StatusOr<v1::Job> Change(const Peer& peer, std::string_view rpc, const std::string& name, LogFields how,
                                  const std::function<absl::StatusOr<v1::Job>(const Caller&)>& call) const;
 

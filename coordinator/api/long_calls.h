@@ -43,8 +43,9 @@ class LongCalls {
     const uint64_t number_;
   };
 
-  // `stop` makes the call end soon; it may be called until the Call is gone, and must not wait for that.
-  // kResourceExhausted (TOO_MANY_CALLS) if there are too many; with kStopOldest if as many again are about to end.
+  // Calling `stop` makes the call end soon. It may be called until the Call is gone, and must not wait for that.
+  // Returns kResourceExhausted (TOO_MANY_CALLS) if there are too many; with kStopOldest if as many again are about to
+  // end.
   absl::StatusOr<std::unique_ptr<Call>> Enter(std::string job, absl::Time now, std::function<void()> stop);
 
   // Stops the calls that have not got on since `since`, and those of jobs that are over.

@@ -1,7 +1,7 @@
 // The coordinator as a scaler for KEDA: what there is to do, in KEDA's words (proto/externalscaler).
 //
 // There is one metric, the tasks that wait or run. A worker's share of it is the number of tasks that it takes at once,
-// which the trigger gives as `slots`; so the workers wanted are the tasks over the slots of a worker.
+// which the trigger gives as `slots`. So the workers wanted are the tasks divided by the slots of a worker.
 #ifndef TILEMEND_COORDINATOR_API_SCALER_H_
 #define TILEMEND_COORDINATOR_API_SCALER_H_
 

@@ -15,8 +15,8 @@
 
 namespace tilemend {
 
-// Thread-safe. Each call waits for news. Where too many wait, the one that has had none for longest ends (OK) and makes
-// room; its caller may watch again. kUnavailable when the coordinator ends.
+// Thread-safe. Each call waits for news. If too many wait, the one that has had no news for longest ends (OK) and makes
+// room; its caller may watch again. Returns kUnavailable when the coordinator ends.
 class WatchHandler {
  public:
   // Why a call is to end, or OK. Called at least once a second, without a lock.
@@ -25,7 +25,7 @@ class WatchHandler {
   // `cluster` must outlive this.
   explicit WatchHandler(Cluster& cluster) : cluster_(cluster) {}
 
-  // Calls `send` for each state of the job as the message says; ends when the job is over (OK), when `send` returns
+  // Calls `send` for each state of the job as the message says. Ends when the job is over (OK), when `send` returns
   // false (kCancelled) and with the error of `go_on`.
   absl::Status WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
                         const GoOn& go_on);

@@ -17,9 +17,9 @@ using OutlineEdge = std::pair<int32_t, int32_t>;
 // 100 bytes each: for the rare tile of which something seems to be wrong.
 std::vector<OutlineEdge> OutlineOf(const TriMesh& mesh);
 
-// A sum over all edges that have an odd number of triangles, which OutlineSum gives of these edges alone as well: if
-// the sums of a mesh and of what is said to be its outline differ, the latter is not; if they are equal, it is (when no
-// edge has three triangles) but for one in 2^64, as long as nobody knows `key`. Linear, without memory to speak of.
+// A sum over all edges that have an odd number of triangles; OutlineSumOfEdge gives the summand of one edge. If the
+// sums of a mesh and of edges differ, these edges are not its outline. If they are equal, they are it when no edge has
+// three triangles, but for one case in 2^64, as long as nobody knows `key`. Linear, without memory to speak of.
 struct OutlineSum {
   uint64_t sum = 0;
   int64_t flat_triangles = 0;  // with two corners at one position; left out

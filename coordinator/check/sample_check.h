@@ -10,16 +10,17 @@
 
 namespace tilemend {
 
-// Samples of the surface of a cluster, in columns: kInvalidArgument, saying what is wrong first, unless there are none,
-// or exactly one for each vertex of `asked` that lies on a seam, with a finite Laplacian and slope, and a height no
-// further from those of the rim than the holes are large. The band is not needed. O(n log n).
+// Checks the samples of the surface of a cluster, in columns. Returns kInvalidArgument, saying what is wrong first,
+// unless there are none, or exactly one for each vertex of `asked` that lies on a seam. Each must have a finite
+// Laplacian and slope, and a height no further from those of the rim than the holes are large. The band is not needed.
+// O(n log n).
 struct ClusterColumns {
   std::span<const int32_t> seam_vertex;
   std::span<const double> height, laplacian, slope_x, slope_y;
 };
 absl::Status CheckClusterSamples(const CellHoles& asked, const ClusterColumns& given);
 
-// Samples of one layer: the same for heights at the seam vertices of `asked` without a known height; one vertex may
+// The same for samples of one layer: heights at the seam vertices of `asked` without a known height. One vertex may
 // have several, from holes that share it.
 absl::Status CheckLayerSamples(const CellHoles& asked, std::span<const int32_t> seam_vertex,
                                std::span<const double> height);

@@ -21,7 +21,7 @@ struct DeliveryPlaces {
 };
 
 // For a scene whose tiles are delivered as 3D Tiles; else nothing. Each cell has a plane of its own that touches the
-// Earth at its middle, with the scale of the CRS: tiles of 250 m are then within 3 mm of where the CRS has them, in
+// Earth at its middle, with the scale of the CRS. So tiles of 250 m are within 3 mm of where the CRS has them, in
 // height and along their borders. Heights are taken as above the ellipsoid of WGS 84. A scene without a CRS is not on
 // the Earth. Errors of LonLatOf. O(cells).
 absl::StatusOr<DeliveryPlaces> PlaceDelivery(const Scene& scene);

@@ -19,8 +19,8 @@ struct JobFolders {
   std::string attempts;          // a folder in which a worker must be able to make a file; empty: none
 };
 
-// Whether this machine sees the files still, whatever is in them, and can make a file among the attempts: OK, kAborted
-// for a file that is gone, or what WriteFileAtomically says. What it makes it removes. Any thread.
+// Whether this machine still sees the files, whatever is in them, and can make a file among the attempts. Returns
+// kAborted for a file that is gone, else errors of WriteFileAtomically. What it makes it removes. Any thread.
 absl::Status TryFolders(const JobFolders& folders);
 
 }  // namespace tilemend

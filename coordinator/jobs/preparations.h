@@ -36,8 +36,8 @@ class Preparations {
     std::unique_lock<std::mutex> alone_;  // of a job that was there when a coordinator ended
   };
 
-  // Counts one more, durably. kAborted after kMaxPreparations that did not end well; the count begins anew then.
-  // kCancelled if a stop is requested while other jobs are prepared. Errors of WriteFileAtomically.
+  // Counts one more, durably. Returns kAborted after kMaxPreparations that did not end well; the count begins anew
+  // then. Returns kCancelled if a stop is requested while other jobs are prepared. Errors of WriteFileAtomically.
   absl::StatusOr<Attempt> Begin(const std::string& job, const std::stop_token& stop);
 
  private:

@@ -40,7 +40,7 @@ class SceneFiles {
   // Whether the tile names images.
   bool HasImages(CellId cell) const { return with_images_.contains(cell); }
   // A name for the materials (ending "mtl") or the image ("jpg") of the filled faces of the tile that is written to
-  // `path`: beside it, and not that of a file of the scene, in other letters neither.
+  // `path`. It is beside that tile, and no file of the scene has it, even in other letter cases.
   std::string NewFileFor(const std::string& path, absl::string_view ending) const;
   // What the tile carries, without its LibraryOf.
   std::vector<std::string> CarriedBy(CellId cell) const;

@@ -8,8 +8,8 @@
 
 namespace tilemend {
 
-// kDataLoss (Wrong, of wrong_result.h) unless the bytes of a SmoothSeamOutput name the seam of the SmoothSeamInput,
-// move points that its patches have, and stay within the heights of these: means do.
+// Checks that a SmoothSeamOutput names the seam of the SmoothSeamInput and moves points that its patches have. They
+// must stay within the heights of these, as means do. Returns kDataLoss (Wrong, of wrong_result.h) otherwise.
 absl::Status CheckSmoothResult(const std::string& input_bytes, const v1::SmoothSeamOutput& output);
 
 }  // namespace tilemend

@@ -34,7 +34,7 @@ class TaskReuse {
   // Call for each task before it is given out, with a number that tells it from others of its cell and stage. The
   // result, if it needs no worker; else it may add to the task's input what is known.
   std::optional<StageResult> Recall(NewTask& task, int32_t number);
-  // Call for each of the others with its result, which becomes the known one where the worker found that true.
+  // Call for each of the others with its result, which becomes the known one if the worker found it true. Returns
   // kAborted if that is not there any more.
   absl::Status Resolve(StageResult& result, int32_t number);
   // Call then, when the result has been taken. kResourceExhausted, kUnavailable.

@@ -15,8 +15,8 @@
 
 namespace tilemend {
 
-// A worker gets tasks of a job when it has shown that it sees the same files of the scene and of the output as the
-// coordinator, and can write there. One that does not is asked again from time to time: mounts come back. A worker
+// A worker gets tasks of a job when it has shown that it can write there. It must also see the same files of the scene
+// and of the output as the coordinator. One that does not is asked again from time to time: mounts come back. A worker
 // whose result was refused may be suspected until that is cleared, or set aside until its process is started anew.
 //
 // Kept in memory alone: a coordinator that starts anew asks again. Not thread-safe.
@@ -50,8 +50,7 @@ class WorkerTrust {
   // Whether it gets no task of the job until something changes: not one that has yet to look.
   bool IsBarred(const std::string& worker, const std::string& job) const;
 
-  // Whether it has been looking at the job's folders for so long that it does not seem to come back from it: a mount
-  // that hangs.
+  // Whether it has been looking at the job's folders for so long that it seems unable to come back: a mount that hangs.
   bool SeemsStuck(const std::string& worker, const std::string& job, absl::Time now) const;
 
   // Jobs whose folders it does not see.

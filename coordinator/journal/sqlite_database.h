@@ -44,14 +44,14 @@ class SqliteStatement {
 
 class SqliteDatabase {
  public:
-  // Opens or makes the file. Errors, here and above: kResourceExhausted (disk full), kDataLoss (damaged or no
-  // database), kAborted (locked by another), kInternal (a read, a write or a sync failed); the text names the file.
+  // Opens or makes the file. Errors, here and above, name the file. They are kResourceExhausted (disk full), kDataLoss
+  // (damaged or no database), kAborted (locked by another), kInternal (a read, a write or a sync failed).
   static absl::StatusOr<SqliteDatabase> Open(const std::string& path);
 
   // Statements separated by semicolons, rows dropped.
   absl::Status Run(const std::string& sql);
-  // kNotFound if there is no file of this name any more, or another than was opened: who opens it next finds nothing of
-  // what is written here. One look at the file's name.
+  // Returns kNotFound if there is no file of this name any more, or another than was opened. What is written here is
+  // then not found by whoever opens it next. One look at the file's name.
   absl::Status CheckInPlace();
   // Must not outlive the database.
   absl::StatusOr<SqliteStatement> Prepare(const std::string& sql);

@@ -2,8 +2,8 @@
 //
 // Puts are queued, and a thread commits all that are queued in one transaction: while one commit waits for the disk the
 // next one gathers. So a put waits for two commits at most, and a thousand of them a second need no thousand syncs.
-// Results of jobs that are over are deleted a few thousand at a time when nothing else is to do; so what there is to
-// read at the start is what jobs that are not over have done.
+// Results of jobs that are over are deleted a few thousand at a time when nothing else is to do. So the start reads
+// only what jobs that are not over have done.
 //
 // Memory: 40 bytes for each result of an earlier process, until its job is over.
 #ifndef TILEMEND_COORDINATOR_JOURNAL_SQLITE_JOURNAL_H_

@@ -12,8 +12,8 @@ namespace tilemend {
 // Holds a folder for this process; ends with it, however it ends.
 class WorkLock {
  public:
-  // Makes the folder if it is missing. kAborted (WORK_IN_USE), naming the folder and the process, if another holds it;
-  // kPermissionDenied if there cannot be a folder, a file or a lock.
+  // Makes the folder if it is missing. Returns kAborted (WORK_IN_USE), naming the folder and the process, if another
+  // holds it. Returns kPermissionDenied if there cannot be a folder, a file or a lock.
   static absl::StatusOr<WorkLock> Take(const std::string& folder);
   WorkLock(WorkLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   WorkLock& operator=(WorkLock&&) = delete;

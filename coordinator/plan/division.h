@@ -30,9 +30,9 @@ struct Division {
   std::map<CellId, FoundHoles> holes;  // their vertices: rim points, then seam vertices
 };
 
-// Divides the holes of a scene whose tiles share vertices. Where holes fail, other ways are tried: seams that keep to
-// their lines and, on a ragged cut, edges that go back to their owners around the trouble. The way with the fewest
-// failures stays. `closing` is FindClosingCells' before sizes were raised (rim_sizes.h).
+// Divides the holes of a scene whose tiles share vertices. If holes fail, other ways are tried. One is seams that keep
+// to their lines. On a ragged cut another is that edges around the failures go back to their owners. The way with the
+// fewest failures stays. `closing` is FindClosingCells' before sizes were raised (rim_sizes.h).
 Division DivideScene(const Part& part, const ClosingCells& closing);
 
 }  // namespace tilemend

@@ -6,8 +6,8 @@
 
 namespace tilemend {
 
-// Drops the vertices that bound no hole and lie on no seam: those along the rim of the area, of detached pieces and of
-// tiles that nothing is filled beside. The others keep their order. Linear in the plan.
+// Drops the vertices that bound no hole and lie on no seam. They lie along the rim of the area, of detached pieces and
+// of tiles that nothing is filled beside. The others keep their order. Linear in the plan.
 void DropUnusedVertices(Plan& plan);
 
 }  // namespace tilemend

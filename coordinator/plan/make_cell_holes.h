@@ -10,9 +10,9 @@
 
 namespace tilemend {
 
-// The given holes (of one cell, or of one cluster; without failure) with their vertices and, if `with_band`, the
-// triangles around them: of the cell's own tile and of its neighbours', those at the holes' own vertices; in a single
-// mesh one ring more, since patches there go on with the curvature, too.
+// The given holes (of one cell, or of one cluster; without failure) with their vertices. If `with_band`, also the
+// triangles of the cell's own tile and of its neighbours' at the holes' own vertices. In a single mesh there is one
+// ring more, since patches there go on with the curvature, too.
 CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
                         const std::vector<int32_t>& holes, bool with_band);
 

@@ -33,8 +33,9 @@ const char* DecisionName(ReviewDecision decision);
 // That of the decision on the hole; nullptr if there is none.
 const char* DecisionOn(const Plan& plan, int32_t hole);
 
-// A row for each group with a doubt, by doubt x area, the largest first: "hole" (its largest), "holes", "cell" and
-// "centre" of that, "area_m2" of all, what it was taken for and why (HoleEvidenceJson), "doubt_m" and "doubt_m3".
+// A row for each group with a doubt, by doubt x area, the largest first. It has "hole" (its largest), "holes", "cell"
+// and "centre" of that, "area_m2" of all. Then what it was taken for and why (HoleEvidenceJson), "doubt_m" and
+// "doubt_m3".
 nlohmann::ordered_json ReviewJson(const SceneReportInput& input);
 
 }  // namespace tilemend

@@ -13,9 +13,10 @@ namespace tilemend {
 // Both: GeoJSON in the scene's CRS (scene coordinates plus the origin, millimetres), named by the member `crs` that
 // GDAL and QGIS honour. Without a CRS the member says that there is none. Features are in the order of the plan.
 
-// Every hole: valid Polygons, or MultiPolygons, with islands, of what its boundary winds around seen from above;
-// MultiLineStrings of the rim of those that are not closed, as where a tile is missing, or less than a millimetre wide.
-// docs/user-guide.md, "Files for a GIS", has the properties. ParseWaterFile reads those that are water.
+// Every hole, as valid Polygons, or MultiPolygons, with islands, of what its boundary winds around seen from above.
+// Some holes are MultiLineStrings of their rim: those that are not closed, as where a tile is missing, or less than a
+// millimetre wide. For the properties see docs/user-guide.md, "Files for a GIS". ParseWaterFile reads those that are
+// water.
 std::string HolesGeoJson(const SceneReportInput& input, const Scene& scene);
 
 // The waters that were levelled: of each its shore, as a polygon; of rivers the centreline as well. Every point has the
@@ -29,9 +30,9 @@ struct ProposedSurface {
   std::string reason;
 };
 
-// Polygons for --water: the waters of the plan, and surfaces, which have the property `clear`. Each has the level that
-// is proposed, as `proposed_level_m`, its standard deviation and the reason; `level_m` is null: the level is estimated
-// when it is filled. ParseWaterFile reads it.
+// Polygons for --water: the waters of the plan, and surfaces, which have the property `clear`. Each has
+// `proposed_level_m`, its standard deviation and the reason. Its `level_m` is null: the level is estimated when it is
+// filled. ParseWaterFile reads it.
 std::string ProposalsGeoJson(const Plan& plan, const std::vector<ProposedSurface>& surfaces, const Scene& scene);
 
 // An area of the scene, with what is inside on the left of its rings. ParseAreaFile reads it.

@@ -40,9 +40,9 @@ absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, Wat
 absl::Status AddDecisions(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
                           const std::stop_token& stop = {});
 
-// Takes polygons with `clear` out of the choice that lie outside the area that is to be covered, with a warning: what
-// they took out would not be filled again. kInvalidArgument for one that lies across the area's edge. An empty area is
-// everywhere.
+// Takes polygons with `clear` out of the choice, with a warning, if they lie outside the area to be covered. What they
+// took out would not be filled again. Returns kInvalidArgument for one that lies across the area's edge. An empty area
+// is everywhere.
 absl::Status KeepClearInside(const PlanePolygon& area, WaterChoice& choice);
 
 }  // namespace tilemend

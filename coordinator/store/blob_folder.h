@@ -1,5 +1,5 @@
-// The blobs of one job, named by the SHA-256 of their bytes: files in a folder, and those that are needed for a while,
-// in memory.
+// The blobs of one job, named by the SHA-256 of their bytes. They are files in a folder; those that are needed for a
+// while are in memory.
 #ifndef TILEMEND_COORDINATOR_STORE_BLOB_FOLDER_H_
 #define TILEMEND_COORDINATOR_STORE_BLOB_FOLDER_H_
 
@@ -56,11 +56,11 @@ class BlobFolder {
   BlobFolder(const BlobFolder&) = delete;
   BlobFolder& operator=(const BlobFolder&) = delete;
 
-  // The digest of `bytes`, which are stored unless they are there already (with Sync::kYes in any case: what is there
-  // may not be on the disk).
+  // The digest of `bytes`, which are stored unless they are there already. With Sync::kYes they are stored in any case:
+  // what is there may not be on the disk.
   absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo);
-  // As Put, but for as long as LetGo was not called as often: in memory, unless all folders of the process hold
-  // kMostHeldBytes there with it. The first call decides where, until the last has let go.
+  // As Put, but only until LetGo was called as often. The bytes are in memory, unless all folders of the process would
+  // then hold more than kMostHeldBytes there. The first call decides where, until the last has let go.
   absl::StatusOr<std::string> Hold(std::string bytes);
   void LetGo(const std::string& digest);
   absl::StatusOr<std::unique_ptr<Writer>> NewWriter(Sync sync = Sync::kNo);
@@ -72,13 +72,13 @@ class BlobFolder {
   // Gives the blob's bytes to `take` in order, at most kMaxChunkBytes at a time, until it returns false.
   absl::Status ReadChunks(const std::string& digest, const std::function<bool(std::string_view)>& take) const;
 
-  // Parts with all but these, and with what was being written when an earlier process ended: a folder beside this one,
-  // of the same name with an ending, holds them then, as to delete them takes long on some disks. Before anything else
-  // is called. Without hard links they are deleted at once.
+  // Removes all but these, and what was being written when an earlier process ended. They go to a folder beside this
+  // one, of the same name with an ending, since to delete them takes long on some disks. Before anything else is
+  // called. Without hard links they are deleted at once.
   absl::Status KeepOnly(const std::set<std::string>& digests);
 
-  // Refuses every later write and removes the folder, which on some disks takes seconds for each thousand blobs: asks
-  // before each one whether to leave the rest there.
+  // Refuses every later write and removes the folder, which on some disks takes seconds for each thousand blobs. Before
+  // each blob it asks `stop` whether to leave the rest there.
   void Remove(const std::function<bool()>& stop = [] { return false; });
 
  private:

@@ -16,9 +16,9 @@ namespace tilemend {
 
 // Compares fills along three lines in the strip of every border where tiles overlap, at 256 places on each, where both
 // lie over one. Triangles with an original vertex do not count: there fills are as far apart as the originals are. Of a
-// tile whose fill does so more than once, the lowest counts. The distance is that in space where it is less than a
-// metre, since walls that are millimetres apart differ by metres in height; else that in height. Patches may come in
-// any order. Of each it keeps the triangles near the strip until the second tile has come. Pure; one thread at a time.
+// tile whose fill does so more than once, the lowest counts. The distance is that in space if it is less than a metre,
+// since walls that are millimetres apart differ by metres in height. Else it is that in height. Patches may come in any
+// order. Of each it keeps the triangles near the strip until the second tile has come. Pure; one thread at a time.
 class FillGaps {
  public:
   using Border = std::pair<CellId, CellId>;  // as BorderAudit

@@ -20,9 +20,9 @@ std::map<CellId, std::vector<int32_t>> HolesToFill(const Plan& plan, const std::
 
 std::set<CellId> CellsOf(const Plan& plan, const std::vector<int32_t>& holes);
 
-// For each cluster the cells whose fill needs its heights: those of its own holes, and those whose patches have a new
-// vertex of its boundary. A tile that overlaps its neighbour may have one though no hole of the cluster lies in its
-// cell.
+// For each cluster the cells whose fill needs its heights. They are those of its own holes, and those whose patches
+// have a new vertex of its boundary. A tile that overlaps its neighbour may have one though no hole of the cluster lies
+// in its cell.
 //   holes_of           by cell, the holes to fill
 //   holes_of_clusters  by cluster
 // Cost O(n log n) in the holes' segments.

@@ -10,8 +10,8 @@
 
 namespace tilemend {
 
-// The plan numbers holes and vertices through the whole scene, so that a hole more in one cell shifts the numbers in
-// all that come after it. A task that numbers its own from 0 is the same task for both plans, and so is its result.
+// The plan numbers holes and vertices through the whole scene. So one more hole in a cell shifts the numbers in all
+// cells that come after it. A task that numbers its own from 0 is the same task for both plans, and so is its result.
 struct LocalNumbers {
   std::vector<int32_t> holes;          // of the plan, in ascending order: local number i stands for holes[i]
   std::vector<int32_t> seam_vertices;  // likewise

@@ -46,13 +46,14 @@ struct WaveOptions {
 //   while (std::optional<SceneWork> work = waves.Next()) ...;  // do it, or have it done
 //   waves.Take...(...)                                         // once for each, in any order; then Next again
 //
-// With the surface wang cells are filled layer by layer (Wang 2021, 3.3): each FillWork also samples the seams of its
-// cell, and the layer after it begins with these heights. A cell is filled once, in the last layer of its holes; those
+// With the surface wang, cells are filled layer by layer (Wang 2021, 3.3). Each FillWork also samples the seams of its
+// cell, and the layer after it begins with these heights. A cell is filled once, in the last layer of its holes. Holes
 // of layers before are only sampled in theirs (LayerWork). Closed holes are filled with layer 1. When all cells are
-// filled, the seams between cells of one layer are smoothed (3.4). With thin-plate seams are sampled cluster by
-// cluster, the largest first, what that leaves unknown layer by layer, and a cell is filled as soon as its own clusters
+// filled, the seams between cells of one layer are smoothed (3.4). With thin-plate, seams are sampled cluster by
+// cluster, the largest first, and what that leaves unknown layer by layer. A cell is filled as soon as its own clusters
 // are known. The results do not depend on the order in which they come. Tiles are assembled when all cells are filled,
-// or early: then one is given out for each other piece of work, so that disks are busy while surfaces are computed.
+// or early. Early means that one is given out for each other piece of work, so that disks are busy while surfaces are
+// computed.
 //
 // It holds the plan, the heights of seams and the outcome, but no patch, and of the survey records what is handed over
 // (StoredRecord). Pure; one thread at a
@@ -72,8 +73,8 @@ class SceneWaves {
   // Whether all work is given out and its results are there, as of the last Next.
   bool done() const { return wave_ == Wave::kDone; }
 
-  // The results. kInvalidArgument if one names a hole, a vertex or a cluster that is not there, or a height or
-  // Laplacian that is no number; the scene cannot go on then.
+  // The results. Returns kInvalidArgument if one names a hole, a vertex or a cluster that is not there. The same if a
+  // height or Laplacian is no number. The scene cannot go on then.
   absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies) {
     --awaited_;
     return clearing_.TakeTallies(cell, tallies);

@@ -17,9 +17,9 @@ inline constexpr Rgb kGroundColour = {140, 138, 130};
 
 // The colours of the plan's holes, in their order. A group of holes is a body of water, else a cluster, else a closed
 // hole on its own. Its colour is the median, for each channel, of the colours at the original vertices of all rims of
-// its holes: each vertex once, and none that stands on an object, unless there is nothing else. `water`, if given, is
-// that of all water. As many boats and blurred texels as all else are needed to change a median. It does not depend on
-// the order of anything. Cost: linear in the rims, but for sorting the vertices of a group.
+// its holes. Each vertex counts once, and none that stands on an object, unless there is nothing else. All water has
+// the colour `water`, if given. As many boats and blurred texels as all else are needed to change a median. It does not
+// depend on the order of anything. Cost: linear in the rims, but for sorting the vertices of a group.
 std::vector<FillColour> ColourHoles(const Plan& plan, const PlanInput& input, const std::optional<Rgb>& water);
 
 }  // namespace tilemend

@@ -19,16 +19,16 @@ struct ClosedLoop {
   bool outer_rim = false;           // the outline of a piece, and no hole in it
 };
 
-// Reads a loop of rim points inside a cell. It is an outline if it runs the wrong way round for the normals along it;
-// where the surface along it is a height field, if it does so seen from above. Where the two contradict each other
-// along a few edges, the piece of surface tells: its outline has all of its boundary within. So does an outline of few
-// edges; else it is a hole whose patch faces the other way than what is around it, as where a crown hangs over. Cost
-// O(n log n).
+// Reads a loop of rim points inside a cell. It is an outline if it runs the wrong way round for the normals along it.
+// If the surface along it is a height field, it is an outline if it does so seen from above. Where the two contradict
+// each other along a few edges, the piece of surface tells: its outline has all of its boundary within. So does an
+// outline of few edges. Else it is a hole whose patch faces the other way than the surface around it, as where a crown
+// hangs over. Cost O(n log n).
 ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, PieceBoundaries& pieces);
 
-// Whether a piece of surface lies in a hole: smaller than it, within its boundary seen along its normal, facing the
-// same way, and between the boundary and where the surface that leans in from there would be, give or take an edge's
-// length.
+// Whether a piece of surface lies in a hole. It must be smaller than the hole, lie within its boundary seen along its
+// normal, and face the same way. It must also lie between the boundary and where the surface that leans in from there
+// would be, give or take an edge's length.
 bool LiesIn(const HoleSite& site, const ClosedLoop& piece, const ClosedLoop& hole);
 
 }  // namespace tilemend

@@ -15,8 +15,8 @@ namespace tilemend {
 SingleType ClassifySingle(std::span<const RimSegment> outer, const std::vector<std::vector<RimSegment>>& islands,
                           const std::vector<Point3>& position);
 
-// Wang 2021, 3.1, by the stretches of the cell's outline that the hole takes up: what is left of the outline falls into
-// one arc for each part of the surface.
+// Classifies by Wang 2021, 3.1, from the stretches of the cell's outline that the hole takes up. The rest of the
+// outline falls into one arc for each part of the surface.
 HoleType ClassifyOpen(std::span<const BoundarySegment> segments, CellId cell, bool has_surface, const GridLines& lines,
                       const std::vector<Point3>& position);
 

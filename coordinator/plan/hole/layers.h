@@ -16,8 +16,9 @@ struct Layering {
   int32_t layers = 0;
 };
 
-// Wang 2021, 3.2: open holes that share a grid boundary are one cluster; those with original surface on their boundary
-// are in layer 1, those that share a grid boundary with layer n and are in no layer up to n are in layer n + 1.
+// By Wang 2021, 3.2, open holes that share a grid boundary are one cluster. Those with original surface on their
+// boundary are in layer 1. Those that share a grid boundary with layer n and are in no layer up to n are in layer n +
+// 1.
 //   open        whether hole i is an open hole
 //   outermost   whether it has original surface on its boundary; a cluster without any starts at its lowest hole
 //   touching    pairs of open holes that share a stretch of grid boundary

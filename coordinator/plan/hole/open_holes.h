@@ -24,8 +24,8 @@ struct OpenHoles {
 };
 
 // One hole for each region that boundary.open bounds, by Wang 2021, 3.1 (types A to D, I and II). If the segments cross
-// somewhere, each connected group of them on its own, so that a bad hole fails alone: a group that forms loops is a
-// hole whose folds the filler cuts off, another one fails.
+// somewhere, each connected group of them is handled on its own, so that a bad hole fails alone. A group that forms
+// loops is a hole whose folds the filler cuts off; another one fails.
 OpenHoles FindOpenHoles(const HoleSite& site, const CellBoundary& boundary);
 
 }  // namespace tilemend

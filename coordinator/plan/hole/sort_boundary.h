@@ -16,8 +16,8 @@ namespace tilemend {
 
 using CellBoundaries = std::map<CellId, CellBoundary>;
 
-// Adds a loop of the rim: whole, as a closed loop, to the one cell that owns and closes on all of it; else edge by edge
-// to the cells that close on them, as far as they are in the area.
+// Adds a loop of the rim. If one cell owns all of it and closes on all of it, the loop goes there whole, as a closed
+// loop. Else it goes edge by edge to the cells that close on them, as far as they are in the area.
 void AddLoop(const PlanInput& input, const GridLines& lines, const Rim& rim, const ClosingCells& closing,
              const std::vector<int32_t>& loop, CellBoundaries& boundaries);
 

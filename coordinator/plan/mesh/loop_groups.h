@@ -22,9 +22,10 @@ struct LoopGroups {
   std::vector<size_t> outlines;  // that bound no hole
 };
 
-// Puts together the loops that face each other (annular holes) and outlines of pieces with the smallest hole that they
-// lie in (islands), and classifies each hole in the paper's order: crack, dislocation, annular, island, simple (Zhang
-// 2022, 4.2). An outline that faces another loop is none. O(n^2) in loops whose boxes are near, O(n log n) in all else.
+// Groups loops into holes. Loops that face each other are annular holes; outlines of pieces are islands of the smallest
+// hole that they lie in. Each hole is classified in the paper's order: crack, dislocation, annular, island, simple
+// (Zhang 2022, 4.2). An outline that faces another loop is none. O(n^2) in loops whose boxes are near, O(n log n) in
+// all else.
 LoopGroups GroupLoops(const Rim& rim, std::span<const MeshLoop> loops, const std::vector<bool>& is_outline,
                       const DislocationLimit& dislocation = {});
 

@@ -22,8 +22,8 @@ struct MeshLoop {
   int32_t group = 0;     // loops that share a vertex have the same
   bool touches = false;  // another loop, or itself: part of a continuous hole (Zhang 2022, 3.2)
 
-  // The mean cosine between the way around and the surface along it: near +1 around a hole in a sheet, near -1 around
-  // the sheet, near 0 at the end of a tube.
+  // The mean cosine between the direction of the loop and the surface along it. It is near +1 around a hole in a sheet,
+  // near -1 around the sheet, near 0 at the end of a tube.
   double Turn() const {
     const double area = vector_area.norm();
     return area > 0 ? vector_area.dot(normal) / area : 0;

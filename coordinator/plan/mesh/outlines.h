@@ -9,14 +9,13 @@
 
 namespace tilemend {
 
-// Marks the outlines. A piece of surface has at most one, and the loops that touch it and run round the piece as it
-// does, but for slits: where the two sides of a crack overlap its loop runs so as well.
+// Marks the outlines. A piece of surface has at most one outline, together with the loops that touch it and run round
+// the piece as it does. Slits are excepted: if the two sides of a crack overlap, its loop runs so as well.
 //
-// How open a piece is: the length of the mean of its unit normals, which is the vector area of its loops together over
-// its own area (Stokes). A flat sheet has 1, a hemisphere 1/2, a body with holes the share of its surface that is
-// missing on one side. Of an open piece the loop that faces most the way that the piece is open, backwards, is its
-// outline if the surface along it says so too: a cut through a limb that widens runs round it the wrong way, but the
-// body beyond is closed.
+// How open a piece is: the length of the mean of its unit normals. By Stokes that is the vector area of its loops
+// together, divided by its own area. A flat sheet has 1, a hemisphere 1/2, a body with holes the share of its surface
+// that is missing on one side. Of an open piece, the loop that opens it most is its outline, if the surface along it
+// says so too. A cut through a limb that widens runs round it the wrong way, but the body beyond is closed.
 //
 //   piece_areas  by MeshLoop::piece
 std::vector<bool> FindOutlines(std::span<const MeshLoop> loops, std::span<const double> piece_areas);

@@ -14,8 +14,8 @@
 
 namespace tilemend {
 
-// The square of a cell, and where its tile is cut for it: at the side, or at the tile's own outline where that lies
-// inside the side.
+// The square of a cell, and where its tile is cut for it. The cut is at the side, or at the tile's own outline if that
+// lies inside.
 struct ClipSquare {
   std::array<double, 4> side{};  // by Side: the coordinate of the grid line
   std::array<double, 4> cut{};   // never outside the side
@@ -48,9 +48,9 @@ struct ClippedTile {
 };
 
 // Clips the loops that leave the square or have an outline of a piece (piece_outlines.h), and islands of surface where
-// those leave none: what they wind around seen from above (wound_region.h), in the square. So the clipped boundary is
-// simple there whatever the tile's folds. Slivers go. What is outside the area counts as surface; its box holds the
-// square. Cost as FindWoundRegion.
+// those leave none. The result is what they wind around seen from above (wound_region.h), in the square. So the clipped
+// boundary is simple there whatever the tile's folds. Slivers go. What is outside the area counts as surface; its box
+// holds the square. Cost as FindWoundRegion.
 ClippedTile ClipTile(const SurveyRecord& record, const std::vector<bool>& on_piece_outline, const ClipSquare& square,
                      const AreaOutside& outside = {});
 

@@ -9,10 +9,10 @@
 
 namespace tilemend {
 
-// The values of each vertex of JointTiles::records. `rim_ground` has those of the tiles' own boundary vertices; a new
-// vertex takes them from the ends of the edge that passes it at its height: the ground linearly, the flag of the nearer
-// end. One that no edge passes, on a grid line, has those of the nearest own vertex. Tiles that `rim_ground` does not
-// have stand on the ground. Cost O(n) in the vertices, and for each such one.
+// The values of each vertex of JointTiles::records. The tiles' own boundary vertices have those in `rim_ground`. A new
+// vertex takes them from the ends of the edge that passes it at its height. It gets the ground linearly, the flag of
+// the nearer end. One that no edge passes, on a grid line, has those of the nearest own vertex. Tiles that `rim_ground`
+// does not have stand on the ground. Cost O(n) in the vertices, and for each such one.
 std::map<CellId, RimGround> JointGround(const JointTiles& joint, const std::map<CellId, RimGround>& rim_ground);
 
 }  // namespace tilemend

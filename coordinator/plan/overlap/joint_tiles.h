@@ -22,7 +22,7 @@ struct JointTiles {
   // What is cut: the tiles' boundaries, in an area those of the part inside (tile_in_area.h).
   std::map<CellId, StoredRecord::Pointer> own;
   // The clipped boundaries, without bands. A record's vertices are all those of `own`, in order, then new ones on
-  // the grid lines; `index` of the latter goes on from the tile's vertex count.
+  // the grid lines. The new ones' `index` goes on from the tile's vertex count.
   std::map<CellId, SurveyRecord> records;
   // Per tile, for each of its new vertices: the edges of the tile's own record that pass there.
   std::map<CellId, std::vector<std::vector<int32_t>>> edges_through;

@@ -32,8 +32,8 @@ struct LineRun {
 };
 
 //   fixed  places whose vertex is known: ends of the area's edge, corners of the grid
-// Elsewhere a vertex has the height of a clipped boundary that crosses there, else that of the nearest vertex of the
-// run's tile along the line. Runs come by rising t. Cost O(n log n).
+// Elsewhere a vertex has the height of a clipped boundary that crosses there. Without one it has that of the nearest
+// vertex of the run's tile along the line. Runs come by rising t. Cost O(n log n).
 std::vector<LineRun> FindLineRuns(const std::array<LineCover, 2>& of, const std::map<double, LineVertex>& fixed);
 
 }  // namespace tilemend

@@ -8,7 +8,7 @@
 
 namespace tilemend {
 
-// The links of one region have vertices as its rim has, but no more than 16 times as many in all: a link may be a
+// The links of one region have vertices as its rim has, but no more than 16 times as many in all. A link may be a
 // million times longer than the edges of the chains that it joins.
 class LinkParts {
  public:

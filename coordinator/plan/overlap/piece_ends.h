@@ -24,11 +24,11 @@ struct PieceMatches {
 };
 
 // Gives every end its other one, or the place on the tile's outline that it counts to. First along the boundary of what
-// the pieces cover together (PieceWalk). Where that way is lost, as among walls and trees, it is the nearest end that
-// is left, nearest pairs first: near by before any goes the way that leads to the outline, then anywhere. Ends on the
-// tile's outline go with such as are near alone, as where pieces that overlap by `reach` and the tile end together.
-// What is left counts to the outline where it is. Cost O(n log n), and for each end those around it that are no nearer
-// to others.
+// the pieces cover together (PieceWalk). If that way is lost, as among walls and trees, it is the nearest end that is
+// left, nearest pairs first. Ends near by are matched first. Then ends whose way leads to the outline count to it. Then
+// the rest are matched at any distance. Ends on the tile's outline go with such as are near alone, as where pieces that
+// overlap by `reach` and the tile end together. What is left counts to the outline where it is. Cost O(n log n), and
+// for each end those around it that are no nearer to others.
 PieceMatches MatchPieceEnds(const PieceBoundary& boundary, const std::vector<PieceEnd>& ends, double reach);
 
 }  // namespace tilemend

@@ -34,11 +34,11 @@ class PieceWalk {
   PieceWalk(const PieceBoundary& boundary, double reach);
   ~PieceWalk();
 
-  // The boundary of the union of all pieces seen from above, from the chain that ends at vertex `end` on: along the
-  // outline of the piece that covers the end of the chain, or of its own piece if none does, on along that of each
-  // piece that the way runs into, to where a chain leaves the one that it runs along. `backward`: against the direction
-  // of the edges, from where a chain begins to where the one before ends. Empty: the way is lost. Cost: the edges
-  // near the way.
+  // The boundary of the union of all pieces seen from above, from the chain that ends at vertex `end` on. It runs along
+  // the outline of the piece that covers the end of the chain, or of its own piece if none does. Where it meets another
+  // piece, it goes on along the outline of that. It ends where a chain leaves the outline that it runs along. With
+  // `backward` it goes against the direction of the edges, from where a chain begins to where the one before ends.
+  // Empty: the way is lost. Cost: the edges near the way.
   std::optional<Arrival> From(int32_t end, bool backward) const;
 
  private:

@@ -10,7 +10,7 @@ namespace tilemend {
 // Where two tiles overlap, gives the hole of each the other's outline too (PlannedHole::inner_edges), as far as it is
 // clear of the hole's own rim. The new vertices are those of the other's outline, with the heights that they have
 // there. Before a corner, where four tiles overlap, the outlines get vertices where they cross. Between the outlines
-// both get the same diagonals, and before a rim, where the last vertices of the two are not level, an edge between
+// both get the same diagonals. Before a rim, where the last vertices of the two are not level, both get an edge between
 // these. So in the strip that both fill, both have one surface, up to the last vertices before a rim. Water has so
 // anyway, and gets nothing.
 //   outlines  those of the tiles

@@ -17,7 +17,7 @@ struct TileInArea {
 
 // The boundary of a tile with what is outside the area as surface, up to the box of `outside`, which is the tile's
 // outline. Its vertices are those of the tile and AreaOutside::points. Edges of the tile that the area's edge crosses
-// stay whole: the way along the area begins at their ends outside, so that all of the area is covered. Edges along the
+// stay whole. The way along the area begins at their ends outside, so that all of the area is covered. Edges along the
 // area have piece kAreaPiece (rim.h). Bands are left out.
 //   cut  of each edge: whether it may be crossed (ClippedTile::cut)
 // Cost as FindWoundRegion.

@@ -6,10 +6,10 @@
 
 namespace tilemend {
 
-// Puts a new vertex on the tile's outline close to every rim vertex on an object from which a hole's own region goes on
-// along the outline: the foot of a wall. It has the height of the surface, so that the surfaces of two tiles meet up to
-// there, however far apart the heights are at which the object ends in each. None where the next vertex is a hair off.
-// O(segments).
+// Puts the foot of a wall, a new vertex on the tile's outline, close to rim vertices on objects. It does so where a
+// hole's own region goes on from there along the outline. It has the height of the surface. So the surfaces of two
+// tiles meet up to there, however far apart the heights are at which the object ends in each. None where the next
+// vertex is a hair off. O(segments).
 void LayWallFeet(Plan& plan);
 
 }  // namespace tilemend

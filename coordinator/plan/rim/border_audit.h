@@ -26,8 +26,8 @@ struct BorderFindings {
 };
 
 // Classifies every border by the vertices that its tiles share and by how far their straight outlines lie off the
-// grid's line, and the cut of the scene by all of them. Nothing is found without a grid (PlanInput::has_grid). Cost
-// linear in the tiles' boundary vertices.
+// grid's line. Classifies the cut of the scene by all borders. Nothing is found without a grid (PlanInput::has_grid).
+// Cost linear in the tiles' boundary vertices.
 BorderFindings AuditBorders(const PlanInput& input);
 
 }  // namespace tilemend

@@ -9,13 +9,13 @@
 
 namespace tilemend {
 
-// How far beyond the line of a border the zigzag of each of two tiles begins at least, metres; nothing of one that has
-// none there.
+// How far beyond the line of a border the zigzag of each of two tiles begins at least, metres. No value for one that
+// has none there.
 using Buffers = std::array<std::optional<double>, 2>;
 
-// Nothing if the tiles do not overlap: if neither their zigzags do along a twentieth of the border, nor most edges that
-// both have as boundary are rims, the same way round in both. Rims are no zigzag. Cost O(n log n) in the boundary
-// edges.
+// No value if the tiles do not overlap. They overlap if their zigzags do along a twentieth of the border. They also
+// overlap if most edges that both have as boundary are rims, the same way round in both. Rims are no zigzag. Cost O(n
+// log n) in the boundary edges.
 //   cell, side  of the first tile; the other lies across the side
 std::optional<Buffers> FindBuffers(const SurveyRecord& record, const SurveyRecord& other, const Grid& grid, CellId cell,
                                    Side side);

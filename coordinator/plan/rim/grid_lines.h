@@ -16,9 +16,9 @@ namespace tilemend {
 struct GridLines {
   bool clipped = true;  // as BorderFindings
   bool joined = false;  // independent tiles, cut at the lines for the plan (overlap/joint_tiles.h)
-  // A rim edge whose ends both lie within this inside its tile's side, or kOnLine beyond, lies on that side. 0 where
-  // nearly all of the tiles' boundary lies on the lines to the bit: then what lies a hair inside is surface, or a
-  // sliver without surface, in its own right.
+  // A rim edge whose ends both lie within this inside its tile's side, or kOnLine beyond, lies on that side. It is 0 if
+  // nearly all of the tiles' boundary lies on the lines to the bit. Then what lies just inside is surface, or a sliver
+  // without surface, in its own right.
   double tolerance = kOnLine;
   double piece_reach = 0;  // independent: pieces of one tile overlap, or part, by less than this
   std::map<CellId, std::array<double, 4>> coordinate;  // of each cell of the area, by side
@@ -34,12 +34,12 @@ struct GridLines {
   }
 };
 
-// Works out the lines from the tiles' boundaries: a line takes the coordinate along which most of the tiles' boundary
-// runs, over its whole length (new vertices on it must agree with theirs to the bit, and a tile of which only the inner
-// part is left does not end at the line), else the grid's own, rounded to `lattice_step`. Of independent tiles each
-// side has the coordinate of the tile's own outline. Without a grid nothing lies on the lines. A ragged cut ends in a
-// zigzag at the rim of the area where a tile has more boundary vertices beyond the line than on it. Cost linear in the
-// tiles' boundary edges.
+// Works out the lines from the tiles' boundaries. A line takes the coordinate along which most of the tiles' boundary
+// runs, over its whole length. New vertices on it must agree with theirs to the bit. A tile of which only the inner
+// part is left does not end at the line. Without such a coordinate it takes the grid's own, rounded to `lattice_step`.
+// Of independent tiles each side has the coordinate of the tile's own outline. Without a grid nothing lies on the
+// lines. At the rim of the area a ragged cut ends in a zigzag if a tile has more boundary vertices beyond the line than
+// on it. Cost linear in the tiles' boundary edges.
 GridLines FindGridLines(const PlanInput& input, const BorderFindings& borders, double lattice_step);
 
 }  // namespace tilemend

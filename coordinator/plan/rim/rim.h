@@ -58,8 +58,8 @@ Rim BuildRim(const PlanInput& input, RimPoints keep = RimPoints::kAll);
 //          them, also where two fans lie edge on edge or overlap a little.
 void LinkLoops(Rim& rim, std::span<const int32_t> after = {});
 
-// Edges in a row as boundary segments of the hole, in the order of a walk that has it on the left (an edge has it on
-// the right).
+// Edges in a row as boundary segments of the hole, in the order of a walk that has the hole on the left. An edge has it
+// on the right.
 std::vector<RimSegment> Reversed(const Rim& rim, std::span<const int32_t> edges);
 
 }  // namespace tilemend

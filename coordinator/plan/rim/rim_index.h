@@ -23,8 +23,8 @@ class RimIndex {
   // The edge between two points, either way round; -1 if there is none. Of several the first.
   int32_t EdgeBetween(int32_t a, int32_t b) const;
 
-  // Whether the open segment between p and q stays inside the hole: it meets no rim edge, and leaves from rim points
-  // into a hole's corner. `p_point` and `q_point` are the rim points at the ends, or -1.
+  // Whether the open segment between p and q stays inside the hole. It must meet no rim edge, and leave from rim points
+  // into a hole's corner. The rim points at the ends are `p_point` and `q_point`, or -1.
   bool IsFree(const Point2& p, int32_t p_point, const Point2& q, int32_t q_point) const;
 
   // Distance to the nearest rim edge, at most `limit`.

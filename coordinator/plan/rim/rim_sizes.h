@@ -11,9 +11,9 @@ namespace tilemend {
 // slivers along their borders, with edges far below a millimetre.)
 void RaiseSmallSizes(double lattice_step, Rim& rim);
 
-// Raises sizes at short runs of short edges between long ones, to 0.6 of a long edge's length less the way from it
-// along the loop. A short edge between long ones makes one triangle poor, whatever is done; triangles of its size
-// around it would make those on the long edges poor as well, and many of them.
+// Raises sizes at short runs of short edges between long ones. The size is 0.6 of a long edge's length less the way
+// from it along the loop. A short edge between long ones makes one triangle poor, whatever is done. Triangles of its
+// size around it would make those on the long edges poor as well, and many of them.
 void RaiseSizesAtShortEdges(Rim& rim);
 
 }  // namespace tilemend

@@ -9,11 +9,11 @@
 
 namespace tilemend {
 
-// Gives runs of a loop's edges that one cell closes on to the cell around them (a run of x between y and y to y; across
-// a grid corner to the one that the rim passes through), where all of the run is within an edge's length of that cell's
-// square, and it has no more edges than the runs beside it. On a clipped cut these are slivers that a tile has along
-// its side, within the tolerance. Short runs first, so that they do not cut long ones in pieces. `closing` is by rim
-// edge, as in closing_cells.h.
+// Gives runs of a loop's edges that one cell closes on to the cell around them. That is a run of x between y and y,
+// which goes to y. Across a grid corner it goes to the cell that the rim passes through. All of the run must be within
+// an edge's length of that cell's square. It must have no more edges than the runs beside it. On a clipped cut these
+// are slivers that a tile has along its side, within the tolerance. Short runs first, so that they do not cut long ones
+// in pieces. `closing` is by rim edge, as in closing_cells.h.
 void CloseShallowRuns(const PlanInput& input, const GridLines& lines, const Rim& rim, const std::vector<int32_t>& loop,
                       std::vector<CellId>& closing);
 

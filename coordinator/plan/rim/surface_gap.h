@@ -36,8 +36,8 @@ struct TileOutline {
 };
 
 // The distances in space of each tile's outline vertices from the other tile's surface, by the triangles of its band
-// there: a vertical distance would say metres of two facades that are centimetres apart. What is farther than a metre
-// is not the same surface; but where most of what lies over the other tile is, the tiles disagree, and the differences
+// there. A vertical distance would say metres of two facades that are centimetres apart. What is farther than a metre
+// is not the same surface. But if most of what lies over the other tile is so, the tiles disagree, and the differences
 // in height count as well. Cost linear in the bands, and for each vertex in the triangles near it.
 //   axis  across the border
 SurfaceGap MeasureGap(const TileOutline& a, const TileOutline& b, int axis);

@@ -15,15 +15,15 @@ struct AreaCut {
   std::vector<LeftOpen> left;  // where the edge could not be followed; parts left out inside a hole, which are filled
 };
 
-// The rim of what is left to be covered: `site.rim` inside the polygon `input.area`, closed by chains of new edges
-// along the polygon (RimEdge::area_edge) where it runs through holes. So all that lies outside counts as surface, and
-// what bounds surface there bounds no hole.
+// The rim of what is left to be covered: `site.rim` inside the polygon `input.area`. Where the polygon runs through
+// holes, chains of new edges along it (RimEdge::area_edge) close the rim. So all that lies outside counts as surface,
+// and what bounds surface there bounds no hole.
 //
-// A chain begins and ends at rim vertices outside the polygon, or within kOnLine of it: an edge of the surface that the
-// polygon crosses stays whole, and the fill reaches over the polygon by less than that edge. Where no way leads there
-// it takes vertices inside. New vertices lie on the polygon and on the lattice, at its corners, at grid lines, and
-// between as far apart as the triangles there will be large; none are nearer than a fraction of that to each other or
-// to the rim. They have index -1 and no height.
+// A chain begins and ends at rim vertices outside the polygon, or within kOnLine of it. An edge of the surface that the
+// polygon crosses stays whole, and the fill reaches over the polygon by less than that edge. If no way leads there it
+// takes vertices inside. New vertices lie on the polygon and on the lattice. They are at its corners, at grid lines,
+// and between as far apart as the triangles there will be large. None are nearer than a fraction of that to each other
+// or to the rim. They have index -1 and no height.
 //
 // Precondition: the polygon has rings, and they do not cross. Cost: the rim's points times the polygon's, and the paths
 // (seam_path.h).

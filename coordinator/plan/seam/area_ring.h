@@ -24,9 +24,9 @@ class RingSpacer {
  public:
   explicit RingSpacer(const SeamSite& site);
 
-  // The vertices strictly between the ends of a line: at its corners, where it crosses grid lines, and between as far
-  // apart as the triangles there will be large. They are on the lattice, and none but those on grid lines is nearer
-  // than a fraction of that to the one before or to the rim. Cost as SeamSizeAt for each.
+  // The vertices strictly between the ends of a line: at its corners, where it crosses grid lines, and between. Those
+  // between are as far apart as the triangles there will be large. They are on the lattice. None but those on grid
+  // lines is nearer than a fraction of that distance to the one before or to the rim. Cost as SeamSizeAt for each.
   std::vector<RingVertex> Along(const std::vector<Point2>& line) const;
 
  private:

@@ -30,9 +30,9 @@ struct Junctions {
 // there, starts and ends take turns. Cost O(n log n).
 Junctions FindJunctions(const SeamSite& site, const ClosingCells& closing);
 
-// Which grid corners lie in a hole: the outermost junctions of the four borders there tell; where they do not agree, or
-// there are none, the winding number of the rim does. A corner that the outline of a ragged surface passes by lies in
-// no hole.
+// Which grid corners lie in a hole, by the outermost junctions of the four borders there. If they do not agree, or
+// there are none, the winding number of the rim decides. A corner that the outline of a ragged surface passes by lies
+// in no hole.
 std::set<Corner> FindCornersInHoles(const SeamSite& site, const ClosingCells& closing, const Junctions& junctions);
 
 }  // namespace tilemend

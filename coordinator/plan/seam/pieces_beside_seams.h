@@ -9,9 +9,9 @@
 namespace tilemend {
 
 // On a ragged cut a small piece of surface may lie across a grid line although one cell closes on all of its outline.
-// A seam bends around it on one side or the other: the outline goes to the cell on the side of the seam where the piece
-// lies. The edges that the seam itself follows are for CloseAlongSeams (seams_along_rim.h), which comes after. Cost
-// O(n log n) in the edges and the seams' vertices.
+// A seam bends around it on one side or the other. The outline then goes to the cell on the side of the seam where the
+// piece lies. The edges that the seam itself follows are for CloseAlongSeams (seams_along_rim.h), which comes after.
+// Cost O(n log n) in the edges and the seams' vertices.
 void GivePiecesToTheirSide(const SeamSite& site, const SeamLayout& layout, ClosingCells& closing);
 
 }  // namespace tilemend

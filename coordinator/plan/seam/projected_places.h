@@ -22,14 +22,15 @@ struct BoundaryPlace {
 // The rim points within the two cells of a border.
 std::vector<BoundaryPlace> RimPlacesBeside(const SeamSite& site, const Border& border);
 
-// The places strictly between two ends of a stretch of a border's line that boundary points have opposite them (Wang
-// 2021, 3.3, figure 8), in order along it, on the lattice.
+// The places strictly between two ends of a stretch of a border's line that have boundary points opposite them (Wang
+// 2021, 3.3, figure 8). They are on the lattice, in order along the line.
 //
-// A point gives a place if the way to it straight across lies in the hole, and if no point nearer to the line gives one
-// within half the distance of boundary points: where a boundary runs up to the line its points would crowd there. No
-// place is nearer to the rim than PlaceSeamVertices would allow. Where tiles overlap none lies before a grid corner as
-// far as a tile reaches over the line across, nor within half the distance of boundary points of that: the strip there
-// has points on its two sides alone. Cost: the points times the edges near their ways.
+// A point gives a place if the way to it straight across lies in the hole. There must also be no point nearer to the
+// line that gives one within half the distance of boundary points. Where a boundary runs up to the line, its points
+// would crowd there. No place is nearer to the rim than PlaceSeamVertices would allow. Where tiles overlap, none lies
+// before a grid corner as far as a tile reaches over the line across. None lies within half the distance of boundary
+// points of that either: the strip there has points on its two sides alone. Cost: the points times the edges near their
+// ways.
 std::vector<SeamPlace> ProjectedPlaces(const SeamSite& site, const Border& border, const Point2& from, const Point2& to,
                                        std::span<const BoundaryPlace> boundary);
 

@@ -38,10 +38,10 @@ struct ClusterSample {
 // Settles the seam vertices of a cluster whose surface is known. Heights are rounded to the plan's lattice.
 void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights);
 
-// Settles the seam vertices that one layer sampled: the mean of the samples; along seams between two cells of the
-// layer, where both gave heights, Laplacian-smoothed once (Wang 2021, eq. 5 and 6) with factor `gamma`, 0 <= gamma <=
-// 1, over the two neighbours on either side. Heights are rounded to the plan's lattice. Samples of vertices that are
-// settled already are ignored. The order of samples is of no importance.
+// Settles the seam vertices that one layer sampled: each gets the mean of its samples. Seams between two cells of the
+// layer, where both gave heights, are Laplacian-smoothed once (Wang 2021, eq. 5 and 6). The factor is `gamma`, 0 <=
+// gamma <= 1, over the two neighbours on either side. Heights are rounded to the plan's lattice. Samples of vertices
+// that are settled already are ignored. The order of samples is of no importance.
 void SettleLayer(const Plan& plan, std::span<const SeamSample> samples, double gamma, SeamHeights& heights);
 
 // What the smoothing of seams gave to a vertex, by the cells of each seam.

@@ -34,10 +34,10 @@ struct SeamLayout {
 // outside.
 //
 // A stretch runs from junction to junction (junctions.h) or to a grid corner that lies in the hole. Its vertices lie on
-// the line (seam_vertices.h, or projected_places.h where the options say so; where tiles overlap both, spaced ones
-// where projected ones are far apart); where the straight way would meet the rim it bends over rim points. On a ragged
-// cut a stretch begins and ends off the line. The buffer zones of Wang 2021, figure 7, are laid where a hole is filled
-// (worker/papers/wang/closure_buffers.h). Deterministic.
+// the line. They are spaced (seam_vertices.h) or, where the options say so, projected (projected_places.h); where tiles
+// overlap, spaced ones fill wide gaps between projected ones. Where the straight way would meet the rim, the stretch
+// bends over rim points. On a ragged cut a stretch begins and ends off the line. The buffer zones of Wang 2021, figure
+// 7, are laid where a hole is filled (worker/papers/wang/closure_buffers.h). Deterministic.
 SeamLayout LaySeams(const SeamSite& site, const ClosingCells& closing, SeamsOverRim over_rim);
 
 }  // namespace tilemend

@@ -12,16 +12,16 @@
 
 namespace tilemend {
 
-// A path from way.front() to way.back() over as many of the vertices between as can be reached in order, bending over
+// A path from way.front() to way.back() over as many of the vertices between as can be reached in order. It bends over
 // rim points where the rim stands in between. Consecutive vertices of the path are joined by free segments
 // (RimIndex::IsFree) or by rim edges. Vertices below rim.points.size() are rim points. Nothing if there is no such
 // path.
 std::optional<std::vector<int32_t>> FindSeamPath(const std::vector<int32_t>& way, const Rim& rim, const RimIndex& index,
                                                  const std::function<Point2(int32_t)>& position);
 
-// The same path, bent over rim points that lie beside one of its edges within a fifth of the edge's length and within
-// `reach` (metres), where both halves are free or rim edges: beside a straight edge there would be triangles too flat
-// for use. No vertex comes up twice that did not before.
+// The same path, bent over rim points that lie beside one of its edges. They lie within a fifth of the edge's length
+// and within `reach` (metres), and both halves are free or rim edges. Beside a straight edge there would be triangles
+// too flat for use. No vertex comes up twice that did not before.
 std::vector<int32_t> BendToRim(const std::vector<int32_t>& path, const Rim& rim, const RimIndex& index,
                                const std::function<Point2(int32_t)>& position,
                                double reach = std::numeric_limits<double>::infinity());

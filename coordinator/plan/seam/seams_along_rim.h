@@ -10,7 +10,7 @@
 
 namespace tilemend {
 
-// Where a seam follows a rim edge, that edge bounds the cell on whose side of the seam the hole lies: it goes to that
+// Where a seam follows a rim edge, that edge bounds the cell on whose side of the seam the hole lies. It goes to that
 // cell. Near a grid corner several seams may follow one edge: each takes it from the cell on its one side to that on
 // its other. An edge leaves the area only along the area's own border.
 void CloseAlongSeams(const SeamSite& site, std::span<const Seam> seams, ClosingCells& closing);

@@ -140,8 +140,8 @@ struct Seam {
 
 enum class BodyKind { kWater, kLevelGround };
 
-// What is filled flat: a cluster of open holes, or a closed hole, or several that hold one water; or a river, over one
-// or more of them.
+// What is filled flat: a cluster of open holes, a closed hole, or several that hold one water. Or a river, over one or
+// more of them.
 struct WaterBody {
   BodyKind kind = BodyKind::kWater;  // kLevelGround: nothing says that it is water; never a river
   std::vector<int32_t> holes;        // into Plan::holes, ascending

@@ -17,8 +17,8 @@ struct Centreline {
 
 // The middle of the region that `boundary` bounds (even-odd rule, any order; segments that occur twice bound nothing),
 // a point every `station` metres or less. On a raster: the two places farthest apart on the way through the region, and
-// between them the middles of what is as far along. Islands do not split it; parts that do not hang together have a
-// line each, the largest first, those smaller than an eighth of it none.
+// between them the middles of what is as far along. Islands do not split it. Parts that are not connected have a line
+// each, the largest first; those smaller than an eighth of it have none.
 //
 // Precondition: station > 0, finite positions. Cost: the raster has at most 1000 squares a side, Dijkstra's way over
 // those inside; three times. Deterministic.

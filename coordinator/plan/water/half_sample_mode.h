@@ -21,7 +21,7 @@ struct WeightedHeight {
 // The height that `share` (0 to 1) of the length lies at or below. Cost linear.
 double WeightedQuantile(std::span<const WeightedHeight> sorted, double share);
 
-// The half-sample mode (Bickel and Fruehwirth 2006): the shortest interval that holds half of the weight is kept, again
+// The half-sample mode (Bickel and Fruehwirth 2006). The shortest interval that holds half of the weight is kept, again
 // and again, until three edges or fewer are left. Their weighted mean. Of intervals of the same extent the heaviest
 // counts, then the lowest. Cost linear.
 double HalfSampleMode(std::span<const WeightedHeight> sorted);

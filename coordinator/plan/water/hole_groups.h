@@ -46,8 +46,8 @@ std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>&
 // Rims and seams of the holes, seen from above; seams between two of them occur twice.
 std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t>& holes);
 
-// For each hole of `plan` the group of holes of `whole`, a plan of the same grid, that covers most of it, and more than
-// half, with holes in the same cell; else -1. Holes that can't be filled are parts of none.
+// For each hole of `plan` the group of holes of `whole`, a plan of the same grid, that covers more than half of it.
+// They must have holes in the same cell. If there is none, -1. Holes that can't be filled are parts of none.
 //   group_of  for each hole of `whole`; -1: it is in none
 // Cost O(128 * segments) for each pair of holes that meet in a cell.
 std::vector<int32_t> GroupsCovering(const Plan& plan, const Plan& whole, const std::vector<int32_t>& group_of);

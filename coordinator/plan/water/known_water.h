@@ -18,7 +18,7 @@ struct KnownWater {
   void Forget(const std::vector<int32_t>& holes);
 };
 
-// Finds what the lakes and rivers of `whole`, a plan of the same grid without the area, say of the holes of `plan`: a
+// Finds what the lakes and rivers of `whole`, a plan of the same grid without the area, say of the holes of `plan`. A
 // hole is a part of the body that covers it. Level ground of `whole` says nothing: it may be a part of water that
 // reaches beyond. Cost as GroupsCovering.
 KnownWater FindKnownWater(const Plan& whole, const Plan& plan);

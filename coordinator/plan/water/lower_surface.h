@@ -18,10 +18,10 @@ struct Shore {
   double noise = 0;           // metres: what is no more than that above the water is no higher
 };
 
-// For each shore the share (0 to 1) of the surface around it that is no higher than the water at the nearest edge,
-// where that edge is at the water: of the vertices in the survey's bands, off the rims of holes, that are 3 to 15 m
-// from the shore (where edges are long, 1.5 to 3 mean edges). 0 where there are fewer than ten: nothing is known. Cost
-// O(n log n) in the bands' vertices of the cells around, and the shores.
+// For each shore the share (0 to 1) of the surface around it that is no higher than the water at the nearest edge. It
+// counts the vertices in the survey's bands, off the rims of holes, that are 3 to 15 m from the shore. Where edges are
+// long, that is 1.5 to 3 mean edges. The nearest edge must be at the water. With fewer than ten vertices nothing is
+// known, and the share is 0. Cost O(n log n) in the bands' vertices of the cells around, and the shores.
 std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);
 
 }  // namespace tilemend

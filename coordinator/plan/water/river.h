@@ -17,16 +17,16 @@ struct FallingWater {
   LevelEvidence evidence;  // of the rim, each edge moved up or down by the fall to the river's lower end
 };
 
-// The line along the middle of one or more holes that are reaches of one water: their centrelines (FindCentrelines), in
-// line where they end nearest to each other, without the bends into corners there. Empty: no reach is longer than wide,
-// or `min_width` metres wide in the mean. Cost: FindCentrelines' for each.
+// The line along the middle of one or more holes that are reaches of one water. It is their centrelines
+// (FindCentrelines), in line where they end nearest to each other, without the bends into corners there. Empty: no
+// reach is longer than wide, or `min_width` metres wide in the mean. Cost: FindCentrelines' for each.
 std::vector<Point2> RiverAxis(std::span<const std::vector<PlaneSegment>> reaches, double min_width);
 
-// The river along an axis, if a falling line explains its rim far better than a level does: the moved rim is level, and
-// its J is less than a third of that of `level`, the evidence of the same rim as a lake; less than a fifth where fewer
-// than eight stations have a level; just less where a part of the water is known to fall. Four stations have to have
-// one, and the level's J is more than its noise. Preconditions: the axis has at least two points, the rim an edge.
-// Cost: FitFall's, and EvidenceOf's.
+// The river along an axis, if a falling line explains its rim far better than a level does. The moved rim is then
+// level, and its J is less than a third of that of `level`, which judges the rim as a lake. It must be less than a
+// fifth if fewer than eight stations have a level. It need only be less if a part of the water is known to fall. Four
+// stations have to have one, and the level's J is more than its noise. Preconditions: the axis has at least two points,
+// the rim an edge. Cost: FitFall's, and EvidenceOf's.
 std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<const RimChain> rim,
                                      std::span<const PlaneSegment> outline, const LevelEvidence& level,
                                      bool is_known_river = false);

@@ -19,10 +19,10 @@ struct FallLine {
   size_t with_level = 0;         // stations that have a level of their own
 };
 
-// The line through the levels of stations 25 m apart (Theil 1950, Sen 1968), each the LowerMode of the edges nearest to
-// it, of eight at least; fitted twice, so that the fall within a station does not count. The second time its edges are
-// moved to the station along the first line. No stations: fewer than two have a level.
-// Precondition: at least two points.
+// The line through the levels of stations 25 m apart (Theil 1950, Sen 1968). Each level is the LowerMode of the edges
+// nearest to the station, of eight at least. The line is fitted twice, so that the fall within a station does not
+// count. The second time its edges are moved to the station along the first line. No stations: fewer than two have a
+// level. Precondition: at least two points.
 FallLine FitFall(const std::vector<Point2>& line, std::span<const RimChain> rim);
 
 struct RiverProfile {
@@ -30,10 +30,10 @@ struct RiverProfile {
   std::vector<RemovedRise> removed;  // rises of the shores that the water does not follow
 };
 
-// The profile along a centreline that is known to be a river's: stations as in FitFall; those that lie above the line
-// through all by three deviations have banks alone and no level; the others are made to fall in the direction in which
-// the line falls (NotRising), and lie on a line between them. Before the first and after the last the level stays.
-// Precondition: at least two points. Cost O(stations^2 + edges * stations).
+// The profile along a centreline that is known to be a river's, with stations as in FitFall. Stations that lie above
+// the line through all by three deviations have banks alone and no level: they lie on a line between the others. The
+// others are made to fall in the direction in which the line falls (NotRising). Before the first and after the last the
+// level stays. Precondition: at least two points. Cost O(stations^2 + edges * stations).
 RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const RimChain> rim);
 
 // The values, not rising, that are nearest to `values` in weighted least squares (pool adjacent violators). Weights >

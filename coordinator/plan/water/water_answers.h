@@ -6,10 +6,9 @@
 
 namespace tilemend {
 
-// Fills plan.water_answers, one for each of options.areas, from what FindWater has decided: an area is taken if it is
-// the last that covers more than half of some body, and that body is filled as the area says. The reason
-// is about the body of which it covers most, if that is not filled so. Cost O(areas * bodies), and as CoverLines
-// where they meet.
+// Fills plan.water_answers, one for each of options.areas, from what FindWater has decided. An area is taken if some
+// body is filled as it says, and it is the last that covers more than half of that body. The reason is about the body
+// of which it covers most, if that is not filled so. Cost O(areas * bodies), and as CoverLines where they meet.
 void AnswerWaterAreas(const WaterOptions& options, Plan& plan);
 
 }  // namespace tilemend
