@@ -12,8 +12,8 @@
 
 namespace tilemend {
 
-// The round cones about the corners of triangles at vertices that very many of them have: of the triangles around such
-// a vertex each would be held against each. Building: O(n).
+// The round cones about the corners of triangles at vertices that very many of them have. Without them, each of the
+// triangles around such a vertex would be compared with each. Building: O(n).
 class CornerCones {
  public:
   // Triangles have an area.

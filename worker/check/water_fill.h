@@ -26,7 +26,7 @@ inline constexpr double kLevelTolerance = 0.001;
 
 // For each hole: the vertices inside its fill, the connected piece of added triangles at its centre. Where no piece is
 // there, the piece around the centre that lies best at the level. Vertices on the fill's boundary and on walls up to
-// it are not asked: they belong to the shore. `added` says which triangles of `tile` are new. Pure. O(n log n + holes *
+// it do not count: they belong to the shore. The new triangles of `tile` are in `added`. Pure. O(n log n + holes *
 // added).
 std::vector<WaterFinding> CheckWaterFills(const TriMesh& tile, const std::vector<bool>& added,
                                           const std::vector<WaterHole>& holes);

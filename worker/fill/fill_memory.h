@@ -9,7 +9,7 @@
 
 namespace tilemend {
 
-// About how many new vertices the patch of a hole gets: what triangles as large as those of its boundary have over its
+// About how many new vertices the patch of a hole gets. It takes triangles as large as those of its boundary over its
 // area, or as they grow inward from it. Linear in the boundary.
 double ExpectedVertices(const CellHoles& cell, const CellHole& hole, const RefineOptions& options);
 

@@ -21,7 +21,7 @@ inline constexpr int16_t kNoSurface = INT16_MAX;
 // no disk with surface reaches stays kNoSurface. Nowhere above the raster. Depends on what is within 2 * radius squares
 // alone.
 //
-// Rows are reduced to minima of 1, 2, 4, ... squares first, so that each row of the disk takes two of them (Urbach and
+// Rows are first reduced to minima of 1, 2, 4, ... squares. So each row of the disk takes two of them (Urbach and
 // Wilkinson 2008). Cost O(radius) a square. Precondition: radius >= 0, and heights are at most INT16_MAX in size.
 StepRaster OpenedByDisk(const StepRaster& raster, int32_t radius);
 

@@ -25,20 +25,20 @@ inline constexpr double kGroundSight = 20;
 // What is told of a square depends on the surface within this distance alone, metres.
 inline double FilterReach(const GroundFilterOptions& options) { return 2 * options.window + kGroundSight; }
 
-// Tells ground from objects. The raster is opened with disks of growing radius; what an opening takes away by more than
+// Tells ground from objects. The raster is opened with disks of growing radius. What an opening takes away by more than
 // slope * radius is an object (section 2.1, steps 2 and 3). Squares without surface neither lower nor lift (as printed,
 // the paper interpolates them first, which spreads roofs into holes). Radii grow by one square up to 10 and by a tenth
-// to a fifth then: against growth by one 0 to 1.2 % of the squares differ on nine real and made sites, in a third of
+// to a fifth then. Against growth by one, 0 to 1.2 % of the squares differ on nine real and made sites, in a third of
 // the time.
 //
-// Under objects the ground is linear between the nearest ground squares in opposite directions, the mean of eight pairs
-// of directions weighted by their distance (the paper has an interpolation over the whole raster, which is no local
-// one). So what was taken for an object but lies on that ground is ground again (step 4). Where ground is
-// seen on one side alone, at the edge of the surface, it goes on as far as it is seen: from the nearest square and that
+// Under objects the ground is linear between the nearest ground squares in opposite directions. It is the mean of eight
+// pairs of directions weighted by their distance. The paper has an interpolation over the whole raster, which is no
+// local one. So what was taken for an object but lies on that ground is ground again (step 4). At the edge of the
+// surface ground may be seen on one side alone. There it goes on as far as it is seen: from the nearest square and that
 // twice as far off.
 //
 // The tolerance is that of step 4: threshold + slope_factor * slope of the ground. On ground the slope is the smaller
-// of those to either side, so that ground beside a wall is not steep; under objects the mean one of the pairs.
+// of those to either side, so ground beside a wall is not steep. Under objects it is the mean one of the pairs.
 //
 // Cost: some 400 operations on 8 squares each, for windows of 50 squares.
 class FilteredGround {

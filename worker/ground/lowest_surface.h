@@ -7,9 +7,9 @@
 
 namespace tilemend {
 
-// The lowest height of the mesh in each square: of its vertices, and of its triangles at four places of each square, so
-// that large triangles count in every square that they cover. Places are those of the lattice: tiles that overlap agree
-// on them.
+// The lowest height of the mesh in each square: of its vertices, and of its triangles at four places of each square. So
+// large triangles count in every square that they cover. Places are those of the lattice: tiles that overlap agree on
+// them.
 //
 //   square  metres, > 0
 //

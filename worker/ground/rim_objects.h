@@ -11,10 +11,10 @@
 
 namespace tilemend {
 
-// Which of the vertices stand on an object (a house, a tree, a wall), and not on the ground: those that are higher
-// above the ground of their square than its tolerance (FilteredGround), those as far below it, and those in whose
-// square nothing is known of the ground. A vertex whose square has no surface stands on none. The ground is that of the
-// square, where it has some or lies between squares that do.
+// Which of the vertices stand on an object (a house, a tree, a wall), and not on the ground. They are those that are
+// higher above the ground of their square, or lower below it, than its tolerance (FilteredGround). Those in whose
+// square nothing is known of the ground also count. A vertex whose square has no surface stands on none. The ground is
+// that of the square, where it has some or lies between squares that do.
 //
 //   rasters  of the tile and of all within FilterReach of the vertices, with squares of one size; where they
 //            overlap the lowest counts

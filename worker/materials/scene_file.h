@@ -14,9 +14,9 @@ struct SceneFile {
 };
 
 // Looks for the regular file `name` in `folder` of the scene `root` (all with "/", `folder` relative to `root`). Names
-// may have been written elsewhere: backslashes part folders, quotes around the name are none of it, and where no file
-// has the name as it is written, one that differs only in capital letters is taken (the first in byte order). A name
-// that is absolute, or leads out of `root` by "..", leads nowhere; so does one that the output needs for itself
+// may have been written elsewhere: backslashes part folders, and quotes around the name are none of it. If no file has
+// the name as it is written, one that differs only in capital letters is taken (the first in byte order). A name that
+// is absolute, or leads out of `root` by "..", leads nowhere; so does one that the output needs for itself
 // (IsOutputName). A link is followed as long as it leads to something in the scene, or below `folder` where that is
 // itself reached by a link.
 SceneFile FindSceneFile(const std::string& root, const std::string& folder, std::string_view name);

@@ -40,8 +40,8 @@ struct TexturedSurface {
 // Triangles with an image but without texture coordinates count as those without either. Cost: O(n log n).
 TexturedSurface TexturedSurfaceOf(ObjFile obj, const TileLook& look);
 
-// The finest level of a tree, from its pack. Triangles whose image does not lie in their file as JPEG or PNG are in a
-// group without an image or a colour. `name` of the tile. Errors of ReadTileTree. Linear.
+// The finest level of a tree, from its pack. Triangles are in a group without an image or a colour if their image does
+// not lie in their file as JPEG or PNG. In messages `name` is the tile's. Errors of ReadTileTree. Linear.
 absl::StatusOr<TexturedSurface> TexturedSurfaceOfTree(std::string_view pack, const std::string& name);
 
 }  // namespace tilemend

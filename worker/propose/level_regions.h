@@ -9,8 +9,8 @@
 
 namespace tilemend {
 
-// Chosen on two levels of detail of a photogrammetric city (a canal, a pond) and a wooded river bank of lidar, and
-// looked at on five further sites without water (docs/decisions/2026-11-26-water-proposals.md).
+// Chosen on two levels of detail of a photogrammetric city (a canal, a pond) and a wooded river bank of lidar. Tested
+// on five further sites without water (docs/decisions/2026-11-26-water-proposals.md).
 struct LevelRegionOptions {
   double bank = 0.5;          // metres: how far the shore rises at least, and the heights of water scatter at most
   double growth = 1.35;       // how much larger the region may be at `bank` above its own level
@@ -29,10 +29,10 @@ struct LowRegion {
   double shore_share = 0;  // of its rim, behind which ground is higher by `bank`
 };
 
-// A region below a level is taken for one that may be water if most of its squares lie within `bank` of its level, it
-// hardly grows when the level rises by `bank` (Matas et al. 2002: a maximally stable extremal region of heights), and
-// ground that is higher lies around it. Of regions inside each other the one that does so most clearly is taken. What
-// lies at the edge of the raster counts as if the raster ended in a wall. In order of area, the largest first.
+// A region below a level may be water if most of its squares lie within `bank` of its level, and higher ground lies
+// around it. It must also hardly grow when the level rises by `bank` (Matas et al. 2002: a maximally stable extremal
+// region of heights). Of regions inside each other the one that does so most clearly is taken. What lies at the edge of
+// the raster counts as if the raster ended in a wall. In order of area, the largest first.
 //
 //   heights    the lowest surface in each square
 //   is_ground  for each of them, whether it has surface that is no object

@@ -14,9 +14,9 @@ namespace tilemend {
 // (common/mesh/height_tally.h). Errors of ReadFile and ParseMesh. Cost: linear in the tile, for each polygon.
 absl::StatusOr<std::string> RunMeasure(const v1::MeasureInput& input, TaskMemory& memory);
 
-// The bytes of a SurveyOutput: the record of the tile, of its ground raster, and of its look if that is asked for, all
-// without the surface that the tile's polygons take out. Says `unchanged` alone if the known survey still holds. Errors
-// of ReadFile, ParseMesh and ClearTile. Cost: linear in the tile.
+// The bytes of a SurveyOutput: the record of the tile, of its ground raster, and of its look if that is asked for. All
+// are without the surface that the tile's polygons take out. Says `unchanged` alone if the known survey still holds.
+// Errors of ReadFile, ParseMesh and ClearTile. Cost: linear in the tile.
 absl::StatusOr<std::string> RunSurvey(const v1::SurveyInput& input, TaskMemory& memory);
 
 }  // namespace tilemend

@@ -17,7 +17,7 @@ inline constexpr int64_t kLeastTaskMegabytes = 64;
 inline constexpr int64_t kMostTaskMegabytes = 1'000'000;
 
 // Thread-safe. A task has a share of `tasks` while it runs. One that then reads tiles to test a patch against takes
-// another one of `surfaces` for the rest of its time: never the other way, so that nobody waits for one who waits.
+// another one of `surfaces` for the rest of its time. It is never the other way, so nobody waits for one who waits.
 struct TaskMemory {
   explicit TaskMemory(int64_t bytes) : tasks(bytes - bytes / 4), surfaces(bytes / 4) {}
 

@@ -18,9 +18,9 @@ struct RimSpot {
   std::array<double, 3> weights = {};  // of its corners, sum 1
 };
 
-// A spot for every boundary vertex at which a boundary edge begins: beside the middle of that edge, a little inside its
-// triangle, as images bleed at the outlines of their charts. `mesh` is what `record` was surveyed from. In order of the
-// triangles; cost linear in the triangles, with a look-up for each vertex near the boundary.
+// A spot for every boundary vertex at which a boundary edge begins. It is beside the middle of that edge, a little
+// inside its triangle, as images bleed at the outlines of their charts. The `record` was surveyed from `mesh`. In order
+// of the triangles; cost linear in the triangles, with a look-up for each vertex near the boundary.
 std::vector<RimSpot> RimSpots(const TriMesh& mesh, const SurveyRecord& record);
 
 }  // namespace tilemend

@@ -7,17 +7,17 @@
 
 namespace tilemend {
 
-// Whether SurveyRecord::piece_areas is wanted, for which every triangle is looked at once more, edge_after and
-// repeated_edges (of a mesh without boundary the cost of a sort). With it a mesh that has every
-// triangle more than once is surveyed as if it had each once (copied_triangles).
+// Whether SurveyRecord::piece_areas, edge_after and repeated_edges are wanted. The first takes one more look at every
+// triangle, the others the cost of a sort for a mesh without boundary. With kYes a mesh that has every triangle more
+// than once is surveyed as if it had each once (copied_triangles).
 enum class PieceAreas { kYes, kNo };
 
 // Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams,
 // which double vertices, are no boundary.
 //
-// Source: Wang 2021, 3.1; instead of a half-edge structure of the whole tile, a vertex whose outgoing and incoming
-// edges cancel is known to be inside after one pass over the triangles, and only the others are looked at. Cost: linear
-// in vertices and triangles, three passes. Pure; safe from any thread.
+// Source: Wang 2021, 3.1, without a half-edge structure of the whole tile. One pass over the triangles shows which
+// vertices are inside: their outgoing and incoming edges cancel. Only the others are looked at. Cost: linear in
+// vertices and triangles, three passes. Pure; safe from any thread.
 SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas = PieceAreas::kYes);
 
 }  // namespace tilemend

@@ -37,15 +37,15 @@ struct FillParts {
 // Whether a face is steeper than 45 degrees, or looks down: it is not seen from above.
 bool IsSteepFace(const SpaceTriangle& corners);
 
-// A raster for the shapes of all surface that PlanParts looks at: `box` in squares of 0.5 m, or larger ones if it has
-// more than kMostRasterPixels.
+// A raster for the shapes of all surface that PlanParts looks at. It is `box` in squares of 0.5 m, or larger ones if it
+// has more than kMostRasterPixels.
 OrthoRaster SiteRaster(const Eigen::AlignedBox2d& box);
 
 // Parts are the connected regions of the fill and of squares without surface in `cells`, as far as they hold faces of
 // the fill. So two cells that share a hole give it the same part, if both see all of it. Regions of ground of at most
-// 8 m are one part if their middles lie in the same square of 32 m: many small holes would else draw the same ground
+// 8 m are one part if their middles lie in the same square of 32 m. Many small holes would else draw the same ground
 // many times. A frame reaches 6 to 20 m beyond its part, by the size of its largest region, and ends at multiples of 4
-// m; its texel is `texel`, or coarser by a power of two so that it has at most kMostRasterPixels. Cost: linear in the
+// m. Its texel is `texel`, or coarser by a power of two so that it has at most kMostRasterPixels. Cost: linear in the
 // site's squares and the faces.
 FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span<const Eigen::AlignedBox2d> cells,
                     double texel);
@@ -59,9 +59,9 @@ FillLook LookOf(const FilledFaces& faces, const FillParts& parts, int32_t part);
 // The points of steep faces.
 std::vector<int32_t> SteepPoints(const FilledFaces& faces, const FillParts& parts);
 
-// Colours of the corners of steep faces: of the surface that they hang from. `rim` has the colour of the surface at a
-// point of it. It is handed on along steep faces, ring by ring. A steep face that reaches no such point gets the
-// colours of the rasters at its points, or its flat one. Linear.
+// Colours of the corners of steep faces: of the surface that they hang from. At a point of that surface `rim` has its
+// colour. It is handed on along steep faces, ring by ring. A steep face that reaches no such point gets the colours of
+// the rasters at its points, or its flat one. Linear.
 std::vector<Rgb> SteepColours(const FilledFaces& faces, const FillParts& parts, std::span<const std::optional<Rgb>> rim,
                               std::span<const MadeRaster> rasters);
 

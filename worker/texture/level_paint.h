@@ -21,7 +21,7 @@ class LevelPaint {
   LevelPaint(FillParts parts, std::vector<MadeRaster> rasters, std::map<std::array<double, 3>, Rgb> rim);
 
   // The image of some faces of the level that is `above_finest` levels coarser than the finest. Its texel is that of
-  // the rasters, doubled for each of these levels, as edges are. `colours` of each triangle are for steep ones that
+  // the rasters, doubled for each of these levels, as edges are. The `colours` of each triangle are for steep ones that
   // nothing else tells. Where a coarser face covers several parts it shows the colours of each. Cost: linear in the
   // rasters at the first call for a level, else as PackAtlas. Not safe from several threads.
   Atlas AtlasOf(std::span<const Point3> points, std::span<const Triangle> triangles, std::span<const Rgb> colours,

@@ -67,8 +67,8 @@ void DrawFaces(std::span<const TexturedFace> faces, const Image& image, OrthoRas
 // Draws surface that has no colour.
 void DrawShapes(std::span<const SpaceTriangle> shapes, OrthoRaster& raster);
 
-// The side of a square that an image pixel covers on the surface: the median over the faces' area, metres; 0 without
-// faces that have an area. Cost: O(n log n).
+// The side of a square that an image pixel covers on the surface, in metres: the median over the faces' area. It is 0
+// without faces that have an area. Cost: O(n log n).
 double TexelOf(std::span<const TexturedFace> faces, int32_t image_width, int32_t image_height);
 
 // The power of two metres next to `texel`, and not below kFinestTexel.

@@ -23,10 +23,9 @@ std::vector<float> DistanceInside(const PixelMask& mask, const RasterFrame& fram
 // Takes out regions of pixels, connected by their sides, of fewer than `least` pixels. Cost: linear.
 void DropSmallRegions(const RasterFrame& frame, int64_t least, PixelMask& mask);
 
-// Known pixels of ground: at most 0.4 m above a morphological opening of 20 m, and 0.5 m away from the fill, from
-// pixels of objects and from pixels that are not known,
-// in regions of 4 m2 or more. Cost: linear in the pixels, but for the opening (squares of
-// 0.5 m times 80).
+// Known pixels of ground, in regions of 4 m2 or more. They are at most 0.4 m above a morphological opening of 20 m.
+// They are 0.5 m away from the fill, from pixels of objects and from pixels that are not known. Cost: linear in the
+// pixels, but for the opening (squares of 0.5 m times 80).
 PixelMask GroundPixels(const OrthoRaster& raster, std::span<const FillPixel> fill);
 
 // Known pixels within 0.6 m of the level, one pixel away from the fill.

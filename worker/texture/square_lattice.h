@@ -13,7 +13,7 @@ namespace tilemend {
 
 using Channels = std::array<float, 3>;
 
-// Squares of 2^k pixels of a raster's lattice; the first square begins at a multiple of its side from the lattice's
+// Squares of 2^k pixels of a raster's lattice. The first square begins at a multiple of its side from the lattice's
 // origin, so the squares of all rasters with that texel coincide.
 struct SquareLattice {
   int32_t pixels = 1;  // along a side
@@ -42,9 +42,9 @@ Channels ValueAt(const SquareLattice& lattice, const RasterFrame& frame, int32_t
 // known. Cost: O(squares * sigma).
 void SmoothSquares(double sigma, SquareLattice& lattice);
 
-// Gives every square a value: known ones keep theirs, the rest gets means of ever larger squares, interpolated
-// (push-pull; Gortler, Grzeszczuk, Szeliski and Cohen 1996), then a membrane between the known ones (`sweeps` of
-// successive over-relaxation). All values are 0 if none is known. Cost: O(squares * sweeps).
+// Gives every square a value. Known ones keep theirs. The rest gets means of ever larger squares, interpolated
+// (push-pull; Gortler, Grzeszczuk, Szeliski and Cohen 1996). Then it gets a membrane between the known ones (`sweeps`
+// of successive over-relaxation). All values are 0 if none is known. Cost: O(squares * sweeps).
 void FillSquares(int sweeps, SquareLattice& lattice);
 
 }  // namespace tilemend

@@ -13,18 +13,18 @@ namespace tilemend {
 
 struct Weld {
   WeldRecord record;
-  // By vertices of the mesh, which are all that there are: its triangles as they are now, in order, then those that
-  // came of splitting edges. Unchanged ones are as they were.
+  // By vertices of the mesh; there are no others. First its triangles as they are now, in order, then those that came
+  // of splitting edges. Unchanged ones are as they were.
   std::vector<Triangle> triangles;
 };
 
-// Merges boundary vertices that are no further apart than `tolerance`, the nearest first; then splits boundary edges
+// Merges boundary vertices that are no further apart than `tolerance`, the nearest first. Then splits boundary edges
 // beside which a boundary vertex is left (T-junctions), so that the two sides share it. No position changes: faces name
-// the lower of two vertices, and no vertex ends up further from its position than `tolerance`, nor than the shortest
+// the lower of two vertices. No vertex ends up further from its position than `tolerance`, nor than the shortest
 // boundary edge at it.
 //
-// Refused, with a reason, is what would take the area of a face or turn it over, give an edge more than two faces, or
-// join the two sides of a wall.
+// Merges and splits are refused, with a reason, if they would take the area of a face or turn it over. The same if they
+// give an edge more than two faces, or join the two sides of a wall.
 //   face_of    the face of the file that each triangle is a part of, rising (common/codec/face_edits.h); empty: each is
 //              one
 //   may_split  whether edges may be split: the new half of a face has no texture coordinates

@@ -32,8 +32,8 @@ enum class Bends {
 };
 
 // Where creases end at the rim of a hole, in order of loop and place. A crease is a place where the normals beside the
-// rim change by at least 30 degrees, are alike before it and alike after it: rough ground and round walls have none.
-// O(rim * bends).
+// rim change by at least 30 degrees. Before it they are alike, and so they are after it. So rough ground and round
+// walls have none. O(rim * bends).
 std::vector<CreaseEnd> FindCreaseEnds(std::span<const RimLoop> loops, Bends bends);
 
 }  // namespace tilemend

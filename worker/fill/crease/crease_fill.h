@@ -8,7 +8,7 @@
 namespace tilemend {
 
 // Carries the creases that enter the hole through it (crease_network.h), with vertices as far apart as the triangles
-// there are large, and fills each part on its own (part_fill.h). Both parts at a crease close on its vertices. Islands
+// there are large. Fills each part on its own (part_fill.h). Both parts at a crease close on its vertices. Islands
 // belong to the part that they lie in; creases may end at them. Not applicable if no crease goes through the hole, or a
 // part cannot be filled. The caller checks that the patch is sound.
 LocalPatch FillAlongCreases(const LocalHole& hole, const FillOptions& options);

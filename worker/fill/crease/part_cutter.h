@@ -11,8 +11,9 @@
 
 namespace tilemend {
 
-// The parts of the hole on either side of the network's curves, and its islands in the parts that they lie in, seen
-// along the part's normal; of several, in the nearest. None if an island lies in no part. O(curves * rim).
+// The parts of the hole on either side of the network's curves, and its islands in the parts that they lie in. An
+// island is seen along the part's normal; of several parts it lies in the nearest. None if an island lies in no part.
+// O(curves * rim).
 //   new_points    the network's corners first, then points of curves
 //   curve_points  for each curve the numbers of its new points in order, its ends left out
 std::vector<PartBoundary> CutAlong(const CreaseNetwork& network, const LocalHole& hole,

@@ -11,8 +11,8 @@
 
 namespace tilemend {
 
-// Sizes in metres anywhere in a hole: they grow from the rim's with the distance (Persson 2006, as in RefineRegion), or
-// with `uniform` lie between the rim's.
+// Sizes in metres anywhere in a hole. They grow from the rim's with the distance (Persson 2006, as in RefineRegion);
+// with `uniform` they lie between the rim's.
 class SizeField {
  public:
   SizeField(const LocalHole& hole, const RefineOptions& options);

@@ -12,8 +12,8 @@
 
 namespace tilemend {
 
-// Edge i runs from place i to place i + 1 (the last one to place 0) with the hole on its left, seen from outside. A
-// loop may pass a vertex several times.
+// Edge i runs from place i to place i + 1 (the last one to place 0). The hole is on its left, seen from outside. A loop
+// may pass a vertex several times.
 struct RimLoop {
   std::vector<int32_t> vertices;
   std::vector<Point3> positions;
@@ -25,8 +25,8 @@ struct RimLoop {
 // The vertices of the loops that segments form (LinkEdges). None if they do not form loops. O(n log n).
 std::vector<std::vector<int32_t>> LoopsOf(std::span<const RegionSegment> segments);
 
-// The normal of the surface at each place of a loop, evened out: of the normals beside the edges within reach the one
-// with the least sum of distances to the others. Zero where there are none. O(rim).
+// The normal of the surface at each place of a loop, evened out. Of the normals beside the edges within reach it is the
+// one with the least sum of distances to the others. Zero where there are none. O(rim).
 std::vector<Eigen::Vector3d> EvenNormals(const RimLoop& loop);
 
 }  // namespace tilemend

@@ -35,10 +35,10 @@ struct PatchTraits : public OpenMesh::DefaultTraits {
   FaceAttributes(OpenMesh::Attributes::Status);
 };
 
-// A patch, alone or with its band, as an OpenMesh mesh: what walks from triangle to triangle or around a vertex, and
-// what flips, splits or deletes, belongs on it. Equations that are solved keep arrays of triangles: a pass over all of
-// them is faster there. All of OpenMesh's interface is open (circulators, is_flip_ok, split, delete_face, properties);
-// added here is what a list of triangles needs to come in and go out again without loss.
+// A patch, alone or with its band, as an OpenMesh mesh. Code that walks from triangle to triangle or around a vertex,
+// or that flips, splits or deletes, belongs on it. Equations that are solved keep arrays of triangles: a pass over all
+// of them is faster there. All of OpenMesh's interface is open (circulators, is_flip_ok, split, delete_face,
+// properties). This adds what a list of triangles needs to come in and go out again without loss.
 //
 //   PatchMesh mesh(points, patch);
 //   mesh.AddTriangles(band);
@@ -47,12 +47,12 @@ struct PatchTraits : public OpenMesh::DefaultTraits {
 //
 // Numbers. Vertex v is points[v], also if no triangle has it. Faces have the order of the triangles, without the
 // refused ones; a split adds new ones at the end. The first corner of a triangle stays first, and a flip puts the new
-// corner where the old one was: mesh.Triangles() gives what came in, changed only where something was changed.
+// corner where the old one was. So mesh.Triangles() gives what came in, changed only where something was changed.
 //
 // Manifolds. OpenMesh holds only triangles that run along each edge at most once in each direction and form fans around
-// each vertex: one that is closed, or any number of open ones (a pinched vertex; circulators pass through them all).
-// Others are refused: the earlier of two triangles in each other's way stays. They are kept in refused(), so that none
-// is lost silently, and the mesh is valid without them.
+// each vertex. A vertex has one closed fan, or any number of open ones (a pinched vertex; circulators pass through them
+// all). Others are refused: the earlier of two triangles in each other's way stays. They are kept in refused(), so that
+// none is lost silently, and the mesh is valid without them.
 //
 // Memory: some 80 bytes a triangle. Building: linear for vertices of bounded degree; the constructor links a manifold
 // at once, in a third of the time of AddTriangles. Any number of threads, each with its own mesh. OpenMesh's messages

@@ -10,9 +10,9 @@
 
 namespace tilemend {
 
-// Calls solve(i, k) for all 0 <= i, i + 2 <= k < n, shorter spans first; each settles apex(i, k), the vertex between
-// the two whose triangle closes what lies from i to k, or one below 0 where nothing does. Gives the triangles of the
-// whole loop of n >= 3 vertices; none if it cannot be closed. O(n^2) calls.
+// Calls solve(i, k) for all 0 <= i, i + 2 <= k < n, shorter spans first. Each call settles apex(i, k), the vertex
+// between the two whose triangle closes what lies from i to k. It is below 0 if nothing does. Gives the triangles of
+// the whole loop of n >= 3 vertices; none if it cannot be closed. O(n^2) calls.
 template <class Solve, class Apex>
 std::vector<Triangle> TriangulateSpans(int32_t n, const Solve& solve, const Apex& apex) {
   for (int32_t span = 2; span < n; ++span) {

@@ -11,10 +11,10 @@ namespace tilemend {
 
 // A boundary that runs over facades, under trees or along upright edges folds over itself on the plane. What it winds
 // around is filled over the plane (wound_region.h, plane_fill.h), with a new vertex wherever the boundary crosses
-// itself; no vertex at a fold has an equation. The new vertex lies on the ground where walls stand (upright_walls.h),
+// itself. No vertex at a fold has an equation. The new vertex lies on the ground where walls stand (upright_walls.h),
 // else below the lower of the edges there. Parts of the region that no edge of the hole bounds are left out. What lies
 // between that region's boundary and the hole's, walls for the most part, is closed by triangles in space, loop by
-// loop: such as cross neither the surface of `check` nor the patch, where there are some.
+// loop. If possible they cross neither the surface of `check` nor the patch.
 //
 // The patch is closed whatever the folds; it may yet pass through itself or the surface there (mend_crossings.h).
 // Failures as FillOverPlane. Cost as FillOverPlane, and cubic in the longest loops up to a bound.

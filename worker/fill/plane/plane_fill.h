@@ -14,9 +14,9 @@ struct PlaneFillOptions {
   bool at_folds = false;  // the hole is what is left beside folds (folded_fill.h): the surface may join it by edges
 };
 
-// Triangulates the hole over the plane of `frame`, refines it, finds the heights of the new points (plane_heights.h)
-// and improves the shapes that triangles have in space (flip_edges.h, smooth_on_surface.h; for water only by turning
-// edges). Wang's surface, but for water, has steps of its own: wang_fill.h.
+// Triangulates the hole over the plane of `frame`, refines it and finds the heights of the new points
+// (plane_heights.h). Then improves the shapes that triangles have in space (flip_edges.h, smooth_on_surface.h; for
+// water only by turning edges). Wang's surface, but for water, has steps of its own: wang_fill.h.
 //
 // New points lie on the scene's lattice; over the upright plane also where the tile's number type holds them.
 // Failures: the boundary crosses itself on the plane, the surface joins it by edges already, or the heights have no
@@ -24,8 +24,8 @@ struct PlaneFillOptions {
 LocalPatch FillOverPlane(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options,
                          const PlaneFillOptions& plane_options);
 
-// The same as a part, over the first that fits of the plane that the surface around the hole faces, the hole's own, and
-// the one that all of the surroundings face most nearly. Not applicable if none does.
+// The same as a part, over the first plane that fits. Planes tried are the one that the surface around the hole faces,
+// the hole's own, and the one that all surroundings face most nearly. Not applicable if none does.
 LocalPatch FillOverFacingPlane(const LocalHole& hole, const FillOptions& options);
 
 }  // namespace tilemend

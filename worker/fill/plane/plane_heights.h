@@ -25,8 +25,8 @@ struct PlanePatch {
   std::vector<bool> has_equation;  // of the hole's vertices
 };
 
-// Fills in the heights (z) of the new points: the hole's level if it has one, else those of the thin plate; and of
-// rim vertices on objects those at which the surface passes. False if they cannot be found.
+// Fills in the heights (z) of the new points: the hole's level if it has one, else those of the thin plate. Rim
+// vertices on objects get those at which the surface passes. False if they cannot be found.
 //   chosen  the tension, where it was chosen for this patch
 bool FindHeights(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
                  PlanePatch& patch, std::optional<HoldOut>& chosen);

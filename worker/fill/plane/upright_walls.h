@@ -10,15 +10,15 @@
 
 namespace tilemend {
 
-// Takes the patch down from rim vertices on objects: each gets a new vertex straight below it (or above), where the
-// surface passes, and the segments of the rim get triangles from there. So the surface keeps its height up to the rim,
-// and the tiles on both sides of an overlap have it, wherever the objects end in each.
+// Takes the patch down from rim vertices on objects. Each gets a new vertex straight below it (or above), where the
+// surface passes. The segments of the rim get triangles from there. So the surface keeps its height up to the rim. The
+// tiles on both sides of an overlap have it, wherever the objects end in each.
 //
 //   ground  the height of the surface at every vertex of the hole; it counts at those on objects
 //
-// A vertex stays where the surface is close to it, or further off than the hole is wide, and where the boundary comes
-// by more than once; so does one at the end of a seam that another tile shares (LocalHole::own_outline is false), as
-// that tile may see it otherwise. The patch must be a height field over the ground. Returns the new vertex of each
+// A vertex stays if the surface is close to it, or further off than the hole is wide. It also stays if the boundary
+// comes by more than once. So does one at the end of a seam that another tile shares (LocalHole::own_outline is false),
+// as that tile may see it otherwise. The patch must be a height field over the ground. Returns the new vertex of each
 // vertex of the hole, -1 where there is none; empty without objects. O(triangles).
 std::vector<int32_t> RaiseWalls(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch);
 

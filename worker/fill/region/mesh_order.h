@@ -10,8 +10,8 @@
 namespace tilemend::internal {
 
 // Sorts the points from index `first` on along a Hilbert curve, with their sizes, and the triangles by their lowest
-// point. Refinement goes round the rim, one layer after the other: its order costs whatever comes after it a fourth
-// to a third of its time in cache misses. O(n log n); deterministic. Triangles at walls stay with their segments.
+// point. Refinement goes round the rim, one layer after the other. That order would cost later steps a fourth to a
+// third of their time in cache misses. O(n log n); deterministic. Triangles at walls stay with their segments.
 //   size  per point
 void SortMesh(DelaunayMesh& mesh, size_t first, std::vector<double>& size);
 

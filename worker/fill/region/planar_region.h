@@ -28,8 +28,8 @@ PlanarPoints RoundToWindow(std::span<const Point2> flat, std::span<const double>
 void KeepNewPoints(const std::vector<bool>& kept, std::span<const LatticePoint> points,
                    std::span<const RegionSegment> segments, RefinedRegion& region);
 
-// Moves each new point to the first of `places(where it is)` that lies on the window's lattice, if it turns over no
-// triangle; leaves out those that can go nowhere. Metres. O(n log n).
+// Moves each new point to the first of `places(where it is)` that lies on the window's lattice and turns over no
+// triangle. Leaves out points that can go nowhere. Metres. O(n log n).
 void MoveNewPoints(const LatticeWindow& window, const std::function<std::array<Point2, 2>(const Point2&)>& places,
                    std::span<const LatticePoint> points, std::span<const RegionSegment> segments,
                    RefinedRegion& region);

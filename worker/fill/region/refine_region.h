@@ -37,9 +37,9 @@ struct RefinedRegion {
 // Triangulates the regions that `segments` bound and refines them.
 //   points, segments  as for TriangulateRegion
 //   size              wanted edge length at each point, in lattice steps; for points of no segment ignored
-// Guarantee: every triangle counter-clockwise with area > 0; no new point on a segment; triangles away from the rim
-// reach quality (2 * inradius / circumradius) >= 0.3 unless the rim itself forces less (small angles between segments,
-// rim vertices closer together than their size).
+// Guarantee: every triangle is counter-clockwise with area > 0, and no new point is on a segment. Triangles away from
+// the rim reach quality (2 * inradius / circumradius) >= 0.3, unless the rim itself forces less. That is so for small
+// angles between segments, and for rim vertices closer together than their size.
 RefinedRegion RefineRegion(std::span<const LatticePoint> points, std::span<const RegionSegment> segments,
                            std::span<const double> size, const RefineOptions& options);
 

@@ -13,10 +13,9 @@
 namespace tilemend {
 
 // A Delaunay triangulation has good triangles in its plane; where the surface over it is steep, other diagonals are
-// better. Turns an edge if the two triangles beside it form a strictly convex quadrilateral in the plane (exact) and
-// the worse of the two gets a better shape in space (4 sqrt(3) area / sum of squared edges), beginning at the triangles
-// that are poor, and if the angle between the two does not grow. A surface that is nowhere steep keeps its
-// triangulation.
+// better. Turns an edge if the two triangles beside it form a strictly convex quadrilateral in the plane (exact). The
+// angle between the two may not grow. The worse of the two must get a better shape in space (4 sqrt(3) area / sum of
+// squared edges). It begins at the triangles that are poor. A surface that is nowhere steep keeps its triangulation.
 //   triangles  counter-clockwise in the plane; left as they are if they form no manifold (patch_mesh.h)
 //   plane      per point: its place in the plane
 //   points     per point: its place in space

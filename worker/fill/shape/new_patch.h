@@ -13,7 +13,7 @@
 namespace tilemend {
 
 // Points of the rim and of edges inside that are to stay, then the new ones. Where the hole projects, z is the height
-// over the plane it projects on, and every triangle turns left there, so that the patch covers no place twice.
+// over the plane it projects on. Every triangle turns left there, so the patch covers no place twice.
 struct NewPatch {
   std::vector<Point3> points;
   std::vector<double> sizes;  // wanted edge length at each point, metres
@@ -21,12 +21,12 @@ struct NewPatch {
   std::vector<Triangle> triangles;
   std::vector<std::pair<int32_t, int32_t>> fixed_edges;  // inside; each with its lower end first, sorted
   bool projects = true;
-  // Where the hole projects, refinement makes no triangle flatter on the plane than so many metres: what is flatter
-  // could turn over where the output rounds.
+  // Where the hole projects, refinement makes no triangle flatter on the plane than so many metres. A flatter one could
+  // turn over where the output rounds.
   double least_height = 0;
   bool spreads = false;  // points that refinement adds in one round keep their sizes apart
-  // Of points of the rim: StripsBeside. A triangle whose corners have one in common is left as it is, so that two tiles
-  // have the same in the strip that both fill. Empty: no strips.
+  // Of points of the rim: StripsBeside. A triangle whose corners have one in common is left as it is. So two tiles have
+  // the same triangles in the strip that both fill. Empty: no strips.
   std::vector<uint8_t> strips;
 
   bool LiesInStrip(const Triangle& t) const {
@@ -45,15 +45,16 @@ struct PatchSurroundings {
   std::vector<bool> has_equation;  // of the rim: patch and surroundings surround the point
 };
 
-// Moves new points of a patch whose triangles stay, within the extent of the rim grown by half its diagonal: at walls
+// Moves new points of a patch whose triangles stay, within the extent of the rim grown by half its diagonal. At walls
 // beside the rim the fairing may throw points far off. Holds lists of the triangles around each: O(triangles).
 class PointMover {
  public:
   // The patch must outlive it.
   explicit PointMover(NewPatch& patch);
 
-  // Moves a new point, as far as the reach goes. Where the hole projects and a triangle would turn over on the plane,
-  // or get closer to it than it was, it moves by half the way, a quarter, then only in height. O(degree).
+  // Moves a new point, as far as the reach goes. Where the hole projects, no triangle may turn over on the plane or get
+  // closer to that than it was. If one would, the point moves by half the way, a quarter, and last only in height.
+  // O(degree).
   void Move(int32_t v, const Point3& to);
   // Whether all triangles at a point turn left on the plane; exact.
   bool TurnsLeftAround(int32_t v) const;

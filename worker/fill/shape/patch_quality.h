@@ -9,9 +9,10 @@
 
 namespace tilemend {
 
-// Tallies the triangles of all patches. A poor one is forced by the rim if its corners are all original vertices (three
-// rim vertices nearly on a line, an angle between two rim edges), or if its shortest edge is an original one (a needle
-// on a rim edge far shorter than its neighbours): the filler may neither move nor split these.
+// Tallies the triangles of all patches. A poor one is forced by the rim if its corners are all original vertices.
+// Examples are three rim vertices nearly on a line, and an angle between two rim edges. It is also forced if its
+// shortest edge is an original one (a needle on a rim edge far shorter than its neighbours). The filler may neither
+// move nor split these.
 QualityTally TallyQuality(const CellHoles& cell, const std::vector<HolePatch>& patches);
 
 }  // namespace tilemend

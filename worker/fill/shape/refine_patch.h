@@ -10,11 +10,11 @@
 
 namespace tilemend {
 
-// Mesh refinement (Wang 2021, 3.3, which names the step alone; after Liepa 2003, 4): a triangle whose centroid c is
-// further than the sizes of c and of its corners, over sqrt 2, from each of these gets a point there; then edges are
-// turned until no triangle has a point of its neighbour within its circumcircle in space.
+// Mesh refinement (Wang 2021, 3.3, which names the step alone; after Liepa 2003, 4). A triangle gets a point at its
+// centroid c if each corner is far enough from c. Far enough is further than the sizes of c and of that corner, over
+// sqrt 2. Then edges are turned until no triangle has a point of its neighbour within its circumcircle in space.
 //
-// The size at a centroid is the mean of the corners' where `options` are uniform or do not grow; else it grows from the
+// The size at a centroid is the mean of the corners' if `options` are uniform or do not grow. Else it grows from the
 // corners by `gradation` an edge, up to `size_limit` times the rim's mean.
 //   may_join  whether an edge may run between two points of the rim; one that is there all the same gets a point in its
 //             middle first

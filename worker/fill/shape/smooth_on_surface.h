@@ -16,14 +16,14 @@ namespace tilemend {
 // Where a vertex can be near a place of the plane (metres): on the lattice of the triangulation, and there to the bit.
 using PlacePoint = std::function<std::optional<std::pair<LatticePoint, Point2>>(const Point2&)>;
 
-// Whether triangles that are well shaped in the plane are not in space: whether the root mean square slope of the patch
-// is above 0.25, at which an equilateral triangle has a quality of 0.998.
+// Whether triangles that are well shaped in the plane are not in space. That is so if the root mean square slope of the
+// patch is above 0.25, at which an equilateral triangle has a quality of 0.998.
 bool IsSteepPatch(const std::vector<Triangle>& triangles, const std::vector<Point3>& points);
 
 // One round over the vertices from `first_movable` on. A vertex goes to where the shapes of the triangles around it are
-// best in space (4 sqrt(3) area / sum of squared edges), if that makes none of them poor and turns none over (exact).
-// Its height there is that of the surface: the mean of the height on the triangles as they are and of that on the
-// tangent planes at their corners, which lie on opposite sides of a curved surface.
+// best in space (4 sqrt(3) area / sum of squared edges). It stays if that makes one of them poor or turns one over
+// (exact). Its height there is that of the surface. It is the mean of two heights: that on the triangles as they are,
+// and that on the tangent planes at their corners. These lie on opposite sides of a curved surface.
 //   triangles  counter-clockwise in the plane
 //   plane      per point: its place in the plane; those that move get a new one
 //   points     per point: its place in space; the same

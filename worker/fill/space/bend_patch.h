@@ -10,8 +10,8 @@
 
 namespace tilemend {
 
-// Where the new points of a patch lie on the surface of least bending that goes on from the band (fair_surface.h); none
-// if it cannot be found.
+// Where the new points of a patch lie on the surface of least bending that goes on from the band (fair_surface.h). No
+// value if it cannot be found.
 //   shape       of the hole's vertices and the new points: positions in which the triangles have the shapes to keep
 //   new_points  where they are
 //   triangles   over both

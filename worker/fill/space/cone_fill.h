@@ -17,9 +17,9 @@ struct ConeFill {
   std::vector<Triangle> triangles;  // over places of the loop; the tip is loop.size()
 };
 
-// Clips ears off the loop (clip_ears.h), none, some or as many as can be, and joins what is left to a tip: the middle
-// of it or a place around that, off its plane too. Of the first clipping that leaves a sound cone takes the one of
-// least area. So fins of the surface that stand in a small hole are passed by. None if all cross something.
+// Clips ears off the loop (clip_ears.h), none, some or as many as can be, and joins what is left to a tip. The tip is
+// the middle of it or a place around that, off its plane too. Of the first clipping that leaves a sound cone takes the
+// one of least area. So fins of the surface that stand in a small hole are passed by. None if all cross something.
 //   loop, outside, allowed  as for ClipEars
 //   place                   where a new point can be near another
 // The tips tried turn with the loop. Cost: some 400 cones.

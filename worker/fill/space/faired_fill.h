@@ -10,8 +10,8 @@
 
 namespace tilemend {
 
-// Refines the triangles in space (refine_patch.h) and bends them to the surface of least bending. Where that crosses
-// itself or the surface around it, the new points there are taken back towards the triangles, round by round; the patch
+// Refines the triangles in space (refine_patch.h) and bends them to the surface of least bending. If that crosses
+// itself or the surface around it, the new points there are taken back towards the triangles, round by round. The patch
 // is the first that is sound. Where the turning of edges from rim to rim was what crossed, it is done without. Not
 // applicable if no patch is sound.
 //   triangles  over the hole's vertices; of any number of loops and bridges

@@ -14,9 +14,9 @@
 
 namespace tilemend {
 
-// Triangulates the loop without new vertices, of all ways the one whose worst dihedral angle (among the triangles and
-// with the surroundings) is least, and of those the one of least area (Liepa 2003, 3; dynamic programming after
-// Klincsek 1980).
+// Triangulates the loop without new vertices. Of all ways it takes the one whose worst dihedral angle (among the
+// triangles and with the surroundings) is least. Of those it takes the one of least area. Source: Liepa 2003, 3;
+// dynamic programming after Klincsek 1980.
 //   loop      positions in order, with the hole on the left seen from outside; at least 3
 //   outside   unit normal of the original triangle at edge i (loop[i], loop[i + 1]); zero if unknown
 //   allowed   whether a chord between loop[i] and loop[j] may be made (an edge that the surface has already may not)
@@ -72,8 +72,8 @@ class LoopTriangulation {
   const std::function<bool(int32_t, int32_t)>& allowed_;
   const std::function<bool(int32_t, int32_t, int32_t)>& fits_;
   int32_t n_;
-  // By span: its best triangulation, the vertex of the triangle that closes it, and the normal there, which for one
-  // edge is that of the surface outside (x, y, z, 1; 0 if unknown). What is looked up for all spans to one end is kept
+  // By span: its best triangulation, the vertex of the triangle that closes it, and the normal there. For one edge that
+  // is the normal of the surface outside (x, y, z, 1; 0 if unknown). What is looked up for all spans to one end is kept
   // with the end first as well.
   std::vector<Weight> best_, best_by_end_;
   std::vector<int32_t> choice_;

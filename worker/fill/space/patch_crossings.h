@@ -21,9 +21,9 @@ bool HasArea(const SpaceTriangle& triangle);
 // Whether segment pq has a point in common with a triangle. Exact; false for a triangle without area.
 bool SegmentCrosses(const Point3& p, const Point3& q, const SpaceTriangle& t);
 
-// Whether two triangles have a point in common besides their common corners and edge, or are folded onto each other at
-// their edge (closer than the angle with sine 0.02), or are one. Corners at equal positions are one vertex. Exact, but
-// for the folds. Precondition: they have area.
+// Whether two triangles have a point in common besides their common corners and edge, or are one. Also whether they are
+// folded onto each other at their edge (closer than the angle with sine 0.02). Corners at equal positions are one
+// vertex. Exact, but for the folds. Precondition: they have area.
 bool TrianglesCross(const SpaceTriangle& a, const SpaceTriangle& b);
 
 // Whether two triangles of the patch cross, or one of the patch and one of the surface (TrianglesCross). Surface

@@ -13,8 +13,8 @@
 
 namespace tilemend {
 
-// Why the patch would not close its hole to a manifold surface with area everywhere: a flat triangle, one that the
-// surface has already, an edge with three triangles, a rim segment without one. O(n).
+// Why the patch would not close its hole to a manifold surface with area everywhere. Faults are a flat triangle, one
+// that the surface has already, an edge with three triangles, a rim segment without one. O(n).
 FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch);
 
 // Whether a triangle of the patch does not face up.

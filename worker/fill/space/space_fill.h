@@ -14,20 +14,20 @@
 
 namespace tilemend {
 
-// A triangulation of a loop of vertices of the hole that has no edge twice, makes none of `used` inside, and crosses
-// nothing of `surface` (sound_triangulation.h); empty if there is none.
+// A triangulation of a loop of vertices of the hole. It has no edge twice, makes none of `used` inside, and crosses
+// nothing of `surface` (sound_triangulation.h). Empty if there is none.
 std::vector<Triangle> TriangulateInSpace(const LocalHole& hole, const std::vector<int32_t>& loop,
                                          const std::set<VertexPair>& used, const CrossingIndex& surface);
 
-// The hole's loops tied together by the shortest bridges, one after the other, which it adds to `bridges`; empty if
+// The hole's loops tied together by the shortest bridges, one after the other, which it adds to `bridges`. Empty if
 // there are no loops, or some cannot be tied. O(rim^2 log rim) for each island.
 std::vector<int32_t> JoinedLoop(const LocalHole& hole, std::set<VertexPair>& bridges);
 
 // Triangulates the boundary so that the patch crosses neither itself nor the surface. Islands are tied to the rest by
 // bridges, the shortest that lead to a sound patch. With Wang's surface the triangles are refined, adjusted and faired
 // (ShapeAsWang) where that leads to a sound patch, else they are the patch. With the thin plate, a short hole of one
-// loop is refined over these triangles with all, half or none of the bending (unrolled_fill.h), whichever is sound
-// first; others, and those that this leads to nothing for, are refined and bent in space (faired_fill.h).
+// loop is refined over these triangles (unrolled_fill.h). It gets all, half or none of the bending, whichever is sound
+// first. Other holes, and those without a sound patch so, are refined and bent in space (faired_fill.h).
 //   hole     closed, its vertices at folds without an equation
 // A patch may yet be unsound: the caller checks it. Failures: too long a boundary, no bridge, none without a crossing.
 LocalPatch FillInSpace(const LocalHole& hole, const FillOptions& options, CrossingCheck& check);

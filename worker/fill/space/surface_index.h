@@ -16,8 +16,8 @@ class SurfaceIndex {
  public:
   explicit SurfaceIndex(TriMesh mesh);
 
-  // Appends the triangles whose extents meet the box from lo to hi, each once, in an order that depends on the mesh and
-  // the box alone. Cost: the triangles over the box's shadow.
+  // Appends the triangles whose extents meet the box from lo to hi, each once. Their order depends on the mesh and the
+  // box alone. Cost: the triangles over the box's shadow.
   void AppendNear(const Point3& lo, const Point3& hi, std::vector<SpaceTriangle>& found) const;
 
  private:

@@ -12,8 +12,8 @@
 namespace tilemend {
 
 // Takes heights (or corrections) from a coarse mesh to the points of a finer one. Around every coarse point stands the
-// quadratic that fits the coarse heights there best; a fine point gets the mean of the quadratics around it, with
-// weights that fall to zero smoothly: a partition of unity (Babuska & Melenk 1997). Linear functions are kept exactly,
+// quadratic that fits the coarse heights there best. A fine point gets the mean of the quadratics around it. The
+// weights fall to zero smoothly: a partition of unity (Babuska & Melenk 1997). Linear functions are kept exactly,
 // quadratics nearly: what the energy of a plate needs.
 //
 // The fine problem must outlive it.
@@ -54,10 +54,10 @@ struct CoarsePlate {
   PlateInterpolation interpolation;
 };
 
-// Leaves out points of `problem` inside the patch, the more the farther they are from its boundary and from points of
-// known height, and triangulates the rest. One to two coarse unknowns are left for each point of the boundary.
-// Linear in the points but for the triangulation (region_triangulation.h). Nothing if the boundary of the patch bounds
-// no region on a lattice of its own. Deterministic.
+// Leaves out points of `problem` inside the patch, and triangulates the rest. It leaves out more of them the farther
+// they are from the patch's boundary and from points of known height. One to two coarse unknowns are left for each
+// point of the boundary. Linear in the points but for the triangulation (region_triangulation.h). Nothing if the
+// boundary of the patch bounds no region on a lattice of its own. Deterministic.
 std::optional<CoarsePlate> CoarsenPlate(const ThinPlateProblem& problem);
 
 }  // namespace tilemend

@@ -17,7 +17,7 @@ using EliminationOrder = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic
 EliminationOrder OrderOf(const Eigen::SparseMatrix<double>& lower);
 
 // A sparse Cholesky factorisation of a symmetric matrix, of which `lower` is the lower triangle. Its memory is that of
-// the triangle and of the factor: Eigen's own way to the order would have whole copies of the matrix beside them.
+// the triangle and of the factor. Eigen's own way to the order would have whole copies of the matrix beside them.
 class SymmetricFactorization {
  public:
   explicit SymmetricFactorization(Eigen::SparseMatrix<double> lower);

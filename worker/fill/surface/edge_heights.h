@@ -9,10 +9,10 @@
 namespace tilemend {
 
 // Fills in the heights at points of the edge, where the Laplacian alone says nothing: any harmonic surface has none.
-// There the heights that a plate on an unbounded plane, level far away, foretells from samples of the rim (kriging.h),
-// and what the rim itself is away from them carried on by a membrane. Under the problem's tension, at least 3 /
-// width^2, and as much more as it takes to keep within reach of the rim (height_reach.h); a membrane alone where that
-// does not help, where the tension is that of a membrane, or there are too few samples.
+// There it takes the heights that a plate on an unbounded plane, level far away, predicts from samples of the rim
+// (kriging.h). A membrane carries on by how much the rim itself differs from them. The tension is the problem's, at
+// least 3 / width^2, and as much more as it takes to keep within reach of the rim (height_reach.h). A membrane alone is
+// used if that does not help, if the tension is that of a membrane, or if there are too few samples.
 //
 // Leaves heights at other unknown points that mean nothing. Returns false, with the heights as they were, if the system
 // cannot be factorised. Cost of a factorisation for each tension.

@@ -22,23 +22,23 @@ struct FairSurfaceProblem {
   bool evens_curvature = false;
 };
 
-// Moves the unknown points so that the integral of |Laplacian of the position|^2 is least (Botsch and Kobbelt 2004,
-// "An intuitive framework for real-time freeform modeling"; cotangent weights after Pinkall and Polthier 1993, lumped
-// masses). The weights are those of `shape`: positions in which the patch triangles have the shapes that they should
-// keep; then, in a second solve, those of the surface found.
+// Moves the unknown points so that the integral of |Laplacian of the position|^2 is least. Source: Botsch and Kobbelt
+// 2004, "An intuitive framework for real-time freeform modeling". It uses cotangent weights after Pinkall and Polthier
+// 1993, and lumped masses. The weights are those of `shape`: positions in which the patch triangles have the shapes
+// that they should keep. In a second solve they are those of the surface found.
 //
-// Such a surface cuts off what is round. With `evens_curvature` a step follows towards the surface on which not the
-// Laplacian of the position, H n, but that of its length, the mean curvature H, is zero: spheres and cylinders go on as
-// they are (Schneider and Kobbelt 2001, "Geometric fairing of irregular meshes for free-form surface design"). The
-// difference of the two, div(H grad n) + grad H grad n at the surface found, becomes the right side of the same
-// equations. On the inside of a bend, where a surface is saddle-shaped, H has a Laplacian: as much of it, over the
-// whole patch, as H flows in across the rim from `beyond`. That much of the step is not made; how much that is, is only
-// believed as far as it is alike all along the rim.
+// Such a surface cuts off what is round. The Laplacian of the position is H n, with the mean curvature H as its length.
+// With `evens_curvature` a step follows towards the surface on which the Laplacian of H is zero. So spheres and
+// cylinders go on as they are. Source: Schneider and Kobbelt 2001, "Geometric fairing of irregular meshes for free-form
+// surface design". The difference of the two, div(H grad n) + grad H grad n at the surface found, becomes the right
+// side of the same equations. On the inside of a bend, where a surface is saddle-shaped, H has a Laplacian. It is as
+// much, over the whole patch, as H flows in across the rim from `beyond`. That much of the step is not made; how much
+// that is, is only believed as far as it is alike all along the rim.
 //
-// Then the surface of least bending, that of even curvature, and those of up to two more solves are held against each
-// other: that one is taken whose curvature at the rim is nearest to that of the surface beside it. Further solves are
-// left out where the first would change little by them, or has lost much of the area of its shapes. Beside the rough
-// rims of tiles curvature is mostly noise.
+// Then the surface of least bending, that of even curvature, and those of up to two more solves are compared. The one
+// is taken whose curvature at the rim is nearest to that of the surface beside it. Further solves are left out where
+// the first would change little by them, or has lost much of the area of its shapes. Beside the rough rims of tiles
+// curvature is mostly noise.
 //   shape  one position for each point; those of band triangles are taken from problem.points
 // False, with the points as they were, if the system cannot be factorised. Sparse Cholesky; about O(n^1.5).
 bool FairSurface(const std::vector<Point3>& shape, FairSurfaceProblem& problem);

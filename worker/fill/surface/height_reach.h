@@ -14,8 +14,8 @@ struct HeightReach {
   bool HoldsUnknown(const ThinPlateProblem& problem) const;
 };
 
-// Half the range of the rim's heights, and a quarter of the extent times the median slope beside it but for walls,
-// above and below the rim. O(n).
+// Above and below the rim: half the range of its heights, and a quarter of the extent times the median slope beside it.
+// Walls do not count for the slope. O(n).
 HeightReach ReachOfRim(const ThinPlateProblem& problem);
 
 // Whether a triangle is ground and no wall: no steeper than 5 in 1, and faces up.

@@ -9,9 +9,9 @@
 
 namespace tilemend {
 
-// How wide the region is that the segments have on their left, seen from above: the diameter of the empty circles in
-// which half of its area lies, those about the triangles of its Delaunay triangulation. 0 if they bound no region.
-// Depends on the rim alone, not on seams or triangles inside. Cost O(n log n).
+// How wide the region is that the segments have on their left, seen from above. It is the diameter of the empty circles
+// in which half of its area lies: those about the triangles of its Delaunay triangulation. It is 0 if they bound no
+// region. Depends on the rim alone, not on seams or triangles inside. Cost O(n log n).
 double HoleWidth(std::span<const Point3> points, std::span<const RegionSegment> segments);
 
 }  // namespace tilemend

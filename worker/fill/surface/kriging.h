@@ -47,8 +47,8 @@ class Kriging {
   //   noise  variance of each height by itself, over the kernel's scale: draws them away from the samples to the drift
   HeightTrend Trend(double noise) const;
 
-  // The mean |error| of each block of each division, when it is left out: (C_BB)^-1 (C z)_B with C the inverse of the
-  // kriging matrix, without a further solve (Dubrule 1983).
+  // The mean |error| of each block of each division, when it is left out. With C the inverse of the kriging matrix it
+  // is (C_BB)^-1 (C z)_B, without a further solve (Dubrule 1983).
   std::vector<Eigen::VectorXd> BlockErrors(const std::vector<SampleBlocks>& divisions) const;
 
  private:

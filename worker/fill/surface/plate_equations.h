@@ -15,9 +15,9 @@ namespace tilemend {
 // A value for each point of the problem.
 using PointValues = Eigen::VectorXd;
 
-// The symmetric positive definite system A h = b for the unknown heights h of a patch, A = K M^-1 K + tension K, with
-// the cotangent matrix K of linear finite elements and lumped masses M (see thin_plate.h). Only K is stored, a row for
-// each point of patch and band that needs one: 12 bytes for each pair of joined points.
+// The symmetric positive definite system A h = b for the unknown heights h of a patch, A = K M^-1 K + tension K. The
+// matrices are the cotangent matrix K of linear finite elements and lumped masses M (see thin_plate.h). Only K is
+// stored, a row for each point of patch and band that needs one: 12 bytes for each pair of joined points.
 //
 // Vectors have a value for each point; those of corrections and residuals are zero at points of known height.
 class PlateEquations {

@@ -14,11 +14,12 @@ namespace tilemend {
 // cannot be factorised. May choose the problem's tension, make points known and take equations away.
 using PlateSolver = std::function<std::optional<std::vector<double>>()>;
 
-// Solves for the heights of a plate that bends along sloping ground, where one over the ground would bend along the
-// plane of x and y. Twice: calls `solve` with the problem in coordinates of a plane of that slope (dz/dx, dz/dy), each
-// point's place on it along its vertical line, which is a stretch of the ground, and its distance from the plane. Then
-// solves along the surface that came of it, with the same tension: where the ground falls to one side and rises to the
-// other, no plane lies along all of it. Points stay on their vertical lines, so that seams stay where they are.
+// Solves for the heights of a plate that bends along sloping ground. A plate over the ground would bend along the plane
+// of x and y. There are two solves. The first calls `solve` with the problem in coordinates of a plane of that slope
+// (dz/dx, dz/dy). A point's place on it is where its vertical line meets it, in lengths along the plane; its height is
+// the distance from the plane. The second solves along the surface that came of it, with the same tension. Where the
+// ground falls to one side and rises to the other, no plane lies along all of it. Points stay on their vertical lines,
+// so that seams stay where they are.
 //
 // Laplacians and the tension are those along the surface. A slope of zero calls `solve` alone, and changes nothing, not
 // to the last bit. Where nothing is returned the heights of unknown points mean nothing. Costs a solve more.

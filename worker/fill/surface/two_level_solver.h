@@ -11,9 +11,9 @@ namespace tilemend {
 // Of the curvature, root mean square: where the iteration stops.
 inline constexpr double kLeastError = 0.01;
 
-// The heights of all points by conjugate gradients, from the interpolated solution on a coarser mesh (coarse_plate.h),
-// with two levels as preconditioner: damped Jacobi, a coarse correction by sparse Cholesky, damped Jacobi. Stops when
-// the energy of the remaining error is estimated at kLeastError^2 of the surface's: the curvature is right to that
+// The heights of all points by conjugate gradients, from the interpolated solution on a coarser mesh (coarse_plate.h).
+// The preconditioner has two levels: damped Jacobi, a coarse correction by sparse Cholesky, damped Jacobi. Stops when
+// the energy of the remaining error is estimated at kLeastError^2 of the surface's. Then the curvature is right to that
 // share (root mean square), or heights are to a millionth of the mean edge. Near-linear: about ten iterations whatever
 // the size of the patch, and a coarse mesh that grows with the boundary. Some 150 bytes for each point.
 //

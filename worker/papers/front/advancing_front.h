@@ -41,16 +41,16 @@ struct FrontPatch {
   bool closed() const { return end == FrontEnd::kClosed; }
 };
 
-// The advancing front of Zhao 2007, Sun 2012 and Xu 2014: the smallest angle of the front first; at most 75 degrees,
-// its two neighbours are joined; at most 135, a new vertex divides it, else two; where they go is the rule's. Normals
-// of vertices on the front are those of eq. 1 of Sun 2012: of the triangles around them, and of the one that would join
-// their neighbours. A new vertex near the front, or beyond it, is given up for a vertex of the front there
-// (Xu 2014, 3.2, step 4): so the front parts, and fronts around islands join.
+// The advancing front of Zhao 2007, Sun 2012 and Xu 2014, the smallest angle of the front first. At most 75 degrees,
+// its two neighbours are joined. At most 135, a new vertex divides it, else two; where they go is the rule's. Normals
+// of vertices on the front are those of eq. 1 of Sun 2012. They are of the triangles around them, and of the one that
+// would join their neighbours. A new vertex near the front, or beyond it, is given up for a vertex of the front there
+// (Xu 2014, 3.2, step 4). So the front parts, and fronts around islands join.
 //
 // What the papers leave open: what is done where a triangle would cover others. Seen along its normal, no new triangle
 // covers a vertex of the front or crosses an edge of it. A corner that allows none waits until its neighbours have
-// changed; when all wait, new vertices may lie near the front, and at last the smallest angle is joined whatever it
-// covers. So a patch may cross itself: the caller checks it. No edge is made twice.
+// changed. When all wait, new vertices may lie near the front. At last the smallest angle is joined whatever it covers.
+// So a patch may cross itself: the caller checks it. No edge is made twice.
 //
 // About O(log n) for each new point, where the front is nowhere crowded. Deterministic.
 FrontPatch AdvanceFront(const FrontRim& rim, const FrontRule& rule, const FrontLimits& limits);

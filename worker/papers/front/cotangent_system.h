@@ -18,8 +18,8 @@ Eigen::Vector3d HalfCotangents(const SpaceTriangle& t);
 // 2002).
 Eigen::Vector3d MixedAreas(const SpaceTriangle& t);
 
-// Of the points from `rim` on: sum over the neighbours of w_ij (f_j - f_i), with the weights of Xu 2014, eq. 3, halved;
-// f of the rim is given (Dirichlet).
+// Of the points from `rim` on: sum over the neighbours of w_ij (f_j - f_i), with the weights of Xu 2014, eq. 3, halved.
+// On the rim f is given (Dirichlet).
 class CotangentSystem {
  public:
   // Sparse Cholesky, about O(n^1.5).

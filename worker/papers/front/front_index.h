@@ -21,7 +21,7 @@ class FrontIndex {
   // Must outlive it.
   explicit FrontIndex(const FrontLoops& loops) : loops_(loops) {}
 
-  // The edge that leaves a node is new, or has a new end. `unit`, > 0: the length of edges here; much shorter ones
+  // The edge that leaves a node is new, or has a new end. The length of edges here is `unit`, > 0; much shorter ones
   // count as a millionth of it.
   void Add(int32_t node, const Point3& from, const Point3& to, double unit);
 

@@ -24,9 +24,9 @@ class FrontLoops {
   void CutOff(int32_t node);
   // A triangle before, node, `vertex`, which is new: the front passes it between the two. Gives its node.
   int32_t Insert(int32_t node, int32_t vertex);
-  // A triangle before, node, other: the front runs from `before` to `other` and on, and comes from before `other` to
-  // `other` and on to the node. So one loop becomes two, or two become one. Gives the second node of `other`'s vertex.
-  // Precondition: `other` is neither the node nor the one before it.
+  // A triangle before, node, other. The front then runs from `before` to `other` and on, and comes from before `other`
+  // to `other` and on to the node. So one loop becomes two, or two become one. Gives the second node of `other`'s
+  // vertex. Precondition: `other` is neither the node nor the one before it.
   int32_t Join(int32_t node, int32_t other);
 
   const Node& operator[](int32_t node) const { return nodes_[node]; }

@@ -22,8 +22,8 @@ class FrontSight {
   //   unit  the length of edges here, > 0
   void Follow(int32_t node, double unit);
 
-  // Whether a triangle faces with `normal` and, seen along its own normal, covers no vertex of the front and crosses no
-  // part of an edge of it that is no further off than its longest edge.
+  // Whether a triangle faces with `normal` and, seen along its own normal, covers no vertex of the front. Nor may it
+  // cross part of an edge of the front that is no further off than its own longest edge.
   //   vertices  of its corners; -1: a new one
   bool IsClear(const SpaceTriangle& t, const Triangle& vertices, const Eigen::Vector3d& normal) const;
 

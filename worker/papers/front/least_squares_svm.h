@@ -7,8 +7,8 @@
 
 namespace tilemend {
 
-// f(x) = sum of a_i exp(-(x - x_i)^2 / (2 width^2)) + b, x a number (Xu 2014, eq. 15; the kernel is the usual one, of
-// which the paper has none).
+// A function f(x) = sum of a_i exp(-(x - x_i)^2 / (2 width^2)) + b, x a number (Xu 2014, eq. 15). The kernel is the
+// usual one; the paper has none.
 struct SvmFunction {
   Eigen::VectorXd at, weights;
   double offset = 0, width = 1;

@@ -10,9 +10,10 @@
 
 namespace tilemend {
 
-// Zhao et al. 2007, as Xu 2014, 2.3 tells it: normals of the new points are harmonic between those of the rim; each
-// triangle is turned about its middle to the mean normal of its corners; then points are moved so that the triangles'
-// edges are, in the sense of the cotangent Poisson equation with the rim as Dirichlet boundary, as these have them.
+// Zhao et al. 2007, as Xu 2014, 2.3 tells it. Normals of the new points are harmonic between those of the rim. Each
+// triangle is turned about its middle to the mean normal of its corners. Then points are moved so that the triangles
+// have the edges that they got by turning. That is in the sense of the cotangent Poisson equation with the rim as
+// Dirichlet boundary.
 //   rim_normals  any length; those without one count as the patch's own there
 //   points       those of the rim first
 // False, with the points as they were, if there is no solution.

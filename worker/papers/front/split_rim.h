@@ -12,9 +12,9 @@ namespace tilemend {
 // points follow those of the rim; the surface itself stays as it is. Precondition: longest > 0. Gives how many are new.
 int32_t SplitLongEdges(double longest, FrontRim& rim);
 
-// Takes the points that SplitLongEdges added out of a patch: each moves along the boundary into one of its two
-// neighbours there, the one that leaves the better triangles, so that no edge of the surface has a vertex in its
-// middle. What the paper does with them, it does not say.
+// Takes the points that SplitLongEdges added out of a patch, so that no edge of the surface has a vertex in its middle.
+// Each moves along the boundary into one of its two neighbours there, the one that leaves the better triangles. What
+// the paper does with them, it does not say.
 //   rim       points that stay, the first ones
 //   split     points after them that go
 //   may_join  whether an edge may run between two points of the rim

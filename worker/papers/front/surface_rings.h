@@ -12,15 +12,15 @@
 
 namespace tilemend {
 
-// A vertex and its Laplacian: half the sum of eq. 3's weights times the edges to its neighbours (Xu 2014, eq. 1), over
-// the sum of these halved weights (eq. 2) or over its Voronoi area (eq. 4, but for the sign).
+// A vertex and its Laplacian: half the sum of eq. 3's weights times the edges to its neighbours (Xu 2014, eq. 1). It is
+// divided by the sum of these halved weights (eq. 2) or by its Voronoi area (eq. 4, but for the sign).
 struct LaplacianSample {
   Point3 at;
   Eigen::Vector3d laplacian;
 };
 
-// The vertices of the first `rings` rings around a rim (Xu 2014, 3.3; those of the rim itself are not surrounded and
-// have no Laplacian), in the order of the surface's triangles, without any that the triangles do not surround.
+// The vertices of the first `rings` rings around a rim (Xu 2014, 3.3), in the order of the surface's triangles. Those
+// that the triangles do not surround are left out, as are those of the rim itself: they have no Laplacian.
 //   rim      places of its vertices, as the surface has them
 //   surface  triangles; equal places are one vertex
 //   scale    what the sum is divided by

@@ -12,10 +12,10 @@
 
 namespace tilemend {
 
-// Xu 2014, 3.4: for each axis a regression from the coordinate to the Laplacian's component (eq. 9 to 15, both numbers,
-// as printed), which gives the Laplacians of the new points where the front put them (eq. 19); then the points that
-// have these, with the rim as Dirichlet boundary (eq. 18). Without samples the Laplacians are zero. Of more than 2000
-// samples every second, third, ... is taken.
+// By Xu 2014, 3.4, a regression for each axis from the coordinate to the Laplacian's component (eq. 9 to 15, both
+// numbers, as printed). It gives the Laplacians of the new points where the front put them (eq. 19). Then come the
+// points that have these, with the rim as Dirichlet boundary (eq. 18). Without samples the Laplacians are zero. Of more
+// than 2000 samples every second, third, ... is taken.
 //   edge    mean of the rim, metres
 //   points  those of the rim, `rim` of them, first
 // False, with the points as they were, if there is no solution.

@@ -6,10 +6,11 @@
 
 namespace tilemend {
 
-// Moves every new point to the mean of its first and second neighbours, each weighted by the reciprocal of its distance
-// (Wang 2021, 3.3, eq. 1), ring by ring from the rim inward: the neighbours of the rim first, all of one ring from the
-// places that the points have before it. Points of the surroundings count as neighbours. A move that would turn a
-// triangle over on the plane is shortened (PointMover). O(n times the second neighbours).
+// Moves every new point to the mean of its first and second neighbours (Wang 2021, 3.3, eq. 1). Each neighbour is
+// weighted by the reciprocal of its distance. It goes ring by ring from the rim inward, the neighbours of the rim
+// first. All points of one ring move from the places that the points have before it. Points of the surroundings count
+// as neighbours. A move that would turn a triangle over on the plane is shortened (PointMover). O(n times the second
+// neighbours).
 void AdjustPatch(const PatchSurroundings& around, NewPatch& patch);
 
 }  // namespace tilemend

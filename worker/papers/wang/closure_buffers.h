@@ -24,11 +24,13 @@ struct ClosureBuffers {
   std::vector<ClosureCase> joints;   // that gave a buffer its width, in order of the hole's loops
 };
 
-// Lays the cell's part of the buffer zones along its grid boundaries: each runs from joint to joint, as far off the
-// line as the boundary points of the joint on this side of it (cases 1 and 2), or on average as those on the other side
-// (case 3: the zone lies outside the grid boundary of the cell that they belong to); in between the width changes
-// evenly, and beyond the last joint, towards a grid corner in the hole, it stays. It is not less than half the
-// boundary's edges.
+// Lays the cell's part of the buffer zones along its grid boundaries. Each runs from joint to joint. At a joint it is
+// as far off the line as
+//   - the boundary points of the joint on this side of the line (cases 1 and 2);
+//   - those on the other side, on average (case 3: the zone lies outside the grid boundary of the cell that they belong
+//     to).
+// In between the width changes evenly. Beyond the last joint, towards a grid corner in the hole, it stays. It is not
+// less than half the boundary's edges.
 //
 // Its points lie opposite those of the grid boundary and have their heights, which were projected. One is selected
 // where its triangles will be compact: no edge longer than four widths, nothing of the hole's boundary within 0.4
@@ -36,8 +38,8 @@ struct ClosureBuffers {
 // joints has none. O(n log n) in the hole's segments, and for each point the edges laid before; deterministic.
 //
 // Where tiles overlap, the strip between two outlines is a zone already, with the width that the tiles give it. What
-// lies beyond it on this side runs along the neighbour's outline (MoveToNeighbours): as far off as the first point of
-// the surface boundary beyond it, as in case 1.
+// lies beyond it on this side runs along the neighbour's outline (MoveToNeighbours). It is as far off as the first
+// point of the surface boundary beyond it, as in case 1.
 //
 // Precondition: an open hole, upright.
 ClosureBuffers LayClosureBuffers(const LocalHole& hole);

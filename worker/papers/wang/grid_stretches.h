@@ -27,11 +27,11 @@ struct GridStretch {
 std::vector<GridStretch> StretchesAround(const LocalHole& hole);
 
 // Replaces each stretch along the tile's outline by the neighbour's outline within the hole (LocalHole::inner_edges),
-// where there is one: from the same ends, over the vertices that lie straight across from its own. O(n log n).
+// if there is one. It has the same ends, and its vertices lie straight across from the stretch's own. O(n log n).
 void MoveToNeighbours(const LocalHole& hole, std::vector<GridStretch>& stretches);
 
-// For each vertex of the hole the strips between an outline of the tile and its neighbour's that it bounds, a bit for
-// each side of the cell. A triangle whose corners have one in common lies in that strip. O(n log n).
+// For each vertex of the hole the strips between an outline of the tile and its neighbour's that it bounds. There is a
+// bit for each side of the cell. A triangle whose corners have one in common lies in that strip. O(n log n).
 std::vector<uint8_t> StripsBeside(const LocalHole& hole);
 
 }  // namespace tilemend

@@ -7,8 +7,9 @@
 
 namespace tilemend {
 
-// The filler minimum-area: of all triangulations of the boundary in space the one of least area (Liepa 2003, 3, without
-// his dihedral angles; Wang 2021, 3.3), whatever it crosses; then refinement, adjustment and fairing (wang_fill.h:
+// The filler minimum-area: of all triangulations of the boundary in space the one of least area, whatever it crosses.
+// Source: Liepa 2003, 3, without his dihedral angles; Wang 2021, 3.3. Then refinement, adjustment and fairing
+// (wang_fill.h:
 // ShapeAsWang). Islands are tied to the rest by the shortest bridges (space_fill.h).
 //   hole  closed
 // A patch may cross itself or the surface: the caller checks it. Failures: a boundary of more than

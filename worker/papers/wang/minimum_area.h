@@ -11,8 +11,8 @@
 
 namespace tilemend {
 
-// Triangulates a loop in space without new points, of all ways the one of least area (the minimum area method that Wang
-// 2021, 3.3, takes from its reference 10; dynamic programming after Barequet and Sharir 1995, Liepa 2003, 3).
+// Triangulates a loop in space without new points, of all ways the one of least area. This is the minimum area method
+// that Wang 2021, 3.3, takes from its reference 10 (dynamic programming after Barequet and Sharir 1995, Liepa 2003, 3).
 //   loop  positions in order; at least 3. A loop may pass one place several times
 //   joins whether a new edge may run between loop[i] and loop[k], i < k
 //   fits  whether triangle loop[i], loop[j], loop[k], i < j < k, may be made; asked last, only where it matters

@@ -11,9 +11,12 @@
 namespace tilemend {
 
 // Wang 2021, 3.3, over the plane of `frame`, where the hole is closed along its seams already, with projected heights
-// (coordinator/plan/seam, worker/fill/seam): buffer zones along the seams of open holes (closure_buffers.h, figure 7),
-// triangulation of least area (minimum_area.h), refinement (refine_patch.h), adjustment (adjust_patch.h, eq. 1),
-// fairing (fair_patch.h, eq. 2 to 4).
+// (coordinator/plan/seam, worker/fill/seam). The steps are
+//   - buffer zones along the seams of open holes (closure_buffers.h, figure 7),
+//   - triangulation of least area (minimum_area.h),
+//   - refinement (refine_patch.h),
+//   - adjustment (adjust_patch.h, eq. 1),
+//   - fairing (fair_patch.h, eq. 2 to 4).
 //
 // The paper's closed loops do not fold. Here no triangle turns over on the plane, from the triangulation to the last
 // rounding: so the patch covers no place twice. Islands are tied to the rest by bridges, and loops of more than
@@ -21,8 +24,8 @@ namespace tilemend {
 //   may_repeat  edges that the surface has already are no obstacle: over a height field it has none inside. Else the
 //               triangulation makes none, or they are split
 // New points lie on the scene's lattice where that turns no triangle over, over the upright plane also where the tile's
-// number type holds them. Failures: the boundary crosses itself on the plane or has no triangulation there with area
-// everywhere, a fairing step has no solution, or a triangle turns over however it is rounded.
+// number type holds them. It fails if the boundary crosses itself on the plane or has no triangulation there with area
+// everywhere. It also fails if a fairing step has no solution, or a triangle turns over however it is rounded.
 LocalPatch FillAsWang(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, bool may_repeat);
 
 // The same steps after the triangulation, in space, where no plane decides: `triangles` are those of the hole's
