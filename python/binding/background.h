@@ -30,8 +30,8 @@ class SharedStep {
 };
 
 // Runs `work` without the GIL. Each 50 ms looks for signals and, if the step changed, calls `show` with the GIL. An
-// exception of a signal's handler or of `show` cancels `cancel`, waits for the end of `work`, and is thrown then.
-// std::bad_alloc of `work` is thrown here. Precondition: the caller holds the GIL; `work` ends soon after `cancel`.
+// exception of a signal's handler or of `show` cancels `cancel`. It is thrown once `work` has ended. A std::bad_alloc
+// of `work` is thrown here. Precondition: the caller holds the GIL; `work` ends soon after `cancel`.
 void RunInBackground(const std::function<void()>& work, CancelToken& cancel, const SharedStep& step,
                      const std::function<void(const SharedStep::Step&)>& show);
 

@@ -1,5 +1,5 @@
-// What must hold for any bytes: if they parse, a patch can be appended, and the result has the original mesh bit for
-// bit and the patch.
+// What must hold for any bytes that parse: a patch can be appended. The result has the original mesh bit for bit and
+// the patch.
 #ifndef TILEMEND_TESTS_FUZZ_APPEND_PROPERTY_H_
 #define TILEMEND_TESTS_FUZZ_APPEND_PROPERTY_H_
 

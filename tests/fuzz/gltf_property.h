@@ -1,5 +1,5 @@
-// What must hold for any bytes: if they parse as glTF, geometry can be appended and triangles can be taken out, and
-// everything else is as it was.
+// What must hold for any bytes that parse as glTF: geometry can be appended and triangles can be taken out. Everything
+// else is as it was.
 #ifndef TILEMEND_TESTS_FUZZ_GLTF_PROPERTY_H_
 #define TILEMEND_TESTS_FUZZ_GLTF_PROPERTY_H_
 

@@ -15,8 +15,8 @@
 
 namespace tilemend {
 
-// The scene of a picture (PictureScene) as one mesh, its inner vertices shifted so that no edges lie along grid lines,
-// cut so that every tile has all triangles whose bounds touch its cell grown by `margin`.
+// The scene of a picture (PictureScene) as one mesh, its inner vertices shifted so that no edges lie along grid lines.
+// It is cut so that every tile has all triangles whose bounds touch its cell grown by `margin`.
 inline SurveyedScene BufferedScene(const std::vector<std::string>& picture, int32_t squares, double margin,
                                    const HeightFunction& height = Flat) {
   const SurveyedScene whole = PictureScene(picture, squares);

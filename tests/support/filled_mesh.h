@@ -83,8 +83,8 @@ inline bool Passes(const Point3& p, const Point3& q, const Point3& a, const Poin
   return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
 }
 
-// No edge with more than two triangles, or two of one direction, and none at which a new triangle folds back; no new
-// triangle that passes through another one. Returns the number of open edges.
+// Expects that no edge has more than two triangles, or two of one direction. No new triangle may fold back at an edge
+// or pass through another one. Returns the number of open edges.
 inline int ExpectSound(const FilledMesh& filled) {
   const auto& p = filled.mesh.points;
   const auto& triangles = filled.mesh.triangles;

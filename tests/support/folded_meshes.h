@@ -43,8 +43,8 @@ inline double DistanceToBuilding(const Point3& p) {
   return std::min({ground, wall, roof});
 }
 
-// Unit squares of a sheet of [-15, 15] x [-10, 20] without those whose middle is in the hole, each vertex off its place
-// by up to `noise` in all directions after `shape`.
+// Unit squares of a sheet of [-15, 15] x [-10, 20] without those whose middle is in the hole. After `shape`, each
+// vertex is moved by up to `noise` in all directions.
 inline TriMesh HoledSheet(const std::function<bool(double u, double v)>& hole,
                           const std::function<Point3(const Point3&)>& shape, double noise) {
   const auto keep = [&](int32_t i, int32_t j) { return !hole(i + 0.5, j + 0.5); };
@@ -110,8 +110,8 @@ inline std::function<bool(double, double)> Disc(double u0, double v0, double rad
   return [=](double u, double v) { return std::hypot(u - u0, v - v0) < radius; };
 }
 
-// A box without its top corner (the origin): faces x = 0, y = 0 and z = 0 of side 12, the hole of that radius about the
-// corner.
+// A box without its top corner, which is the origin. It has faces x = 0, y = 0 and z = 0 of side 12, and the hole of
+// that radius about the corner.
 inline CellHoles WorkOfBoxCorner(double radius, double noise) {
   TriMesh box;
   std::mt19937 random(1);

@@ -12,8 +12,8 @@
 
 namespace tilemend {
 
-// A round boundary of that many edges, each about 1 m, lifted to a surface over the plane with that normal; a second
-// ring outside stands for the surface. `wave` sets every other point off by that share of the radius.
+// A round boundary of that many edges, each about 1 m, lifted to a surface over the plane with that normal. A second
+// ring outside stands for the surface. Every other point is set off by the share `wave` of the radius.
 inline FrontRim RoundRim(int32_t edges, double wave, const std::function<double(double, double)>& height,
                          const std::function<Eigen::Vector3d(double, double)>& normal) {
   FrontRim rim;

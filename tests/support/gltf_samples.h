@@ -25,8 +25,8 @@ std::string GlbOf(std::string_view json, std::string_view bin);
 // Tables are padded with blanks, as the specification demands.
 std::string B3dmOf(const std::string& glb, std::string feature_table, std::string batch_table = "");
 
-// A square of two triangles with texture, in the xz plane with y up, from (0, 0, 0) to (2, 0, -2) but for the corner at
-// (2, 1, -2). Its node moves it by (10, 20, 30) and is the child of a node that scales it by 2.
+// A square of two triangles with texture, in the xz plane with y up. It reaches from (0, 0, 0) to (2, 0, -2) but for
+// the corner at (2, 1, -2). Its node moves it by (10, 20, 30) and is the child of a node that scales it by 2.
 GltfSample SquareSample();
 // The same with 16-bit positions that the node's matrix scales, and texture coordinates that KHR_texture_transform
 // scales.

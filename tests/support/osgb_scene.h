@@ -17,9 +17,9 @@
 
 namespace tilemend {
 
-// Ground at 3 m with low waves, with a round pond over the border of two cells of 64 m, which overlap by 0.5 m on each
-// side. Each tile has three levels: edges of 4 m and 2 m in one piece, 1 m in four. What lies in the pond is left out,
-// or is there as noise.
+// Ground at 3 m with low waves and a round pond over the border of two cells of 64 m. The tiles overlap by 0.5 m on
+// each side. Each tile has three levels: edges of 4 m and 2 m in one piece, 1 m in four. What lies in the pond is left
+// out, or is there as noise.
 class OsgbScene {
  public:
   static constexpr double kCell = 64, kReach = 0.5, kRadius = 17, kLevel = 2;

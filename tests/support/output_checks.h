@@ -27,7 +27,7 @@ nlohmann::json ReportOf(const std::string& out);
 // Every input vertex and triangle is in the tile of the same name, first, and its coordinates have the same bits.
 void ExpectOriginalsKept(const std::string& scene, const std::string& out);
 
-// Over all tiles, equal positions welded: an edge with one triangle lies on the rim of the scene's cells, no edge has
+// Over all tiles, equal positions welded: an edge with one triangle lies on the rim of the scene's cells. No edge has
 // more than two, and none is used twice in one direction.
 void ExpectClosed(const SceneMakerOptions& options, const std::string& out);
 

@@ -24,7 +24,7 @@ inline TriMesh Grown(TriMesh mesh, const Point2& lo, const Point2& hi, double ma
 }
 
 // The scene of a picture (PictureScene) with every tile, or every one of its `pieces` x `pieces` pieces, stretched by
-// `margin` beyond its outline: neighbours overlap by twice that and share no vertex. Negative: they part.
+// `margin` beyond its outline. Neighbours overlap by twice that and share no vertex. Negative: they part.
 inline SurveyedScene OverlappingScene(const std::vector<std::string>& picture, int32_t squares, double margin,
                                       int32_t pieces = 1, const HeightFunction& height = Flat) {
   const SurveyedScene clipped = PictureScene(picture, squares / pieces);  // pieces as cells

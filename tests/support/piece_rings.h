@@ -14,8 +14,8 @@ struct PieceRings {
   SurveyRecord record;
   std::vector<BoundaryKind> kinds;
 
-  // A piece of its own, counter-clockwise; `edges` has one letter for each edge from a corner to the next: o, on the
-  // tile's outline, p, on the piece's, c, of a chain.
+  // A piece of its own, counter-clockwise. For each edge from a corner to the next, `edges` has a letter. It is o on
+  // the tile's outline, p on the piece's, c in a chain.
   void Add(const std::vector<Point2>& corners, const std::string& edges) {
     const auto base = static_cast<int32_t>(record.vertices.size()), count = static_cast<int32_t>(corners.size());
     for (int32_t k = 0; k < count; ++k) {
@@ -52,7 +52,7 @@ struct PieceRings {
   int32_t pieces = 0;
 };
 
-// A river's end in a tile of 20 m by 10 m: the west and the north are there, and the south-eastern piece up to its
+// A river's end in a tile of 20 m by 10 m. The west and the north are there, and the south-eastern piece up to its
 // outline at y = 5.2.
 inline PieceRings RiversEnd() {
   PieceRings tile;

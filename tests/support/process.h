@@ -20,8 +20,8 @@ struct Ended {
   int64_t peak_bytes = 0;  // of resident memory
 };
 
-// At most 512 MB (not looked at under a sanitizer, which has its own), and at most 20 s: 2 s on a machine that has
-// nothing else to do.
+// At most 512 MB, and at most 20 s: 2 s on a machine that has nothing else to do. Memory is not checked under a
+// sanitizer, which has its own.
 void ExpectFrugal(const Ended& ended);
 
 // A process whose output goes to files in `folder`, which must live longer. It does not outlive the thread that made

@@ -1,9 +1,9 @@
 // Made scenes with holes and a known surface, for tests, benchmarks and the demonstration.
 //
 // The terrain is a smooth function of x and y; its vertices form a jittered grid. Unless tiles overlap, a vertex
-// depends on its index in the whole scene alone, so that neighbouring tiles share border vertices bit for bit, and a
-// scene of one cell with the same spacing has the same vertices off the grid lines. Coordinates are those that float32
-// holds. The same options give the same scene.
+// depends on its index in the whole scene alone. So neighbouring tiles share border vertices bit for bit. A scene of
+// one cell with the same spacing has the same vertices off the grid lines. Coordinates are those that float32 holds.
+// The same options give the same scene.
 #ifndef TILEMEND_TESTS_SUPPORT_SCENE_MAKER_H_
 #define TILEMEND_TESTS_SUPPORT_SCENE_MAKER_H_
 
@@ -19,9 +19,10 @@
 
 namespace tilemend {
 
-// kClipped: no triangle crosses a grid line. kRagged: each triangle lies whole in the tile of the cell that its
-// centroid is in, and tiles meet along a zigzag of shared vertices. kOverlap: as photogrammetry software delivers them.
-// Each tile is its cell grown by a margin, with vertices and noise of its own, and shares no vertex with another.
+// With kClipped no triangle crosses a grid line. With kRagged each triangle lies whole in the tile of the cell that its
+// centroid is in. Tiles then meet along a zigzag of shared vertices. With kOverlap they are as photogrammetry software
+// delivers them. Each tile is its cell grown by a margin, with vertices and noise of its own, and shares no vertex with
+// another.
 enum class Cut { kClipped, kRagged, kOverlap };
 
 inline std::string NameOf(Cut cut) {

@@ -30,9 +30,9 @@ struct SurveyedScene {
 SurveyedScene SurveyScene(const Grid& grid, std::map<CellId, TriMesh> tiles);
 SurveyedScene SurveyScene(const MadeScene& made);
 
-// A scene by a picture, north at the top, clipped on the grid lines: '#' is a square of surface with sides of 1 m, '.'
-// one without, ' ' one outside the area (whole cells only). `squares` is the number of squares along a cell's side. '|'
-// and rows of '-' and '+' are decoration.
+// A scene by a picture, north at the top, clipped on the grid lines. In it '#' is a square of surface with sides of 1
+// m, '.' one without, ' ' one outside the area (whole cells only). A cell's side has `squares` squares.
+// The marks '|' and rows of '-' and '+' are decoration.
 SurveyedScene PictureScene(const std::vector<std::string>& picture, int32_t squares,
                            const HeightFunction& height = Flat);
 

@@ -8,8 +8,8 @@
 
 namespace tilemend {
 
-// The ground of OsgbScene (osgb_scene.h): a round pond over the border of two cells of 64 m, each with three levels of
-// 4 m, 2 m and 1 m, the finest in four models. Cells with tilesets of their own overlap. Models are glb files with the
+// The ground of OsgbScene (osgb_scene.h): a round pond over the border of two cells of 64 m. Each has three levels of 4
+// m, 2 m and 1 m, the finest in four models. Cells with tilesets of their own overlap. Models are glb files with the
 // texture `image`.
 struct TilesetScene {
   enum class Pond { kHole, kNoise };
@@ -36,8 +36,8 @@ struct TilesetScene {
   std::map<std::string, std::string> OfTile(int col) const;
 
   static std::string TileName(int col) { return col == 0 ? "Tile_p000_p000" : "Tile_p001_p000"; }
-  // From the scene's frame, with x to the east, y to the north and z up, to that of the Earth: at 8 degrees east and 50
-  // degrees north.
+  // From the scene's frame, with x to the east, y to the north and z up, to that of the Earth. It is at 8 degrees east
+  // and 50 degrees north.
   static Eigen::Matrix4d ToEarth();
 };
 

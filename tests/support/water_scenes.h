@@ -11,9 +11,9 @@ namespace tilemend {
 
 inline constexpr double kWaterLevel = 12.3;
 
-// Three by three cells of 40 m; the hole is about 100 m across, over all of them. `ground(d, x, y)` is the height at
-// (x, y), about d metres landward of the hole's rim (negative inside). Vertices are 2 m apart and have noise of 5 cm,
-// peak to peak.
+// Three by three cells of 40 m; the hole is about 100 m across, over all of them. The height at (x, y) is `ground(d, x,
+// y)`, about d metres landward of the hole's rim (negative inside). Vertices are 2 m apart and have noise of 5 cm, peak
+// to peak.
 inline SceneMakerOptions HoleOverNineCells(Cut cut, const std::function<double(double d, double x, double y)>& ground) {
   SceneMakerOptions options;
   options.cols = options.rows = 3;

@@ -28,8 +28,8 @@ struct ScatteredRegion {
   }
 };
 
-// The rim comes first, then one point in each inner unit square, in an order that `order` shuffles. `where` says where
-// in its square each lies.
+// The rim comes first, then one point in each inner unit square, in an order that `order` shuffles. Its place in its
+// square follows from `where`.
 inline ScatteredRegion Scattered(int side, uint32_t where, uint32_t order) {
   constexpr int64_t kSpacing = 1000;
   SizedRegion square = GridSquare(side, kSpacing);
