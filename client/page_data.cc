@@ -61,7 +61,7 @@ Json PicturesJson(const PagePictures& pictures) {
 Json PageData(const Json& report, const Scene* scene, const PagePictures& pictures) {
   Json data = Json::object();
   for (const char* name : {"version", "date", "scene", "options", "warnings", "holes", "filled", "water", "look_at",
-                           "left", "not_holes", "cleared", "seconds"}) {
+                           "left", "not_holes", "cleared", "levels", "seconds"}) {
     data[name] = Member(report, name);
   }
   data["cells"] = CellsJson(report, scene);

@@ -48,6 +48,19 @@ std::string ClearedText(const Json& report) {
                       Table({"polygon", "triangles", "up to, m"}, rows), MoreText(polygons, "see report.json"));
 }
 
+// What each level of detail got.
+std::string LevelsText(const Json& report) {
+  const Json& levels = Member(report, "levels");
+  if (!levels.is_array() || levels.empty()) return "";
+  Rows rows;
+  for (const Json& level : levels) {
+    std::vector<std::string>& row = rows.emplace_back();
+    for (const char* name : {"level", "nodes", "filled", "added", "removed"}) row.push_back(Text(Member(level, name)));
+  }
+  return absl::StrCat("\n", Table({"level", "nodes", "filled", "triangles added", "removed"}, rows),
+                      "level 0 is the coarsest.\n");
+}
+
 // "surface thin-plate, tension auto, ..."; switches that are off are left out.
 std::string OptionsText(const Json& options) {
   std::vector<std::string> parts;
@@ -112,8 +125,8 @@ std::string FiguresText(const Json& report) {
 }  // namespace
 
 std::string SummaryText(const Json& report) {
-  return absl::StrCat(WarningsText(report), ClearedText(report), KindsText(report), MethodsText(report),
-                      LargeHolesText(report), WaterText(report, "filled flat as water"), BordersText(report),
+  return absl::StrCat(WarningsText(report), ClearedText(report), LevelsText(report), KindsText(report),
+                      MethodsText(report), LargeHolesText(report), WaterText(report, "filled flat as water"), BordersText(report),
                       LookAtText(report), LeftText(report, "left"));
 }
 

@@ -11,6 +11,7 @@
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
 #include "common/mesh/clear_area.h"
+#include "common/records/level_counts.h"
 
 namespace tilemend {
 
@@ -18,6 +19,7 @@ struct ClearedTile {
   std::string bytes;               // of the file without the faces that are taken out
   MeshFile file;                   // what is left; all vertices stay
   std::vector<int64_t> triangles;  // taken out by each area
+  std::vector<LevelCounts> levels = {};  // of a tree: `removed` of each level of detail, the coarsest first
 };
 
 // The file `bytes` without the triangles that AreasThatClear names. A face with more than three corners goes if all of

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -65,7 +66,7 @@ class LevelPatcher {
  public:
   LevelPatcher(const TileTree& tile, std::span<const FillMaterial> materials, const PaintFaces& paint,
                const std::string& image_name)
-      : tile_(tile), paint_(paint), image_name_(image_name), edits_(tile.files.size()) {
+      : tile_(tile), paint_(paint), image_name_(image_name), edits_(tile.files.size()), levels_(static_cast<size_t>(tile.levels)) {
     for (const FillMaterial& material : materials) colours_[material.name] = material.colour;
   }
 
@@ -77,6 +78,7 @@ class LevelPatcher {
       share.faces.file = piece.file;
       share.faces.part = piece.part;
       share.faces.above_finest = above_finest;
+      Count(key.first, std::ssize(share.faces.triangles));
       TILEMEND_ASSIGN_OR_RETURN(TreePatch made, PatchOf(std::move(share.faces)));
       edits_[piece.file].patches.push_back(std::move(made));
     }
@@ -84,8 +86,15 @@ class LevelPatcher {
   }
 
   const std::vector<TreeEdit>& edits() const { return edits_; }
+  const std::vector<LevelCounts>& levels() const { return levels_; }
 
  private:
+  void Count(int32_t piece, int64_t triangles) {
+    LevelCounts& level = levels_[static_cast<size_t>(tile_.pieces[piece].level)];
+    level.filled += filled_.insert(piece).second ? 1 : 0;
+    level.added += triangles;
+  }
+
   using Shares = std::map<std::pair<int32_t, size_t>, Share>;  // by piece and run; painted ones have the run 0
 
   Shares SharesOf(const TreeLevel& level, const FilePatch& patch, const PieceChoice& choice) const {
@@ -133,6 +142,8 @@ class LevelPatcher {
   const std::string& image_name_;
   std::map<std::string, Rgb> colours_;
   std::vector<TreeEdit> edits_;
+  std::vector<LevelCounts> levels_;
+  std::set<int32_t> filled_;  // pieces
 };
 
 }  // namespace
@@ -142,6 +153,7 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
   std::vector<TreeEdit> edits(tile.files.size());
   std::vector<int64_t> taken(areas.size(), 0);
+  std::vector<LevelCounts> levels(static_cast<size_t>(tile.levels));
   for (size_t f = 0; f < tile.files.size(); ++f) {
     const TreeFile& file = tile.files[f];
     const std::vector<int32_t> cleared_by = AreasThatClear({file.points, file.triangles}, areas);
@@ -151,24 +163,27 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
       for (const int32_t area : cleared_by) edits[f].drop.push_back(area >= 0);
     }
     for (const TreePiece& piece : tile.pieces) {
-      if (piece.file != static_cast<int32_t>(f) || !piece.is_finest) continue;
+      if (piece.file != static_cast<int32_t>(f)) continue;
       for (const TreeGeometry& geometry : file.geometries) {
         if (geometry.part != piece.part) continue;
         for (int32_t t = 0; t < geometry.triangle_count; ++t) {
           const int32_t area = cleared_by[geometry.first_triangle + t];
-          if (area >= 0) ++taken[static_cast<size_t>(area)];
+          if (area < 0) continue;
+          ++levels[static_cast<size_t>(piece.level)].removed;
+          if (piece.is_finest) ++taken[static_cast<size_t>(area)];
         }
       }
     }
   }
   ClearedTile cleared;
   cleared.triangles = std::move(taken);
+  cleared.levels = std::move(levels);
   TILEMEND_ASSIGN_OR_RETURN(cleared.bytes, ChangeTileTree(tile, edits, name));
   TILEMEND_ASSIGN_OR_RETURN(cleared.file, ParseMesh(MeshFormat::kTileTree, cleared.bytes, name, NoFaces::kAccept));
   return cleared;
 }
 
-absl::StatusOr<std::string> PatchTreeLevels(std::string_view pack, const FilePatch& patch,
+absl::StatusOr<PatchedTree> PatchTreeLevels(std::string_view pack, const FilePatch& patch,
                                             std::span<const FillMaterial> materials, const std::string& name,
                                             const PaintFaces& paint, const std::string& image_name) {
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
@@ -183,7 +198,8 @@ absl::StatusOr<std::string> PatchTreeLevels(std::string_view pack, const FilePat
     const FilePatch coarse = FillLevel(level.mesh, finest.mesh, patch);
     TILEMEND_RETURN_IF_ERROR(patcher.Add(level, tile.levels - 1 - l, coarse, choice));
   }
-  return ChangeTileTree(tile, patcher.edits(), name);
+  TILEMEND_ASSIGN_OR_RETURN(std::string changed, ChangeTileTree(tile, patcher.edits(), name));
+  return PatchedTree{std::move(changed), patcher.levels()};
 }
 
 }  // namespace tilemend

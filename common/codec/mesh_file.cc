@@ -42,6 +42,8 @@ absl::StatusOr<MeshFile> ParseTileTree(std::string_view pack, const std::string&
   file.number_type = NumberType::kFloat32;
   file.file_bytes = static_cast<int64_t>(pack.size());
   file.mesh = std::move(LevelOf(tile, tile.levels - 1).mesh);
+  file.level_nodes.resize(static_cast<size_t>(tile.levels));
+  for (const TreePiece& piece : tile.pieces) ++file.level_nodes[static_cast<size_t>(piece.level)];
   if (file.mesh.points.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": ", kNoVertices));
   if (file.mesh.triangles.empty() && no_faces == NoFaces::kRefuse) {
     return absl::InvalidArgumentError(absl::StrCat(name, ": the file has no triangles"));

@@ -35,6 +35,7 @@ struct MeshFile {
   int64_t polygon_count = 0;                      // faces with more than three corners
   int64_t file_bytes = 0;
   int64_t bytes_after_end = 0;  // of a PLY: behind its last record, but for white space
+  std::vector<int32_t> level_nodes = {};  // of a tree: how many nodes each level has, the coarsest first
 };
 
 // New geometry for one file. Index i in a triangle is vertex i of the file when i < MeshFile::mesh.points.size(), and

@@ -12,6 +12,8 @@ inline constexpr const char* kReportFiles[] = {"report.json", "holes.geojson", "
 // What says where its tiles lie.
 inline constexpr char kSceneFile[] = "scene.json";
 inline constexpr char kMetadataFile[] = "metadata.xml";
+// Where a job is at work, or was not finished: its key (coordinator/store/output_folder.h).
+inline constexpr char kJobMarker[] = ".tilemend-job";
 // The beginning of the names of all hidden files and folders.
 inline constexpr char kHiddenPrefix[] = ".tilemend-";
 

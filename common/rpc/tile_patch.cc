@@ -117,24 +117,31 @@ absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view origin
   return absl::OkStatus();
 }
 
-absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const TilePatch& added,
-                                        std::string_view original) {
+absl::StatusOr<PatchedBytes> PatchedTile(const v1::AssembleInput& input, const TilePatch& added,
+                                         std::string_view original) {
   const FilePatch& patch = added.patch;
   const v1::TileRef& tile = input.tile();
   if (tile.path().empty()) {
-    return NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64);
+    return PatchedBytes{NewPlyFile(patch, input.float32() ? NumberType::kFloat32 : NumberType::kFloat64)};
   }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
   const std::string name = absl::StrCat(tile.root(), "/", tile.path());
-  const auto append = [&](std::string_view bytes) {
-    if (format != MeshFormat::kTileTree) return AppendPatch(format, bytes, patch, name);
-    return PatchTreeLevels(bytes, patch, added.materials, name, added.paint,
-                           std::filesystem::path(input.texture()).filename().string());
-  };
-  if (tile.clear().empty()) return append(original);
-  TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, original));
-  if (patch.triangles.empty()) return std::move(cleared.bytes);
-  return append(cleared.bytes);
+  PatchedBytes result;
+  if (!tile.clear().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, original));
+    result = {std::move(cleared.bytes), std::move(cleared.levels)};
+    if (patch.triangles.empty()) return result;
+    original = result.bytes;
+  }
+  if (format != MeshFormat::kTileTree) {
+    TILEMEND_ASSIGN_OR_RETURN(result.bytes, AppendPatch(format, original, patch, name));
+    return result;
+  }
+  const std::string image = std::filesystem::path(input.texture()).filename().string();
+  TILEMEND_ASSIGN_OR_RETURN(PatchedTree tree, PatchTreeLevels(original, patch, added.materials, name, added.paint, image));
+  result.bytes = std::move(tree.pack);
+  AddLevels(tree.levels, result.levels);
+  return result;
 }
 
 }  // namespace tilemend

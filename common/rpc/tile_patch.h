@@ -13,6 +13,7 @@
 #include "common/codec/mesh_file.h"
 #include "common/codec/mtl.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/records/level_counts.h"
 #include "common/util/colour.h"
 #include "tilemend/v1/stages.pb.h"
 
@@ -46,11 +47,16 @@ void SetTexture(const v1::AssembleInput& input, std::vector<std::array<float, 2>
 absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view original, std::string_view written,
                          TilePatch& added);
 
+struct PatchedBytes {
+  std::string bytes;
+  std::vector<LevelCounts> levels = {};  // of a tree, without `nodes`; empty for other formats
+};
+
 // The bytes of the tile with the patch, in all of its levels of detail: of a new file if the cell has no tile, else of
 // `original`, which has the format that its path says, without what is taken out of it (ClearTile). Errors as ClearTile
 // and AppendPatch.
-absl::StatusOr<std::string> PatchedTile(const v1::AssembleInput& input, const TilePatch& added,
-                                        std::string_view original);
+absl::StatusOr<PatchedBytes> PatchedTile(const v1::AssembleInput& input, const TilePatch& added,
+                                         std::string_view original);
 
 }  // namespace tilemend
 

@@ -17,6 +17,7 @@
 #include "common/util/text.h"
 #include "coordinator/api/page.h"
 #include "coordinator/jobs/describe_job.h"
+#include "coordinator/jobs/output_cells.h"
 
 namespace tilemend {
 namespace {
@@ -64,22 +65,6 @@ absl::Status CheckOutputGone(const JobSpec& spec) {
       {"OUTPUT_EXISTS", {}});
 }
 
-// Whether the output is complete, so that a job would be refused when it starts. A job that overwrites one has its
-// marker there until it ends. Decisions are applied to a complete output, if it is of the same scene and options: the
-// job itself looks at that.
-absl::Status CheckOutputNotComplete(const JobSpec& spec) {
-  if (spec.overwrite() || spec.dry_run() || !spec.decisions().empty()) return absl::OkStatus();
-  const auto names = ListFolder(spec.out());
-  const auto has = [&](const char* name) { return std::ranges::find(*names, name) != names->end(); };
-  if (!names.ok() || !has("report.json") || has(".tilemend-job")) return absl::OkStatus();
-  return WithErrorInfo(absl::AlreadyExistsError(absl::StrCat(
-                           Printable(spec.out()),
-                           ": exists already, and is complete; choose another --out, give --overwrite to replace the "
-                           "files that the job writes, or --decisions FILE to do only the holes again that a reviewer "
-                           "decided on")),
-                       {"OUTPUT_EXISTS", {}});
-}
-
 }  // namespace
 
 absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
@@ -89,7 +74,7 @@ absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& reque
   TILEMEND_RETURN_IF_ERROR(CheckRoots(cluster_.options.roots.get(), spec));
   // Both without the lock: a mount may hang.
   absl::Status folders = CheckScene(spec.scene());
-  folders.Update(CheckOutputNotComplete(spec));
+  folders.Update(CheckOutputTakes(spec));
   return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<v1::Job> {
     TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), folders));
     return runs_.StartJob(spec, request.request_id(), request.priority(), std::move(origin));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "common/rpc/level_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
 #include "common/store/fingerprint.h"
@@ -60,7 +61,7 @@ absl::StatusOr<std::string> WrittenTile(const v1::AssembleInput& input, const v1
 
 // The bytes that the tile is to have: the original with its patches, if it has any, which are put into it here once
 // more. `textured` is what the attempt wrote if images may be laid on its patches.
-absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input, const v1::AssembleOutput* textured) {
+absl::StatusOr<PatchedBytes> ExpectedTile(const v1::AssembleInput& input, const v1::AssembleOutput* textured) {
   const auto not_here = [](const absl::Status& status) { return absl::UnavailableError(status.message()); };
   std::string original;
   if (const std::string path = TilePath(input.tile()); !input.tile().path().empty()) {
@@ -69,7 +70,7 @@ absl::StatusOr<std::string> ExpectedTile(const v1::AssembleInput& input, const v
       return Changed(path);
     }
   }
-  if (!IsPatched(input)) return original;
+  if (!IsPatched(input)) return PatchedBytes{std::move(original)};
   auto added = TilePatchOf(input);
   if (!added.ok()) return not_here(added.status());
   if (textured != nullptr) {
@@ -95,9 +96,9 @@ absl::Status CheckWritten(const v1::AssembleInput& input, const v1::WrittenFile&
 absl::Status CheckContent(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileReading& reading) {
   const v1::WrittenFile& tile = output.files(0);
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * tile.bytes());
-  TILEMEND_ASSIGN_OR_RETURN(const std::string expected,
+  TILEMEND_ASSIGN_OR_RETURN(const PatchedBytes expected,
                             ExpectedTile(input, HasTexture(input, output) ? &output : nullptr));
-  return CheckWritten(input, tile, expected);
+  return CheckWritten(input, tile, expected.bytes);
 }
 
 // Of a tree: all of its files are written, each as it is to be.
@@ -105,11 +106,13 @@ absl::Status CheckTree(const v1::AssembleInput& input, const v1::AssembleOutput&
   if (output.files(0).path() != input.output()) return Wrong("another tile");
   TILEMEND_ASSIGN_OR_RETURN(const int64_t size, TileSize(input.tile()));
   const MemoryBudget::Share share(reading.memory, kMemoryOfFile * size);
-  std::string pack;
+  PatchedBytes tile;
   std::map<std::string, std::string_view> expected;
   if (reading.how == TileCheck::kContent) {
-    TILEMEND_ASSIGN_OR_RETURN(pack, ExpectedTile(input, input.texture().empty() ? nullptr : &output));
-    TILEMEND_ASSIGN_OR_RETURN(const auto files, UnpackFiles(pack, TilePath(input.tile())));
+    TILEMEND_ASSIGN_OR_RETURN(tile, ExpectedTile(input, input.texture().empty() ? nullptr : &output));
+    TILEMEND_ASSIGN_OR_RETURN(const std::vector<LevelCounts> levels, FromProto(output.levels()));
+    if (levels != tile.levels) return Wrong("other counts of levels of detail");
+    TILEMEND_ASSIGN_OR_RETURN(const auto files, UnpackFiles(tile.bytes, TilePath(input.tile())));
     for (const PackedFile& file : files) expected[FileBesideTile(input.tile().path(), file.name)] = file.bytes;
   }
   for (const v1::WrittenFile& file : output.files()) {
@@ -151,6 +154,9 @@ absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOu
   if (!std::equal(known.begin(), known.end(), output.files().begin(), output.files().end(), same)) {
     return Wrong("other files than are known");
   }
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<LevelCounts> levels, FromProto(output.levels()));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<LevelCounts> known_levels, FromProto(input.known().levels()));
+  if (levels != known_levels) return Wrong("other counts of levels of detail than are known");
   for (const v1::WrittenFile& file : known) {
     const std::string path = absl::StrCat(input.output_root(), "/", file.path());
     TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(path));

@@ -9,7 +9,7 @@
 
 namespace tilemend {
 
-// What report.json keeps of a SceneKey: its SHA-256, hex.
+// What report.json keeps of the JobKey (output_cells.h) of a job without its decisions: its SHA-256, hex.
 std::string OutputKey(const std::string& scene_key);
 
 // Whether the job may replace files of a complete output in its folder: with `overwrite`; with decisions also if the

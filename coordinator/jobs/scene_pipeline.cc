@@ -27,6 +27,7 @@
 #include "common/util/utc.h"
 #include "coordinator/jobs/delivery_entry.h"
 #include "coordinator/jobs/earlier_output.h"
+#include "coordinator/jobs/output_cells.h"
 #include "coordinator/jobs/scene_folders.h"
 #include "coordinator/jobs/scene_options.h"
 #include "coordinator/jobs/scene_tasks.h"
@@ -305,6 +306,8 @@ class ScenePipeline : public JobPipeline {
     report.tiles_kept = reuse_->tiles_kept();
     report.key = key_;
     report.options = ReportedOptions(spec_, kOfJobs);
+    report.levels = tasks_.levels();
+    if (output_) report.files = FileDigestsOf(IdentityOfKey(output_->key()));
     report.warnings = waves_.scene().warnings;
     for (std::string& warning : tasks_.files().Warnings()) report.warnings.push_back(std::move(warning));
     return report;
@@ -350,6 +353,29 @@ class ScenePipeline : public JobPipeline {
   std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
 };
 
+// A job with the cells that its output has then.
+struct JobOnOutput {
+  JobSpec spec;
+  JobIdentity identity;
+  std::string key;  // of its report
+  bool adds = false;
+};
+
+absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
+                                     const Scene& scene) {
+  JobOnOutput job{spec, IdentityOf(spec), "", false};
+  AddFileDigest("water", water.digest, job.identity);
+  AddFileDigest("clear", water.clear_digest, job.identity);
+  AddFileDigest("area", area_digest, job.identity);
+  TILEMEND_ASSIGN_OR_RETURN(const OutputCells cells, CellsWithOutput(spec, job.identity, scene));
+  job.adds = cells.adds;
+  job.spec.set_cells(cells.cells);
+  job.identity["cells"] = cells.cells;
+  job.key = OutputKey(JobKey(job.identity));
+  AddFileDigest("decisions", water.decisions_digest, job.identity);
+  return job;
+}
+
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
                                                                TileCheck tiles, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
@@ -365,18 +391,20 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), FrameOf(scene), water, stop));
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
-  TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(spec.cells(), scene));
-  std::string key = OutputKey(SceneKey(spec, water, area_digest));
+  TILEMEND_ASSIGN_OR_RETURN(JobOnOutput job, OnOutput(spec, water, area_digest, scene));
+  TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(job.spec.cells(), scene));
   std::optional<OutputFolder> output;
   if (!spec.dry_run()) {
-    TILEMEND_ASSIGN_OR_RETURN(const bool overwrite, MayReplace(spec, key));
+    TILEMEND_ASSIGN_OR_RETURN(const bool overwrite, MayReplace(spec, job.key));
     TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
-                              OutputFolder::Claim(spec.out(), scene, overwrite, JobKey(spec, water, area_digest)));
+                              OutputFolder::Claim(spec.out(), scene, overwrite || job.adds, JobKey(job.identity)));
+    if (job.adds) claimed.LeaveFiles();
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
-  return std::make_unique<ScenePipeline>(spec, std::move(scene), std::move(chosen), std::move(water.options),
-                                         std::move(output), std::move(scratch), tiles, std::move(key));
+  return std::make_unique<ScenePipeline>(std::move(job.spec), std::move(scene), std::move(chosen),
+                                         std::move(water.options), std::move(output), std::move(scratch), tiles,
+                                         std::move(job.key));
 }
 
 }  // namespace

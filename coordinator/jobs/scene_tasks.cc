@@ -10,6 +10,7 @@
 #include "common/records/ground_raster.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
+#include "common/rpc/level_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -336,6 +337,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
     return UnreadableResult(cell, taken);
   }
   if (spec_.textures() != "off") files_.Take(cell, tile->files, waves_.IsChosen(cell));
+  if (waves_.IsChosen(cell)) AddLevels(tile->levels, levels_);
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
@@ -421,6 +423,8 @@ absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& output) {
   for (const auto* of : {&output.warnings(), &output.texture_warnings()}) files_.Warn(cell, {of->begin(), of->end()});
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<LevelCounts> levels, FromProto(output.levels()));
+  AddLevels(levels, levels_);
   waves_.TakeAssemble();
   for (const v1::WrittenFile& file : output.files()) {
     const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};

@@ -12,6 +12,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/records/level_counts.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/scene_files.h"
 #include "coordinator/jobs/stage_output.h"
@@ -45,6 +46,8 @@ class SceneTasks {
   void Forget(CellId cell);
 
   const SceneFiles& files() const { return files_; }
+  // What became of the levels of detail of the chosen tiles so far, the coarsest first.
+  const std::vector<LevelCounts>& levels() const { return levels_; }
 
  private:
   absl::StatusOr<NewTask> Encode(const MeasureWork& work) const;
@@ -79,6 +82,7 @@ class SceneTasks {
   OutputFolder* const output_;
   const std::shared_ptr<ScratchFile> scratch_;
   SceneFiles files_;
+  std::vector<LevelCounts> levels_;
   std::map<CellId, ScratchFile::Place> surveyed_;    // digest and stamp of each tile
   std::map<CellId, ScratchFile::Place> lowest_;      // the ground raster of each tile, until the plan
   std::map<std::string, std::string> file_digests_;  // by path: what was read for surveys, beside the tiles

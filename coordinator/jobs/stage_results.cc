@@ -24,6 +24,10 @@ absl::StatusOr<SurveyedTile> SurveyedTileOf(v1::SurveyOutput output) {
   tile.digest = output.digest();
   tile.stamp = output.stamp();
   tile.cleared.assign(output.cleared().begin(), output.cleared().end());
+  for (const int32_t nodes : output.level_nodes()) {
+    if (nodes < 0) return absl::InvalidArgumentError("malformed payload: nodes of a level below 0");
+    tile.levels.push_back({nodes, 0, 0, 0});
+  }
   tile.lowest = std::move(*output.mutable_lowest());
   for (const v1::FileRead& read : output.witness().reads()) tile.reads.push_back({read.path(), read.digest()});
   return tile;

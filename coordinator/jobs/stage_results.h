@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/records/level_counts.h"
 #include "common/records/survey_record.h"
 #include "common/records/tile_files.h"
 #include "coordinator/waves/scene_work.h"
@@ -21,6 +22,7 @@ struct SurveyedTile {
   std::vector<FileWitness::Read> reads;  // of its survey, beside the tile
   v1::GroundRasterBlob lowest;           // as it came
   std::vector<int64_t> cleared;          // triangles that each area took out
+  std::vector<LevelCounts> levels;       // `nodes` of each
 };
 
 // kInvalidArgument for a record that is none.

@@ -243,6 +243,18 @@ Json TasksJson(const SceneReportInput& input) {
       {"all", input.tasks}, {"taken_over", input.taken_over}, {"tiles", input.tiles}, {"tiles_kept", input.tiles_kept}};
 }
 
+Json Levels(const SceneReportInput& input) {
+  Json rows = Json::array();
+  for (const LevelCounts& level : input.levels) {
+    rows.push_back({{"level", rows.size()},
+                    {"nodes", level.nodes},
+                    {"filled", level.filled},
+                    {"added", level.added},
+                    {"removed", level.removed}});
+  }
+  return rows;
+}
+
 Json Options(const SceneReportInput& input) {
   Json options = Json::object();
   for (const ReportedOption& option : input.options) {
@@ -359,6 +371,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"date", input.date},
                  {"scene", input.scene},
                  {"options", Options(input)},
+                 {"files", input.files},
                  {"warnings", WarningsOf(input)},
                  {"cells", input.cells},
                  {"clusters", plan.clusters},
@@ -373,6 +386,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"look_at", LookAtJson(input)},
                  {"review", ReviewJson(input)},
                  {"cleared", ClearedJson(input.outcome.cleared, input.outcome.chosen)},
+                 {"levels", Levels(input)},
                  {"left", LeftRows(left)},
                  {"not_holes", NotHoles(left)},
                  {"quality", QualityJson(input.outcome.quality)},

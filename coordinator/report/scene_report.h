@@ -3,12 +3,14 @@
 #define TILEMEND_COORDINATOR_REPORT_SCENE_REPORT_H_
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/options/option.h"
+#include "common/records/level_counts.h"
 #include "common/records/weld.h"
 #include "coordinator/plan/types/plan_types.h"
 #include "coordinator/waves/scene_outcome.h"
@@ -20,10 +22,12 @@ struct SceneReportInput {
   std::string scene;  // path
   std::string date;   // when the result was made (common/util/utc.h)
   std::vector<ReportedOption> options;
+  std::map<std::string, std::string> files;  // digests of the files that options name, by these
   int64_t cells = 0;
   SceneOutcome outcome;
   std::vector<std::pair<std::string, double>> seconds;  // by step, in order
   std::vector<std::string> warnings;
+  std::vector<LevelCounts> levels;                      // of tiles with several levels of detail, the coarsest first
   std::optional<WeldRecord> weld;     // of a single mesh, if it was asked for
   int64_t tasks = 0, taken_over = 0;  // how many there were, and were taken over from an earlier job
   int64_t tiles = 0, tiles_kept = 0;  // likewise of tiles: those that lay there as they are to be

@@ -29,7 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kMarker[] = ".tilemend-job";
 constexpr char kResultLog[] = ".tilemend-results";
 
 // The folders below a root that hold `files`, relative, and the folders that hold these; "" if a file lies in the root.
@@ -86,9 +85,9 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
     return absl::PermissionDeniedError(absl::StrCat(std::string(names.status().message()), "; choose another --out"));
   }
   const bool empty = !names.ok() || std::all_of(names->begin(), names->end(), [](const std::string& name) {
-    return name == kMarker || name == kAttemptFolder || name == kResultLog;
+    return name == kJobMarker || name == kAttemptFolder || name == kResultLog;
   });
-  const auto marker = ReadFile(absl::StrCat(path, "/", kMarker));
+  const auto marker = ReadFile(absl::StrCat(path, "/", kJobMarker));
   if (marker.ok() && *marker == key) return absl::OkStatus();
   // A path that cannot be shows when it is made. A marker without a key is of a job that has not claimed the folder
   // yet.
@@ -121,7 +120,7 @@ absl::Status CheckName(const std::string& path, PathKind wanted) {
 absl::Status CheckNames(const std::string& path, const std::set<std::string>& files) {
   if (KindOf(path) == PathKind::kNothing) return absl::OkStatus();
   const std::string folder = path + "/";
-  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kMarker, PathKind::kFile));
+  TILEMEND_RETURN_IF_ERROR(CheckName(folder + kJobMarker, PathKind::kFile));
   TILEMEND_RETURN_IF_ERROR(CheckName(folder + kResultLog, PathKind::kFile));
   TILEMEND_RETURN_IF_ERROR(CheckName(folder + kAttemptFolder, PathKind::kFolder));
   std::set<std::string> parents;
@@ -254,6 +253,7 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       marker_(std::exchange(other.marker_, -1)),
       keep_(other.keep_),
       wrote_(other.wrote_),
+      leaves_files_(other.leaves_files_),
       read_(other.read_),
       attempts_(std::exchange(other.attempts_, std::nullopt)) {}
 
@@ -269,12 +269,12 @@ OutputFolder::~OutputFolder() {
 
 bool OutputFolder::IsBare() const {
   const auto names = ListFolder(path_), attempts = ListFolder(attempts_->path());
-  const std::set<std::string> hidden = {kMarker, kAttemptFolder, kResultLog};
+  const std::set<std::string> hidden = {kJobMarker, kAttemptFolder, kResultLog};
   return names.ok() && attempts.ok() && attempts->size() <= 1 &&
          std::all_of(names->begin(), names->end(), [&](const std::string& name) { return hidden.contains(name); });
 }
 
-std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kMarker); }
+std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kJobMarker); }
 
 absl::Status OutputFolder::WriteKey() {
   const auto size = static_cast<ssize_t>(key_.size());
@@ -300,8 +300,26 @@ void OutputFolder::Adopt(const std::set<std::string>& files) {
 }
 
 absl::Status OutputFolder::Place(const AttemptFile& file) {
-  if (files_.contains(file.path)) TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
+  if (!files_.contains(file.path)) return Keep(file);
+  const std::string path = absl::StrCat(path_, "/", file.path);
+  if (leaves_files_ && KindOf(path) != PathKind::kNothing) {
+    TILEMEND_RETURN_IF_ERROR(CheckSame(file, path));
+  } else {
+    TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
+  }
   return Keep(file);
+}
+
+absl::Status OutputFolder::CheckSame(const AttemptFile& file, const std::string& path) const {
+  const std::string written = absl::StrCat(attempts_->path(), "/", file.attempt);
+  const bool same = file.digest.empty() ? HaveSameContent(written, path)
+                                        : FileHasDigest(path, file.digest).value_or(false);
+  if (same) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::AlreadyExistsError(absl::StrCat(
+          Printable(path), ": is there from an earlier job, and would become another file: a tile, a polygon, the ",
+          "program or this file has changed since; give --overwrite to write all cells anew")),
+      {"OUTPUT_EXISTS", {}});
 }
 
 absl::Status OutputFolder::Keep(const AttemptFile& file) {
@@ -352,7 +370,7 @@ absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
 int64_t OutputFolder::TidyUp() {
   int64_t others = 0;
   for (const std::string& file : FilesBelow(path_, "")) {
-    if (file == kMarker || file.starts_with(kResultLog) || files_.contains(file)) continue;
+    if (file == kJobMarker || file.starts_with(kResultLog) || files_.contains(file)) continue;
     const size_t suffix = file.rfind(kPartSuffix);
     if (suffix != std::string::npos && files_.contains(file.substr(0, suffix))) {
       RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();

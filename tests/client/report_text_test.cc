@@ -27,6 +27,8 @@ const Json& Report() {
     "left": [{"cell": [3, 4], "reason": "no loop", "open_edges": 1},
              {"cell": [1, 2], "reason": "too wild", "hole": 7, "open_edges": 9}],
     "not_holes": [{"what": "outline of a piece", "count": 12, "open_edges": 345}],
+    "levels": [{"level": 0, "nodes": 2, "filled": 1, "added": 40, "removed": 0},
+               {"level": 1, "nodes": 8, "filled": 4, "added": 640, "removed": 25}],
     "tension": [{"hole": 7, "tension": 0.5, "hold_out_error_m": 0.1}],
     "quality": {"triangles": 5, "least": 0.123456, "poor": 0},
     "seconds": {"fill": 1.234567}, "peak_rss_bytes": 23456789,
@@ -52,6 +54,13 @@ TEST(SummaryTextTest, TellsWhatWasFilledByKindAndByMethodWithItsArea) {
   EXPECT_THAT(text, HasSubstr("how filled       holes  area, m2\n"
                               "over the ground      1     100.0\n"
                               "water                1     900.0\n"));
+}
+
+TEST(SummaryTextTest, TellsWhatEachLevelOfDetailGot) {
+  EXPECT_THAT(SummaryText(Report()), HasSubstr("\nlevel  nodes  filled  triangles added  removed\n"
+                                               "0          2       1               40        0\n"
+                                               "1          8       4              640       25\n"
+                                               "level 0 is the coarsest.\n"));
 }
 
 TEST(SummaryTextTest, TellsEachBodyOfWaterWithItsLevelTheLargestFirst) {

@@ -59,6 +59,15 @@ export interface Review {
   earlier: string;  // the same: the features of decisions that were made before
 }
 
+// Of one level of detail: nodes, and triangles added and removed.
+export interface DetailLevel {
+  level: number;
+  nodes: number;
+  filled: number;
+  added: number;
+  removed: number;
+}
+
 export interface Picture {
   hole: number;
   triangles: number;
@@ -78,6 +87,7 @@ export interface Report {
   water: Water[] | null;
   look_at: LookAt[] | null;
   cleared: { triangles?: number } | null;
+  levels: DetailLevel[] | null;
   cells: Cell[];
   grid: { crs: string; cell_size: [number, number]; corner: [number, number] } | null;
   hole_count: number;

@@ -1,5 +1,5 @@
 // report.html: puts the parts of the page together.
-import { type LookAt, type Report, type Water, readReport } from './data';
+import { type DetailLevel, type LookAt, type Report, type Water, readReport } from './data';
 import { counted, el, number } from './dom';
 import { holesTable, levelText } from './holes';
 import { cellMap } from './map';
@@ -48,6 +48,11 @@ function looks(rows: LookAt[]): HTMLElement {
       number(r.area_m2, 1), r.why ?? '']), [3]);
 }
 
+function levels(rows: DetailLevel[]): HTMLElement {
+  return table(['level, 0 the coarsest', 'nodes', 'nodes filled', 'triangles added', 'triangles removed'],
+    rows.map((r) => [r.level, r.nodes, r.filled, r.added, r.removed].map((n) => number(n))), [0, 1, 2, 3, 4]);
+}
+
 function section(title: string, ...content: HTMLElement[]): HTMLElement {
   return el('section', {}, el('h2', {}, title), ...content);
 }
@@ -77,6 +82,7 @@ function build(report: Report): HTMLElement[] {
   }
   if (report.water?.length) parts.push(section('Waters', waters(report.water)));
   parts.push(section('Holes', holes.element));
+  if (report.levels?.length) parts.push(section('Levels of detail', levels(report.levels)));
   if (report.warnings?.length) {
     parts.push(section('Warnings', el('ul', {}, ...report.warnings.map((text) => el('li', {}, text)))));
   }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSteepReach = 0.05;  // metres: a wall has no surface above or below a point beside it
 constexpr double kSteep = 0.05;       // upward part of the normal, below which a triangle is a wall
+constexpr double kBeside = 0.002;     // metres, to either side of an edge: coordinates of text files are rounded
 
 Eigen::AlignedBox3d FlatBoxOf(const SpaceTriangle& t) {
   Eigen::AlignedBox3d box;
@@ -19,10 +20,12 @@ Eigen::AlignedBox3d FlatBoxOf(const SpaceTriangle& t) {
   return box;
 }
 
+bool IsSteep(const Eigen::Vector3d& normal) { return std::abs(normal.z()) <= kSteep * normal.norm(); }
+
 // The height of the triangle's plane above p, where p lies in it seen from above; infinity elsewhere.
 double HeightAbove(const SpaceTriangle& t, const Point3& p) {
   const Eigen::Vector3d normal = TwiceVectorArea(t);
-  if (std::abs(normal.z()) <= kSteep * normal.norm()) {
+  if (IsSteep(normal)) {
     Eigen::AlignedBox3d box(t[0]);
     box.extend(t[1]);
     box.extend(t[2]);
@@ -53,8 +56,9 @@ BorderStrip::Nearest BorderStrip::NearestBeside(const Point3& p, const Point3& a
   double best = INFINITY;
   const Point3 flat(p.x(), p.y(), 0), reach(kSteepReach, kSteepReach, 0);
   tree_.AnyMeeting({flat - reach, flat + reach}, [&](int32_t t) {
-    const auto is_end = [&](const Point3& corner) { return p != a && (corner == a || corner == b); };
-    if (std::any_of(triangles_[t].begin(), triangles_[t].end(), is_end)) return false;
+    const auto ends = std::count_if(triangles_[t].begin(), triangles_[t].end(),
+                                    [&](const Point3& corner) { return corner == a || corner == b; });
+    if (a != b && (ends > 1 || (ends > 0 && IsSteep(TwiceVectorArea(triangles_[t]))))) return false;
     const double height = HeightAbove(triangles_[t], p);
     if (std::abs(height) < best) {
       best = std::abs(height);
@@ -63,6 +67,15 @@ BorderStrip::Nearest BorderStrip::NearestBeside(const Point3& p, const Point3& a
     return false;
   });
   return nearest;
+}
+
+bool BorderStrip::GoesOnAcross(const Point3& a, const Point3& b) const {
+  const Point3 along = Point3(b.x() - a.x(), b.y() - a.y(), 0).normalized();
+  const Point3 aside = kBeside * Point3(-along.y(), along.x(), 0);
+  return std::ranges::all_of(std::array{aside, Point3(-aside)}, [&](const Point3& offset) {
+    const Nearest nearest = NearestBeside((a + b) / 2 + offset, a, b);
+    return nearest.is_covered && std::abs(nearest.height) <= kCoverReach;
+  });
 }
 
 void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges) {
@@ -74,9 +87,7 @@ void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges) {
   }
   const BorderStrip surface(std::move(triangles), std::vector<bool>(mesh.triangles.size(), false));
   for (OpenEdge& e : edges) {
-    if (!is_new(e)) continue;
-    const BorderStrip::Nearest nearest = surface.NearestBeside((e.from + e.to) / 2, e.from, e.to);
-    e.is_covered = nearest.is_covered && std::abs(nearest.height) <= kCoverReach;
+    if (is_new(e)) e.is_covered = surface.GoesOnAcross(e.from, e.to);
   }
 }
 

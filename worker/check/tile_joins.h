@@ -27,10 +27,12 @@ class BorderStrip {
     double height = 0;        // of the nearest, above p
   };
   Nearest NearestTo(const Point3& p) const { return NearestBeside(p, p, p); }
-  // The same without the triangles that have a corner at `a` or `b`.
-  Nearest NearestBeside(const Point3& p, const Point3& a, const Point3& b) const;
+  // Whether other surface goes on across the edge from `a` to `b`: above or below both sides of its middle, no further
+  // away than kCoverReach. The triangle that has the edge is no other surface, and no wall is that stands on its ends.
+  bool GoesOnAcross(const Point3& a, const Point3& b) const;
 
  private:
+  Nearest NearestBeside(const Point3& p, const Point3& a, const Point3& b) const;
   std::vector<SpaceTriangle> triangles_;
   std::vector<bool> inner_;
   BoxTree tree_;  // from above
@@ -39,8 +41,8 @@ class BorderStrip {
 // Surface that is no further above or below an open edge closes it where tiles or pieces of a tile overlap, in metres.
 inline constexpr double kCoverReach = 1;
 
-// Marks the edges with one triangle in `mesh`, and not in the input, that other surface of the mesh covers. O(n log n)
-// if there are any, else O(edges).
+// Marks the edges with one triangle in `mesh`, and not in the input, across which other surface of the mesh goes on.
+// O(n log n) if there are any, else O(edges).
 void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges);
 
 // An edge that has one triangle in all tiles together, and had not in the input.

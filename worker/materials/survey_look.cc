@@ -57,7 +57,7 @@ absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view 
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
   const TreeLevel finest = LevelOf(tile, tile.levels - 1);
   TileLook look = ReadTreeLook(path, tile);
-  LookSurvey survey{SurveyOf(file, choice), std::move(look.files), std::move(look.witness)};
+  LookSurvey survey{SurveyOf(file, choice), std::move(look.files), std::move(look.witness), file.level_nodes};
   const std::vector<RimSpot> spots = RimSpots(file.mesh, survey.record);
   RimColours sampled = SampleTreeRim(tile, finest, spots, survey.record.vertices.size(), name);
   survey.record.colours = std::move(sampled.colours);

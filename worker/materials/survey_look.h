@@ -2,8 +2,10 @@
 #ifndef TILEMEND_WORKER_MATERIALS_SURVEY_LOOK_H_
 #define TILEMEND_WORKER_MATERIALS_SURVEY_LOOK_H_
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
@@ -17,6 +19,7 @@ struct LookSurvey {
   SurveyRecord record;  // with colours, where the tile has any
   TileFiles files;
   FileWitness witness;  // of the files and the colours
+  std::vector<int32_t> level_nodes = {};  // as MeshFile::level_nodes
 };
 
 // What of a survey is wanted, and of which tiles.

@@ -25,6 +25,7 @@ struct AssembledTile {
 struct Delivered {
   std::vector<DeliveryFile> files;  // the first is AssembleInput::output; others by their names beside it
   std::vector<std::string> warnings;
+  std::vector<LevelCounts> levels = {};  // of a tree, in its own format
 };
 
 // The tile in AssembleInput::output_format. kInvalidArgument for a format that the tile cannot be written in; errors of

@@ -14,6 +14,7 @@
 #include "common/options/job_options.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/ground_payloads.h"
+#include "common/rpc/level_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/tile_patch.h"
@@ -188,7 +189,12 @@ struct Assembled {
   std::vector<FillMaterial> materials = {};  // of its filled faces; empty: it has none, or its format has no materials
   std::string image = {};                    // of its filled faces, a JPEG; empty: there is none
   std::vector<std::string> warnings = {};
+  std::vector<LevelCounts> levels = {};  // of a tree
 };
+
+void SetLevels(const std::vector<LevelCounts>& levels, v1::AssembleOutput& output) {
+  for (const LevelCounts& level : levels) *output.add_levels() = ToProto(level);
+}
 
 // Takes the files of a changed tree apart.
 absl::Status TakeTreeApart(const v1::AssembleInput& input, const std::string& original, Assembled& tile) {
@@ -220,10 +226,14 @@ absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const
   if (!has_tile) return DeliverTile(input, {"", &added, {}, ""});
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadSurveyed(input.tile(), input.stamp()));
   TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, LayTexture(input, cancel, memory, added));
+  std::vector<LevelCounts> levels;
   if (!added.patch.triangles.empty() || !input.tile().clear().empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(bytes, PatchedTile(input, added, bytes));
+    TILEMEND_ASSIGN_OR_RETURN(PatchedBytes patched, PatchedTile(input, added, bytes));
+    bytes = std::move(patched.bytes);
+    levels = std::move(patched.levels);
   }
   TILEMEND_ASSIGN_OR_RETURN(Delivered delivered, DeliverTile(input, {bytes, nullptr, added.materials, texture.image}));
+  delivered.levels = std::move(levels);
   for (std::string& warning : texture.warnings) delivered.warnings.push_back(std::move(warning));
   return delivered;
 }
@@ -232,6 +242,7 @@ absl::StatusOr<std::string> RunDelivery(const v1::AssembleInput& input, const Ca
   TILEMEND_ASSIGN_OR_RETURN(const Delivered delivered, AssembleDelivery(input, cancel, memory));
   v1::AssembleOutput output;
   output.mutable_warnings()->Add(delivered.warnings.begin(), delivered.warnings.end());
+  SetLevels(delivered.levels, output);
   AttemptFiles files(input.attempts(), input.output_root());
   // The tile last: before its other files are there nobody can read it.
   for (size_t f = delivered.files.size(); f-- > 0;) {
@@ -257,7 +268,9 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const Can
   TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, LayTexture(input, cancel, memory, added));
   result.warnings = std::move(texture.warnings);
   result.image = std::move(texture.image);
-  TILEMEND_ASSIGN_OR_RETURN(result.bytes, PatchedTile(input, added, original));
+  TILEMEND_ASSIGN_OR_RETURN(PatchedBytes patched, PatchedTile(input, added, original));
+  result.bytes = std::move(patched.bytes);
+  result.levels = std::move(patched.levels);
   if (has_tile && IsTileTree(input.tile().path())) {
     TILEMEND_RETURN_IF_ERROR(TakeTreeApart(input, original, result));
   } else {
@@ -352,6 +365,7 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
   TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
   output.mutable_texture_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
+  SetLevels(tile.levels, output);
   if (!tile.image.empty()) TILEMEND_RETURN_IF_ERROR(files.Write(input.texture(), tile.image));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");
   TILEMEND_RETURN_IF_ERROR(tile.as_it_is ? CarryTile(input, files) : files.Write(input.output(), tile.bytes));

@@ -38,7 +38,9 @@ absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const st
     TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path, no_faces));
     SurveyRecord record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo);
     if (input.raster_square() > 0) record.lowest = LowestSurface(file.mesh, input.raster_square());
-    return ToProto(record);
+    v1::SurveyOutput output = ToProto(record);
+    output.mutable_level_nodes()->Add(file.level_nodes.begin(), file.level_nodes.end());
+    return output;
   }
   const SurveyChoice choice{PieceAreas::kNo, input.raster_square(), no_faces};
   TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey,
@@ -46,6 +48,7 @@ absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const st
   v1::SurveyOutput output = ToProto(survey.record);
   *output.mutable_files() = ToProto(survey.files);
   SetWitness(survey.witness, *output.mutable_witness());
+  output.mutable_level_nodes()->Add(survey.level_nodes.begin(), survey.level_nodes.end());
   return output;
 }
 

@@ -46,6 +46,8 @@ TEST(ClearTreeLevelsTest, EveryLevelLosesThePond) {
       EXPECT_EQ(cleared->triangles[0], static_cast<int64_t>(was.mesh.triangles.size() - is.mesh.triangles.size()));
       EXPECT_EQ(cleared->file.mesh.triangles, is.mesh.triangles);
     }
+    const auto removed = static_cast<int64_t>(was.mesh.triangles.size() - is.mesh.triangles.size());
+    EXPECT_EQ(cleared->levels[static_cast<size_t>(l)], (LevelCounts{0, 0, 0, removed})) << l;
   }
 }
 
@@ -58,12 +60,16 @@ TEST(PatchTreeLevelsTest, EveryLevelGetsThePatch) {
   const std::vector<FillMaterial> materials = {{"water", {10, 20, 30}}};
   const auto patched = PatchTreeLevels(pack, patch, materials, "a/Tile.osgb");
   ASSERT_TRUE(patched.ok()) << patched.status();
-  const auto after = ReadTileTree(*patched, "a/Tile.osgb");
+  const auto after = ReadTileTree(patched->pack, "a/Tile.osgb");
   ASSERT_TRUE(after.ok()) << after.status();
   for (int32_t l = 0; l < 3; ++l) {
     const TreeLevel was = LevelOf(*before, l), is = LevelOf(*after, l);
     EXPECT_GT(is.mesh.triangles.size(), was.mesh.triangles.size()) << l;
+    EXPECT_EQ(patched->levels[static_cast<size_t>(l)].added,
+              static_cast<int64_t>(is.mesh.triangles.size() - was.mesh.triangles.size()));
   }
+  EXPECT_EQ(patched->levels[0].filled, 1);
+  EXPECT_GT(patched->levels[2].filled, 1);
   EXPECT_EQ(LevelOf(*after, 2).mesh.triangles.size(), finest.mesh.triangles.size() + 40);
 }
 
@@ -71,7 +77,8 @@ TEST(PatchTreeLevelsTest, WithoutAPatchAllBytesStay) {
   const std::string pack = PackOf(OsgbScene::Pond::kHole);
   const auto patched = PatchTreeLevels(pack, {}, {}, "a/Tile.osgb");
   ASSERT_TRUE(patched.ok()) << patched.status();
-  EXPECT_EQ(*patched, pack);
+  EXPECT_EQ(patched->pack, pack);
+  EXPECT_THAT(patched->levels, ::testing::Each(LevelCounts{}));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::string Painted(const std::string& pack, const PaintFaces& paint) {
   const auto tile = ReadTileTree(pack, "a/Tile.osgb");
   const auto patched = PatchTreeLevels(pack, FanOf(*tile), {}, "a/Tile.osgb", paint, "fill.jpg");
   EXPECT_TRUE(patched.ok()) << patched.status();
-  return patched.value_or("");
+  return patched.ok() ? patched->pack : "";
 }
 
 TEST(TreePaintTest, AllLevelsGetTheirImages) {

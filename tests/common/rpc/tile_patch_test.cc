@@ -52,7 +52,7 @@ TEST(TilePatchTest, AppendsThePatchesToTheTile) {
   EXPECT_THAT(added->materials, ElementsAre(FillMaterial{"tilemend_fill_5_010203", {1, 2, 3}}));
   const auto bytes = PatchedTile(Input(), *added, kTriangle);
   ASSERT_TRUE(bytes.ok()) << bytes.status();
-  EXPECT_EQ(*bytes, std::string(kTriangle) + "v 2 -1 0.5\ng tilemend_filled\nusemtl tilemend_fill_5_010203\nf 2 1 4\n");
+  EXPECT_EQ(bytes->bytes, std::string(kTriangle) + "v 2 -1 0.5\ng tilemend_filled\nusemtl tilemend_fill_5_010203\nf 2 1 4\n");
 }
 
 TEST(TilePatchTest, NamesALibraryThatIsMadeForIt) {
@@ -74,8 +74,8 @@ TEST(TilePatchTest, IsAFileOfItsOwnWithoutATile) {
   const auto added = TilePatchOf(input);
   ASSERT_TRUE(added.ok()) << added.status();
   EXPECT_THAT(added->materials, IsEmpty());
-  EXPECT_THAT(*PatchedTile(input, *added, ""), StartsWith("ply\n"));
-  EXPECT_THAT(*PatchedTile(input, *added, ""), HasSubstr("element vertex 3\n"));
+  EXPECT_THAT(PatchedTile(input, *added, "")->bytes, StartsWith("ply\n"));
+  EXPECT_THAT(PatchedTile(input, *added, "")->bytes, HasSubstr("element vertex 3\n"));
 }
 
 TEST(TilePatchTest, AddsNothingWithoutPatches) {
@@ -105,9 +105,9 @@ TEST(TilePatchTest, TextureIsTakenFromAWrittenTile) {
               ElementsAre(FillMaterial{"tilemend_fill_a_tilemend", {255, 255, 255}, "a_tilemend.jpg"}));
   const auto bytes = PatchedTile(input, *added, kTriangle);
   ASSERT_TRUE(bytes.ok()) << bytes.status();
-  ASSERT_TRUE(TakeTexture(input, kTriangle, *bytes, *again).ok());
-  EXPECT_EQ(PatchedTile(input, *again, kTriangle).value(), *bytes);
-  EXPECT_FALSE(TakeTexture(input, *bytes, kTriangle, *again).ok());
+  ASSERT_TRUE(TakeTexture(input, kTriangle, bytes->bytes, *again).ok());
+  EXPECT_EQ(PatchedTile(input, *again, kTriangle)->bytes, bytes->bytes);
+  EXPECT_FALSE(TakeTexture(input, bytes->bytes, kTriangle, *again).ok());
 }
 
 TEST(TilePatchTest, WithoutColoursThereIsNoMaterial) {

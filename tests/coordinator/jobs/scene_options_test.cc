@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <set>
-#include <string>
-
 #include "common/options/job_options.h"
 
 namespace tilemend {
@@ -26,46 +22,6 @@ TEST(SceneOptionsTest, WavesAskWhetherTheJobIsCancelled) {
   EXPECT_FALSE(options.plan.cancelled());
   cancelled = true;
   EXPECT_TRUE(options.plan.cancelled());
-}
-
-TEST(JobKeyTest, DecisionsCountForTheJobButNotForItsScene) {
-  JobSpec spec = WithDefaults({});
-  WaterChoice water;
-  const std::string scene = SceneKey(spec, water, ""), job = JobKey(spec, water, "");
-  EXPECT_EQ(job, scene);
-  spec.set_decisions("/marks.geojson");
-  water.decisions_digest = "ab";
-  EXPECT_EQ(SceneKey(spec, water, ""), scene);
-  EXPECT_NE(JobKey(spec, water, ""), job);
-}
-
-TEST(JobKeyTest, TellsApartWhatGivesOtherBytes) {
-  std::set<std::string> keys;
-  const auto add = [&](auto change) {
-    JobSpec spec = WithDefaults({});
-    WaterChoice water;
-    std::string area;
-    change(spec, water, area);
-    EXPECT_TRUE(keys.insert(JobKey(spec, water, area)).second);
-  };
-  add([](JobSpec&, WaterChoice&, std::string&) {});
-  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.set_gradation(std::nextafter(spec.gradation(), 2)); });
-  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.set_tension(0); });
-  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.set_surface("wang"); });
-  add([](JobSpec& spec, WaterChoice&, std::string&) {
-    spec.set_surface("wang");
-    spec.set_closure("line");
-  });
-  add([](JobSpec& spec, WaterChoice&, std::string&) { spec.set_cells("1,1"); });
-  add([](JobSpec&, WaterChoice& water, std::string&) { water.digest = "other content"; });
-  add([](JobSpec&, WaterChoice&, std::string& area) { area = "other content"; });
-}
-
-TEST(JobKeyTest, ForgetsWhereToAndWhetherToOverwrite) {
-  JobSpec a = WithDefaults({}), b = a;
-  a.set_out("/a");
-  b.set_overwrite(true);
-  EXPECT_EQ(JobKey(a, {}, ""), JobKey(b, {}, ""));
 }
 
 }  // namespace

@@ -87,5 +87,33 @@ TEST(CoverOpenEdgesTest, OnlyOtherSurfaceNearbyCovers) {
   EXPECT_FALSE(edges[0].is_covered);
 }
 
+// A fill ends in the strip of two pieces, at an edge that begins at a corner of the piece that goes on beyond it.
+TEST(CoverOpenEdgesTest, SurfaceThatHasACornerAtTheEdgeCoversItAsWell) {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 4, 0.1}, {4, -1, 0.1}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
+  std::vector<OpenEdge> edges = {{{0, 0, 0}, {1, 0, 0}, 0, 1, true}};
+  CoverOpenEdges(mesh, edges);
+  EXPECT_TRUE(edges[0].is_covered);
+}
+
+TEST(CoverOpenEdgesTest, SurfaceThatEndsAtTheEdgeDoesNotCoverIt) {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0.6, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 4}, {3, 1, 5}};  // a T-junction
+  std::vector<OpenEdge> edges = {{{0, 0, 0}, {1, 0, 0}, 0, 1, true}};
+  CoverOpenEdges(mesh, edges);
+  EXPECT_FALSE(edges[0].is_covered);
+}
+
+TEST(CoverOpenEdgesTest, AWallOnAnEndOfTheEdgeDoesNotCoverIt) {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {0.06, 0, 0}, {0, -1, 0}, {0, 0.2, 3}, {0, -0.2, 3}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
+  std::vector<OpenEdge> edges = {{{0, 0, 0}, {0.06, 0, 0}, 0, 1, true}};
+  CoverOpenEdges(mesh, edges);
+  EXPECT_FALSE(edges[0].is_covered);
+}
+
 }  // namespace
 }  // namespace tilemend
