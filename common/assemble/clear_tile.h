@@ -16,9 +16,9 @@
 namespace tilemend {
 
 struct ClearedTile {
-  std::string bytes;               // of the file without the faces that are taken out
-  MeshFile file;                   // what is left; all vertices stay
-  std::vector<int64_t> triangles;  // taken out by each area
+  std::string bytes;                     // of the file without the faces that are taken out
+  MeshFile file;                         // what is left; all vertices stay
+  std::vector<int64_t> triangles;        // taken out by each area
   std::vector<LevelCounts> levels = {};  // of a tree: `removed` of each level of detail, the coarsest first
 };
 

@@ -66,7 +66,11 @@ class LevelPatcher {
  public:
   LevelPatcher(const TileTree& tile, std::span<const FillMaterial> materials, const PaintFaces& paint,
                const std::string& image_name)
-      : tile_(tile), paint_(paint), image_name_(image_name), edits_(tile.files.size()), levels_(static_cast<size_t>(tile.levels)) {
+      : tile_(tile),
+        paint_(paint),
+        image_name_(image_name),
+        edits_(tile.files.size()),
+        levels_(static_cast<size_t>(tile.levels)) {
     for (const FillMaterial& material : materials) colours_[material.name] = material.colour;
   }
 

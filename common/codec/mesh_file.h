@@ -34,7 +34,7 @@ struct MeshFile {
   TriMesh mesh;                                   // polygons are cut (cut_polygon.h)
   int64_t polygon_count = 0;                      // faces with more than three corners
   int64_t file_bytes = 0;
-  int64_t bytes_after_end = 0;  // of a PLY: behind its last record, but for white space
+  int64_t bytes_after_end = 0;            // of a PLY: behind its last record, but for white space
   std::vector<int32_t> level_nodes = {};  // of a tree: how many nodes each level has, the coarsest first
 };
 

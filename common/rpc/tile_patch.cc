@@ -138,7 +138,8 @@ absl::StatusOr<PatchedBytes> PatchedTile(const v1::AssembleInput& input, const T
     return result;
   }
   const std::string image = std::filesystem::path(input.texture()).filename().string();
-  TILEMEND_ASSIGN_OR_RETURN(PatchedTree tree, PatchTreeLevels(original, patch, added.materials, name, added.paint, image));
+  TILEMEND_ASSIGN_OR_RETURN(PatchedTree tree,
+                            PatchTreeLevels(original, patch, added.materials, name, added.paint, image));
   result.bytes = std::move(tree.pack);
   AddLevels(tree.levels, result.levels);
   return result;

@@ -1,7 +1,6 @@
 #include "coordinator/jobs/output_cells.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
@@ -20,32 +19,36 @@
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
-#include "coordinator/report/json_access.h"
+#include "coordinator/report/report_key.h"
 
 namespace tilemend {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr char kFileSuffix[] = " file";
 
-std::string NumberText(double value) { return absl::StrFormat("%.17g", value); }
-
 // Files count by their content alone.
-bool CountsByContent(const std::string& option) { return option == "clear" || option == "area" || option == "decisions"; }
+bool CountsByContent(const std::string& option) {
+  return option == "clear" || option == "area" || option == "decisions";
+}
 
-JobIdentity IdentityOfReport(const Json& report) {
-  if (!Member(report, "options").is_object()) return {};
-  JobIdentity identity = {{"scene", Text(Member(report, "scene"))}};
-  for (const auto& [name, value] : Member(report, "options").items()) {
-    if (CountsByContent(name)) continue;
-    identity[name] = value.is_number()    ? NumberText(Number(value))
-                     : value.is_boolean() ? absl::StrCat(value.get<bool>())
-                                          : Text(value);
+JobIdentity IdentityOf(const std::string& scene, const std::vector<ReportedOption>& options) {
+  JobIdentity identity = {{"scene", scene}};
+  for (const ReportedOption& option : options) {
+    if (CountsByContent(option.name)) continue;
+    const auto* number = std::get_if<double>(&option.value);
+    const auto* text = std::get_if<std::string>(&option.value);
+    identity[option.name] = number != nullptr ? absl::StrFormat("%.17g", *number)
+                            : text != nullptr ? *text
+                                              : absl::StrCat(std::get<bool>(option.value));
   }
-  for (const auto& [option, digest] : Member(report, "files").items()) {
-    identity[absl::StrCat(option, kFileSuffix)] = Text(digest);
-  }
+  return identity;
+}
+
+JobIdentity IdentityOfReport(const std::string& report) {
+  const std::optional<ReportedJob> job = JobInReport(report);
+  if (!job) return {};
+  JobIdentity identity = IdentityOf(job->scene, job->options);
+  for (const auto& [option, digest] : job->files) AddFileDigest(option, digest, identity);
   return identity;
 }
 
@@ -60,16 +63,15 @@ std::optional<FoundOutput> FindOutput(const std::string& folder) {
   if (key.ok() && !key->empty()) return FoundOutput{false, IdentityOfKey(*key)};
   const auto text = ReadFile(absl::StrCat(folder, "/", kReportFiles[0]));
   if (!text.ok()) return std::nullopt;
-  const Json report = Json::parse(*text, nullptr, false);
-  return FoundOutput{true, IdentityOfReport(report)};
+  return FoundOutput{true, IdentityOfReport(*text)};
 }
 
 absl::Status RefusedOutput(const JobSpec& spec, const std::string& what, const std::string& instead = "") {
-  return WithErrorInfo(absl::AlreadyExistsError(absl::StrCat(Printable(spec.out()), ": exists already", what,
-                                                             "; choose another --out, ", instead.empty() ? "or " : "",
-                                                             "give --overwrite to replace the files that the job writes",
-                                                             instead)),
-                       {"OUTPUT_EXISTS", {}});
+  return WithErrorInfo(
+      absl::AlreadyExistsError(absl::StrCat(Printable(spec.out()), ": exists already", what, "; choose another --out, ",
+                                            instead.empty() ? "or " : "",
+                                            "give --overwrite to replace the files that the job writes", instead)),
+      {"OUTPUT_EXISTS", {}});
 }
 
 absl::Status IsComplete(const JobSpec& spec) {
@@ -93,8 +95,8 @@ std::vector<std::string> DifferingFlags(const JobIdentity& a, const JobIdentity&
 }
 
 absl::Status OfAnotherJob(const JobSpec& spec, const FoundOutput& found, const std::vector<std::string>& differences) {
-  return RefusedOutput(spec, absl::StrCat(found.is_complete ? ", an output" : ", an unfinished output", " of a job that differs in ",
-                                   absl::StrJoin(differences, ", ")));
+  return RefusedOutput(spec, absl::StrCat(found.is_complete ? ", an output" : ", an unfinished output",
+                                          " of a job that differs in ", absl::StrJoin(differences, ", ")));
 }
 
 std::string CellsIn(const JobIdentity& identity) {
@@ -104,18 +106,7 @@ std::string CellsIn(const JobIdentity& identity) {
 
 }  // namespace
 
-JobIdentity IdentityOf(const JobSpec& spec) {
-  JobIdentity identity = {{"scene", spec.scene()}};
-  for (const ReportedOption& option : ReportedOptions(spec, kOfJobs)) {
-    if (CountsByContent(option.name)) continue;
-    const auto* number = std::get_if<double>(&option.value);
-    const auto* text = std::get_if<std::string>(&option.value);
-    identity[option.name] = number != nullptr ? NumberText(*number)
-                            : text != nullptr ? *text
-                                              : absl::StrCat(std::get<bool>(option.value));
-  }
-  return identity;
-}
+JobIdentity IdentityOf(const JobSpec& spec) { return IdentityOf(spec.scene(), ReportedOptions(spec, kOfJobs)); }
 
 void AddFileDigest(const std::string& option, const std::string& digest, JobIdentity& identity) {
   if (!digest.empty()) identity[absl::StrCat(option, kFileSuffix)] = digest;

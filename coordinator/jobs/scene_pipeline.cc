@@ -105,14 +105,36 @@ struct StepTimes {
   void End(std::string_view step) { seconds.emplace_back(step, watch.Lap()); }
 };
 
+// A job with the cells that its output has then.
+struct JobOnOutput {
+  JobSpec spec;
+  JobIdentity identity;
+  std::string key;  // of its report
+  bool adds = false;
+};
+
+absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
+                                     const Scene& scene) {
+  JobOnOutput job{spec, IdentityOf(spec), "", false};
+  AddFileDigest("water", water.digest, job.identity);
+  AddFileDigest("clear", water.clear_digest, job.identity);
+  AddFileDigest("area", area_digest, job.identity);
+  TILEMEND_ASSIGN_OR_RETURN(const OutputCells cells, CellsWithOutput(spec, job.identity, scene));
+  job.adds = cells.adds;
+  job.spec.set_cells(cells.cells);
+  job.identity["cells"] = cells.cells;
+  job.key = OutputKey(JobKey(job.identity));
+  AddFileDigest("decisions", water.decisions_digest, job.identity);
+  return job;
+}
+
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
 class ScenePipeline : public JobPipeline {
  public:
-  ScenePipeline(JobSpec spec, Scene scene, std::set<CellId> chosen, WaterOptions water,
-                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles,
-                std::string key)
-      : spec_(std::move(spec)),
-        key_(std::move(key)),
+  ScenePipeline(JobOnOutput job, Scene scene, std::set<CellId> chosen, WaterOptions water,
+                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles)
+      : job_(std::move(job)),
+        spec_(job_.spec),
         output_(std::move(output)),
         tile_check_(tiles),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
@@ -304,10 +326,10 @@ class ScenePipeline : public JobPipeline {
     report.taken_over = reuse_->taken_over();
     report.tiles = reuse_->tiles();
     report.tiles_kept = reuse_->tiles_kept();
-    report.key = key_;
+    report.key = job_.key;
     report.options = ReportedOptions(spec_, kOfJobs);
     report.levels = tasks_.levels();
-    if (output_) report.files = FileDigestsOf(IdentityOfKey(output_->key()));
+    report.files = FileDigestsOf(job_.identity);
     report.warnings = waves_.scene().warnings;
     for (std::string& warning : tasks_.files().Warnings()) report.warnings.push_back(std::move(warning));
     return report;
@@ -353,29 +375,6 @@ class ScenePipeline : public JobPipeline {
   std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
 };
 
-// A job with the cells that its output has then.
-struct JobOnOutput {
-  JobSpec spec;
-  JobIdentity identity;
-  std::string key;  // of its report
-  bool adds = false;
-};
-
-absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
-                                     const Scene& scene) {
-  JobOnOutput job{spec, IdentityOf(spec), "", false};
-  AddFileDigest("water", water.digest, job.identity);
-  AddFileDigest("clear", water.clear_digest, job.identity);
-  AddFileDigest("area", area_digest, job.identity);
-  TILEMEND_ASSIGN_OR_RETURN(const OutputCells cells, CellsWithOutput(spec, job.identity, scene));
-  job.adds = cells.adds;
-  job.spec.set_cells(cells.cells);
-  job.identity["cells"] = cells.cells;
-  job.key = OutputKey(JobKey(job.identity));
-  AddFileDigest("decisions", water.decisions_digest, job.identity);
-  return job;
-}
-
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
                                                                TileCheck tiles, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
@@ -402,9 +401,8 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
-  return std::make_unique<ScenePipeline>(std::move(job.spec), std::move(scene), std::move(chosen),
-                                         std::move(water.options), std::move(output), std::move(scratch), tiles,
-                                         std::move(job.key));
+  return std::make_unique<ScenePipeline>(std::move(job), std::move(scene), std::move(chosen), std::move(water.options),
+                                         std::move(output), std::move(scratch), tiles);
 }
 
 }  // namespace

@@ -37,6 +37,10 @@ absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Pl
   return Parse<Message>(bytes);
 }
 
+absl::StatusOr<ScratchFile::Place> PutAside(ScratchFile& scratch, const google::protobuf::MessageLite& message) {
+  return scratch.Put(message.SerializeAsString());
+}
+
 constexpr size_t kMostStampBytes = 128;
 
 int64_t NewPointsOf(const v1::FillOutput& output) {
@@ -119,6 +123,14 @@ v1::TileRef PlaceOf(const SceneTile& tile, const std::string& root) {
   ref.set_row(tile.cell.row);
   ref.mutable_frame()->Add(tile.frame.begin(), tile.frame.end());
   return ref;
+}
+
+// The file with the materials of the tile's fill: the tile's own, `library`, or a new one if that is empty.
+void SetLibrary(const std::string& path, const std::string& library, const SceneFiles& files,
+                const std::map<std::string, std::string>& digests, v1::AssembleInput& input) {
+  input.set_new_library(library.empty());
+  if (const auto digest = digests.find(library); digest != digests.end()) input.set_library_digest(digest->second);
+  input.set_library(library.empty() ? files.NewFileFor(path, "mtl") : library);
 }
 
 }  // namespace
@@ -217,7 +229,7 @@ absl::StatusOr<NewTask> SceneTasks::Encode(FillWork& work) {
   for (const SceneTile* tile : work.surface) {
     TILEMEND_ASSIGN_OR_RETURN(*input.add_surface(), Ref(*tile));
   }
-  TILEMEND_ASSIGN_OR_RETURN(rims_[work.holes.cell], PutAside(ToProto(work.holes.vertices)));
+  TILEMEND_ASSIGN_OR_RETURN(rims_[work.holes.cell], PutAside(*scratch_, ToProto(work.holes.vertices)));
   return NewTask{work.holes.cell, Stage::kFill, input.SerializeAsString()};
 }
 
@@ -290,7 +302,10 @@ absl::Status SceneTasks::SetPatches(AssembleWork& work, v1::AssembleInput& input
 }
 
 void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
-  if (HasMaterials(tile)) SetLibrary(tile, input);
+  if (HasMaterials(tile)) {
+    SetLibrary(OutputPath(tile), files_.LibraryOf(tile.cell), files_, file_digests_, input);
+    output_->Adopt({input.library()});
+  }
   input.set_output_root(spec_.out());
   if (!tile.delivered.empty()) return SetDelivery(waves_.scene().grid, spec_.output_format(), tile.cell, input);
   const std::vector<std::string> carried = files_.CarriedBy(tile.cell);
@@ -298,15 +313,6 @@ void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   input.mutable_carried()->Add(carried.begin(), carried.end());
   for (const std::string& path : carried) input.add_carried_digests(file_digests_[path]);
   input.set_link_images(spec_.textures() == "link");
-}
-
-void SceneTasks::SetLibrary(const SceneTile& tile, v1::AssembleInput& input) {
-  std::string library = files_.LibraryOf(tile.cell);
-  input.set_new_library(library.empty());
-  if (!library.empty()) input.set_library_digest(file_digests_[library]);
-  if (library.empty()) library = files_.NewFileFor(OutputPath(tile), "mtl");
-  output_->Adopt({library});
-  input.set_library(std::move(library));
 }
 
 absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
@@ -341,8 +347,8 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
-  TILEMEND_ASSIGN_OR_RETURN(surveyed_[cell], PutAside(surveyed));
-  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PutAside(tile->lowest));
+  TILEMEND_ASSIGN_OR_RETURN(surveyed_[cell], PutAside(*scratch_, surveyed));
+  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PutAside(*scratch_, tile->lowest));
   for (const FileWitness::Read& read : tile->reads) {
     if (read.digest.empty()) continue;
     const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;
@@ -360,10 +366,6 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::MeasureOutput& output
   }
   measured_[cell] = output.digest();
   return waves_.TakeTallies(cell, tallies);
-}
-
-absl::StatusOr<ScratchFile::Place> SceneTasks::PutAside(const google::protobuf::MessageLite& message) {
-  return scratch_->Put(message.SerializeAsString());
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::GroundOutput& output) {
@@ -395,7 +397,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::FillOutput output) {
   }
   output.clear_quality();
   output.clear_samples();
-  TILEMEND_ASSIGN_OR_RETURN(patches_[cell], PutAside(output));
+  TILEMEND_ASSIGN_OR_RETURN(patches_[cell], PutAside(*scratch_, output));
   return waves_.TakeFill(cell, patches);
 }
 
@@ -406,7 +408,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SmoothSeamOutput& out
   seam.heights.assign(output.height().begin(), output.height().end());
   for (const auto& [side, points] : {std::pair(seam.cells[0], &output.a()), std::pair(seam.cells[1], &output.b())}) {
     ScratchFile::Place& place = smoothed_[side][{seam.cells[0], seam.cells[1]}];
-    TILEMEND_ASSIGN_OR_RETURN(place, PutAside(*points));
+    TILEMEND_ASSIGN_OR_RETURN(place, PutAside(*scratch_, *points));
   }
   return waves_.TakeSmooth(seam);
 }
@@ -423,7 +425,7 @@ absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& output) {
   for (const auto* of : {&output.warnings(), &output.texture_warnings()}) files_.Warn(cell, {of->begin(), of->end()});
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<LevelCounts> levels, FromProto(output.levels()));
+  TILEMEND_ASSIGN_OR_RETURN(const auto levels, FromProto(output.levels()));
   AddLevels(levels, levels_);
   waves_.TakeAssemble();
   for (const v1::WrittenFile& file : output.files()) {

@@ -61,7 +61,6 @@ class SceneTasks {
   absl::Status SetPatches(AssembleWork& work, v1::AssembleInput& input);
   absl::StatusOr<v1::SeamSide> SideOf(const CellHoles& cell, const std::vector<int32_t>& holes);
   void SetFiles(const SceneTile& tile, v1::AssembleInput& input);
-  void SetLibrary(const SceneTile& tile, v1::AssembleInput& input);
   absl::StatusOr<v1::TileRef> Ref(const SceneTile& tile) const;
 
   absl::Status TakeOutput(CellId cell, const v1::MeasureOutput& output);
@@ -74,7 +73,6 @@ class SceneTasks {
   absl::Status TakeOutput(CellId cell, const v1::AssembleOutput& output);
   absl::Status ComparePatches(CellId cell, const v1::RimVertices& rims, const v1::FillOutput& output,
                               std::span<const std::vector<SmoothedPoint>> moves);
-  absl::StatusOr<ScratchFile::Place> PutAside(const google::protobuf::MessageLite& message);
 
   const JobSpec& spec_;
   const v1::JobSpec shape_;

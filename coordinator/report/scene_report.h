@@ -27,7 +27,7 @@ struct SceneReportInput {
   SceneOutcome outcome;
   std::vector<std::pair<std::string, double>> seconds;  // by step, in order
   std::vector<std::string> warnings;
-  std::vector<LevelCounts> levels;                      // of tiles with several levels of detail, the coarsest first
+  std::vector<LevelCounts> levels;    // of tiles with several levels of detail, the coarsest first
   std::optional<WeldRecord> weld;     // of a single mesh, if it was asked for
   int64_t tasks = 0, taken_over = 0;  // how many there were, and were taken over from an earlier job
   int64_t tiles = 0, tiles_kept = 0;  // likewise of tiles: those that lay there as they are to be

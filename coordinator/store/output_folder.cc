@@ -197,6 +197,27 @@ absl::Status MarkerError(const std::string& path) {
   return errno == ENOSPC || errno == EDQUOT ? absl::ResourceExhaustedError(text) : absl::PermissionDeniedError(text);
 }
 
+std::string MarkerIn(const std::string& folder) { return absl::StrCat(folder, "/", kJobMarker); }
+
+// Whether the file of an attempt, at `written`, is the one at `path`.
+absl::Status CheckSame(const AttemptFile& file, const std::string& written, const std::string& path) {
+  const bool same =
+      file.digest.empty() ? HaveSameContent(written, path) : FileHasDigest(path, file.digest).value_or(false);
+  if (same) return absl::OkStatus();
+  return WithErrorInfo(
+      absl::AlreadyExistsError(absl::StrCat(
+          Printable(path), ": is there from an earlier job, and would become another file: a tile, a polygon, the ",
+          "program or this file has changed since; give --overwrite to write all cells anew")),
+      {"OUTPUT_EXISTS", {}});
+}
+
+// A file as it was placed. A hard link to it, as by a backup, changes the stamp and no byte.
+bool IsThere(const std::string& path, int64_t bytes, const std::string& digest, const std::string& stamp) {
+  const auto look = LookAt(path, Links::kKeep);
+  if (!look.ok() || look->kind != PathKind::kFile || look->size != bytes) return false;
+  return digest.empty() || HasStamp(path, stamp) || FileHasDigest(path, digest).value_or(false);
+}
+
 }  // namespace
 
 absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const Scene& scene, bool overwrite,
@@ -230,7 +251,7 @@ absl::Status OutputFolder::Lock() {
   struct stat opened {};
   do {
     if (marker_ >= 0) ::close(marker_);
-    marker_ = OpenKept(Marker(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    marker_ = OpenKept(MarkerIn(path_), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (marker_ < 0) return MarkerError(path_);
     // A file system without locks has to do without.
     if (::flock(marker_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
@@ -240,7 +261,7 @@ absl::Status OutputFolder::Lock() {
                            {"OUTPUT_IN_USE", {}});
     }
     // The job that had the marker may have removed it before the lock was taken.
-  } while (::fstat(marker_, &opened) != 0 || !IsStill(Marker(), opened));
+  } while (::fstat(marker_, &opened) != 0 || !IsStill(MarkerIn(path_), opened));
   keep_ = opened.st_size > 0;  // of an unfinished output
   return absl::OkStatus();
 }
@@ -261,7 +282,7 @@ OutputFolder::~OutputFolder() {
   if (path_.empty()) return;
   if (!keep_ || (!wrote_ && attempts_ && IsBare())) {
     if (attempts_) attempts_->Remove();
-    if (marker_ >= 0) RemoveFile(Marker()).IgnoreError();
+    if (marker_ >= 0) RemoveFile(MarkerIn(path_)).IgnoreError();
     RemoveEmptyFolders(made_);
   }
   if (marker_ >= 0) ::close(marker_);
@@ -273,8 +294,6 @@ bool OutputFolder::IsBare() const {
   return names.ok() && attempts.ok() && attempts->size() <= 1 &&
          std::all_of(names->begin(), names->end(), [&](const std::string& name) { return hidden.contains(name); });
 }
-
-std::string OutputFolder::Marker() const { return absl::StrCat(path_, "/", kJobMarker); }
 
 absl::Status OutputFolder::WriteKey() {
   const auto size = static_cast<ssize_t>(key_.size());
@@ -303,23 +322,11 @@ absl::Status OutputFolder::Place(const AttemptFile& file) {
   if (!files_.contains(file.path)) return Keep(file);
   const std::string path = absl::StrCat(path_, "/", file.path);
   if (leaves_files_ && KindOf(path) != PathKind::kNothing) {
-    TILEMEND_RETURN_IF_ERROR(CheckSame(file, path));
+    TILEMEND_RETURN_IF_ERROR(CheckSame(file, absl::StrCat(attempts_->path(), "/", file.attempt), path));
   } else {
     TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
   }
   return Keep(file);
-}
-
-absl::Status OutputFolder::CheckSame(const AttemptFile& file, const std::string& path) const {
-  const std::string written = absl::StrCat(attempts_->path(), "/", file.attempt);
-  const bool same = file.digest.empty() ? HaveSameContent(written, path)
-                                        : FileHasDigest(path, file.digest).value_or(false);
-  if (same) return absl::OkStatus();
-  return WithErrorInfo(
-      absl::AlreadyExistsError(absl::StrCat(
-          Printable(path), ": is there from an earlier job, and would become another file: a tile, a polygon, the ",
-          "program or this file has changed since; give --overwrite to write all cells anew")),
-      {"OUTPUT_EXISTS", {}});
 }
 
 absl::Status OutputFolder::Keep(const AttemptFile& file) {
@@ -337,13 +344,6 @@ bool OutputFolder::has_report() const {
 
 std::string OutputFolder::result_log() const { return absl::StrCat(path_, "/", kResultLog); }
 
-bool OutputFolder::IsThere(const std::string& path, const Placed& file) {
-  const auto look = LookAt(path, Links::kKeep);
-  if (!look.ok() || look->kind != PathKind::kFile || look->size != file.bytes) return false;
-  // A hard link to it, as by a backup, changes the stamp and no byte.
-  return file.digest.empty() || HasStamp(path, file.stamp) || FileHasDigest(path, file.digest).value_or(false);
-}
-
 absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
   int64_t missing = 0, placed = 0;
   std::string first;
@@ -354,7 +354,7 @@ absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
     ++placed;
     const fs::path path = fs::path(path_) / file;
     folders.insert(path.parent_path().string());
-    if (IsThere(path.string(), was)) continue;
+    if (IsThere(path.string(), was.bytes, was.digest, was.stamp)) continue;
     if (missing++ == 0) first = path.string();
   }
   if (missing > 0) {
@@ -384,7 +384,7 @@ int64_t OutputFolder::TidyUp() {
 void OutputFolder::Finish() {
   keep_ = wrote_ = true;
   attempts_->Remove();
-  RemoveFile(Marker()).IgnoreError();
+  RemoveFile(MarkerIn(path_)).IgnoreError();
 }
 
 }  // namespace tilemend

@@ -51,7 +51,8 @@ class OutputFolder {
   absl::Status BeginWriting();
   // These files, relative, belong to this output as well.
   void Adopt(const std::set<std::string>& files);
-  // From now on Place leaves a file that is there already as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the same.
+  // From now on Place leaves a file that is there already as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the
+  // same.
   void LeaveFiles() { leaves_files_ = true; }
   // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
   absl::Status Place(const AttemptFile& file);
@@ -59,8 +60,6 @@ class OutputFolder {
   absl::Status Keep(const AttemptFile& file);
   // SeeAll is to read what is placed: it may have been changed while no coordinator ran.
   void ReadAtTheEnd() { read_ = true; }
-  // As Claim was told.
-  const std::string& key() const { return key_; }
   // Whether a complete output lies there.
   bool has_report() const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
@@ -84,20 +83,16 @@ class OutputFolder {
   // Makes the folder, and locks the marker in it.
   absl::Status Lock();
   absl::Status WriteKey();
-  std::string Marker() const;
-  // Whether the file of an attempt is the one at `path`.
-  absl::Status CheckSame(const AttemptFile& file, const std::string& path) const;
-  static bool IsThere(const std::string& path, const Placed& file);
   // Whether there is nothing in the folder that a job, run again, could know as done.
   bool IsBare() const;
 
   std::string path_;
   std::string key_;
-  std::map<std::string, Placed> files_;    // of this output, relative
-  std::vector<std::string> made_;          // folders, the outermost first
-  int marker_ = -1;                        // descriptor
-  bool keep_ = false;                      // the marker is to stay
-  bool wrote_ = false;                     // this process
+  std::map<std::string, Placed> files_;  // of this output, relative
+  std::vector<std::string> made_;        // folders, the outermost first
+  int marker_ = -1;                      // descriptor
+  bool keep_ = false;                    // the marker is to stay
+  bool wrote_ = false;                   // this process
   bool leaves_files_ = false;
   bool read_ = false;                      // what is placed is to be read before the end
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed

@@ -9,11 +9,10 @@
 
 int main(int count, char** words) {
   using namespace tilemend;
-  const std::map<std::string, TilesetScene> scenes = {
-      {"one", {}},
-      {"of-tiles", {.files = TilesetScene::Files::kOfTiles}},
-      {"on-earth", {.place = TilesetScene::Place::kOnEarth}},
-      {"earth-centred", {.place = TilesetScene::Place::kEarthCentred}}};
+  const std::map<std::string, TilesetScene> scenes = {{"one", {}},
+                                                      {"of-tiles", {.files = TilesetScene::Files::kOfTiles}},
+                                                      {"on-earth", {.place = TilesetScene::Place::kOnEarth}},
+                                                      {"earth-centred", {.place = TilesetScene::Place::kEarthCentred}}};
   if (count != 3 || !scenes.contains(words[2])) return 2;
   for (const auto& [path, bytes] : scenes.at(words[2]).All()) {
     const std::filesystem::path file = std::filesystem::path(words[1]) / path;

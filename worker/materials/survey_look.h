@@ -18,7 +18,7 @@ namespace tilemend {
 struct LookSurvey {
   SurveyRecord record;  // with colours, where the tile has any
   TileFiles files;
-  FileWitness witness;  // of the files and the colours
+  FileWitness witness;                    // of the files and the colours
   std::vector<int32_t> level_nodes = {};  // as MeshFile::level_nodes
 };
 

@@ -63,8 +63,7 @@ std::string NewTileset(NewTile root) {
   tile["refine"] = "REPLACE";
   // What is missed where nothing is drawn.
   const double error = std::max(2 * root.geometric_error, root.box.isEmpty() ? 0 : root.box.diagonal().norm());
-  const OrderedJson json = {
-      {"asset", {{"version", "1.1"}}}, {"geometricError", error}, {"root", std::move(tile)}};
+  const OrderedJson json = {{"asset", {{"version", "1.1"}}}, {"geometricError", error}, {"root", std::move(tile)}};
   return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -52,7 +52,8 @@ TEST(TilePatchTest, AppendsThePatchesToTheTile) {
   EXPECT_THAT(added->materials, ElementsAre(FillMaterial{"tilemend_fill_5_010203", {1, 2, 3}}));
   const auto bytes = PatchedTile(Input(), *added, kTriangle);
   ASSERT_TRUE(bytes.ok()) << bytes.status();
-  EXPECT_EQ(bytes->bytes, std::string(kTriangle) + "v 2 -1 0.5\ng tilemend_filled\nusemtl tilemend_fill_5_010203\nf 2 1 4\n");
+  EXPECT_EQ(bytes->bytes,
+            std::string(kTriangle) + "v 2 -1 0.5\ng tilemend_filled\nusemtl tilemend_fill_5_010203\nf 2 1 4\n");
 }
 
 TEST(TilePatchTest, NamesALibraryThatIsMadeForIt) {
