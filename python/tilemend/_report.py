@@ -4,9 +4,13 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional, Union
+from typing import Any, Dict, List, Mapping, Optional, Union
 
+from ._decisions import Decision, write_decisions
 from ._errors import InvalidInput, NotFound
+
+_LISTS = ('per_hole', 'left', 'warnings', 'water', 'look_at')
+_NEWER_LISTS = ('review', 'water_areas', 'not_holes', 'tension', 'levels')  # not in reports of every release
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,25 +36,79 @@ class Report:
     @property
     def water(self) -> List[Dict[str, Any]]:
         """What was filled flat: `kind`, `level_m` (metres), `sigma_m`, `area_m2`, ..."""
-        return list(self.data['water'])
+        return self._rows('water')
 
     @property
-    def left(self) -> List[Dict[str, Any]]:
-        """Holes that stay open: `cell`, `reason`, `open_edges`."""
-        return list(self.data['left'])
+    def water_areas(self) -> List[Dict[str, Any]]:
+        """What became of each polygon of `water`: `feature`, `taken`, `holes`, `level_m` or `reason`, `doubt`."""
+        return self._rows('water_areas')
+
+    @property
+    def review(self) -> List[Dict[str, Any]]:
+        """Fills in doubt, the most doubtful first: `hole`, `holes`, `taken_for`, `doubt_m`, `doubt_m3`, ..."""
+        return self._rows('review')
 
     @property
     def look_at(self) -> List[Dict[str, Any]]:
         """Fills that a person should look at, the largest first: `centre`, `area_m2`, `why`."""
-        return list(self.data['look_at'])
+        return self._rows('look_at')
+
+    @property
+    def left(self) -> List[Dict[str, Any]]:
+        """Holes that stay open: `cell`, `reason`, `open_edges`."""
+        return self._rows('left')
+
+    @property
+    def not_holes(self) -> List[Dict[str, Any]]:
+        """What stays open but is no hole: `what`, `count`, `open_edges`."""
+        return self._rows('not_holes')
+
+    @property
+    def cleared(self) -> Dict[str, Any]:
+        """Surface that was taken out: `triangles`, of each of `tiles` and of `areas`."""
+        return dict(self.data.get('cleared') or {})
+
+    @property
+    def levels(self) -> List[Dict[str, Any]]:
+        """Levels of detail of a tileset: `level`, `nodes`, `filled`, `added`, `removed`; [] without any."""
+        return self._rows('levels')
+
+    @property
+    def tension(self) -> List[Dict[str, Any]]:
+        """The tensions that `auto` chose: `cluster` or `hole`, `tension` (1/m²), `hold_out_error_m`, ..."""
+        return self._rows('tension')
 
     @property
     def warnings(self) -> List[str]:
         return list(self.data['warnings'])
 
+    def _rows(self, name: str) -> List[Dict[str, Any]]:
+        return list(self.data.get(name) or [])
+
     def holes_table(self) -> Any:
         """The holes as a pandas.DataFrame indexed by `id`; centres as columns `x` and `y` in metres. Needs pandas."""
         return table_of(self.holes)
+
+    def review_table(self) -> Any:
+        """The fills in doubt as a pandas.DataFrame indexed by `hole`, the most doubtful first. Needs pandas."""
+        return table_of(self.review, 'hole')
+
+    def write_decisions(self, path: Union[str, 'os.PathLike[str]'], decisions: Mapping[int, Decision]) -> None:
+        """Writes a file for `decisions` of a job, or `tilemend run --decisions`, onto this output.
+
+        The file has the decisions of earlier rounds as well: what is not in it is undone.
+
+        Args:
+            path: the file, GeoJSON. One that is there is replaced.
+            decisions: by number of hole 'accept', 'water', 'ground' or 'open'; ('water', level) with a height in the
+                scene's CRS, as `level_m` of holes.geojson; None takes an earlier decision back. Each also decides on
+                the holes that belong together with it (`holes` in `review`).
+
+        Raises:
+            InvalidInput: there is no such hole or decision, or the hole has no polygon.
+            NotFound: there is no holes.geojson beside the report.
+        """
+        write_decisions(self.data, self._holes_path(), path, decisions)
 
     def holes_map(self) -> Any:
         """The polygons of the holes as a geopandas.GeoDataFrame in the scene's CRS, from holes.geojson beside the
@@ -59,10 +117,13 @@ class Report:
             import geopandas
         except ImportError:
             raise ImportError('holes_map needs GeoPandas (Debian: python3-geopandas)') from None
-        path = os.path.join(os.path.dirname(self.path), 'holes.geojson')
+        path = self._holes_path()
         if not os.path.exists(path):
             raise NotFound(f'{path}: no such file; only `tilemend run` and jobs write it')
         return geopandas.read_file(path)
+
+    def _holes_path(self) -> str:
+        return os.path.join(os.path.dirname(self.path), 'holes.geojson')
 
 
 def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
@@ -94,24 +155,23 @@ def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
 def _missing(data: Any) -> Optional[str]:
     if not isinstance(data, dict):
         return f'expected an object, found {type(data).__name__}'
-    for key in ('per_hole', 'left', 'warnings', 'water', 'look_at'):
-        if not isinstance(data.get(key), list):
+    for key in _LISTS + _NEWER_LISTS:
+        if not isinstance(data.get(key, None if key in _LISTS else []), list):
             return f'it has no list "{key}"'
     return None
 
 
-def table_of(holes: List[Dict[str, Any]]) -> Any:
+def table_of(holes: List[Dict[str, Any]], index: str = 'id') -> Any:
     """Rows of holes as a pandas.DataFrame."""
     try:
         import pandas
     except ImportError:
-        raise ImportError('holes_table needs pandas (Debian: python3-pandas)') from None
+        raise ImportError('a table needs pandas (Debian: python3-pandas)') from None
     rows = []
     for hole in holes:
         row = {key: value for key, value in hole.items() if key not in ('centre', 'cell', 'water')}
         row['x'], row['y'] = (list(hole.get('centre') or []) + [None, None])[:2]
         row['column'], row['row'] = (list(hole.get('cell') or []) + [None, None])[:2]
-        row['taken_for'] = (hole.get('water') or {}).get('taken_for')
+        row.setdefault('taken_for', (hole.get('water') or {}).get('taken_for'))
         rows.append(row)
-    columns = ['id'] if not rows else None
-    return pandas.DataFrame(rows, columns=columns).set_index('id')
+    return pandas.DataFrame(rows, columns=None if rows else [index]).set_index(index)

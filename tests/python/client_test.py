@@ -74,10 +74,17 @@ class ClientTest(unittest.TestCase):
             again = client.retry(job, overwrite=True)
             self.assertNotEqual(again.name, job.name)
             self.assertEqual(client.wait(again).state, 'DONE')
-        self.check_report(out)
+            self.check_report(out)
+            self.check_decisions(client, scene, out)
 
     def check_report(self, out):
         report = tilemend.read_report(out)
+        others = {'per_hole': 'holes'}
+        for name, value in report.data.items():  # each list is an attribute
+            if isinstance(value, list):
+                self.assertEqual(getattr(report, others.get(name, name)), value, name)
+        self.assertEqual(report.cleared, report['cleared'])
+        self.assertEqual(report.levels, report.data.get('levels', []))
         self.assertEqual(report['options']['gradation'], 1.5)
         self.assertEqual(report.path, os.path.join(out, 'report.json'))
         self.assertEqual(len(report.holes), len(report['per_hole']))
@@ -87,6 +94,7 @@ class ClientTest(unittest.TestCase):
             table = report.holes_table()
             self.assertEqual(len(table), len(report.holes))
             self.assertEqual(set(table['column']), {hole['cell'][0] for hole in report.holes})
+            self.assertEqual(list(report.review_table().index), [item['hole'] for item in report.review])
         except ImportError as error:
             print(f'SKIPPED: table of the holes: {error}')
         try:
@@ -95,6 +103,30 @@ class ClientTest(unittest.TestCase):
             self.assertGreater(holes.geometry.area.sum(), 100)
         except ImportError as error:
             print(f'SKIPPED: map of the holes: {error}')
+
+    def check_decisions(self, client, scene, out):
+        report = tilemend.read_report(out)
+        first, second = report.review[:2]
+        path = os.path.join(out, '..', 'decisions.geojson')
+        report.write_decisions(path, {first['hole']: ('water', 1.25), second['hole']: 'open'})
+        job = client.wait(client.submit(scene, out, gradation=1.5, decisions=os.path.abspath(path)))
+        self.assertEqual(job.state, 'DONE')
+        report = tilemend.read_report(out)
+        decided = {hole['id']: (hole['decision'], hole.get('level_m')) for hole in report.holes if 'decision' in hole}
+        self.assertEqual(decided, {**dict.fromkeys(first['holes'], ('water', 1.25)),
+                                   **dict.fromkeys(second['holes'], ('open', None))})
+        # What was decided before stays, unless it is decided anew or taken back.
+        report.write_decisions(path, {second['hole']: None, report.review[0]['hole']: 'accept'})
+        with open(path, encoding='utf-8') as file:
+            rows = [feature['properties'] for feature in json.load(file)['features']]
+        self.assertEqual({row['hole']: row['decision'] for row in rows},
+                         {**dict.fromkeys(first['holes'], 'water'), **dict.fromkeys(report.review[0]['holes'], 'accept')})
+        for bad, text in (({99999: 'open'}, 'the report has no hole 99999'), ({0: 'lake'}, "decisions[0] is 'lake': expected"),
+                          ({0: ('water', float('nan'))}, 'with a finite number'), ({0: ('open', 3)}, 'with a finite number'),
+                          ({0: ('water', 'high')}, 'with a finite number'), ({'0': 'open'}, 'the report has no hole 0')):
+            with self.assertRaises(tilemend.InvalidInput) as caught:
+                report.write_decisions(path, bad)
+            self.assertIn(text, str(caught.exception))
 
     def test_errors_have_reasons(self):
         cluster = Cluster(self)
@@ -207,13 +239,21 @@ class ReportTest(unittest.TestCase):
             with self.assertRaisesRegex(tilemend.NotFound, 'report.json: no such file'):
                 tilemend.read_report(folder)
             path = os.path.join(folder, 'report.json')
+            empty = dict.fromkeys(('per_hole', 'left', 'warnings', 'water', 'look_at'), [])
             for text, fault in ((b'{', 'is not JSON'), (b'\xff', 'is not JSON'), (b'[]', 'expected an object, found list'),
                                 (b'[' * 100000, 'is not JSON'), (b'{"per_hole": 3}', 'it has no list "per_hole"'),
-                                (json.dumps({'per_hole': []}).encode(), 'it has no list "left"')):
+                                (json.dumps({'per_hole': []}).encode(), 'it has no list "left"'),
+                                (json.dumps(dict(empty, review={})).encode(), 'it has no list "review"')):
                 with open(path, 'wb') as file:
                     file.write(text)
                 with self.assertRaisesRegex(tilemend.InvalidInput, fault):
                     tilemend.read_report(path)
+            with open(path, 'w', encoding='utf-8') as file:
+                json.dump(empty, file)
+            report = tilemend.read_report(path)
+            self.assertEqual((report.review, report.levels, report.cleared), ([], [], {}))
+            with self.assertRaisesRegex(tilemend.NotFound, 'holes.geojson: no such file'):
+                report.write_decisions(os.path.join(folder, 'd.geojson'), {})
 
 
 if __name__ == '__main__':
