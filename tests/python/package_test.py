@@ -4,8 +4,10 @@
 Exit code 77 (skipped, and says so) without what packs. TREE: the build tree of the preset python.
 """
 import glob
+import importlib.metadata
 import importlib.util
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -57,11 +59,23 @@ def debian_package(folder):
     return fill_with(os.path.join(folder, 'root/usr/lib/python3/dist-packages'))
 
 
+def check_requirements(metadata):
+    """Debian's packages must be what the wheel asks for, or pip refuses it."""
+    from packaging.requirements import Requirement  # python3-build needs it
+    wanted = [Requirement(text) for text in re.findall(r'^Requires-Dist: (.*)$', metadata, re.M)]
+    needed = {each.name: each for each in wanted if not each.marker}
+    expect(set(needed) == {'numpy', 'grpcio', 'protobuf'}, f'the wheel needs {sorted(needed)}')
+    for name, each in needed.items():
+        expect(each.specifier.contains(importlib.metadata.version(name)),
+               f'the wheel needs {each}, Debian has {importlib.metadata.version(name)}')
+
+
 def wheel(folder):
     run(sys.executable, '-m', 'build', '--wheel', '--no-isolation', '--outdir', folder, os.path.join(ROOT, 'python'), cwd=ROOT)
     (path,) = glob.glob(os.path.join(folder, '*.whl'))
     with zipfile.ZipFile(path) as archive:
         names = archive.namelist()
+        check_requirements(archive.read(next(name for name in names if name.endswith('/METADATA'))).decode())
         archive.extractall(os.path.join(folder, 'wheel'))
     for name in ('tilemend/py.typed', 'tilemend/_tilemend.pyi', 'tilemend/v1/jobs_pb2_grpc.py'):
         expect(name in names, f'the wheel has no {name}')
