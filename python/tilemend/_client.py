@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import ipaddress
+import numbers
 import os
 import time
 import uuid
 from typing import Any, Iterator, List, Optional, Sequence, Tuple, Union
 
 import grpc
+from google.protobuf.descriptor import FieldDescriptor
 
 from ._errors import Error, InvalidInput, JobFailed, Unavailable, from_status
 from ._jobs import Job, Worker, job_of, worker_of
@@ -19,6 +21,9 @@ _LONGEST_PAUSE_S = 2.0
 _RECONNECT_S = 600.0  # as `tilemend watch`
 _DETAILS = 'grpc-status-details-bin'
 _INFO = 'google.rpc.ErrorInfo'
+# By the type of the option's field; all others are numbers.
+_KINDS_OF_OPTIONS = {FieldDescriptor.CPPTYPE_BOOL: (bool, 'True or False'),
+                     FieldDescriptor.CPPTYPE_STRING: ((str, os.PathLike), 'text or a path')}
 
 
 class Client:
@@ -67,7 +72,8 @@ class Client:
             scene, out: paths as the coordinator and all workers see them; relative ones are of this process's folder.
             priority: -100 to 100. A job of a higher one goes first.
             request_id: the same id with the same options gives the job that was made the first time.
-            **options: as the flags of `tilemend run`, with _ for -.
+            **options: as the flags of `tilemend run`, with _ for -. None leaves an option out. A relative pathlib.Path
+                is of this process's folder; text that is a path begins with /.
 
         Raises:
             InvalidInput: an option is wrong. NotFound: no such scene. Conflict: the output exists (OUTPUT_EXISTS), or
@@ -76,7 +82,8 @@ class Client:
         spec = job_spec_pb2.JobSpec(scene=os.path.abspath(os.fspath(scene)), out=os.path.abspath(os.fspath(out)))
         for name, value in options.items():
             _set(spec, name, value)
-        request = jobs_pb2.CreateJobRequest(spec=spec, priority=priority, request_id=request_id or str(uuid.uuid4()))
+        request = _request(jobs_pb2.CreateJobRequest, priority=priority, request_id=request_id or str(uuid.uuid4()))
+        request.spec.CopyFrom(spec)
         return _job(self._call(self._jobs.CreateJob, request))
 
     def get(self, job: Union[str, Job]) -> Job:
@@ -145,7 +152,7 @@ class Client:
 
     def prioritize(self, job: Union[str, Job], priority: int) -> Job:
         """Gives a job another priority, -100 to 100."""
-        request = jobs_pb2.PrioritizeJobRequest(name=_name(job), priority=priority)
+        request = _request(jobs_pb2.PrioritizeJobRequest, name=_name(job), priority=priority)
         return _job(self._call(self._jobs.PrioritizeJob, request))
 
     def retry(self, job: Union[str, Job], *, overwrite: bool = False) -> Job:
@@ -178,18 +185,39 @@ def _job(job: Any) -> Job:
 
 def _name(job: Union[str, Job]) -> str:
     name = job.name if isinstance(job, Job) else job
+    if not isinstance(name, str):
+        raise TypeError(f'job: has type {type(job).__name__}; expected a Job or its name')
     return name if name.startswith('jobs/') else f'jobs/{name}'
 
 
+def _request(kind: Any, **fields: Any) -> Any:
+    message = kind()
+    for name, value in fields.items():
+        _assign(message, name, value)
+    return message
+
+
+def _assign(message: Any, name: str, value: Any) -> None:
+    """Sets a field. The error names it."""
+    try:
+        setattr(message, name, value)
+    except TypeError as error:
+        raise TypeError(f'{name}: {error}') from None
+    except ValueError as error:
+        raise InvalidInput(f'{name}: {error}') from None
+
+
 def _set(spec: Any, name: str, value: Any) -> None:
-    if name not in spec.DESCRIPTOR.fields_by_name or name in ('scene', 'out'):
+    """Sets an option. None leaves it out, and a pathlib.Path is of this process's folder."""
+    field = spec.DESCRIPTOR.fields_by_name.get(name)
+    if field is None or name in ('scene', 'out'):
         raise InvalidInput(f'{name}: there is no such option', 'INVALID_SPEC', {'field': name})
     if value is None:
         return
-    try:
-        setattr(spec, name, os.fspath(value) if isinstance(value, os.PathLike) else value)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f'{name}: {error}') from None
+    kind, expected = _KINDS_OF_OPTIONS.get(field.cpp_type, (numbers.Real, 'a number'))
+    if not isinstance(value, kind) or isinstance(value, bool) != (kind is bool):
+        raise TypeError(f'{name}: has type {type(value).__name__}; expected {expected}')
+    _assign(spec, name, os.path.abspath(value) if isinstance(value, os.PathLike) else value)
 
 
 def _info_of(status: Any) -> Optional[Any]:
@@ -224,7 +252,11 @@ def _is_loopback(address: str) -> bool:
 
 def _check_security(address: str, ca: Optional[Path], cert: Optional[Path], key: Optional[Path], token: Optional[str],
                     token_file: Optional[Path], insecure: bool) -> None:
-    if ':' not in address or not address.rsplit(':', 1)[1].isdigit():
+    for name, text in (('address', address), ('token', '' if token is None else token)):
+        if not isinstance(text, str):
+            raise TypeError(f'{name}: has type {type(text).__name__}; expected text')
+    host, _, port = address.rpartition(':')
+    if not host or '/' in host or not port.isdecimal() or not 0 < int(port) < 65536:
         raise InvalidInput(f'address: {address!r}: expected "HOST:PORT"')
     if (cert is None) != (key is None):
         raise InvalidInput(f'{"key" if key is None else "cert"}: is missing; cert and key go together')

@@ -13,6 +13,8 @@ from . import _tilemend
 from ._errors import InvalidInput
 from ._report import table_of
 
+_MOST_ROWS = 2**31 - 1
+
 Progress = Callable[[str, int, int], Any]
 
 
@@ -84,6 +86,8 @@ def fill(vertices: ArrayLike, faces: ArrayLike, *, progress: Optional[Progress] 
         NotFound: a file of `water` or `clear` is missing.
         KeyboardInterrupt: Ctrl-C, soon after it was pressed. Other threads of Python run meanwhile.
     """
+    if progress is not None and not callable(progress):
+        raise TypeError(f'progress: has type {type(progress).__name__}; expected a function')
     points, triangles = _vertices(vertices), _faces(faces)
     new_vertices, new_faces, originals, report = _tilemend.fill(points, triangles, _texts(options), progress)
     return Filled(new_vertices, new_faces, np.arange(len(new_faces)) >= originals, json.loads(report))
@@ -92,7 +96,7 @@ def fill(vertices: ArrayLike, faces: ArrayLike, *, progress: Optional[Progress] 
 def _vertices(given: ArrayLike) -> NDArray[Any]:
     if not isinstance(given, np.ndarray):
         given = _array('vertices', given, np.float64)
-    _check_shape('vertices', given.shape)
+    _check_rows('vertices', given)
     if given.dtype.kind != 'f' or given.dtype.itemsize not in (4, 8):
         raise TypeError(f'vertices: has dtype {given.dtype}; expected float32 or float64')
     return np.require(given, given.dtype.newbyteorder('='), ('C', 'ALIGNED'))
@@ -103,7 +107,7 @@ def _faces(given: ArrayLike) -> NDArray[Any]:
         given = _array('faces', given, None)
         if given.size == 0:
             given = np.zeros((0, 3), np.int64)
-    _check_shape('faces', given.shape)
+    _check_rows('faces', given)
     if given.dtype.kind not in 'iu':
         raise TypeError(f'faces: has dtype {given.dtype}; expected integers, as int32 or int64')
     wide = np.int64 if given.dtype.itemsize < 4 else given.dtype.newbyteorder('=')
@@ -112,28 +116,39 @@ def _faces(given: ArrayLike) -> NDArray[Any]:
 
 def _array(name: str, given: ArrayLike, dtype: Any) -> NDArray[Any]:
     try:
-        return np.asarray(given, dtype)
+        array = np.asarray(given, dtype)
     except (TypeError, ValueError) as error:
         raise TypeError(f'{name}: cannot be made an array of shape (n, 3): {error}') from None
+    if array.ndim == 0:
+        raise TypeError(f'{name}: has type {type(given).__name__}; expected an array of shape (n, 3)')
+    return array
 
 
-def _check_shape(name: str, shape: Tuple[int, ...]) -> None:
-    if len(shape) != 2 or shape[1] != 3:
-        raise InvalidInput(f'{name}: has shape {shape}; expected (n, 3)')
+def _check_rows(name: str, array: NDArray[Any]) -> None:
+    """Before anything is converted."""
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise InvalidInput(f'{name}: has shape {array.shape}; expected (n, 3)')
+    if len(array) > _MOST_ROWS:
+        raise InvalidInput(f'{name}: {len(array)} rows; expected at most {_MOST_ROWS}')
+    if np.ma.is_masked(array):
+        raise InvalidInput(f'{name}: has masked values; leave these rows out')
 
 
 def _texts(given: Dict[str, Any]) -> Dict[str, str]:
     """The options as on the command line."""
     texts = {}
     for name, value in given.items():
+        value = value.item() if isinstance(value, np.generic) else value
         if value is None or value is False:
             continue
         if value is True:
             texts[name] = 'true'
-        elif isinstance(value, (int, float, np.integer, np.floating)):
-            texts[name] = repr(value.item() if isinstance(value, np.generic) else value)
+        elif isinstance(value, (int, float)):
+            texts[name] = repr(value)
         elif isinstance(value, (str, os.PathLike)):
             texts[name] = os.fspath(value)
         else:
             raise TypeError(f'{name}: has type {type(value).__name__}; expected a number, text, a path, True or False')
+        if not texts[name].isascii() and texts[name] != texts[name].encode(errors='replace').decode():
+            raise InvalidInput(f'{name}: {texts[name]!r} is no valid Unicode')
     return texts

@@ -136,7 +136,7 @@ def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
         NotFound: there is no such file: the output is not complete, or not there.
         InvalidInput: it is no report.
     """
-    name = os.fspath(path)
+    name = os.fsdecode(path)
     if os.path.isdir(name):
         name = os.path.join(name, 'report.json')
     try:

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -109,7 +110,7 @@ class ClientTest(unittest.TestCase):
         first, second = report.review[:2]
         path = os.path.join(out, '..', 'decisions.geojson')
         report.write_decisions(path, {first['hole']: ('water', 1.25), second['hole']: 'open'})
-        job = client.wait(client.submit(scene, out, gradation=1.5, decisions=os.path.abspath(path)))
+        job = client.wait(client.submit(scene, out, gradation=1.5, decisions=pathlib.Path(os.path.relpath(path))))
         self.assertEqual(job.state, 'DONE')
         report = tilemend.read_report(out)
         decided = {hole['id']: (hole['decision'], hole.get('level_m')) for hole in report.holes if 'decision' in hole}
@@ -142,8 +143,16 @@ class ClientTest(unittest.TestCase):
             self.assertIn('expected a number from 1 to 10', str(error))
             self.assertEqual(error.metadata, {'field': 'gradation'})
             expect(tilemend.InvalidInput, 'INVALID_SPEC', client.submit, scene, out, gradatoin=2.0)
-            with self.assertRaisesRegex(TypeError, 'gradation'):
-                client.submit(scene, out, gradation='much')
+            for name, value, expected in (('gradation', 'much', 'str; expected a number'), ('uniform', 1, 'int; expected True or'),
+                                          ('gradation', True, 'bool; expected a number'), ('water', 3, 'int; expected text')):
+                with self.assertRaisesRegex(TypeError, f'{name}: has type {expected}'):
+                    client.submit(scene, out, **{name: value})
+            with self.assertRaisesRegex(TypeError, 'priority'):
+                client.submit(scene, out, priority='high')
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'priority: Value out of range'):
+                client.submit(scene, out, priority=2**40)
+            with self.assertRaisesRegex(TypeError, 'job: has type int; expected a Job or its name'):
+                client.get(3)
             expect(tilemend.NotFound, 'SCENE_NOT_FOUND', client.submit, scene + '/none', out)
             expect(tilemend.NotFound, 'JOB_NOT_FOUND', client.get, 'none')
             with self.assertRaises(tilemend.NotFound):
@@ -188,7 +197,8 @@ class SecurityTest(unittest.TestCase):
                 tilemend.Client(*words, **more)
             self.assertIn(text, str(caught.exception))
 
-        expect('expected "HOST:PORT"', 'localhost')
+        for address in ('localhost', ':7070', 'http://127.0.0.1:7070', 'localhost:0', 'localhost:99999'):
+            expect('expected "HOST:PORT"', address)
         expect('ca: is missing: without TLS the token would go to far.example:7070 in plain text', 'far.example:7070',
                token='secret')
         expect('key: is missing; cert and key go together', 'localhost:1', cert='a.pem')

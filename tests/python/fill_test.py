@@ -146,9 +146,15 @@ class ErrorTest(unittest.TestCase):
         self.expect(TypeError, 'faces: has dtype object', faces=self.faces.astype(object))
         self.expect(ValueError, 'vertices: has shape (49, 2); expected (n, 3)', self.vertices[:, :2])
         self.expect(ValueError, 'faces: has shape (192,); expected (n, 3)', faces=self.faces.ravel())
-        self.expect(ValueError, 'faces: has shape ()', faces=np.int64(3))
+        self.expect(ValueError, 'faces: has shape ()', faces=np.array(3))
         self.expect(ValueError, 'vertices: there are none', np.zeros((0, 3)))
         self.expect(TypeError, 'vertices: cannot be made an array', [[1, 2], [3]])
+        self.expect(TypeError, 'faces: has type dict; expected an array of shape (n, 3)', faces={})
+        masked = np.ma.masked_array(self.vertices, self.vertices > 3)
+        self.expect(ValueError, 'vertices: has masked values; leave these rows out', masked)
+        many = np.broadcast_to(np.zeros(3), (2**31, 3))  # 51 GB if it were copied
+        self.expect(ValueError, 'vertices: 2147483648 rows; expected at most 2147483647', many)
+        self.expect(TypeError, 'progress: has type int; expected a function', progress=3)
 
     def test_says_which_number_is_wrong(self):
         for number, shown in ((np.nan, 'nan'), (np.inf, 'inf'), (-np.inf, '-inf'), (2e9, '2e+09')):
@@ -174,6 +180,9 @@ class ErrorTest(unittest.TestCase):
         self.expect(ValueError, 'out: arrays have no such option', out='file.ply')
         self.expect(ValueError, 'expected', filler='magic')
         self.expect(TypeError, 'tension: has type list', tension=[1])
+        self.expect(ValueError, r"water: '\udcff' is no valid Unicode", water='\udcff')
+        uniform = tilemend.fill(self.vertices, self.faces, uniform=np.bool_(True), largest_hole=np.int32(500))
+        self.assertEqual(uniform.report['options']['uniform'], True)
         self.expect(tilemend.NotFound, '/no/such/file.geojson', water='/no/such/file.geojson')
 
     def test_lists_its_options(self):
