@@ -6,7 +6,7 @@ import numbers
 import os
 import time
 import uuid
-from typing import Any, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 import grpc
 from google.protobuf.descriptor import FieldDescriptor
@@ -22,8 +22,9 @@ _RECONNECT_S = 600.0  # as `tilemend watch`
 _DETAILS = 'grpc-status-details-bin'
 _INFO = 'google.rpc.ErrorInfo'
 # By the type of the option's field; all others are numbers.
-_KINDS_OF_OPTIONS = {FieldDescriptor.CPPTYPE_BOOL: (bool, 'True or False'),
-                     FieldDescriptor.CPPTYPE_STRING: ((str, os.PathLike), 'text or a path')}
+_KINDS_OF_OPTIONS: Dict[int, Tuple[Any, str]] = {
+    FieldDescriptor.CPPTYPE_BOOL: (bool, 'True or False'),
+    FieldDescriptor.CPPTYPE_STRING: ((str, os.PathLike), 'text or a path')}
 
 
 class Client:

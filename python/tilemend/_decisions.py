@@ -20,7 +20,7 @@ def write_decisions(report: Dict[str, Any], outlines: str, path: Union[str, 'os.
                     decisions: Mapping[int, Decision]) -> None:
     """Writes the decisions, and those that the report's output has already. `outlines`: path of its holes.geojson."""
     collection = _read(outlines)
-    marks = {}
+    marks: Dict[int, Optional[Dict[str, Any]]] = {}
     for hole, decision in dict(decisions).items():
         mark = _properties(hole, decision)
         marks.update((other, mark) for other in _group(report, hole))
